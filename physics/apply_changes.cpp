@@ -24,7 +24,7 @@ void updateStatics(PhysicsBodies& bodies, const FrameChanges& changes, const Wor
         if (isStatic(handle)) bodies.createStatic(world, handle);
 }
 
-/// Each body once, in slot order, with the larger of its changes.
+/// Updates each changed body once, in slot order. One that was not only carved is created from World again.
 void updateDynamics(PhysicsBodies& bodies, const FrameChanges& changes, const World& world) {
     struct Changed {
         BodyHandle body;
@@ -52,7 +52,7 @@ void updateDynamics(PhysicsBodies& bodies, const FrameChanges& changes, const Wo
     }
 }
 
-/// What floated in water that is gone falls; what lies where water is now may float.
+/// Takes over changed waters and wakes the bodies in them: they may fall or float now.
 void updateWaters(PhysicsBodies& bodies, WaterVolumes& waters, const FrameChanges& changes, const World& world) {
     for (const WaterHandle handle : changes.waters) {
         const std::optional<WorldBox> box =
@@ -75,7 +75,7 @@ void PhysicsWorld::Impl::load(const World& world) {
     bool first = true;
     world.bodies().forEach([&](BodyHandle, const Body& body) {
         const glm::dvec3 p = body.pose.position;
-        if (!(glm::length(p) < 1e12)) return;
+        if (!(glm::length(p) < 1e12)) return;  // metres; also skips NaN and infinity
         low = first ? p : glm::min(low, p);
         high = first ? p : glm::max(high, p);
         first = false;

@@ -24,7 +24,7 @@ struct PhysicsWorld::Impl {
     void applyChanges(const FrameChanges& changes, const World& world);
     /// Applies the impulses of the changes, and quarantines bodies that they made invalid.
     void applyImpulses(const FrameChanges& changes);
-    /// Wakes all bodies if gravity is another.
+    /// Takes over World's gravity, and wakes all bodies if it has changed.
     void setGravity(const World& world);
 
     PhysicsSettings settings;

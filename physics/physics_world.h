@@ -18,8 +18,8 @@ struct PhysicsStats {
 
 /// Rigid bodies made of voxels, with joints, ropes, water and characters. It follows a World: apply() takes over its
 /// changes, step() moves the bodies, and copyMotion() writes the result back. Positions are double; each pair is
-/// computed in float about one of its bodies. The same changes and steps give the same bits, on every machine and any
-/// number of threads. [main-thread]
+/// computed in float about one of its bodies. The same changes and steps give the same bits, with the same build and
+/// any number of threads. [main-thread]
 class PhysicsWorld {
 public:
     /// Empty until the first apply().

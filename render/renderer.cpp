@@ -38,14 +38,14 @@
 namespace rubble {
 namespace {
 
-/// What is drawn by, for what the settings want. On llvmpipe passes take 0.97 to 3.4 times as long by compute, the
-/// whole frame 1.24 to 1.34 times, so for software renderers compute programs are not even built.
+/// How this GL draws full-screen passes, if the settings want `wanted`. On llvmpipe passes take 0.97 to 3.4 times as
+/// long by compute, the whole frame 1.24 to 1.34 times, so for software renderers compute programs are not even built.
 Fullscreen supported(Fullscreen wanted) {
     if (wanted == Fullscreen::Auto) return hasCompute() && !isSoftwareGl() ? Fullscreen::Fastest : Fullscreen::Fragment;
     if (wanted == Fullscreen::Fragment || hasCompute()) return wanted;
     logWarning(
-        "RenderSettings::fullscreen: expected GL 4.3 or newer for compute programs, found an older context; "
-        "full-screen passes are drawn by fragments");
+        "full-screen passes: expected GL 4.3 or newer for compute programs, found an older context; "
+        "fragments draw them");
     return Fullscreen::Fragment;
 }
 
@@ -100,8 +100,8 @@ struct Renderer::Impl {
         targets.beginPass(reads, writes);
         draw();
         targets.endPass();
-        timer.end(figures.passMs);
-        if (choice.hasDrawnByCompute()) figures.computePasses.push_back(name);
+        timer.end(stats.passMs);
+        if (choice.hasDrawnByCompute()) stats.computePasses.push_back(name);
     }
     void beginTimes();
     void draw(const View& view, float alpha);
@@ -124,7 +124,7 @@ struct Renderer::Impl {
     VertexArray emptyVertexArray = VertexArray::make();
     Texture blueNoise;
     PassTimer timer{isSoftwareGl(), settings.processorTime};
-    RenderFigures figures;
+    RenderStats stats;
     bool hasDrawn = false;
     float stepAlpha = 1.0f;  ///< of this frame: 0 to 1 between the last two steps
     const ShowPass::TargetView* shown = &ShowPass::views()[0];
@@ -238,7 +238,7 @@ void Renderer::Impl::fillBlock(const View& view, glm::ivec2 renderSize) {
 const LightGrid* Renderer::Impl::updateLightGrid() {
     if (scene.lights().empty() && !lightGrid) return nullptr;
     if (!lightGrid) lightGrid.emplace();
-    figures.uploadBytes += lightGrid->update(scene.lights(), block, scene.origin());
+    stats.uploadBytes += lightGrid->update(scene.lights(), block, scene.origin());
     return &*lightGrid;
 }
 
@@ -248,7 +248,7 @@ void Renderer::Impl::uploadBlock() {
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, blockBuffer.get());
 }
 
-constexpr int kMaxDownscale = 6;
+constexpr int kMaxDownscale = 6;  ///< as a power of two: a side is at least 1/64 of the view's
 
 /// How often a view's size must be halved for the GL to draw into it.
 int downscaleFor(glm::ivec2 size) {
@@ -262,18 +262,31 @@ int downscaleFor(glm::ivec2 size) {
     return downscale;
 }
 
+/// What the host must mend before draw() can draw; empty: nothing.
+std::string whyNotDrawable(const View& view) {
+    if (!glGetString(GL_VERSION)) return "expected a current GL context on the thread that draws, found none";
+    if (isContextLost()) return "the GL context was lost: destroy this renderer, then make a new context and renderer";
+    if (view.framebuffer == 0) return {};
+    const std::string name = "the view's framebuffer " + std::to_string(view.framebuffer);
+    if (!glIsFramebuffer(view.framebuffer)) return name + ": expected a framebuffer of this GL context, found none";
+    const GlStateGuard hostState;
+    glBindFramebuffer(GL_FRAMEBUFFER, view.framebuffer);
+    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (status == GL_FRAMEBUFFER_COMPLETE) return {};
+    return name + ": expected a complete framebuffer, found status " + std::to_string(status);
+}
+
 void Renderer::Impl::draw(const View& view, float alpha) {
     if (view.size.x <= 0 || view.size.y <= 0) return;
-    if (isContextLost()) {
-        if (lastError.empty())
-            logError(lastError =
-                         "the GL context was lost: destroy this renderer, then make a new context and renderer");
+    if (std::string error = whyNotDrawable(view); !error.empty()) {
+        if (error != lastError) logError(error);
+        lastError = std::move(error);
         return;
     }
     lastError.clear();
     const GlStateGuard hostState;
     downscale = std::max(downscale, downscaleFor(view.size));
-    figures.uploadBytes = scene.beginFrame(alpha, view.position);
+    stats.uploadBytes = scene.beginFrame(alpha, view.position);
     stepAlpha = alpha;
     const bool isFirst = view.cut || !hasDrawn;
     hasDrawn = true;
@@ -284,12 +297,12 @@ void Renderer::Impl::draw(const View& view, float alpha) {
     }
     drawSmallerOnFailure(view);
     scene.endFrame();
-    figures.textureBytes =
+    stats.textureBytes =
         targets.bytes() + scene.bytes() + gbuffer.bytes() + blueNoise.bytes() + (lightGrid ? lightGrid->bytes() : 0);
-    figures.computePrograms = shaders.computePrograms();
-    figures.waitingBytes = scene.bodies().waitingBytes();
-    figures.shapes = scene.bodies().shapes();
-    figures.bricks = scene.bodies().bricks();
+    stats.computePrograms = shaders.computePrograms();
+    stats.waitingBytes = scene.bodies().waitingBytes();
+    stats.shapes = scene.bodies().shapes();
+    stats.bricks = scene.bodies().bricks();
 }
 
 void Renderer::Impl::drawSmallerOnFailure(const View& view) {
@@ -322,9 +335,9 @@ glm::ivec2 scaledSize(glm::ivec2 view, float scale) {
 
 /// Starts the times of a frame, and gives those of the last one to the choice between fragments and compute.
 void Renderer::Impl::beginTimes() {
-    if (timer.isImmediate()) choice.addPassTimes(figures.passMs);
-    timer.beginFrame(figures.passMs);
-    if (!timer.isImmediate()) choice.addPassTimes(figures.passMs);
+    if (timer.isImmediate()) choice.addPassTimes(stats.passMs);
+    timer.beginFrame(stats.passMs);
+    if (!timer.isImmediate()) choice.addPassTimes(stats.passMs);
     if (const std::string decisions = choice.takeDecisions(); !decisions.empty())
         logInfo("full-screen passes are drawn by the faster method: " + decisions);
 }
@@ -333,13 +346,13 @@ void Renderer::Impl::drawOnce(const View& wanted) {
     View view = wanted;
     view.size = glm::max(wanted.size >> downscale, glm::ivec2(1));
     beginTimes();
-    figures.drawCalls = figures.bodyDraws = 0;
-    figures.computePasses.clear();
+    stats.drawCalls = stats.bodyDraws = 0;
+    stats.computePasses.clear();
     const glm::ivec2 renderSize = scaledSize(view.size, settings.resolutionScale);
     targets.beginFrame(renderSize, view.size, view.cut);
     fillBlock(view, renderSize);
     uploadBlock();
-    const FrameContext frame{block,  settings, scene, targets, blueNoise, figures, emptyVertexArray, updateLightGrid(),
+    const FrameContext frame{block,  settings, scene, targets, blueNoise, stats, emptyVertexArray, updateLightGrid(),
                              &choice};
     drawPasses(frame);
     run("show", shown->target, {}, [&] { show.draw(frame, *shown, wanted, statusDot()); });
@@ -412,8 +425,8 @@ Result<FloatImage> Renderer::readTarget(std::string_view name) const {
     return image;
 }
 
-const RenderFigures& Renderer::figures() const {
-    return m_impl->figures;
+const RenderStats& Renderer::stats() const {
+    return m_impl->stats;
 }
 
 }  // namespace rubble

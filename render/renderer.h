@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "render/float_image.h"
-#include "render/frame/render_figures.h"
 #include "render/frame/render_settings.h"
+#include "render/frame/render_stats.h"
 #include "runtime/core/result.h"
 #include "runtime/frame/frame_snapshot.h"
 
@@ -47,7 +47,7 @@ public:
     /// render/frame/targets.h). Waits for the GL. For tests and measurements.
     Result<FloatImage> readTarget(std::string_view name) const;
     /// What the last draw() cost.
-    const RenderFigures& figures() const;
+    const RenderStats& stats() const;
 
 private:
     struct Impl;

@@ -28,9 +28,9 @@ struct CollisionObject {
     glm::dvec3 low{0.0}, high{0.0};  ///< world bounds, with what it sweeps in the step
     uint32_t version = 0;            ///< changes when it is added again or its voxels change
 
-    /// Sets the pose and what follows from it but the bounds: those are Broadphase::move()'s.
+    /// Sets the pose, and computes the filter and the cell transforms from it. Leaves the bounds to Broadphase::move().
     void setPose(const Pose& newPose);
-    /// Of the collider's parts, about `pose`.
+    /// The cell transforms of the collider's parts, relative to the position of `pose`.
     std::span<const CellTransform> cellTransforms() const { return m_cellTransforms; }
 
 private:
@@ -40,7 +40,7 @@ private:
     bool m_moves = false;
 };
 
-/// The one with the lower number first. Numbers give the order in which everything about pairs is done.
+/// Two objects, the one with the lower number first. Pairs are sorted by these numbers wherever their order matters.
 using ObjectPair = std::pair<CollisionObject*, CollisionObject*>;
 
 }  // namespace rubble

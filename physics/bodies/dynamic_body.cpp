@@ -31,7 +31,7 @@ DynamicBody::DynamicBody(const World& world, BodyHandle handle)
     : m_handle(handle), m_shapes(world.bodies().at(handle).shapes) {
     for (const ShapeHandle shape : m_shapes)
         object.collider.parts.push_back(
-            std::make_unique<VoxelPart>(world.shapes().at(shape), Pose{}, world.materials()));
+            std::make_unique<ColliderPart>(world.shapes().at(shape), Pose{}, world.materials()));
     object.body = object.number = handle.slot();
     object.dynamic = this;
     takeState(world);

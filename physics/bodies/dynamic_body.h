@@ -14,7 +14,7 @@ namespace rubble {
 /// something comes near. [main-thread]
 class DynamicBody {
 public:
-    /// As World has it now; awake, and in no broadphase.
+    /// Copies the body from World. It is awake and in no broadphase.
     DynamicBody(const World& world, BodyHandle handle);
     DynamicBody(const DynamicBody&) = delete;
     DynamicBody& operator=(const DynamicBody&) = delete;
@@ -23,21 +23,21 @@ public:
     /// it has other shapes now or shapes of other size.
     bool updateShape(const World& world, const FrameChanges& changes);
 
-    /// Of one of its shapes; takes effect with the collision object's next pose.
+    /// Sets the filter of one of its shapes. It takes effect with the collision object's next pose.
     void setFilter(ShapeHandle shape, CollisionFilter filter);
-    /// Falling asleep stops it; both restart its sleep timer. The broadphase is not told.
+    /// Puts it to sleep, with velocities of 0, or wakes it, with a new sleep timer. The broadphase is not told.
     void setAsleep(bool asleep);
     /// See setAsleep().
     bool asleep() const { return m_asleep; }
-    /// Takes it out of the simulation for good.
+    /// Takes it out of the simulation for good; see quarantined().
     void quarantine() { m_quarantined = true; }
-    /// Its numbers were invalid: it is not simulated.
+    /// Whether it is not simulated, because its numbers were invalid.
     bool quarantined() const { return m_quarantined; }
-    /// Whether pose and velocities are numbers to compute with: no NaN, no infinity, nothing beyond kInvalidSpeed.
+    /// Whether pose and velocities can be computed with: no NaN, no infinity, no speed beyond limits::kInvalidSpeed.
     bool finite() const;
-    /// By any coordinate, metres, world.
+    /// Whether a coordinate of its centre of mass is more than `distance` metres from that of a world position.
     bool isFartherThan(double distance, glm::dvec3 origin) const;
-    /// Clamps to the limits; true if anything was beyond. counts: incremented by kind.
+    /// Clamps speed and spin to the limits; true if anything was beyond, mass included. counts: incremented by kind.
     bool clamp(LimitCounts& counts);
     /// Goes back to the pose of the last refresh(), at rest.
     void restore();
@@ -49,19 +49,19 @@ public:
 
     /// World's handle.
     BodyHandle handle() const { return m_handle; }
-    /// Clamped to the limits.
+    /// Mass (kg), centre and principal inertia (kg m2); the mass is clamped to the limits.
     const MassProperties& mass() const { return m_mass; }
     /// Half the smallest side of the collider's bounds, metres: the radius of the inscribed sphere that may tunnel.
     double minHalfExtent() const { return m_minHalfExtent; }
-    /// World's frame of the body in the frame of `motion`.
+    /// The pose of World's frame of the body in the frame of `motion`.
     const Pose& bodyInCenter() const { return m_bodyInCenter; }
-    /// Of the centre of mass, world.
+    /// The world pose of the centre of mass, in principal axes.
     Pose pose() const { return {motion.position, motion.rotation}; }
-    /// Of World's frame of the body, world.
+    /// The world pose of World's frame of the body.
     Pose bodyPose() const { return pose() * m_bodyInCenter; }
     /// Moves the collision object to pose().
     void setPose() { object.setPose(pose()); }
-    /// impulse in N s at a position, both world.
+    /// Changes the velocities by an impulse (N s) at a position, both in world space.
     void applyImpulse(glm::dvec3 impulse, glm::dvec3 position);
 
     CollisionObject object;
@@ -77,7 +77,7 @@ public:
     bool settled = false;                   ///< only a hard hit wakes it
     bool wantsSleep = false;                ///< has rested long enough, but what it is jointed to may not have
     int solverIndex = 0;                    ///< in the solver's list of bodies, if it is awake
-    bool pairsFound = false;                ///< of this step
+    bool pairsFound = false;                ///< contact detection has searched its pairs in this step
 
 private:
     /// Takes mass, frame and motion from World and moves the collider's parts to the new centre of mass.

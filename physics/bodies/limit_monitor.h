@@ -11,7 +11,7 @@ public:
     const LimitCounts& counts() const { return m_counts; }
     /// Goes on from the counts of another; nothing is warned of twice.
     void setCounts(const LimitCounts& counts) { m_counts = counts; }
-    /// Whether the body is more than kMaxDistance from the origin.
+    /// Whether the body is more than limits::kMaxDistance from the origin; counts it if it is.
     bool isOutOfRange(const DynamicBody& body, glm::dvec3 origin);
     /// Clamps the body's speed, spin and mass.
     void clamp(DynamicBody& body);

@@ -17,15 +17,16 @@
 namespace rubble {
 namespace {
 
-/// tan(h) / h for x = h^2, as a polynomial of fifth order in h: the same bits on every machine.
-double tanOverX(double x) {
-    return 1.0 + x * (1.0 / 3.0 + x * (2.0 / 15.0));
+/// tan(h) / h for h2 = h^2, radians: the first terms of the Taylor series, the same bits on every machine. The relative
+/// error is about 17/315 h^6: 2e-4 for a rotation by 2 h = 0.8 radians.
+double tanOverHalf(double h2) {
+    return 1.0 + h2 * (1.0 / 3.0 + h2 * (2.0 / 15.0));
 }
 
 /// The rotation by the rotation vector `angle`, radians: (1, tan(|angle| / 2) axis), which is not of length 1.
 glm::dquat rotationOf(glm::dvec3 angle) {
     const glm::dvec3 half = angle * 0.5;
-    const double tangent = tanOverX(glm::dot(half, half));
+    const double tangent = tanOverHalf(glm::dot(half, half));
     return {1.0, half.x * tangent, half.y * tangent, half.z * tangent};
 }
 
@@ -50,7 +51,7 @@ struct Spin {
 /// Rotates the frame about its axis i, and the momentum in it back by the same angle. j and k are the axes that follow
 /// i.
 void rotateAbout(double angle, double& w, double& i, double& j, double& k, double& momentumJ, double& momentumK) {
-    const double half = 0.5 * angle, t = half * tanOverX(half * half);
+    const double half = 0.5 * angle, t = half * tanOverHalf(half * half);
     const double scale = 1.0 / (1.0 + t * t), cosine = (1.0 - t * t) * scale, sine = 2.0 * t * scale;
     const double w0 = w, j0 = j, along = momentumJ;
     w = w0 - i * t, i = i + w0 * t;
@@ -61,7 +62,8 @@ void rotateAbout(double angle, double& w, double& i, double& j, double& k, doubl
 
 /// The splitting of the file's opening comment; a, b and c are its axes x, y and z.
 void rotateTorqueFree(SolverBody& body, double seconds) {
-    constexpr double kOuter = 1.3512071919596578, kInner = 1.0 - 2.0 * kOuter;  // 1 / (2 - 2^(1/3))
+    constexpr double kOuter = 1.3512071919596578;  // 1 / (2 - 2^(1/3))
+    constexpr double kInner = 1.0 - 2.0 * kOuter;
     const int a = uniqueAxis(body.inertia), b = (a + 1) % 3, c = (a + 2) % 3;
     const glm::dvec3 inverse = 1.0 / body.inertia,
                      momentum = body.inertia * (glm::conjugate(body.rotation) * body.angularVelocity);

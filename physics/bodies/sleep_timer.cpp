@@ -5,7 +5,8 @@
 namespace rubble {
 namespace {
 
-/// For small angles: the distance of two unit quaternions is 2 sin(angle / 4), about angle / 2.
+/// Whether two poses are at most `radius` metres and `angle` radians apart. The angle must be small: the distance of
+/// two unit quaternions is 2 sin(angle / 4), about angle / 2.
 bool within(const Pose& a, const Pose& b, double radius, double angle) {
     const glm::dvec3 offset = a.position - b.position;
     if (glm::dot(offset, offset) > radius * radius) return false;

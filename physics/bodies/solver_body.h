@@ -30,9 +30,9 @@ struct SolverState {
 };
 
 /// Rotates a body through one substep without torque. With conservesMomentum its angular momentum is constant, else its
-/// angular velocity, which is cheaper and right for bodies that are even or slow.
+/// angular velocity: cheaper, and accurate for slow bodies and for those with nearly equal principal moments.
 void rotateBody(SolverBody& body, double seconds);
-/// The inverse of the inertia tensor in world axes.
+/// The inverse of the inertia tensor in world axes, 1/(kg m2).
 glm::dmat3 worldInverseInertia(const SolverBody& body);
 
 }  // namespace rubble

@@ -25,15 +25,18 @@
 namespace rubble {
 namespace {
 
-constexpr double kSkin = 0.008;         ///< metres kept from what it meets
-constexpr int kMaxSlides = 4;           ///< walls that it follows in one step
-constexpr int kMaxDepenetrations = 12;  ///< pushes out of what came into it
-constexpr double kMaxSpeed = 60.0;      ///< m/s, falling
-constexpr double kAirControl = 3.0;     ///< 1/s: rate at which the velocity follows the wish without ground
-constexpr double kSwimControl = 6.0;    ///< 1/s, in water
-constexpr double kChest = 0.6;          ///< fraction of its height: under water there, it swims
-constexpr double kLookAhead = 0.25;     ///< metres of free ground that a step must lead to
-const glm::dvec3 kUp(0.0, 1.0, 0.0);
+constexpr double kSkin = 0.008;           ///< metres kept from what it meets
+constexpr int kMaxSlides = 4;             ///< walls that it follows in one step
+constexpr int kMaxDepenetrations = 12;    ///< pushes out of what came into it
+constexpr double kMaxSpeed = 60.0;        ///< m/s, falling
+constexpr double kAirControl = 3.0;       ///< 1/s: rate at which the velocity follows the wish without ground
+constexpr double kSwimControl = 6.0;      ///< 1/s, in water
+constexpr double kChest = 0.6;            ///< fraction of its height: under water there, it swims
+constexpr double kLookAhead = 0.25;       ///< metres of free ground that a step must lead to
+constexpr double kJumpOutHeight = 1.2;    ///< fraction of its height: it jumps out of water whose surface is lower
+constexpr double kMaxLandingRise = 0.1;   ///< m/s away from the ground, above which it does not land
+constexpr double kMinWakeImpulse = 1e-3;  ///< N s: a weaker push wakes no body
+constexpr double kQueryMargin = 1.0;      ///< metres, for what ground, gravity and pushes add to its own motion
 
 glm::dvec3 horizontal(glm::dvec3 v) {
     return {v.x, 0.0, v.z};
@@ -132,7 +135,7 @@ private:
                                          : glm::dvec3(0.0);
     }
 
-    /// Along the ground, and up a step where there is one that leads somewhere.
+    /// Walks along the ground, and up a step where there is one that leads somewhere.
     void walk(glm::dvec3 displacement) {
         displacement = horizontal(displacement);
         if (displacement == glm::dvec3(0.0)) return;
@@ -147,8 +150,8 @@ private:
         else
             m_c.position = slid;
     }
-    /// Tries the way again, lifted by the step height. before: metres that it got without that. False if there is no
-    /// step, or if it leads no farther.
+    /// Tries the displacement again, lifted by the step height. before: metres that it got without that. False if there
+    /// is no step, or if it leads no farther.
     bool climbStep(glm::dvec3 displacement, glm::dvec3 start, double before) {
         const glm::dvec3 forward = displacement / glm::length(displacement);
         advance(kUp * m_c.stepHeight);
@@ -164,7 +167,7 @@ private:
             rise <= 0.0)
             return false;
         m_c.position = reached - kUp * std::max(0.0, step.t * (climbed + kSkin) - kSkin);
-        const double headroom = m_c.steepest * kLookAhead + kSkin;
+        const double headroom = m_c.maxSlope * kLookAhead + kSkin;
         if (m_queries.sweep(m_c.position + kUp * headroom, forward * kLookAhead).hit) return false;
         return !m_queries.sweep(m_c.position, kUp * headroom).hit;
     }
@@ -176,8 +179,8 @@ private:
         const double speed = glm::dot(m_c.velocity - velocityOf(hit.object, hit.point), direction);
         if (speed <= 0.0 || body.quarantined()) return;
         const double impulse = speed / (body.motion.inverseMass + 1.0 / m_c.mass);  // that makes both equally fast
-        m_pushes.push_back(
-            {&body, direction * std::min(impulse, m_c.pushForce * m_around.seconds), hit.point, impulse > 1e-3});
+        m_pushes.push_back({&body, direction * std::min(impulse, m_c.maxPushForce * m_around.seconds), hit.point,
+                            impulse > kMinWakeImpulse});
     }
 
     /// The dynamic body that it stood on; null: none.
@@ -187,7 +190,7 @@ private:
             if (object->dynamic && object->dynamic->handle() == m_c.ground) return object;
         return nullptr;
     }
-    /// By as much as the ground has moved under its feet in this step.
+    /// Moves by as much as the ground has moved under its feet in this step.
     void moveWithGround(const CollisionObject* ground) {
         if (!ground || ground->dynamic->asleep()) return;
         const glm::dvec3 there =
@@ -215,7 +218,7 @@ private:
         }
         if (!m_queries.isFreeOfStatic(m_c.position) && m_queries.isFreeOfStatic(start)) m_c.position = start;
     }
-    /// A body that comes closer passes on its velocity.
+    /// Moves out of a body. One that comes closer passes on its velocity.
     void moveOutOfBody(CharacterHit& worst, double depth) {
         const double speed = glm::dot(velocityOf(worst.object, worst.point) - m_c.velocity, worst.normal);
         if (speed > 0.0) {
@@ -237,7 +240,7 @@ private:
             m_c.crouched = false;
     }
 
-    /// The velocity that it wishes on the ground; in the air it only tends to it.
+    /// Sets the velocity that it wishes on the ground; in the air the velocity only tends to the wish.
     void accelerate(const CollisionObject* ground) {
         const glm::dvec3 wish = clampedLength(horizontal(m_c.wish), m_c.crouched ? m_c.crouchSpeed : m_c.walkSpeed);
         if (!m_c.grounded) {
@@ -254,8 +257,8 @@ private:
     void swim(const Water& water) {
         const glm::dvec3 wish = clampedLength(m_c.wish, m_c.swimSpeed) + water.flow;
         m_c.velocity += (wish - m_c.velocity) * std::min(1.0, kSwimControl * m_around.seconds);
-        const bool headIsOut = m_c.position.y + 1.2 * m_c.currentHeight() > water.surface;
-        if (m_c.wantsJump && headIsOut) m_c.velocity.y = m_c.jumpSpeed;
+        const bool canJumpOut = m_c.position.y + kJumpOutHeight * m_c.currentHeight() > water.surface;
+        if (m_c.wantsJump && canJumpOut) m_c.velocity.y = m_c.jumpSpeed;
         m_c.grounded = false;
     }
 
@@ -266,7 +269,7 @@ private:
         const double queryDistance = walks ? m_c.stepHeight + 2.0 * kSkin : 2.0 * kSkin;
         const CharacterHit hit = m_queries.sweep(m_c.position, -kUp * queryDistance);
         const double rising = walks ? 0.0 : m_c.velocity.y - velocityOf(hit.object, hit.point).y;
-        if (!hit.hit || m_c.swimming || rising > 0.1) return;
+        if (!hit.hit || m_c.swimming || rising > kMaxLandingRise) return;
         if (!hit.isFlat) return;
         const double drop = hit.t * queryDistance;
         if (drop > kSkin) m_c.position.y -= drop - kSkin;
@@ -291,7 +294,7 @@ private:
 
 double characterQueryRadius(const Character& character, double seconds) {
     return character.radius + character.stepHeight + glm::length(character.velocity) * seconds +
-           character.walkSpeed * seconds + 1.0;
+           character.walkSpeed * seconds + kQueryMargin;
 }
 
 void moveCharacter(Character& character, const CharacterSurroundings& around, const std::vector<BodyHandle>& handles,

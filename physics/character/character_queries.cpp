@@ -5,8 +5,6 @@
 namespace rubble {
 namespace {
 
-const glm::dvec3 kUp(0.0, 1.0, 0.0);
-
 glm::dvec3 normalToWorld(const CellTransform& cells, double voxelSize, glm::dvec3 normal) {
     return cells.axes * normal / voxelSize;
 }
@@ -14,9 +12,9 @@ glm::dvec3 normalToWorld(const CellTransform& cells, double voxelSize, glm::dvec
 }  // namespace
 
 CharacterQueries::CharacterQueries(const Character& character, const CharacterSurroundings& around)
-    : m_c(character), m_around(around), m_minNormalY(1.0 / std::sqrt(1.0 + character.steepest * character.steepest)) {}
+    : m_c(character), m_around(around), m_minNormalY(1.0 / std::sqrt(1.0 + character.maxSlope * character.maxSlope)) {}
 
-/// The parts that it collides with.
+/// Calls f(object, index, part) for the parts that the character collides with.
 template <class F>
 void CharacterQueries::forEachPart(F&& f) const {
     const CollisionFilter mine{m_c.collisionLayer, m_c.collisionMask};
@@ -41,7 +39,7 @@ CellShape CharacterQueries::capsule(const CollisionObject& object, size_t part, 
 
 CharacterHit CharacterQueries::sweep(glm::dvec3 from, glm::dvec3 displacement) const {
     CharacterHit best;
-    forEachPart([&](CollisionObject& object, size_t i, const VoxelPart& part) {
+    forEachPart([&](CollisionObject& object, size_t i, const ColliderPart& part) {
         const CellTransform& cells = object.cellTransforms()[i];
         const double size = part.voxelSize();
         const CellContact contact = castShape(part.grid(), capsule(object, i, from, m_c.currentHeight(), m_c.radius),
@@ -55,7 +53,7 @@ CharacterHit CharacterQueries::sweep(glm::dvec3 from, glm::dvec3 displacement) c
 }
 
 /// Whether the contact is on an exposed face that it can stand on. Seams and edges of voxels are no slopes.
-void CharacterQueries::classifyFace(const VoxelPart& part, const CellTransform& cells, const CellContact& contact,
+void CharacterQueries::classifyFace(const ColliderPart& part, const CellTransform& cells, const CellContact& contact,
                                     CharacterHit& out) const {
     for (int face = 0; face < 6; ++face) {
         const int axis = face >> 1, sign = face & 1 ? 1 : -1;
@@ -72,7 +70,7 @@ void CharacterQueries::classifyFace(const VoxelPart& part, const CellTransform& 
 
 bool CharacterQueries::isFree(glm::dvec3 feet, double height) const {
     bool free = true;
-    forEachPart([&](CollisionObject& object, size_t i, const VoxelPart& part) {
+    forEachPart([&](CollisionObject& object, size_t i, const ColliderPart& part) {
         free = free && !findOverlap(part.grid(), capsule(object, i, feet, height, m_c.radius));
     });
     return free;
@@ -80,7 +78,7 @@ bool CharacterQueries::isFree(glm::dvec3 feet, double height) const {
 
 bool CharacterQueries::isFreeOfStatic(glm::dvec3 feet) const {
     bool free = true;
-    forEachPart([&](CollisionObject& object, size_t i, const VoxelPart& part) {
+    forEachPart([&](CollisionObject& object, size_t i, const ColliderPart& part) {
         free = free &&
                (object.dynamic || !findOverlap(part.grid(), capsule(object, i, feet, m_c.currentHeight(), m_c.radius)));
     });
@@ -90,7 +88,7 @@ bool CharacterQueries::isFreeOfStatic(glm::dvec3 feet) const {
 CharacterHit CharacterQueries::findDeepest(glm::dvec3 feet, double extra, double& depth) const {
     CharacterHit worst;
     depth = 0.0;
-    forEachPart([&](CollisionObject& object, size_t i, const VoxelPart& part) {
+    forEachPart([&](CollisionObject& object, size_t i, const ColliderPart& part) {
         const CellTransform& cells = object.cellTransforms()[i];
         const double size = part.voxelSize(), radius = m_c.radius + extra;
         const CellContact contact =

@@ -30,7 +30,7 @@ void Broadphase::sortPairs(std::vector<ObjectPair>& pairs, size_t from) {
 void Broadphase::setBounds(CollisionObject& object, glm::dvec3 displacement, double margin) const {
     glm::dvec3 low(1e30), high(-1e30);
     for (size_t i = 0; i < object.m_cellTransforms.size(); ++i) {
-        const VoxelPart& part = *object.collider.parts[i];
+        const ColliderPart& part = *object.collider.parts[i];
         if (part.grid().empty()) continue;
         const glm::mat3 axes(object.m_cellTransforms[i].axes);
         glm::vec3 partLow, partHigh;

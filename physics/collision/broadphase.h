@@ -21,7 +21,7 @@ public:
 
     /// Adds an object at its pose; it must stay at its address until it is removed. moves: it is awake.
     void add(CollisionObject& object, bool moves);
-    /// Does nothing if the object is not in a tree.
+    /// Removes an object; does nothing if it is in no tree.
     void remove(CollisionObject& object);
     /// Notes that the object's voxels or filter have changed: cached contacts are dropped.
     void touch(CollisionObject& object) { object.version = ++m_versions; }

@@ -17,7 +17,7 @@ struct FeatureQuery {
     int sideCount;
     glm::vec3 along;  ///< unit vector along an edge
     float length;     ///< of an edge, cells
-    /// Else it is a corner.
+    /// Whether it is an edge; if not, it is a corner.
     bool isEdge() const { return kind->edgeAxis >= 0; }
 
     /// Whether the feature can rest on a surface of this normal: it must stick out against the normal, and an edge must

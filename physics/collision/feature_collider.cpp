@@ -3,19 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/math/rotated_box.h"
+#include "runtime/core/rotated_box.h"
 
 namespace rubble {
 namespace {
 
 /// Cells of its own by which a feature is looked up inside its own solid, so that edges that line up still meet.
 constexpr float kInset = 0.05f;
+/// The contact margin in cells is at most this: below 1/2, so that along each axis one face at most is within it.
+constexpr float kMaxMargin = 0.4f;
 constexpr float kRounding = 1e-3f;     ///< cells added to bounds against rounding
 constexpr float kMinEdgeSine = 0.15f;  ///< between two edges below which they count as parallel
 
 }  // namespace
 
-FeatureCollider::FeatureCollider(const VoxelPart& from, const CellTransform& fromCells, const VoxelPart& into,
+FeatureCollider::FeatureCollider(const ColliderPart& from, const CellTransform& fromCells, const ColliderPart& into,
                                  const CellTransform& intoCells)
     : m_from(from), m_into(into), m_occupancy(into), m_intoCells(intoCells), m_margin(0) {
     const double size = into.voxelSize();
@@ -29,7 +31,7 @@ FeatureCollider::FeatureCollider(const VoxelPart& from, const CellTransform& fro
 void FeatureCollider::setMotion(glm::dvec3 velocity, glm::dvec3 spin, const NarrowphaseSettings& settings,
                                 double maxDisplacement) {
     const double size = m_into.voxelSize();
-    m_margin = std::min(float(settings.margin / size), 0.4f);
+    m_margin = std::min(float(settings.margin / size), kMaxMargin);
     m_sweeps = maxDisplacement > settings.sweepThreshold;
     m_searchDistance = m_margin + (m_sweeps ? float(maxDisplacement / size) : 0.0f);
     if (!m_sweeps) return;

@@ -15,7 +15,7 @@ namespace rubble {
 class FeatureCollider {
 public:
     /// The cell transforms are about one origin, the first body's frame. The parts must outlive the collider.
-    FeatureCollider(const VoxelPart& from, const CellTransform& fromCells, const VoxelPart& into,
+    FeatureCollider(const ColliderPart& from, const CellTransform& fromCells, const ColliderPart& into,
                     const CellTransform& intoCells);
 
     /// velocity (at the first body's frame origin, m/s) and spin (rad/s) of `from` relative to `into`, world axes.
@@ -48,8 +48,8 @@ private:
     void add(const glm::vec3& point, const glm::vec3& normal, float separation, uint8_t kind, Cell own, Cell other,
              std::vector<ContactPoint>& out);
 
-    const VoxelPart& m_from;
-    const VoxelPart& m_into;
+    const ColliderPart& m_from;
+    const ColliderPart& m_into;
     Occupancy m_occupancy;  ///< of `into`
     CellTransform m_intoCells;
 

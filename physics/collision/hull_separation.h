@@ -7,13 +7,14 @@
 
 namespace rubble {
 
-/// The convex hull of a shape in the world, about an origin near by, in metres.
+/// The convex hull of a shape in world axes, in metres from an origin nearby.
 struct TransformedHull {
     const HullPoints& points;
     glm::mat3 axes;    ///< of a cell
     glm::vec3 corner;  ///< of cell (0, 0, 0)
 
-    /// The support function: the largest dot product of a point of the hull with the direction.
+    /// The support function: the largest dot product of a point of the hull with the direction, metres for a unit
+    /// vector.
     float support(const glm::vec3& direction) const {
         return glm::dot(corner, direction) + points.support(direction * axes);
     }

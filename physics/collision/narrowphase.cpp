@@ -10,7 +10,7 @@ namespace {
 
 constexpr size_t kPairsPerBatch = 32;
 constexpr float kUnlimited = 1e9f;  ///< metres
-/// Contact margins by which two bodies may move relative to each other before their contacts are computed again.
+/// Relative motion of two bodies, as a fraction of the contact margin, up to which their cached contacts are used.
 constexpr double kMaxCachedMotion = 0.05;
 
 template <class T>
@@ -21,7 +21,7 @@ bool isPointedBefore(const Manifold* a, const Manifold* b) {
     return isBefore(*a, *b);
 }
 
-/// What sleeps does not move.
+/// The motion of an object in this step; a sleeping body does not move.
 Motion motionOf(const CollisionObject& object) {
     Motion motion{.pose = object.pose, .cellTransforms = object.cellTransforms(), .radius = object.radius};
     if (!object.dynamic || object.dynamic->asleep()) return motion;

@@ -8,7 +8,7 @@ namespace rubble {
 
 using Cell = glm::ivec3;
 
-/// Rounds down. Without SSE 4.1, std::floor is a call.
+/// Rounds down, for values within the range of int: without a call where the processor has no SSE 4.1.
 inline int floorOf(float v) {
     const int i = int(v);
     return i - (float(i) > v);
@@ -22,7 +22,7 @@ inline Cell cellOf(const glm::vec3& p) {
 class Occupancy {
 public:
     /// The part must outlive it.
-    explicit Occupancy(const VoxelPart& part)
+    explicit Occupancy(const ColliderPart& part)
         : m_part(part), m_grid(part.grid()), m_whole(part.whole() ? &part.whole()->rows : nullptr) {}
 
     /// Conservative: false only if no cell from low to high, both included, is solid. Exact for small parts, and in
@@ -65,7 +65,7 @@ private:
         return m_rows->any(from, to);
     }
 
-    const VoxelPart& m_part;
+    const ColliderPart& m_part;
     const VoxelGrid& m_grid;
     const SolidRows* m_whole;  ///< null: a large part
     Cell m_brickAt{-1}, m_rowsAt{-1};

@@ -68,14 +68,14 @@ struct RelativeMotion {
     glm::dvec3 centerVelocity{0.0};  ///< the velocity at the smaller body's origin
 };
 
-TransformedHull transformHull(const VoxelPart& part, const CellTransform& cells) {
+TransformedHull transformHull(const ColliderPart& part, const CellTransform& cells) {
     return {part.hull(), glm::mat3(cells.axes), glm::vec3(cells.corner)};
 }
 
 /// The unit vector from the centre of one part to that of the other.
-glm::vec3 centerAxis(const VoxelPart& to, const TransformedHull& toHull, const VoxelPart& from,
+glm::vec3 centerAxis(const ColliderPart& to, const TransformedHull& toHull, const ColliderPart& from,
                      const TransformedHull& fromHull) {
-    const auto center = [](const VoxelPart& part, const TransformedHull& hull) {
+    const auto center = [](const ColliderPart& part, const TransformedHull& hull) {
         return hull.corner + hull.axes * (glm::vec3(part.bounds().low + part.bounds().high) * 0.5f);
     };
     const glm::vec3 offset = center(to, toHull) - center(from, fromHull);
@@ -96,7 +96,7 @@ glm::vec3 pushDirection(std::span<const ContactPoint> contacts, const glm::vec3&
 
 /// A contact for two parts that overlap so deeply that their features accept no exit: along the axis, at the centre of
 /// what their bounds share, as if at most half a voxel deep.
-ContactPoint stuckContact(const VoxelPart& a, const TransformedHull& hullA, const VoxelPart& b,
+ContactPoint stuckContact(const ColliderPart& a, const TransformedHull& hullA, const ColliderPart& b,
                           const TransformedHull& hullB, const glm::vec3& axis, float gap, uint64_t key) {
     glm::vec3 lowA, highA, lowB, highB;
     hullA.points.bounds(hullA.axes, lowA, highA);
@@ -113,7 +113,7 @@ ContactPoint stuckContact(const VoxelPart& a, const TransformedHull& hullA, cons
 
 /// Two parts, and what their contacts are computed from.
 struct PartPair {
-    const VoxelPart &a, &b;
+    const ColliderPart &a, &b;
     const CellTransform &aCells, &bCells;  ///< about the first body's frame origin
     uint64_t key;                          ///< bits of ContactPoint::feature
 };
@@ -164,7 +164,7 @@ bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const V
     const bool isOnePair = first.parts.size() == 1 && second.parts.size() == 1;
     for (size_t i = 0; i < first.parts.size(); ++i)
         for (size_t j = 0; j < second.parts.size(); ++j) {
-            const VoxelPart &a = *first.parts[i], &b = *second.parts[j];
+            const ColliderPart &a = *first.parts[i], &b = *second.parts[j];
             if (a.grid().empty() || b.grid().empty() || !a.filter().meets(b.filter())) continue;
             const CellTransform bCells{secondMotion.cellTransforms[j].axes,
                                        secondMotion.cellTransforms[j].corner + motion.offset};

@@ -20,7 +20,7 @@ struct JointProxy {
     int restSteps = 0;                                    ///< steps in which a rope has hardly moved
     JointConstraint constraint;                           ///< with the impulses of the last step
 
-    /// Its motor turns: nothing that it joins may sleep.
+    /// Whether a speed motor drives it: then nothing that it joins may sleep.
     bool isMotorDriven() const {
         return joint.motor.mode == MotorMode::Speed && joint.motor.target != 0.0 && joint.motor.maxForce > 0.0;
     }
@@ -31,9 +31,9 @@ struct JointProxy {
 /// All joints by slot, and those of each body. It allocates nothing while there are no joints.
 class JointTable {
 public:
-    /// There is no joint.
+    /// Whether there is no joint.
     bool empty() const { return m_count == 0; }
-    /// Null: there is no joint in the slot.
+    /// The joint in a slot; null: there is none.
     JointProxy* at(uint32_t slot) const { return slot < m_joints.size() ? m_joints[slot].get() : nullptr; }
     /// Slots of the joints of a body, ascending.
     std::span<const uint32_t> of(uint32_t body) const {

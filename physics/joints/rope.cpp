@@ -30,7 +30,8 @@ constexpr double kMaxSpeed = 200.0;  ///< m/s, above which a point is stopped
 
 const std::array<glm::ivec3, 6> kSides = {{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
 
-/// For a ball whose centre is in an empty cell: out of each of the six neighbours that it reaches into.
+/// The displacement, in cells, that takes a ball whose centre is in an empty cell out of the solid neighbours that it
+/// reaches into.
 glm::dvec3 exitFromNeighbours(const VoxelGrid& grid, glm::ivec3 cell, glm::dvec3 center, double radius) {
     glm::dvec3 out(0.0);
     for (const glm::ivec3& side : kSides) {
@@ -44,7 +45,7 @@ glm::dvec3 exitFromNeighbours(const VoxelGrid& grid, glm::ivec3 cell, glm::dvec3
     return out;
 }
 
-/// For a ball whose centre is in a solid cell: the shortest exit along an axis.
+/// The shortest displacement along an axis, in cells, that takes a ball whose centre is in a solid cell out.
 glm::dvec3 exitFromInside(const VoxelGrid& grid, glm::ivec3 cell, glm::dvec3 center, double radius) {
     glm::dvec3 out(0.0);
     double shortest = 1e9;
@@ -76,7 +77,7 @@ glm::dvec3 exitDisplacement(const CollisionObject& object, glm::dvec3 center, do
     glm::dvec3 out(0.0);
     const std::span<const CellTransform> cellTransforms = object.cellTransforms();
     for (size_t i = 0; i < cellTransforms.size(); ++i) {
-        const VoxelPart& part = *object.collider.parts[i];
+        const ColliderPart& part = *object.collider.parts[i];
         const double size = part.voxelSize();
         const glm::dvec3 local = center + out - object.pose.position - cellTransforms[i].corner;
         const glm::dmat3& axes = cellTransforms[i].axes;

@@ -5,7 +5,7 @@
 
 namespace rubble {
 
-/// Rounds to floats: pass coordinates about an origin near by.
+/// The vector as Bullet's floats. Subtract an origin nearby from world positions first: floats are coarse far away.
 inline btVector3 toBullet(glm::dvec3 v) {
     return {btScalar(v.x), btScalar(v.y), btScalar(v.z)};
 }

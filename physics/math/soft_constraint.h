@@ -27,7 +27,8 @@ struct Softness {
     T impulseScale = 0;  ///< of the impulse so far, which is given back
 };
 
-/// hertz: natural frequency, above 0. dampingRatio: 1 is critical. seconds: of a substep.
+/// The softness of a damped spring in a substep of this length. hertz: natural frequency, above 0. dampingRatio: 1 is
+/// critical.
 template <class T>
 Softness<T> makeSoft(double hertz, double dampingRatio, double seconds) {
     const double omega = kSoftTwoPi * hertz;

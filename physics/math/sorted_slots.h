@@ -7,7 +7,7 @@
 
 namespace rubble {
 
-/// False if the slot was in the list already.
+/// Inserts a slot into an ascending list. False if it was in the list already.
 inline bool insertSorted(std::vector<uint32_t>& list, uint32_t slot) {
     const auto at = std::lower_bound(list.begin(), list.end(), slot);
     if (at != list.end() && *at == slot) return false;
@@ -15,7 +15,7 @@ inline bool insertSorted(std::vector<uint32_t>& list, uint32_t slot) {
     return true;
 }
 
-/// False if the slot was not in the list.
+/// Removes a slot from an ascending list. False if it was not in the list.
 inline bool eraseSorted(std::vector<uint32_t>& list, uint32_t slot) {
     const auto at = std::lower_bound(list.begin(), list.end(), slot);
     if (at == list.end() || *at != slot) return false;

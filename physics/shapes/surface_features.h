@@ -24,8 +24,8 @@ struct FeatureKind {
 const std::array<FeatureKind, kFeatureKinds>& featureKinds();
 
 /// The features of a region of at most 120 cells on a side, in half cells from its low corner. They lie in clusters of
-/// 4 x 4 x 4 cells, and side by side in packs of four for SIMD: landing pieces are bound by how much of this memory
-/// must be fetched.
+/// 4 x 4 x 4 cells, and side by side in packs of four for SIMD. They are bytes because fetching them from memory is
+/// what the contacts of a landing piece cost.
 struct FeatureList {
     struct Pack {
         std::array<uint8_t, 4> x, y, z;  ///< half cells

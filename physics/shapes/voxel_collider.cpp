@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "runtime/core/rotated_box.h"
+
 namespace rubble {
 namespace {
 
@@ -48,7 +50,7 @@ ContactMaterials::ContactMaterials(const Palette& palette, const MaterialTable& 
     }
 }
 
-VoxelPart::VoxelPart(const Shape& shape, const Pose& frame, const MaterialTable& materials)
+ColliderPart::ColliderPart(const Shape& shape, const Pose& frame, const MaterialTable& materials)
     : m_frame(frame),
       m_voxelSize(shape.voxelSize),
       m_filter{shape.collisionLayer, shape.collisionMask},
@@ -58,7 +60,7 @@ VoxelPart::VoxelPart(const Shape& shape, const Pose& frame, const MaterialTable&
     m_nodes = std::make_unique<Lazy<NodeSurface>[]>(size_t(nodes.x) * size_t(nodes.y) * size_t(nodes.z));
 }
 
-void VoxelPart::takeGrid(const VoxelGrid& grid, const std::vector<glm::ivec3>* bricks) {
+void ColliderPart::takeGrid(const VoxelGrid& grid, const std::vector<glm::ivec3>* bricks) {
     const bool shared = !bricks || !m_hasUnphysical;
     if (shared) m_grid = grid;
     const auto take = [&](glm::ivec3 position, const BrickRef& brick) {
@@ -74,7 +76,7 @@ void VoxelPart::takeGrid(const VoxelGrid& grid, const std::vector<glm::ivec3>* b
     findBounds();
 }
 
-void VoxelPart::findBounds() {
+void ColliderPart::findBounds() {
     m_hull.forget();
     m_whole.forget();
     m_bounds = {m_grid.size(), glm::ivec3(0)};
@@ -88,7 +90,7 @@ void VoxelPart::findBounds() {
         });
 }
 
-void VoxelPart::update(const Shape& shape, const std::vector<glm::ivec3>& bricks, const MaterialTable& materials) {
+void ColliderPart::update(const Shape& shape, const std::vector<glm::ivec3>& bricks, const MaterialTable& materials) {
     const auto before =
         std::exchange(m_contactMaterials, std::make_shared<ContactMaterials>(*shape.palette, materials));
     takeGrid(shape.grid, before->solid == m_contactMaterials->solid ? &bricks : nullptr);
@@ -105,19 +107,19 @@ void VoxelPart::update(const Shape& shape, const std::vector<glm::ivec3>& bricks
         }
 }
 
-const VoxelPart::NodeSurface& VoxelPart::node(glm::ivec3 brick) const {
+const ColliderPart::NodeSurface& ColliderPart::node(glm::ivec3 brick) const {
     Lazy<NodeSurface>& lazy = m_nodes[nodeNumber(nodeOfBrick(brick))];
     const NodeSurface* known = lazy.find();
     return known ? *known : lazy.keep(std::make_unique<NodeSurface>());
 }
 
-const FeatureList& VoxelPart::features(glm::ivec3 brick) const {
+const FeatureList& ColliderPart::features(glm::ivec3 brick) const {
     Lazy<FeatureList>& lazy = node(brick).features[size_t(childIndex(brick))];
     const FeatureList* known = lazy.find();
     return known ? *known : lazy.keep(std::make_unique<FeatureList>(findFeatures(rows(brick))));
 }
 
-const SolidRows& VoxelPart::rows(glm::ivec3 brick) const {
+const SolidRows& ColliderPart::rows(glm::ivec3 brick) const {
     Lazy<SolidRows>& lazy = node(brick).rows[size_t(childIndex(brick))];
     const SolidRows* known = lazy.find();
     return known
@@ -125,14 +127,14 @@ const SolidRows& VoxelPart::rows(glm::ivec3 brick) const {
                : lazy.keep(std::make_unique<SolidRows>(m_grid, CellBox{brick * kBrickSize, (brick + 1) * kBrickSize}));
 }
 
-const PartSurface* VoxelPart::whole() const {
+const PartSurface* ColliderPart::whole() const {
     const glm::ivec3 size = m_bounds.high - m_bounds.low;
     if (m_bounds.empty() || std::max({size.x, size.y, size.z}) > kMaxWholeSize) return nullptr;
     const PartSurface* known = m_whole.find();
     return known ? known : &m_whole.keep(std::make_unique<PartSurface>(m_grid, m_bounds));
 }
 
-const HullPoints& VoxelPart::hull() const {
+const HullPoints& ColliderPart::hull() const {
     if (const PartSurface* surface = whole()) return surface->hull;
     const HullPoints* known = m_hull.find();
     return known ? *known : m_hull.keep(std::make_unique<HullPoints>(m_bounds));
@@ -156,8 +158,7 @@ void VoxelCollider::bounds(glm::dvec3& low, glm::dvec3& high) const {
         const glm::dvec3 center = part->frame().transformPoint(glm::dvec3(part->bounds().low + part->bounds().high) *
                                                                (0.5 * part->voxelSize()));
         const glm::dmat3 axes = glm::mat3_cast(part->frame().rotation);
-        const glm::dvec3 extent =
-            glm::abs(axes[0]) * halfSize.x + glm::abs(axes[1]) * halfSize.y + glm::abs(axes[2]) * halfSize.z;
+        const glm::dvec3 extent = rotatedHalfExtent(axes, halfSize);
         low = glm::min(low, center - extent);
         high = glm::max(high, center + extent);
     }

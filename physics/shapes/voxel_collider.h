@@ -31,7 +31,7 @@ struct PartSurface {
     HullPoints hull;
 };
 
-/// Two things collide if the layer of each is in the mask of the other. Bits.
+/// Two objects collide if a bit of each one's layer is in the other's mask.
 struct CollisionFilter {
     uint8_t layer = 1, mask = 255;
     /// Whether the two collide; symmetric.
@@ -41,23 +41,23 @@ struct CollisionFilter {
 /// One shape as physics sees it. It shares the bricks of World, and a cut replaces only those that it changed.
 /// Features, rows and hulls are computed for the bricks that something came near, when they are first asked for. The
 /// main thread writes it; narrowphase threads read it together.
-class VoxelPart {
+class ColliderPart {
 public:
     static constexpr int kMaxWholeSize = 32;  ///< cells on a side up to which a part has a PartSurface
     /// frame: from the grid's corner to the collider's frame.
-    VoxelPart(const Shape& shape, const Pose& frame, const MaterialTable& materials);
+    ColliderPart(const Shape& shape, const Pose& frame, const MaterialTable& materials);
 
     /// The cells that can be touched: the shape's without those of unphysical materials.
     const VoxelGrid& grid() const { return m_grid; }
-    /// From the grid's corner, metres, to the collider's frame.
+    /// The pose of the grid's corner in the collider's frame, metres.
     const Pose& frame() const { return m_frame; }
     /// Moves the part within the collider.
     void setFrame(const Pose& frame) { m_frame = frame; }
-    /// Metres.
+    /// The side of a voxel, metres.
     double voxelSize() const { return m_voxelSize; }
     /// A box of cells that holds all solid ones: tight for small grids, rounded to directory nodes for large ones.
     const CellBox& bounds() const { return m_bounds; }
-    /// By palette entry.
+    /// Friction and restitution by palette entry.
     const ContactMaterials& contactMaterials() const { return *m_contactMaterials; }
     /// Which other parts it collides with.
     CollisionFilter filter() const { return m_filter; }
@@ -107,7 +107,7 @@ void changedBricks(const FrameChanges& changes, ShapeHandle shape, std::vector<g
 
 /// The shapes that move as one: all of a dynamic body, or one of a static body.
 struct VoxelCollider {
-    std::vector<std::unique_ptr<VoxelPart>> parts;
+    std::vector<std::unique_ptr<ColliderPart>> parts;
 
     /// Whether no part has a solid cell.
     bool empty() const;

@@ -19,7 +19,7 @@ struct ContactConstraint {
     float separation;  ///< at the start of the step, metres
     float normalMass, tangentMass1, tangentMass2;
     float friction, restitution;
-    float approach;  ///< normal velocity before the solve, m/s; negative: closing
+    float initialNormalVelocity;  ///< before the solve, m/s; negative: closing
     float normalImpulse, tangentImpulse1, tangentImpulse2;
     float totalImpulse, maxImpulse;  ///< of the substeps so far, along the normal
     float bounceImpulse;
@@ -49,14 +49,14 @@ struct VelocityPair {
           wA(float4(A.w)),
           vB(float4(B.v)),
           wB(float4(B.w)),
-          massA(A.inverseMass),
-          massB(B.inverseMass),
-          inertiaA(A.inverseInertia),
-          inertiaB(B.inverseInertia) {}
+          inverseMassA(A.inverseMass),
+          inverseMassB(B.inverseMass),
+          inverseInertiaA(A.inverseInertia),
+          inverseInertiaB(B.inverseInertia) {}
     /// Writes the velocities back. The world's state is not written: several threads read it.
     void store(SolverState& A, SolverState& B) const {
-        if (massA != 0.0f) A.v = vec3(vA), A.w = vec3(wA);
-        if (massB != 0.0f) B.v = vec3(vB), B.w = vec3(wB);
+        if (inverseMassA != 0.0f) A.v = vec3(vA), A.w = vec3(wA);
+        if (inverseMassB != 0.0f) B.v = vec3(vB), B.w = vec3(wB);
     }
 
     /// The relative velocity along the normal, m/s; negative: closing.
@@ -66,25 +66,25 @@ struct VelocityPair {
     }
     /// The velocity of A at the point relative to B.
     Float4 relativeVelocity(const ContactConstraint& c) const { return vA + cross(wA, c.rA) - vB - cross(wB, c.rB); }
-    /// N s along the normal, on A, and its reaction on B.
+    /// Applies an impulse (N s) along the normal to A, and its reaction to B.
     void applyNormalImpulse(const ContactConstraint& c, float impulse) {
-        vA += c.normal * float4(impulse * massA);
+        vA += c.normal * float4(impulse * inverseMassA);
         wA += c.angularChangeA * float4(impulse);
-        vB -= c.normal * float4(impulse * massB);
+        vB -= c.normal * float4(impulse * inverseMassB);
         wB -= c.angularChangeB * float4(impulse);
     }
-    /// N s along the two tangents.
+    /// Applies impulses (N s) along the two tangents to A, and their reaction to B.
     void applyFrictionImpulse(const ContactConstraint& c, float impulse1, float impulse2) {
         const Float4 impulse = c.tangent1 * float4(impulse1) + c.tangent2 * float4(impulse2);
-        vA += impulse * float4(massA);
-        wA += inertiaA * cross(c.rA, impulse);
-        vB -= impulse * float4(massB);
-        wB -= inertiaB * cross(c.rB, impulse);
+        vA += impulse * float4(inverseMassA);
+        wA += inverseInertiaA * cross(c.rA, impulse);
+        vB -= impulse * float4(inverseMassB);
+        wB -= inverseInertiaB * cross(c.rB, impulse);
     }
 
-    Float4 vA, wA, vB, wB;
-    float massA, massB;           ///< inverse
-    SimdMat3 inertiaA, inertiaB;  ///< inverse
+    Float4 vA, wA, vB, wB;  ///< world, m/s and rad/s
+    float inverseMassA, inverseMassB;
+    SimdMat3 inverseInertiaA, inverseInertiaB;  ///< world axes
 };
 
 /// How two bodies have moved since the step began.

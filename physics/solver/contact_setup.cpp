@@ -15,7 +15,8 @@ constexpr float kMinSupportSlope = 0.3f;  ///< vertical part of a normal above w
 constexpr float kMaxWarmStartSpeed = 4.0f;
 constexpr int kRejectionRounds = 4;  ///< in which the rejection spreads to neighbours that become unbalanced by it
 
-/// Two unit vectors across the normal.
+/// Two unit vectors across the normal. t1 comes from two of its components; the threshold, about 1 / sqrt(3), sees to
+/// it that these are not both small.
 void tangentsOf(const glm::vec3& n, glm::vec3& t1, glm::vec3& t2) {
     t1 = std::abs(n.x) > 0.57f ? glm::vec3(n.y, -n.x, 0.0f) : glm::vec3(0.0f, n.z, -n.y);
     t1 /= std::sqrt(glm::dot(t1, t1));
@@ -66,7 +67,7 @@ void fillConstraint(ContactConstraint& c, ManifoldPoint& point, const SolverStat
     c.tangentMass2 = effectiveMass(tangent2);
     c.friction = point.friction;
     c.restitution = point.restitution;
-    c.approach = VelocityPair(A, B).normalVelocity(c);
+    c.initialNormalVelocity = VelocityPair(A, B).normalVelocity(c);
     c.normalImpulse = point.normalImpulse;
     c.tangentImpulse1 = glm::dot(point.frictionImpulse, tangent1);
     c.tangentImpulse2 = glm::dot(point.frictionImpulse, tangent2);
@@ -107,10 +108,10 @@ void preparePair(ContactSet& set, PairConstraints& pair, std::span<const SolverB
         ContactConstraint& c = set.constraints[at++];
         fillConstraint(c, point, A, B, rA, rB);
         c.separation = effectiveSeparation(*pair.manifold, point, up);
-        if (c.approach < set.constraints[fastest].approach) fastest = at - 1;
-        closing = std::max({closing, -c.approach, -glm::dot(A.v - B.v, point.normal)});
+        if (c.initialNormalVelocity < set.constraints[fastest].initialNormalVelocity) fastest = at - 1;
+        closing = std::max({closing, -c.initialNormalVelocity, -glm::dot(A.v - B.v, point.normal)});
     }
-    const float speed = -set.constraints[fastest].approach;
+    const float speed = -set.constraints[fastest].initialNormalVelocity;
     pair.passes = speed > kFastSpeed ? kFastPasses : speed > kHitSpeed ? kHitPasses : 1;
     const float thinnest = std::min(a ? A.minHalfExtent : 1e9f, b ? B.minHalfExtent : 1e9f);
     if (closing * seconds > thinnest) addInscribedSphere(set, pair, set.constraints[fastest]);
@@ -125,9 +126,10 @@ void addInscribedSpheresOfHit(ContactSet& set) {
         const bool isWithWorld = !pair.a || !pair.b;
         if (!isWithWorld || !set.states[size_t(pair.a + pair.b)].isHitByFast || pair.hasInscribedSphere()) continue;
         const std::span<ContactConstraint> points = set.of(pair);
-        const ContactConstraint fastest = *std::min_element(
-            points.begin(), points.end(),
-            [](const ContactConstraint& c, const ContactConstraint& d) { return c.approach < d.approach; });
+        const ContactConstraint fastest =
+            *std::min_element(points.begin(), points.end(), [](const ContactConstraint& c, const ContactConstraint& d) {
+                return c.initialNormalVelocity < d.initialNormalVelocity;
+            });
         addInscribedSphere(set, pair, fastest);
     }
 }
@@ -148,6 +150,7 @@ void WarmStartFilter::reject(ContactSet& set) {
             const SolverState& state = set.states[i];
             Sum& sum = m_sums[i];
             const float speed2 = dot(sum.impulse, sum.impulse) * state.inverseMass * state.inverseMass;
+            // Twice the energy of the spin over the mass, which is comparable with a squared speed.
             const float spin2 =
                 dot(sum.angularImpulse, SimdMat3(state.inverseInertia) * sum.angularImpulse) * state.inverseMass;
             sum.isRejected = !state.isJointed && speed2 + spin2 > kMaxWarmStartSpeed * kMaxWarmStartSpeed;

@@ -158,13 +158,13 @@ ContactSolver::ContactBias ContactSolver::biasOf(const ContactConstraint& c, con
 /// Recomputes effective masses after a body has rotated. With the old ones, the impulses on a spinning rod would be
 /// larger than it takes to stop it, again and again.
 void ContactSolver::rotateInertia(ContactConstraint& c, const SolverState& A, const SolverState& B) {
-    const SimdMat3 inertiaA(A.inverseInertia), inertiaB(B.inverseInertia);
-    c.angularChangeA = inertiaA * c.angularA, c.angularChangeB = inertiaB * c.angularB;
-    const float mass = A.inverseMass + B.inverseMass;
-    c.normalMass = 1.0f / (mass + dot(c.angularA, c.angularChangeA) + dot(c.angularB, c.angularChangeB));
+    const SimdMat3 inverseInertiaA(A.inverseInertia), inverseInertiaB(B.inverseInertia);
+    c.angularChangeA = inverseInertiaA * c.angularA, c.angularChangeB = inverseInertiaB * c.angularB;
+    const float inverseMass = A.inverseMass + B.inverseMass;
+    c.normalMass = 1.0f / (inverseMass + dot(c.angularA, c.angularChangeA) + dot(c.angularB, c.angularChangeB));
     const auto effectiveMass = [&](const Float4& d) {
         const Float4 xa = cross(c.rA, d), xb = cross(c.rB, d);
-        return 1.0f / (mass + dot(xa, inertiaA * xa) + dot(xb, inertiaB * xb));
+        return 1.0f / (inverseMass + dot(xa, inverseInertiaA * xa) + dot(xb, inverseInertiaB * xb));
     };
     c.tangentMass1 = effectiveMass(c.tangent1), c.tangentMass2 = effectiveMass(c.tangent2);
 }
@@ -225,7 +225,7 @@ void ContactSolver::bounce(float threshold) {
     for (const PairConstraints& pair : m_set.pairs) {
         const std::span<ContactConstraint> points = m_set.of(pair);
         const auto bounces = [&](const ContactConstraint& c) {
-            return c.restitution != 0.0f && c.approach <= -threshold && c.maxImpulse != 0.0f;
+            return c.restitution != 0.0f && c.initialNormalVelocity <= -threshold && c.maxImpulse != 0.0f;
         };
         if (std::none_of(points.begin(), points.end(), bounces)) continue;
         SolverState &A = m_set.stateA(pair), &B = m_set.stateB(pair);
@@ -235,8 +235,8 @@ void ContactSolver::bounce(float threshold) {
                 if (!bounces(c)) continue;
                 // Kept apart from the normal impulse, with which the next step starts.
                 const float old = c.bounceImpulse;
-                c.bounceImpulse =
-                    std::max(old - c.normalMass * (bodies.normalVelocity(c) + c.restitution * c.approach), 0.0f);
+                c.bounceImpulse = std::max(
+                    old - c.normalMass * (bodies.normalVelocity(c) + c.restitution * c.initialNormalVelocity), 0.0f);
                 bodies.applyNormalImpulse(c, c.bounceImpulse - old);
             }
         bodies.store(A, B);
@@ -255,7 +255,7 @@ void ContactSolver::storeImpulses(const PairConstraints& pair) {
         c.point->frictionImpulse =
             vec3(c.tangent1 * float4(c.tangentImpulse1) + c.tangent2 * float4(c.tangentImpulse2));
         c.point->totalImpulse = c.totalImpulse;
-        c.point->approach = -c.approach;
+        c.point->approach = -c.initialNormalVelocity;
     }
 }
 

@@ -35,7 +35,7 @@ public:
                std::span<JointConstraint* const> joints = {});
 
 private:
-    /// What a constraint adds to the normal velocity, and how soft it is.
+    /// What a constraint adds to the normal velocity (m/s), and how soft it is: see Softness.
     struct ContactBias {
         float velocity = 0.0f, massScale = 1.0f, impulseScale = 0.0f;
     };

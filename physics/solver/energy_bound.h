@@ -29,8 +29,8 @@ private:
         bool touchesWorld = false, hasJoints = false;
     };
     struct Before {
-        double kinetic = 0.0;
-        glm::dvec3 position{0.0};
+        double kinetic = 0.0;      ///< joules
+        glm::dvec3 position{0.0};  ///< world, metres
     };
     std::vector<Before> m_before;   ///< by body
     std::vector<double> m_gains;    ///< joules, by body

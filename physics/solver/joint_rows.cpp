@@ -8,8 +8,6 @@
 namespace rubble {
 namespace {
 
-constexpr double kMaxCorrectionSpeed = 10.0;  ///< m/s or rad/s at which errors of position are corrected
-
 /// Fills in the rows of one joint. The frames of its ends have their axis along x.
 class RowBuilder {
 public:
@@ -169,16 +167,17 @@ void computeRows(JointRows& rows, std::span<const SolverBody> bodies) {
 }
 
 void factorize(JointRows& e, const SolverState& A, const SolverState& B) {
-    const double massA = double(A.inverseMass), massB = double(B.inverseMass);
-    const glm::dmat3 inertiaA(A.inverseInertia), inertiaB(B.inverseInertia);
+    const double inverseMassA = double(A.inverseMass), inverseMassB = double(B.inverseMass);
+    const glm::dmat3 inverseInertiaA(A.inverseInertia), inverseInertiaB(B.inverseInertia);
     double k[6][6];
     for (int j = 0; j < e.rows; ++j) {
         const JointRow& row = e.row[size_t(j)];
-        const glm::dvec3 a = inertiaA * row.angularA, b = inertiaB * row.angularB;
+        const glm::dvec3 a = inverseInertiaA * row.angularA, b = inverseInertiaB * row.angularB;
         for (int i = j; i < e.rows; ++i) {
             const JointRow& other = e.row[size_t(i)];
-            k[i][j] = massA * glm::dot(row.linearA, other.linearA) + massB * glm::dot(row.linearB, other.linearB) +
-                      glm::dot(a, other.angularA) + glm::dot(b, other.angularB);
+            k[i][j] = inverseMassA * glm::dot(row.linearA, other.linearA) +
+                      inverseMassB * glm::dot(row.linearB, other.linearB) + glm::dot(a, other.angularA) +
+                      glm::dot(b, other.angularB);
         }
     }
     for (int j = 0; j < e.rows; ++j) {

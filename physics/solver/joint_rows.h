@@ -9,6 +9,8 @@
 
 namespace rubble {
 
+inline constexpr double kMaxCorrectionSpeed = 10.0;  ///< m/s or rad/s at which a joint's position error is corrected
+
 /// A joint between two of the solver's bodies. The impulses are those of a substep, N s or N m s: the next step starts
 /// with them.
 struct JointConstraint {
@@ -21,7 +23,9 @@ struct JointConstraint {
     double springImpulse = 0.0, motorImpulse = 0.0, frictionImpulse = 0.0;
     glm::dvec3 ballFriction{0.0};        ///< friction impulse of a ball or cone
     std::vector<glm::dvec3> bendPoints;  ///< where a rope lies on something, from end 0 to end 1, world
-    glm::dvec3 force{0.0}, torque{0.0};  ///< N and N m that it exerted in the last step, on average
+    /// N and N m on the second body, mean of the last step: of the locked rows and the limits. Spring, motor and
+    /// friction are not in it.
+    glm::dvec3 force{0.0}, torque{0.0};
 };
 
 /// A row of the Jacobian of a joint. Its velocity is
@@ -29,7 +33,7 @@ struct JointConstraint {
 struct JointRow {
     glm::dvec3 linearA{0.0}, angularA{0.0}, linearB{0.0}, angularB{0.0};
 
-    /// m/s or rad/s.
+    /// The row's velocity Jv, m/s or rad/s.
     double velocity(const SolverState& A, const SolverState& B) const;
     /// Applies an impulse along the row to both bodies, N s or N m s.
     void apply(SolverState& A, SolverState& B, double impulse) const;

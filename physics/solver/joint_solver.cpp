@@ -22,14 +22,13 @@
 namespace rubble {
 namespace {
 
-constexpr double kErrorReduction = 0.2;       ///< of a rigid row's error, in a substep
-constexpr double kMotorHertz = 2.0;           ///< of a position motor, if the joint has no spring
-constexpr double kRopeStretchForce = 1e4;     ///< N under which a rope stretches by its `stretch`
-constexpr double kMaxCorrectionSpeed = 10.0;  ///< m/s or rad/s at which a limit is corrected
+constexpr double kErrorReduction = 0.2;    ///< of a rigid row's error, in a substep
+constexpr double kMotorHertz = 2.0;        ///< of a position motor, if the joint has no spring
+constexpr double kRopeStretchForce = 1e4;  ///< N under which a rope stretches by its `stretch`
 /// Iterations over joints in a substep: without a system, and with one that has the rigid rows.
 constexpr int kIterations = 4, kIterationsWithSystem = 2;
 
-/// Its spring acts on the free axis; the springs of other kinds soften the locked rows.
+/// Whether a joint's spring acts on its free axis. The springs of other kinds soften the locked rows.
 bool hasFreeAxisSpring(const Joint& joint) {
     return joint.kind == JointKind::Hinge || joint.kind == JointKind::Prismatic || joint.kind == JointKind::Wheel;
 }
@@ -176,7 +175,8 @@ void JointSolver::solveSpring(JointRows& e, SolverState& A, SolverState& B) cons
     addClamped(e.freeAxis.row, A, B, c.springImpulse, impulse, maxImpulse);
 }
 
-/// Before it is reached, the coordinate may move up to the limit within the substep; beyond, it is pushed back.
+/// One limit of the free coordinate. Short of the limit, the coordinate may move up to it within the substep (as a
+/// speculative contact); beyond, it is pushed back.
 void JointSolver::solveLimit(JointRows& e, SolverState& A, SolverState& B, bool isHigh, bool useBias) const {
     const Joint& joint = *e.c->joint;
     const double high = joint.kind == JointKind::Rope ? joint.rope.length : joint.limits.high;
@@ -196,7 +196,7 @@ void JointSolver::solveLimit(JointRows& e, SolverState& A, SolverState& B, bool 
     e.freeAxis.row.apply(A, B, sign * (impulse - before));
 }
 
-/// Against the relative rotation about any axis, clamped by length.
+/// Friction against the relative rotation of a ball about any axis; the impulse is clamped by its length.
 void JointSolver::solveBallFriction(JointRows& e, SolverState& A, SolverState& B) const {
     JointConstraint& c = *e.c;
     const glm::dvec3 before = c.ballFriction;

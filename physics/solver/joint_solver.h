@@ -19,7 +19,7 @@ public:
     void solve(std::span<const SolverBody> bodies, std::span<SolverState> states, bool useBias);
     /// Ends a substep: adds its impulses to the joints' mean force and torque over a step of stepSeconds.
     void accumulateForces(double stepSeconds);
-    /// There are no joints in this step.
+    /// Whether there are no joints in this step.
     bool empty() const { return m_joints.empty(); }
 
 private:
@@ -31,7 +31,7 @@ private:
     void solveLimit(JointRows& e, SolverState& A, SolverState& B, bool isHigh, bool useBias) const;
     void solveBallFriction(JointRows& e, SolverState& A, SolverState& B) const;
     void solveLockedRows(JointRows& e, SolverState& A, SolverState& B, bool useBias) const;
-    /// The joint's locked rows are not in the system.
+    /// Whether the joint's locked rows are not in the system.
     bool isSolvedAlone(const JointRows& e) const { return m_system.empty() || !e.isInSystem; }
 
     std::vector<JointRows> m_joints;

@@ -10,8 +10,8 @@
 // first along the bodies (Cuthill and McKee, "Reducing the bandwidth of sparse symmetric matrices", 1969), its entries
 // lie near the diagonal, so it is stored as a skyline, each row from its first nonzero column. L D L^T keeps that
 // profile, and costs a chain time linear in its length (compare Baraff, "Linear-Time Dynamics using Lagrange
-// Multipliers", SIGGRAPH 1996, which needs trees; here loops are exact too). A pivot that vanishes belongs to a row
-// that others already hold: it gets no impulse.
+// Multipliers", SIGGRAPH 1996, which needs trees; here loops are exact too). A pivot that vanishes belongs to a
+// redundant row, which other rows imply: it gets no impulse.
 
 namespace rubble {
 namespace {
@@ -108,12 +108,12 @@ void JointSystem::addCoupling(std::span<const JointRows> joints, std::span<const
             const int body = e.c->bodies[side];
             if (!body || body != f.c->bodies[otherSide]) continue;
             const SolverState& state = states[size_t(body)];
-            const glm::dmat3 inertia(state.inverseInertia);
-            const double sign = side == otherSide ? 1.0 : -1.0, mass = sign * double(state.inverseMass);
+            const glm::dmat3 inverseInertia(state.inverseInertia);
+            const double sign = side == otherSide ? 1.0 : -1.0, inverseMass = sign * double(state.inverseMass);
             for (int r = 0; r < e.rows; ++r) {
                 const JointRow& own = e.row[size_t(r)];
-                const glm::dvec3 angular = (inertia * (side ? own.angularB : own.angularA)) * sign;
-                const glm::dvec3 linear = (side ? own.linearB : own.linearA) * mass;
+                const glm::dvec3 angular = (inverseInertia * (side ? own.angularB : own.angularA)) * sign;
+                const glm::dvec3 linear = (side ? own.linearB : own.linearA) * inverseMass;
                 double* entries = row(m_offset[size_t(p)] + r) + m_offset[size_t(q)];
                 for (int s = 0; s < (p == q ? r + 1 : f.rows); ++s) {
                     const JointRow& other = f.row[size_t(s)];

@@ -14,7 +14,7 @@ public:
     /// Orders the joints for which isInSystem is set and lays out their matrix. If that would be too large, the system
     /// stays empty.
     void build(std::span<const JointRows> joints);
-    /// No joint is in the system: each must be solved by itself.
+    /// Whether no joint is in the system: then each must be solved by itself.
     bool empty() const { return m_order.empty(); }
     /// Computes the matrix at the joints' current rows and factorizes it.
     void factorize(std::span<const JointRows> joints, std::span<const SolverState> states);

@@ -10,13 +10,13 @@ namespace rubble {
 /// Which bodies are awake, and which debris waits to wake until the budget of awake debris allows it.
 class AwakeBodies {
 public:
-    /// Body slots, ascending.
+    /// The slots of the awake bodies, ascending.
     const std::vector<uint32_t>& slots() const { return m_slots; }
     /// The largest number of awake debris.
     void setDebrisLimit(size_t limit) { m_debrisLimit = limit; }
     /// Whether the budget has a place for this body; always true if it is not debris.
     bool mayWake(const DynamicBody& body) const { return !body.isDebris || m_debris < m_debrisLimit; }
-    /// Adds a body; twice is once.
+    /// Adds a body; does nothing if it is there already.
     void add(const DynamicBody& body);
     /// Removes a body; does nothing if it is not there.
     void remove(const DynamicBody& body);

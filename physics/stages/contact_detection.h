@@ -16,7 +16,7 @@ public:
     void find(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings);
     /// Notes in the bodies which are touching, and which sleeping bodies each touches.
     void recordTouching(PhysicsBodies& bodies) const;
-    /// Of this step, sorted by numbers of the objects.
+    /// The manifolds of this step, sorted by the numbers of their objects.
     std::span<Manifold* const> manifolds() const { return m_narrowphase.manifolds(); }
 
 private:

@@ -25,7 +25,7 @@ void PhysicsBodies::createStatic(const World& world, ShapeHandle handle) {
     slotOf(m_handles, shape.body.slot()) = shape.body;
     slotOf(m_owners, handle.slot()) = shape.body;
     auto object = std::make_unique<CollisionObject>();
-    object->collider.parts.push_back(std::make_unique<VoxelPart>(shape, Pose{}, world.materials()));
+    object->collider.parts.push_back(std::make_unique<ColliderPart>(shape, Pose{}, world.materials()));
     if (object->collider.empty()) return;
     object->setPose(shapeToWorld(world, handle));
     object->body = shape.body.slot();

@@ -16,13 +16,13 @@ class PhysicsBodies {
 public:
     /// Creates the object of a static body's shape, or replaces it.
     void createStatic(const World& world, ShapeHandle handle);
-    /// Does nothing if there is none.
+    /// Removes the object of a static body's shape; does nothing if there is none.
     void destroyStatic(uint32_t shapeSlot);
     /// Takes over a cut of a static shape, and wakes what touched the changed bricks.
     void updateStatic(const World& world, ShapeHandle handle, const FrameChanges& changes);
     /// Creates a dynamic body, or replaces it. One whose numbers are invalid is quarantined, with a warning.
     void createDynamic(const World& world, BodyHandle handle, bool asleep);
-    /// Wakes what touched it. Does nothing if the handle is not the slot's.
+    /// Removes a dynamic body and wakes what touched it. Does nothing if the handle is stale.
     void destroyDynamic(BodyHandle handle);
     /// Takes over a change of a dynamic body, or creates it, and wakes what touched it before. onlyCarved: nothing but
     /// its voxels has changed.
@@ -30,13 +30,13 @@ public:
     /// Takes over a shape's new collision filter, and wakes what may touch it now or no longer.
     void updateFilter(const World& world, ShapeHandle handle);
 
-    /// Null: there is no dynamic body in the slot.
+    /// The dynamic body in a slot; null: there is none.
     DynamicBody* dynamicAt(uint32_t slot) const { return slot < m_dynamics.size() ? m_dynamics[slot].get() : nullptr; }
-    /// Null: the handle is empty, or not the slot's any more.
+    /// The dynamic body of a handle; null: the handle is empty or stale.
     DynamicBody* find(BodyHandle handle) const;
     /// By shape slot, the body that its shape belongs to, or last belonged to; empty if there never was one.
     const std::vector<BodyHandle>& owners() const { return m_owners; }
-    /// Of all bodies, by slot.
+    /// The handles of all bodies, by slot.
     const std::vector<BodyHandle>& handles() const { return m_handles; }
     /// Objects whose bounds overlap a box, by number; valid until the next call.
     const std::vector<CollisionObject*>& objectsIn(glm::dvec3 low, glm::dvec3 high);
@@ -45,7 +45,7 @@ public:
     const std::vector<uint32_t>& awake() const { return m_awake.slots(); }
     /// An awake body by its slot.
     DynamicBody& at(uint32_t slot) const { return *m_dynamics[slot]; }
-    /// Does nothing if it is awake or quarantined.
+    /// Wakes a body; does nothing if it is awake or quarantined.
     void wake(DynamicBody& body);
     /// Wakes a body, or lets it wait until the budget of awake debris has a place for it.
     void wakeOrWait(DynamicBody& body);

@@ -30,7 +30,7 @@ public:
     void putToSleep(PhysicsBodies& bodies, size_t solverBodies) const;
     /// Moves the points of ropes, after the bodies.
     void moveRopes(PhysicsBodies& bodies, glm::dvec3 gravity, double seconds);
-    /// Of this step, in the order of slots.
+    /// The joints that findBroken() found in this step, in the order of slots.
     std::span<const JointHandle> broken() const { return m_broken; }
     /// The ropes that moved in this step, in the order of slots.
     std::span<const RopeMotion> ropeMotions() const { return m_ropeMotions; }

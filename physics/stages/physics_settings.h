@@ -5,7 +5,8 @@
 
 namespace rubble {
 
-/// Which bodies keep their angular momentum in free rotation; the others keep their angular velocity.
+/// Which bodies keep their angular momentum in free rotation; the others keep their angular velocity. WhereNeeded:
+/// those with unequal principal moments that spin faster than 0.3 rad/s.
 enum class RotationRule : uint8_t { Never, WhereNeeded, Always };
 
 struct PhysicsSettings {
@@ -39,9 +40,9 @@ struct PhysicsSettings {
 ///     balanced            25           60        1,000   keeps its angular momentum and energy
 ///     accurate            30           60        3,000   the same; slow bodies are not damped
 PhysicsSettings fastPhysics();
-/// The default: see fastPhysics().
+/// The default preset: see fastPhysics().
 PhysicsSettings balancedPhysics();
-/// See fastPhysics().
+/// The most accurate preset: see fastPhysics().
 PhysicsSettings accuratePhysics();
 
 }  // namespace rubble

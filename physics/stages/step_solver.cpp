@@ -6,13 +6,13 @@ namespace rubble {
 namespace {
 
 // Bodies below these keep their angular velocity in free rotation, with RotationRule::WhereNeeded:
-constexpr double kMinUnevenness = 1.1;  ///< ratio of the largest to the smallest principal moment
-constexpr double kMinSpin = 0.3;        ///< rad/s
+constexpr double kMinInertiaRatio = 1.1;  ///< of the largest to the smallest principal moment
+constexpr double kMinSpin = 0.3;          ///< rad/s
 
 bool conservesMomentum(const SolverBody& body, RotationRule rule) {
     const glm::dvec3& i = body.inertia;
-    const double unevenness = std::max({i.x, i.y, i.z}) / std::min({i.x, i.y, i.z});
-    return rule == RotationRule::Always || (rule == RotationRule::WhereNeeded && unevenness > kMinUnevenness &&
+    const double inertiaRatio = std::max({i.x, i.y, i.z}) / std::min({i.x, i.y, i.z});
+    return rule == RotationRule::Always || (rule == RotationRule::WhereNeeded && inertiaRatio > kMinInertiaRatio &&
                                             glm::length(body.angularVelocity) > kMinSpin);
 }
 

@@ -114,13 +114,12 @@ private:
 
 }  // namespace
 
-void addSubmersion(const VoxelPart& part, const CellTransform& cells, glm::dvec3 origin, const Water& water,
+void addSubmersion(const ColliderPart& part, const CellTransform& cells, glm::dvec3 origin, const Water& water,
                    Submersion& sum) {
     PartSubmersion submersion(cells, origin, water);
     const double size = part.voxelSize();
     const auto [low, high] =
         submersion.heights(glm::dvec3(part.bounds().low), glm::dvec3(part.bounds().high - part.bounds().low));
-    sum.total += double(part.grid().voxelCount()) * size * size * size;
     if (low >= 0.0 || high < -water.depth) return;
     part.grid().forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
         const glm::ivec3 base = position * kBrickSize;

@@ -11,21 +11,21 @@ namespace rubble {
 /// The part of some voxels that is under water.
 struct Submersion {
     double volume = 0.0;     ///< m3 under water
-    double total = 0.0;      ///< m3 of all voxels
     double waterline = 0.0;  ///< m2 of the surface that the voxels cut
     glm::dvec3 moment{0.0};  ///< volume times its centroid, from the collider's origin, world axes
 };
 
 /// Adds the part of a voxel part that is in a water. origin: of the collider, world.
-void addSubmersion(const VoxelPart& part, const CellTransform& cells, glm::dvec3 origin, const Water& water,
+void addSubmersion(const ColliderPart& part, const CellTransform& cells, glm::dvec3 origin, const Water& water,
                    Submersion& sum);
 
 /// The waters of a World, and their forces on bodies. [main-thread]
 class WaterVolumes {
 public:
-    /// water: null: there is none in the slot any more. Returns the bounds of what was or is there.
+    /// Takes over the water of a slot; null: there is none any more. Returns the world bounds of the old and the new
+    /// water together; none: there was no water and is none.
     std::optional<WorldBox> set(uint32_t slot, const Water* water);
-    /// There is no water.
+    /// Whether there is no water.
     bool empty() const { return m_count == 0; }
     /// Buoyancy and drag of a step, before gravity and contacts; see water.cpp for the formulas. gravity: m/s2. True if
     /// the body is in water.

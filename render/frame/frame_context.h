@@ -1,7 +1,7 @@
 #pragma once
 #include "render/frame/frame_block.h"
-#include "render/frame/render_figures.h"
 #include "render/frame/render_settings.h"
+#include "render/frame/render_stats.h"
 #include "render/frame/target_pool.h"
 #include "render/shader_library/shader_library.h"
 
@@ -18,17 +18,17 @@ struct FrameContext {
     const Scene& scene;  ///< the GPU's copy of the world: bodies, lights, environment, shadow volume
     TargetPool& targets;
     const Texture& blueNoise;  ///< 64x64, R8, repeats
-    RenderFigures& figures;
+    RenderStats& stats;
     VertexArray& emptyVertexArray;
     const LightGrid* lightGrid = nullptr;  ///< null: the scene has had no local lights yet
     FullscreenChoice* choice = nullptr;    ///< how full-screen programs are drawn; null: by fragments
 
-    /// Draws one triangle over the bound framebuffer with the plain program in use, without depth test and blending.
-    /// Programs that compute may draw too are drawn by render/passes/fullscreen.h.
-    void drawFullscreen() const {
+    /// Draws one triangle over the bound framebuffer with the program in use and the GL state as it is. For programs of
+    /// ShaderLibrary::load(); those of loadFullscreen() are drawn by render/passes/fullscreen.h.
+    void drawTriangle() const {
         glBindVertexArray(emptyVertexArray.get());
         glDrawArrays(GL_TRIANGLES, 0, 3);
-        ++figures.drawCalls;
+        ++stats.drawCalls;
     }
 };
 

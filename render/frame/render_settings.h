@@ -32,8 +32,8 @@ enum class Fullscreen {
 
 /// Quality against speed.
 struct RenderSettings {
-    int skyRays = 1;            ///< cosine-weighted rays per pixel
-    int sunRays = 1;            ///< rays per pixel to random points of the sun's disc
+    int skyRays = 1;            ///< cosine-weighted rays per pixel and frame
+    int sunRays = 1;            ///< rays per pixel and frame to random points of the sun's disc
     float skyDistance = 64.0f;  ///< metres: length of sky rays
     /// Metres from the start of a sky ray beyond which any block of 4^3 cells that holds something stops it: a tenth
     /// less to trace, no false light, some false shadow. All other rays are exact.
@@ -43,20 +43,21 @@ struct RenderSettings {
     float resolutionScale = 1.0f;
     int filterPasses = 4;            ///< iterations of the spatial filter
     bool temporal = true;            ///< temporal accumulation and anti-aliasing
-    int historyFrames = 32;          ///< longest history of the accumulation
+    int historyFrames = 32;          ///< longest history of the accumulation, frames
     bool rejectStaleHistory = true;  ///< history is dropped where the light has changed; off: the change fades in
     int warmUpFrames = 0;            ///< frames drawn unseen before the first one and after each cut: clean stills
     bool sun = true, sky = true, localLights = true, reflections = true, fog = true, glare = true;
     bool bounce = true;  ///< indirect light from what sky and reflection rays hit; off: that is black
-    int bounces = 2;     ///< of a sky ray at faces that the last frame does not show, at least 1; the rest is estimated
-    bool bounceColors =
-        true;  ///< such faces have their voxel's colour and local lights; off: one colour, half the cost
+    int bounces = 2;     ///< of a sky ray at faces that the last frame does not show, 1 to 16; the rest is estimated
+    /// Faces that the last frame does not show have their voxel's colour and local lights. Off: one colour, half the
+    /// cost.
+    bool bounceColors = true;
     Noise noise = Noise::Blue;  ///< of all light rays
     bool bevel = true;          ///< rounds the edges of near voxels in their shading
     bool refraction = true;     ///< panes shift what is behind them
     Fullscreen fullscreen = Fullscreen::Auto;
     bool detail = true;               ///< grain, joints and pores on the faces of near voxels, by material
-    float bloom = 0.04f;              ///< share of the blurred image
+    float bloom = 0.04f;              ///< share of the blurred image that is added; 0: none, at no cost
     uint64_t uploadBudget = 4 << 20;  ///< bytes of changed bricks per frame; a level that is loaded is sent at once
     bool processorTime = false;       ///< pass times are those of all threads of this process: for a busy machine
 

@@ -26,7 +26,7 @@ void setDirtyRegions(const Program& program, const Scene& scene) {
 
 AccumulatePass::AccumulatePass(ShaderLibrary& shaders)
     : m_change(shaders.loadFullscreen("passes/light_change.frag")),
-      m_program(shaders.loadFullscreen("passes/accumulate.frag", {.limited = true})) {}
+      m_program(shaders.loadFullscreen("passes/accumulate.frag", {.surfacesOnly = true})) {}
 
 const Texture& AccumulatePass::findChanges(const FrameContext& frame, const History& light,
                                            const History& surface) const {

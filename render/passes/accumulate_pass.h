@@ -7,7 +7,7 @@ namespace rubble {
 /// shaders/passes/accumulate.frag.
 class AccumulatePass {
 public:
-    /// Builds its programs.
+    /// Builds its programs. If one fails, shaders.errors() says why and it is not drawn.
     explicit AccumulatePass(ShaderLibrary& shaders);
     /// Fills AccumulatedLight and Surface.
     void draw(const FrameContext& frame) const;

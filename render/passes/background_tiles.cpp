@@ -52,7 +52,7 @@ void BackgroundTiles::draw(const Program& program, Band band, const FrameContext
     program.set("uTileGrid", glm::ivec2(m_tilesAcross, kTileShift));
     glBindVertexArray(frame.emptyVertexArray.get());
     glDrawArraysInstanced(GL_TRIANGLES, 0, 6, GLsizei(m_tiles[band].size()));
-    ++frame.figures.drawCalls;
+    ++frame.stats.drawCalls;
 }
 
 }  // namespace rubble

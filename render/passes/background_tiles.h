@@ -9,6 +9,7 @@ namespace rubble {
 /// Sorts the tiles of the view by what background they can show, so that each is drawn by a shader that does only that.
 class BackgroundTiles {
 public:
+    /// What a tile can show: above all hills, below the horizon, or anything.
     enum Band { Sky, Fields, Both, kBands };
     /// Sorts the tiles for a camera. eyeHeight: metres over the plane of the fields.
     void update(const FrameBlock& block, float eyeHeight);

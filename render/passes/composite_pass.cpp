@@ -25,7 +25,7 @@ void bindReflections(const Program& program, const FrameContext& frame) {
 }  // namespace
 
 CompositePass::CompositePass(ShaderLibrary& shaders)
-    : m_surfaces(shaders.loadFullscreen("passes/composite.frag", {.limited = true})) {
+    : m_surfaces(shaders.loadFullscreen("passes/composite.frag", {.surfacesOnly = true})) {
     m_backgrounds[BackgroundTiles::Sky] = &shaders.load("passes/background_sky.frag", "passes/tiles.vert");
     m_backgrounds[BackgroundTiles::Fields] = &shaders.load("passes/background_fields.frag", "passes/tiles.vert");
     m_backgrounds[BackgroundTiles::Both] = &shaders.load("passes/background.frag", "passes/tiles.vert");

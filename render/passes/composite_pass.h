@@ -11,7 +11,7 @@ class GlassShadowPass;
 /// them.
 class CompositePass {
 public:
-    /// Builds its programs.
+    /// Builds its programs. If one fails, shaders.errors() says why and it is not drawn.
     explicit CompositePass(ShaderLibrary& shaders);
     /// Fills Radiance and DiffuseFraction. glassShadow: null where no sunlight comes through glass.
     void draw(const FrameContext& frame, const GlassShadowPass* glassShadow);

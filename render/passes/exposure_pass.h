@@ -6,7 +6,7 @@ namespace rubble {
 /// Adapts the exposure to the brightness of the image over time. Derivation: shaders/passes/exposure.frag.
 class ExposurePass {
 public:
-    /// Builds its program.
+    /// Builds its program. If that fails, shaders.errors() says why and draw() does nothing.
     explicit ExposurePass(ShaderLibrary& shaders);
     /// Fills the one texel of Exposure from Resolved.
     void draw(const FrameContext& frame) const;

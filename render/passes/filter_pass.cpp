@@ -7,7 +7,7 @@
 namespace rubble {
 
 FilterPass::FilterPass(ShaderLibrary& shaders)
-    : m_program(shaders.loadFullscreen("passes/filter.frag", {.limited = true})) {}
+    : m_program(shaders.loadFullscreen("passes/filter.frag", {.surfacesOnly = true})) {}
 
 void FilterPass::draw(const FrameContext& frame) const {
     if (!m_program) return;

@@ -7,7 +7,7 @@ namespace rubble {
 /// Derivation: shaders/passes/filter.frag.
 class FilterPass {
 public:
-    /// Builds its program.
+    /// Builds its program. If that fails, shaders.errors() says why and draw() does nothing.
     explicit FilterPass(ShaderLibrary& shaders);
     /// Fills DenoisedLight from AccumulatedLight.
     void draw(const FrameContext& frame) const;

@@ -11,7 +11,7 @@
 namespace rubble {
 namespace {
 
-constexpr int kMaxHistory = 12;  ///< frames: how long the light of a wall that opens may take to appear in the fog
+constexpr int kMaxHistory = 12;  ///< frames averaged: light through a new hole takes no longer to appear in the fog
 
 }  // namespace
 

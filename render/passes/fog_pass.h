@@ -7,7 +7,7 @@ namespace rubble {
 /// shaders/passes/fog_light.frag.
 class FogPass {
 public:
-    /// Builds its programs.
+    /// Builds its programs. If one fails, shaders.errors() says why and it is not drawn.
     explicit FogPass(ShaderLibrary& shaders);
     /// Fills FogLight and Fog, and blends the fog over Radiance.
     void draw(const FrameContext& frame) const;

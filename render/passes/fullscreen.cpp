@@ -51,8 +51,8 @@ private:
 
 FullscreenDraw::FullscreenDraw(const FrameContext& frame, FullscreenProgram& program, const FullscreenTargets& into)
     : m_frame(frame), m_into(into), m_method(chooseFor(frame, program)), m_program(program) {
-    assert(program.kind().limited == (into.depth != nullptr) &&
-           "a limited program needs a depth buffer, the others have none");
+    assert(program.kind().surfacesOnly == (into.depth != nullptr) &&
+           "a program for surfaces only needs a depth buffer, the others have none");
     if (m_method == FullscreenMethod::Fragment || !into.clear.empty())
         frame.targets.framebuffer(into.colors, into.depth).begin();
     for (size_t i = 0; i < into.clear.size(); ++i) glClearBufferfv(GL_COLOR, GLint(i), glm::value_ptr(into.clear[i]));
@@ -62,7 +62,7 @@ FullscreenDraw::FullscreenDraw(const FrameContext& frame, FullscreenProgram& pro
 
 void FullscreenDraw::run() const {
     m_method == FullscreenMethod::Fragment ? rasterize() : dispatch();
-    ++m_frame.figures.drawCalls;
+    ++m_frame.stats.drawCalls;
     if (m_frame.choice) m_frame.choice->recordDraw(m_method);
 }
 

@@ -8,9 +8,9 @@ namespace rubble {
 /// What a full-screen draw writes into.
 struct FullscreenTargets {
     std::vector<const Texture*> colors;  ///< by output of the shader
-    const Texture* depth = nullptr;      ///< of limited programs: the depth buffer that shows where there is a surface
-    std::vector<glm::vec4> clear = {};   ///< values of the colours before the draw; empty: they are not cleared
-    int tiles = 0;                       ///< squares that the pass's own vertex shader draws, instead of the triangle
+    const Texture* depth = nullptr;  ///< for FullscreenKind::surfacesOnly: the G-buffer's depth buffer, or another mask
+    std::vector<glm::vec4> clear = {};  ///< values of the colours before the draw; empty: they are not cleared
+    int tiles = 0;                      ///< squares that the pass's own vertex shader draws, instead of the triangle
 };
 
 /// One draw of a program over all of its targets, by triangles or by compute, with the same result. From the

@@ -41,8 +41,8 @@ void GBufferPass::draw(const FrameContext& frame) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
     m_tiles.drawTiles(m_program, BodyTiles::Which::All, frame.emptyVertexArray);
-    ++frame.figures.drawCalls;
-    ++frame.figures.bodyDraws;
+    ++frame.stats.drawCalls;
+    ++frame.stats.bodyDraws;
     glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);
 }

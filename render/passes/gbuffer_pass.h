@@ -13,10 +13,10 @@ namespace rubble {
 /// next body's box.
 class GBufferPass {
 public:
-    static constexpr int kMaxDraws = 1;
+    static constexpr int kMaxDraws = 1;  ///< of bodies, whatever their number
     static constexpr float kSkyDepth = shared::kSkyDepth;
 
-    /// Builds its program.
+    /// Builds its program. If that fails, shaders.errors() says why and draw() only clears its targets.
     explicit GBufferPass(ShaderLibrary& shaders);
     /// Fills the G-buffer, and GlassMask in scenes with glass.
     void draw(const FrameContext& frame);

@@ -21,7 +21,7 @@ void GlarePass::draw(const FrameContext& frame) const {
     glBlendFunc(GL_ONE, GL_ONE);
     glBindVertexArray(frame.emptyVertexArray.get());
     glDrawArraysInstanced(GL_TRIANGLES, 0, 6, frame.lightGrid->lights());
-    ++frame.figures.drawCalls;
+    ++frame.stats.drawCalls;
     glDisable(GL_BLEND);
 }
 

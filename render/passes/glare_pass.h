@@ -3,11 +3,11 @@
 
 namespace rubble {
 
-/// Glare: a glow on the lens around each local light that the camera sees. The vertex shader asks the shadow volume
-/// whether the light's centre is hidden.
+/// Glare: a glow on the lens around each local light that the camera sees. The vertex shader finds by four rays through
+/// the shadow volume how much of the light is visible.
 class GlarePass {
 public:
-    /// Builds its program.
+    /// Builds its program. If that fails, shaders.errors() says why and draw() does nothing.
     explicit GlarePass(ShaderLibrary& shaders);
     /// Adds to Radiance.
     void draw(const FrameContext& frame) const;

@@ -28,8 +28,8 @@ void GlassPass::draw(const FrameContext& frame, const BodyTiles& tiles) const {
     tiles.bind(m_program, BodyTiles::Which::Glass);
     m_program.set("uDepth", frame.targets.at(Target::Depth));
     tiles.drawTiles(m_program, BodyTiles::Which::Glass, frame.emptyVertexArray);
-    frame.figures.drawCalls += 2;
-    frame.figures.bodyDraws += 2;
+    frame.stats.drawCalls += 2;
+    frame.stats.bodyDraws += 2;
     glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);
 }
@@ -62,7 +62,7 @@ void GlassPass::drawOver(const FrameContext& frame, const BodyTiles& tiles) cons
     m_over.set("uGlassTint", frame.targets.at(Target::GlassTint));
     m_over.set("uGlassSurface", frame.targets.at(Target::GlassSurface));
     tiles.drawTiles(m_over, BodyTiles::Which::Glass, frame.emptyVertexArray);
-    ++frame.figures.drawCalls;
+    ++frame.stats.drawCalls;
     glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);
 }

@@ -8,7 +8,7 @@ namespace rubble {
 /// behind them. Only for scenes with glass. lib/gbuffer.glsl says what its targets hold.
 class GlassPass {
 public:
-    /// Builds its programs.
+    /// Builds its programs. If one fails, shaders.errors() says why and it is not drawn.
     explicit GlassPass(ShaderLibrary& shaders);
     /// Fills GlassTint, GlassSurface and GlassDepth. tiles: of this frame's G-buffer.
     void draw(const FrameContext& frame, const BodyTiles& tiles) const;

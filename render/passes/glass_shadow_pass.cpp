@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/scene/scene.h"
+#include "render/scene/sun_basis.h"
 
 namespace rubble {
 namespace {
@@ -13,6 +14,8 @@ constexpr int kSide = 512;         ///< texels
 constexpr float kCell = 0.1f;      ///< metres per texel
 constexpr float kStep = 4.0f;      ///< metres by which the map moves with the camera
 constexpr float kHeight = 200.0f;  ///< metres toward the sun from the map's centre: no glass stands farther
+constexpr float kAhead = 0.3f;     ///< of the map's side: its centre lies that far ahead of the camera
+constexpr float kNoPane = 1e4f;    ///< metres toward the sun: farther than any pane, as the least distance counts
 
 }  // namespace
 
@@ -31,10 +34,11 @@ GlassShadowPass::GlassShadowPass(ShaderLibrary& shaders)
 /// Places the map in front of the camera, in steps of kStep, so that it needs no redraw at every frame.
 void GlassShadowPass::fitMap(const FrameContext& frame) {
     m_sun = glm::vec3(frame.block.sunDirection);
-    m_right = glm::normalize(glm::cross(std::abs(m_sun.y) < 0.99f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0), m_sun));
-    m_up = glm::cross(m_sun, m_right);
+    const SunBasis basis = sunBasis(m_sun);
+    m_right = basis.right;
+    m_up = basis.up;
     const glm::vec3 focus =
-        glm::vec3(frame.block.cameraPosition) + glm::vec3(frame.block.cameraForward) * (0.3f * kSide * kCell);
+        glm::vec3(frame.block.cameraPosition) + glm::vec3(frame.block.cameraForward) * (kAhead * kSide * kCell);
     const glm::vec3 place =
         glm::floor(glm::vec3(glm::dot(focus, m_right), glm::dot(focus, m_up), glm::dot(focus, m_sun)) / kStep) * kStep;
     m_center = m_right * place.x + m_up * place.y + m_sun * place.z;
@@ -62,15 +66,14 @@ void GlassShadowPass::draw(const FrameContext& frame) {
     m_drawnChanges = frame.scene.glassChanges();
     listBodies(frame);
     m_framebuffer.begin();
-    const float clear[4] = {1, 1, 1, 1e4f};  // no tint, no pane
+    const float clear[4] = {1, 1, 1, kNoPane};
     glClearBufferfv(GL_COLOR, 0, clear);
     if (m_bodies.empty()) return;
     m_program.use();
     frame.scene.bodies().bind(m_program);
     frame.scene.bindShadow(m_program);
-    constexpr float kScale = 1.0f / (kSide * kCell);
-    m_program.set("uRight", glm::vec4(m_right * kScale, 0.5f - glm::dot(m_right, m_center) * kScale));
-    m_program.set("uUp", glm::vec4(m_up * kScale, 0.5f - glm::dot(m_up, m_center) * kScale));
+    m_program.set("uRight", toMap(m_right));
+    m_program.set("uUp", toMap(m_up));
     m_program.set("uMapCorner", m_center + m_sun * kHeight - (m_right + m_up) * (0.5f * kSide * kCell));
     m_program.set("uTexelRight", m_right * kCell);
     m_program.set("uTexelUp", m_up * kCell);
@@ -84,19 +87,23 @@ void GlassShadowPass::draw(const FrameContext& frame) {
     glBlendEquationSeparate(GL_FUNC_ADD, GL_MIN);
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);
     glDrawArraysInstanced(GL_TRIANGLES, 0, 36, GLsizei(m_bodies.size()));
-    ++frame.figures.drawCalls;
-    ++frame.figures.bodyDraws;
+    ++frame.stats.drawCalls;
+    ++frame.stats.bodyDraws;
     glBlendEquation(GL_FUNC_ADD);
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
 }
 
-void GlassShadowPass::bind(const Program& program) const {
+glm::vec4 GlassShadowPass::toMap(glm::vec3 axis) const {
     constexpr float kScale = 1.0f / (kSide * kCell);
+    return {axis * kScale, 0.5f - glm::dot(axis, m_center) * kScale};
+}
+
+void GlassShadowPass::bind(const Program& program) const {
     program.set("uGlassShadow", 1);
     program.set("uGlassShadowMap", m_map);
-    program.set("uGlassShadowRight", glm::vec4(m_right * kScale, 0.5f - glm::dot(m_right, m_center) * kScale));
-    program.set("uGlassShadowUp", glm::vec4(m_up * kScale, 0.5f - glm::dot(m_up, m_center) * kScale));
+    program.set("uGlassShadowRight", toMap(m_right));
+    program.set("uGlassShadowUp", toMap(m_up));
     program.set("uGlassShadowSun", glm::vec4(m_sun, -glm::dot(m_sun, m_center)));
 }
 

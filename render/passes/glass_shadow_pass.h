@@ -10,7 +10,7 @@ namespace rubble {
 /// Drawn again when glass has changed or the camera has moved on.
 class GlassShadowPass {
 public:
-    /// Builds its program and makes the map.
+    /// Builds its program and makes the map. If that fails, shaders.errors() says why and draw() does nothing.
     explicit GlassShadowPass(ShaderLibrary& shaders);
     /// Draws the map, if it is not up to date.
     void draw(const FrameContext& frame);
@@ -20,6 +20,8 @@ public:
 private:
     void fitMap(const FrameContext& frame);
     void listBodies(const FrameContext& frame);
+    /// For one axis of the map: a coordinate of a position in the map's uv is dot(xyz, position) + w.
+    glm::vec4 toMap(glm::vec3 axis) const;
 
     const Program& m_program;
     Texture m_map;  ///< rgb tint, a depth along the sun's rays of the last pane

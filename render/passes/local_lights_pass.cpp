@@ -12,7 +12,7 @@
 namespace rubble {
 namespace {
 
-constexpr float kFullRayRadiance = 0.01f;  ///< of a white surface at exposure 1: fainter light gets fewer rays
+constexpr float kFullRayRadiance = 0.01f;  ///< of a white surface at exposure 1; fainter light gets fewer rays
 constexpr int kMaxHistory = LightGrid::kMaxChangeFrames;  ///< frames over which highlights are averaged
 
 /// The lights that have appeared or gone out, for the histories around them.
@@ -29,9 +29,9 @@ void setChanges(const Program& program, const FrameContext& frame) {
 }  // namespace
 
 LocalLightsPass::LocalLightsPass(ShaderLibrary& shaders)
-    : m_program(
-          shaders.loadFullscreen("passes/local_lights.frag",
-                                 {.limited = true, .merge = {Merge::Add}, .vertexFile = "passes/local_lights.vert"})) {
+    : m_program(shaders.loadFullscreen(
+          "passes/local_lights.frag",
+          {.surfacesOnly = true, .merge = {Merge::Add}, .vertexFile = "passes/local_lights.vert"})) {
     if (!m_program) logError("local lights are not drawn: " + shaders.errors().back());
 }
 

@@ -8,7 +8,7 @@ namespace rubble {
 /// shaders/passes/local_lights.frag.
 class LocalLightsPass {
 public:
-    /// Builds its program.
+    /// Builds its program. If that fails, shaders.errors() says why and draw() only clears Specular.
     explicit LocalLightsPass(ShaderLibrary& shaders);
     /// Adds to the colour of NoisyLight and fills Specular.
     void draw(const FrameContext& frame) const;

@@ -6,6 +6,7 @@
 
 #include "render/passes/gbuffer_pass.h"
 #include "render/scene/scene.h"
+#include "runtime/core/constants.h"
 #include "runtime/core/log.h"
 #include "runtime/core/random.h"
 
@@ -13,8 +14,8 @@ namespace rubble {
 namespace {
 
 constexpr const char* kVertexShader = "passes/particles.vert";
-constexpr int kNoiseSize = 128;
-constexpr float kStepSeconds = 1.0f / 60.0f;
+constexpr int kNoiseSize = 128;  ///< texels
+constexpr float kStepSeconds = 1.0f / float(kStepsPerSecond);
 constexpr int kLights = 4;  ///< local lights that light particles: the strongest at the particles' mean position
 
 /// Tileable value noise of 4 octaves, in [0, 1].
@@ -129,7 +130,7 @@ void ParticlesPass::drawRange(const FrameContext& frame, const Program& program,
         glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, sizeof(Instance),
                               reinterpret_cast<const void*>(first * sizeof(Instance) + i * sizeof(glm::vec4)));
     glDrawArraysInstanced(GL_TRIANGLES, 0, 6, GLsizei(last - first));
-    ++frame.figures.drawCalls;
+    ++frame.stats.drawCalls;
 }
 
 void ParticlesPass::draw(const FrameContext& frame, float alpha) {

@@ -10,7 +10,7 @@ namespace rubble {
 /// history less there.
 class ParticlesPass {
 public:
-    /// Builds its programs and the noise texture.
+    /// Builds its programs and the noise texture. If a program fails, shaders.errors() says why and it is not drawn.
     explicit ParticlesPass(ShaderLibrary& shaders);
     /// Blends over Radiance. alpha: 0 to 1 between the last two steps.
     void draw(const FrameContext& frame, float alpha);

@@ -21,7 +21,7 @@ void bindMirror(const Program& program, const FrameContext& frame) {
 
 ReflectionsPass::ReflectionsPass(ShaderLibrary& shaders)
     : m_mask(shaders.load("passes/reflection_mask.frag")),
-      m_program(shaders.loadFullscreen("passes/reflections.frag", {.limited = true})) {}
+      m_program(shaders.loadFullscreen("passes/reflections.frag", {.surfacesOnly = true})) {}
 
 bool ReflectionsPass::needed(const FrameContext& frame) {
     return frame.settings.reflections &&
@@ -38,7 +38,7 @@ void ReflectionsPass::draw(const FrameContext& frame) const {
     glDepthFunc(GL_LESS);  // the triangle lies at depth one half, before the far plane
     m_mask.use();
     bindMirror(m_mask, frame);
-    frame.drawFullscreen();
+    frame.drawTriangle();
     glDisable(GL_DEPTH_TEST);
 
     const FullscreenTargets into{{&frame.targets.target(Target::Reflection)}, &mask, {glm::vec4(0.0f)}};

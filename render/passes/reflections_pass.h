@@ -7,7 +7,7 @@ namespace rubble {
 /// marks these pixels, so that the others cost nothing.
 class ReflectionsPass {
 public:
-    /// Builds its programs.
+    /// Builds its programs. If one fails, shaders.errors() says why and it is not drawn.
     explicit ReflectionsPass(ShaderLibrary& shaders);
     /// Fills Reflection; ReflectionMask marks the pixels that have one.
     void draw(const FrameContext& frame) const;

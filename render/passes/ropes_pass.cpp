@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-constexpr int kSegments = 4;  ///< drawn between two points of a rope
+constexpr int kSegments = 4;  ///< straight ones, drawn between two points of a rope
 
 /// The Catmull-Rom spline between points i and i + 1; t in [0, 1].
 glm::dvec3 spline(const std::vector<glm::dvec3>& points, size_t i, double t) {
@@ -81,7 +81,7 @@ void RopesPass::draw(const FrameContext& frame, float alpha) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glDrawArraysInstanced(GL_TRIANGLES, 0, 6, GLsizei(m_instances.size()));
-    ++frame.figures.drawCalls;
+    ++frame.stats.drawCalls;
     glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);
 }

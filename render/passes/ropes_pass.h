@@ -9,7 +9,7 @@ namespace rubble {
 /// round.
 class RopesPass {
 public:
-    /// Builds its program.
+    /// Builds its program. If that fails, shaders.errors() says why and draw() does nothing.
     explicit RopesPass(ShaderLibrary& shaders);
     /// Adds to the G-buffer. alpha: 0 to 1 between the last two steps.
     void draw(const FrameContext& frame, float alpha);

@@ -45,7 +45,7 @@ void ShowPass::draw(const FrameContext& frame, const TargetView& shown, const Vi
     m_program.set("uTarget", target ? *target : frame.blueNoise);
     m_program.set("uMode", int(shown.mode));
     m_program.set("uStatusDot", statusDot);
-    frame.drawFullscreen();
+    frame.drawTriangle();
 }
 
 }  // namespace rubble

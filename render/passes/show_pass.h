@@ -9,7 +9,7 @@ namespace rubble {
 class ShowPass {
 public:
     /// How a target's values become a colour; the numbers are those of passes/show.frag.
-    enum class Mode { Color = 0, Linear = 1, Signed = 2, Distance = 3, Motion = 4, Alpha = 5, Red = 6, History = 7 };
+    enum class Mode { Color = 0, Linear = 1, Signed = 2, Distance = 3, Motion = 4, Alpha = 5, History = 6 };
     /// A target that can be shown, and how.
     struct TargetView {
         const char* name;  ///< for Renderer::showPass()
@@ -19,7 +19,7 @@ public:
     /// All of them; the first one is the final image.
     static std::span<const TargetView> views();
 
-    /// Builds its program.
+    /// Builds its program. If that fails, shaders.errors() says why and draw() does nothing.
     explicit ShowPass(ShaderLibrary& shaders);
     /// Shows the blue noise where no pass has drawn the target. statusDot: colour of a dot in the corner, if its alpha
     /// is 1.

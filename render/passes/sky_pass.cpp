@@ -8,7 +8,7 @@
 namespace rubble {
 
 SkyPass::SkyPass(ShaderLibrary& shaders)
-    : m_program(shaders.loadFullscreen("passes/sky.frag", {.limited = true, .merge = {Merge::Color}})) {}
+    : m_program(shaders.loadFullscreen("passes/sky.frag", {.surfacesOnly = true, .merge = {Merge::Color}})) {}
 
 void SkyPass::draw(const FrameContext& frame) const {
     if (!m_program) return;

@@ -7,7 +7,7 @@ namespace rubble {
 /// Derivation: shaders/passes/sky.frag.
 class SkyPass {
 public:
-    /// Builds its program.
+    /// Builds its program. If that fails, shaders.errors() says why and draw() does nothing.
     explicit SkyPass(ShaderLibrary& shaders);
     /// Fills the colour of NoisyLight (mean radiance) and HitProximity.
     void draw(const FrameContext& frame) const;

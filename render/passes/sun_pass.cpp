@@ -12,7 +12,7 @@ constexpr float kMaxDistance = 200.0f;  ///< metres: shadows of what is farther 
 }  // namespace
 
 SunPass::SunPass(ShaderLibrary& shaders)
-    : m_program(shaders.loadFullscreen("passes/sun.frag", {.limited = true, .merge = {Merge::Alpha}})) {}
+    : m_program(shaders.loadFullscreen("passes/sun.frag", {.surfacesOnly = true, .merge = {Merge::Alpha}})) {}
 
 void SunPass::draw(const FrameContext& frame) const {
     if (!m_program) return;

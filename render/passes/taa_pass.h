@@ -7,7 +7,7 @@ namespace rubble {
 /// shaders/passes/taa.frag.
 class TaaPass {
 public:
-    /// Builds its program.
+    /// Builds its program. If that fails, shaders.errors() says why and draw() does nothing.
     explicit TaaPass(ShaderLibrary& shaders);
     /// Fills Resolved from Radiance.
     void draw(const FrameContext& frame) const;

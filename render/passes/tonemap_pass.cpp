@@ -3,6 +3,11 @@
 #include "render/passes/fullscreen.h"
 
 namespace rubble {
+namespace {
+
+constexpr float kTaaSharpening = 0.35f;  ///< share of the contrast to the neighbours that is added: TAA blurs a little
+
+}  // namespace
 
 TonemapPass::TonemapPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("passes/tonemap.frag")) {}
 
@@ -14,8 +19,7 @@ void TonemapPass::draw(const FrameContext& frame) const {
         program.set("uBlueNoise", frame.blueNoise);
         program.set("uBloomShare", frame.settings.bloom);
         if (frame.settings.bloom > 0.0f) program.set("uBloom", frame.targets.at(Target::Bloom0));
-        // TAA blurs a little; without it the image is as sharp as it gets.
-        program.set("uSharpen", frame.settings.temporal ? 0.35f : 0.0f);
+        program.set("uSharpen", frame.settings.temporal ? kTaaSharpening : 0.0f);
     });
 }
 

@@ -15,7 +15,10 @@ namespace rubble {
 namespace {
 
 constexpr size_t kMaxCorners = 32;
-constexpr float kRingSpeed = 0.9f;                                                      // m/s
+constexpr float kRingSpeed = 0.9f;   // m/s
+constexpr float kRingDecay = 1.2f;   // 1/s
+constexpr float kRingAttack = 8.0f;  // 1/s: a ring has its full height after 1/8 s
+constexpr float kRingCore = 0.3f;    // metres added to radii, so that the height of a small ring stays finite
 constexpr std::array kOutlines = {"uOutline0", "uOutline1", "uOutline2", "uOutline3"};  // 8 corners each
 
 void setWater(const Program& program, const Scene& scene, const Water& water) {
@@ -36,7 +39,8 @@ void setWater(const Program& program, const Scene& scene, const Water& water) {
     program.set("uSeconds", float(scene.seconds()));
 }
 
-/// The rings on this water, as the shader reads them: centre, radius of the crest, and its height now.
+/// The rings on this water, as the shader reads them: centre, radius of the crest, and its height now. A ring that
+/// keeps its energy is lower the longer its crest: its height falls as 1 / sqrt(radius), and by damping.
 void setRipples(const Program& program, const Scene& scene, const Water& water) {
     const glm::dvec3 origin = scene.origin();
     std::array<glm::vec4, shared::kMaxRipples> rings;
@@ -44,8 +48,8 @@ void setRipples(const Program& program, const Scene& scene, const Water& water) 
     for (const SnapshotRipple& ripple : scene.ripples()) {
         if (ripple.surface != water.surface || size_t(count) == shared::kMaxRipples) continue;
         const float radius = ripple.radius + kRingSpeed * ripple.age;
-        const float fade = std::exp(-1.2f * ripple.age) * std::min(ripple.age * 8.0f, 1.0f) *
-                           std::sqrt((ripple.radius + 0.3f) / (radius + 0.3f));
+        const float fade = std::exp(-kRingDecay * ripple.age) * std::min(ripple.age * kRingAttack, 1.0f) *
+                           std::sqrt((ripple.radius + kRingCore) / (radius + kRingCore));
         rings[size_t(count++)] = {float(ripple.center.x - origin.x), float(ripple.center.y - origin.z), radius,
                                   ripple.strength * fade};
     }

@@ -8,7 +8,7 @@ namespace rubble {
 /// the first 32 corners count.
 class WaterPass {
 public:
-    /// Builds its program.
+    /// Builds its program. If that fails, shaders.errors() says why and draw() does nothing.
     explicit WaterPass(ShaderLibrary& shaders);
     /// Draws over Radiance.
     void draw(const FrameContext& frame) const;

@@ -13,7 +13,7 @@ constexpr float kRoofDistance = 60.0f;  ///< metres up to which something overhe
 }  // namespace
 
 WetnessPass::WetnessPass(ShaderLibrary& shaders)
-    : m_program(shaders.loadFullscreen("passes/wetness.frag", {.limited = true})) {
+    : m_program(shaders.loadFullscreen("passes/wetness.frag", {.surfacesOnly = true})) {
     if (!m_program) logError("nothing gets wet: " + shaders.errors().back());
 }
 

@@ -7,7 +7,7 @@ namespace rubble {
 /// know nothing of it. For levels with Environment::wetness > 0.
 class WetnessPass {
 public:
-    /// Builds its program.
+    /// Builds its program. If that fails, shaders.errors() says why and draw() does nothing.
     explicit WetnessPass(ShaderLibrary& shaders);
     /// Changes Albedo and Material.
     void draw(const FrameContext& frame) const;

@@ -230,7 +230,7 @@ uint64_t Bodies::beginFrame(float alpha, glm::dvec3 originWorld) {
         m_origin = originWorld;
         for (uint32_t slot = 0; slot < m_shapes.size(); ++slot) {
             if (!m_shapes[slot]) continue;
-            m_shapes[slot]->placed = false;
+            m_shapes[slot]->hasTransform = false;
             if (!m_shapes[slot]->moving) m_moving.push_back(slot);
             m_shapes[slot]->moving = true;
         }
@@ -247,7 +247,7 @@ uint64_t Bodies::beginFrame(float alpha, glm::dvec3 originWorld) {
     m_touched.insert(m_touched.end(), m_moving.begin(), m_moving.end());
     for (uint32_t slot : m_moving)
         if (m_shapes[slot]) {
-            place(slot, alpha, originWorld);
+            updateTransform(slot, alpha, originWorld);
             if (m_shapes[slot]->moving) still.push_back(slot);
         }
     m_moving = std::move(still);
@@ -270,7 +270,7 @@ void Bodies::releaseBricks(const FrameSnapshot& snapshot) {
     forEachBrick(snapshot, [&](const BrickRef& brick) { m_atlas.release(brick.get()); });
 }
 
-void Bodies::place(uint32_t slot, float alpha, glm::dvec3 originWorld) {
+void Bodies::updateTransform(uint32_t slot, float alpha, glm::dvec3 originWorld) {
     Shape& shape = *m_shapes[slot];
     const glm::dvec3 position = glm::mix(shape.previous.position, shape.current.position, double(alpha)) - originWorld;
     const glm::quat rotation =
@@ -279,14 +279,15 @@ void Bodies::place(uint32_t slot, float alpha, glm::dvec3 originWorld) {
     const InstanceTransform last = to;
     to.rotation = packed(rotation);
     to.position = glm::vec4(glm::vec3(position), shape.voxelSize);
-    to.lastRotation = shape.placed ? last.rotation : to.rotation;
-    to.lastPosition = shape.placed ? glm::vec4(glm::vec3(last.position), 0.0f) : glm::vec4(glm::vec3(position), 0.0f);
+    to.lastRotation = shape.hasTransform ? last.rotation : to.rotation;
+    to.lastPosition =
+        shape.hasTransform ? glm::vec4(glm::vec3(last.position), 0.0f) : glm::vec4(glm::vec3(position), 0.0f);
     const bool moved = to.lastRotation != to.rotation || glm::vec3(to.lastPosition) != glm::vec3(to.position);
     to.lastPosition.w = moved ? 1.0f : 0.0f;
     m_instances[slot].position = glm::vec3(position);
     m_instances[slot].rotation = rotation;
-    const bool arrived = shape.previous == shape.current && !moved && shape.placed;
-    shape.placed = true;
+    const bool arrived = shape.previous == shape.current && !moved && shape.hasTransform;
+    shape.hasTransform = true;
     if (arrived) shape.moving = false;
 }
 

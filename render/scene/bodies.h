@@ -37,7 +37,8 @@ public:
         glm::ivec4 sizeInNodes{0}, low{0}, high{0};
     };
 
-    /// Names of materials by index, for palettes that come from now on. None: those of the default table.
+    /// Names of materials by index, for detail maps of palettes that come from now on. Empty: those of the default
+    /// table.
     void setMaterials(std::span<const std::string> names) { m_detailMaps = DetailMaps::mapsOf(names); }
     /// Adds a shape with its bricks.
     void create(const SnapshotShape& shape);
@@ -52,7 +53,7 @@ public:
     /// Moves a shape.
     void setPose(const SnapshotPose& pose);
 
-    /// Sends bricks in the order in which they came, at most so many bytes. Returns the bytes sent.
+    /// Sends bricks in the order in which they came, at most budgetBytes of them. Returns the bytes sent.
     uint64_t sendBricks(uint64_t budgetBytes) { return m_atlas.upload(budgetBytes); }
     /// Interpolates the poses of what moves (alpha: 0 to 1) and sends what changed, except bricks. originWorld: the
     /// point that GPU coordinates are relative to. Returns the bytes sent.
@@ -115,8 +116,8 @@ private:
         PaletteRef palette;
         std::vector<std::unique_ptr<std::array<BrickRef, 64>>> bricks;  ///< by node
         Pose previous, current;
-        bool placed = false;  ///< has been drawn: its last placement is one to reproject from
-        bool moving = false;  ///< is in m_moving
+        bool hasTransform = false;  ///< its transform has been sent: the next frame can reproject from it
+        bool moving = false;        ///< is in m_moving
     };
     Shape* find(ShapeHandle handle);
     void release(Shape& shape, uint32_t slot);
@@ -127,7 +128,7 @@ private:
     void usePalette(Shape& shape, uint32_t slot, const PaletteRef& palette);
     /// Colours and flag of the shape's paint layer.
     void usePaint(uint32_t slot, const PaintColorsRef& colors);
-    void place(uint32_t slot, float alpha, glm::dvec3 originWorld);
+    void updateTransform(uint32_t slot, float alpha, glm::dvec3 originWorld);
 
     struct PaletteUse {
         PaletteRef palette;

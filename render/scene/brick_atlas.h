@@ -23,7 +23,7 @@ public:
 
     /// Whether a brick has a slot.
     bool has(const Brick* brick) const { return m_entries.count(brick) > 0; }
-    /// Sends new bricks in the order acquired, at most so many bytes of them, and all new paint. Returns the bytes
+    /// Sends new bricks in the order acquired, at most budgetBytes of them, and all new paint. Returns the bytes
     /// sent.
     uint64_t upload(uint64_t budgetBytes = ~uint64_t(0));
     static constexpr uint64_t kBrickBytes = 64 + kBrickVoxels;  ///< occupancy and indices
@@ -35,11 +35,11 @@ public:
     int bricks() const { return int(m_slots.used()); }
     /// GPU memory.
     uint64_t bytes() const { return m_words.bytes() + m_indices.bytes() + (m_paint ? m_paint->bytes() : 0); }
-    /// Null until a brick with paint has come.
+    /// The paint layer; null until a brick with paint has come.
     PaintAtlas* paint() { return m_paint.get(); }
     /// The same.
     const PaintAtlas* paint() const { return m_paint.get(); }
-    /// Makes it, if there is none.
+    /// The paint layer, which is made if there is none.
     PaintAtlas& ensurePaint();
     /// Occupancy, 8 texels per slot.
     const BufferTexture& words() const { return m_words; }

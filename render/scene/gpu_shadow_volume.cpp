@@ -4,10 +4,13 @@
 #include <glm/common.hpp>
 #include <string>
 
+#include "render/frame/shader_constants.h"
 #include "runtime/core/log.h"
 
 namespace rubble {
 namespace {
+
+static_assert(shared::kShadowCell == kShadowCell);
 
 int64_t volume(glm::ivec3 size) {
     return int64_t(size.x) * size.y * size.z;
@@ -79,7 +82,7 @@ void GpuShadowVolume::put(const ShadowPatch& patch) {
     if (!holds(patch.brick)) {
         if (patch.content && !m_fullLogged)
             logError("shadow directory: full at " + std::to_string(kMaxBricks) +
-                     " bricks (GpuShadowVolume::kMaxBricks); what lies beyond casts no shadow");
+                     " bricks, the most it can span; what lies beyond casts no shadow");
         m_fullLogged = m_fullLogged || patch.content;
         return;
     }

@@ -18,7 +18,8 @@ namespace {
 using shared::kAlwaysWeighed;
 using shared::kTexelsPerLight;
 using shared::kTilePixels;
-constexpr int kSlices = 12;  ///< of depth: two per doubling from 1 m on; the last one has no end
+constexpr int kSlices = 12;        ///< of depth: two per doubling from 1 m on; the last one has no end
+constexpr float kAnyDepth = 8.0f;  ///< metres: depth at which lights of a tile at any depth are compared
 
 int sliceAt(float depth) {
     return std::clamp(int(std::floor(2.0f * std::log2(std::max(depth, 1.0f)))), 0, kSlices - 1);
@@ -32,7 +33,7 @@ float extentOf(const SnapshotLight& light) {
     return light.radius;
 }
 
-/// Luminance of its colour.
+/// Luminance of its radiant intensity.
 float brightness(const SnapshotLight& light) {
     return glm::dot(light.color, glm::vec3(0.2126f, 0.7152f, 0.0722f));
 }
@@ -137,7 +138,7 @@ void LightGrid::moveStrongestFirst(const FrameBlock& block) {
         const glm::uvec2 cell = m_cells[i];
         if (cell.y <= 2 * kAlwaysWeighed) continue;
         const int slice = int(i) / tiles(), x = int(i) % m_size.x, y = int(i) / m_size.x % m_size.y;
-        const float depth = slice == kSlices ? 8.0f : std::exp2(0.5f * (float(slice) + 0.5f));
+        const float depth = slice == kSlices ? kAnyDepth : std::exp2(0.5f * (float(slice) + 0.5f));
         const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) * float(kTilePixels) / glm::vec2(block.targetSize) * 2.0f - 1.0f;
         const glm::vec3 middle =
             glm::vec3(block.cameraPosition) +
@@ -163,14 +164,14 @@ void LightGrid::fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 ori
         const bool cone = light.kind == LightKind::Cone;
         // A light without a cone has an edge that lies beyond all directions.
         const float outer = cone ? std::cos(light.coneOuter) : -3.0f, inner = cone ? std::cos(light.coneInner) : -2.0f;
-        const int shape = light.kind == LightKind::Screen    ? 3
-                          : light.kind == LightKind::Area    ? 2
-                          : light.kind == LightKind::Capsule ? 1
-                                                             : 0;
-        const bool hasImage = shape == 3 && light.image.height() > 0;
+        const int shape = light.kind == LightKind::Screen    ? shared::kScreen
+                          : light.kind == LightKind::Area    ? shared::kArea
+                          : light.kind == LightKind::Capsule ? shared::kCapsule
+                                                             : shared::kSphere;
+        const bool hasImage = shape == shared::kScreen && light.image.height() > 0;
         // Approximate angular falloff: clamp(cosine * x + y, 0, 1).
         const float scale = 1.0f / std::max(inner - outer, 1e-3f);
-        const bool facesOneWay = shape >= 2 && !light.twoSided;
+        const bool facesOneWay = shape >= shared::kArea && !light.twoSided;
         const glm::vec2 edge = cone          ? glm::vec2(scale, -outer * scale)
                                : facesOneWay ? glm::vec2(1.0f, 0.0f)
                                              : glm::vec2(0.0f, 1.0f);

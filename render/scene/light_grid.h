@@ -36,7 +36,7 @@ public:
         float range;          ///< metres that it reaches; infinite: everywhere
         int frames;           ///< since then
     };
-    /// Of more changes the last one reaches everywhere.
+    /// If there are more changes, the last one counts as reaching everywhere.
     static constexpr size_t kMaxChanges = shared::kMaxLightChanges;
     static constexpr int kMaxChangeFrames = 32;  ///< frames after which a change is dropped
     /// The changes of the last frames.

@@ -5,12 +5,13 @@
 #include <glm/geometric.hpp>
 
 #include "render/frame/frame_block.h"
+#include "runtime/core/constants.h"
 
 namespace rubble {
 namespace {
 
 constexpr double kSector = 6.4;             ///< metres: side of a sector, 64 shadow cells
-constexpr double kRebaseDistance = 1024.0;  ///< metres from the origin, where a float is still exact to 0.06 mm
+constexpr double kRebaseDistance = 1024.0;  ///< metres of the camera from the origin: a float is exact to 0.06 mm there
 
 }  // namespace
 
@@ -56,7 +57,7 @@ void Scene::applyNow(FrameSnapshot& snapshot) {
     if (snapshot.watersChanged) m_waters = std::move(snapshot.waters);
     if (snapshot.replacesAll) m_ripples.clear();
     if (snapshot.ripplesChanged) m_ripples = std::move(snapshot.ripples);
-    m_seconds = double(snapshot.version) / 60.0;
+    m_seconds = double(snapshot.version) / kStepsPerSecond;
     if (snapshot.lightsChanged) m_lights = std::move(snapshot.lights);
     if (snapshot.replacesAll) m_ropes.clear();
     if (snapshot.ropesChanged) m_ropes = std::move(snapshot.ropes);

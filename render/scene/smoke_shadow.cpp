@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "render/scene/sun_basis.h"
+
 namespace rubble {
 namespace {
 
@@ -18,8 +20,9 @@ void SmokeShadow::update(std::span<const SnapshotParticle> particles, glm::vec3 
     m_puffs.clear();
     if (particles.empty() || sunDirection.y <= 0.0f) return;
     m_sun = glm::normalize(sunDirection);
-    m_right = glm::normalize(glm::cross(std::abs(m_sun.y) < 0.99f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0), m_sun));
-    m_up = glm::cross(m_sun, m_right);
+    const SunBasis basis = sunBasis(m_sun);
+    m_right = basis.right;
+    m_up = basis.up;
     listPuffs(particles, origin);
     if (m_puffs.empty()) return;
     fitMap();

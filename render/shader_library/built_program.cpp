@@ -5,6 +5,7 @@
 #include "render/shader_library/uniforms_as_varyings.h"
 
 namespace rubble {
+
 BuiltProgram::BuiltProgram(std::string fragmentFile, std::string vertexFile)
     : m_fragmentFile(std::move(fragmentFile)),
       m_vertexFile(std::move(vertexFile)),
@@ -24,17 +25,17 @@ bool BuiltProgram::build(const std::filesystem::path& folder, const ShaderBuild&
         m_error = vertex ? read.error() : vertex.error();
         return false;
     }
-    ShaderSource main = m_method ? asFullscreen(*read, m_kind, *m_method) : *read, place = *vertex;
-    if (m_method == FullscreenMethod::Fragment && how.uniformsAsVaryings) passUniformsAsVaryings(place, main);
+    ShaderSource source = m_method ? asFullscreen(*read, m_kind, *m_method) : *read, vertexSource = *vertex;
+    if (m_method == FullscreenMethod::Fragment && how.uniformsAsVaryings) passUniformsAsVaryings(vertexSource, source);
     m_files = vertex->files;
-    m_files.insert(m_files.end(), main.files.begin(), main.files.end());
+    m_files.insert(m_files.end(), source.files.begin(), source.files.end());
     m_newest = newest(folder);
     std::string log;
     bool vertexFailed = false;
     Program program =
-        m_vertexFile.empty() ? Program(main.text, log) : Program(place.text, main.text, log, vertexFailed);
+        m_vertexFile.empty() ? Program(source.text, log) : Program(vertexSource.text, source.text, log, vertexFailed);
     if (!program) {
-        m_error = (vertexFailed ? place : main).explain(log);
+        m_error = (vertexFailed ? vertexSource : source).explain(log);
         return false;
     }
     m_error.clear();

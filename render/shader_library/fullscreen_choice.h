@@ -13,8 +13,8 @@ namespace rubble {
 /// the smaller median time.
 class FullscreenChoice {
 public:
-    static constexpr int kWarmUpFrames =
-        2;                                  ///< of each method, not timed: drivers finish programs in their first draws
+    /// Frames of each method that are not timed, because drivers finish programs in their first draws.
+    static constexpr int kWarmUpFrames = 2;
     static constexpr int kTimedFrames = 7;  ///< of each method
 
     /// Always this method, for all passes.

@@ -87,7 +87,7 @@ std::string computeMain(const Parts& parts, const FullscreenKind& kind) {
                        "void main() {\n"
                        "    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);\n"
                        "    if (any(greaterThanEqual(pixel, uTargetSize))) return;\n";
-    if (kind.limited) text += "    if (texelFetch(uDepthLimit, pixel, 0).r >= 1.0) return;\n";
+    if (kind.surfacesOnly) text += "    if (texelFetch(uDepthLimit, pixel, 0).r >= 1.0) return;\n";
     text += "    pixelCentre = vec4(vec2(pixel) + 0.5, 0.0, 1.0);\n";
     if (parts.readsUv) text += kUv;
     text += "    drawPixel();\n";

@@ -20,7 +20,7 @@ enum class Merge {
 
 /// The state in which a full-screen shader is drawn.
 struct FullscreenKind {
-    bool limited = false;           ///< only where a depth buffer shows a surface
+    bool surfacesOnly = false;      ///< draws only where a depth buffer is nearer than the far plane
     std::vector<Merge> merge = {};  ///< by target; Replace for those that are not listed
     /// The vertex shader of the fragment program. This one draws a triangle at the far plane, where a depth test can
     /// tell pixels with a surface from those of the sky.

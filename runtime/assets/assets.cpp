@@ -14,7 +14,8 @@ void ImportReport::count(const Level& level) {
 }
 
 Result<Level> readLevel(const std::string& path, const std::string& vdbTool, ImportReport* report) {
-    const std::string ending = std::filesystem::path(path).extension().string();
+    std::string ending = std::filesystem::path(path).extension().string();
+    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
     if (ending == ".vox") return importVox(path, {}, report);
     if (ending == ".vdb") return readVdb(path, vdbTool, report);
     if (ending != ".rubble")

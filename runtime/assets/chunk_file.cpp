@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-constexpr uint64_t kMaxChunkBytes = 512u << 20;
+constexpr uint64_t kMaxChunkBytes = 512u << 20;  // unpacked; larger chunks are refused
 
 template <class Header>
 uint64_t hashHeader(const Header& header) {
@@ -79,7 +79,7 @@ void readGridChunk(ByteReader& in, const std::vector<VoxelGrid*>& grids) {
 
 FileHeader readFileHeader(ByteReader& in) {
     const auto header = in.read<FileHeader>();
-    if (!in.failed() && header.magic != kFileMagic) in.fail("a baked level (\"RUBBLE\")", "other bytes", 0);
+    if (!in.failed() && header.magic != kFileMagic) in.fail("a file of Rubble (\"RUBBLE\")", "other bytes", 0);
     if (header.version != kFileVersion)
         in.fail(fmt::format("version {}", kFileVersion), std::to_string(header.version), 8);
     if (header.headerHash != hashHeader(header))

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <tuple>
@@ -33,13 +34,28 @@ struct BinaryField {
 template <class Member>
 BinaryField(const char*, Member) -> BinaryField<Member>;
 
+/// A row's `member` for one element of an array. Clang-format cannot lay out a lambda within a table.
+template <size_t kIndex, class Member>
+constexpr auto elementOf(Member member) {
+    return [member](auto& value) -> auto& {
+        return (value.*member)[kIndex];
+    };
+}
+
+/// A row's `member` for a member of a member.
+template <class Outer, class Inner>
+constexpr auto memberOf(Outer outer, Inner inner) {
+    return [=](auto& value) -> auto& {
+        return value.*outer.*inner;
+    };
+}
+
 /// The fields of a type in the order of its bytes; empty for types without a table.
 template <class T>
 inline constexpr std::tuple<> kFields{};
 
 template <class T>
-concept HasFields = std::tuple_size_v<std::remove_const_t<decltype(kFields<std::remove_const_t<T>>)>> >
-0;
+concept HasFields = (std::tuple_size_v<std::remove_const_t<decltype(kFields<std::remove_const_t<T>>)>> > 0);
 
 /// Calls archive(name, field) for each field of the value. An archive is binary if it has a member kIsBinary.
 template <class Archive, HasFields T>

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -37,7 +38,8 @@ Result<std::vector<uint8_t>> readFileBytes(const std::string& path, uint64_t lim
 }
 
 Result<Done> writeFileAtomically(const std::string& path, std::span<const uint8_t> bytes) {
-    const std::string temporaryPath = fmt::format("{}.{}.part", path, getpid());
+    static std::atomic<unsigned> calls{0};  // worlds of other threads may write the same file
+    const std::string temporaryPath = fmt::format("{}.{}.{}.part", path, getpid(), ++calls);
     File file(std::fopen(temporaryPath.c_str(), "wb"));
     if (!file) return systemError(temporaryPath, "cannot write");
     bool good = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();

@@ -120,13 +120,8 @@ constexpr auto lightTable(Of of, Shape shape, Group group) {
     };
 }
 template <>
-inline constexpr auto kFields<LevelLight> = lightTable(
-    [](auto member) {
-        return [member](auto& light) -> auto& {
-            return light.light.*member;
-        };
-    },
-    &LevelLight::shapeName, &LevelLight::groupName);
+inline constexpr auto kFields<LevelLight> = lightTable([](auto member) { return memberOf(&LevelLight::light, member); },
+                                                       &LevelLight::shapeName, &LevelLight::groupName);
 template <>
 inline constexpr auto kFields<LightGroup> = std::tuple{
     Field{"name", &LightGroup::name},
@@ -193,7 +188,7 @@ inline constexpr auto kFields<Trigger> = std::tuple{
     Field{"name", &Trigger::name},          Field{"kind", &Trigger::kind},
     Field{"pose", &Trigger::pose},          Field{"radius", &Trigger::radius},
     Field{"half_size", &Trigger::halfSize}, Field{"outline", &Trigger::outline},
-    Field{"height", &Trigger::height},      Field{"layers", &Trigger::layers},
+    Field{"height", &Trigger::height},      Field{"layers", &Trigger::layerMask},
     Field{"tags", &Trigger::tags},          BinaryField{"inside", &Trigger::inside},
 };
 template <>
@@ -203,13 +198,13 @@ inline constexpr auto kFields<Character> = std::tuple{
     Field{"height", &Character::height},
     Field{"crouched_height", &Character::crouchedHeight},
     Field{"step_height", &Character::stepHeight},
-    Field{"steepest", &Character::steepest},
+    Field{"steepest", &Character::maxSlope},
     Field{"mass", &Character::mass},
     Field{"walk_speed", &Character::walkSpeed},
     Field{"crouch_speed", &Character::crouchSpeed},
     Field{"jump_speed", &Character::jumpSpeed},
     Field{"swim_speed", &Character::swimSpeed},
-    Field{"push_force", &Character::pushForce},
+    Field{"push_force", &Character::maxPushForce},
     Field{"collision_layer", &Character::collisionLayer},
     Field{"collision_mask", &Character::collisionMask},
     Field{"wish", &Character::wish},
@@ -246,58 +241,54 @@ inline constexpr auto kFields<JointSpring> = std::tuple{
 };
 template <>
 inline constexpr auto kFields<WheelSettings> = std::tuple{
-    Field{"drive_torque", &WheelSettings::driveTorque}, Field{"top_spin", &WheelSettings::topSpin},
+    Field{"drive_torque", &WheelSettings::driveTorque}, Field{"top_spin", &WheelSettings::maxSpin},
     Field{"brake_torque", &WheelSettings::brakeTorque}, Field{"steer_angle", &WheelSettings::steerAngle},
     Field{"steer_rate", &WheelSettings::steerRate},
 };
 template <>
-inline constexpr auto kFields<RopeSettings> =
-    std::tuple{Field{"length", &RopeSettings::length}, Field{"slack", &RopeSettings::slack},
-               Field{"points", &RopeSettings::points}, Field{"radius", &RopeSettings::radius},
-               Field{"mass_per_metre", &RopeSettings::massPerMetre}, Field{"stretch", &RopeSettings::stretch},
-               Field{"strength", &RopeSettings::strength}, Field{"red", [](auto& value) -> auto& {return value.color[0];
-}  // namespace rubble
-}
-, Field{"green", [](auto& value) -> auto& {return value.color[1];
-}
-}
-, Field{"blue", [](auto& value) -> auto& {return value.color[2];
-}
-}
-,
-}
-;
+inline constexpr auto kFields<RopeSettings> = std::tuple{
+    Field{"length", &RopeSettings::length},
+    Field{"slack", &RopeSettings::slack},
+    Field{"points", &RopeSettings::points},
+    Field{"radius", &RopeSettings::radius},
+    Field{"mass_per_metre", &RopeSettings::massPerMetre},
+    Field{"stretch", &RopeSettings::stretch},
+    Field{"strength", &RopeSettings::strength},
+    Field{"red", elementOf<0>(&RopeSettings::color)},
+    Field{"green", elementOf<1>(&RopeSettings::color)},
+    Field{"blue", elementOf<2>(&RopeSettings::color)},
+};
 template <>
 inline constexpr auto kFields<RopePoint> = std::tuple{
     Field{"position", &RopePoint::position},
     Field{"velocity", &RopePoint::velocity},
 };
 template <>
-inline constexpr auto kFields<Joint> = std::tuple{Field{"name", &Joint::name}, Field{"kind", &Joint::kind},
-                                                  Field{"first", [](auto& value) -> auto& {return value.ends[0];
-}
-}
-, Field{"second", [](auto& value) -> auto& {return value.ends[1];
-}
-}
-, Field{"collides", &Joint::collides}, Field{"limits", &Joint::limits}, Field{"motor", &Joint::motor},
-    Field{"spring", &Joint::spring}, Field{"friction", &Joint::friction}, Field{"most_force", &Joint::maxForce},
-    Field{"break_force", &Joint::breakForce}, Field{"break_torque", &Joint::breakTorque}, Field{"steer", &Joint::steer},
-    Field{"wheel", &Joint::wheel}, Field{"hand", &Joint::hand}, Field{"rope", &Joint::rope},
+inline constexpr auto kFields<Joint> = std::tuple{
+    Field{"name", &Joint::name},
+    Field{"kind", &Joint::kind},
+    Field{"first", elementOf<0>(&Joint::ends)},
+    Field{"second", elementOf<1>(&Joint::ends)},
+    Field{"collides", &Joint::collides},
+    Field{"limits", &Joint::limits},
+    Field{"motor", &Joint::motor},
+    Field{"spring", &Joint::spring},
+    Field{"friction", &Joint::friction},
+    Field{"most_force", &Joint::maxForce},
+    Field{"break_force", &Joint::breakForce},
+    Field{"break_torque", &Joint::breakTorque},
+    Field{"steer", &Joint::steer},
+    Field{"wheel", &Joint::wheel},
+    Field{"hand", &Joint::hand},
+    Field{"rope", &Joint::rope},
     Field{"points", &Joint::points},
-}
-;
+};
 template <>
-inline constexpr auto kFields<LevelJoint> =
-    std::tuple{Field{"first_shape", [](auto& value) -> auto& {return value.shapeNames[0];
-}
-}
-, Field{"second_shape", [](auto& value) -> auto& {return value.shapeNames[1];
-}
-}
-, Field{"joint", &LevelJoint::joint},
-}
-;
+inline constexpr auto kFields<LevelJoint> = std::tuple{
+    Field{"first_shape", elementOf<0>(&LevelJoint::shapeNames)},
+    Field{"second_shape", elementOf<1>(&LevelJoint::shapeNames)},
+    Field{"joint", &LevelJoint::joint},
+};
 using NamedPose = std::pair<std::string, Pose>;
 template <>
 inline constexpr auto kFields<NamedPose> = std::tuple{
@@ -306,14 +297,18 @@ inline constexpr auto kFields<NamedPose> = std::tuple{
 };
 template <>
 inline constexpr auto kFields<Level> = std::tuple{
-    Field{"name", &Level::name}, Field{"materials", [](auto& value) -> auto& {return value.materials.materials;
-}
-}
-, Field{"environment", &Level::environment}, Field{"light_groups", &Level::lightGroups},
-    Field{"auto_light_groups", &Level::autoLightGroups}, Field{"lights", &Level::lights},
-    Field{"locations", &Level::locations}, Field{"bodies", &Level::bodies}, Field{"waters", &Level::waters},
-    Field{"triggers", &Level::triggers}, Field{"characters", &Level::characters}, Field{"joints", &Level::joints},
-}
-;
+    Field{"name", &Level::name},
+    Field{"materials", memberOf(&Level::materials, &MaterialTable::materials)},
+    Field{"environment", &Level::environment},
+    Field{"light_groups", &Level::lightGroups},
+    Field{"auto_light_groups", &Level::autoLightGroups},
+    Field{"lights", &Level::lights},
+    Field{"locations", &Level::locations},
+    Field{"bodies", &Level::bodies},
+    Field{"waters", &Level::waters},
+    Field{"triggers", &Level::triggers},
+    Field{"characters", &Level::characters},
+    Field{"joints", &Level::joints},
+};
 
 }  // namespace rubble

@@ -6,6 +6,9 @@
 namespace rubble {
 namespace {
 
+constexpr size_t kMaxNameBytes = 200;
+constexpr size_t kMaxCharacterBytes = 4;  // of UTF-8
+
 /// How many bytes the UTF-8 character at `at` has; 0 if it is not well-formed.
 size_t characterLength(const std::string& text, size_t at) {
     const auto byte = [&](size_t i) { return i < text.size() ? uint8_t(text[i]) : uint8_t(0); };
@@ -37,7 +40,7 @@ bool isUtf8(const std::string& text) {
 
 std::string printableName(const std::string& name) {
     std::string out;
-    for (size_t at = 0; at < name.size() && out.size() < 197;) {
+    for (size_t at = 0; at < name.size() && out.size() + kMaxCharacterBytes <= kMaxNameBytes;) {
         const size_t length = characterLength(name, at);
         const bool control = length == 1 && (uint8_t(name[at]) < 32 || name[at] == 127);
         out += length == 0 || control ? "?" : name.substr(at, length);

@@ -34,6 +34,8 @@ void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, siz
             for (LevelShape& shape : body.shapes) out.grids.push_back(&shape.grid);
     } else if (kind == "GRID") {
         readGridChunk(in, out.grids);
+    } else if (kind == "SAVE") {
+        return file.fail("a level", "a saved game, which load_game() reads");
     } else {
         return;
     }

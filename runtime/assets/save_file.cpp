@@ -162,6 +162,8 @@ void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, siz
                 [&](ShapeHandle, Shape& shape) { out.shapes.push_back(&shape), out.grids.push_back(&shape.grid); });
     } else if (kind == "GRID") {
         readGridChunk(in, out.grids);
+    } else if (kind == "LEVL") {
+        return file.fail("a saved game", "a level, which load_level() reads");
     } else {
         return;
     }

@@ -1,7 +1,6 @@
 #pragma once
 #include <array>
 #include <tuple>
-#include <type_traits>
 
 #include "runtime/assets/level_fields.h"
 #include "runtime/world/edits/edit.h"
@@ -128,7 +127,7 @@ inline constexpr auto kFields<CarveEdit> = std::tuple{
     Field{"half_size", &CarveEdit::halfSize},
     Field{"rotation", &CarveEdit::rotation},
     Field{"radii", &CarveEdit::radii},
-    Field{"hardness_limit", &CarveEdit::hardnessLimit},
+    Field{"hardness_limit", &CarveEdit::maxHardness},
     Field{"shape", &CarveEdit::shape},
     Field{"tool", &CarveEdit::tool},
 };
@@ -215,10 +214,10 @@ inline constexpr auto kFields<ResizeShapeEdit> = std::tuple{
     Field{"box", &ResizeShapeEdit::box},
 };
 template <>
-inline constexpr auto kFields<SetCollisionEdit> = std::tuple{
-    Field{"shape", &SetCollisionEdit::shape},
-    Field{"layer", &SetCollisionEdit::layer},
-    Field{"mask", &SetCollisionEdit::mask},
+inline constexpr auto kFields<SetCollisionFilterEdit> = std::tuple{
+    Field{"shape", &SetCollisionFilterEdit::shape},
+    Field{"layer", &SetCollisionFilterEdit::layer},
+    Field{"mask", &SetCollisionFilterEdit::mask},
 };
 template <>
 inline constexpr auto kFields<AddWaterEdit> = std::tuple{
@@ -252,10 +251,10 @@ inline constexpr auto kFields<MoveCharacterEdit> = std::tuple{
     Field{"crouch", &MoveCharacterEdit::crouch},
 };
 template <>
-inline constexpr auto kFields<PlaceCharacterEdit> = std::tuple{
-    Field{"character", &PlaceCharacterEdit::character},
-    Field{"position", &PlaceCharacterEdit::position},
-    Field{"velocity", &PlaceCharacterEdit::velocity},
+inline constexpr auto kFields<TeleportCharacterEdit> = std::tuple{
+    Field{"character", &TeleportCharacterEdit::character},
+    Field{"position", &TeleportCharacterEdit::position},
+    Field{"velocity", &TeleportCharacterEdit::velocity},
 };
 
 template <>
@@ -315,16 +314,12 @@ inline constexpr auto kFields<ReleaseEdit> = std::tuple{
     Field{"hand", &ReleaseEdit::hand},
 };
 
+/// An edit as the variant that it is derived from.
+struct AsVariant {
+    AnyEdit& operator()(Edit& edit) const { return edit; }
+    const AnyEdit& operator()(const Edit& edit) const { return edit; }
+};
 template <>
-inline constexpr auto kFields<Edit> = std::tuple{Field{
-    "kind",
-    [](auto& edit) -> auto& {using Kinds = std::conditional_t<std::is_const_v<std::remove_reference_t<decltype(edit)>>,
-                                                              const AnyEdit, AnyEdit>;
-return static_cast<Kinds&>(edit);
-}  // namespace rubble
-}
-,
-}
-;
+inline constexpr auto kFields<Edit> = std::tuple{Field{"kind", AsVariant{}}};
 
 }  // namespace rubble

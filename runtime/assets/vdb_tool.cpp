@@ -133,6 +133,11 @@ Result<std::string> runVdbTool(const std::string& tool, const std::vector<std::s
                              output.empty() ? "" : ": ", output)};
 }
 
+/// A path that the tool cannot take for an option.
+std::string argumentPath(const std::string& path) {
+    return path.starts_with('-') ? "./" + path : path;
+}
+
 /// Takes the lines "note: ..." from the tool's output.
 void reportNotes(const std::string& output, const std::string& path, ImportReport* report) {
     std::string line;
@@ -149,12 +154,15 @@ void reportNotes(const std::string& output, const std::string& path, ImportRepor
 }  // namespace
 
 Result<Level> readVdb(const std::string& path, const std::string& vdbTool, ImportReport* report) {
+    if (vdbTool.empty()) return Error{path + ": expected the path of the program rubble-vdb to read it, found none"};
     const TemporaryFolder folder;
     const std::string baked = folder.path() + "/level.rubble";
-    const Result<std::string> output = runVdbTool(vdbTool, {"to-rubble", path, baked});
+    const Result<std::string> output = runVdbTool(vdbTool, {"to-rubble", argumentPath(path), baked});
     if (!output)
         return Error{output.error().find(path) == std::string::npos ? path + ": " + output.error() : output.error()};
     reportNotes(*output, path, report);
+    if (!std::filesystem::exists(baked))
+        return Error{fmt::format("{}: {} wrote no level: is it the program rubble-vdb?", path, vdbTool)};
     Result<Level> level = readRubble(baked);
     if (level && report) report->count(*level);
     return level;
@@ -164,7 +172,7 @@ Result<Done> writeVdb(const std::string& path, const Level& level, const std::st
     const TemporaryFolder folder;
     const std::string baked = folder.path() + "/level.rubble";
     if (const Result<Done> done = writeRubble(baked, level); !done) return done;
-    const Result<std::string> output = runVdbTool(vdbTool, {"to-vdb", baked, path});
+    const Result<std::string> output = runVdbTool(vdbTool, {"to-vdb", baked, argumentPath(path)});
     if (!output) return Error{output.error()};
     return Done{};
 }

@@ -18,7 +18,7 @@
 namespace rubble {
 namespace {
 
-constexpr uint64_t kMaxFileBytes = uint64_t(1) << 30;
+constexpr uint64_t kMaxVoxFileBytes = uint64_t(1) << 30;  // larger files are refused
 // MagicaVoxel: z up, y away from the viewer. Rubble: y up, z towards the viewer.
 constexpr VoxTransform kZUpToYUp{{0, 2, 1}, {1, 1, -1}, {}};
 
@@ -273,7 +273,7 @@ Result<Level> importVoxBytes(std::span<const uint8_t> bytes, const std::string& 
 }
 
 Result<Level> importVox(const std::string& path, const VoxImportSettings& settings, ImportReport* report) try {
-    const Result<std::vector<uint8_t>> bytes = readFileBytes(path, kMaxFileBytes);
+    const Result<std::vector<uint8_t>> bytes = readFileBytes(path, kMaxVoxFileBytes);
     if (!bytes) return Error{bytes.error()};
     return importVoxBytes(*bytes, path, settings, report);
 } catch (const std::bad_alloc&) {

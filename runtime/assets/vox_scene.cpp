@@ -8,8 +8,8 @@
 namespace rubble {
 namespace {
 
-constexpr int kMaxDepth = 64;
-constexpr size_t kMaxInstances = 65536;
+constexpr int kMaxDepth = 64;               // nested nodes
+constexpr size_t kMaxInstances = 65536;     // objects of a level
 constexpr size_t kMaxVisits = 1u << 20;     // nodes can share children, so a short file can describe a huge tree
 constexpr int64_t kMaxOffset = 10'000'000;  // cells: 1,000 km of 0.1 m
 

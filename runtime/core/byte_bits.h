@@ -23,6 +23,7 @@ constexpr uint64_t nonZeroBytes(uint64_t bytes) {
 constexpr uint64_t gatherBits(uint64_t ones) {
     return ones * 0x0102040810204080ull >> 56;
 }
+/// spreadBits() of each byte.
 inline constexpr std::array<uint64_t, 256> kSpreadBits = [] {
     std::array<uint64_t, 256> out{};
     for (uint64_t bits = 0; bits < 256; ++bits) out[bits] = nonZeroBytes(bits * kByteOnes & 0x8040201008040201ull);

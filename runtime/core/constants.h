@@ -4,6 +4,8 @@
 namespace rubble {
 
 inline constexpr double kPi = std::numbers::pi;
-inline constexpr float kPiF = std::numbers::pi_v<float>;
+
+/// Steps of the World in a second of game time: each is exactly 1/60 s.
+inline constexpr int kStepsPerSecond = 60;
 
 }  // namespace rubble

@@ -82,9 +82,9 @@ public:
         return *m_slots[slot].value;
     }
 
-    /// nullptr if the handle is stale, empty or of another world.
+    /// The object of a handle; nullptr if the handle is stale, empty or of another world.
     T* find(Handle handle) { return const_cast<T*>(std::as_const(*this).find(handle)); }
-    /// nullptr if the handle is stale, empty or of another world.
+    /// The object of a handle; nullptr if the handle is stale, empty or of another world.
     const T* find(Handle handle) const {
         if (!handle || handle.world() != m_world || handle.slot() >= m_slots.size()) return nullptr;
         const Slot& slot = m_slots[handle.slot()];
@@ -106,13 +106,13 @@ public:
                                                             : Handle{};
     }
 
-    /// f(handle, value) for every object, in slot order.
+    /// Calls f(handle, value) for every object, in slot order.
     template <class F>
     void forEach(F&& f) {
         for (uint32_t i = 0; i < m_slots.size(); ++i)
             if (m_slots[i].value) f(Handle::make(m_world, m_slots[i].generation, i), *m_slots[i].value);
     }
-    /// f(handle, value) for every object, in slot order.
+    /// Calls f(handle, value) for every object, in slot order.
     template <class F>
     void forEach(F&& f) const {
         for (uint32_t i = 0; i < m_slots.size(); ++i)

@@ -20,6 +20,12 @@
 namespace rubble {
 namespace {
 
+/// A number for each node of a grid. A position one outside of the grid gets a number that no node has.
+uint32_t nodeKey(glm::ivec3 node) {
+    static_assert(kMaxGridSize / kNodeSize <= 512, "nine bits an axis, and one that stays clear");
+    return uint32_t(node.x) | uint32_t(node.y) << 10 | uint32_t(node.z) << 20;
+}
+
 /// Whether a box overlaps the cube of cells [low, low + size).
 bool meets(const CellBox& box, glm::ivec3 low, int size) {
     return glm::all(glm::lessThan(box.low, low + size)) && glm::all(glm::greaterThan(box.high, low)) && !box.empty();
@@ -159,11 +165,9 @@ void AttachmentSearch::seed(const View& view, glm::ivec3 position, BrickMask car
 }
 
 std::optional<uint32_t> AttachmentSearch::firstPartOf(const View& view, glm::ivec3 position) {
-    static_assert(kMaxGridSize / kNodeSize <= 1024, "ten bits an axis");
     const BrickNode* node = view.grid.nodeAt(position);
     if (!node) return std::nullopt;
-    const auto [entry, isNew] =
-        m_nodes.try_emplace(uint32_t(position.x) | uint32_t(position.y) << 10 | uint32_t(position.z) << 20);
+    const auto [entry, isNew] = m_nodes.try_emplace(nodeKey(position));
     if (isNew) {
         entry->second = uint32_t(m_parts.size());
         for (uint32_t i = 0; i < nodeParts(*node).count; ++i) m_parts.push_back({position, i, kNone});
@@ -210,8 +214,7 @@ void AttachmentSearch::join(uint32_t a, uint32_t b) {
 void AttachmentSearch::visitNeighbour(const View& view, uint32_t index, size_t face, bool onlyKnown) {
     const Part part = m_parts[index];
     const glm::ivec3 position = part.node + kFaceOffsets[face];
-    if (onlyKnown && !m_nodes.contains(uint32_t(position.x) | uint32_t(position.y) << 10 | uint32_t(position.z) << 20))
-        return;
+    if (onlyKnown && !m_nodes.contains(nodeKey(position))) return;
     const std::optional<uint32_t> first = firstPartOf(view, position);
     if (!first) return;
     forEachContact(*view.grid.nodeAt(part.node), *view.grid.nodeAt(position), face,

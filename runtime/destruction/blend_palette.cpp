@@ -10,6 +10,7 @@ constexpr int kMinStep = 8;        ///< change of a channel in one step: bounds 
 constexpr int kNearColor = 3;      ///< channels that differ by no more count as equal
 constexpr int kPaintReserve = 24;  ///< free entries kept for the paint itself
 
+/// The squared distance of two entries' colours in sRGB.
 int distance2(const PaletteEntry& a, const PaletteEntry& b) {
     const int red = a.red - b.red, green = a.green - b.green, blue = a.blue - b.blue;
     return red * red + green * green + blue * blue;
@@ -24,6 +25,7 @@ bool differsInColorOnly(const PaletteEntry& a, const PaletteEntry& b) {
     return withColor(a, {b.red, b.green, b.blue}) == b;
 }
 
+/// One channel moved from `from` toward `to` by `strength` / 255 of the difference, but by kMinStep at least.
 uint8_t stepped(int from, int to, int strength) {
     const int difference = to - from;
     const int step = std::max(std::abs(difference) * strength / 255, std::min(std::abs(difference), kMinStep));

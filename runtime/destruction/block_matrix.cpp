@@ -63,7 +63,7 @@ void BlockMatrix::clear() {
     block.clear();
 }
 
-Block6& BlockMatrix::open(uint32_t wanted) {
+Block6& BlockMatrix::findOrAppend(uint32_t wanted) {
     for (size_t i = start.back(); i < column.size(); ++i)
         if (column[i] == wanted) return block[i];
     column.push_back(wanted);
@@ -105,7 +105,8 @@ size_t appendProductRow(BlockMatrix& c, const BlockMatrix& a, const BlockMatrix&
     size_t products = 0;
     for (uint32_t i = a.start[row]; i < a.start[row + 1]; ++i) {
         const uint32_t k = a.column[i];
-        for (uint32_t j = b.start[k]; j < b.start[k + 1]; ++j) addProduct(c.open(b.column[j]), a.block[i], b.block[j]);
+        for (uint32_t j = b.start[k]; j < b.start[k + 1]; ++j)
+            addProduct(c.findOrAppend(b.column[j]), a.block[i], b.block[j]);
         products += b.start[k + 1] - b.start[k];
     }
     c.endRow();

@@ -52,14 +52,14 @@ struct BlockMatrix {
     std::vector<uint32_t> column;    ///< by block
     std::vector<Block6> block;
 
-    /// Rows that are complete.
+    /// The number of complete rows.
     size_t rows() const { return start.size() - 1; }
     /// Removes all rows.
     void clear();
     /// Completes the row that is being appended.
     void endRow() { start.push_back(uint32_t(column.size())); }
-    /// A block of the row that is being appended; zero if it is new.
-    Block6& open(uint32_t column);
+    /// The block in a column of the row that is being appended; a new one, of zeros, if there is none.
+    Block6& findOrAppend(uint32_t column);
     /// The block on the diagonal, which must exist.
     const Block6& diagonal(size_t row) const;
 };

@@ -8,6 +8,8 @@ namespace {
 
 using Point = std::array<int64_t, 3>;
 
+constexpr int64_t kAxisUnit = 65536;  ///< of Brush::axes: a unit vector's length
+
 int64_t quantise(double cells) {
     const double steps = std::floor(cells * double(kBrushUnit) + 0.5);
     return int64_t(std::clamp(steps, -double(kBrushLimit), double(kBrushLimit)));
@@ -50,7 +52,7 @@ bool inBox(const Brush& brush, const Point& point, int64_t grow) {
     for (size_t i = 0; i < 3; ++i) {
         int64_t along = 0;
         for (size_t j = 0; j < 3; ++j) along += int64_t(brush.axes[3 * i + j]) * (point[j] - brush.a[j]);
-        if (std::abs(along) > (brush.b[i] + grow) * 65536) return false;
+        if (std::abs(along) > (brush.b[i] + grow) * kAxisUnit) return false;
     }
     return true;
 }
@@ -89,7 +91,7 @@ BrickBits boxBits(const Brush& brush, const Point& first, int64_t grow) {
             along += int64_t(brush.axes[3 * i + j]) * (first[j] - brush.a[j]);
             steps[j] = brush.axes[3 * i + j] * kBrushUnit;
         }
-        const BrickBits within = linearBits(along, steps, (brush.b[i] + grow) * 65536);
+        const BrickBits within = linearBits(along, steps, (brush.b[i] + grow) * kAxisUnit);
         for (size_t z = 0; z < 8; ++z) out[z] &= within[z];
         if (out == kNoCell) return out;
     }
@@ -164,12 +166,13 @@ Brush boxBrush(glm::dvec3 center, glm::dvec3 halfSize, glm::dquat rotation, Hard
     if (!isNumber(center) || !isNumber(halfSize) || !isRotation) return brush;
     brush.a = quantise(center);
     brush.b = quantise(halfSize);
+    constexpr double kUnit = double(kAxisUnit);
     for (int i = 0; i < 3; ++i) {
         glm::dvec3 axis(0.0);
         axis[i] = 1.0;
         axis = rotation * axis;
         for (int j = 0; j < 3; ++j)
-            brush.axes[size_t(3 * i + j)] = int32_t(std::clamp(std::floor(axis[j] * 65536.0 + 0.5), -65536.0, 65536.0));
+            brush.axes[size_t(3 * i + j)] = int32_t(std::clamp(std::floor(axis[j] * kUnit + 0.5), -kUnit, kUnit));
     }
     for (size_t c = 0; c < 3; ++c)
         if (c <= size_t(limit)) brush.radii[c] = 0;
@@ -196,7 +199,7 @@ CellBox brushBricks(const Brush& brush, glm::ivec3 sizeInBricks) {
             int64_t halfExtent = 0;
             for (size_t i = 0; i < 3; ++i)
                 halfExtent += std::abs(int64_t(brush.axes[3 * i + j])) * (brush.b[i] + radius);
-            halfExtent = halfExtent / 65536 + 3;  // rounding may have shortened the axes
+            halfExtent = halfExtent / kAxisUnit + 3;  // rounding may have shortened the axes
             low = brush.a[j] - halfExtent, high = brush.a[j] + halfExtent;
         }
         constexpr int64_t kUnitsPerBrick = kBrushUnit * kBrickSize;

@@ -38,7 +38,7 @@ std::vector<BrickSubset> crackCells(const VoxelGrid& grid, std::span<const CellB
         const EntryStrength &lower = entries[grid.at(below)], &upper = entries[grid.at(above)];
         const bool canLower = lower.canBreak && !isAnchored(below), canUpper = upper.canBreak && !isAnchored(above);
         if (!lower.isSolid || !upper.isSolid || (!canLower && !canUpper)) continue;
-        const glm::ivec3 clump = below / 2;
+        const glm::ivec3 clump = below / 2;  // the cells of a clump of 2x2x2 choose alike
         const bool takesLower = canLower != canUpper             ? canLower
                                 : lower.tensile != upper.tensile ? lower.tensile < upper.tensile
                                                                  : (hashCell(clump.x, clump.y, clump.z) & 1) != 0;

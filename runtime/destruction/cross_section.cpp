@@ -10,8 +10,6 @@
 namespace rubble {
 namespace {
 
-constexpr int kAxisU[3] = {1, 0, 0}, kAxisV[3] = {2, 2, 1};  ///< axes of u and v, by the axis of a section
-
 /// Normal stress at (du, dv) from the centroid: mean + u du + v dv.
 struct LinearStress {
     double mean, u, v;
@@ -33,8 +31,8 @@ LinearStress normalStress(const Section& section, const SectionShape& shape, con
 glm::ivec3 Section::cellBelow(int bit) const {
     glm::ivec3 cell = brick * kBrickSize;
     cell[axis] += plane - 1;
-    cell[kAxisU[axis]] += bit % kBrickSize;
-    cell[kAxisV[axis]] += bit / kBrickSize;
+    cell[kSectionU[size_t(axis)]] += bit % kBrickSize;
+    cell[kSectionV[size_t(axis)]] += bit / kBrickSize;
     return cell;
 }
 
@@ -74,8 +72,8 @@ SectionShape sectionShape(const Section& section, std::span<const SectionTile> t
     shape.area = area;
     shape.centroid = glm::dvec3(section.brick * kBrickSize);
     shape.centroid[section.axis] += section.plane;
-    shape.centroid[kAxisU[section.axis]] += double(u) / area + 0.5;
-    shape.centroid[kAxisV[section.axis]] += double(v) / area + 0.5;
+    shape.centroid[kSectionU[size_t(section.axis)]] += double(u) / area + 0.5;
+    shape.centroid[kSectionV[size_t(section.axis)]] += double(v) / area + 0.5;
     // n S - F F is exact in integers; the second moment of one cell about its own centre is 1/12.
     shape.uu = double(n * uu - u * u) / area + area / 12.0;
     shape.vv = double(n * vv - v * v) / area + area / 12.0;
@@ -87,7 +85,7 @@ SectionUtilization sectionUtilization(const Section& section, const SectionShape
                                       const SectionStrength& strength) {
     const LinearStress stress = normalStress(section, shape, load);
     const glm::dvec3 corner = glm::dvec3(section.brick * kBrickSize) - shape.centroid;
-    const double u0 = corner[kAxisU[section.axis]], v0 = corner[kAxisV[section.axis]];
+    const double u0 = corner[kSectionU[size_t(section.axis)]], v0 = corner[kSectionV[size_t(section.axis)]];
     double high = -1e300, low = 1e300, maxRadius2 = 0.0;
     for (int row = 0; row < 8; ++row) {
         const unsigned bits = unsigned(section.cells >> 8 * row) & 0xff;
@@ -117,7 +115,8 @@ glm::dvec3 faceForce(const Section& section, const SectionShape& shape, const Se
     twist[section.axis] = load.moment[section.axis] / (shape.uu + shape.vv);
     out += glm::cross(twist, r);
     const LinearStress stress = normalStress(section, shape, load);
-    out[section.axis] = stress.mean + stress.u * r[kAxisU[section.axis]] + stress.v * r[kAxisV[section.axis]];
+    out[section.axis] =
+        stress.mean + stress.u * r[kSectionU[size_t(section.axis)]] + stress.v * r[kSectionV[size_t(section.axis)]];
     return out;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -19,6 +20,9 @@ struct Section {
     glm::ivec3 cellBelow(int bit) const;
     friend bool operator==(const Section&, const Section&) = default;
 };
+
+/// The axes of u and v in the plane of a section, by the axis of its normal.
+inline constexpr std::array<int, 3> kSectionU = {1, 0, 0}, kSectionV = {2, 2, 1};
 
 /// The moments of area of a section.
 struct SectionShape {

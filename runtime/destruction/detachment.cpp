@@ -28,14 +28,6 @@ Detached findDetached(const VoxelGrid& grid, std::span<const CellBox> anchors, b
     return detached;
 }
 
-Detached findDetachedNear(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored,
-                          const BrickSet& carved) {
-    AttachmentSearch search(grid, anchors, isAnchored, carved);
-    size_t unlimited = SIZE_MAX;
-    search.run(grid, anchors, unlimited);
-    return detachedFrom(search, grid, isAnchored);
-}
-
 Detached detachedFrom(AttachmentSearch& search, const VoxelGrid& grid, bool isAnchored) {
     Detached detached{search.finished(grid), false};
     uint64_t rest = grid.voxelCount();

@@ -2,7 +2,6 @@
 #include <span>
 #include <vector>
 
-#include "runtime/destruction/brick_set.h"
 #include "runtime/destruction/components.h"
 #include "runtime/voxel/cell_box.h"
 
@@ -21,12 +20,8 @@ struct Detached {
 /// equal ones that with the lowest cell.
 Detached findDetached(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored);
 
-/// The same for a grid in which nothing was detached before the bricks `carved` lost voxels. Searches outward from the
-/// cut (AttachmentSearch), so the cost grows with the cut and the smaller sides of it, not with the grid.
-Detached findDetachedNear(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored,
-                          const BrickSet& carved);
-
-/// The result of a search whose run() has returned true.
+/// The same from a search outward from a cut, whose run() has returned true. The search costs the cut and the smaller
+/// sides of it, not the grid.
 Detached detachedFrom(AttachmentSearch& search, const VoxelGrid& grid, bool isAnchored);
 
 }  // namespace rubble

@@ -27,7 +27,8 @@ namespace {
 using Point = std::array<int64_t, 3>;
 
 constexpr size_t kNoGroup = 255;
-constexpr int kMaxGrainCells = 64;  ///< from the hit along each axis, to find the grain
+constexpr int kMaxGrainCells = 64;          ///< from the hit along each axis, to find the grain
+constexpr uint64_t kMinFragmentShare = 16;  ///< a fragment of less than 1/16 of the average size becomes dust
 
 /// The voxels of one material in the zone.
 struct Group {
@@ -120,7 +121,7 @@ private:
     void addDust(const Brick& brick, const BrickBits& bits, glm::ivec3 position);
     /// Whether it becomes dust: too small for a fragment, or one too many.
     bool isTooSmall(uint64_t voxels, const Group& group) const {
-        return voxels * 16 < group.fragmentVoxels() || voxels < m_plan.minVoxels ||
+        return voxels * kMinFragmentShare < group.fragmentVoxels() || voxels < m_plan.minVoxels ||
                m_out.fragments.size() >= m_plan.maxFragments;
     }
     int grainOf(const Group& group) const;

@@ -176,7 +176,7 @@ private:
             sectionsThrough(m_body.grid.sizeInBricks(), axis, plane,
                             [&](glm::ivec3 brick) { return m_solid[m_solidIndex[brickIndex(brick)]]; });
         if (sections.empty()) return out;
-        const int u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
+        const int u = kSectionU[size_t(axis)], v = kSectionV[size_t(axis)];
         const glm::ivec3 origin = sections.front().brick;
         std::vector<SectionTile> tiles;
         for (const Section& each : sections)

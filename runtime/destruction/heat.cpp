@@ -6,6 +6,18 @@
 #include "runtime/core/random.h"
 #include "runtime/destruction/spray.h"
 
+// Heat by bricks, as lumped capacities in integers.
+//
+// A brick holds one heat Q (mJ above ambient) in the skin of its exposed voxels, which has the heat capacity C = sum of
+// c rho face kSkin: one face of each such voxel, with its specific heat c and density rho. So the temperature above
+// ambient is Q / C, the same over the brick.
+//   * Cooling is Newton's law dQ/dt = -Q / tau: each update takes away Q / 2^kCoolingShift.
+//   * A brick ignites when Q reaches C times the lowest ignition temperature of its voxels.
+//   * A burning brick emits kFlux times the same faces of its burnable voxels, after a linear growth over
+//     kGrowthUpdates. Fixed shares of that go to the bricks around (kShare...), most upward; the rest is smoke.
+//   * Exposed voxels burn away at the rate 1 / burnTime each: a surface recedes by about a voxel in a burn time.
+// The strength falls with charring, and with the temperature of what does not burn, as that of steel (EN 1993-1-2).
+
 namespace rubble {
 namespace {
 
@@ -15,15 +27,19 @@ constexpr int kCoolingShift = 9;      ///< a brick loses 1/512 of its heat per u
 constexpr int kNegligibleKelvin = 2;  ///< above ambient: a cooler brick is forgotten
 constexpr int kGrowthUpdates = 20;    ///< until a fire reaches its full power
 constexpr int kCharEvery = 4;         ///< updates between two rounds of charring
-constexpr int kCharShare = 160;       ///< voxels that get darker in a round, of 255
+constexpr int kCharShare = 160;       ///< voxels that get darker in a round, of 256
+constexpr int kCharLoss = 160;        ///< of the strength, in 1/256: what charring to black takes
 constexpr int kMinFrontVoxels = 8;    ///< fewer burnable voxels burn as fast as this many, so that the last ones go too
-constexpr int kMaxFlameBricks = 3;    ///< how far up flames heat the next brick
+/// Voxels burn away in the order of their covered faces, with noise up to the weight of three faces.
+constexpr uint32_t kFaceWeight = 350, kOrderNoise = 1023;
+constexpr int kMaxFlameBricks = 3;  ///< how far up flames heat the next brick
 constexpr int kShareUp = 72;        ///< of emitted heat, in 1/256: to the next brick above; what is left over is smoke
 constexpr int kShareUpAside = 14;   ///< to each of the four bricks diagonally above
 constexpr int kShareAside = 24;     ///< to each of the four bricks at the side
 constexpr int kShareDown = 8;       ///< to the brick below
 constexpr int kSteelWeakens = 380;  ///< K above ambient: steel has its full strength (EN 1993-1-2, table 3.1)
 constexpr int kSteelIsSoft = 900;   ///< K above ambient: steel has almost none; linear between the two
+constexpr int kSteelFails = kSteelIsSoft + 40;  ///< K above ambient at which the line between them reaches zero
 
 int32_t whole(double value) {
     return int32_t(std::clamp(std::floor(value), 0.0, 1e9));
@@ -126,7 +142,7 @@ BrickBits consumedCells(const VoxelGrid& grid, glm::ivec3 brick, const HeatSkin&
         const glm::ivec3 cell = brick * kBrickSize + voxelInBrick(i);
         uint32_t covered = 0;
         for (const glm::ivec3 step : kFaceOffsets) covered += grid.at(cell + step) != 0;
-        order.emplace_back(covered * 350 + (hashCell(cell.x, cell.y, cell.z) & 1023), i);
+        order.emplace_back(covered * kFaceWeight + (hashCell(cell.x, cell.y, cell.z) & kOrderNoise), i);
     });
     const size_t taken = std::min(order.size(), size_t(count));
     std::partial_sort(order.begin(), order.begin() + ptrdiff_t(taken), order.end());
@@ -153,10 +169,10 @@ void spreadHeat(const VoxelGrid& grid, glm::ivec3 brick, int64_t emitted, std::v
 }
 
 int remainingStrength(const HotBrick& brick, const HeatSkin& skin) {
-    int left = 256 - brick.charred * 160 / kCharRounds;
+    int left = 256 - brick.charred * kCharLoss / kCharRounds;
     if (skin.capacity > 0 && skin.ignition == 0) {
         const int hot = int(std::min<int64_t>(brick.heat / skin.capacity, kSteelIsSoft));
-        if (hot > kSteelWeakens) left = left * (kSteelIsSoft + 40 - hot) / (kSteelIsSoft + 40 - kSteelWeakens);
+        if (hot > kSteelWeakens) left = left * (kSteelFails - hot) / (kSteelFails - kSteelWeakens);
     }
     return left;
 }

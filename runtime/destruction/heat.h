@@ -3,17 +3,18 @@
 #include <cstdint>
 #include <vector>
 
+#include "runtime/core/constants.h"
 #include "runtime/destruction/components.h"
 #include "runtime/voxel/material.h"
 #include "runtime/voxel/palette.h"
 
 namespace rubble {
 
-inline constexpr int kHeatInterval = 6;                           ///< steps between two updates of a brick
-inline constexpr int kHeatUpdatesPerSecond = 60 / kHeatInterval;  ///< of a brick
-inline constexpr int kAmbientKelvin = 293;                        ///< temperature of the surroundings
-inline constexpr int kCharRounds = 16;                            ///< rounds of charring from unburnt to black
-inline constexpr int kWholeVoxel = 65536;                         ///< HotBrick::burned of a voxel that is gone
+inline constexpr int kHeatInterval = 6;                                        ///< steps between two updates of a brick
+inline constexpr int kHeatUpdatesPerSecond = kStepsPerSecond / kHeatInterval;  ///< of a brick
+inline constexpr int kAmbientKelvin = 293;                                     ///< temperature of the surroundings
+inline constexpr int kCharRounds = 16;     ///< rounds of charring from unburnt to black
+inline constexpr int kWholeVoxel = 65536;  ///< HotBrick::burned of a voxel that is gone
 
 /// A brick that is hot, burning or wet. Plain data: it may be copied, compared and saved.
 struct HotBrick {
@@ -66,9 +67,9 @@ void ignite(HotBrick& brick);
 /// Stops its burning, halves its heat, and keeps it from burning for `wetUpdates` updates.
 void extinguish(HotBrick& brick, uint32_t wetUpdates);
 
-/// The exposed voxels that get darker in a round: about 160 of 255, other ones in each round.
+/// The exposed voxels that get darker in a round: about five of eight, other ones in each round.
 BrickBits charredCells(const HeatSkin& skin, glm::ivec3 brick, int round);
-/// `count` of the burnable voxels, those with the most exposed faces first, so that holes grow from their rims.
+/// `count` of the burnable voxels, roughly those with the most exposed faces first, so that holes grow from their rims.
 BrickBits consumedCells(const VoxelGrid& grid, glm::ivec3 brick, const HeatSkin& skin, int count);
 
 /// Heat for a brick.

@@ -95,17 +95,12 @@ uint8_t paintedByte(uint8_t before, int color, const SpraySample& sample, uint32
     return paintByte(keepsColor ? paintColor(before) : color, steps + added);
 }
 
-int distance2(Srgb a, Srgb b) {
-    int sum = 0;
-    for (size_t i = 0; i < 3; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-    return sum;
-}
-
 /// The number of a colour, 1 to 15: that of an equal one, else of a new one, else of the nearest.
 int findColor(PaintColors& colors, Srgb color, uint64_t& merges) {
     int nearest = 0;
     for (int i = 1; i < colors.count; ++i)
-        if (distance2(colors.colors[size_t(i)], color) < distance2(colors.colors[size_t(nearest)], color)) nearest = i;
+        if (distanceSquared(colors.colors[size_t(i)], color) < distanceSquared(colors.colors[size_t(nearest)], color))
+            nearest = i;
     if (colors.count > 0 && colors.colors[size_t(nearest)] == color) return nearest + 1;
     if (colors.count == kPaintColors) {
         ++merges;

@@ -34,12 +34,18 @@ constexpr double kShearRatio = 0.4;            ///< shear modulus over Young's m
 constexpr double kTolerance = 1e-6;            ///< energy of the error over that of the solution: forces to about 0.1 %
 constexpr int kMaxIterations = 400;            ///< after more the analysis fails: nothing breaks
 constexpr double kSimultaneousRatio = 0.9;     ///< of the highest utilization: sections above it break in the same step
-constexpr double kMinOwnUtilization = 0.8;     ///< on its own cells too: a window may see tension beside compression
+constexpr double kMinOwnUtilization = 0.8;     ///< of a section's own cells: below, it holds, whatever its window says
 constexpr double kMinSlicedUtilization = 0.2;  ///< of a bond from which the layers of the nodes around it are evaluated
 constexpr int kMaxImpactRounds = 24;
 constexpr int kWindowRadius = StressedSections::kWindowRadius;
 constexpr int kMinCrackSpacing = 8;  ///< cells between parallel sections, one behind the other, that break together
-constexpr int64_t kBrickWork = 450, kRowWork = 350;
+// Work, in the units of StressAnalysis::run():
+constexpr int64_t kBrickWork = 450;   ///< to rebuild a brick of the graph
+constexpr int64_t kRowWork = 350;     ///< to assemble a row of K and f
+constexpr int64_t kBondWork = 30;     ///< to evaluate a bond
+constexpr int64_t kSlicesWork = 900;  ///< to sum up the forces on the layers of a node
+constexpr int64_t kSectionWork = 40;  ///< to evaluate a section between two layers
+constexpr int64_t kWindowWork = 200;  ///< to evaluate a section in its window
 
 /// The force of a bond for a unit of d along each axis, and its moment for a unit of q (a symmetric matrix), with E
 /// = 1.
@@ -49,7 +55,7 @@ struct BondStiffness {
 };
 
 BondStiffness bondStiffness(const StressBond& bond) {
-    const int a = bond.section.axis, u = a == 0 ? 1 : 0, v = a == 2 ? 1 : 2;
+    const int a = bond.section.axis, u = kSectionU[size_t(a)], v = kSectionV[size_t(a)];
     const double perLength = 1.0 / bond.length;
     BondStiffness out{glm::dvec3(kShearRatio * bond.shape.area * perLength), {}};
     out.force[a] = bond.shape.area * perLength;
@@ -270,18 +276,18 @@ void StressAnalysis::numberRows() {
 /// A row of K: the blocks of the node's bonds.
 void StressAnalysis::assembleRow(uint32_t index) {
     const StressNode& node = m_graph.nodes()[index];
-    m_stiffness.open(m_rowOf[index]);
+    m_stiffness.findOrAppend(m_rowOf[index]);
     for (const uint32_t bondIndex : node.bonds) {
         const StressBond& bond = m_graph.bonds()[bondIndex];
         const uint32_t other = bond.below == index ? bond.above : bond.below;
         const BondStiffness stiffness = bondStiffness(bond);
         const glm::dvec3 arm = bond.shape.centroid - node.center;
         const Block6 own = stiffnessBlock(stiffness, arm, arm);
-        Block6& diagonal = m_stiffness.open(m_rowOf[index]);
+        Block6& diagonal = m_stiffness.findOrAppend(m_rowOf[index]);
         for (size_t i = 0; i < 36; ++i) diagonal.m[i] += own.m[i];
         if (m_rowOf[other] == kNone) continue;
         const Block6 across = stiffnessBlock(stiffness, arm, bond.shape.centroid - m_graph.nodes()[other].center);
-        Block6& coupling = m_stiffness.open(m_rowOf[other]);
+        Block6& coupling = m_stiffness.findOrAppend(m_rowOf[other]);
         for (size_t i = 0; i < 36; ++i) coupling.m[i] -= across.m[i];
     }
     m_stiffness.endRow();
@@ -388,7 +394,7 @@ int64_t StressAnalysis::evaluateBonds(const StressedShape& shape, uint32_t index
         if (utilization < kMinSlicedUtilization) continue;
         m_isSliced[bond.below] = m_isSliced[bond.above] = true;
     }
-    return 30 * int64_t(node.bonds.size());
+    return kBondWork * int64_t(node.bonds.size());
 }
 
 /// Windows reach into other bricks: also slices the nodes within two windows of one under stress.
@@ -420,7 +426,7 @@ int64_t StressAnalysis::evaluateLayers(const StressedShape& shape, uint32_t inde
     }
     slices.addWeight(*content, shape.entries, shape.gravity);
     forEachImpact(shape, node, [&](glm::ivec3 cell, glm::dvec3 force) { slices.addForce(cell, force); });
-    int64_t work = 900;
+    int64_t work = kSlicesWork;
     for (int axis = 0; axis < 3; ++axis)
         for (int plane = 1; plane < 8; ++plane) {
             const Section section{node.brick, axis, plane,
@@ -431,7 +437,7 @@ int64_t StressAnalysis::evaluateLayers(const StressedShape& shape, uint32_t inde
                 scaled(sectionStrength(shape.grid, shape.entries, section, canBreak), section, shape);
             const SectionShape form = sectionShape(section);
             m_sections.add(section, form, slices.forceAt(axis, plane, form.centroid), strength, canBreak);
-            work += 40;
+            work += kSectionWork;
         }
     return work;
 }
@@ -451,7 +457,7 @@ int64_t StressAnalysis::checkSection(size_t index) {
     const SectionUtilization result = m_sections.windowUtilization(index);
     if (result.utilization > m_worst.utilization) m_worst = {stressed.section, result.utilization, result.cause};
     if (result.utilization > 1.0) m_overloaded.push_back({stressed.section, result.utilization, result.cause});
-    return 200;
+    return kWindowWork;
 }
 
 /// The worst overloaded sections, without those that are part of the same crack.

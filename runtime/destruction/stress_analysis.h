@@ -60,14 +60,8 @@ public:
     /// next call. `cracks`: empty, or at the end of an analysis the most overloaded sections, worst first.
     void run(const StressedShape& shape, int64_t& work, size_t maxCracks, std::vector<StressCrack>& cracks);
 
-    /// The model of the shape.
-    const StressGraph& graph() const { return m_graph; }
     /// The section of the highest utilization in the last analysis. Utilizations below 0.8 are not found.
     const StressCrack& worst() const { return m_worst; }
-    /// All sections that the last analysis has evaluated.
-    const StressedSections& sections() const { return m_sections; }
-    /// Iterations of the solver in the last analysis.
-    int iterations() const { return m_iterations; }
     /// Whether the solver of the last analysis has converged; if not, nothing breaks.
     bool hasConverged() const { return m_hasConverged; }
     /// A hash of the state that later results depend on.

@@ -170,11 +170,11 @@ void StressMultigrid::appendProlongationRow(Level& level, size_t row) {
     const auto rigid = [&](uint32_t node) {
         return rigidBlock(level.center[node] - level.coarseCenter[level.aggregate[node]]);
     };
-    level.p.open(level.aggregate[row]) = rigid(uint32_t(row));
+    level.p.findOrAppend(level.aggregate[row]) = rigid(uint32_t(row));
     for (uint32_t e = a.start[row]; e < a.start[row + 1]; ++e) {
         Block6 at;
         addProduct(at, a.block[e], rigid(a.column[e]));
-        addProduct(level.p.open(level.aggregate[a.column[e]]), scaled, at);
+        addProduct(level.p.findOrAppend(level.aggregate[a.column[e]]), scaled, at);
     }
     level.p.endRow();
 }

@@ -34,7 +34,7 @@ struct Member {
 
 void StressedSections::clear() {
     m_sections.clear();
-    m_next.clear();
+    m_previous.clear();
     m_inPlane.clear();
 }
 
@@ -42,7 +42,7 @@ double StressedSections::add(const Section& section, const SectionShape& shape, 
                              const SectionStrength& strength, bool canBreak) {
     const glm::dvec3 arm = shape.centroid - glm::dvec3(section.brick * kBrickSize);
     const auto [place, isNew] = m_inPlane.try_emplace(planeKey(section.brick, section.axis, section.plane), kNone);
-    m_next.push_back(place->second);
+    m_previous.push_back(place->second);
     place->second = uint32_t(m_sections.size());
     m_sections.push_back({section,
                           {load.force, load.moment + glm::cross(arm, load.force)},
@@ -54,14 +54,14 @@ double StressedSections::add(const Section& section, const SectionShape& shape, 
 
 SectionUtilization StressedSections::windowUtilization(size_t index) const {
     const StressedSection& middle = m_sections[index];
-    const int axis = middle.section.axis, axisU = axis == 0 ? 1 : 0, axisV = axis == 2 ? 1 : 2;
+    const int axis = middle.section.axis, axisU = kSectionU[size_t(axis)], axisV = kSectionV[size_t(axis)];
     std::vector<Member> members;
     for (int v = -kWindowRadius; v <= kWindowRadius; ++v)
         for (int u = -kWindowRadius; u <= kWindowRadius; ++u) {
             glm::ivec3 brick = middle.section.brick;
             brick[axisU] += u, brick[axisV] += v;
             const auto found = m_inPlane.find(planeKey(brick, axis, middle.section.plane));
-            for (uint32_t i = found == m_inPlane.end() ? kNone : found->second; i != kNone; i = m_next[i])
+            for (uint32_t i = found == m_inPlane.end() ? kNone : found->second; i != kNone; i = m_previous[i])
                 members.push_back({i, u, v, i == index});
         }
     for (bool hasGrown = true; hasGrown;) {  // flood fill from the section

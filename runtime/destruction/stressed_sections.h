@@ -36,7 +36,7 @@ public:
 
 private:
     std::vector<StressedSection> m_sections;
-    std::vector<uint32_t> m_next;                      ///< by section: the one before it in the same plane and brick
+    std::vector<uint32_t> m_previous;                  ///< by section: the one before it in the same plane and brick
     std::unordered_map<uint64_t, uint32_t> m_inPlane;  ///< by plane of a brick: the last one; looked up, never iterated
 };
 

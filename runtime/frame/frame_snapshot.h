@@ -42,13 +42,14 @@ struct SnapshotPose {
     Pose current;
 };
 
-/// A light in the world, as the renderer draws it.
+/// A light as the renderer draws it: the fields of Light, in the world.
 struct SnapshotLight {
     LightKind kind;
-    glm::dvec3 position;
-    glm::vec3 direction;
-    glm::vec3 color;
-    float radius, reach, coneInner, coneOuter;
+    glm::dvec3 position;                ///< world
+    glm::vec3 direction;                ///< unit vector, world
+    glm::vec3 color;                    ///< linear radiant intensity
+    float radius, reach;                ///< metres
+    float coneInner, coneOuter;         ///< half angles, radians
     glm::vec3 right{1, 0, 0};           ///< unit vector along `width`
     float width = 0.0f, height = 0.0f;  ///< metres
     bool twoSided = false;
@@ -56,15 +57,7 @@ struct SnapshotLight {
     LightHandle light = {};  ///< null: of a fire
 };
 
-/// A burning brick, as flames and smoke are drawn.
-struct SnapshotFire {
-    glm::dvec3 position;  ///< world: centre of the burning brick
-    float radius;         ///< metres
-    float intensity;      ///< 0 to 1: rises when lit, falls with the fuel
-    float smoke;          ///< 0 to 1
-    uint32_t seed;        ///< the same for a fire from its first step to its last
-};
-
+/// The numbers are those of shaders/lib/particle_kinds.glsl.
 enum class ParticleKind : uint8_t { Dust, Smoke, Flame, Spark, Crumb, Glint, Ember };
 
 /// A particle at a step, as it is drawn.
@@ -75,7 +68,7 @@ struct SnapshotParticle {
     glm::vec3 color;      ///< linear albedo; of sparks: colour of their glow
     float radius;         ///< metres
     float opacity;        ///< 0 to 1
-    float age;            ///< share of its life
+    float age;            ///< share of its life, 0 to 1
     uint32_t seed;        ///< the same from its first step to its last
 };
 
@@ -110,8 +103,6 @@ struct FrameSnapshot {
     std::vector<SnapshotPose> poses;  ///< of shapes that moved in this step, or came to rest (previous == current)
     bool lightsChanged = false;
     std::vector<SnapshotLight> lights;  ///< all enabled lights and those of the biggest fires, if lightsChanged
-    bool firesChanged = false;
-    std::vector<SnapshotFire> fires;  ///< all of them, if firesChanged
     bool particlesChanged = false;
     std::vector<SnapshotParticle> particles;  ///< all of them, if particlesChanged
     bool ropesChanged = false;

@@ -124,10 +124,6 @@ void merge(FrameSnapshot& into, FrameSnapshot&& later) {
         into.lightsChanged = true;
         into.lights = std::move(later.lights);
     }
-    if (later.firesChanged) {
-        into.firesChanged = true;
-        into.fires = std::move(later.fires);
-    }
     if (later.particlesChanged) {
         into.particlesChanged = true;
         into.particles = std::move(later.particles);

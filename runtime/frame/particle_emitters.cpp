@@ -172,11 +172,11 @@ void Particles::addImpact(const Impact& impact, const World& world) {
 }
 
 /// Fires take turns, so that many cost no more than a few and none is left out.
-void Particles::addFires(std::span<const SnapshotFire> fires) {
-    const auto lit = [&](const SnapshotFire& fire, ParticleKind kind) {
+void Particles::addFires(std::span<const Fire> fires) {
+    const auto lit = [&](const Fire& fire, ParticleKind kind) {
         const glm::vec3 direction = anyDirection();
         Particle p{kind};
-        p.position = fire.position + glm::dvec3(direction) * double(fire.radius * 0.8f);
+        p.position = fire.position + glm::dvec3(direction) * double(float(fire.radius) * 0.8f);
         p.floor = p.position.y - kFloorSearchDepth;
         p.seed = m_random.next();
         return p;
@@ -186,19 +186,19 @@ void Particles::addFires(std::span<const SnapshotFire> fires) {
               smokes = std::min(kSmokePerStep, (count + 11) / 12);
     const float blaze = std::min(float(count) / kBlazeFires, 1.0f);  // fires near each other burn higher
     for (int i = 0; i < flames; ++i) {
-        const SnapshotFire& fire = fires[size_t(m_nextFire++ % uint32_t(count))];
+        const Fire& fire = fires[size_t(m_nextFire++ % uint32_t(count))];
         if (m_random.unit() > fire.intensity) continue;
         Particle p = lit(fire, ParticleKind::Flame);
         p.velocity = glm::vec3(between(-0.3f, 0.3f), between(0.5f, 1.5f), between(-0.3f, 0.3f));
         p.color = glm::vec3(1.0f);
-        p.radius = fire.radius * between(0.6f, 1.1f) * (1.0f + 0.9f * blaze);
+        p.radius = float(fire.radius) * between(0.6f, 1.1f) * (1.0f + 0.9f * blaze);
         p.growth = -0.25f * p.radius;
         p.opacity = 0.5f + 0.5f * fire.intensity;
         p.life = between(0.6f, 1.1f);
         add(p);
     }
     for (int i = share(kEmbersPerStep * double(blaze)); i > 0; --i) {
-        const SnapshotFire& fire = fires[size_t(m_random.below(uint32_t(count)))];
+        const Fire& fire = fires[size_t(m_random.below(uint32_t(count)))];
         Particle p = lit(fire, ParticleKind::Ember);
         p.velocity = glm::vec3(between(-0.8f, 0.8f), between(1.5f, 4.0f), between(-0.8f, 0.8f));
         p.color = glm::vec3(1.0f, 0.36f, 0.08f) * between(0.5f, 1.2f);
@@ -209,13 +209,13 @@ void Particles::addFires(std::span<const SnapshotFire> fires) {
         add(p);
     }
     for (int i = 0; i < smokes; ++i) {
-        const SnapshotFire& fire = fires[size_t(m_random.below(uint32_t(count)))];
-        if (m_random.unit() > fire.smoke) continue;
+        const Fire& fire = fires[size_t(m_random.below(uint32_t(count)))];
+        if (m_random.unit() > 1.0f - 0.6f * fire.intensity) continue;  // weak fires smoke most
         Particle p = lit(fire, ParticleKind::Smoke);
         p.position.y += 0.8;  // it forms over the flames
         p.velocity = glm::vec3(between(-0.2f, 0.2f), between(1.8f, 3.0f), between(-0.2f, 0.2f));
         p.color = glm::vec3(0.045f, 0.043f, 0.041f) * between(0.6f, 1.8f);
-        p.radius = fire.radius * between(0.6f, 0.9f);
+        p.radius = float(fire.radius) * between(0.6f, 0.9f);
         p.growth = between(0.35f, 0.6f);
         p.opacity = between(0.35f, 0.65f);
         p.life = between(4.0f, 7.0f);

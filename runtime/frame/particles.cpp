@@ -4,12 +4,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "runtime/core/constants.h"
+
 namespace rubble {
 namespace {
 
-constexpr float kStep = 1.0f / 60.0f;
-constexpr float kGravity = 9.81f;
-constexpr float kBounce = 0.35f;
+constexpr float kStep = 1.0f / float(kStepsPerSecond);  ///< s
+constexpr float kGravity = 9.81f;                       ///< m/s2
+constexpr float kBounce = 0.35f;  ///< speed of solid particles after they hit the ground, over that before
 
 /// How a kind of particle moves: drag as a share of its velocity per second, weight as a share of gravity, buoyancy and
 /// eddies in m/s2.
@@ -76,7 +78,7 @@ void Particles::move(Particle& p) const {
     if (p.velocity.y < 0.4f && isSolid(p.kind)) p.velocity = glm::vec3(p.velocity.x * 0.5f, 0.0f, p.velocity.z * 0.5f);
 }
 
-void Particles::step(const FrameChanges& changes, std::span<const Impact> impacts, std::span<const SnapshotFire> fires,
+void Particles::step(const FrameChanges& changes, std::span<const Impact> impacts, std::span<const Fire> fires,
                      const World& world) {
     if (m_settings.maxAlive == 0) return;
     if (changes.levelReplaced) clear();

@@ -19,15 +19,15 @@ struct ParticleSettings {
 };
 
 /// What breaking and burning throw into the air: dust, crumbs, sparks, glints of glass, flames, embers, smoke. Made
-/// from the journal of each step and moved by rules of thumb: for eyes only. The World knows nothing of it, so neither
-/// does its hash. Owned by Snapshots. [main-thread]
+/// from the journal of each step and moved by rules of thumb. They are only drawn: the World and its hash know nothing
+/// of them. Owned by Snapshots. [main-thread]
 class Particles {
 public:
     /// Nothing is in the air yet.
     explicit Particles(const ParticleSettings& settings) : m_settings(settings) {}
 
     /// Moves what is there by 1/60 s and adds what the step has thrown up. Costs nothing while nothing is in the air.
-    void step(const FrameChanges& changes, std::span<const Impact> impacts, std::span<const SnapshotFire> fires,
+    void step(const FrameChanges& changes, std::span<const Impact> impacts, std::span<const Fire> fires,
               const World& world);
     /// Removes all, as a new level does.
     void clear() { m_alive.clear(); }
@@ -55,13 +55,14 @@ private:
     void addDust(const DustCloud& cloud, const World& world);
     void addBlast(const Blast& blast, const World& world);
     void addImpact(const Impact& impact, const World& world);
-    void addFires(std::span<const SnapshotFire> fires);
+    void addFires(std::span<const Fire> fires);
     void add(const Particle& particle);
     double floorBelow(glm::dvec3 position, const World& world);
     glm::vec3 anyDirection();
     float between(float low, float high) { return low + (high - low) * m_random.unit(); }
-    /// How much of what an emitter wants fits: falls as the budget fills, so that late events still show.
-    /// Fractions are left to chance: many small events together throw up what one large one does.
+    /// How many of `wanted` particles an emitter may add: fewer as the budget fills, so that late events still show.
+    /// `ofBudget`: share of the budget that this kind may fill. Fractions are rounded up at random, so that many small
+    /// events together throw up what one large one does.
     int share(double wanted, double ofBudget = 1.0);
 
     ParticleSettings m_settings;

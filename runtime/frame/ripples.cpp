@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "runtime/core/constants.h"
+
 namespace rubble {
 namespace {
 
@@ -25,7 +27,7 @@ WorldBox boundsOf(const Shape& shape, const Pose& pose) {
 }  // namespace
 
 void Ripples::step(std::span<const BodyPose> moved, const World& world) {
-    for (Ripple& ripple : m_alive) ripple.drawn.age += 1.0f / 60.0f;
+    for (Ripple& ripple : m_alive) ripple.drawn.age += 1.0f / float(kStepsPerSecond);
     std::erase_if(m_alive, [](const Ripple& ripple) { return ripple.drawn.age > kLife; });
     if (world.waters().size() == 0) return;
     world.waters().forEach([&](WaterHandle, const Water& water) {

@@ -7,13 +7,12 @@
 
 namespace rubble {
 
-/// Rings on water around what moves through its surface: bodies and characters. There are at most
-/// kMaxRipples; a new one replaces the oldest. For eyes only: the World knows nothing of them. Owned by Snapshots.
-/// [main-thread]
+/// Rings on water around what moves through its surface: bodies and characters. There are at most kMaxRipples; a new
+/// one replaces the oldest. They are only drawn: the World knows nothing of them. Owned by Snapshots. [main-thread]
 class Ripples {
 public:
-    static constexpr size_t kMaxRipples = 64;
-    static constexpr float kLife = 3.0f;  ///< seconds
+    static constexpr size_t kMaxRipples = 64;  ///< as kMaxRipples of shaders/shared/constants.h
+    static constexpr float kLife = 3.0f;       ///< seconds
 
     /// Ages what is there by 1/60 s and adds what the bodies that moved in this step make. Looks at them only where
     /// there is water.

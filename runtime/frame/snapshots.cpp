@@ -22,8 +22,8 @@ SnapshotShape describeShape(ShapeHandle handle, const Shape& shape) {
 
 bool showsNothing(const FrameSnapshot& s) {
     return !s.replacesAll && s.destroyed.empty() && s.created.empty() && s.bricks.empty() && s.palettes.empty() &&
-           s.poses.empty() && !s.lightsChanged && !s.firesChanged && !s.particlesChanged && !s.ropesChanged &&
-           !s.watersChanged && !s.ripplesChanged && !s.environmentChanged;
+           s.poses.empty() && !s.lightsChanged && !s.particlesChanged && !s.ropesChanged && !s.watersChanged &&
+           !s.ripplesChanged && !s.environmentChanged;
 }
 
 void append(std::optional<FrameSnapshot>& out, FrameSnapshot&& later) {
@@ -174,8 +174,6 @@ void Snapshots::addPoses(std::span<const BodyPose> moved, const World& world, Fr
 
 void Snapshots::addParticles(const FrameChanges& changes, std::span<const Impact> impacts, const World& world,
                              FrameSnapshot& out) {
-    if (changes.levelReplaced) m_fires.clear();
-    if (out.firesChanged) m_fires = out.fires;
     const bool before = !m_particles.empty();
     m_particles.step(changes, impacts, m_fires, world);
     if (!before && m_particles.empty()) return;
@@ -239,13 +237,10 @@ void Snapshots::addRopes(const World& world, FrameSnapshot& out) {
     m_ropes = std::move(ropes);
 }
 
-/// Adds all fires, and flickering lights over the biggest ones.
-void Snapshots::addFires(const FrameChanges& changes, const World& world, FrameSnapshot& out) const {
+/// Finds what burns, for the particles, and adds flickering lights over the biggest fires.
+void Snapshots::addFires(const FrameChanges& changes, const World& world, FrameSnapshot& out) {
     const std::vector<Fire> fires = findFires(world);
-    out.firesChanged = changes.firesChanged || changes.levelReplaced;
-    for (const Fire& fire : fires)
-        out.fires.push_back(
-            {fire.position, float(fire.radius), fire.intensity, 1.0f - 0.6f * fire.intensity, fire.seed});
+    if (changes.firesChanged || changes.levelReplaced) m_fires = fires;
     for (const FireLight& light : fireLights(fires, changes.step, world.settings().fire.maxLights)) {
         const float strength = 6.0f * std::sqrt(light.intensity);
         const glm::dvec3 above = light.position + glm::dvec3(0.0, 0.5 * light.radius, 0.0);

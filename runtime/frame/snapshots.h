@@ -56,7 +56,7 @@ private:
     void addLights(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
                    FrameSnapshot& out);
     void addRopes(const World& world, FrameSnapshot& out);
-    void addFires(const FrameChanges& changes, const World& world, FrameSnapshot& out) const;
+    void addFires(const FrameChanges& changes, const World& world, FrameSnapshot& out);
     /// Moves the oldest waiting snapshot, without its shadow, behind `out`.
     void releaseOldest(std::optional<FrameSnapshot>& out);
     void post(std::optional<FrameSnapshot> snapshot, uint64_t newestStep);
@@ -72,7 +72,7 @@ private:
     Particles m_particles;
     Ripples m_ripples;
     std::vector<SnapshotRope> m_ropes;  ///< as the newest snapshot shows them
-    std::vector<SnapshotFire> m_fires;  ///< that burn now: they feed the particles
+    std::vector<Fire> m_fires;          ///< that burn now: they feed the particles
 };
 
 }  // namespace rubble

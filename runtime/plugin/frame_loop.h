@@ -16,7 +16,7 @@
 namespace rubble {
 
 struct FrameLoopSettings {
-    uint8_t worldId = 1;  ///< part of every handle, so that a handle of another world is recognised
+    uint8_t worldId = 1;  ///< 1 to 255, part of every handle, so that a handle of another world is recognised
     PhysicsSettings physics;
     ShadowWorker::Mode shadow = ShadowWorker::Mode::Thread;
     bool shadowVolume = true;    ///< false: nothing is drawn with rays, and step() does no work for them
@@ -59,13 +59,13 @@ public:
     World& world() { return m_world; }
     /// Its physics, for statistics and settings. [main-thread]
     PhysicsWorld& physics() { return m_physics; }
-    /// Keeps the shadow volume up to date; null without one.
+    /// Keeps the shadow volume up to date; null without one. [main-thread]
     ShadowWorker* shadow() { return m_shadow.get(); }
     /// The journal of the last step's edits; valid until the next step. [main-thread]
     const FrameChanges& changes() const { return m_changes; }
-    /// How long the stages of the last step and the last draw took.
+    /// Wall-clock milliseconds of the stages of the last step [main-thread] and the last draw [render-thread].
     const StageTimes& times() const { return m_times; }
-    /// How many steps the shadow volume was behind when the last step was published, before any waiting.
+    /// How many steps the shadow volume was behind when the last step was published, before any waiting. [main-thread]
     uint64_t shadowLag() const { return m_shadowLag; }
 
 private:

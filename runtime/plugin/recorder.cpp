@@ -10,7 +10,7 @@ void Recorder::recordEdits(const Edits& hostEdits, const FrameChanges& changes, 
 
 void Recorder::recordMotion(std::span<const BodyPose> poses, std::span<const CharacterMove> characters,
                             const World& world) {
-    SlotValues<BodyHandle, Body> oldBodies;  // only undo needs the values that move() replaces
+    SlotValues<BodyHandle, Body> oldBodies;  // move() returns the values that it replaces; only undo needs them
     m_baseline.move(world, poses, oldBodies);
     SlotValues<CharacterHandle, Character> oldCharacters;
     m_baseline.move(world, characters, oldCharacters);

@@ -12,6 +12,11 @@ namespace rubble {
 /// The cells of one shadow brick as rows along x: row y + 16 z, bit x.
 using CellRows = std::array<uint16_t, kShadowBrickCells * kShadowBrickCells>;
 
+/// The shadow bricks that a box of shadow cells touches.
+inline CellBox shadowBricksOf(const CellBox& cells) {
+    return {cells.low >> 4, (cells.high + (kShadowBrickCells - 1)) >> 4};
+}
+
 /// Adds to `rows` the cells of shadow brick `brick` that the grid's voxels set (ShadowCellTransform says which).
 /// bounds: a box that contains all cells that the grid can set.
 void rasterize(const VoxelGrid& grid, const ShadowCellTransform& cellTransform, const CellBox& bounds, glm::ivec3 brick,

@@ -30,8 +30,8 @@ inline std::array<double, 3> toDoubles(const FixedPoint& p) {
 /// its centre, or n x n x n of them where voxels are smaller than cells, so that samples are no farther apart than a
 /// voxel is wide. Two properties follow.
 ///
-/// No light leaks: the cells along a ray share faces, so their samples are joined
-/// by steps no longer than a voxel, and such steps cannot cross a wall that is one voxel thick, whatever its rotation.
+/// No light leaks: the cells along a ray share faces, so their samples are joined by steps no longer than a voxel, and
+/// such steps cannot cross a wall that is one voxel thick, whatever its rotation.
 ///
 /// No shape shadows itself: the centre of a set cell lies in the shape, so the cell extends at most half its extent
 /// along the normal out of a face, and a ray that starts there never meets it (shaders/lib/shadow_trace.glsl).

@@ -6,10 +6,6 @@
 namespace rubble {
 namespace {
 
-CellBox toBricks(const CellBox& cells) {
-    return {cells.low >> 4, (cells.high + (kShadowBrickCells - 1)) >> 4};
-}
-
 template <class F>
 void forEachCell(const CellBox& box, F&& f) {
     for (int z = box.low.z; z < box.high.z; ++z)
@@ -53,11 +49,11 @@ void listBricks(const VoxelGrid& grid, const Pose& pose, double voxelSize, std::
                 used.high[a] = std::max(used.high[a], std::min(position[a] * kBrickSize + kBrickSize, grid.size()[a]));
             }
         });
-        return forEachCell(toBricks(shadowBounds(pose, voxelSize, used)), add);
+        return forEachCell(shadowBricksOf(shadowBounds(pose, voxelSize, used)), add);
     }
     grid.forEachBrick([&](glm::ivec3 position, const BrickRef&) {
         const CellBox box{position * kBrickSize, position * kBrickSize + kBrickSize};
-        forEachCell(toBricks(shadowBounds(pose, voxelSize, box)), add);
+        forEachCell(shadowBricksOf(shadowBounds(pose, voxelSize, box)), add);
     });
     std::sort(bricks.begin(), bricks.end(), isBefore);
     bricks.erase(std::unique(bricks.begin(), bricks.end()), bricks.end());
@@ -220,7 +216,7 @@ void ShadowReplica::touch(const Shape& shape, BrickEntry& entry) {
 
 void ShadowReplica::touchVoxelBrick(Shape& shape, glm::ivec3 voxelBrick) {
     const CellBox box{voxelBrick * kBrickSize, voxelBrick * kBrickSize + kBrickSize};
-    forEachCell(toBricks(shadowBounds(shape.pose, shape.voxelSize, box)), [&](glm::ivec3 brick) {
+    forEachCell(shadowBricksOf(shadowBounds(shape.pose, shape.voxelSize, box)), [&](glm::ivec3 brick) {
         const auto isEntryBefore = [](const BrickEntry* entry, glm::ivec3 b) { return isBefore(entry->first, b); };
         auto at = std::lower_bound(shape.covered.begin(), shape.covered.end(), brick, isEntryBefore);
         if (at == shape.covered.end() || (*at)->first != brick) at = shape.covered.insert(at, enter(shape, brick));

@@ -34,7 +34,7 @@ public:
     std::vector<ShadowPatches> takePatches();
     /// Waits until `version` is published: for tests, benchmarks and images that must not depend on timing.
     void waitFor(uint64_t version);
-    /// The step of the newest publication.
+    /// The step whose world the published volume equals. Steps that change nothing for shadows count at once.
     uint64_t publishedVersion() const;
 
 private:

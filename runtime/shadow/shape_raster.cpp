@@ -8,8 +8,8 @@ namespace rubble {
 namespace {
 
 constexpr int kSide = kShadowBrickCells;
-constexpr int kMaxCells =
-    60;  ///< along an axis: with up to 3 cells of the first word before them they fit a row of 64 bits
+/// Along an axis: with up to 3 cells of the first word before them they fit a row of 64 bits.
+constexpr int kMaxCells = 60;
 
 /// A mask of the bits [low, high).
 uint64_t bitsOf(int low, int high) {
@@ -231,8 +231,9 @@ bool ShapeRaster::make(const RasterSource& source, const ShadowCellTransform& ce
     clear();
     const glm::ivec3 size = bounds.high - bounds.low;
     if (std::max({size.x, size.y, size.z}) > kMaxCells) return false;
-    m_lowBrick = bounds.low >> 4;
-    m_bricks = ((bounds.high + (kSide - 1)) >> 4) - m_lowBrick;
+    const CellBox bricks = shadowBricksOf(bounds);
+    m_lowBrick = bricks.low;
+    m_bricks = bricks.high - bricks.low;
     m_brickSlots.assign(size_t(m_bricks.x) * size_t(m_bricks.y) * size_t(m_bricks.z), 0);
 
     const glm::ivec3 count = size * cellTransform.samples,

@@ -145,6 +145,11 @@ MassMoments gridMoments(const VoxelGrid& grid, const Palette& palette, const Mat
     return sum;
 }
 
+/// The cyclic Jacobi method. A rotation by the angle phi in the plane of the axes p and q, with t = tan(phi), changes
+/// the entry a_pq of the matrix to 0 if t^2 + 2 theta t - 1 = 0, where theta = (a_qq - a_pp) / (2 a_pq). The smaller
+/// root is t = sign(theta) / (|theta| + sqrt(theta^2 + 1)); with c = cos(phi) = 1 / sqrt(1 + t^2) and s = t c it is
+/// applied to the columns and rows of the matrix, and to the columns of v, which become the eigenvectors. Each sweep
+/// over the three planes lowers the sum of squares off the diagonal, in the end quadratically.
 void principalAxes(const std::array<double, 6>& tensor, glm::dvec3& values, glm::dquat& axes) {
     double a[3][3] = {
         {tensor[0], tensor[3], tensor[5]}, {tensor[3], tensor[1], tensor[4]}, {tensor[5], tensor[4], tensor[2]}};

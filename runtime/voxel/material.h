@@ -45,7 +45,7 @@ struct MaterialTable {
     friend bool operator==(const MaterialTable&, const MaterialTable&) = default;
 };
 
-/// The materials of Teardown's palette rows, with strengths and heat from handbooks.
+/// The materials that Teardown's palette rows name, and wire and rubber, with strengths and heat from handbooks.
 const MaterialTable& defaultMaterials();
 /// The default material of a palette index by Teardown's palette rows: 1-8 glass, 9-24 foliage, ...
 uint8_t teardownMaterial(uint8_t paletteIndex);

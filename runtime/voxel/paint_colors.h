@@ -26,6 +26,13 @@ constexpr int paintSteps(uint8_t paint) {
 
 using Srgb = std::array<uint8_t, 3>;
 
+/// The squared distance of two colours in sRGB, 0 to 3 * 255^2.
+constexpr int distanceSquared(const Srgb& a, const Srgb& b) {
+    int sum = 0;
+    for (size_t i = 0; i < 3; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return sum;
+}
+
 /// The colours of a shape's paint layer. Immutable once a shape holds it: shapes share it, and a change makes a new
 /// one.
 struct PaintColors {

@@ -63,9 +63,9 @@ bool World::runHistory(const Edits& edits, FrameChanges& changes) {
         const auto* history = std::get_if<HistoryEdit>(&edit);
         if (!history) continue;
         if (m_undo.empty())
-            logWarning("HistoryEdit: expected a history, found none; to keep one, raise WorldSettings::undoMarks");
+            logWarning("undo: no marks are kept; call set_undo_limit() with more than 0 first");
         else if (wasUndoOrRedo)
-            logWarning("HistoryEdit: expected one undo or redo in a step, found more; this one is left out");
+            logWarning("undo: expected one undo or redo in a step, found more; this one is left out");
         else if (history->action == HistoryAction::Mark)
             m_undo[0].mark(m_data.settings.undoMarks);
         else

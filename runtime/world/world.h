@@ -72,7 +72,7 @@ public:
     uint64_t step() const { return m_data.step; }
     /// How the world breaks, burns and remembers.
     const WorldSettings& settings() const { return m_data.settings; }
-    /// Of all that decides what happens next; see stateHash().
+    /// A hash of all that decides what happens next; see stateHash().
     uint64_t hash() const { return stateHash(m_data); }
 
     /// Bodies by handle, in slot order.

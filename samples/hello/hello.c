@@ -46,9 +46,9 @@ static void print_poses(rubble_world world) {
 
 int main(int argc, char** argv) {
     rubble_world world;
-    rubble_explosion explosion = {sizeof explosion};
-    rubble_events events = {sizeof events};
-    rubble_voxel_accounting voxels = {sizeof voxels};
+    rubble_explosion explosion = {.struct_size = sizeof explosion};
+    rubble_events events = {.struct_size = sizeof events};
+    rubble_voxel_accounting voxels = {.struct_size = sizeof voxels};
     rubble_hit roof;
     uint64_t hash;
     int step, i;

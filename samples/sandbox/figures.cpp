@@ -49,17 +49,17 @@ void Figures::addStep(FrameLoop& loop, uint64_t allocations) {
 }
 
 void Figures::addFrame(const FrameLoop& loop, const Renderer& renderer) {
-    const RenderFigures& figures = renderer.figures();
+    const RenderStats& stats = renderer.stats();
     series("frame: apply ms").push_back(loop.times()[Stage::Apply]);
     series("frame: draw ms").push_back(loop.times()[Stage::Draw]);
-    for (const auto& [name, ms] : figures.passMs) series(fmt::format("pass: {} ms", name)).push_back(ms);
-    series("draw calls").push_back(figures.drawCalls);
-    series("draw calls for bodies").push_back(figures.bodyDraws);
-    series("bytes uploaded").push_back(double(figures.uploadBytes));
-    series("texture bytes").push_back(double(figures.textureBytes));
-    series("shapes drawn").push_back(figures.shapes);
-    series("compute programs").push_back(figures.computePrograms);
-    m_computePasses.assign(figures.computePasses.begin(), figures.computePasses.end());
+    for (const auto& [name, ms] : stats.passMs) series(fmt::format("pass: {} ms", name)).push_back(ms);
+    series("draw calls").push_back(stats.drawCalls);
+    series("draw calls for bodies").push_back(stats.bodyDraws);
+    series("bytes uploaded").push_back(double(stats.uploadBytes));
+    series("texture bytes").push_back(double(stats.textureBytes));
+    series("shapes drawn").push_back(stats.shapes);
+    series("compute programs").push_back(stats.computePrograms);
+    m_computePasses.assign(stats.computePasses.begin(), stats.computePasses.end());
 }
 
 std::string Figures::table() const {
@@ -70,7 +70,6 @@ std::string Figures::table() const {
                                                  : "{:<28}{:>14.0f}{:>14.0f}{:>14.0f}{:>14.0f}\n";
         out += fmt::format(fmt::runtime(line), s.name, q.p50, q.p95, q.p99, q.max);
     }
-
     out += fmt::format("passes drawn by compute: {}\n",
                        m_computePasses.empty() ? "none" : fmt::format("{}", fmt::join(m_computePasses, ", ")));
     out += fmt::format("voxels removed {}, painted {}; splits {}, pieces {}; light groups out {}\n", m_removed,
@@ -88,7 +87,6 @@ bool Figures::writeJson(const std::string& path) const {
         const Quantiles q = quantilesOf(s.values);
         json["series"][s.name] = {{"p50", q.p50}, {"p95", q.p95}, {"p99", q.p99}, {"max", q.max}, {"values", s.values}};
     }
-
     json["compute_passes"] = m_computePasses;
     json["voxels_removed"] = m_removed;
     json["voxels_painted"] = m_painted;

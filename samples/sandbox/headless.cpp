@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "render/gl/offscreen.h"
+#include "runtime/core/constants.h"
 #include "runtime/core/log.h"
 #include "runtime/plugin/frame_loop.h"
 #include "samples/sandbox/figures.h"
@@ -23,7 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kStepsPerSecond = 60;
 constexpr int kWarmUpFrames = 12;  ///< drawn before the first frame, so that its light has converged
 constexpr int kMaxSheetFrames = 12;
 constexpr int kPassColumns = 4;

@@ -52,7 +52,7 @@ void addSceneOptions(CLI::App& app, SandboxOptions& options) {
     app.add_option("--time", options.time, "time of day: noon, afternoon, dusk, night or rain")
         ->check(CLI::IsMember({"noon", "afternoon", "dusk", "night", "rain"}));
     app.add_option("--seconds", options.seconds, "game time (default: as long as the scene says, or 10)")
-        ->check(CLI::Range(0.0, 3600.0));
+        ->check(CLI::Range(0.1, 3600.0));
     app.add_option("--seed", options.seed, "seed of everything random")->capture_default_str();
 }
 
@@ -67,7 +67,7 @@ void addFrameOptions(CLI::App& app, SandboxOptions& options) {
     app.add_flag("--headless", options.headless, "no window even where there is a display");
     app.add_flag("--no-render", options.noRender, "no frames: state hashes and figures only");
     app.add_flag("--all-passes", options.allPasses, "write every pass for the frames of the contact sheet");
-    app.add_flag("--map", options.map, "without a window: the whole level from above");
+    app.add_flag("--map", options.map, "without a window: the whole level from above, without haze");
     app.add_option("--screenshot", options.screenshot, "window: write this PNG after a few frames and leave");
 }
 

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <thread>
 
+#include "runtime/core/constants.h"
 #include "runtime/core/log.h"
 #include "runtime/plugin/frame_loop.h"
 #include "runtime/world/queries/query.h"
@@ -19,7 +20,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kStepSeconds = 1.0 / 60.0;
+constexpr double kStepSeconds = 1.0 / kStepsPerSecond;
 constexpr int kMaxStepsPerFrame = 4;  ///< a slower machine runs game time slower instead of falling ever further behind
 constexpr double kMouseRadiansPerPixel = 0.0025;
 constexpr int kScreenshotFrames = 12;                 ///< drawn before --screenshot writes its image

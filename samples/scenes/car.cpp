@@ -163,9 +163,9 @@ size_t addDrivenCar(Level& level, const std::string& name, const SurfaceStyle& p
             axle.joint.limits = {true, -0.12, 0.12};
             axle.joint.spring = {8.0, 0.6};  // hertz and damping ratio, of the wheel's mass against the car's
             axle.joint.wheel = {
-                .driveTorque = 16e3, .topSpin = 45.0, .brakeTorque = 12e3, .steerAngle = x == kFrontAxle ? 0.5 : 0.0};
+                .driveTorque = 16e3, .maxSpin = 45.0, .brakeTorque = 12e3, .steerAngle = x == kFrontAxle ? 0.5 : 0.0};
             if (throttle != 0.0)
-                axle.joint.motor = {MotorMode::Speed, axle.joint.wheel.topSpin,
+                axle.joint.motor = {MotorMode::Speed, axle.joint.wheel.maxSpin,
                                     throttle * axle.joint.wheel.driveTorque};
             level.joints.push_back(std::move(axle));
         }

@@ -24,9 +24,7 @@ inline constexpr int kHouseFront = 24;
 struct HouseRooms {
     static constexpr int kGroundFloor = 5, kUpperFloor = 32;  ///< y of the first free cell above the boards
     static constexpr CellBox kLiving{{11, 5, 57}, {62, 28, 101}};
-
     static constexpr CellBox kBedroom{{11, 32, 57}, {62, 55, 101}};
-
     static constexpr CellBox kHall{{65, 5, 53}, {117, 28, 101}};
 };
 

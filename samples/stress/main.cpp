@@ -133,13 +133,13 @@ int run(int argc, char** argv) {
     app.add_option("--seed", options.round.seed, "seed of everything random")->capture_default_str();
     app.add_option("--steps", options.steps, "steps of 1/60 s in all; 108000 are half an hour")
         ->capture_default_str()
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, 1000000000));
     app.add_option("--round", options.round.steps, "steps per round; each round loads the level again")
         ->capture_default_str()
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, 1000000000));
     app.add_option("--edits-every", options.round.editInterval, "steps between edits")
         ->capture_default_str()
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, 1000000000));
     app.add_option("--repeat-every", options.repeatEvery,
                    "play one of this many rounds again, with two threads; it must give the same hashes; 0: none")
         ->capture_default_str();

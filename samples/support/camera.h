@@ -9,7 +9,7 @@ namespace rubble {
 struct Camera {
     glm::dvec3 position{0.0, 1.7, 0.0};
     double yaw = 0.0, pitch = 0.0;
-    float verticalFov = 1.0f;
+    float verticalFov = 1.0f;  ///< radians
 
     /// Rotation from camera space (x right, y up, -z forward) to world space.
     glm::dquat rotation() const {

@@ -25,7 +25,7 @@ struct Image {
 Result<Done> writePng(const std::string& path, const Image& image);
 /// Reads a PNG of any format as 8-bit RGB. An error names the file.
 Result<Image> readPng(const std::string& path);
-/// Images of one size in rows of `columns`, with a gap of so many pixels between them.
+/// Images of one size side by side in rows of `columns`. gap: pixels between them.
 Image tile(const std::vector<Image>& images, int columns, int gap = 4);
 
 }  // namespace rubble

@@ -35,6 +35,8 @@ const float kDefaultAlbedo = 0.3;    // where no voxel is found
 // Clamps against fireflies close to a light: an absolute radiance, or a multiple of that at the path's start.
 const float kMaxLightRadiance = 6.0, kMaxLightRadianceRatio = 150.0;
 const float kMaxOpennessRatio = 1.4;
+const float kMaxHitRadiance = 3.0;   // clamp of what a hit sends: few rays meet the brightest places, as fireflies
+const float kMaxSunDistance = 64.0;  // metres of a shadow ray to the sun
 const vec2 kIndoorProximity = vec2(0.1, 0.3);  // hit proximity between which light comes ever more from all around
 const float kMaxReflectance = 0.95;            // below 1, or the ambient share of a white room would grow for ever
 
@@ -67,8 +69,7 @@ vec4 radianceOnScreen(vec3 hitWorld, vec3 normal, float emissionWeight) {
     if (uDiffuseOnly) radiance *= texelFetch(uDiffuseFractionHistory, pixel, 0).x;
     vec2 fromEdge = (1.0 - abs(clip.xy / clip.w)) / kScreenEdgeFade;
     float emissionScale = surface.z < 0.0 && frame.counters.z > 0 ? emissionWeight : 1.0;
-    // The clamp at 3 stops fireflies: few rays meet the brightest pixels.
-    return vec4(clamp(radiance / (1.0 - haze), vec3(0.0), vec3(3.0)) * emissionScale,
+    return vec4(clamp(radiance / (1.0 - haze), vec3(0.0), vec3(kMaxHitRadiance)) * emissionScale,
                 clamp(min(fromEdge.x, fromEdge.y), 1e-3, 1.0));
 }
 
@@ -91,7 +92,8 @@ float skyOpenness(vec3 normal) { return 0.15 + 0.85 * (0.5 + 0.5 * normal.y); }
 /// Irradiance of the sun on a face / pi.
 vec3 sunlightOn(vec3 position, vec3 normal) {
     float facing = dot(normal, frame.sunDirection.xyz), t;
-    if (!uSunUp || facing <= 0.0 || shadowTrace(shadowOrigin(position, normal), frame.sunDirection.xyz, 64.0, t))
+    if (!uSunUp || facing <= 0.0 ||
+        shadowTrace(shadowOrigin(position, normal), frame.sunDirection.xyz, kMaxSunDistance, t))
         return vec3(0.0);
     return frame.sunColor.rgb * (facing / kPi);
 }
@@ -135,12 +137,12 @@ OffscreenFace shadeOffscreenFace(vec3 hitWorld, vec3 normal, vec3 direction, Pat
     for (int i = 0; i < 2 && !found; ++i) found = voxelAt(middle + direction * (kShadowCell * float(i)), entry);
     if (!found) return OffscreenFace(kDefaultAlbedo * (sun + localLight), vec3(kDefaultAlbedo));
     vec3 albedo = srgbToLinear(entry.color), f0 = mix(vec3(entry.reflectivity), albedo, entry.metallic);
-    vec3 emitted = min(albedo * entry.emission, vec3(3.0)) * (frame.counters.z > 0 ? emissionWeight : 1.0);
+    vec3 emitted = min(albedo * entry.emission, vec3(kMaxHitRadiance)) * (frame.counters.z > 0 ? emissionWeight : 1.0);
     vec3 toSun = frame.sunDirection.xyz, specular = fresnel(f0, dot(-direction, normalize(toSun - direction)));
     specular *= specularLobe(normal, -direction, toSun, entry.roughness) * kPi;
     vec3 diffuse = albedo * (1.0 - entry.metallic) * (1.0 - f0), reflectance = diffuse + f0;
-    return OffscreenFace(reflectance * localLight + diffuse * sun + min(specular * sun, vec3(3.0)) + emitted,
-                         reflectance);
+    return OffscreenFace(
+        reflectance * localLight + diffuse * sun + min(specular * sun, vec3(kMaxHitRadiance)) + emitted, reflectance);
 #endif
 }
 

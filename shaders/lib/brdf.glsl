@@ -8,6 +8,9 @@
 // is a direction with the density D_v / (4 v.h) = D G1 / (4 n.v) = 0.5 D / (n.v + L(v))    (Heitz 2018).
 #include "lib/constants.glsl"
 
+const float kPaneReflectance = 0.05;  // of one face of a pane at normal incidence
+const float kPaneScale = 1.6;         // a pane has two faces: it reflects that much more than one
+
 /// Schlick's approximation of Fresnel's reflectance; f0 is that at normal incidence.
 vec3 fresnel(vec3 f0, float cosine) {
     float m = 1.0 - clamp(cosine, 0.0, 1.0);

@@ -3,9 +3,9 @@
 
 const float kTwoPi = 6.2831853;
 const float kPi = 0.5 * kTwoPi;
-const float kInversePi = 0.3183;
+const float kInversePi = 0.3183;  // to four digits, for painted colours
 
-const float kShadowCellsPerMetre = 10.0;
+const float kShadowCellsPerMetre = 10.0;  // 1 / kShadowCell
 
 /// The step of the R2 sequence: 1 / p and 1 / p^2 of the plastic number p (Martin Roberts 2018, "The unreasonable
 /// effectiveness of quasirandom sequences").

@@ -4,14 +4,14 @@ uniform sampler2D uDetailMaps;
 uniform bool uDetail;
 
 const int kDetailSide = 32;    // texels of a map's side
-const float kTiltSteps = 5.0;  // a tilt is stored in so many steps to each side: encodeTilt()
+const float kTiltSteps = 5.0;  // to each side, in which encodeTilt() stores a tilt
 
 struct Detail {
     float color, roughness;  // factors
     vec2 tilt;               // of the face along two axes, -1 to 1
 };
 
-/// Voxels of fewer pixels show no detail; it is full at three times as many.
+/// Pixels of a voxel's side below which it shows no detail; from three times as many on it shows all of it.
 const float kMinDetailPixels = 1.2;
 
 Detail detailAt(uint map, ivec3 cell, vec3 face, float voxelPixels) {

@@ -21,7 +21,6 @@ uniform samplerBuffer uLightImages;  // texels of screens, linear colour
 uniform ivec3 uLightGrid;            // tiles across and up, slices of depth; one more slice lists lights of all depths
 
 const int kOthersWeighed = 12;  // beside the kAlwaysWeighed first ones of a cell
-const int kSphere = 0, kCapsule = 1, kArea = 2, kScreen = 3;
 
 struct LocalLight {
     vec3 position;
@@ -29,11 +28,11 @@ struct LocalLight {
     vec3 color;    // radiant intensity
     float reach;   // metres beyond which it sends nothing
     vec3 axis;     // its direction
-    int kind;
-    vec2 cone;  // cosine of the outer half angle (below -1 without a cone); 1 / (inner cosine - outer cosine)
-    float radius;
+    int kind;      // kSphere, kCapsule, kArea or kScreen
+    vec2 cone;     // cosine of the outer half angle (below -1 without a cone); 1 / (inner cosine - outer cosine)
+    float radius;  // metres: of the sphere or capsule
     vec3 right;
-    vec2 halfSize;  // along right and up
+    vec2 halfSize;  // metres along right and up; of a capsule: half its length
     bool twoSided;
     ivec3 image;  // of a screen: first texel, columns, rows
 };

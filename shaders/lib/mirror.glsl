@@ -3,7 +3,6 @@ uniform sampler2D uGlassSurface;
 uniform bool uHasGlass;
 
 const float kMinMirrorShare = 0.012;  // share of the light that is reflected
-const float kPaneReflectance = 0.05;
 
 struct Mirror {
     vec3 position, normal, view;

@@ -1,4 +1,5 @@
-// One step down the bloom pyramid: half the size. The first step keeps only what is above the threshold.
+// One step down the bloom pyramid: half the size, by four bilinear taps that together cover 4x4 texels of the source.
+// The first step keeps only what is above the threshold.
 uniform sampler2D uSource;
 uniform vec2 uTexel;       // 1 / size of the source
 uniform float uThreshold;  // radiance; 0 = keep all

@@ -25,6 +25,8 @@ uniform sampler2D uReflection;
 uniform bool uHasGlass;
 uniform sampler2D uGlassSurface;
 
+const float kMaxSunHighlight = 30.0;  // radiance
+
 in vec2 uv;
 layout(location = 0) out vec4 radiance;
 layout(location = 1) out vec4 diffuseFraction;  // x: the share of it that goes to all sides alike, for lib/bounce.glsl
@@ -89,7 +91,7 @@ vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel, out vec3 viewIndependent
         // Mirror rays of smooth surfaces have met the lights' emissive voxels themselves.
         highlights *= mix(1.0, analyticHighlightShare(s.roughness), traced.a);
     }
-    return diffuse * (1.0 - share) + min(highlight, vec3(30.0)) + mirrored * share + highlights + glow;
+    return diffuse * (1.0 - share) + min(highlight, vec3(kMaxSunHighlight)) + mirrored * share + highlights + glow;
 }
 
 void main() {

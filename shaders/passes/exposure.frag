@@ -14,6 +14,7 @@ const ivec2 kTaps = ivec2(32, 18);
 const float kTargetLuminance = 0.34;     // log-average luminance that needs no correction
 const float kAdaptationStrength = 0.45;  // 1 would bring every image to the same key
 const float kAdaptationSpeed = 0.05;     // per frame
+const float kMinFactor = 0.7, kMaxFactor = 2.2;
 
 void main() {
     float sum = 0.0, total = 0.0;
@@ -25,6 +26,6 @@ void main() {
             sum += w * log2(clamp(luminance(texture(uColor, place).rgb) * frame.exposure.x, 0.01, 8.0));
             total += w;
         }
-    float target = clamp(pow(kTargetLuminance / exp2(sum / total), kAdaptationStrength), 0.7, 2.2);
+    float target = clamp(pow(kTargetLuminance / exp2(sum / total), kAdaptationStrength), kMinFactor, kMaxFactor);
     exposure = vec4(uHistoryValid ? mix(texelFetch(uHistory, ivec2(0), 0).r, target, kAdaptationSpeed) : target);
 }

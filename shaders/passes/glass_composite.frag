@@ -53,7 +53,7 @@ void main() {
     vec3 direction = normalize(ray), normal = normalize(pane.xyz);
     vec4 seen = texelFetch(uBackground, uRefraction ? refractedPixel(pixel, ray, pane, normal) : pixel, 0);
     vec3 behind = seen.rgb;
-    float share = min(1.6 * fresnel(vec3(0.05), abs(dot(normal, direction))).x, 1.0);
+    float share = min(kPaneScale * fresnel(vec3(kPaneReflectance), abs(dot(normal, direction))).x, 1.0);
     vec3 mirrored = uHasReflections ? texelFetch(uReflection, pixel, 0).rgb : skyRadiance(reflect(direction, normal));
     vec3 color = mix(behind * texelFetch(uGlassTint, pixel, 0).rgb, mirrored, share);
     // The reflection does not move with what is behind: the larger its share, the less TAA relies on history.

@@ -30,16 +30,18 @@ vec3 fromLight(vec4 lightPlace, vec3 color, vec3 position) {
     vec3 away = lightPlace.xyz - position;
     float d2 = dot(away, away), ratio = d2 / (lightPlace.w * lightPlace.w);
     float window = clamp(1.0 - ratio * ratio, 0.0, 1.0);
-    return color * (window * window / (max(d2, 0.16) * 12.566));
+    return color * (window * window / (max(d2, 0.16) * 12.566));  // 4 pi: the mean over all directions
 }
+
+const float kSunDistance = 40.0, kRoofDistance = 12.0;  // metres of the rays that look for shadow and for a roof
 
 /// 1 in the sun. Each corner of a quad asks for itself, so that a puff may be half in shadow; a corner inside a solid
 /// asks for the centre.
 float sunAt(vec3 position, vec3 center) {
     float t;
     if (frame.sunDirection.y <= 0.0) return 0.0;
-    if (!shadowTrace(position, frame.sunDirection.xyz, 40.0, t)) return 1.0;
-    return t <= 0.0 && !shadowTrace(center, frame.sunDirection.xyz, 40.0, t) ? 1.0 : 0.0;
+    if (!shadowTrace(position, frame.sunDirection.xyz, kSunDistance, t)) return 1.0;
+    return t <= 0.0 && !shadowTrace(center, frame.sunDirection.xyz, kSunDistance, t) ? 1.0 : 0.0;
 }
 
 void main() {
@@ -89,7 +91,7 @@ void main() {
     float clear = sunThroughSmoke(lit);
     sunLight = frame.sunColor.rgb * (sunAt(lit, place.xyz) * clear / kPi);
     float t;
-    bool roof = shadowTrace(place.xyz, vec3(0.0, 1.0, 0.0), 12.0, t);
+    bool roof = shadowTrace(place.xyz, vec3(0.0, 1.0, 0.0), kRoofDistance, t);
     airLight = mix(skyRadiance(vec3(0, 1, 0)), frame.groundColor.rgb + frame.sunColor.rgb * 0.05, 0.4) *
                ((roof ? 0.25 : 0.9) * (0.4 + 0.6 * clear));
     airLight += fromLight(uLightPosition0, uLightColor0, lit) + fromLight(uLightPosition1, uLightColor1, lit) +

@@ -17,7 +17,8 @@ uniform sampler2D uLight;
 in vec2 uv;
 out vec4 reflection;
 
-const float kMaxRayDistance = 40.0;
+const float kMaxRayDistance = 40.0;  // metres
+const float kMinRoughness = 0.03;    // smoother surfaces mirror as if they were ideal
 
 /// Radiance of a mirror ray, without the sun's disc: the analytic highlight has that, and without noise.
 vec3 mirrored(vec3 origin, vec3 direction, PathStart start, float emissionWeight) {
@@ -33,7 +34,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Mirror m = mirrorAt(pixel, uv);
     vec3 halfVector = m.normal;
-    if (m.roughness > 0.03) {
+    if (m.roughness > kMinRoughness) {
         mat3 basis = orthonormalBasis(m.normal);
         halfVector = basis * sampleVisibleNormal(m.view * basis, m.roughness * m.roughness,
                                                  blueNoise(pixel, 20, frame.counters.x));

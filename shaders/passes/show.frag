@@ -1,4 +1,4 @@
-// Shows any target. The modes are those of render/passes/show_pass.h.
+// Shows any target. The modes are those of ShowPass::Mode in render/passes/show_pass.h; 0 shows colours as they are.
 uniform sampler2D uTarget;
 uniform int uMode;
 uniform vec4 uStatusDot;  // rgb, a 1 if it is drawn: shaders were reloaded, or failed to build
@@ -13,8 +13,7 @@ void main() {
     if (uMode == 3) c = vec3(1.0 - exp(-v.r / 20.0));         // metres
     if (uMode == 4) c = vec3(v.rg * 10.0 + 0.5, 0.5);         // motion, uv per frame
     if (uMode == 5) c = vec3(v.a);
-    if (uMode == 6) c = v.rrr;
-    if (uMode == 7) c = vec3(v.b / 32.0);  // frames accumulated
+    if (uMode == 6) c = vec3(v.b / 32.0);  // frames accumulated
     if (uStatusDot.a > 0.0 && distance(gl_FragCoord.xy, vec2(12.0)) < 6.0) c = uStatusDot.rgb;
     color = vec4(c, 1.0);
 }

@@ -37,6 +37,7 @@ const float kBlendRamp = 1.6;      // above 1 the first frames, which know less 
 const float kMaxBlend = 0.5;       // for a short history
 const float kParticleBlend = 0.5;  // where particles cover everything: they have no motion vectors
 const float kSharpness = 2.3;      // of the Gaussian around a displayed pixel
+const float kSkyDistance = 4000.0;  // metres: the sky moves over the screen as what is that far away
 
 in vec2 uv;
 out vec4 resolved;
@@ -127,7 +128,7 @@ vec2 motionOf(Neighbourhood n) {
     float pane = uHasGlass ? texelFetch(uGlassSurface, n.panePixel, 0).w : 0.0;
     bool isPaneEdge = pane > 0.0 && pane < n.depth && n.maxSurfaceShare > 0.99;
     vec2 motion = staticPointMotion(isPaneEdge ? (vec2(n.panePixel) + 0.5) * frame.targetSize.zw : uv,
-                                    isPaneEdge ? pane : 4000.0);
+                                    isPaneEdge ? pane : kSkyDistance);
     if (!isPaneEdge && n.depth < kSkyDepth) motion = texelFetch(uMotion, n.nearest, 0).rg;
     return motion;
 }

@@ -15,17 +15,18 @@
 uniform sampler2D uBackground;                            // the image without this water
 uniform mat4 uOutline0, uOutline1, uOutline2, uOutline3;  // corners x, z, x, z ...
 uniform int uCornerCount;
-uniform float uSurface;  // height
+uniform float uSurface;  // y, metres from the render origin
 uniform vec3 uColor;     // transmittance of uClarity metres
-uniform float uClarity;
-uniform vec4 uWaves;  // height, wavelength, speed, direction
+uniform float uClarity;  // metres
+uniform vec4 uWaves;     // height and length of the longest, metres; speed, m/s; direction, radians
 uniform float uSeconds;
-uniform vec4 uRipples[kMaxRipples];  // xy centre, z radius of the crest now, w height
+uniform vec4 uRipples[kMaxRipples];  // xy centre (world x, z), z radius of the crest now, w height; metres
 uniform int uRippleCount;
 
 const float kRingWidth = 0.45;          // metres to each side of a crest
+const float kRingPhase = 9.42;          // 3 pi: radians of the wave to each side of a crest
 const float kRefraction = 0.35;         // metres of displacement for a slope of 1 and a metre of depth
-const float kReactive = 0.6;            // weight of history in TAA, as waves have no motion vectors
+const float kHistoryWeight = 0.6;       // for TAA, as waves have no motion vectors: 1 would trust history fully
 const float kMinMirrorShare = 0.05;     // share of light that is worth a ray
 const float kMaxMirrorDistance = 40.0;  // metres
 
@@ -58,8 +59,8 @@ vec3 ringSlope(vec2 p) {
         float phase = (range - uRipples[i].z) / kRingWidth;
         if (abs(phase) >= 1.0 || range < 1e-3) continue;
         float window = (1.0 - phase * phase) * (1.0 - phase * phase);
-        sum.xy += away / range * (uRipples[i].w * window * cos(9.42 * phase) * 9.42 / kRingWidth);
-        sum.z += uRipples[i].w * window * max(sin(9.42 * phase + 1.57), 0.0);
+        sum.xy += away / range * (uRipples[i].w * window * cos(kRingPhase * phase) * kRingPhase / kRingWidth);
+        sum.z += uRipples[i].w * window * max(sin(kRingPhase * phase + 1.57), 0.0);
     }
     return sum;
 }
@@ -143,5 +144,5 @@ void main() {
     vec3 water = (below.rgb * left + scattered) * (1.0 - mirrored) +
                  mirroredRadiance(place, normal, direction, mirrored) * mirrored + min(glint, vec3(20.0));
     float foam = foamAt(place.xz, (behind - t) * -ray.y, rings.z);
-    color = vec4(mix(water, 0.75 * light, foam), kReactive);
+    color = vec4(mix(water, 0.75 * light, foam), kHistoryWeight);
 }

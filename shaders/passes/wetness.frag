@@ -15,7 +15,7 @@ layout(location = 1) out vec4 outMaterial;
 const float kRainAngle = 0.12;    // radians: spread of the rain's direction
 const float kPuddleMetres = 2.2;  // size of a puddle
 
-/// Depth of water on level ground: above 0 in puddles, in tenths; below 0 elsewhere.
+/// How full a hollow of level ground is: above 0 in puddles, below 0 elsewhere; about -1 to 0.5.
 float puddleDepth(vec2 place, float wetness) {
     float hollows = 0.8 * fractalNoise(place / kPuddleMetres, 3) + 0.2 * valueNoise(place * 2.7);
     return hollows - mix(0.92, 0.47, wetness);

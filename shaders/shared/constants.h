@@ -14,12 +14,17 @@ SHARED_CONSTANT float kFinestBodyCell = 1.6;  // side of a body grid cell at lev
 SHARED_CONSTANT float kMaxHillSlope = 0.16;   // tangent of the elevation below which hills can hide the sky
 
 // The light grid (lib/local_lights.glsl).
-SHARED_CONSTANT int kTilePixels = 32;     // side of a tile of the view
-SHARED_CONSTANT int kTexelsPerLight = 7;  // the choice among lights reads the first three only
+SHARED_CONSTANT int kTilePixels = 32;     // side of a tile of the view, pixels
+SHARED_CONSTANT int kTexelsPerLight = 7;  // of uLights; the choice among lights reads the first three only
 SHARED_CONSTANT int kAlwaysWeighed = 12;  // lights of a cell that each pixel weighs; of the others a random subset
+// The shape of a light, in its texels. A cone is a sphere with an angular falloff; from kArea on it is a rectangle.
+SHARED_CONSTANT int kSphere = 0;
+SHARED_CONSTANT int kCapsule = 1;
+SHARED_CONSTANT int kArea = 2;
+SHARED_CONSTANT int kScreen = 3;
 
 // Lengths of uniform arrays, and the size of a texel of the history confidence in pixels.
 SHARED_CONSTANT int kMaxDirtyRegions = 8;
 SHARED_CONSTANT int kMaxLightChanges = 16;
-SHARED_CONSTANT int kMaxRipples = 64;
+SHARED_CONSTANT int kMaxRipples = 64;  // as Ripples::kMaxRipples in runtime/frame/ripples.h
 SHARED_CONSTANT int kConfidenceTile = 4;

@@ -20,15 +20,15 @@ protected:
         EXPECT_EQ(list(m_world, out.data(), count, &count), RUBBLE_OK) << api()->get_last_error();
         return out;
     }
-    rubble_light_state stateOf(rubble_light light) const {
-        auto out = sized<rubble_light_state>();
-        EXPECT_EQ(api()->get_light_state(m_world, light, &out), RUBBLE_OK) << api()->get_last_error();
+    rubble_light_settings settingsOf(rubble_light light) const {
+        auto out = sized<rubble_light_settings>();
+        EXPECT_EQ(api()->get_light_settings(m_world, light, &out), RUBBLE_OK) << api()->get_last_error();
         return out;
     }
-    rubble_light_state levelLight() const {
+    rubble_light_settings levelLight() const {
         const std::vector<rubble_light> lights = listed(api()->get_lights);
         EXPECT_EQ(lights.size(), 1u);
-        return stateOf(lights.at(0));
+        return settingsOf(lights.at(0));
     }
     rubble_shape table() const {
         rubble_shape_state shape = {};
@@ -36,8 +36,8 @@ protected:
         EXPECT_EQ(api()->get_shape_states(m_world, 0, &shape, 1, &count), RUBBLE_OK) << api()->get_last_error();
         return shape.shape;
     }
-    static rubble_light_state torch() {
-        auto out = sized<rubble_light_state>();
+    static rubble_light_settings torch() {
+        auto out = sized<rubble_light_settings>();
         out.flags = RUBBLE_LIGHT_ENABLED;
         out.position[0] = 0.85, out.position[1] = 1.5, out.position[2] = 0.85;
         out.color[0] = 9.0, out.color[1] = 5.0, out.color[2] = 2.0;
@@ -74,7 +74,7 @@ TEST_F(AbiLights, TheSkyFollowsTheSun) {
 }
 
 TEST_F(AbiLights, ALightIsDimmedMovedAndTurnedOff) {
-    rubble_light_state now = levelLight();
+    rubble_light_settings now = levelLight();
     EXPECT_EQ(now.kind, uint32_t(RUBBLE_LIGHT_SPHERE));
     EXPECT_EQ(now.flags, uint32_t(RUBBLE_LIGHT_ENABLED));
     EXPECT_DOUBLE_EQ(now.color[1], 4.0);
@@ -90,7 +90,7 @@ TEST_F(AbiLights, ALightIsDimmedMovedAndTurnedOff) {
 }
 
 TEST_F(AbiLights, ALightIsAddedMovedAndRemoved) {
-    rubble_light_state first = torch(), second = torch();
+    rubble_light_settings first = torch(), second = torch();
     second.kind = RUBBLE_LIGHT_CONE;
     second.flags = RUBBLE_LIGHT_ENABLED | RUBBLE_LIGHT_TWO_SIDED;
     second.shape = table();
@@ -107,7 +107,7 @@ TEST_F(AbiLights, ALightIsAddedMovedAndRemoved) {
     uint32_t count = 0;
     expectRefused(api()->get_added_lights(m_world, &one, 1, &count), RUBBLE_ERROR_CAPACITY, "2 rows");
 
-    const rubble_light_state now = stateOf(added[1]);
+    const rubble_light_settings now = settingsOf(added[1]);
     EXPECT_EQ(now.kind, second.kind);
     EXPECT_EQ(now.flags, second.flags);
     EXPECT_EQ(now.shape, second.shape);
@@ -115,15 +115,15 @@ TEST_F(AbiLights, ALightIsAddedMovedAndRemoved) {
     for (int i = 0; i < 4; ++i) EXPECT_EQ(now.rotation[i], second.rotation[i]);
     EXPECT_EQ(now.width, 1.5);
     EXPECT_EQ(now.height, 2.5);
-    rubble_light_state carried = stateOf(added[0]);
+    rubble_light_settings carried = settingsOf(added[0]);
     EXPECT_EQ(carried.position[1], 1.5);
     carried.position[1] = 2.0;
     carried.shape = table();
     ASSERT_EQ(api()->set_light(m_world, &carried), RUBBLE_OK) << api()->get_last_error();
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     EXPECT_TRUE(listed(api()->get_added_lights).empty()) << "the last step added none";
-    EXPECT_EQ(stateOf(added[0]).position[1], 2.0);
-    EXPECT_EQ(stateOf(added[0]).shape, table());
+    EXPECT_EQ(settingsOf(added[0]).position[1], 2.0);
+    EXPECT_EQ(settingsOf(added[0]).shape, table());
 
     ASSERT_EQ(api()->remove_light(m_world, added[0]), RUBBLE_OK) << api()->get_last_error();
     ASSERT_EQ(api()->remove_light(m_world, added[0]), RUBBLE_OK) << "edits wait for the step";
@@ -131,11 +131,11 @@ TEST_F(AbiLights, ALightIsAddedMovedAndRemoved) {
     EXPECT_EQ(listed(api()->get_lights).size(), 2u);
     expectRefused(api()->remove_light(m_world, added[0]), RUBBLE_ERROR_STALE, "light is stale");
     expectRefused(api()->set_light(m_world, &carried), RUBBLE_ERROR_STALE, "light is stale");
-    expectRefused(api()->get_light_state(m_world, added[0], &carried), RUBBLE_ERROR_STALE, "light is stale");
+    expectRefused(api()->get_light_settings(m_world, added[0], &carried), RUBBLE_ERROR_STALE, "light is stale");
 }
 
 TEST_F(AbiLights, ALightOfADestroyedShapeIsTurnedOff) {
-    rubble_light_state riding = torch();
+    rubble_light_settings riding = torch();
     riding.shape = table();
     auto all = sized<rubble_carve>();
     all.position[0] = all.position[1] = all.position[2] = 0.85;
@@ -143,12 +143,12 @@ TEST_F(AbiLights, ALightOfADestroyedShapeIsTurnedOff) {
     ASSERT_EQ(api()->carve(m_world, &all), RUBBLE_OK) << api()->get_last_error();
     ASSERT_EQ(api()->add_light(m_world, &riding), RUBBLE_OK) << api()->get_last_error();
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
-    const rubble_light_state left = stateOf(listed(api()->get_added_lights).at(0));
+    const rubble_light_settings left = settingsOf(listed(api()->get_added_lights).at(0));
     EXPECT_EQ(left.shape, 0u);
     EXPECT_EQ(left.flags, 0u);
     EXPECT_NEAR(left.position[1], 1.5, 1e-9);
     expectRefused(api()->add_light(m_world, &riding), RUBBLE_ERROR_STALE, "shape is stale");
-    rubble_light_state moved = left;
+    rubble_light_settings moved = left;
     moved.shape = riding.shape;
     expectRefused(api()->set_light(m_world, &moved), RUBBLE_ERROR_STALE, "shape is stale");
 }
@@ -159,9 +159,9 @@ TEST_F(AbiLights, UndoRestoresLightsAndWeather) {
     const rubble_environment dry = environment();
     rubble_environment rain = dry;
     rain.wetness = 1.0;
-    rubble_light_state dim = levelLight();
+    rubble_light_settings dim = levelLight();
     dim.color[1] = 0.5;
-    const rubble_light_state another = torch();
+    const rubble_light_settings another = torch();
     ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
     ASSERT_EQ(api()->set_environment(m_world, &rain), RUBBLE_OK);
     ASSERT_EQ(api()->set_light(m_world, &dim), RUBBLE_OK);
@@ -180,38 +180,42 @@ TEST_F(AbiLights, UndoRestoresLightsAndWeather) {
 
 TEST_F(AbiLights, InvalidLightsAreRefused) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), huge = std::numeric_limits<double>::max();
-    const auto expectBad = [&](void (*spoil)(rubble_light_state&, double), double with, rubble_result code,
+    const auto expectBad = [&](void (*spoil)(rubble_light_settings&, double), double with, rubble_result code,
                                const char* word) {
-        rubble_light_state added = torch(), set = levelLight();
+        rubble_light_settings added = torch(), set = levelLight();
         spoil(added, with), spoil(set, with);
         expectRefused(api()->add_light(m_world, &added), code, word);
         expectRefused(api()->set_light(m_world, &set), code, word);
     };
-    expectBad([](rubble_light_state& l, double x) { l.color[2] = x; }, -1.0, RUBBLE_ERROR_ARGUMENT,
+    expectBad([](rubble_light_settings& l, double x) { l.color[2] = x; }, -1.0, RUBBLE_ERROR_ARGUMENT,
               "color[2] is -1, expected 0 to 1e+06");
     for (const double bad : {nan, huge, -huge, -1.0}) {
-        expectBad([](rubble_light_state& l, double x) { l.color[0] = x; }, bad, RUBBLE_ERROR_ARGUMENT, "color[0]");
-        expectBad([](rubble_light_state& l, double x) { l.radius = x; }, bad, RUBBLE_ERROR_ARGUMENT, "radius");
-        expectBad([](rubble_light_state& l, double x) { l.reach = x; }, bad, RUBBLE_ERROR_ARGUMENT, "reach");
-        expectBad([](rubble_light_state& l, double x) { l.cone_inner = x; }, bad, RUBBLE_ERROR_ARGUMENT, "cone_inner");
-        expectBad([](rubble_light_state& l, double x) { l.cone_outer = x; }, bad, RUBBLE_ERROR_ARGUMENT, "cone_outer");
-        expectBad([](rubble_light_state& l, double x) { l.width = x; }, bad, RUBBLE_ERROR_ARGUMENT, "width");
-        expectBad([](rubble_light_state& l, double x) { l.height = x; }, bad, RUBBLE_ERROR_ARGUMENT, "height");
-        expectBad([](rubble_light_state& l, double x) { l.rotation[1] = x * 2.0; }, bad, RUBBLE_ERROR_ARGUMENT,
+        expectBad([](rubble_light_settings& l, double x) { l.color[0] = x; }, bad, RUBBLE_ERROR_ARGUMENT, "color[0]");
+        expectBad([](rubble_light_settings& l, double x) { l.radius = x; }, bad, RUBBLE_ERROR_ARGUMENT, "radius");
+        expectBad([](rubble_light_settings& l, double x) { l.reach = x; }, bad, RUBBLE_ERROR_ARGUMENT, "reach");
+        expectBad([](rubble_light_settings& l, double x) { l.cone_inner = x; }, bad, RUBBLE_ERROR_ARGUMENT,
+                  "cone_inner");
+        expectBad([](rubble_light_settings& l, double x) { l.cone_outer = x; }, bad, RUBBLE_ERROR_ARGUMENT,
+                  "cone_outer");
+        expectBad([](rubble_light_settings& l, double x) { l.width = x; }, bad, RUBBLE_ERROR_ARGUMENT, "width");
+        expectBad([](rubble_light_settings& l, double x) { l.height = x; }, bad, RUBBLE_ERROR_ARGUMENT, "height");
+        expectBad([](rubble_light_settings& l, double x) { l.rotation[1] = x * 2.0; }, bad, RUBBLE_ERROR_ARGUMENT,
                   "rotation");
     }
     for (const double bad : {nan, huge, -huge})
-        expectBad([](rubble_light_state& l, double x) { l.position[1] = x; }, bad, RUBBLE_ERROR_ARGUMENT,
+        expectBad([](rubble_light_settings& l, double x) { l.position[1] = x; }, bad, RUBBLE_ERROR_ARGUMENT,
                   "position[1]");
-    expectBad([](rubble_light_state& l, double) { l.flags = 64; }, 0.0, RUBBLE_ERROR_ARGUMENT, "flags");
-    expectBad([](rubble_light_state& l, double) { l.kind = 5; }, 0.0, RUBBLE_ERROR_ARGUMENT,
+    expectBad([](rubble_light_settings& l, double) { l.flags = 64; }, 0.0, RUBBLE_ERROR_ARGUMENT, "flags");
+    expectBad([](rubble_light_settings& l, double) { l.kind = 5; }, 0.0, RUBBLE_ERROR_ARGUMENT,
               "kind is 5, expected 0 to 4");
-    expectBad([](rubble_light_state& l, double) { l.kind = 256; }, 0.0, RUBBLE_ERROR_ARGUMENT, "kind");
-    expectBad([](rubble_light_state& l, double) { l.shape = ~0ull; }, 0.0, RUBBLE_ERROR_STALE,
+    expectBad([](rubble_light_settings& l, double) { l.kind = 256; }, 0.0, RUBBLE_ERROR_ARGUMENT, "kind");
+    expectBad([](rubble_light_settings& l, double) { l.shape = ~0ull; }, 0.0, RUBBLE_ERROR_STALE,
               "shape is a handle of another type");
-    expectBad([](rubble_light_state& l, double) { l.group = l.light ? l.light : 1; }, 0.0, RUBBLE_ERROR_STALE, "group");
-    expectBad([](rubble_light_state& l, double) { l.struct_size = 8; }, 0.0, RUBBLE_ERROR_STRUCT_SIZE, "struct_size");
-    rubble_light_state stale = torch();
+    expectBad([](rubble_light_settings& l, double) { l.group = l.light ? l.light : 1; }, 0.0, RUBBLE_ERROR_STALE,
+              "group");
+    expectBad([](rubble_light_settings& l, double) { l.struct_size = 8; }, 0.0, RUBBLE_ERROR_STRUCT_SIZE,
+              "struct_size");
+    rubble_light_settings stale = torch();
     stale.shape = table() + 1;
     expectRefused(api()->add_light(m_world, &stale), RUBBLE_ERROR_STALE, "shape is stale");
     expectRefused(api()->add_light(m_world, nullptr), RUBBLE_ERROR_NULL, "add_light");
@@ -219,7 +223,7 @@ TEST_F(AbiLights, InvalidLightsAreRefused) {
     expectRefused(api()->remove_light(m_world, table()), RUBBLE_ERROR_STALE, "another type");
     expectRefused(api()->remove_light(0, levelLight().light), RUBBLE_ERROR_STALE, "world");
     expectRefused(api()->get_added_lights(m_world, nullptr, 0, nullptr), RUBBLE_ERROR_NULL, "count");
-    rubble_light_state none = levelLight();
+    rubble_light_settings none = levelLight();
     none.light = 0;
     expectRefused(api()->set_light(m_world, &none), RUBBLE_ERROR_STALE, "light is 0");
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);

@@ -126,7 +126,7 @@ TEST_F(AbiRenderer, AnAddedLightShowsAndARemovedOneDoesNot) {
         return mapped / (1.0 - mapped);
     };
     EXPECT_LT(lightAfter(20), 1e-4) << "the table is in the dark";
-    auto torch = sized<rubble_light_state>();
+    auto torch = sized<rubble_light_settings>();
     torch.flags = RUBBLE_LIGHT_ENABLED;
     torch.position[0] = torch.position[2] = 0.85, torch.position[1] = 2.0;
     torch.color[0] = torch.color[1] = torch.color[2] = 10.0;

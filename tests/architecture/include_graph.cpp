@@ -65,7 +65,8 @@ std::vector<std::string> quotedNames(const std::string& cell) {
 constexpr std::array<std::string_view, 6> kFolders = {"runtime", "physics", "render", "shaders", "editor", "samples"};
 
 std::vector<std::string> sourceFiles(const fs::path& root, bool withTests) {
-    static const std::set<std::string> endings = {".h", ".hpp", ".c", ".cpp", ".glsl", ".vert", ".frag", ".comp"};
+    static const std::set<std::string> endings = {".h",    ".hpp",  ".inl",  ".c",   ".cpp",
+                                                  ".glsl", ".vert", ".frag", ".comp"};
     std::vector<std::string> files;
     std::vector<std::string_view> folders(kFolders.begin(), kFolders.end());
     if (withTests) folders.push_back("tests");
@@ -95,6 +96,12 @@ std::string folderOf(const std::string& file) {
     return folder == "lib" || folder == "passes" || folder == "shared" ? "shaders/" + folder : folder;
 }
 
+/// A file of the project counts as quoted however it is written: <physics/x.h>, "physics/../physics/x.h".
+Include toInclude(const fs::path& root, const std::string& file, int line, const std::string& target, bool quoted) {
+    const std::string normal = fs::path(target).lexically_normal().generic_string();
+    return {file, line, normal, quoted || fs::exists(root / normal)};
+}
+
 }  // namespace
 
 std::vector<Include> readIncludes(const fs::path& root) {
@@ -106,7 +113,7 @@ std::vector<Include> readIncludes(const fs::path& root) {
         for (int line = 1; std::getline(stream, text); ++line) {
             std::smatch match;
             if (text.find('#') != std::string::npos && std::regex_search(text, match, pattern))
-                includes.push_back({file, line, match[2].str(), match[1].str() == "\""});
+                includes.push_back(toInclude(root, file, line, match[2].str(), match[1].str() == "\""));
         }
     }
     return includes;

@@ -94,6 +94,9 @@ TEST_F(PlantedTree, AnIncludeAgainstTheTableIsCaught) {
     expectCaught("runtime/voxel/bad.cpp", 2, "#include <vector>\n#include \"runtime/world/world.h\"\n");
     expectCaught("physics/bad.cpp", 1, "#include \"render/renderer.h\"\n");
     expectCaught("samples/hello/bad.c", 1, "#include \"runtime/voxel/brick.h\"\n");
+    expectCaught("physics/bad.cpp", 1, "#include <render/renderer.h>\n");
+    expectCaught("runtime/voxel/bad.cpp", 1, "#include \"runtime/voxel/../world/world.h\"\n");
+    expectCaught("runtime/voxel/bad.inl", 1, "#include \"runtime/world/world.h\"\n");
 }
 
 TEST_F(PlantedTree, AnInnerFolderHasItsOwnRow) {

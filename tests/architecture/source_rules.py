@@ -6,6 +6,7 @@
 
 import argparse
 import re
+import shutil
 import subprocess
 import sys
 from collections import Counter
@@ -146,9 +147,9 @@ def check_decisions(name, lines):
 
 
 def tracked_files(root):
-    listed = subprocess.run(['git', 'ls-files', '-z', '--cached', '--others', '--exclude-standard'], cwd=root,
-                            capture_output=True, text=True, check=False)
-    if listed.returncode == 0:
+    command = ['git', 'ls-files', '-z', '--cached', '--others', '--exclude-standard']
+    listed = shutil.which('git') and subprocess.run(command, cwd=root, capture_output=True, text=True, check=False)
+    if listed and listed.returncode == 0:
         names = listed.stdout.split('\0')
     else:  # not a checkout: all but what builds and runs leave behind
         names = [str(path.relative_to(root)) for path in root.rglob('*') if path.is_file()]
@@ -170,6 +171,8 @@ def check(root, paths=()):
         if name != 'CHANGELOG.md':
             found += check_words(name, [name], REFUSED)
             found += check_words(name, lines, REFUSED)
+        if name.endswith('_test.cpp') and not (root / name).with_name('CMakeLists.txt').exists():
+            found.append((name, 1, 'test', 'is never built: its folder has no CMakeLists.txt'))
         if name.endswith(SOURCES):
             found += check_layout(name, lines)
             found += check_words(name, cpp_scan.blank(text).split('\n'), REFUSED_NAMES)

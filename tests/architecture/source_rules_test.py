@@ -100,6 +100,9 @@ class SourceRules(unittest.TestCase):
             text = HEADER.format(method=methods).replace('class World', 'class ' + head)
             self.assertEqual(self.faults('a.h', text), [(4, 'class')], head)
 
+    def test_a_test_that_is_never_built(self):
+        self.assertEqual(self.faults('tests/new/a_test.cpp', 'int x;\n'), [(1, 'test')])
+
     def test_a_long_decision(self):
         text = '# Light\n\n### Rays are exact\n\n' + 'word ' * 101 + '\n### Another\n\nshort\n'
         self.assertEqual(self.faults('docs/decisions/light.md', text), [(3, 'decision')])

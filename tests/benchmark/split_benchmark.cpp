@@ -16,6 +16,7 @@
 #include "runtime/world/world.h"
 #include "tests/benchmark/baseline_labels.h"
 #include "tests/benchmark/destruction_scenes.h"
+#include "tests/support/detached_near.h"
 #include "tests/support/models.h"
 
 namespace rubble {
@@ -101,7 +102,7 @@ Timed carveAndSplit(const AnchoredSolid& anchored, const Brush& brush) {
     if (isLocallyConnected(grid, carved.cells, anchored.anchors)) return {carveMs, labelMs, msSince(start), 0};
     BrickSet bricks;
     for (const glm::ivec3 brick : carved.bricks) bricks.insert(brick);
-    const Detached loose = findDetachedNear(grid, anchored.anchors, true, bricks);
+    const Detached loose = test::findDetachedNear(grid, anchored.anchors, true, bricks);
     const auto found = Clock::now();
     for (const Component& component : loose.pieces) benchmark::DoNotOptimize(takePiece(grid, component));
     return {carveMs, labelMs + msSince(found), msSince(start), loose.pieces.size()};

@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
     app.add_option("--mode", run.mode, "play, load (a save half-way) or replay (a recording)")
         ->check(CLI::IsMember({"play", "load", "replay"}));
     app.add_option("--steps", run.steps, "steps of 1/60 s");
-    app.add_option("--every", run.every, "steps between hashes")->check(CLI::PositiveNumber);
+    app.add_option("--every", run.every, "steps between hashes")->check(CLI::Range(1, 1000000000));
     app.add_option("--threads", run.threads,
                    "1: none beside the main thread; 2: a shadow worker; more: further worlds at the same time");
     app.add_flag("--renderer", run.renderer, "draw every step at 64x36");

@@ -134,7 +134,7 @@ protected:
         }
     }
     static std::vector<std::string> byCompute(const Renderer& renderer) {
-        return {renderer.figures().computePasses.begin(), renderer.figures().computePasses.end()};
+        return {renderer.stats().computePasses.begin(), renderer.stats().computePasses.end()};
     }
     std::string m_shaders = shaderFolder();
     std::vector<std::string> m_lines;
@@ -198,11 +198,11 @@ TEST_F(FullscreenTest, FragmentModeAllocatesNothingForCompute) {
                automatic = make(Fullscreen::Auto, fullScene().snapshot());
     const auto compute = make(Fullscreen::Compute, fullScene().snapshot());
     for (Renderer* each : {fragment.get(), automatic.get(), compute.get()}) draw(*each, kSize);
-    EXPECT_EQ(fragment->figures().computePrograms, 0);
-    EXPECT_TRUE(fragment->figures().computePasses.empty());
-    EXPECT_GE(compute->figures().computePrograms, int(kPasses.size()));
-    EXPECT_EQ(fragment->figures().textureBytes, compute->figures().textureBytes);
-    EXPECT_EQ(automatic->figures().computePrograms > 0, !isSoftwareGl())
+    EXPECT_EQ(fragment->stats().computePrograms, 0);
+    EXPECT_TRUE(fragment->stats().computePasses.empty());
+    EXPECT_GE(compute->stats().computePrograms, int(kPasses.size()));
+    EXPECT_EQ(fragment->stats().textureBytes, compute->stats().textureBytes);
+    EXPECT_EQ(automatic->stats().computePrograms > 0, !isSoftwareGl())
         << "compute is slower on software renderers: see docs/decisions/light.md";
 }
 
@@ -245,7 +245,7 @@ TEST_F(FullscreenTest, AContextBelowFourPointThreeDrawsByFragmentsAndWarns) {
     auto renderer = make(Fullscreen::Compute, fullScene().snapshot(), {}, loaderWithOtherVersion);
     EXPECT_EQ(logCount("expected GL 4.3 or newer for compute programs"), 1);
     draw(*renderer, kSize);
-    EXPECT_EQ(renderer->figures().computePrograms, 0);
+    EXPECT_EQ(renderer->stats().computePrograms, 0);
     EXPECT_TRUE(byCompute(*renderer).empty());
     for (const Fullscreen quiet : {Fullscreen::Auto, Fullscreen::Fragment})
         make(quiet, fullScene().snapshot(), {}, loaderWithOtherVersion);
@@ -265,9 +265,9 @@ TEST_F(FullscreenTest, TheFastestIsMeasuredWhileTheImageIsTheSame) {
     constexpr int kFrames = 2 * (FullscreenChoice::kWarmUpFrames + FullscreenChoice::kTimedFrames);
     expectSame(*fragment, *fastest, kSize, 2);
     EXPECT_EQ(byCompute(*fastest), kPasses) << "every other frame is drawn by compute";
-    const int atFirst = fastest->figures().computePrograms;
+    const int atFirst = fastest->stats().computePrograms;
     for (int frame = 2; frame < kFrames; ++frame) draw(*fastest, kSize, frame);
-    EXPECT_EQ(fastest->figures().computePrograms, atFirst);
+    EXPECT_EQ(fastest->stats().computePrograms, atFirst);
     EXPECT_EQ(logCount("drawn by the faster method"), 0);
     std::vector<std::string> chosen;
     for (int frame = 0; frame < 3; ++frame) {
@@ -279,7 +279,7 @@ TEST_F(FullscreenTest, TheFastestIsMeasuredWhileTheImageIsTheSame) {
     for (const std::string& pass : kPasses) EXPECT_EQ(logCount(pass + " by "), 1) << pass;
     if (!isSoftwareGl()) return;
     EXPECT_LT(chosen.size(), kPasses.size()) << "llvmpipe is not faster by compute in every pass";
-    EXPECT_LT(fastest->figures().computePrograms, atFirst) << "the slower programs are kept";
+    EXPECT_LT(fastest->stats().computePrograms, atFirst) << "the slower programs are kept";
 }
 
 }  // namespace

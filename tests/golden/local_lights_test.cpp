@@ -72,12 +72,12 @@ protected:
         return lightOn(point, frames).g;
     }
     bool hasPass(const char* name) const {
-        const auto& passes = renderer->figures().passMs;
+        const auto& passes = renderer->stats().passMs;
         return std::any_of(passes.begin(), passes.end(),
                            [&](const auto& pass) { return std::string(pass.first) == name; });
     }
     double passMs(const char* name) const {
-        for (const auto& [pass, ms] : renderer->figures().passMs)
+        for (const auto& [pass, ms] : renderer->stats().passMs)
             if (std::string(pass) == name) return ms;
         return 0.0;
     }
@@ -335,7 +335,7 @@ TEST_F(LocalLightsTest, UnusedLightsAndFogCostNothing) {
     LitScene scene = floorScene();
     start(scene);
     draw(above({0, 0, 0}));
-    const uint64_t bytes = renderer->figures().textureBytes;
+    const uint64_t bytes = renderer->stats().textureBytes;
     EXPECT_FALSE(hasPass("local lights"));
     EXPECT_FALSE(hasPass("fog"));
     for (const char* name : {"specular", "fogLight", "fog"}) EXPECT_FALSE(renderer->readTarget(name)) << name;
@@ -345,7 +345,7 @@ TEST_F(LocalLightsTest, UnusedLightsAndFogCostNothing) {
     draw(above({0, 0, 0}));
     EXPECT_TRUE(hasPass("local lights"));
     EXPECT_TRUE(hasPass("fog"));
-    EXPECT_GT(renderer->figures().textureBytes, bytes);
+    EXPECT_GT(renderer->stats().textureBytes, bytes);
 }
 
 TEST_F(LocalLightsTest, FogMatchesItsClosedForms) {

@@ -116,7 +116,7 @@ TEST_F(MirrorTest, WithoutMirrorsNothingIsAllocatedForThem) {
         settings.bounceColors = false;
         start(scene, kSize, settings);
         draw(camera(), 2);
-        return renderer->figures().textureBytes;
+        return renderer->stats().textureBytes;
     };
     EXPECT_GT(bytes(true), bytes(false)) << "the body grid of mirror rays is not counted";
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <thread>
 
 #include "render/gl/offscreen.h"
 #include "render/renderer.h"
@@ -16,9 +17,13 @@ namespace {
 
 constexpr glm::ivec2 kSize(64, 48);
 
-int g_refusals = 0;  ///< how many framebuffers the GL will still refuse
+int g_refusals = 0;            ///< how many of the renderer's framebuffers the GL will still refuse
+GLuint g_viewFramebuffer = 0;  ///< the host's, which is never refused
 GLenum refuseSome(GLenum) {
-    return g_refusals-- > 0 ? GL_FRAMEBUFFER_UNSUPPORTED : GL_FRAMEBUFFER_COMPLETE;
+    GLint bound = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    return GLuint(bound) != g_viewFramebuffer && g_refusals-- > 0 ? GL_FRAMEBUFFER_UNSUPPORTED
+                                                                  : GL_FRAMEBUFFER_COMPLETE;
 }
 GLenum g_resetStatus = GL_NO_ERROR;
 GLenum resetStatus() {
@@ -76,6 +81,7 @@ TEST_F(ResilienceTest, AFramebufferThatTheGlRefusesIsDrawnSmaller) {
     start(streetScene(), kSize);
     const auto real = std::exchange(glad_glCheckFramebufferStatus, refuseSome);
     g_refusals = 2;
+    g_viewFramebuffer = target->framebuffer();
     const Image image = draw(streetCamera(0));
     glad_glCheckFramebufferStatus = real;
     EXPECT_TRUE(wasLogged("drawn at 1/2")) << "no warning was logged";
@@ -87,6 +93,7 @@ TEST_F(ResilienceTest, AGlThatRefusesEverythingIsReported) {
     start(streetScene(), kSize);
     const auto real = std::exchange(glad_glCheckFramebufferStatus, refuseSome);
     g_refusals = 1 << 30;
+    g_viewFramebuffer = target->framebuffer();
     renderer->draw(streetCamera(0).view(kSize, target->framebuffer()), 1.0f);
     glad_glCheckFramebufferStatus = real;
     EXPECT_NE(renderer->lastError().find("out of memory"), std::string::npos);
@@ -103,6 +110,29 @@ TEST_F(ResilienceTest, ALostContextIsReportedOnceAndDrawsNothing) {
     static_cast<void>(loadGl(testContext().loader()));
     EXPECT_NE(lost->lastError().find("lost"), std::string::npos);
     EXPECT_EQ(m_lines.size(), 1u);
+}
+
+TEST_F(ResilienceTest, AViewThatCannotBeDrawnSaysWhyAndTheNextOneIsDrawn) {
+    start(streetScene(), kSize);
+    const Image before = draw(streetCamera(0));
+    GLuint incomplete = 0;
+    glGenFramebuffers(1, &incomplete);
+    glBindFramebuffer(GL_FRAMEBUFFER, incomplete);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    for (const auto& [framebuffer, error] :
+         {std::pair(GLuint(999), "found none"), std::pair(incomplete, "found status 36055")}) {
+        renderer->draw(streetCamera(0).view(kSize, framebuffer), 1.0f);
+        EXPECT_NE(renderer->lastError().find(error), std::string::npos) << renderer->lastError();
+        EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+    }
+    glDeleteFramebuffers(1, &incomplete);
+
+    std::thread([&] { renderer->draw(streetCamera(0).view({64, 48}, 0), 1.0f); }).join();
+    EXPECT_NE(renderer->lastError().find("current GL context"), std::string::npos) << renderer->lastError();
+
+    const Image after = draw(streetCamera(0));
+    EXPECT_EQ(renderer->lastError(), "");
+    EXPECT_EQ(colors(before) > 50, colors(after) > 50);
 }
 
 TEST_F(ResilienceTest, ABrokenShaderKeepsTheImageAndShowsARedDot) {

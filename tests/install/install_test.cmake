@@ -1,4 +1,5 @@
-# Installs BUILD into WORK/prefix, moves that elsewhere, and builds and runs tests/install/consumer against it.
+# Installs BUILD into WORK/prefix, moves that elsewhere, and builds and runs tests/install/consumer against it. Then
+# configures the consumer with SOURCE as a part of it.
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -33,3 +34,19 @@ run(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK}/c
 run(${CMAKE_COMMAND} --build ${WORK}/consumer)
 run(${WORK}/consumer/consumer)
 message("${output}")
+
+# Only configured: to build it would take minutes.
+file(REMOVE_RECURSE ${WORK}/parent)
+run(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK}/parent -DRUBBLE_SOURCE=${SOURCE}
+    -DCMAKE_C_COMPILER=${COMPILER})
+run(${CMAKE_COMMAND} --build ${WORK}/parent --target help)
+foreach(wanted rubble rubble-vdb)
+    if(NOT output MATCHES "\n${wanted}: ")
+        message(SEND_ERROR "expected the target ${wanted} in a project that adds Rubble, found none")
+    endif()
+endforeach()
+foreach(unwanted sandbox test_core quick_tests rubble_scenes)
+    if(output MATCHES "\n${unwanted}: ")
+        message(SEND_ERROR "expected no target ${unwanted} in a project that adds Rubble, found one")
+    endif()
+endforeach()

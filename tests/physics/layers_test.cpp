@@ -56,7 +56,7 @@ TEST(Layers, AnEditTakesEffectAtOnceAndWakesSleepers) {
     scene.seconds(3.0);
     ASSERT_TRUE(scene.body(1).asleep);
     ShapeHandle crate = scene.body(1).shapes[0];
-    scene.edit({SetCollisionEdit{crate, 2, 2}});
+    scene.edit({SetCollisionFilterEdit{crate, 2, 2}});
     scene.seconds(1.0);
     EXPECT_LT(scene.height(), -2.0);
 
@@ -64,7 +64,7 @@ TEST(Layers, AnEditTakesEffectAtOnceAndWakesSleepers) {
     other.load();
     other.seconds(3.0);
     ASSERT_TRUE(other.body(1).asleep);
-    other.edit({SetCollisionEdit{other.body(0).shapes[0], 4, 4}});
+    other.edit({SetCollisionFilterEdit{other.body(0).shapes[0], 4, 4}});
     other.seconds(1.0);
     EXPECT_LT(other.height(), -2.0) << "a changed filter of the floor lets the crate fall";
 }

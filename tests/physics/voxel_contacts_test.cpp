@@ -26,13 +26,13 @@ void put(CollisionObject& object, const LevelBody& body, const MaterialTable& ma
     shape.grid = body.shapes[0].grid;
     shape.palette = body.shapes[0].palette;
     shape.voxelSize = body.shapes[0].voxelSize;
-    object.collider.parts.push_back(std::make_unique<VoxelPart>(shape, Pose{}, materials));
+    object.collider.parts.push_back(std::make_unique<ColliderPart>(shape, Pose{}, materials));
     object.radius = object.collider.radius();
     object.setPose(at);
 }
 
 /// The corners of all solid cells of a part.
-std::vector<glm::vec3> cornersOf(const VoxelPart& part) {
+std::vector<glm::vec3> cornersOf(const ColliderPart& part) {
     std::vector<glm::vec3> corners;
     part.grid().forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
         forEachVoxel(brick->occupancy, [&](int v) {
@@ -50,7 +50,7 @@ TEST(VoxelContacts, HullAndVoxelsHaveTheSameExtent) {
     for (size_t i = 1; i < level.bodies.size(); ++i) {
         CollisionObject object;
         put(object, level.bodies[i], level.materials, {});
-        const VoxelPart& part = *object.collider.parts[0];
+        const ColliderPart& part = *object.collider.parts[0];
         const std::vector<glm::vec3> corners = cornersOf(part);
         ASSERT_LT(part.hull().size() * 20, corners.size());
         for (int k = 0; k < 50; ++k) {
@@ -71,7 +71,7 @@ TEST(VoxelContacts, FeaturesAreTheConvexCornersAndEdges) {
     for (size_t i = 1; i < level.bodies.size(); ++i) {
         CollisionObject object;
         put(object, level.bodies[i], level.materials, {});
-        const VoxelPart& part = *object.collider.parts[0];
+        const ColliderPart& part = *object.collider.parts[0];
         std::vector<std::array<int, 4>> found, expected;
         const FeatureList& list = part.whole()->features;
         for (const FeatureList::Pack& pack : list.packs)

@@ -18,7 +18,7 @@ using glm::vec3;
 
 constexpr double kSurfaceOffset = 1e-6;    // metres, enough in double precision
 constexpr double kPlaneHeight = -0.05;     // render/passes/composite_pass.cpp
-constexpr float kPaneReflectance = 0.05f;  // shaders/passes/glass_composite.frag
+constexpr float kPaneReflectance = 0.05f;  // shaders/lib/brdf.glsl
 constexpr double kLightClearance = 0.12;   // metres around a light where its own voxels do not block it
 constexpr int kRouletteFrom = 4;           // bounces
 constexpr double kFilterRadius = 1.5;      // pixels, with exp(-2.3 r^2): shaders/passes/taa.frag

@@ -31,7 +31,7 @@ FloatImage asGray(const FloatImage& map) {
 /// Least milliseconds of each pass over the frames, which other work on the machine disturbs least.
 class MinTimes {
 public:
-    void add(const RenderFigures& figures) {
+    void add(const RenderStats& figures) {
         for (const auto& [pass, ms] : figures.passMs) {
             const auto found =
                 std::find_if(m_min.begin(), m_min.end(),
@@ -110,7 +110,7 @@ void select(const Part& part, RenderSettings& drawn, Settings& traced) {
 FloatImage drawnPart(Renderer& renderer, const View& view, const Part& part, int frames, MinTimes& times) {
     FloatImage sum;
     for (int i = 0; i < frames; ++i) {
-        renderer.draw(view, 1.0f), times.add(renderer.figures());
+        renderer.draw(view, 1.0f), times.add(renderer.stats());
         if (part.term == Term::Full && i + 1 < frames) continue;
         FloatImage image = std::move(*renderer.readTarget(part.target));
         if (part.alpha)

@@ -88,8 +88,8 @@ TEST_P(FullscreenDrawTest, LimitedProgramsDrawOnlyOnSurfaces) {
     glScissor(2, 1, 1, 2);
     glClearBufferfv(GL_DEPTH, 0, &surface);
     glDisable(GL_SCISSOR_TEST);
-    FullscreenProgram& program =
-        load("limited.frag", "out vec4 color;\nvoid main() { color = vec4(1.0, 2.0, 3.0, 0.5); }\n", {.limited = true});
+    FullscreenProgram& program = load(
+        "limited.frag", "out vec4 color;\nvoid main() { color = vec4(1.0, 2.0, 3.0, 0.5); }\n", {.surfacesOnly = true});
     draw(program, {{&target}, &depth, {kOld}});
     const std::vector<glm::vec4> pixels = read(target);
     for (int i = 0; i < kSize.x * kSize.y; ++i)

@@ -51,7 +51,7 @@ protected:
     FrameCamera camera;
     FrameBlock block{};
     RenderSettings settings;
-    RenderFigures figures;
+    RenderStats figures;
     Texture noise;
     GlName<BufferKind> blockBuffer = makeBlockBuffer();
     VertexArray emptyVertexArray = VertexArray::make();

@@ -60,7 +60,7 @@ protected:
         return target->readRgb();
     }
     bool passRan() const {
-        for (const auto& [name, ms] : renderer->figures().passMs)
+        for (const auto& [name, ms] : renderer->stats().passMs)
             if (std::string_view(name) == "particles") return true;
         return false;
     }

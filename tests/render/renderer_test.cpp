@@ -67,12 +67,12 @@ TEST_F(RendererTest, DrawsACornerInAFewDraws) {
     camera.lookAt({0, 0.8, -1});
     const View view = camera.view(target.size(), target.framebuffer());
     renderer->draw(view, 1.0f);
-    EXPECT_EQ(renderer->figures().shapes, 8);
-    EXPECT_LE(renderer->figures().bodyDraws, 16);
-    EXPECT_GT(renderer->figures().uploadBytes, 0u);
+    EXPECT_EQ(renderer->stats().shapes, 8);
+    EXPECT_LE(renderer->stats().bodyDraws, 16);
+    EXPECT_GT(renderer->stats().uploadBytes, 0u);
     renderer->draw(view, 1.0f);
     renderer->draw(view, 1.0f);
-    EXPECT_EQ(renderer->figures().uploadBytes, 0u) << "nothing changed";
+    EXPECT_EQ(renderer->stats().uploadBytes, 0u) << "nothing changed";
     const std::vector<uint8_t> pixels = target.readRgb();
     EXPECT_GT(std::set<uint8_t>(pixels.begin(), pixels.end()).size(), 50u) << "an empty image";
 }

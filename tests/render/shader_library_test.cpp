@@ -169,7 +169,7 @@ TEST_F(ShaderLibraryTest, FrameBlockLayoutMatchesTheShader) {
 TEST_F(ShaderLibraryTest, FewTextureUnitsDisableVoxelLookup) {
     for (const char* file : {"passes/sky.frag", "passes/reflections.frag"}) {
         ShaderLibrary all(shaderFolder()), few(shaderFolder(), ShaderLibrary::Fullscreen::Fragment, 16);
-        const FullscreenKind kind{.limited = true};
+        const FullscreenKind kind{.surfacesOnly = true};
         EXPECT_GT(all.loadFullscreen(file, kind).program(FullscreenMethod::Fragment).samplers(), 16) << file;
         const Program& lean = few.loadFullscreen(file, kind).program(FullscreenMethod::Fragment);
         ASSERT_TRUE(lean) << file;

@@ -27,7 +27,7 @@ protected:
         program.use();
         GBufferPass::bind(program, targets);
         scene.bindShadow(program);
-        context(scene).drawFullscreen();
+        context(scene).drawTriangle();
         Count count;
         for (const glm::vec4& pixel : read(out)) {
             count.facing += pixel.x > 0.0f;

@@ -67,7 +67,7 @@ protected:
         program.use();
         scene.bodies().bind(program);
         rays.bind(program);
-        context(scene).drawFullscreen();
+        context(scene).drawTriangle();
         std::vector<glm::ivec4> cell(list.size());
         glBindTexture(GL_TEXTURE_2D, cells.name());
         glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA_INTEGER, GL_INT, cell.data());
@@ -168,7 +168,7 @@ protected:
         program.use();
         scene.bindShadow(program);
         rays.bind(program);
-        context(scene).drawFullscreen();
+        context(scene).drawTriangle();
         return read(normals);
     }
 };

@@ -55,7 +55,7 @@ protected:
         program.set("uOrigins", origins);
         program.set("uDirections", directions);
         program.set("uExactDistance", kExactFor);
-        context(scene).drawFullscreen();
+        context(scene).drawTriangle();
         std::vector<Found> out;
         for (const glm::vec4& hit : read(hits)) out.push_back({hit.y > 0.5f, hit.z > 0.5f, hit.x, hit.w});
         return out;

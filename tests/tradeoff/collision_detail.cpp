@@ -126,7 +126,7 @@ Build buildOf(const Level& pieces, const Variant& variant) {
     World world;
     world.load(level);
     const size_t before = mallinfo2().uordblks;
-    std::vector<std::unique_ptr<VoxelPart>> parts;
+    std::vector<std::unique_ptr<ColliderPart>> parts;
     std::unique_ptr<BulletCompounds> bullet;
     const double ms = cpuMs([&] {
         if (variant.isBullet) {
@@ -134,7 +134,7 @@ Build buildOf(const Level& pieces, const Variant& variant) {
             return;
         }
         world.shapes().forEach([&](ShapeHandle, const Shape& shape) {
-            VoxelPart& part = *parts.emplace_back(std::make_unique<VoxelPart>(shape, Pose{}, world.materials()));
+            ColliderPart& part = *parts.emplace_back(std::make_unique<ColliderPart>(shape, Pose{}, world.materials()));
             part.hull();
             if (part.whole()) return;
             part.grid().forEachBrick(

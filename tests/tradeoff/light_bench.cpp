@@ -50,7 +50,7 @@ void LightBench::draw(int frames) {
         const double begin = processorMs();
         m_renderer->draw(m_view, 1.0f);
         m_minMs = std::min(m_minMs, processorMs() - begin);
-        for (const auto& [pass, ms] : m_renderer->figures().passMs) {
+        for (const auto& [pass, ms] : m_renderer->stats().passMs) {
             const auto found =
                 std::find_if(m_minPassMs.begin(), m_minPassMs.end(),
                              [name = std::string(pass)](const auto& each) { return each.first == name; });

@@ -32,7 +32,7 @@ public:
     /// Forgets the minima so far.
     void resetTimes() { m_minPassMs.clear(), m_minMs = 1e30; }
     /// Counts and times of the last frame.
-    const RenderFigures& figures() const { return m_renderer->figures(); }
+    const RenderStats& stats() const { return m_renderer->stats(); }
 
 private:
     std::unique_ptr<Renderer> m_renderer;

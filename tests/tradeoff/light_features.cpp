@@ -67,8 +67,8 @@ Table lightFeatureTradeoff(const Options& options) {
         const Difference difference = i ? differenceTo(*benches[i]) : best;
         const double ms = benches[i]->ms();
         table.add({name, fmt::format("{:.1f}", ms), fmt::format("{:.1f}", all - ms),
-                   fmt::format("{:.2f}", double(benches[i]->figures().textureBytes) * 1e-6),
-                   std::to_string(benches[i]->figures().drawCalls), fmt::format("{:.4f}", difference.flip),
+                   fmt::format("{:.2f}", double(benches[i]->stats().textureBytes) * 1e-6),
+                   std::to_string(benches[i]->stats().drawCalls), fmt::format("{:.4f}", difference.flip),
                    fmt::format("{:.5f}", difference.relative)});
         if (all - ms > most) most = all - ms, costliest = name;
         if (i == 0) continue;

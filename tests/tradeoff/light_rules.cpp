@@ -72,8 +72,8 @@ Unused unusedCost() {
     LightBench with(plain.snapshot(), camera.view(kSize, 0), kSize, on),
         without(plain.snapshot(), camera.view(kSize, 0), kSize, off);
     for (int i = 0; i < 48; ++i) with.draw(), without.draw();
-    return {with.ms() / without.ms(), int64_t(with.figures().textureBytes) - int64_t(without.figures().textureBytes),
-            with.figures().drawCalls - without.figures().drawCalls};
+    return {with.ms() / without.ms(), int64_t(with.stats().textureBytes) - int64_t(without.stats().textureBytes),
+            with.stats().drawCalls - without.stats().drawCalls};
 }
 
 }  // namespace

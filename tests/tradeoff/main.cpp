@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
     app.add_option("--only", only, "only the table of this name, or those whose names begin with it, such as T12");
     app.add_option("--repeats", options.repeats, "runs of each measurement")
         ->capture_default_str()
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, 1000000000));
     app.add_option("--seed", options.seed, "seed of everything random")->capture_default_str();
     app.add_flag("--publish", publish, "physics or light: write its part of OPERATING_ENVELOPE.md");
     app.add_option("--feature-scene", scene)->group("");  // for this program under valgrind
@@ -104,6 +104,12 @@ int main(int argc, char** argv) {
     bool written = true, holds = true;
     std::vector<Table> maps;
     const std::vector<Row> rows = rowsOf(subject);
+    if (std::none_of(rows.begin(), rows.end(), [&](const Row& row) { return row.first.rfind(only, 0) == 0; })) {
+        fmt::print(stderr, "--only: expected the beginning of one of these names, found \"{}\":", only);
+        for (const Row& row : rows) fmt::print(stderr, " {}", row.first);
+        fmt::print(stderr, "\n");
+        return 1;
+    }
     const bool isName = std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return row.first == only; });
     for (const auto& row : rows) {
         if (isName ? row.first != only : row.first.rfind(only, 0) != 0) continue;
@@ -115,9 +121,9 @@ int main(int argc, char** argv) {
     written &= writeText(options.out + "/" + subject + ".md", report);
     if (publish) {
         const std::string path = RUBBLE_SOURCE_DIR "/OPERATING_ENVELOPE.md";
-        written &= writeText(path, envelopeWith(subject, path,
-                                                subject == "light" ? lightEnvelope(options, maps)
-                                                                        : operatingEnvelope(options, maps)));
+        written &= writeText(
+            path, envelopeWith(subject, path,
+                               subject == "light" ? lightEnvelope(options, maps) : operatingEnvelope(options, maps)));
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fmt::print("{}\n{:.0f} s; tables and plots are in {}\n", stamp(options), seconds, options.out);

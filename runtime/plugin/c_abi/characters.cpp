@@ -22,12 +22,12 @@ AddCharacterEdit readCharacter(const World&, const rubble_character_settings& gi
     c.crouchedHeight =
         readOrDefault(given.crouched_height, 2.0 * c.radius, c.height, c.crouchedHeight, "crouched_height");
     c.stepHeight = readOrDefault(given.step_height, 0.0, c.height, c.stepHeight, "step_height");
-    c.steepest = readOrDefault(given.max_slope, 0.0, 1e3, c.steepest, "max_slope");
+    c.maxSlope = readOrDefault(given.max_slope, 0.0, 1e3, c.maxSlope, "max_slope");
     c.mass = readOrDefault(given.mass, 1e-3, 1e6, c.mass, "mass");
     c.walkSpeed = readOrDefault(given.walk_speed, 0.0, 100.0, c.walkSpeed, "walk_speed");
     c.jumpSpeed = readOrDefault(given.jump_speed, 0.0, 100.0, c.jumpSpeed, "jump_speed");
     c.swimSpeed = readOrDefault(given.swim_speed, 0.0, 100.0, c.swimSpeed, "swim_speed");
-    c.pushForce = readOrDefault(given.max_push_force, 0.0, 1e9, c.pushForce, "max_push_force");
+    c.maxPushForce = readOrDefault(given.max_push_force, 0.0, 1e9, c.maxPushForce, "max_push_force");
     if (!(c.height >= c.crouchedHeight && c.crouchedHeight >= 2.0 * c.radius && c.stepHeight <= c.height))
         throw ApiError{RUBBLE_ERROR_ARGUMENT,
                        "height is " + std::to_string(c.height) + ", crouched_height " +
@@ -44,7 +44,7 @@ MoveCharacterEdit readMove(const World& world, const rubble_character_move& give
             (given.flags & RUBBLE_MOVE_CROUCH) != 0};
 }
 
-PlaceCharacterEdit readTeleport(const World& world, const rubble_character_teleport& given) {
+TeleportCharacterEdit readTeleport(const World& world, const rubble_character_teleport& given) {
     return {readLiveHandle<HandleType::Character>(world.characters(), given.character, "character"),
             readVector(given.position, "position"), readVelocity(given.velocity, "velocity")};
 }

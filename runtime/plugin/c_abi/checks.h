@@ -1,4 +1,6 @@
 #pragma once
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstddef>
 #include <glm/gtc/quaternion.hpp>
@@ -35,26 +37,30 @@ template <class T>
 void checkStructSize(const T& given, const char* name) {
     const uint32_t size = given.struct_size;
     if (size < sizeof(T) || size > kMaxStructSize)
-        throw ApiError{RUBBLE_ERROR_STRUCT_SIZE, std::string(name) + "->struct_size is " + std::to_string(size) +
-                                                     ", expected " + std::to_string(sizeof(T))};
+        throw ApiError{RUBBLE_ERROR_STRUCT_SIZE,
+                       fmt::format("{}->struct_size is {}, expected {}", name, size, sizeof(T))};
     const auto* bytes = reinterpret_cast<const unsigned char*>(&given);
     for (size_t i = sizeof(T); i < size; ++i)
         if (bytes[i])
-            throw ApiError{RUBBLE_ERROR_STRUCT_SIZE, std::string(name) + " sets a field at byte " + std::to_string(i) +
-                                                         " that this plugin does not know"};
+            throw ApiError{RUBBLE_ERROR_STRUCT_SIZE,
+                           fmt::format("{} sets a field at byte {} that this plugin does not know", name, i)};
 }
 
 /// A struct that the host has filled in.
 template <class T>
 const T& readStruct(const T* given, const char* name) {
     checkStructSize(requireNotNull(given, name), name);
+    if constexpr (requires { given->reserved; })
+        if (given->reserved)
+            throw ApiError{RUBBLE_ERROR_ARGUMENT, fmt::format("{}->reserved is {}, expected 0", name, given->reserved)};
     return *given;
 }
 
 /// Writes all fields of a struct of results except its struct_size. Fields of a newer host stay zero.
 template <class T>
 void writeStruct(T* out, T values) {
-    values.struct_size = readStruct(out, "out").struct_size;
+    checkStructSize(requireNotNull(out, "out"), "out");
+    values.struct_size = out->struct_size;
     *out = values;
 }
 
@@ -67,8 +73,8 @@ inline void requireNoError(const std::string& error) {
 inline glm::dvec3 readVector(const double (&values)[3], const char* name) {
     for (int i = 0; i < 3; ++i)
         if (!std::isfinite(values[i]) || std::abs(values[i]) > 1e9)
-            throw ApiError{RUBBLE_ERROR_ARGUMENT, std::string(name) + "[" + std::to_string(i) + "] is " +
-                                                      std::to_string(values[i]) + ", expected -1e9 to 1e9"};
+            throw ApiError{RUBBLE_ERROR_ARGUMENT,
+                           fmt::format("{}[{}] is {}, expected -1e9 to 1e9", name, i, values[i])};
     return {values[0], values[1], values[2]};
 }
 
@@ -88,26 +94,27 @@ inline glm::dvec3 readDirection(const double (&values)[3], const char* name) {
 /// A number in [low, high]; 0 is a number like any other.
 inline double readInRange(double value, double low, double high, const std::string& name) {
     if (isWithin(value, low, high)) return value;
-    throw ApiError{RUBBLE_ERROR_ARGUMENT, name + " is " + std::to_string(value) + ", expected " + std::to_string(low) +
-                                              " to " + std::to_string(high)};
+    throw ApiError{RUBBLE_ERROR_ARGUMENT, fmt::format("{} is {}, expected {} to {}", name, value, low, high)};
 }
 
 /// A number in [low, high], or ifZero for a value of 0.
 inline double readOrDefault(double value, double low, double high, double ifZero, const char* name) {
-    return value == 0.0 ? ifZero : readInRange(value, low, high, name);
+    if (value == 0.0) return ifZero;
+    if (isWithin(value, low, high)) return value;
+    const char* zero = low > 0.0 ? "0 (the default) or " : "";
+    throw ApiError{RUBBLE_ERROR_ARGUMENT, fmt::format("{} is {}, expected {}{} to {}", name, value, zero, low, high)};
 }
 
 /// A number of an enum that ends with `last`.
 inline uint32_t readEnum(uint32_t value, uint32_t last, const char* name) {
     if (value <= last) return value;
-    throw ApiError{RUBBLE_ERROR_ARGUMENT,
-                   std::string(name) + " is " + std::to_string(value) + ", expected 0 to " + std::to_string(last)};
+    throw ApiError{RUBBLE_ERROR_ARGUMENT, fmt::format("{} is {}, expected 0 to {}", name, value, last)};
 }
 
 /// Flags of which all are in `known`.
 inline uint32_t readFlags(uint32_t flags, uint32_t known, const char* name) {
     if (!(flags & ~known)) return flags;
-    throw ApiError{RUBBLE_ERROR_ARGUMENT, std::string(name) + " has unknown bits: " + std::to_string(flags & ~known)};
+    throw ApiError{RUBBLE_ERROR_ARGUMENT, fmt::format("{} has unknown bits: {:#x}", name, flags & ~known)};
 }
 
 /// Bits of collision layers, or ifZero for 0. RUBBLE_COLLISION_NONE gives no bits.
@@ -122,8 +129,7 @@ inline glm::dquat readRotation(const double (&values)[4], const char* name) {
     const double length = glm::length(rotation);
     if (length == 0.0) return {1.0, 0.0, 0.0, 0.0};
     if (!(std::abs(length - 1.0) < 1e-2))
-        throw ApiError{RUBBLE_ERROR_ARGUMENT,
-                       std::string(name) + " has length " + std::to_string(length) + ", expected 1"};
+        throw ApiError{RUBBLE_ERROR_ARGUMENT, fmt::format("{} has length {}, expected 1", name, length)};
     return rotation / length;
 }
 

@@ -45,7 +45,7 @@ CarveEdit readCarve(const World& world, const rubble_carve& given) {
     CarveEdit edit;
     edit.kind = kinds[readEnum(given.brush, RUBBLE_BRUSH_CAPSULE, "brush")];
     edit.position = readVector(given.position, "position");
-    edit.hardnessLimit = readHardness(given.max_hardness);
+    edit.maxHardness = readHardness(given.max_hardness);
     if (edit.kind == BrushKind::Box) {
         edit.halfSize = readHalfSize(given.half_size);
         edit.rotation = readRotation(given.rotation, "rotation");
@@ -95,8 +95,8 @@ ImpulseEdit readImpulse(const World& world, const rubble_impulse& given) {
     return edit;
 }
 
-SetCollisionEdit readCollisionFilter(const World& world, const rubble_collision_filter& given) {
-    SetCollisionEdit edit;
+SetCollisionFilterEdit readCollisionFilter(const World& world, const rubble_collision_filter& given) {
+    SetCollisionFilterEdit edit;
     edit.layer = readLayers(given.layer, 1, "layer");
     edit.mask = readLayers(given.mask, 255, "mask");
     edit.shape = readLiveHandle<HandleType::Shape>(world.shapes(), given.shape, "shape");

@@ -50,7 +50,7 @@ AddJointEdit readJoint(const World& world, const rubble_joint_settings& given) {
     joint.rope.stretch = readSize(given.rope_stretch, "rope_stretch");
     joint.rope.strength = readSize(given.rope_strength, "rope_strength");
     joint.wheel = {readSize(given.drive_torque, "drive_torque"),
-                   readOrDefault(given.max_spin, 0.0, 1e4, joint.wheel.topSpin, "max_spin"),
+                   readOrDefault(given.max_spin, 0.0, 1e4, joint.wheel.maxSpin, "max_spin"),
                    readSize(given.brake_torque, "brake_torque"),
                    readOrDefault(given.max_steer_angle, 0.0, 1.5, 0.0, "max_steer_angle"),
                    readOrDefault(given.steer_rate, 0.0, 100.0, joint.wheel.steerRate, "steer_rate")};
@@ -61,7 +61,7 @@ AddJointEdit readJoint(const World& world, const rubble_joint_settings& given) {
 SetJointMotorEdit readJointMotor(const World& world, const rubble_joint_motor& given) {
     return {readLiveHandle<HandleType::Joint>(world.joints(), given.joint, "joint"),
             readMotor(given.motor, given.motor_target, given.motor_max_force), readSize(given.friction, "friction"),
-            readOrDefault(given.steer, -3.0, 3.0, 0.0, "steer")};
+            readOrDefault(given.steer_angle, -3.0, 3.0, 0.0, "steer_angle")};
 }
 
 DriveEdit readDrive(const World& world, const rubble_drive& given) {

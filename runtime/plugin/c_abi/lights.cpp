@@ -42,13 +42,13 @@ constexpr Vector<Environment, rubble_environment> kEnvironmentVectors[] = {
     {&Environment::fogTint, &rubble_environment::fog_tint},
     {&Environment::gravity, &rubble_environment::gravity},
 };
-constexpr Scalar<Light, rubble_light_state> kLightScalars[] = {
-    {&Light::radius, &rubble_light_state::radius},        {&Light::reach, &rubble_light_state::reach},
-    {&Light::coneInner, &rubble_light_state::cone_inner}, {&Light::coneOuter, &rubble_light_state::cone_outer},
-    {&Light::width, &rubble_light_state::width},          {&Light::height, &rubble_light_state::height},
+constexpr Scalar<Light, rubble_light_settings> kLightScalars[] = {
+    {&Light::radius, &rubble_light_settings::radius},        {&Light::reach, &rubble_light_settings::reach},
+    {&Light::coneInner, &rubble_light_settings::cone_inner}, {&Light::coneOuter, &rubble_light_settings::cone_outer},
+    {&Light::width, &rubble_light_settings::width},          {&Light::height, &rubble_light_settings::height},
 };
-constexpr Vector<Light, rubble_light_state> kLightVectors[] = {
-    {&Light::color, &rubble_light_state::color},
+constexpr Vector<Light, rubble_light_settings> kLightVectors[] = {
+    {&Light::color, &rubble_light_settings::color},
 };
 
 /// Doubles that a float cannot hold become numbers that are out of every range. NaN stays.
@@ -91,8 +91,8 @@ const Light& lightOf(const World& world, rubble_light bits) {
     return world.lights().at(readLiveHandle<HandleType::Light>(world.lights(), bits, "light"));
 }
 
-rubble_light_state toHost(LightHandle handle, const Light& from) {
-    rubble_light_state out = {};
+rubble_light_settings toHost(LightHandle handle, const Light& from) {
+    rubble_light_settings out = {};
     for (const auto& field : kLightScalars) write(field, from, out);
     for (const auto& field : kLightVectors) write(field, from, out);
     out.light = handle.bits;
@@ -106,7 +106,7 @@ rubble_light_state toHost(LightHandle handle, const Light& from) {
 }
 
 /// `light` with all values that the host can give; its name and image stay.
-Light readLight(const World& world, const rubble_light_state& given, Light light) {
+Light readLight(const World& world, const rubble_light_settings& given, Light light) {
     readFlags(given.flags, RUBBLE_LIGHT_ENABLED | RUBBLE_LIGHT_TWO_SIDED, "flags");
     for (const auto& field : kLightScalars) read(field, given, light);
     for (const auto& field : kLightVectors) read(field, given, light);
@@ -131,7 +131,7 @@ rubble_result setEnvironment(rubble_world world, const rubble_environment* envir
     });
 }
 
-rubble_result setSky(rubble_environment* environment, const double* sunDirection) {
+rubble_result applySky(rubble_environment* environment, const double* sunDirection) {
     return guarded("apply_sky_model", [&] {
         Environment now = readEnvironment(readStruct(environment, "environment"));
         const glm::dvec3 direction = readVectorAt(sunDirection, "sun_direction");
@@ -146,21 +146,21 @@ rubble_result getLights(rubble_world world, rubble_light* out, uint32_t capacity
     return listAll("get_lights", world, out, capacity, count, &World::lights);
 }
 
-rubble_result getLightState(rubble_world world, rubble_light light, rubble_light_state* out) {
-    return guarded("get_light_state", [&] {
+rubble_result getLightSettings(rubble_world world, rubble_light light, rubble_light_settings* out) {
+    return guarded("get_light_settings", [&] {
         const auto hosted = Registry::instance().world(world);
         writeStruct(out, toHost(LightHandle{light}, lightOf(hosted->loop.world(), light)));
     });
 }
 
-rubble_result setLight(rubble_world world, const rubble_light_state* light) {
-    return pushEdit("set_light", world, light, [](const World& in, const rubble_light_state& given) {
+rubble_result setLight(rubble_world world, const rubble_light_settings* light) {
+    return pushEdit("set_light", world, light, [](const World& in, const rubble_light_settings& given) {
         return SetLightEdit{LightHandle{given.light}, readLight(in, given, lightOf(in, given.light))};
     });
 }
 
-rubble_result addLight(rubble_world world, const rubble_light_state* light) {
-    return pushEdit("add_light", world, light, [](const World& in, const rubble_light_state& given) {
+rubble_result addLight(rubble_world world, const rubble_light_settings* light) {
+    return pushEdit("add_light", world, light, [](const World& in, const rubble_light_settings& given) {
         return AddLightEdit{readLight(in, given, {})};
     });
 }
@@ -183,9 +183,9 @@ rubble_result getAddedLights(rubble_world world, rubble_light* out, uint32_t cap
 void setLightFunctions(rubble_api& api) {
     api.get_environment = getEnvironment;
     api.set_environment = setEnvironment;
-    api.apply_sky_model = setSky;
+    api.apply_sky_model = applySky;
     api.get_lights = getLights;
-    api.get_light_state = getLightState;
+    api.get_light_settings = getLightSettings;
     api.set_light = setLight;
     api.add_light = addLight;
     api.remove_light = removeLight;

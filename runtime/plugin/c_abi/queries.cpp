@@ -13,9 +13,9 @@ QueryFilter readFilter(const rubble_query_filter* given) {
                                      RUBBLE_FILTER_REJECT_STATIC | RUBBLE_FILTER_REJECT_DYNAMIC |
                                          RUBBLE_FILTER_REJECT_TRANSPARENT | RUBBLE_FILTER_REJECT_UNPHYSICAL,
                                      "filter->flags");
-    if (read.layer_mask) filter.layers = uint8_t(readEnum(read.layer_mask, 255, "filter->layer_mask"));
-    filter.includeStatic = !(flags & RUBBLE_FILTER_REJECT_STATIC);
-    filter.includeDynamic = !(flags & RUBBLE_FILTER_REJECT_DYNAMIC);
+    if (read.layer_mask) filter.layerMask = uint8_t(readEnum(read.layer_mask, 255, "filter->layer_mask"));
+    filter.rejectStatic = flags & RUBBLE_FILTER_REJECT_STATIC;
+    filter.rejectDynamic = flags & RUBBLE_FILTER_REJECT_DYNAMIC;
     filter.rejectTransparent = flags & RUBBLE_FILTER_REJECT_TRANSPARENT;
     filter.rejectUnphysical = flags & RUBBLE_FILTER_REJECT_UNPHYSICAL;
     if (read.rejected_body_count) requireNotNull(read.rejected_bodies, "filter->rejected_bodies");
@@ -31,7 +31,7 @@ QueryFilter readFilter(const rubble_query_filter* given) {
 
 QueryShape readShape(const rubble_query_shape& given) {
     QueryShape shape;
-    shape.kind = QueryShapeKind(readEnum(given.kind, RUBBLE_QUERY_BOX, "kind"));
+    shape.kind = QueryShapeKind(readEnum(given.kind, RUBBLE_QUERY_CAPSULE, "kind"));
     shape.position = readVector(given.position, "position");
     shape.end = readVector(given.end, "end");
     shape.radius = readOrDefault(given.radius, 0.0, 1e4, 0.0, "radius");
@@ -39,13 +39,13 @@ QueryShape readShape(const rubble_query_shape& given) {
     for (int i = 0; i < 3; ++i)
         if (shape.halfSize[i] < 0.0)
             throw ApiError{RUBBLE_ERROR_ARGUMENT,
-                           "half_size is " + std::to_string(shape.halfSize[i]) + ", expected 0 or more"};
+                           fmt::format("half_size[{}] is {}, expected 0 or more", i, shape.halfSize[i])};
     shape.rotation = readRotation(given.rotation, "rotation");
     return shape;
 }
 
 double readDistance(double given) {
-    return readOrDefault(given, 1e-6, 1e6, 0.0, "max_distance");
+    return readInRange(given, 0.0, 1e6, "max_distance");
 }
 
 rubble_hit hitRow(const World& world, const WorldHit& hit) {

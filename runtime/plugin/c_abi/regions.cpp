@@ -38,7 +38,7 @@ AddTriggerEdit readTrigger(const World&, const rubble_trigger_settings& given) {
         trigger.halfSize[i] = readOrDefault(given.half_size[i], 1e-3, 1e5, trigger.halfSize[i], "half_size");
     trigger.height = readOrDefault(given.height, 1e-3, 1e5, trigger.height, "height");
     if (trigger.kind == TriggerKind::Polygon) trigger.outline = readOutline(given.outline, given.outline_count);
-    trigger.layers = readLayers(given.layer_mask, 255, "layer_mask");
+    trigger.layerMask = readLayers(given.layer_mask, 255, "layer_mask");
     return {trigger};
 }
 

@@ -79,7 +79,7 @@ rubble_result setDebugView(rubble_renderer renderer, const char* name) {
 rubble_result getDrawStats(rubble_renderer renderer, rubble_draw_stats* out) {
     return guarded("get_draw_stats", [&] {
         const auto hosted = Registry::instance().renderer(renderer);
-        const RenderFigures& stats = hosted->renderer->figures();
+        const RenderStats& stats = hosted->renderer->stats();
         rubble_draw_stats row = {};
         row.draw_calls = uint32_t(stats.drawCalls);
         row.shapes = uint32_t(stats.shapes);

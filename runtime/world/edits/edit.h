@@ -23,14 +23,14 @@ namespace rubble {
 /// Removes the voxels inside a sphere, box or capsule, with a radius for each hardness class. World space, metres.
 struct CarveEdit {
     BrushKind kind = BrushKind::Sphere;
-    glm::dvec3 position{0.0};                 ///< sphere and box: centre; capsule: one end
-    glm::dvec3 end{0.0};                      ///< capsule: other end
-    glm::dvec3 halfSize{0.0};                 ///< box
-    glm::dquat rotation{1, 0, 0, 0};          ///< box
-    std::array<double, 3> radii{};            ///< for soft, medium, hard voxels, none above the one before; box: unused
-    Hardness hardnessLimit = Hardness::Hard;  ///< box: the hardest class that it removes
-    ShapeHandle shape;                        ///< empty: all in reach
-    Tool tool = Tool::Any;                    ///< removes only materials that this tool breaks
+    glm::dvec3 position{0.0};               ///< sphere and box: centre; capsule: one end
+    glm::dvec3 end{0.0};                    ///< capsule: other end
+    glm::dvec3 halfSize{0.0};               ///< box
+    glm::dquat rotation{1, 0, 0, 0};        ///< box
+    std::array<double, 3> radii{};          ///< for soft, medium, hard voxels, none above the one before; box: unused
+    Hardness maxHardness = Hardness::Hard;  ///< box: the hardest class that it removes
+    ShapeHandle shape;                      ///< empty: all in reach
+    Tool tool = Tool::Any;                  ///< removes only materials that this tool breaks
 };
 
 /// Breaks the voxels inside a sphere out of their shapes, as fragments and dust in the style of each material. Glass
@@ -47,7 +47,7 @@ struct BreakEdit {
 struct ExplodeEdit {
     glm::dvec3 position{0.0};
     double size = 1.0;     ///< 0.5 to 4, as in Teardown: radii are 1.0, 0.7 and 0.4 of it, in metres
-    double impulse = 0.0;  ///< N s on a body at the centre; 0: by size
+    double impulse = 0.0;  ///< N s on a body at the centre; 0: by size. No body gets faster than 9 m/s times size
 };
 
 /// Blends the colours of voxels at the surface toward a paint colour, a little each time: sprays, soot, skid marks.
@@ -121,7 +121,7 @@ struct RemoveFiresEdit {
 };
 
 /// Gives a shape another collision layer and mask: two shapes collide if each one's layer is in the other's mask.
-struct SetCollisionEdit {
+struct SetCollisionFilterEdit {
     ShapeHandle shape;
     uint8_t layer = 1, mask = 255;  ///< bits
 };
@@ -158,7 +158,7 @@ struct MoveCharacterEdit {
     bool crouch = false;
 };
 /// Puts a character somewhere else.
-struct PlaceCharacterEdit {
+struct TeleportCharacterEdit {
     CharacterHandle character;
     glm::dvec3 position{0.0};  ///< of the feet, metres, world
     glm::dvec3 velocity{0.0};  ///< m/s
@@ -168,9 +168,9 @@ struct PlaceCharacterEdit {
 using AnyEdit =
     std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit,
                  RemoveFiresEdit, BreakEdit, SplitShapeEdit, MergeShapeEdit, TrimShapeEdit, ResizeShapeEdit,
-                 ImpactLoadEdit, SetCollisionEdit, AddWaterEdit, RemoveWaterEdit, AddTriggerEdit, RemoveTriggerEdit,
-                 AddCharacterEdit, RemoveCharacterEdit, MoveCharacterEdit, PlaceCharacterEdit, AddJointEdit,
-                 RemoveJointEdit, SetJointMotorEdit, DetachJointEdit, GrabEdit, ReleaseEdit, DriveEdit,
+                 ImpactLoadEdit, SetCollisionFilterEdit, AddWaterEdit, RemoveWaterEdit, AddTriggerEdit,
+                 RemoveTriggerEdit, AddCharacterEdit, RemoveCharacterEdit, MoveCharacterEdit, TeleportCharacterEdit,
+                 AddJointEdit, RemoveJointEdit, SetJointMotorEdit, DetachJointEdit, GrabEdit, ReleaseEdit, DriveEdit,
                  SetEnvironmentEdit, SetLightEdit, AddLightEdit, RemoveLightEdit>;
 /// One command for the World: any of the kinds above. It is a class of its own so that its copies, moves and
 /// destructor, which are long over so many kinds, are compiled once (edit.cpp) and not wherever a list of edits is

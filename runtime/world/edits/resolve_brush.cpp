@@ -10,7 +10,7 @@ Brush resolveBrush(const CarveEdit& edit, const Pose& shapeToWorld, double voxel
     const auto toCells = [&](glm::dvec3 world) { return shapeToWorld.inversePoint(world) * cellsPerMetre; };
     if (edit.kind == BrushKind::Box) {
         const glm::dquat boxToShape = glm::conjugate(shapeToWorld.rotation) * edit.rotation;
-        return boxBrush(toCells(edit.position), edit.halfSize * cellsPerMetre, boxToShape, edit.hardnessLimit);
+        return boxBrush(toCells(edit.position), edit.halfSize * cellsPerMetre, boxToShape, edit.maxHardness);
     }
     const std::array<double, 3> radii = {edit.radii[0] * cellsPerMetre, edit.radii[1] * cellsPerMetre,
                                          edit.radii[2] * cellsPerMetre};

@@ -21,6 +21,17 @@ void updateSlot(const Map& now, Map& last, Handle handle, SlotValues<Handle, T>&
         last.restore(is, now.at(is));
 }
 
+/// Brings an object that physics moved up to date in `last`; keeps it as it was in `before`, unless that has the slot.
+template <class Map, class Handle, class T>
+void updateMoved(const Map& now, Map& last, Handle handle, SlotValues<Handle, T>& before) {
+    T* was = last.find(handle);
+    const T* is = now.find(handle);
+    if (!was || !is) return;
+    before.try_emplace(handle.slot(), handle, *was);
+    *was = *is;
+}
+
+/// Calls f(shape) for each shape that the journal names, some more than once.
 template <class F>
 void forEachShapeIn(const FrameChanges& changes, F&& f) {
     for (const auto* list : {&changes.shapesDestroyed, &changes.shapesCreated, &changes.carved, &changes.palettes,
@@ -79,38 +90,17 @@ WorldDelta WorldBaseline::update(const WorldData& world, const FrameChanges& cha
 
 void WorldBaseline::move(const WorldData& world, std::span<const RopeMotion> ropes,
                          SlotValues<JointHandle, Joint>& before) {
-    for (const RopeMotion& rope : ropes) {
-        Joint* last = m_last.joints.find(rope.rope);
-        const Joint* now = world.joints.find(rope.rope);
-        if (!last || !now) continue;
-        before.try_emplace(rope.rope.slot(), std::pair(rope.rope, *last));
-        *last = *now;
-    }
+    for (const RopeMotion& rope : ropes) updateMoved(world.joints, m_last.joints, rope.rope, before);
 }
 
 void WorldBaseline::move(const WorldData& world, std::span<const BodyPose> poses,
                          SlotValues<BodyHandle, Body>& before) {
-    for (const BodyPose& pose : poses) {
-        Body* last = m_last.bodies.find(pose.body);
-        const Body* now = world.bodies.find(pose.body);
-        if (!last || !now) continue;
-        const uint32_t slot = pose.body.slot();
-        const auto place = before.lower_bound(slot);
-        if (place == before.end() || place->first != slot)
-            before.emplace_hint(place, slot, std::pair(pose.body, *last));
-        *last = *now;
-    }
+    for (const BodyPose& pose : poses) updateMoved(world.bodies, m_last.bodies, pose.body, before);
 }
 
 void WorldBaseline::move(const WorldData& world, std::span<const CharacterMove> moves,
                          SlotValues<CharacterHandle, Character>& before) {
-    for (const CharacterMove& move : moves) {
-        Character* last = m_last.characters.find(move.character);
-        const Character* now = world.characters.find(move.character);
-        if (!last || !now) continue;
-        before.try_emplace(move.character.slot(), move.character, *last);
-        *last = *now;
-    }
+    for (const CharacterMove& move : moves) updateMoved(world.characters, m_last.characters, move.character, before);
 }
 
 }  // namespace rubble

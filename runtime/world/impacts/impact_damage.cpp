@@ -14,7 +14,8 @@
 namespace rubble {
 namespace {
 
-constexpr int kContactCells = 2;  ///< how far from the contact that physics reports the voxel that was hit may be
+constexpr double kContactRadius = 0.3;  ///< metres around a contact in which the shapes that it struck are searched
+constexpr int kContactCells = 2;        ///< how far from the contact that physics reports the voxel that was hit may be
 
 /// The material of the voxel nearest to a world point on a shape; 0 if none is within kContactCells.
 uint8_t materialAt(const WorldData& world, ShapeHandle handle, glm::dvec3 point) {
@@ -28,7 +29,7 @@ uint8_t materialAt(const WorldData& world, ShapeHandle handle, glm::dvec3 point)
 /// What an impact breaks of one of its two bodies: the broken area is proportional to the impulse, so the radius grows
 /// with its root.
 void addImpactDamage(const WorldData& world, const Impact& impact, BodyHandle body, Edits& out) {
-    for (const ShapeHandle handle : shapesNear(world, impact.position, 0.3)) {
+    for (const ShapeHandle handle : shapesNear(world, impact.position, kContactRadius)) {
         const Shape& shape = world.shapes.at(handle);
         if (shape.body != body) continue;
         const Material& material = world.materials[materialAt(world, handle, impact.position)];
@@ -51,7 +52,7 @@ void addImpactLoad(const WorldData& world, const Impact& impact, BodyHandle body
     const Body* struck = world.bodies.find(body);
     if (!world.stress || !struck || !(impact.impulse >= world.settings.stress.minImpulse)) return;
     if (!struck->isStatic && struck->shapes.size() != 1) return;
-    for (const ShapeHandle handle : shapesNear(world, impact.position, 0.3)) {
+    for (const ShapeHandle handle : shapesNear(world, impact.position, kContactRadius)) {
         const Shape& shape = world.shapes.at(handle);
         if (shape.body != body || !shape.loadBearing) continue;
         if (!struck->isStatic && shape.grid.voxelCount() < world.settings.stress.minStruckVoxels) continue;

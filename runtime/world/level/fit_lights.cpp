@@ -12,9 +12,11 @@
 namespace rubble {
 namespace {
 
-constexpr double kRodRatio = 2.5;        ///< longest to middle side from which on a component is a rod
-constexpr double kPlateRatio = 2.5;      ///< middle to thinnest side from which on it is a plate
-constexpr double kMinIrradiance = 0.02;  ///< irradiance at which a light's reach ends
+constexpr double kRodRatio = 2.5;                    ///< longest to middle side from which on a component is a rod
+constexpr double kPlateRatio = 2.5;                  ///< middle to thinnest side from which on it is a plate
+constexpr double kMinIrradiance = 0.02;              ///< irradiance at which a light's reach ends
+constexpr double kMinReach = 1.0, kMaxReach = 15.0;  ///< metres
+constexpr float kAreaClearance = 0.07f;              ///< metres that an area's radius is larger than half its thickness
 
 /// The grid with the voxels of one entry alone.
 VoxelGrid onlyEntry(const VoxelGrid& grid, size_t entry) {
@@ -66,7 +68,9 @@ void fitShape(Level& level, LevelShape& shape) {
         const VoxelGrid only = onlyEntry(shape.grid, entry);
         for (const Component& voxels : findComponents(only)) {
             if (level.lightGroups.size() >= level.autoLightGroups)
-                return logWarning("fitLights: no more light groups; raise Level::autoLightGroups"),
+                return logWarning(
+                           "the level's glowing voxels need more light groups than its auto_light_groups allows; the "
+                           "others get none"),
                        void(shape.palette = std::make_shared<const Palette>(palette));
             const uint8_t own = palette[entry].lightGroup ? freeEntry(palette) : uint8_t(entry);
             const size_t used = own ? own : entry;
@@ -118,11 +122,11 @@ Light fitLight(const LevelShape& shape, const VoxelGrid& only, const Component& 
     }
     if (light.kind == LightKind::Area) {
         light.width = float(length), light.height = float(breadth);
-        light.radius = float(0.5 * thickness) + 0.07f;  // clear of its own voxels
-        light.color *= 2.0f;                            // along -z it shows twice its mean over all directions
+        light.radius = float(0.5 * thickness) + kAreaClearance;  // clear of its own voxels
+        light.color *= 2.0f;                                     // along -z it shows twice its mean over all directions
     }
     const double brightest = std::max({light.color.x, light.color.y, light.color.z});
-    light.reach = float(std::clamp(std::sqrt(brightest / kMinIrradiance), 1.0, 15.0));
+    light.reach = float(std::clamp(std::sqrt(brightest / kMinIrradiance), kMinReach, kMaxReach));
     return light;
 }
 

@@ -25,7 +25,7 @@ struct Body {
     uint64_t restingSince = 0;  ///< step at which it fell asleep; 0 while awake
 };
 
-/// A body's new state, as physics hands it over.
+/// A body's new state, as physics hands it over: world space, metres, m/s and rad/s.
 struct BodyPose {
     BodyHandle body;
     Pose pose;

@@ -6,8 +6,8 @@ namespace rubble {
 
 uint64_t Character::hash() const {
     uint64_t hash = 0;
-    for (const double value : {radius, height, crouchedHeight, stepHeight, steepest, mass, walkSpeed, crouchSpeed,
-                               jumpSpeed, swimSpeed, pushForce})
+    for (const double value : {radius, height, crouchedHeight, stepHeight, maxSlope, mass, walkSpeed, crouchSpeed,
+                               jumpSpeed, swimSpeed, maxPushForce})
         addToHash(hash, value);
     for (const glm::dvec3& value : {wish, position, velocity}) addToHash(hash, value);
     const uint64_t flags = uint64_t(wantsJump) | uint64_t(wantsCrouch) << 1 | uint64_t(grounded) << 2 |

@@ -15,13 +15,13 @@ struct Character {
     double height = 1.8;          ///< metres, feet to crown
     double crouchedHeight = 1.1;  ///< metres
     double stepHeight = 0.45;     ///< metres that it climbs without a jump
-    double steepest = 1.0;        ///< largest slope that it can stand on, rise over run
+    double maxSlope = 1.0;        ///< largest slope that it can stand on, rise over run
     double mass = 80.0;           ///< kg
     double walkSpeed = 4.0;       ///< m/s; faster wishes are clamped
     double crouchSpeed = 1.8;     ///< m/s
     double jumpSpeed = 4.5;       ///< m/s
     double swimSpeed = 2.0;       ///< m/s
-    double pushForce = 400.0;     ///< N, the most that it pushes bodies with
+    double maxPushForce = 400.0;  ///< N, the most that it pushes bodies with
     uint8_t collisionLayer = 1;   ///< as Shape::collisionLayer
     uint8_t collisionMask = 255;
     // What it wants: the last MoveCharacterEdit
@@ -36,7 +36,7 @@ struct Character {
     bool swimming = false;
     BodyHandle ground;  ///< what it stands on, static or not; empty in the air and in a level
 
-    /// Of all that decides what happens.
+    /// A hash of all that decides what happens; the name is not in it.
     uint64_t hash() const;
     /// Height of the capsule now, metres.
     double currentHeight() const { return crouched ? crouchedHeight : height; }

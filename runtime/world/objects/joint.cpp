@@ -26,12 +26,12 @@ std::string jointError(const Joint& joint) {
     }
     if (!isWithin(joint.limits.low, -kMaxNumber, kMaxNumber) ||
         !isWithin(joint.limits.high, joint.limits.low, kMaxNumber))
-        return "its limits are not low to high";
+        return "its lower limit is above its upper one";
     if (!isWithin(joint.motor.target, -kMaxNumber, kMaxNumber) || !isWithin(joint.steer, -kMaxNumber, kMaxNumber))
         return "its target is no finite number";
     for (const double value : {joint.motor.maxForce, joint.spring.hertz, joint.spring.dampingRatio, joint.friction,
                                joint.maxForce, joint.breakForce, joint.breakTorque, joint.rope.length, joint.rope.slack,
-                               joint.rope.stretch, joint.rope.strength, joint.wheel.driveTorque, joint.wheel.topSpin,
+                               joint.rope.stretch, joint.rope.strength, joint.wheel.driveTorque, joint.wheel.maxSpin,
                                joint.wheel.brakeTorque, joint.wheel.steerAngle, joint.wheel.steerRate})
         if (!isWithin(value, 0.0, kMaxNumber)) return "a force, length or rate is not 0 or more";
     if (joint.kind != JointKind::Rope) return joint.points.empty() ? "" : "only ropes have points";

@@ -58,13 +58,13 @@ struct JointSpring {
 /// What a wheel can do for its vehicle: see DriveEdit.
 struct WheelSettings {
     double driveTorque = 0.0;  ///< N m; 0: it only rolls
-    double topSpin = 60.0;     ///< rad/s at full throttle forward; backward half of it
+    double maxSpin = 60.0;     ///< rad/s at full throttle forward; backward half of it
     double brakeTorque = 0.0;  ///< N m
     double steerAngle = 0.0;   ///< radians either way; 0: it does not steer
     double steerRate = 2.0;    ///< rad/s
 };
 
-/// Of a rope: a chain of points with distance constraints.
+/// A rope: a chain of points with distance constraints.
 struct RopeSettings {
     double length = 0.0;                       ///< metres; 0: the distance of the ends when it is made, plus `slack`
     double slack = 0.0;                        ///< metres
@@ -111,7 +111,7 @@ inline constexpr uint32_t kMaxRopePoints = 256;
 /// Why a joint is gone.
 enum class JointBreak : uint8_t { VoxelGone, Force, Removed, Cut };
 
-/// What is wrong with the numbers of a joint, what was expected; empty: nothing. Handles are not looked at.
+/// Says what is wrong with the numbers of a joint; empty: nothing. Handles are not checked.
 std::string jointError(const Joint& joint);
 /// Chains all of a joint but a rope's points into a hash.
 uint64_t hashJoint(const Joint& joint, uint64_t seed);

@@ -56,11 +56,11 @@ struct Light {
     LightGroupHandle group;  ///< the light goes out with it; empty: none
     bool enabled = true;
 
-    /// Of all that is seen; handles count by their slots.
+    /// A hash of all that is seen; handles count by their slots.
     uint64_t hash() const;
 };
-/// Which number of a light is out of its range, what was expected and what was found; empty: none. Handles are not
-/// looked at.
+/// Says which number of a light is out of its range, what was expected and what was found; empty: none is. Handles are
+/// not checked.
 std::string lightError(const Light& light);
 
 /// Emissive voxels and lights that go out together. Voxels belong to a group by their palette entry. A group with a
@@ -102,11 +102,11 @@ struct Environment {
     float wetness = 0.0f;                   ///< of surfaces open to the sky: 0 dry, 0.5 dark and smooth, 1 with puddles
     glm::vec3 gravity{0.0f, -9.81f, 0.0f};  ///< m/s2
 
-    /// Of all fields.
+    /// A hash of all fields.
     uint64_t hash() const;
     friend bool operator==(const Environment&, const Environment&) = default;
 };
-/// As lightError(), for an environment. The sun's direction may have any length but 0.
+/// The same as lightError() for an environment. The sun's direction may have any length but 0.
 std::string environmentError(const Environment& environment);
 
 }  // namespace rubble

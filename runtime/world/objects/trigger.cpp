@@ -5,7 +5,7 @@
 namespace rubble {
 
 uint64_t Trigger::hash() const {
-    uint64_t hash = hashValue(uint64_t(kind) << 8 | layers);
+    uint64_t hash = hashValue(uint64_t(kind) << 8 | layerMask);
     addToHash(hash, pose);
     for (const double value : {radius, height}) addToHash(hash, value);
     addToHash(hash, halfSize);

@@ -21,13 +21,13 @@ struct Trigger {
     glm::dvec3 halfSize{1.0};  ///< box, metres
     GroundPolygon outline;     ///< polygon: relative to the pose's position
     double height = 1.0;       ///< polygon: upward from the pose's position, metres
-    uint8_t layers = 255;      ///< only shapes with a collision layer in this mask count
+    uint8_t layerMask = 255;   ///< only shapes with a collision layer in this mask count
     std::vector<std::string> tags;
     std::vector<BodyHandle> inside;  ///< bodies with a voxel in it, in slot order; empty in a level
 
     /// The smallest world box around it.
     WorldBox bounds() const;
-    /// Of all that decides what happens.
+    /// A hash of all that decides what happens; name and tags are not in it.
     uint64_t hash() const;
 };
 

@@ -36,7 +36,7 @@ struct Water {
     bool contains(glm::dvec3 point) const {
         return point.y <= surface && point.y >= surface - depth && rubble::contains(outline, point.x, point.z);
     }
-    /// Of all that decides what happens.
+    /// A hash of all that decides what happens; how the water looks is not in it.
     uint64_t hash() const;
     /// The smallest world box around it.
     WorldBox bounds() const {

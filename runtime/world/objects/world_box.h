@@ -1,8 +1,9 @@
 #pragma once
 #include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+
+#include "runtime/core/rotated_box.h"
 
 namespace rubble {
 
@@ -29,11 +30,9 @@ struct WorldBox {
     }
 };
 
-/// The smallest world box around a turned one: its half extents are |R| halfSize.
+/// The smallest world box around a rotated box.
 inline WorldBox boundsOfBox(glm::dvec3 center, glm::dvec3 halfSize, const glm::dquat& rotation) {
-    const glm::dmat3 axes = glm::mat3_cast(rotation);
-    const glm::dvec3 extent =
-        glm::abs(axes[0]) * halfSize.x + glm::abs(axes[1]) * halfSize.y + glm::abs(axes[2]) * halfSize.z;
+    const glm::dvec3 extent = rotatedHalfExtent(glm::mat3_cast(rotation), halfSize);
     return {center - extent, center + extent};
 }
 

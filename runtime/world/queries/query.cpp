@@ -9,7 +9,7 @@
 namespace rubble {
 namespace {
 
-constexpr size_t kBatch = 64;  ///< queries
+constexpr size_t kBatch = 64;  ///< queries that one call of a ParallelFor's body answers
 
 /// Whether a ray of unit direction meets a box, grown by `halfExtent`, within a distance. The slab method: the ray's
 /// interval inside a box is the intersection of its intervals between the three pairs of planes (Kay & Kajiya 1986).
@@ -35,10 +35,10 @@ public:
         : m_world(world), m_filter(filter), m_filtersEntries(filter.rejectTransparent || filter.rejectUnphysical) {}
 
     bool accepts(ShapeHandle handle, const Shape& shape) const {
-        if (!(shape.collisionLayer & m_filter.layers)) return false;
-        if (!m_filter.includeStatic || !m_filter.includeDynamic) {
+        if (!(shape.collisionLayer & m_filter.layerMask)) return false;
+        if (m_filter.rejectStatic || m_filter.rejectDynamic) {
             const bool isStatic = m_world.bodies.at(shape.body).isStatic;
-            if (isStatic ? !m_filter.includeStatic : !m_filter.includeDynamic) return false;
+            if (isStatic ? m_filter.rejectStatic : m_filter.rejectDynamic) return false;
         }
         return !has(m_filter.rejectedShapes, handle) && !has(m_filter.rejectedBodies, shape.body);
     }

@@ -29,8 +29,8 @@ struct WorldHit {
 
 /// Which shapes and voxels a query sees.
 struct QueryFilter {
-    uint8_t layers = 255;  ///< only shapes with a collision layer in this mask
-    bool includeStatic = true, includeDynamic = true;
+    uint8_t layerMask = 255;                           ///< only shapes with a collision layer in this mask
+    bool rejectStatic = false, rejectDynamic = false;  ///< bodies of this kind are not found
     bool rejectTransparent = false;  ///< passes through voxels of entries that are not opaque, such as glass
     bool rejectUnphysical = false;   ///< passes through voxels of unphysical materials, which bodies pass through too
     std::vector<BodyHandle> rejectedBodies;
@@ -43,7 +43,7 @@ struct RayQuery {
     double radius = 0.0;  ///< > 0: a sphere is cast
 };
 
-enum class QueryShapeKind : uint8_t { Sphere, Capsule, Box };
+enum class QueryShapeKind : uint8_t { Sphere, Box, Capsule };
 struct QueryShape {
     QueryShapeKind kind = QueryShapeKind::Sphere;
     glm::dvec3 position{0.0};         ///< sphere and box: centre; capsule: one end

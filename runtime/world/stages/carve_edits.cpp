@@ -12,6 +12,9 @@
 namespace rubble {
 namespace {
 
+constexpr std::array<uint8_t, 3> kSootColor = {24, 21, 18};
+constexpr double kSootRadius = 1.45;  ///< of an explosion's soot, as a multiple of its size
+
 void carveShape(EditContext& context, ShapeHandle handle, const CarveEdit& edit) {
     Shape& shape = context.world.shapes.at(handle);
     const Brush brush = resolveBrush(edit, shapeToWorld(context.world, handle), shape.voxelSize);
@@ -67,7 +70,7 @@ void apply(EditContext& context, const CarveEdit& edit) {
     if (context.world.shapes.find(edit.shape))
         carveShape(context, edit.shape, edit);
     else
-        logWarning("CarveEdit: the handle of its shape is stale; nothing was carved");
+        logWarning("carve: the handle of its shape is stale; nothing was carved");
 }
 
 void apply(EditContext& context, const BreakEdit& edit) {
@@ -80,15 +83,22 @@ void apply(EditContext& context, const BreakEdit& edit) {
     if (context.world.shapes.find(edit.shape))
         breakShape(context, edit.shape, edit);
     else
-        logWarning("BreakEdit: the handle of its shape is stale; nothing was broken");
+        logWarning("break_voxels: the handle of its shape is stale; nothing was broken");
 }
 
 void apply(EditContext& context, const ExplodeEdit& edit) {
     const uint32_t seed = uint32_t(context.changes.step);
-    apply(context, BreakEdit{edit.position, {edit.size, 0.7 * edit.size, 0.4 * edit.size}, Tool::Explosive, seed, {}});
+    apply(context, BreakEdit{.position = edit.position,
+                             .radii = {edit.size, 0.7 * edit.size, 0.4 * edit.size},
+                             .tool = Tool::Explosive,
+                             .seed = seed});
     context.changes.blasts.push_back({edit.position, edit.size});
-    constexpr std::array<uint8_t, 3> kSoot = {24, 21, 18};
-    apply(context, PaintEdit{edit.position, 1.45 * edit.size, kSoot, 190, 20, seed});
+    apply(context, PaintEdit{.position = edit.position,
+                             .radius = kSootRadius * edit.size,
+                             .color = kSootColor,
+                             .strength = 190,
+                             .probability = 20,
+                             .seed = seed});
     context.impulses.emplace_back(edit);
 }
 

@@ -10,6 +10,6 @@ void apply(EditContext& context, const RemoveCharacterEdit& edit);
 /// Sets what a character wants from now on.
 void apply(EditContext& context, const MoveCharacterEdit& edit);
 /// Puts a character somewhere else; it stands on nothing until physics finds its ground.
-void apply(EditContext& context, const PlaceCharacterEdit& edit);
+void apply(EditContext& context, const TeleportCharacterEdit& edit);
 
 }  // namespace rubble

@@ -19,12 +19,14 @@ namespace rubble {
 namespace {
 
 constexpr Srgb kCharColor = {22, 19, 17};
-constexpr uint8_t kCharStrength = 44;     ///< of 255, for each update that chars
-constexpr int kRadiationInterval = 5;     ///< updates of a brick between two radiations to other shapes
-constexpr double kRadiationRadius = 1.1;  ///< metres
-constexpr double kRadiatedShare = 0.12;   ///< of the heat that a fire emits
-constexpr uint32_t kWetSeconds = 20;      ///< that bricks stay wet after they were under water
-constexpr double kMaxCoordinate = 1e30;   ///< metres: rejects infinities and NaNs only
+constexpr uint8_t kCharStrength = 44;           ///< of 255, for each update that chars
+constexpr int kRadiationInterval = 5;           ///< updates of a brick between two radiations to other shapes
+constexpr double kRadiationRadius = 1.1;        ///< metres
+constexpr double kRadiatedShare = 0.12;         ///< of the heat that a fire emits
+constexpr uint32_t kWetSeconds = 20;            ///< that bricks stay wet after they were under water
+constexpr double kMaxCoordinate = 1e30;         ///< metres: rejects infinities and NaNs only
+constexpr int64_t kMaxHeat = int64_t(1) << 56;  ///< mJ of a brick
+constexpr double kFlameHeight = 0.3;            ///< metres above a fire, around which it radiates
 
 /// Calls f(brick) for the non-empty bricks of a grid that may have a cell within `radiusCells` of a point in cells.
 template <class F>
@@ -81,10 +83,10 @@ void FireStage::apply(const HeatEdit& edit) {
     if (!isWithin(edit.position, kMaxCoordinate) || !(edit.radius > 0.0 && edit.radius < 1e6) ||
         !(edit.joules >= 0.0 && edit.joules < 1e15))
         return logWarning(
-            "HeatEdit: expected finite numbers, a radius above zero and joules of zero or more; nothing was heated");
+            "heat: expected finite numbers, a radius above zero and joules of zero or more; nothing was heated");
     if (!m_context.world.settings.fire.enabled) return;
     if (edit.shape && !m_context.world.shapes.find(edit.shape))
-        return logWarning("HeatEdit: the handle of its shape is stale; nothing was heated");
+        return logWarning("heat: the handle of its shape is stale; nothing was heated");
     const std::vector<ShapeHandle> shapes =
         edit.shape ? std::vector{edit.shape} : shapesNear(m_context.world, edit.position, edit.radius);
     struct Target {
@@ -115,7 +117,7 @@ void FireStage::apply(const HeatEdit& edit) {
     }
 }
 
-/// Null if there is no room for one more hot brick. A wet brick takes no heat.
+/// Adds heat to a brick; a wet one takes none. Null if FireSettings::maxHot bricks are hot already.
 HotBrick* FireStage::depositHeat(const Deposit& deposit) {
     const FireSettings& settings = m_context.world.settings.fire;
     HotBrick* hot = m_context.world.fire.findOrAdd(deposit.shape, deposit.brick, settings.maxHot);
@@ -123,10 +125,10 @@ HotBrick* FireStage::depositHeat(const Deposit& deposit) {
         ++m_context.changes.heatLost;
         if (!std::exchange(m_context.world.fire.hasLoggedFull, true))
             logWarning("fire: " + std::to_string(settings.maxHot) +
-                       " bricks are hot, the heat of others is lost; to keep more, raise FireSettings::maxHot");
+                       " bricks are hot, the heat of others is lost; to keep more, raise maxHot of the fire settings");
         return nullptr;
     }
-    if (hot->wet == 0) hot->heat = std::min(hot->heat + deposit.heat, int64_t(1) << 56);
+    if (hot->wet == 0) hot->heat = std::min(hot->heat + deposit.heat, kMaxHeat);
     return hot;
 }
 
@@ -139,7 +141,7 @@ void FireStage::igniteBrick(ShapeHandle handle, HotBrick& hot) {
         ++m_context.changes.firesRefused;
         if (!std::exchange(fire.hasLoggedFull, true))
             logWarning("fire: " + std::to_string(limit) +
-                       " bricks burn and no more will; to allow more, raise FireSettings::maxFires");
+                       " bricks burn and no more will; to allow more, raise maxFires of the fire settings");
         return;
     }
     ignite(hot);
@@ -151,7 +153,7 @@ void FireStage::apply(const ExtinguishEdit& edit) {
     if (!isWithin(edit.position, kMaxCoordinate) || !(edit.radius > 0.0 && edit.radius < 1e6) ||
         !(edit.wetSeconds >= 0.0 && edit.wetSeconds <= 6000.0))
         return logWarning(
-            "ExtinguishEdit: expected finite numbers, a radius above zero and 0 to 6000 seconds; nothing was put out");
+            "extinguish: expected finite numbers, a radius above zero and 0 to 6000 seconds; nothing was put out");
     const uint32_t wet = uint32_t(edit.wetSeconds * kHeatUpdatesPerSecond);
     FireState& fire = m_context.world.fire;
     if (wet == 0 && !fire.isActive()) return;
@@ -169,7 +171,7 @@ void FireStage::apply(const ExtinguishEdit& edit) {
 
 void FireStage::apply(const RemoveFiresEdit& edit) {
     if (!isWithin(edit.low, kMaxCoordinate) || !isWithin(edit.high, kMaxCoordinate))
-        return logWarning("RemoveFiresEdit: expected finite numbers; nothing was put out");
+        return logWarning("remove fires: expected finite numbers; nothing was put out");
     for (HeatField& field : m_context.world.fire.fields)
         for (HotBrick& hot : field.bricks) {
             if (!hot.burningFor || !m_context.world.shapes.find(field.shape)) continue;
@@ -189,7 +191,7 @@ glm::dvec3 FireStage::brickInWorld(ShapeHandle handle, glm::ivec3 brick) const {
         .transformPoint(brickMiddle(brick) * double(m_context.world.shapes.at(handle).voxelSize));
 }
 
-/// For the shape's palette as it is now; kept until it is asked for another palette or voxel size.
+/// The heat table of the shape's palette as it is now. Kept until another palette or voxel size is asked for.
 const HeatTable& FireStage::heatTable(ShapeHandle handle) {
     const Shape& shape = m_context.world.shapes.at(handle);
     if (m_heatTablePalette != shape.palette || m_heatTableVoxelSize != shape.voxelSize) {
@@ -250,7 +252,8 @@ void FireStage::emitHeat(ShapeHandle handle, const HotBrick& hot, int64_t emitte
     for (const HeatDeposit& each : m_neighbors) m_deposits.push_back({handle, each.brick, each.heat});
     if (hot.burningFor % kRadiationInterval) return;
     const glm::dvec3 from = brickInWorld(handle, hot.brick);
-    for (const ShapeHandle other : shapesNear(m_context.world, from + glm::dvec3(0.0, 0.3, 0.0), kRadiationRadius)) {
+    for (const ShapeHandle other :
+         shapesNear(m_context.world, from + glm::dvec3(0.0, kFlameHeight, 0.0), kRadiationRadius)) {
         if (other == handle) continue;
         const Shape& shape = m_context.world.shapes.at(other);
         const Pose pose = shapeToWorld(m_context.world, other);

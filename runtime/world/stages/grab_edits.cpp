@@ -11,6 +11,9 @@
 namespace rubble {
 namespace {
 
+constexpr double kMaxCoordinate = 1e12;  ///< metres
+constexpr double kGrabFriction = 0.1;    ///< N m against the rotation of what is held, for each N of its largest force
+
 /// Gives a grab another target or strength.
 void updateGrab(EditContext& context, JointHandle handle, const GrabEdit& edit) {
     Joint& grab = context.world.joints.at(handle);
@@ -20,7 +23,7 @@ void updateGrab(EditContext& context, JointHandle handle, const GrabEdit& edit) 
     moved.ends[1].frame.position = edit.target;
     moved.maxForce = edit.maxForce;
     moved.spring.hertz = edit.hertz;
-    if (!jointError(moved).empty()) return logWarning("GrabEdit: " + jointError(moved) + "; the grab stays as it was");
+    if (!jointError(moved).empty()) return logWarning("grab_body: " + jointError(moved) + "; the grab stays as it was");
     grab = std::move(moved);
     context.changes.jointsChanged.push_back(handle);
 }
@@ -31,9 +34,9 @@ void apply(EditContext& context, const GrabEdit& edit) {
     const Body* body = context.world.bodies.find(edit.body);
     if (!body || body->isStatic)
         return logWarning(
-            "GrabEdit: expected the handle of a free body, found one that is stale or static; nothing was grabbed");
-    if (!isWithin(edit.point, 1e12) || !isWithin(edit.target, 1e12))
-        return logWarning("GrabEdit: expected places below 1e12 m, found others; nothing was grabbed");
+            "grab_body: expected the handle of a free body, found one that is stale or static; nothing was grabbed");
+    if (!isWithin(edit.point, kMaxCoordinate) || !isWithin(edit.target, kMaxCoordinate))
+        return logWarning("grab_body: expected positions below 1e12 m, found others; nothing was grabbed");
     for (const JointHandle handle : copyOf(context.world.jointIndex.grabs())) {
         const Joint& grab = context.world.joints.at(handle);
         if (grab.hand != edit.hand + 1) continue;
@@ -50,13 +53,13 @@ void apply(EditContext& context, const GrabEdit& edit) {
         grab.collides = true;
         grab.spring = {edit.hertz, 1.0};
         grab.maxForce = edit.maxForce;
-        grab.friction = 0.1 * edit.maxForce;
+        grab.friction = kGrabFriction * edit.maxForce;
         grab.hand = edit.hand + 1;
         if (!attachJoint(context.world, grab).empty()) continue;
         context.changes.jointsCreated.push_back(context.world.addJoint(std::move(grab)));
         return;
     }
-    logWarning("GrabEdit: expected a voxel of the body near the point, found none; nothing was grabbed");
+    logWarning("grab_body: expected a voxel of the body near the point, found none; nothing was grabbed");
 }
 
 void apply(EditContext& context, const ReleaseEdit& edit) {

@@ -32,9 +32,9 @@ std::optional<glm::ivec3> findStruckCell(const VoxelGrid& grid, glm::dvec3 point
 
 void ImpactLoadStage::apply(const ImpactLoadEdit& edit) {
     const Shape* shape = m_context.world.shapes.find(edit.shape);
-    if (!shape) return logWarning("ImpactLoadEdit: the handle of its shape is stale; nothing was struck");
+    if (!shape) return logWarning("impact load: the handle of its shape is stale; nothing was struck");
     if (!isSane(edit.position) || !isSane(edit.impulse))
-        return logWarning("ImpactLoadEdit: expected numbers below 1e12; nothing was struck");
+        return logWarning("impact load: expected numbers below 1e12; nothing was struck");
     const StressSettings& settings = m_context.world.settings.stress;
     if (!m_context.world.stress || !shape->loadBearing || !(settings.contactTime > 0.0)) return;
     const Pose pose = shapeToWorld(m_context.world, edit.shape);

@@ -33,7 +33,7 @@ void applyImpulseTo(EditContext& context, const ImpulseApplied& impulse) {
 void applyImpulse(EditContext& context, const ImpulseEdit& edit) {
     const Body* body = context.world.bodies.find(edit.body);
     if (!body)
-        logWarning("ImpulseEdit: the handle of its body is stale; nothing was pushed");
+        logWarning("apply_impulse: the handle of its body is stale; nothing was pushed");
     else if (!body->isStatic)
         applyImpulseTo(context, {edit.body, edit.position, edit.impulse});
 }

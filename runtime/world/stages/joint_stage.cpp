@@ -48,7 +48,7 @@ std::vector<JointHandle> copyOf(std::span<const JointHandle> joints) {
 void apply(EditContext& context, const AddJointEdit& edit) {
     Joint joint = edit.joint;
     if (const std::string error = attachJoint(context.world, joint); !error.empty())
-        return logWarning("AddJointEdit: " + error + "; no joint was made");
+        return logWarning("add_joint: " + error + "; no joint was made");
     context.changes.jointsCreated.push_back(context.world.addJoint(std::move(joint)));
 }
 
@@ -56,7 +56,7 @@ void apply(EditContext& context, const RemoveJointEdit& edit) {
     const Joint* joint = context.world.joints.find(edit.joint);
     if (!joint) {
         if (edit.reason != JointBreak::Force)
-            logWarning("RemoveJointEdit: the handle of its joint is stale; nothing was removed");
+            logWarning("remove_joint: the handle of its joint is stale; nothing was removed");
         return;
     }
     if (joint->kind == JointKind::Rope && edit.reason != JointBreak::Removed) {
@@ -69,20 +69,20 @@ void apply(EditContext& context, const RemoveJointEdit& edit) {
 
 void apply(EditContext& context, const SetJointMotorEdit& edit) {
     Joint* joint = context.world.joints.find(edit.joint);
-    if (!joint) return logWarning("SetJointMotorEdit: the handle of its joint is stale; nothing was set");
+    if (!joint) return logWarning("set_joint_motor: the handle of its joint is stale; nothing was set");
     Joint wanted = *joint;
     wanted.motor = edit.motor;
     wanted.friction = edit.friction;
     wanted.steer = edit.steer;
     if (const std::string error = jointError(wanted); !error.empty())
-        return logWarning("SetJointMotorEdit: " + error + "; nothing was set");
+        return logWarning("set_joint_motor: " + error + "; nothing was set");
     *joint = std::move(wanted);
     context.changes.jointsChanged.push_back(edit.joint);
 }
 
 void apply(EditContext& context, const DetachJointEdit& edit) {
     const Joint* joint = context.world.joints.find(edit.joint);
-    if (!joint) return logWarning("DetachJointEdit: the handle of its joint is stale; nothing was detached");
+    if (!joint) return logWarning("detach joint: the handle of its joint is stale; nothing was detached");
     for (size_t end = 0; end < 2; ++end)
         if (joint->ends[end].shape == edit.shape && !joint->ends[end].isFree) {
             if (joint->kind != JointKind::Rope)

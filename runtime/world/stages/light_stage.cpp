@@ -12,13 +12,13 @@ namespace rubble {
 namespace {
 
 /// A light as the world will hold it: one of a group that is out stays dark. Nothing, and a warning, if it is invalid.
-std::optional<Light> checkedLight(const EditContext& context, const Light& wanted, const char* edit) {
+std::optional<Light> checkedLight(const EditContext& context, const Light& wanted, const char* function) {
     const LightGroup* group = context.world.groups.find(wanted.group);
     std::string error = lightError(wanted);
     if (wanted.shape && !context.world.shapes.find(wanted.shape)) error = "the handle of its shape is stale";
     if (wanted.group && !group) error = "the handle of its light group is stale";
     if (!error.empty()) {
-        logWarning(std::string(edit) + ": " + error + "; nothing was changed");
+        logWarning(std::string(function) + ": " + error + "; nothing was changed");
         return {};
     }
     Light light = wanted;
@@ -30,7 +30,7 @@ std::optional<Light> checkedLight(const EditContext& context, const Light& wante
 
 void apply(EditContext& context, const SetEnvironmentEdit& edit) {
     if (const std::string error = environmentError(edit.environment); !error.empty())
-        return logWarning("SetEnvironmentEdit: " + error + "; nothing was changed");
+        return logWarning("set_environment: " + error + "; nothing was changed");
     const Environment before = context.world.environment;
     context.world.setEnvironment(edit.environment);
     context.changes.environmentChanged |= before != context.world.environment;
@@ -38,20 +38,19 @@ void apply(EditContext& context, const SetEnvironmentEdit& edit) {
 
 void apply(EditContext& context, const AddLightEdit& edit) {
     LightHandle& added = context.changes.lightsAdded.emplace_back();
-    const std::optional<Light> light = checkedLight(context, edit.light, "AddLightEdit");
+    const std::optional<Light> light = checkedLight(context, edit.light, "add_light");
     if (!light) return;
     if (context.world.lights.size() >= kMaxLights)
-        return logWarning("AddLightEdit: expected less than " + std::to_string(kMaxLights) +
-                          " lights (kMaxLights), found " + std::to_string(context.world.lights.size()) +
-                          "; nothing was changed");
+        return logWarning("add_light: expected less than " + std::to_string(kMaxLights) + " lights, found " +
+                          std::to_string(context.world.lights.size()) + "; nothing was changed");
     added = context.world.lights.insert(*light);
     context.changes.lights.push_back(added);
 }
 
 void apply(EditContext& context, const SetLightEdit& edit) {
     Light* light = context.world.lights.find(edit.light);
-    if (!light) return logWarning("SetLightEdit: the handle of its light is stale; nothing was changed");
-    std::optional<Light> values = checkedLight(context, edit.values, "SetLightEdit");
+    if (!light) return logWarning("set_light: the handle of its light is stale; nothing was changed");
+    std::optional<Light> values = checkedLight(context, edit.values, "set_light");
     if (!values) return;
     *light = std::move(*values);
     context.changes.lights.push_back(edit.light);
@@ -59,7 +58,7 @@ void apply(EditContext& context, const SetLightEdit& edit) {
 
 void apply(EditContext& context, const RemoveLightEdit& edit) {
     if (!context.world.lights.erase(edit.light))
-        return logWarning("RemoveLightEdit: the handle of its light is stale; nothing was removed");
+        return logWarning("remove_light: the handle of its light is stale; nothing was removed");
     context.changes.lights.push_back(edit.light);
 }
 

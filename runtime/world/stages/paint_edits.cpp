@@ -46,10 +46,10 @@ void apply(EditContext& context, const PaintEdit& edit) {
     area.radii.fill(edit.radius);
     const BoundingSphere bounds = boundingSphere(area);
     if (!(bounds.radius >= 0.0) || !std::isfinite(bounds.radius))
-        return logWarning("PaintEdit: a position or radius is not a number; nothing was painted");
+        return logWarning("paint: a position or radius is not a number; nothing was painted");
     if (edit.shape) {
         if (!context.world.shapes.find(edit.shape))
-            return logWarning("PaintEdit: the handle of its shape is stale; nothing was painted");
+            return logWarning("paint: the handle of its shape is stale; nothing was painted");
         return paintShape(context, edit.shape, edit, area);
     }
     for (const ShapeHandle handle : shapesNear(context.world, bounds.center, bounds.radius))

@@ -22,17 +22,12 @@ std::optional<std::array<uint8_t, 256>> mergePalette(Palette& into, const Palett
 
 std::array<uint8_t, 16> mergePaintColors(PaintColors& into, const PaintColors& from) {
     std::array<uint8_t, 16> map{};
-    const auto distance = [](const Srgb& a, const Srgb& b) {
-        int sum = 0;
-        for (size_t c = 0; c < 3; ++c) sum += (int(a[c]) - b[c]) * (int(a[c]) - b[c]);
-        return sum;
-    };
     for (size_t i = 0; i < from.count; ++i) {
         const auto known = into.colors.begin() + into.count;
         auto place = std::min_element(into.colors.begin(), known, [&](const Srgb& a, const Srgb& b) {
-            return distance(a, from.colors[i]) < distance(b, from.colors[i]);
+            return distanceSquared(a, from.colors[i]) < distanceSquared(b, from.colors[i]);
         });
-        if ((place == known || distance(*place, from.colors[i]) > 0) && into.count < kPaintColors) {
+        if ((place == known || *place != from.colors[i]) && into.count < kPaintColors) {
             place = known;
             *place = from.colors[i];
             ++into.count;

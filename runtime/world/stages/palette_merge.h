@@ -9,12 +9,12 @@
 
 namespace rubble {
 
-/// Adds the entries of `from` that `used` counts to a palette, over equal and free entries: the entry of `into` for
-/// each of `from`. Nothing if there are not enough free ones; `into` may be changed then.
+/// Adds to `into` the entries of `from` that `used` counts: each takes an equal entry, else a free one. Returns the
+/// entry of `into` by entry of `from`; nothing if too few are free, and then `into` may have changed.
 std::optional<std::array<uint8_t, 256>> mergePalette(Palette& into, const Palette& from, const EntryCounts& used);
 
-/// Adds paint colours: the slot, counted from 1, of `into` for each of `from`. A colour for which no slot is left
-/// becomes the nearest by squared distance in sRGB.
+/// Adds the paint colours of `from` to `into`. Returns the number of each in `into`, both counted from 1. A colour for
+/// which none is left becomes the nearest in sRGB.
 std::array<uint8_t, 16> mergePaintColors(PaintColors& into, const PaintColors& from);
 
 }  // namespace rubble

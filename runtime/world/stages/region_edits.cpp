@@ -37,9 +37,9 @@ bool isSane(const Trigger& trigger) {
 
 }  // namespace
 
-void apply(EditContext& context, const SetCollisionEdit& edit) {
+void apply(EditContext& context, const SetCollisionFilterEdit& edit) {
     Shape* shape = context.world.shapes.find(edit.shape);
-    if (!shape) return logWarning("SetCollisionEdit: the handle of its shape is stale; nothing was changed");
+    if (!shape) return logWarning("set_collision_filter: the handle of its shape is stale; nothing was changed");
     shape->collisionLayer = edit.layer;
     shape->collisionMask = edit.mask;
     context.changes.filters.push_back(edit.shape);
@@ -49,20 +49,20 @@ void apply(EditContext& context, const SetCollisionEdit& edit) {
 void apply(EditContext& context, const AddWaterEdit& edit) {
     if (!isSane(edit.water))
         return logWarning(
-            "AddWaterEdit: expected an outline of three points or more, a depth above zero and finite numbers; no "
+            "add_water: expected an outline of three points or more, a depth above zero and finite numbers; no "
             "water was made");
     context.changes.waters.push_back(context.world.waters.insert(edit.water));
 }
 
 void apply(EditContext& context, const RemoveWaterEdit& edit) {
     if (!context.world.waters.erase(edit.water))
-        return logWarning("RemoveWaterEdit: the handle of its water is stale; nothing was removed");
+        return logWarning("remove_water: the handle of its water is stale; nothing was removed");
     context.changes.waters.push_back(edit.water);
 }
 
 void apply(EditContext& context, const AddTriggerEdit& edit) {
     if (!isSane(edit.trigger))
-        return logWarning("AddTriggerEdit: expected a size above zero and finite numbers; no trigger was made");
+        return logWarning("add_trigger: expected a size above zero and finite numbers; no trigger was made");
     Trigger trigger = edit.trigger;
     trigger.inside.clear();
     const TriggerHandle handle = context.world.triggers.insert(std::move(trigger));
@@ -72,7 +72,7 @@ void apply(EditContext& context, const AddTriggerEdit& edit) {
 
 void apply(EditContext& context, const RemoveTriggerEdit& edit) {
     if (!context.world.triggers.erase(edit.trigger))
-        return logWarning("RemoveTriggerEdit: the handle of its trigger is stale; nothing was removed");
+        return logWarning("remove_trigger: the handle of its trigger is stale; nothing was removed");
     context.world.triggerBounds.remove(edit.trigger.slot());
     context.changes.triggers.push_back(edit.trigger);
 }

@@ -4,7 +4,7 @@
 namespace rubble {
 
 /// Gives a shape another collision layer and mask, and wakes its body.
-void apply(EditContext& context, const SetCollisionEdit& edit);
+void apply(EditContext& context, const SetCollisionFilterEdit& edit);
 /// Adds a body of water if its numbers are valid.
 void apply(EditContext& context, const AddWaterEdit& edit);
 /// Erases a body of water.

@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+
+#include "runtime/core/constants.h"
+#include "runtime/world/stages/joint_stage.h"
 
 namespace rubble {
 namespace {
 
-constexpr double kSampleSpacing = 0.05;  ///< metres between the places of a rope that are tested for a cut
-constexpr double kMinRopeLength = 0.3;   ///< metres to which a winch can wind a rope
-constexpr double kWinchSpeed = 1.0;      ///< m/s while it winds to a target length
-constexpr double kMinPartLength = 0.02;  ///< metres: a shorter part of a cut rope vanishes
+constexpr double kSampleSpacing = 0.05;   ///< metres between the places of a rope that are tested for a cut
+constexpr double kMinRopeLength = 0.3;    ///< metres to which a winch can wind a rope
+constexpr double kWinchSpeed = 1.0;       ///< m/s while it winds to a target length
+constexpr double kMaxWinchSpeed = 100.0;  ///< m/s of a speed motor
+constexpr double kMaxRopeLength = 1e4;    ///< metres to which a winch can unwind a rope
+constexpr double kMinPartLength = 0.02;   ///< metres: a shorter part of a cut rope vanishes
 
 /// Whether a place is inside the volume that an edit takes out of soft materials.
 bool isInside(const CarveEdit& volume, glm::dvec3 place) {
@@ -32,9 +36,7 @@ bool isInside(const CarveEdit& volume, glm::dvec3 place) {
 }  // namespace
 
 void cutRopes(EditContext& context, const CarveEdit& volume) {
-    const std::span<const JointHandle> ropes = context.world.jointIndex.ropes();
-    if (ropes.empty()) return;
-    for (const JointHandle handle : std::vector<JointHandle>(ropes.begin(), ropes.end())) {
+    for (const JointHandle handle : copyOf(context.world.jointIndex.ropes())) {
         const Joint& rope = context.world.joints.at(handle);
         double first = -1.0, last = -1.0;
         bool isPast = false;
@@ -90,11 +92,12 @@ void updateWinches(EditContext& context) {
     for (const JointHandle handle : context.world.jointIndex.ropes()) {
         Joint& rope = context.world.joints.at(handle);
         if (rope.motor.mode == MotorMode::Off) continue;
-        const double maxChange = kWinchSpeed / 60.0;
+        const double maxChange = kWinchSpeed / kStepsPerSecond;
         const double change = rope.motor.mode == MotorMode::Speed
-                                  ? std::clamp(rope.motor.target, -100.0, 100.0) / 60.0
+                                  ? std::clamp(rope.motor.target, -kMaxWinchSpeed, kMaxWinchSpeed) / kStepsPerSecond
                                   : std::clamp(rope.motor.target - rope.rope.length, -maxChange, maxChange);
-        const double length = std::clamp(rope.rope.length + change, std::min(kMinRopeLength, rope.rope.length), 1e4);
+        const double length =
+            std::clamp(rope.rope.length + change, std::min(kMinRopeLength, rope.rope.length), kMaxRopeLength);
         if (length == rope.rope.length) continue;
         rope.rope.length = length;
         context.changes.jointsChanged.push_back(handle);

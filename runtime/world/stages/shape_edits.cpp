@@ -63,7 +63,7 @@ ShapeHandle findMergeTarget(const EditContext& context, ShapeHandle handle) {
     return {};
 }
 
-/// Adds the voxels of `from`, whose cell 0 is cell `at` of `into`; the counts of those that find their cell taken.
+/// Adds the voxels of `from`, whose cell 0 is cell `at` of `into`. Returns the counts of those whose cell is taken.
 EntryCounts mergeVoxels(Shape& into, const Shape& from, const std::array<uint8_t, 256>& entries, glm::ivec3 at) {
     std::array<uint8_t, 16> paints{};
     if (from.paintColors) {
@@ -94,8 +94,7 @@ void moveAttached(EditContext& context, ShapeHandle from, ShapeHandle into, glm:
         attached.local.position += glm::dvec3(at) * double(context.world.shapes.at(into).voxelSize);
         context.changes.lights.push_back(light);
     });
-    const std::span<const JointHandle> held = context.world.jointIndex.of(from);
-    for (const JointHandle joint : std::vector<JointHandle>(held.begin(), held.end()))
+    for (const JointHandle joint : copyOf(context.world.jointIndex.of(from)))
         for (size_t end = 0; end < 2; ++end)
             if (context.world.joints.at(joint).ends[end].shape == from) moveJointEnd(context, joint, end, into, -at);
 }
@@ -103,7 +102,7 @@ void moveAttached(EditContext& context, ShapeHandle from, ShapeHandle into, glm:
 }  // namespace
 
 void apply(EditContext& context, const SplitShapeEdit& edit) {
-    Shape* shape = shapeToEdit(context, edit.shape, "SplitShapeEdit");
+    Shape* shape = shapeToEdit(context, edit.shape, "split shape");
     if (!shape) return;
     context.recordMotion(shape->body);
     std::vector<Component> components = findComponents(shape->grid);
@@ -112,10 +111,8 @@ void apply(EditContext& context, const SplitShapeEdit& edit) {
                    holdsB = touchesAnchor(shape->grid, b, shape->anchors);
         return holdsA != holdsB ? holdsA : isLargerComponent(a, b);
     };
-    if (components.size() > 1)
-        components.erase(std::min_element(components.begin(), components.end(), keeps));
-    else
-        return;
+    if (components.size() <= 1) return;
+    components.erase(std::min_element(components.begin(), components.end(), keeps));
     const Densities densities(*shape->palette, context.world.materials);
     ShapeSplit split{.parent = edit.shape};
     const Body& body = context.world.bodies.at(shape->body);
@@ -145,18 +142,18 @@ void apply(EditContext& context, const SplitShapeEdit& edit) {
 }
 
 void apply(EditContext& context, const MergeShapeEdit& edit) {
-    Shape* from = shapeToEdit(context, edit.shape, "MergeShapeEdit");
+    Shape* from = shapeToEdit(context, edit.shape, "merge shapes");
     if (!from) return;
     const ShapeHandle target = edit.into ? edit.into : findMergeTarget(context, edit.shape);
     Shape* into = target == edit.shape ? nullptr : context.world.shapes.find(target);
     const std::optional<glm::ivec3> offset = into ? cellOffsetIn(*into, *from) : std::nullopt;
     if (!offset || !sharesFace(into->grid, from->grid, *offset))
-        return logWarning("MergeShapeEdit: no shape that matches and touches; nothing was done");
+        return logWarning("merge shapes: no shape that matches and touches; nothing was done");
     const CellBox box{glm::min(*offset, glm::ivec3(0)), glm::max(*offset + from->grid.size(), into->grid.size())};
     auto palette = std::make_shared<Palette>(*into->palette);
     const auto entries = mergePalette(*palette, *from->palette, countEntries(from->grid));
     if (!entries)
-        return logWarning("MergeShapeEdit: the two palettes do not fit into one of 255 entries; nothing was done");
+        return logWarning("merge shapes: the two palettes do not fit into one of 255 entries; nothing was done");
     if (!reframeShape(context, target, box)) return;
     const glm::ivec3 at = *offset - box.low;
     if (*palette != *into->palette) into->palette = palette;
@@ -170,12 +167,12 @@ void apply(EditContext& context, const MergeShapeEdit& edit) {
 }
 
 void apply(EditContext& context, const TrimShapeEdit& edit) {
-    if (const Shape* shape = shapeToEdit(context, edit.shape, "TrimShapeEdit"))
+    if (const Shape* shape = shapeToEdit(context, edit.shape, "trim shape"))
         reframeShape(context, edit.shape, filledBounds(shape->grid));
 }
 
 void apply(EditContext& context, const ResizeShapeEdit& edit) {
-    if (shapeToEdit(context, edit.shape, "ResizeShapeEdit")) reframeShape(context, edit.shape, edit.box);
+    if (shapeToEdit(context, edit.shape, "resize shape")) reframeShape(context, edit.shape, edit.box);
 }
 
 }  // namespace rubble

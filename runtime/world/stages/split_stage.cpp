@@ -70,7 +70,7 @@ bool continueSearch(EditContext& context, PendingSplit& pending, size_t& budget)
     if (!shape->knownConnected) {  // a shape's first test looks at all of it, at once
         context.recordMotion(shape->body);
         shape->knownConnected = true;
-        budget -= std::min(budget, shape->grid.brickCount() / 64 + 1);
+        budget -= std::min(budget, shape->grid.brickCount() / 64 + 1);  // about its nodes, of 64 bricks each
         splitShape(context, pending.shape, findDetached(shape->grid, shape->anchors, isAnchored));
         return true;
     }

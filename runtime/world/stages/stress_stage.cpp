@@ -82,7 +82,7 @@ void runStressAnalysis(EditContext& context) {
 void weakenBrick(EditContext& context, ShapeHandle handle, glm::ivec3 brick, int left) {
     WorldStress::Entry* entry = context.world.stress->find(handle);
     if (!entry) return;
-    left = (left + 15) / 16 * 16;
+    left = quantizedStrength(left);
     const auto place = std::lower_bound(entry->weak.begin(), entry->weak.end(), brick,
                                         [](const WeakBrick& a, glm::ivec3 b) { return cellBefore(a.brick, b); });
     const bool isKnown = place != entry->weak.end() && place->brick == brick;

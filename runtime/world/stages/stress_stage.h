@@ -9,8 +9,8 @@ void openCracks(EditContext& context);
 void openCrack(EditContext& context, ShapeHandle shape, const StrengthTable& entries, const StressCrack& crack);
 /// Tells the analyses what this step changed, and runs them for up to StressSettings::workPerStep. Stress must be on.
 void runStressAnalysis(EditContext& context);
-/// Tells a shape's analysis how much of a brick's strength fire has left, of 256. In sixteenths, so that a fire does
-/// not restart the analysis for every spark. Stress must be on.
+/// Tells a shape's analysis how much of a brick's strength fire has left, of 256; see quantizedStrength(). Stress must
+/// be on.
 void weakenBrick(EditContext& context, ShapeHandle shape, glm::ivec3 brick, int left);
 
 }  // namespace rubble

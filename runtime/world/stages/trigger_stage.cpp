@@ -23,7 +23,7 @@ bool containsVoxelCenter(const WorldData& world, const Body& body, const Trigger
     const WorldBox bounds = trigger.bounds();
     for (const ShapeHandle handle : body.shapes) {
         const Shape& shape = world.shapes.at(handle);
-        if (!(shape.collisionLayer & trigger.layers)) continue;
+        if (!(shape.collisionLayer & trigger.layerMask)) continue;
         const Pose pose = shapeToWorld(world, handle);
         const glm::dmat3 axes = glm::mat3_cast(pose.rotation) * double(shape.voxelSize);
         const glm::dvec3 halfExtent = (glm::abs(axes[0]) + glm::abs(axes[1]) + glm::abs(axes[2])) * (0.5 * kBrickSize);
@@ -53,7 +53,7 @@ bool isInside(const WorldData& world, BodyHandle handle, const Trigger& trigger)
                             .radius = trigger.radius,
                             .halfSize = trigger.halfSize,
                             .rotation = trigger.pose.rotation};
-    return overlapsBody(world, handle, region, {.layers = trigger.layers});
+    return overlapsBody(world, handle, region, {.layerMask = trigger.layerMask});
 }
 
 template <class Handle>
@@ -93,7 +93,7 @@ std::set<std::pair<TriggerHandle, BodyHandle>> findPairs(EditContext& context) {
     });
     for (const TriggerHandle handle : context.changes.triggers)
         if (const Trigger* trigger = context.world.triggers.find(handle))
-            for (const BodyHandle body : bodiesInBox(context.world, trigger->bounds(), {.includeStatic = false}))
+            for (const BodyHandle body : bodiesInBox(context.world, trigger->bounds(), {.rejectStatic = true}))
                 pairs.emplace(handle, body);
     return pairs;
 }

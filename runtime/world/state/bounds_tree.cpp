@@ -80,26 +80,26 @@ void BoundsTree::insertLeaf(uint32_t leaf) {
         return;
     }
     const uint32_t sibling = bestSibling(m_nodes[leaf].box);
-    const uint32_t above = m_nodes[sibling].parent, joint = allocate();
-    m_nodes[joint].parent = above;
-    m_nodes[joint].left = sibling;
-    m_nodes[joint].right = leaf;
-    m_nodes[sibling].parent = m_nodes[leaf].parent = joint;
-    replaceChild(above, sibling, joint);
-    refit(joint);
+    const uint32_t above = m_nodes[sibling].parent, inner = allocate();
+    m_nodes[inner].parent = above;
+    m_nodes[inner].left = sibling;
+    m_nodes[inner].right = leaf;
+    m_nodes[sibling].parent = m_nodes[leaf].parent = inner;
+    replaceChild(above, sibling, inner);
+    refit(inner);
 }
 
 void BoundsTree::removeLeaf(uint32_t leaf) {
-    const uint32_t joint = m_nodes[leaf].parent;
-    if (joint == kNone) {
+    const uint32_t inner = m_nodes[leaf].parent;
+    if (inner == kNone) {
         m_root = kNone;
         return;
     }
-    const uint32_t sibling = m_nodes[joint].left == leaf ? m_nodes[joint].right : m_nodes[joint].left;
-    const uint32_t above = m_nodes[joint].parent;
+    const uint32_t sibling = m_nodes[inner].left == leaf ? m_nodes[inner].right : m_nodes[inner].left;
+    const uint32_t above = m_nodes[inner].parent;
     m_nodes[sibling].parent = above;
-    replaceChild(above, joint, sibling);
-    m_free.push_back(joint);
+    replaceChild(above, inner, sibling);
+    m_free.push_back(inner);
     refit(above);
 }
 

@@ -24,13 +24,13 @@ struct FireState {
     bool isActive() const { return !fields.empty(); }
     /// The state of a brick; null if it is neither hot nor wet.
     const HotBrick* find(ShapeHandle shape, glm::ivec3 brick) const;
-    /// The same, to be changed.
+    /// The state of a brick, to be changed; null if it is neither hot nor wet.
     HotBrick* find(ShapeHandle shape, glm::ivec3 brick);
     /// The brick's state, a new one if it has none; nullptr if there is none and `limit` bricks are hot already.
     HotBrick* findOrAdd(ShapeHandle shape, glm::ivec3 brick, uint32_t limit);
     /// Drops empty fields and counts again. To be called after `fields` was changed from outside.
     void compact();
-    /// Of all fields, in slot order.
+    /// A hash of all fields, in slot order.
     uint64_t hash() const;
 };
 

@@ -13,6 +13,8 @@ namespace {
 constexpr double kLightCellSize = 1.6;  ///< metres: fires in the same cube of a grid share a light
 constexpr int kFlickerSteps = 5;        ///< between two random values of a flicker
 constexpr float kFlickerDepth = 0.35f;  ///< share of the intensity
+constexpr float kRampUpdates = 20.0f;   ///< heat updates of a brick until its fire has its full intensity
+constexpr float kFullFuel = 64.0f;      ///< voxels of a brick from which on its fire has its full intensity
 
 /// The centroid of a brick's solid cells, in the shape's cells, and their number.
 std::pair<glm::dvec3, int> brickCentroid(const Brick& brick, glm::ivec3 position) {
@@ -43,26 +45,14 @@ std::vector<Fire> findFires(const WorldState& world) {
             const Brick* brick = hot.burningFor ? shape->grid.brickAt(hot.brick) : nullptr;
             if (!brick) continue;
             const auto [centroid, count] = brickCentroid(*brick, hot.brick);
-            const float ramp = std::min(1.0f, float(hot.burningFor) / 20.0f),
-                        fuel = std::min(1.0f, float(count) / 64.0f);
+            const float ramp = std::min(1.0f, float(hot.burningFor) / kRampUpdates),
+                        fuel = std::min(1.0f, float(count) / kFullFuel);
             const uint32_t seed = hashCell(hot.brick.x, hot.brick.y, hot.brick.z, field.shape.slot());
             out.push_back({field.shape, hot.brick, pose.transformPoint(centroid * double(shape->voxelSize)),
                            4.0 * shape->voxelSize, ramp * fuel, seed});
         }
     }
     return out;
-}
-
-std::optional<Fire> closestFire(const WorldState& world, glm::dvec3 position, double maxDistance) {
-    std::optional<Fire> best;
-    double nearest = maxDistance * maxDistance;
-    for (const Fire& fire : findFires(world)) {
-        const glm::dvec3 away = fire.position - position;
-        if (!(glm::dot(away, away) <= nearest)) continue;
-        nearest = glm::dot(away, away);
-        best = fire;
-    }
-    return best;
 }
 
 std::vector<FireLight> fireLights(const std::vector<Fire>& fires, uint64_t step, size_t limit) {

@@ -1,5 +1,4 @@
 #pragma once
-#include <optional>
 #include <vector>
 
 #include "runtime/world/state/world_state.h"
@@ -18,9 +17,6 @@ struct Fire {
 
 /// What burns, in slot order. Costs what is hot. Events are in FrameChanges.
 std::vector<Fire> findFires(const WorldState& world);
-
-/// The fire nearest to a world position, if one is within `maxDistance` metres.
-std::optional<Fire> closestFire(const WorldState& world, glm::dvec3 position, double maxDistance);
 
 /// A light that flickers over fires near each other.
 struct FireLight {

@@ -100,7 +100,7 @@ void WorldData::addStress(ShapeHandle handle) {
     if (shape.grid.brickCount() > settings.stress.largestShape) {
         logWarning("stress: shape \"" + shape.name + "\" has " + std::to_string(shape.grid.brickCount()) +
                    " bricks and is not analysed: it never breaks under its load. To include it, raise "
-                   "StressSettings::largestShape, which is " +
+                   "largestShape of the stress settings, which is " +
                    std::to_string(settings.stress.largestShape));
         return;
     }
@@ -110,9 +110,9 @@ void WorldData::addStress(ShapeHandle handle) {
     entry.analysis.markChanged(bricks);
     for (const HeatField& field : fire.fields) {
         if (field.shape != handle) continue;
-        for (const HotBrick& hot : field.bricks)  // in the sixteenths of weakenBrick()
+        for (const HotBrick& hot : field.bricks)
             entry.weak.push_back(
-                {hot.brick, (int(256.0 * remainingStrength(*this, handle, hot.brick)) + 15) / 16 * 16});
+                {hot.brick, quantizedStrength(int(256.0 * remainingStrength(*this, handle, hot.brick)))});
     }
 }
 

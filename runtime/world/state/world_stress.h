@@ -9,6 +9,12 @@
 
 namespace rubble {
 
+/// The strength that fire has left to a brick, rounded up to sixteenths of 256: so a fire does not restart the analysis
+/// for every spark.
+inline int quantizedStrength(int left) {
+    return (left + 15) / 16 * 16;
+}
+
 /// The stress analyses of a world's standing shapes, and the cracks that open in the next step. It decides what breaks
 /// when, so it is part of World::hash(). Saving drops it, in the running game too (World::resetCaches()).
 class WorldStress {
@@ -40,7 +46,7 @@ public:
     void served(ShapeHandle shape) { m_lastServed = shape.slot(); }
     /// Starts all analyses again, for another gravity.
     void restartAll();
-    /// Of all that decides what breaks when.
+    /// A hash of all that decides what breaks when.
     uint64_t hash() const;
 
 private:

@@ -119,7 +119,7 @@ int benchCityFrames(const Options& options, GlContext& context) {
                 glFinish();
                 if (i < 0) continue;
                 all[" frame"].push_back(processMs() - before);
-                for (const auto& [pass, ms] : (*renderer)->figures().passMs) all[pass].push_back(ms);
+                for (const auto& [pass, ms] : (*renderer)->stats().passMs) all[pass].push_back(ms);
             }
             for (const auto& [pass, ms] : all) {
                 const double now = median(ms), then = first.emplace(place.name + pass, now).first->second;

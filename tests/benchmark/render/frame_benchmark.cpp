@@ -34,7 +34,7 @@ Result<Drawn> makeDrawn(const Options& options, GlContext& context, const std::s
 
 struct Measured {
     std::vector<std::pair<std::string, std::vector<double>>> passes;  ///< in the order drawn
-    RenderFigures figures;
+    RenderStats figures;
     double ms(const std::string& pass) const {
         for (const auto& [name, all] : passes)
             if (name == pass) return median(all);
@@ -51,7 +51,7 @@ void addFrame(Drawn& drawn, const View& view, bool counts, Measured& out) {
     drawn.loop->draw(*drawn.renderer, view, 1.0f);
     glFinish();
     if (!counts) return;
-    out.figures = drawn.renderer->figures();
+    out.figures = drawn.renderer->stats();
     for (const auto& [name, ms] : out.figures.passMs) {
         auto found = std::find_if(out.passes.begin(), out.passes.end(),
                                   [&, name = name](const auto& pass) { return pass.first == name; });

@@ -44,7 +44,7 @@ public:
     TargetPool targets;
     FrameCamera camera;
     FrameBlock block{};
-    RenderFigures figures;
+    RenderStats figures;
 
 private:
     RenderSettings m_settings;

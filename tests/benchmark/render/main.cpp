@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
     app.add_option("subject", subject, "frame, city or primary")
         ->required()
         ->check(CLI::IsMember({"frame", "city", "primary"}));
-    app.add_option("--frames", options.frames, "measured")->capture_default_str()->check(CLI::PositiveNumber);
+    app.add_option("--frames", options.frames, "measured")->capture_default_str()->check(CLI::Range(1, 1000000000));
     app.add_option("--size", size, "WIDTHxHEIGHT")->capture_default_str();
     app.add_option("--gl", gl, "osmesa, egl or auto")->capture_default_str();
     app.add_flag("--processor-time", options.processorTime,

@@ -40,7 +40,7 @@ void TeardownBodies::draw(const FrameContext& frame, const std::vector<int>& ord
         m_grids[size_t(order[i])].bind(m_program);
         glUniform1i(body, order[i]);
         glDrawArrays(GL_TRIANGLES, 0, 36);
-        ++frame.figures.drawCalls;
+        ++frame.stats.drawCalls;
         if (i % batch != batch - 1) continue;
         glBindFramebuffer(GL_READ_FRAMEBUFFER, targets.framebuffer({&depth}).name());
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, targets.framebuffer({&m_depthSoFar}).name());

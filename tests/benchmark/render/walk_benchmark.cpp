@@ -39,7 +39,7 @@ Drawn drawRays(GBufferRig& rig, const Program& program, const Texture& target, c
     Drawn drawn;
     drawn.ms = medianMs(frames, [&] {
         framebuffer.begin();
-        rig.context().drawFullscreen();
+        rig.context().drawTriangle();
     });
     drawn.found.resize(size_t(target.size().x) * size_t(target.size().y));
     glBindTexture(GL_TEXTURE_2D, target.name());

@@ -50,7 +50,7 @@ TEST(RubbleFile, TheHashSeesEveryField) {
         [](Level& l) { l.waters[0].waves.speed = 2.0f; },
         [](Level& l) { l.triggers[0].kind = TriggerKind::Box; },
         [](Level& l) { l.triggers[0].tags.clear(); },
-        [](Level& l) { l.characters[0].steepest = 0.9; },
+        [](Level& l) { l.characters[0].maxSlope = 0.9; },
         [](Level& l) { l.characters[0].grounded = false; },
         [](Level& l) {
             auto palette = std::make_shared<Palette>(*l.bodies[0].shapes[0].palette);

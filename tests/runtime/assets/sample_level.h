@@ -150,12 +150,12 @@ inline void addSampleRegions(Level& level) {
                               .halfSize = {1.0, 2.0, 0.5},
                               .outline = {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}},
                               .height = 2.0,
-                              .layers = 6,
+                              .layerMask = 6,
                               .tags = {"exit"}});
     Character player;
     player.name = "player";
     player.radius = 0.25;
-    player.steepest = 0.8;
+    player.maxSlope = 0.8;
     player.collisionMask = 7;
     player.wish = {1.0, 0.0, 0.5};
     player.wantsCrouch = true;

@@ -138,10 +138,12 @@ TEST(SaveFile, FilesOfOtherKindsAreRefused) {
     EXPECT_TRUE(readSave(path, 1));
     const Result<Level> level = readRubble(path);
     ASSERT_FALSE(level);
-    EXPECT_NE(level.error().find("of chunk 2 (GRID)"), std::string::npos) << level.error();
+    EXPECT_NE(level.error().find("expected a level, found a saved game"), std::string::npos) << level.error();
     EXPECT_FALSE(readRecording(path, 1));
     ASSERT_TRUE(writeRubble(path, oneShapeLevel(towerGrid({16, 16, 16}), true)));
-    EXPECT_FALSE(readSave(path, 1));
+    const Result<SavedGame> save = readSave(path, 1);
+    ASSERT_FALSE(save);
+    EXPECT_NE(save.error().find("expected a saved game, found a level"), std::string::npos) << save.error();
 }
 
 /// A network host: it sends a snapshot to a client that joins, and the delta of each step to all.

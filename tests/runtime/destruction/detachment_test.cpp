@@ -5,6 +5,7 @@
 #include "runtime/destruction/carve.h"
 #include "runtime/destruction/split.h"
 #include "tests/runtime/destruction/reference_algorithms.h"
+#include "tests/support/detached_near.h"
 
 namespace rubble {
 namespace {
@@ -67,7 +68,7 @@ void carveAndCompare(VoxelGrid grid, std::vector<CellBox> anchors, bool isAnchor
         }
         bool isUnanchored = false;
         const CellSets expected = detachedByFloodFill(grid, anchors, isAnchored, &isUnanchored);
-        const Detached detached = isKnown ? findDetachedNear(grid, anchors, isAnchored, bricksOf(carved.bricks))
+        const Detached detached = isKnown ? test::findDetachedNear(grid, anchors, isAnchored, bricksOf(carved.bricks))
                                           : findDetached(grid, anchors, isAnchored);
         expectSame(detached, expected, isUnanchored, grid);
         if (testing::Test::HasFatalFailure()) FAIL() << "seed " << seed << ", carve " << i;
@@ -100,13 +101,13 @@ TEST(Detachment, LosingTheOnlyAnchorDetaches) {
     const std::vector<CellBox> anchors = {{{0, 0, 0}, {24, 1, 8}}};
     ASSERT_TRUE(findDetached(grid, anchors, true).pieces.empty());
     GridWriter(grid).set({2, 0, 4}, 0);
-    Detached detached = findDetachedNear(grid, anchors, true, bricksOf({glm::ivec3(0, 0, 0)}));
+    Detached detached = test::findDetachedNear(grid, anchors, true, bricksOf({glm::ivec3(0, 0, 0)}));
     ASSERT_EQ(detached.pieces.size(), 1u);
     EXPECT_FALSE(detached.isUnanchored);
     EXPECT_EQ(detached.pieces[0].voxels, 39u);
     takePiece(grid, detached.pieces[0]);
     GridWriter(grid).set({20, 0, 4}, 0);
-    detached = findDetachedNear(grid, anchors, true, bricksOf({glm::ivec3(2, 0, 0)}));
+    detached = test::findDetachedNear(grid, anchors, true, bricksOf({glm::ivec3(2, 0, 0)}));
     EXPECT_TRUE(detached.isUnanchored);
     EXPECT_TRUE(detached.pieces.empty());
 }
@@ -127,7 +128,7 @@ TEST(Detachment, ALargePieceIsFoundAfterTheAnchoredSide) {
     carve(grid, boxBrush({32, 24, 32}, {6, 2, 6}, {1, 0, 0, 0}, Hardness::Hard), test::fiveEntries(),
           test::fiveMaterials(), carved);
     const std::vector<CellBox> anchors = {{{0, 0, 0}, {64, 1, 64}}};
-    const Detached detached = findDetachedNear(grid, anchors, true, bricksOf(carved.bricks));
+    const Detached detached = test::findDetachedNear(grid, anchors, true, bricksOf(carved.bricks));
     ASSERT_EQ(detached.pieces.size(), 1u);
     EXPECT_FALSE(detached.isUnanchored);
     EXPECT_EQ(detached.pieces[0].voxels, uint64_t(32 * 24 * 32 + 4 * 4 * 6));
@@ -141,7 +142,7 @@ TEST(Detachment, ALongThinPieceIsNotMistakenForTheLargest) {
         for (int x = 24; x < 400; ++x) writer.set({x, 4, 4}, 1);
     }
     GridWriter(grid).set({26, 4, 4}, 0);
-    const Detached detached = findDetachedNear(grid, {}, false, bricksOf({glm::ivec3(3, 0, 0)}));
+    const Detached detached = test::findDetachedNear(grid, {}, false, bricksOf({glm::ivec3(3, 0, 0)}));
     ASSERT_EQ(detached.pieces.size(), 1u);
     EXPECT_EQ(detached.pieces[0].voxels, 373u);
 }
@@ -172,7 +173,7 @@ TEST(Detachment, OfEqualPiecesTheLowestStays) {
     }
     const std::vector<glm::ivec3> carved = {{0, 0, 1}};
     for (const Detached& detached :
-         {findDetached(grid, {}, false), findDetachedNear(grid, {}, false, bricksOf(carved))}) {
+         {findDetached(grid, {}, false), test::findDetachedNear(grid, {}, false, bricksOf(carved))}) {
         ASSERT_EQ(detached.pieces.size(), 1u);
         EXPECT_EQ(detached.pieces[0].lowest, glm::ivec3(4, 4, 11));
     }

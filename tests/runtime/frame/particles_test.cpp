@@ -59,7 +59,7 @@ TEST_F(ParticlesTest, BudgetHoldsAndLateEventsStillShow) {
 }
 
 TEST_F(ParticlesTest, FiresSmokeForAsLongAsTheyBurn) {
-    const SnapshotFire fire{{4.0, 1.0, 4.0}, 0.4f, 1.0f, 1.0f, 7};
+    const Fire fire{.position = {4.0, 1.0, 4.0}, .radius = 0.4, .intensity = 1.0f, .seed = 7};
     Particles particles({});
     for (int i = 0; i < 120; ++i) particles.step({}, {}, {&fire, 1}, world);
     EXPECT_GT(count(particles, ParticleKind::Flame), 10u);

@@ -20,7 +20,7 @@ Level cart() {
         joint.joint.ends[0].frame.position = {i ? 1.8 : 0.2, 0.0, 0.2};
         joint.joint.ends[1].frame.position = {0.1, 0.1, 0.1};
         joint.joint.wheel = {.driveTorque = i ? 200.0 : 0.0,
-                             .topSpin = 40.0,
+                             .maxSpin = 40.0,
                              .brakeTorque = 500.0,
                              .steerAngle = i ? 0.5 : 0.0,
                              .steerRate = 3.0};

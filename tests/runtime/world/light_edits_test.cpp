@@ -251,7 +251,7 @@ TEST(LightEdits, ARemovedLightIsGoneAndItsHandleNeverNamesAnother) {
     const LightHandle bulb = firstHandle(world);
     EXPECT_EQ(world.applyEdits({RemoveLightEdit{bulb}}).lights, std::vector<LightHandle>{bulb});
     EXPECT_EQ(world.lights().size(), 0u);
-    EXPECT_NE(warningOf(world, {RemoveLightEdit{bulb}}).find("RemoveLightEdit: the handle of its light is stale"),
+    EXPECT_NE(warningOf(world, {RemoveLightEdit{bulb}}).find("remove_light: the handle of its light is stale"),
               std::string::npos);
     const LightHandle next = world.applyEdits({AddLightEdit{torch(world)}}).lightsAdded.at(0);
     EXPECT_EQ(next.slot(), bulb.slot());
@@ -327,7 +327,7 @@ TEST(LightEdits, LightsAreLimitedToKMaxLights) {
     const Edits some(4096, AddLightEdit{});
     for (size_t i = 0; i < kMaxLights / some.size(); ++i) world.applyEdits(some);
     EXPECT_EQ(world.lights().size(), kMaxLights);
-    EXPECT_NE(warningOf(world, {AddLightEdit{}}).find("expected less than 65536 lights (kMaxLights), found 65536"),
+    EXPECT_NE(warningOf(world, {AddLightEdit{}}).find("expected less than 65536 lights, found 65536"),
               std::string::npos);
     EXPECT_TRUE(world.applyEdits({RemoveLightEdit{firstHandle(world)}, AddLightEdit{torch(world)}}).lightsAdded.at(0));
     EXPECT_EQ(world.lights().size(), kMaxLights);

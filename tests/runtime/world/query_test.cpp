@@ -355,11 +355,11 @@ TEST(Query, FiltersRejectShapes) {
     for (const double radius : {0.0, 0.03}) {
         EXPECT_EQ(first({}, radius), 0);
         EXPECT_EQ(first({.rejectTransparent = true}, radius), 1);
-        EXPECT_EQ(first({.includeStatic = false}, radius), 2);
-        EXPECT_EQ(first({.layers = 8}, radius), 3);
-        EXPECT_EQ(first({.layers = 16}, radius), -1);
+        EXPECT_EQ(first({.rejectStatic = true}, radius), 2);
+        EXPECT_EQ(first({.layerMask = 8}, radius), 3);
+        EXPECT_EQ(first({.layerMask = 16}, radius), -1);
         EXPECT_EQ(first({.rejectedBodies = {bodies[0]}, .rejectedShapes = {shapes[1]}}, radius), 2);
-        EXPECT_EQ(first({.includeDynamic = false, .rejectedShapes = {shapes[0], shapes[1]}}, radius), -1);
+        EXPECT_EQ(first({.rejectDynamic = true, .rejectedShapes = {shapes[0], shapes[1]}}, radius), -1);
     }
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(castRay(world, {{nan, 0.0, 0.0}, {1.0, 0.0, 0.0}}).hit);

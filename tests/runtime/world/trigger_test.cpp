@@ -92,16 +92,16 @@ TEST(Trigger, EditsAddAndRemoveThemAndLayersFilter) {
     EXPECT_EQ(region.events(), "");
     Trigger trigger{.pose = {{3.0, 0.0, 0.0}}, .halfSize = {2.0, 1.0, 1.0}};
     EXPECT_EQ(region.events({AddTriggerEdit{trigger}}), "0+1 0+2 ");
-    trigger.layers = 2;
+    trigger.layerMask = 2;
     EXPECT_EQ(region.events({AddTriggerEdit{trigger}}), "1+2 ");
-    EXPECT_EQ(region.events(
-                  {SetCollisionEdit{region.world.bodies().at(region.world.bodies().handleAt(2)).shapes[0], 1, 255}}),
+    EXPECT_EQ(region.events({SetCollisionFilterEdit{
+                  region.world.bodies().at(region.world.bodies().handleAt(2)).shapes[0], 1, 255}}),
               "1-2 ");
     EXPECT_EQ(region.events({RemoveTriggerEdit{region.world.triggers().handleAt(0)}}), "");
     EXPECT_EQ(region.world.triggers().size(), 1u);
     trigger.halfSize = {0.0, 1.0, 1.0};
     region.world.applyEdits({AddTriggerEdit{trigger}, RemoveTriggerEdit{}, AddWaterEdit{}, RemoveWaterEdit{},
-                             MoveCharacterEdit{}, SetCollisionEdit{}});
+                             MoveCharacterEdit{}, SetCollisionFilterEdit{}});
     EXPECT_EQ(region.world.triggers().size(), 1u) << "nonsense is refused";
 }
 

@@ -6,27 +6,32 @@
  * complete host:
  *
  *     #include <rubble/rubble.h>
- *     const rubble_api* api;
- *     rubble_world world;
- *     rubble_explosion explosion = {sizeof explosion};
- *     rubble_events events = {sizeof events};
- *     if (rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK) return 1;
- *     api->create_world(NULL, &world);
- *     if (api->load_level(world, "town.rubble", NULL) != RUBBLE_OK) puts(api->get_last_error());
- *     explosion.position[1] = 1.0;
- *     api->explode(world, &explosion);
- *     while (running) {
- *         api->step(world);
- *         api->get_events(world, &events);
+ *     #include <stdio.h>
+ *
+ *     int main(void) {
+ *         const rubble_api* api;
+ *         rubble_world world;
+ *         rubble_explosion explosion = {.struct_size = sizeof explosion};
+ *         rubble_events events = {.struct_size = sizeof events};
+ *         if (rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK) return 1;
+ *         api->create_world(NULL, &world);
+ *         if (api->load_level(world, "model.vox", NULL) != RUBBLE_OK) puts(api->get_last_error());
+ *         explosion.position[1] = 1.0;
+ *         api->explode(world, &explosion);
+ *         for (int i = 0; i < 600; ++i) {
+ *             api->step(world);
+ *             api->get_events(world, &events);
+ *         }
+ *         api->destroy_world(world);
+ *         return 0;
  *     }
- *     api->destroy_world(world);
  *
  * Rules that hold for every function and struct:
  *
  *  - Units and spaces: metres, kilograms, seconds, radians, newtons. The world is right-handed with y up. World
  *    positions are doubles. Rotations are unit quaternions x, y, z, w; all zeros means no rotation. Lengths of
- *    vectors are in the unit of the field; a "direction" may have any length but zero. Colours of voxels are sRGB
- *    bytes, colours of light are linear.
+ *    vectors are in the unit of the field; a "direction" may have any length but zero. Components of vectors
+ *    are at most 1e9. Colours of voxels are sRGB bytes, colours of light are linear.
  *  - Structs: a struct that begins with `struct_size` is filled in by the host: struct_size = sizeof(the struct),
  *    every other field zero or set. Zero selects the default that the comment names. Such structs may grow at their
  *    end in later versions; fields that this plugin does not know must be zero. Rows of arrays have no struct_size
@@ -53,7 +58,8 @@
  *  - Determinism: the same level, edits and number of steps give the same state bit for bit with the same build of
  *    the plugin; get_state_hash() compares. Frame times, threads and the renderer have no influence.
  *  - The plugin opens no window, makes no GL context, opens no file that the host did not name (a file that it
- *    writes has a temporary neighbour while it is written), and restores the GL state that it changes.
+ *    writes has a temporary neighbour while it is written; a .vdb level is baked in a folder of $TMPDIR meanwhile),
+ *    and restores the GL state that it changes.
  *
  * Not included: network, sound, input, textured triangles, use of the host's job system or allocator. */
 #ifndef RUBBLE_RUBBLE_H
@@ -185,7 +191,7 @@ typedef struct rubble_explosion {
     double position[3]; /* centre, world */
     /* 0.5 to 4; 0: 1. Breaks soft, medium and hard voxels within 1.0, 0.7 and 0.4 times size metres */
     double size;
-    double impulse; /* N s on a body at the centre; 0: follows from size */
+    double impulse; /* N s on a body at the centre, 0: follows from size. No body gets faster than 9 m/s times size */
 } rubble_explosion;
 
 /* Blends the colours of surface voxels toward a paint, a part of the difference each call. Materials do not
@@ -273,7 +279,7 @@ typedef struct rubble_joint_motor {
     rubble_joint joint;
     double motor_target, motor_max_force; /* as in rubble_joint_settings */
     double friction;                      /* as in rubble_joint_settings */
-    double steer;                         /* wheel: radians about y, -3 to 3; positive turns left */
+    double steer_angle;                   /* wheel: radians about y, -3 to 3; positive turns left */
 } rubble_joint_motor;
 
 /* Drives, steers and brakes all wheels of a body. Holds until the next such command. */
@@ -556,11 +562,11 @@ typedef struct rubble_query_filter {
 typedef struct rubble_ray {
     double origin[3]; /* world */
     double direction[3];
-    double max_distance; /* metres, 1e-6 to 1e6 */
+    double max_distance; /* metres, 0 to 1e6 */
     double radius;       /* metres; above 0: a sphere of this radius is cast */
 } rubble_ray;
 
-enum { RUBBLE_QUERY_SPHERE = 0, RUBBLE_QUERY_CAPSULE = 1, RUBBLE_QUERY_BOX = 2 };
+enum { RUBBLE_QUERY_SPHERE = 0, RUBBLE_QUERY_BOX = 1, RUBBLE_QUERY_CAPSULE = 2 }; /* numbered as brushes are */
 
 /* A region of space for overlap queries and shape casts. */
 typedef struct rubble_query_shape {
@@ -577,7 +583,7 @@ typedef struct rubble_query_shape {
 typedef struct rubble_shape_cast {
     rubble_query_shape shape;
     double direction[3];
-    double max_distance; /* metres, 1e-6 to 1e6 */
+    double max_distance; /* metres, 0 to 1e6 */
 } rubble_shape_cast;
 
 /* The voxel that a query found. */
@@ -616,7 +622,7 @@ typedef struct rubble_environment {
     double fog_forward; /* anisotropy: mean cosine of the scattering angle (Henyey-Greenstein g), -0.9 to 0.9 */
     double fog_tint[3]; /* single-scattering albedo */
     double clouds;      /* 0: clear sky, 1: overcast */
-    double stars;       /* brightness */
+    double stars;       /* brightness of the stars; 0: none */
     double exposure;    /* factor on all radiance before tone mapping */
     double wetness;     /* of what is open to the sky: 0 dry, 0.5 dark and smooth, 1 with puddles */
     double gravity[3];  /* m/s2 */
@@ -631,10 +637,10 @@ enum {
 };
 enum { RUBBLE_LIGHT_ENABLED = 1, RUBBLE_LIGHT_TWO_SIDED = 2 /* an area shines along +z too */ };
 
-/* A light. Zeros are values here, not defaults. Ranges: colours 0 to 1e6; radius, width and height 0 to 1000 m;
- * reach 0 to 1e5 m; cone angles 0 to 3.15. set_light() keeps the image of a screen; a screen that is added is
- * white. */
-typedef struct rubble_light_state {
+/* All values of a light, to add, set and read it. Zeros are values here, not defaults. Ranges: colours 0 to 1e6;
+ * radius, width and height 0 to 1000 m; reach 0 to 1e5 m; cone angles 0 to 3.15. set_light() keeps the image of a
+ * screen; a screen that is added is white. */
+typedef struct rubble_light_settings {
     uint32_t struct_size;
     uint32_t kind;            /* RUBBLE_LIGHT_SPHERE ... */
     rubble_light light;       /* add_light() does not read it */
@@ -651,7 +657,7 @@ typedef struct rubble_light_state {
     double cone_outer;  /* radians, half angle: dark outside */
     double width;       /* metres, along x */
     double height;      /* metres, along y */
-} rubble_light_state;
+} rubble_light_settings;
 
 /* ---- renderer ---- */
 
@@ -776,9 +782,9 @@ typedef struct rubble_api {
     rubble_result (*set_environment)(rubble_world world, const rubble_environment* environment);
     /* [main-thread] Adds a light. A light on a shape moves with it; when the shape is destroyed the light stays
      * where it was, turned off. A world that has 65,536 lights gets no more. */
-    rubble_result (*add_light)(rubble_world world, const rubble_light_state* light);
+    rubble_result (*add_light)(rubble_world world, const rubble_light_settings* light);
     /* [main-thread] Replaces all values of a light under its handle. */
-    rubble_result (*set_light)(rubble_world world, const rubble_light_state* light);
+    rubble_result (*set_light)(rubble_world world, const rubble_light_settings* light);
     /* [main-thread] Removes a light. */
     rubble_result (*remove_light)(rubble_world world, rubble_light light);
 
@@ -828,8 +834,8 @@ typedef struct rubble_api {
     rubble_result (*get_environment)(rubble_world world, rubble_environment* out);
     /* [main-thread] All lights, in a fixed order. */
     rubble_result (*get_lights)(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count);
-    /* [main-thread] One light. */
-    rubble_result (*get_light_state)(rubble_world world, rubble_light light, rubble_light_state* out);
+    /* [main-thread] All values of one light. */
+    rubble_result (*get_light_settings)(rubble_world world, rubble_light light, rubble_light_settings* out);
     /* [main-thread] The lights that the last step added: one row for each add_light() in the order of the calls,
      * 0 for one that the step refused. */
     rubble_result (*get_added_lights)(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count);
@@ -843,7 +849,7 @@ typedef struct rubble_api {
 
     /* ---- queries of the world as the last step left it; filter may be null ---- */
 
-    /* [main-thread] The first voxel that a ray meets. max_distance: metres, 1e-6 to 1e6. Nothing met: RUBBLE_OK,
+    /* [main-thread] The first voxel that a ray meets. max_distance: metres, 0 to 1e6. Nothing met: RUBBLE_OK,
      * out->hit 0. cast_rays() takes many rays, and a filter. */
     rubble_result (*cast_ray)(rubble_world world, const double origin[3], const double direction[3],
                               double max_distance, rubble_hit* out);

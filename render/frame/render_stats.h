@@ -6,7 +6,7 @@
 namespace rubble {
 
 /// What the last frame cost.
-struct RenderFigures {
+struct RenderStats {
     int drawCalls = 0;
     int bodyDraws = 0;          ///< of those, the ones that draw voxel bodies
     uint64_t uploadBytes = 0;   ///< sent to the GL for this frame
