@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/collision/depenetration.h"
+#include "physics/collision/feature_query.h"
 #include "physics/collision/voxel_contacts.h"
 #include "physics/math/simd4.h"
 

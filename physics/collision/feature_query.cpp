@@ -1,4 +1,4 @@
-#include "physics/collision/depenetration.h"
+#include "physics/collision/feature_query.h"
 
 #include <algorithm>
 #include <cmath>
