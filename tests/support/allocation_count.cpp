@@ -8,6 +8,14 @@ namespace {
 std::atomic<size_t> g_allocations = 0;
 }
 
+// The operators of clang's thread sanitizer cannot be replaced: there nothing is counted.
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define RUBBLE_COUNTS_NOTHING
+#endif
+#endif
+
+#ifndef RUBBLE_COUNTS_NOTHING
 void* operator new(size_t size) {
     ++g_allocations;
     if (void* memory = std::malloc(size ? size : 1)) return memory;
@@ -24,6 +32,7 @@ void operator delete(void* memory) noexcept {
 void operator delete(void* memory, size_t) noexcept {
     std::free(memory);
 }
+#endif
 
 namespace rubble {
 
