@@ -14,8 +14,8 @@ elif git rev-parse -q --verify "${1:-HEAD~1}^{commit}" >/dev/null; then
                                git ls-files -z --others --exclude-standard -- '*.cpp')
     mapfile -d '' -t headers < <(git diff -z --name-only --diff-filter=d "${1:-HEAD~1}" -- '*.h')
     for header in "${headers[@]}"; do
-        user=$(git grep -lF "#include \"$header\"" -- '*.cpp' | head -1)
-        [[ -z $user ]] || files+=("$user")
+        mapfile -t users < <(git grep -lF "#include \"$header\"" -- '*.cpp')
+        files+=("${users[@]:0:1}")
     done
 elif (($# == 0)); then
     echo "tidy: the first commit has none before it to compare with" >&2

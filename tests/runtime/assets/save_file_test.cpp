@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <filesystem>
+#include <thread>
 
 #include "runtime/assets/assets.h"
 #include "runtime/assets/recording_file.h"
@@ -144,6 +146,23 @@ TEST(SaveFile, FilesOfOtherKindsAreRefused) {
     const Result<SavedGame> save = readSave(path, 1);
     ASSERT_FALSE(save);
     EXPECT_NE(save.error().find("expected a saved game, found a level"), std::string::npos) << save.error();
+}
+
+TEST(SaveFile, ThreadsThatWriteOnePathLeaveTheSaveOfOneOfThem) {
+    const TempFolder folder;
+    const std::string path = folder / "save.rubble";
+    const SavedGame games[] = {{World().state(), {}}, gameOf(brokenWorld())};
+    std::vector<std::thread> threads;
+    std::atomic<int> failures{0};
+    for (int i = 0; i < 4; ++i)
+        threads.emplace_back([&, i] {
+            for (int k = 0; k < 10; ++k) failures += !writeSave(path, games[i % 2]);
+        });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(failures, 0);
+    const Result<SavedGame> game = readSave(path, 1);
+    EXPECT_TRUE(game) << game.error();
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1) << "a temporary file is left";
 }
 
 /// A network host: it sends a snapshot to a client that joins, and the delta of each step to all.

@@ -100,7 +100,7 @@ TEST(Launcher, HelpNamesEveryCommandAndAWrongOneFails) {
     std::ifstream file(text);
     const std::string help{std::istreambuf_iterator<char>(file), {}};
     for (const std::string command : {"sandbox", "demolish", "animation", "sheets", "test", "bench", "stress",
-                                      "determinism", "tradeoff", "import", "help"})
+                                      "determinism", "tradeoff", "import", "install", "help"})
         EXPECT_NE(help.find("./rubble " + command), std::string::npos) << command;
     EXPECT_NE(std::system((launcher + " demolisch >/dev/null 2>&1").c_str()), 0);
 }
