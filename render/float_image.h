@@ -15,7 +15,7 @@ struct FloatImage {
     explicit FloatImage(glm::ivec2 given) : size(given), pixels(size_t(given.x) * size_t(given.y), glm::vec4(0.0f)) {}
     /// The pixel at column x of row y.
     glm::vec4& at(int x, int y) { return pixels[size_t(y) * size_t(size.x) + size_t(x)]; }
-    /// The same.
+    /// The same of a constant image.
     const glm::vec4& at(int x, int y) const { return pixels[size_t(y) * size_t(size.x) + size_t(x)]; }
 };
 

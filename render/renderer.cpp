@@ -262,23 +262,27 @@ int downscaleFor(glm::ivec2 size) {
     return downscale;
 }
 
-/// What the host must mend before draw() can draw; empty: nothing.
-std::string whyNotDrawable(const View& view) {
+/// Why draw() cannot draw this view; empty: it can.
+std::string viewError(const View& view) {
     if (!glGetString(GL_VERSION)) return "expected a current GL context on the thread that draws, found none";
     if (isContextLost()) return "the GL context was lost: destroy this renderer, then make a new context and renderer";
     if (view.framebuffer == 0) return {};
-    const std::string name = "the view's framebuffer " + std::to_string(view.framebuffer);
-    if (!glIsFramebuffer(view.framebuffer)) return name + ": expected a framebuffer of this GL context, found none";
-    const GlStateGuard hostState;
-    glBindFramebuffer(GL_FRAMEBUFFER, view.framebuffer);
-    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    const auto error = [&](const std::string& text) {
+        return "the view's framebuffer " + std::to_string(view.framebuffer) + ": " + text;
+    };
+    if (!glIsFramebuffer(view.framebuffer)) return error("expected a framebuffer of this GL context, found none");
+    GLint bound = 0;  // asked for by itself: the state guard asks for everything
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, view.framebuffer);
+    const GLenum status = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(bound));
     if (status == GL_FRAMEBUFFER_COMPLETE) return {};
-    return name + ": expected a complete framebuffer, found status " + std::to_string(status);
+    return error("expected a complete framebuffer, found status " + std::to_string(status));
 }
 
 void Renderer::Impl::draw(const View& view, float alpha) {
     if (view.size.x <= 0 || view.size.y <= 0) return;
-    if (std::string error = whyNotDrawable(view); !error.empty()) {
+    if (std::string error = viewError(view); !error.empty()) {
         if (error != lastError) logError(error);
         lastError = std::move(error);
         return;

@@ -10,7 +10,6 @@ namespace rubble {
 class TempFolder {
 public:
     /// Creates the folder. Not safe to call from several threads at once.
-    /// Creates the folder.
     TempFolder() {
         static int count = 0;
         m_path = std::filesystem::temp_directory_path() /
@@ -25,7 +24,7 @@ public:
     TempFolder(const TempFolder&) = delete;
     TempFolder& operator=(const TempFolder&) = delete;
 
-    /// The folder.
+    /// An absolute path, without a slash at its end.
     const std::filesystem::path& path() const { return m_path; }
     std::string operator/(const std::string& file) const { return (m_path / file).string(); }
 
