@@ -350,7 +350,8 @@ void Renderer::Impl::drawOnce(const View& wanted) {
     View view = wanted;
     view.size = glm::max(wanted.size >> downscale, glm::ivec2(1));
     beginTimes();
-    stats.drawCalls = stats.bodyDraws = 0;
+    stats.drawCalls = stats.bodyDraws = stats.waters = stats.imageCopies = 0;
+    stats.waterPixels = 0;
     stats.computePasses.clear();
     const glm::ivec2 renderSize = scaledSize(view.size, settings.resolutionScale);
     targets.beginFrame(renderSize, view.size, view.cut);

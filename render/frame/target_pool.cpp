@@ -84,15 +84,19 @@ History TargetPool::history(Target id) {
 }
 
 const Texture& TargetPool::copy(Target source, Target into) {
+    return copy(source, into, {glm::ivec2(0), at(source).size()});
+}
+
+const Texture& TargetPool::copy(Target source, Target into, const PixelRect& part) {
     assert(declarationOf(source).format == declarationOf(into).format && "a copy has the format of its source");
     const Texture& original = at(source);
     const Texture& made = target(into);
     const Framebuffer& from = framebuffer({&original});
     const Framebuffer& to = framebuffer({&made});
-    const glm::ivec2 size = original.size();
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.name());
-    glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBlitFramebuffer(part.low.x, part.low.y, part.high.x, part.high.y, part.low.x, part.low.y, part.high.x,
+                      part.high.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     return made;
 }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "render/frame/pixel_rect.h"
 #include "render/frame/targets.h"
 #include "render/gl/framebuffer.h"
 
@@ -35,6 +36,8 @@ public:
     History history(Target id);
     /// Copies a target into another one of the same format, for a pass that reads what it draws over.
     const Texture& copy(Target source, Target into);
+    /// The same of a part: what lies around it in the copy is not changed.
+    const Texture& copy(Target source, Target into, const PixelRect& part);
     /// This frame's texture, or nullptr if nothing has drawn it yet.
     const Texture* find(Target id) const;
     /// This frame's texture, which must have been drawn.

@@ -53,6 +53,7 @@ FullscreenDraw::FullscreenDraw(const FrameContext& frame, FullscreenProgram& pro
     : m_frame(frame), m_into(into), m_method(chooseFor(frame, program)), m_program(program) {
     assert(program.kind().surfacesOnly == (into.depth != nullptr) &&
            "a program for surfaces only needs a depth buffer, the others have none");
+    assert((!into.area || into.clear.empty()) && "a part of the targets is drawn, but all of them cleared");
     if (m_method == FullscreenMethod::Fragment || !into.clear.empty())
         frame.targets.framebuffer(into.colors, into.depth).begin();
     for (size_t i = 0; i < into.clear.size(); ++i) glClearBufferfv(GL_COLOR, GLint(i), glm::value_ptr(into.clear[i]));
@@ -70,14 +71,21 @@ void FullscreenDraw::rasterize() const {
     std::optional<DepthLimit> limit;
     if (m_into.depth) limit.emplace(DepthLimit::To::Surfaces);
     const MergeState merge(m_program.kind());
+    if (m_into.area) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(m_into.area->low.x, m_into.area->low.y, m_into.area->size().x, m_into.area->size().y);
+    }
     glBindVertexArray(m_frame.emptyVertexArray.get());
     m_into.tiles ? glDrawArraysInstanced(GL_TRIANGLES, 0, 6, m_into.tiles) : glDrawArrays(GL_TRIANGLES, 0, 3);
+    if (m_into.area) glDisable(GL_SCISSOR_TEST);
 }
 
 void FullscreenDraw::dispatch() const {
-    const glm::ivec2 size = m_into.colors[0]->size();
+    const PixelRect area = m_into.area.value_or(PixelRect{glm::ivec2(0), m_into.colors[0]->size()});
+    const glm::ivec2 size = area.size();
     if (m_into.depth) program().set("uDepthLimit", *m_into.depth);
-    program().set("uTargetSize", size);
+    program().set("uTargetLow", area.low);
+    program().set("uTargetHigh", area.high);
     for (size_t i = 0; i < m_into.colors.size(); ++i) {
         const Texture& target = *m_into.colors[i];
         const Merge merge = m_program.kind().mergeOf(i);

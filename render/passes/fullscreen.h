@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "render/frame/frame_context.h"
@@ -9,8 +10,9 @@ namespace rubble {
 struct FullscreenTargets {
     std::vector<const Texture*> colors;  ///< by output of the shader
     const Texture* depth = nullptr;  ///< for FullscreenKind::surfacesOnly: the G-buffer's depth buffer, or another mask
-    std::vector<glm::vec4> clear = {};  ///< values of the colours before the draw; empty: they are not cleared
-    int tiles = 0;                      ///< squares that the pass's own vertex shader draws, instead of the triangle
+    std::vector<glm::vec4> clear = {};   ///< values of the colours before the draw; empty: they are not cleared
+    int tiles = 0;                       ///< squares that the pass's own vertex shader draws, instead of the triangle
+    std::optional<PixelRect> area = {};  ///< only these pixels are drawn; `clear` must be empty
 };
 
 /// One draw of a program over all of its targets, by triangles or by compute, with the same result. From the

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
 #include "render/frame/shader_constants.h"
 #include "render/passes/bounce.h"
 #include "render/passes/fullscreen.h"
 #include "render/scene/scene.h"
+#include "render/scene/water_area.h"
 #include "runtime/core/log.h"
 
 namespace rubble {
@@ -33,8 +36,10 @@ void setWater(const Program& program, const Scene& scene, const Water& water) {
     for (size_t i = 0; i < kOutlines.size(); ++i) program.set(kOutlines[i], corners[i]);
     program.set("uCornerCount", int(count));
     program.set("uSurface", float(water.surface - origin.y));
+    program.set("uBottom", float(water.surface - water.depth - origin.y));
     program.set("uColor", water.color);
-    program.set("uClarity", water.clarity);
+    const glm::vec3 transmittance = glm::clamp(water.color, glm::vec3(1e-4f), glm::vec3(1.0f));
+    program.set("uExtinction", -glm::log(transmittance) / std::max(water.clarity, 1e-3f));
     program.set("uWaves", glm::vec4(water.waves.height, water.waves.length, water.waves.speed, water.waves.direction));
     program.set("uSeconds", float(scene.seconds()));
 }
@@ -57,6 +62,27 @@ void setRipples(const Program& program, const Scene& scene, const Water& water) 
     if (count > 0) program.set("uRipples[0]", std::span<const glm::vec4>(rings.data(), size_t(count)));
 }
 
+/// A water in view.
+struct VisibleWater {
+    double distance;  ///< of the camera from its box, metres
+    const Water* water;
+    PixelRect area;
+};
+
+/// The waters in view, the farthest first: of two that cover a pixel the nearer one is seen.
+std::vector<VisibleWater> visibleWaters(const FrameContext& frame) {
+    const glm::dvec3 origin = frame.scene.origin(), eye = origin + glm::dvec3(frame.block.cameraPosition);
+    std::vector<VisibleWater> visible;
+    for (const Water& water : frame.scene.waters()) {
+        const PixelRect area = waterArea(water, frame.block, origin);
+        const WorldBox box = water.bounds();
+        if (!area.empty()) visible.push_back({glm::distance(glm::clamp(eye, box.low, box.high), eye), &water, area});
+    }
+    std::stable_sort(visible.begin(), visible.end(),
+                     [](const VisibleWater& a, const VisibleWater& b) { return a.distance > b.distance; });
+    return visible;
+}
+
 }  // namespace
 
 WaterPass::WaterPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("passes/water.frag")) {
@@ -65,18 +91,40 @@ WaterPass::WaterPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen(
 
 void WaterPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
-    for (const Water& water : frame.scene.waters()) {
-        const Texture& behind = frame.targets.copy(Target::Radiance, Target::BehindWater);
-        drawFullscreen(frame, m_program, {{&frame.targets.at(Target::Radiance)}}, [&](const Program& program) {
-            program.set("uDepth", frame.targets.at(Target::Depth));
-            program.set("uBackground", behind);
-            program.set("uBlueNoise", frame.blueNoise);
-            frame.scene.bindShadow(program);
-            bindBounce(program, frame, BounceRays::Mirrored);
-            setWater(program, frame.scene, water);
-            setRipples(program, frame.scene, water);
-        });
+    const std::vector<VisibleWater> visible = visibleWaters(frame);
+    PixelRect copied;
+    for (const VisibleWater& each : visible) copied = copied.merged(each.area);
+    for (size_t i = 0; i < visible.size(); ++i) {
+        // One copy of the image is enough, unless a water lies behind another one on the screen.
+        const bool isOverAnother = std::any_of(visible.begin(), visible.begin() + ptrdiff_t(i),
+                                               [&](const auto& other) { return other.area.overlaps(visible[i].area); });
+        if (i == 0 || isOverAnother) {
+            frame.targets.copy(Target::Radiance, Target::BehindWater, i == 0 ? copied : visible[i].area);
+            ++frame.stats.imageCopies;
+        }
+        drawOne(frame, *visible[i].water, visible[i].area, copied);
     }
+}
+
+void WaterPass::drawOne(const FrameContext& frame, const Water& water, const PixelRect& area,
+                        const PixelRect& copied) const {
+    const FullscreenTargets into{.colors = {&frame.targets.at(Target::Radiance)}, .area = area};
+    drawFullscreen(frame, m_program, into, [&](const Program& program) {
+        program.set("uDepth", frame.targets.at(Target::Depth));
+        program.set("uBackground", frame.targets.at(Target::BehindWater));
+        program.set("uBackgroundLow", copied.low);
+        program.set("uBackgroundHigh", copied.high - 1);
+        program.set("uBlueNoise", frame.blueNoise);
+        frame.scene.bindShadow(program);
+        bindBounce(program, frame, BounceRays::Mirrored);
+        // From below the last frame shows everything through water: rays must not meet it there.
+        if (double(frame.block.cameraPosition.y) + frame.scene.origin().y < water.surface)
+            program.set("uHistoryValid", 0);
+        setWater(program, frame.scene, water);
+        setRipples(program, frame.scene, water);
+    });
+    ++frame.stats.waters;
+    frame.stats.waterPixels += area.pixels();
 }
 
 }  // namespace rubble

@@ -3,9 +3,11 @@
 
 namespace rubble {
 
-/// Draws water surfaces over the radiance: what is below is refracted by the waves and absorbed along its path through
-/// the water, what is around is reflected by rays, and foam lies where the water ends. Only from above; of an outline
-/// the first 32 corners count.
+struct Water;
+
+/// Draws the waters in view over the radiance: what is seen through them is absorbed along its path. From above it is
+/// refracted by the waves, what is around is reflected by rays, and foam lies where the water ends. From below the
+/// surface shows Snell's window and mirrors around it. Of an outline the first 32 corners count.
 class WaterPass {
 public:
     /// Builds its program. If that fails, shaders.errors() says why and draw() does nothing.
@@ -14,6 +16,9 @@ public:
     void draw(const FrameContext& frame) const;
 
 private:
+    /// copied: the part of BehindWater that holds the image.
+    void drawOne(const FrameContext& frame, const Water& water, const PixelRect& area, const PixelRect& copied) const;
+
     FullscreenProgram& m_program;
 };
 

@@ -81,12 +81,13 @@ std::string computeMain(const Parts& parts, const FullscreenKind& kind) {
                   " uniform image2D " + image + ";\n";
         stores += "    imageStore(" + image + ", pixel, " + merged(merge, parts.outputs[i], image) + ");\n";
     }
-    std::string text = "layout(local_size_x = " + std::to_string(kGroupWidth) +
-                       ", local_size_y = " + std::to_string(kGroupHeight) + ") in;\n" + images +
-                       "uniform ivec2 uTargetSize;\nuniform vec2 uTexelSize;\nuniform sampler2D uDepthLimit;\n"
-                       "void main() {\n"
-                       "    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);\n"
-                       "    if (any(greaterThanEqual(pixel, uTargetSize))) return;\n";
+    std::string text =
+        "layout(local_size_x = " + std::to_string(kGroupWidth) + ", local_size_y = " + std::to_string(kGroupHeight) +
+        ") in;\n" + images +
+        "uniform ivec2 uTargetLow, uTargetHigh;\nuniform vec2 uTexelSize;\nuniform sampler2D uDepthLimit;\n"
+        "void main() {\n"
+        "    ivec2 pixel = uTargetLow + ivec2(gl_GlobalInvocationID.xy);\n"
+        "    if (any(greaterThanEqual(pixel, uTargetHigh))) return;\n";
     if (kind.surfacesOnly) text += "    if (texelFetch(uDepthLimit, pixel, 0).r >= 1.0) return;\n";
     text += "    pixelCentre = vec4(vec2(pixel) + 0.5, 0.0, 1.0);\n";
     if (parts.readsUv) text += kUv;

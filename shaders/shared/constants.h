@@ -11,6 +11,7 @@ SHARED_CONSTANT uint kHasGlass = 1u;        // flags of a shape's layout (lib/bo
 SHARED_CONSTANT uint kHasPaint = 2u;
 SHARED_CONSTANT float kMaxTilt = 0.3;         // tangent of the largest tilt of a face with a detail map
 SHARED_CONSTANT float kFinestBodyCell = 1.6;  // side of a body grid cell at level 0, metres; then four times as large
+SHARED_CONSTANT float kWaterPort = 0.1;       // metres before the eye at which a ray begins in water or in air
 SHARED_CONSTANT float kMaxHillSlope = 0.16;   // tangent of the elevation below which hills can hide the sky
 
 // The light grid (lib/local_lights.glsl).

@@ -1,0 +1,239 @@
+// Water from above, from below and half under, and what water out of view costs.
+#include <cstdlib>
+#include <filesystem>
+#include <glm/gtc/constants.hpp>
+
+#include "tests/golden/drawing.h"
+
+namespace rubble {
+namespace {
+
+constexpr glm::ivec2 kSize(160, 90);
+constexpr double kSurface = 1.8, kRim = 2.0, kHalfLength = 5.0, kHalfWidth = 3.0;  // of the pool, metres
+constexpr uint8_t kTile = 1, kLine = 2, kRed = 3, kStone = 4;
+
+PaletteRef poolPalette() {
+    auto palette = std::make_shared<Palette>();
+    const auto entry = [&](int index, glm::ivec3 color) -> PaletteEntry& {
+        PaletteEntry& e = (*palette)[size_t(index)];
+        e.red = uint8_t(color.x), e.green = uint8_t(color.y), e.blue = uint8_t(color.z);
+        e.roughness = 200;
+        return e;
+    };
+    entry(kTile, {210, 205, 195}).emission = 0.02f;  // hardly seen by day
+    entry(kLine, {60, 90, 150});
+    entry(kRed, {190, 60, 45});
+    entry(kStone, {150, 145, 135});
+    return palette;
+}
+
+/// A pool of 10 x 6 m, 1.8 m deep, whose floor lies at height 0; a red post stands in it and reaches into the air, and
+/// a tower stands beside it.
+LitScene poolScene() {
+    LitScene scene(poolPalette());
+    scene.environment.sunDirection = {0.5f, 0.9f, 0.4f};
+    scene.add({140, 24, 100}, {{-7, -0.4, -5}, {1, 0, 0, 0}}, [](glm::ivec3 c) {
+        const bool isInside = c.x >= 20 && c.x < 120 && c.z >= 20 && c.z < 80 && c.y >= 4;
+        if (isInside) return uint8_t(0);
+        const bool isLine = (c.x % 10 == 4) + (c.z % 10 == 4) + (c.y % 10 == 8) > 0;
+        return c.y == 23 ? kStone : isLine ? kLine : kTile;
+    });
+    scene.add({3, 30, 3}, {{2, 0, -1}, {1, 0, 0, 0}}, [](glm::ivec3) { return kRed; });
+    scene.add({8, 60, 8}, {{-1, 2, -4.5}, {1, 0, 0, 0}}, [](glm::ivec3 c) { return c.y / 6 % 2 ? kRed : kTile; });
+    return scene;
+}
+
+Water poolWater() {
+    Water water;
+    water.outline = {
+        {-kHalfLength, -kHalfWidth}, {kHalfLength, -kHalfWidth}, {kHalfLength, kHalfWidth}, {-kHalfLength, kHalfWidth}};
+    water.surface = kSurface;
+    water.depth = kSurface;
+    water.color = {0.25f, 0.6f, 0.65f};
+    water.clarity = 4.0f;
+    water.waves.height = 0.02f;
+    return water;
+}
+
+Camera lookingAt(glm::dvec3 from, glm::dvec3 at, float fov = 1.05f) {
+    Camera camera;
+    camera.position = from;
+    camera.lookAt(at);
+    camera.verticalFov = fov;
+    return camera;
+}
+
+class WaterTest : public Drawing {
+protected:
+    void start(const std::vector<Water>& waters, RenderSettings settings = {}, glm::ivec2 size = kSize,
+               const Environment& environment = poolScene().environment) {
+        LitScene scene = poolScene();
+        scene.environment = environment;
+        Drawing::start(scene, size, settings);
+        FrameSnapshot step;
+        step.version = step.newestStep = 60;
+        step.waters = waters;
+        step.watersChanged = true;
+        renderer->apply(std::move(step));
+    }
+    /// Mean radiance of a box of pixels; y counts from the bottom.
+    glm::dvec3 mean(glm::ivec2 low, glm::ivec2 high) {
+        const FloatImage image = read("radiance");
+        glm::dvec3 sum(0.0);
+        for (int y = low.y; y < high.y; ++y)
+            for (int x = low.x; x < high.x; ++x) sum += glm::dvec3(image.at(x, y));
+        return sum / double((high.x - low.x) * (high.y - low.y));
+    }
+    int drawCalls(const Camera& camera) {
+        draw(camera, 2);
+        return renderer->stats().drawCalls;
+    }
+};
+
+const Camera kFromTheRim = lookingAt({-6.0, 3.6, 4.4}, {0, 1, 0});
+
+TEST_F(WaterTest, OutOfViewCostsNothing) {
+    start({});
+    const int without = drawCalls(kFromTheRim);
+    std::vector<Water> ponds(32, poolWater());
+    for (size_t i = 0; i < ponds.size(); ++i)
+        for (GroundPoint& p : ponds[i].outline) p.x = 0.1 * p.x - 40.0, p.z += 10.0 * double(i) - 160.0;
+    start(ponds);
+    EXPECT_EQ(drawCalls(kFromTheRim), without);
+    EXPECT_EQ(renderer->stats().waters, 0);
+    EXPECT_EQ(renderer->stats().imageCopies, 0);
+    EXPECT_FALSE(renderer->readTarget("behindWater")) << "a target that nothing needs";
+}
+
+TEST_F(WaterTest, CoversItsRectangleOnTheScreenAndCopiesTheImageOnce) {
+    std::vector<Water> puddles(16, poolWater());
+    for (size_t i = 0; i < puddles.size(); ++i)
+        for (GroundPoint& p : puddles[i].outline)
+            p.x = 0.02 * p.x + 1.2 * double(i % 4), p.z = 0.02 * p.z + 1.2 * double(i / 4);
+    start(puddles);
+    const Camera above = lookingAt({2.0, 16.0, 2.0}, {2.0, 0.0, 1.99});
+    drawCalls(above);
+    EXPECT_EQ(renderer->stats().waters, 16);
+    EXPECT_EQ(renderer->stats().imageCopies, 1);
+    EXPECT_LT(renderer->stats().waterPixels, uint64_t(kSize.x * kSize.y / 4));
+    start({poolWater()});
+    draw(lookingAt({0, 1, 0}, {5, 1, 0}), 1);
+    EXPECT_EQ(renderer->stats().waterPixels, uint64_t(kSize.x * kSize.y)) << "under water it is everywhere";
+}
+
+/// The rectangle must hold all that the water changes, from anywhere.
+TEST_F(WaterTest, ChangesNothingOutsideOfItsRectangle) {
+    RenderSettings settings;
+    settings.temporal = false;
+    for (const Camera& camera :
+         {kFromTheRim, lookingAt({-6.0, 2.5, 0}, {0, 2.2, 1}), lookingAt({0, 8, 0.01}, {0, 0, 0}, 2.2f)}) {
+        start({}, settings);
+        draw(camera);
+        const FloatImage dry = read("radiance");
+        start({poolWater()}, settings);
+        draw(camera);
+        const FloatImage wet = read("radiance");
+        size_t changed = 0;
+        glm::ivec2 low = kSize, high(0);
+        for (int y = 0; y < kSize.y; ++y)
+            for (int x = 0; x < kSize.x; ++x) {
+                if (glm::vec3(wet.at(x, y)) == glm::vec3(dry.at(x, y))) continue;
+                ++changed;
+                low = glm::min(low, glm::ivec2(x, y));
+                high = glm::max(high, glm::ivec2(x, y) + 1);
+            }
+        EXPECT_GT(changed, 500u);
+        EXPECT_LE(uint64_t(high.x - low.x) * uint64_t(high.y - low.y), renderer->stats().waterPixels);
+    }
+}
+
+/// Under water a wall that glows at d metres keeps color^(d / clarity) of its light. Without other light the water
+/// scatters nothing.
+TEST_F(WaterTest, AbsorbsLightByDistanceUnderTheSurface) {
+    Environment dark;
+    dark.sunColor = dark.skyColor = dark.horizonColor = dark.groundColor = dark.fogColor = glm::vec3(0.0f);
+    dark.fogDistance = 1e6f;
+    for (const double metres : {0.5, 2.0, 8.0}) {
+        const Camera camera = lookingAt({kHalfLength - metres, 0.85, 0.55}, {kHalfLength, 0.85, 0.55}, 0.02f);
+        start({}, {}, kSize, dark);
+        draw(camera);
+        const glm::dvec3 dry = mean({70, 40}, {90, 50});
+        start({poolWater()}, {}, kSize, dark);
+        draw(camera);
+        const glm::dvec3 left = mean({70, 40}, {90, 50}) / dry;
+        for (int channel = 0; channel < 3; ++channel)
+            EXPECT_NEAR(left[channel], std::pow(double(poolWater().color[channel]), metres / 4.0), 0.01) << metres;
+    }
+}
+
+/// From below, light from the air comes through a round window of 48.6 degrees around the zenith alone.
+TEST_F(WaterTest, ShowsSnellsWindowFromBelow) {
+    RenderSettings settings;
+    settings.temporal = settings.fog = false;
+    Water water = poolWater();
+    water.color = {0.9f, 0.9f, 0.9f};
+    water.clarity = 10.0f;
+    water.waves.height = 0.0f;
+    Environment sky;
+    sky.sunColor = sky.groundColor = glm::vec3(0.0f);
+    sky.skyColor = sky.horizonColor = glm::vec3(1.0f);
+    sky.clouds = 0.0f;
+    start({water}, settings, {129, 129}, sky);
+    const Camera up = lookingAt({-3.0, 1.4, 0.0}, {-3.0, 3.0, 0.001}, glm::radians(130.0f));
+    draw(up, 1);
+    const FloatImage image = read("radiance");
+    const auto at = [&](double degrees) {  // toward +x, where nothing stands beyond the pool's edge
+        const double place = 64.5 + 64.5 * std::tan(glm::radians(degrees)) / std::tan(glm::radians(65.0));
+        return double(image.at(int(place), 64).g);
+    };
+    const double open = at(5.0);
+    EXPECT_GT(open, 0.5);
+    EXPECT_GT(at(-44.0), 0.8 * open);
+    EXPECT_LT(at(-53.0), 0.6 * open) << "the surface must mirror the pool";
+    EXPECT_LT(at(-60.0), 0.6 * open);
+}
+
+/// A camera that dips into the water sees the pool before and after: neither an empty pool nor a smear.
+TEST_F(WaterTest, ChangesLittleWhileTheCameraDipsIn) {
+    RenderSettings settings;
+    settings.temporal = false;
+    start({poolWater()}, settings);
+    const auto drawnAt = [&](double over) {
+        draw(lookingAt({-4.0, kSurface + over, 1.0}, {5.0, kSurface - 1.5 + over, 0.0}), 1);
+        return read("radiance");
+    };
+    const FloatImage above = drawnAt(0.002), below = drawnAt(-0.002);
+    double difference = 0.0, sum = 0.0;
+    for (int y = 0; y < 40; ++y)  // the lower part looks down into the pool
+        for (int x = 0; x < kSize.x; ++x) {
+            difference += std::abs(double(above.at(x, y).g - below.at(x, y).g));
+            sum += double(below.at(x, y).g);
+        }
+    EXPECT_LT(difference, 0.03 * sum);
+}
+
+/// Writes the pool from many places to the folder RUBBLE_SHEETS, to look at.
+TEST_F(WaterTest, SheetOfThePool) {
+    const char* folder = std::getenv("RUBBLE_SHEETS");
+    if (!folder) GTEST_SKIP() << "set RUBBLE_SHEETS to a folder";
+    struct Place {
+        const char* name;
+        glm::dvec3 from, at;
+    };
+    const Place places[] = {{"rim", {-6.0, 3.6, 4.4}, {0, 1, 0}},
+                            {"grazing", {-4.8, kSurface + 0.3, 2.0}, {3.0, kSurface, -0.5}},
+                            {"two_centimetres", {-4.0, kSurface + 0.02, 1.0}, {5.0, kSurface - 0.5, 0.0}},
+                            {"half_under", {-4.0, kSurface, 1.0}, {5.0, kSurface - 0.1, 0.0}},
+                            {"two_below", {-4.0, kSurface - 0.02, 1.0}, {5.0, kSurface + 0.5, 0.0}},
+                            {"under", {-4.0, 0.9, 2.0}, {4.0, 0.8, -1.0}},
+                            {"up", {-2.0, 0.3, 1.5}, {0.0, 1.8, -0.5}},
+                            {"zenith", {0.0, 0.3, 0.0}, {0.0, 2.0, -0.5}},
+                            {"side", {-4.0, 0.3, 0.0}, {3.0, 1.8, -0.5}}};
+    start({poolWater()}, {}, {640, 360});
+    for (const Place& place : places)
+        ASSERT_TRUE(writePng(std::string(folder) + "/water_" + place.name + ".png",
+                             draw(lookingAt(place.from, place.at, 1.2f), 12)));
+}
+
+}  // namespace
+}  // namespace rubble
