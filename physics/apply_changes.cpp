@@ -31,25 +31,26 @@ void updateDynamics(PhysicsBodies& bodies, const FrameChanges& changes, const Wo
         bool onlyCarved;
     };
     std::vector<Changed> changed;
-    for (const BodyHandle handle : changes.bodiesCreated) changed.push_back({handle, false});
-    for (const BodyHandle handle : changes.teleported) changed.push_back({handle, false});
-    const auto addOwner = [&](ShapeHandle handle, bool onlyCarved) {
-        if (const Shape* shape = world.shapes().find(handle)) changed.push_back({shape->body, onlyCarved});
+    const auto add = [&](BodyHandle handle, bool onlyCarved) {
+        const Body* body = world.bodies().find(handle);
+        if (body && !body->isStatic) changed.push_back({handle, onlyCarved});
     };
+    const auto addOwner = [&](ShapeHandle handle, bool onlyCarved) {
+        if (const Shape* shape = world.shapes().find(handle)) add(shape->body, onlyCarved);
+    };
+    for (const BodyHandle handle : changes.bodiesCreated) add(handle, false);
+    for (const BodyHandle handle : changes.teleported) add(handle, false);
     for (const ShapeHandle handle : changes.carved) addOwner(handle, true);
     for (const ShapeHandle handle : changes.shapesCreated) addOwner(handle, false);
     for (const ShapeHandle handle : changes.shapesDestroyed)
-        if (handle.slot() < bodies.owners().size()) changed.push_back({bodies.owners()[handle.slot()], false});
+        if (handle.slot() < bodies.owners().size()) add(bodies.owners()[handle.slot()], false);
     std::sort(changed.begin(), changed.end(), [](const Changed& a, const Changed& b) {
         return a.body.slot() != b.body.slot() ? a.body.slot() < b.body.slot() : a.onlyCarved < b.onlyCarved;
     });
     changed.erase(std::unique(changed.begin(), changed.end(),
-                              [](const Changed& a, const Changed& b) { return a.body.slot() == b.body.slot(); }),
+                              [](const Changed& a, const Changed& b) { return a.body == b.body; }),
                   changed.end());
-    for (const auto& [handle, onlyCarved] : changed) {
-        const Body* body = world.bodies().find(handle);
-        if (body && !body->isStatic) bodies.updateDynamic(world, handle, changes, onlyCarved);
-    }
+    for (const auto& [handle, onlyCarved] : changed) bodies.updateDynamic(world, handle, changes, onlyCarved);
 }
 
 /// Takes over changed waters and wakes the bodies in them: they may fall or float now.

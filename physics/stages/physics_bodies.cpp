@@ -93,6 +93,7 @@ void PhysicsBodies::destroyDynamic(BodyHandle handle) {
     const bool wasThere = !body->quarantined();
     m_broadphase.remove(body->object);
     m_awake.remove(*body);
+    std::erase(m_ended, handle.slot());
     m_dynamics[handle.slot()].reset();
     if (wasThere) wakeTouching(low, high);
 }
@@ -105,6 +106,7 @@ void PhysicsBodies::updateDynamic(const World& world, BodyHandle handle, const F
         const bool wasThere = !known->quarantined();
         m_broadphase.remove(known->object);
         m_awake.remove(*known);
+        std::erase(m_ended, handle.slot());
         if (wasThere) wakeTouching(low, high);
         if (onlyCarved && known->updateShape(world, changes) && insert(world, *known, false)) return;
         m_dynamics[handle.slot()].reset();

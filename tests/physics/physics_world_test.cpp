@@ -388,5 +388,37 @@ TEST(PhysicsWorld, ABodyWithNaNIsQuarantinedAndOthersAreUnchanged) {
     EXPECT_EQ(run(true), run(false));
 }
 
+TEST(PhysicsWorld, ABodyMayGoInTheStepAfterItWasQuarantined) {
+    PhysicsScene scene;
+    scene.addFloor();
+    scene.add(solidGrid({5, 5, 5}, kMasonry), {0, 1, 0}, false);
+    scene.load();
+    FrameChanges poison;
+    poison.impulses.push_back({scene.handle(1), {0, 0, 0}, glm::dvec3(NAN)});
+    scene.physics.apply(poison, scene.world);
+    CarveEdit all{.kind = BrushKind::Box, .position = {0.25, 1.25, 0.25}, .halfSize = glm::dvec3(0.5)};
+    scene.physics.apply(scene.world.applyEdits({all}), scene.world);  // no step between
+    scene.step();
+    EXPECT_EQ(scene.physics.stats().bodies, 0);
+}
+
+TEST(PhysicsWorld, NewBodiesInTheSlotsOfOldOnesFall) {
+    constexpr int kCubes = 40;
+    PhysicsScene scene;
+    for (int i = 0; i < kCubes; ++i) scene.add(solidGrid({2, 2, 2}, kMasonry), {1.0 * i, 50, 0}, false);
+    scene.add(
+        gridOf({10 * kCubes, 30, 4}, [](glm::ivec3 c) { return c.y < 4 || c.x % 10 < 4 ? kMasonry : uint8_t(0); }),
+        {0, 0, 0}, true);
+    scene.load();
+    const auto box = [](glm::dvec3 low, glm::dvec3 high) {
+        return CarveEdit{.kind = BrushKind::Box, .position = 0.5 * (low + high), .halfSize = 0.5 * (high - low)};
+    };
+    const FrameChanges changes = scene.stepWith({box({-1, 49, -1}, {50, 52, 1}), box({-1, 1, -1}, {50, 1.2, 1})});
+    ASSERT_EQ(changes.bodiesCreated.size(), size_t(kCubes));
+    ASSERT_EQ(changes.bodiesCreated[0].slot(), changes.bodiesDestroyed.back().slot());
+    EXPECT_EQ(scene.physics.stats().bodies, kCubes);
+    for (const BodyHandle body : changes.bodiesCreated) EXPECT_LT(scene.world.bodies().at(body).velocity.y, -0.1);
+}
+
 }  // namespace
 }  // namespace rubble
