@@ -119,6 +119,8 @@ Result<Done> validateHandles(const WorldState& world) {
             if (end.shape && !world.shapes.find(end.shape)) fail("joint", handle.slot());
         if (joint.points.size() != (joint.kind == JointKind::Rope ? joint.rope.points : 0))
             fail("points of joint", handle.slot());
+        if (const std::string wrong = jointEndsError(joint); error.empty() && !wrong.empty())
+            error = fmt::format("joint {}: {}", handle.slot(), wrong);
     });
     uint32_t next = 0;
     for (const HeatField& field : world.fire.fields) {

@@ -170,6 +170,7 @@ private:
             readBrickOf(shape.grid, source);
         if (m_reader.failed()) return;
         shape.moments = gridMoments(shape.grid, *shape.palette, m_world.materials());
+        shape.anchors = translatedBoxes(shape.anchors, glm::ivec3(0), shape.grid.size());
         value = std::move(shape);
     }
     void readBrickOf(VoxelGrid& grid, const Source& source) {
@@ -212,6 +213,17 @@ class DeltaCheck {
 public:
     DeltaCheck(const WorldDelta& delta, const World& world) : m_delta(delta), m_world(world) {}
 
+    /// Slots are given out without gaps: those below the highest are taken, or free and listed as such.
+    bool namesKnownSlots() const {
+        bool isKnown = true;
+        forEachKind(
+            [&](const auto& values, const auto& free, const auto& map) {
+                isKnown = isKnown &&
+                          (values.empty() || values.rbegin()->first < map.slotCount() + values.size() + free.size());
+            },
+            m_delta, m_delta.freeSlots, m_world.data());
+        return isKnown;
+    }
     bool isValid() const {
         return hasValidValues() && changesJointsOfRemovedShapes() && shapesAreOnTheirBodies() &&
                bodiesHaveTheirShapes();
@@ -219,11 +231,13 @@ public:
 
 private:
     const Shape* shapeAfter(ShapeHandle handle) const {
+        if (!handle) return nullptr;
         const auto found = m_delta.shapes.find(handle.slot());
         if (found == m_delta.shapes.end()) return m_world.shapes().find(handle);
         return found->second.first == handle ? &*found->second.second : nullptr;
     }
     const Body* bodyAfter(BodyHandle handle) const {
+        if (!handle) return nullptr;
         const auto found = m_delta.bodies.find(handle.slot());
         if (found == m_delta.bodies.end()) return m_world.bodies().find(handle);
         return found->second.first == handle ? &*found->second.second : nullptr;
@@ -236,7 +250,7 @@ private:
     bool isValidJoint(const Joint& joint) const {
         for (const JointEnd& end : joint.ends)
             if (end.shape && !shapeAfter(end.shape)) return false;
-        return jointError(joint).empty() &&
+        return jointError(joint).empty() && jointEndsError(joint).empty() &&
                joint.points.size() == (joint.kind == JointKind::Rope ? joint.rope.points : 0);
     }
     bool hasValidValues() const {
@@ -320,6 +334,8 @@ Result<FrameChanges> applyStepDelta(std::span<const uint8_t> bytes, const std::s
     for (PaletteRef& palette : palettesFromBytes(in)) palettes.push_back(std::move(palette));
     WorldDelta delta = StepReader(in, palettes, world).read();
     in.expectEnd("step");
+    if (!in.failed() && !DeltaCheck(delta, world).namesKnownSlots())
+        in.fail("slots that follow those of the world", "one far above them");
     if (!in.failed() && !DeltaCheck(delta, world).isValid())
         in.fail("shapes and bodies that name each other, and joints, lights and weather within their ranges", "others");
     if (in.failed()) return Error{name + ": " + in.error()};

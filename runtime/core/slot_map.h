@@ -69,9 +69,11 @@ public:
     /// Puts a value back under the handle it had, for undo and replay. The slot must be empty.
     T& restore(Handle handle, T value) {
         const uint32_t slot = handle.slot();
-        while (m_slots.size() <= slot) {
-            m_free.insert(m_free.begin(), uint32_t(m_slots.size()));  // used last, like a slot never used
-            m_slots.emplace_back();
+        if (m_slots.size() <= slot) {  // the new ones are used last, lowest first, like slots never used
+            std::vector<uint32_t> added(slot + 1 - m_slots.size());
+            for (size_t i = 0; i < added.size(); ++i) added[i] = slot - uint32_t(i);
+            m_free.insert(m_free.begin(), added.begin(), added.end());
+            m_slots.resize(slot + 1);
         }
         assert(!m_slots[slot].value && "restoring over a living object");
         m_free.erase(std::find(m_free.rbegin(), m_free.rend(), slot).base() - 1);

@@ -10,7 +10,7 @@ namespace rubble {
 inline BrickBits cellsInBox(glm::ivec3 brick, const CellBox& box) {
     BrickBits out{};
     const glm::ivec3 base = brick * kBrickSize;
-    const glm::ivec3 low = glm::max(box.low - base, 0), high = glm::min(box.high - base, kBrickSize);
+    const glm::ivec3 low = glm::max(box.low, base) - base, high = glm::min(box.high, base + kBrickSize) - base;
     if (CellBox{low, high}.empty()) return out;
     const uint64_t row = (uint64_t(1) << high.x) - (uint64_t(1) << low.x);
     uint64_t layer = 0;

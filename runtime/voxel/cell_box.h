@@ -1,6 +1,7 @@
 #pragma once
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
+#include <vector>
 
 namespace rubble {
 
@@ -22,6 +23,17 @@ struct CellBox {
 inline CellBox joined(const CellBox& a, const CellBox& b) {
     if (a.empty() || b.empty()) return a.empty() ? b : a;
     return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
+}
+
+/// Boxes in a frame of cells that begins at cell `low` of the present one and has this size; clipped to it. They may
+/// reach to the ends of the integers.
+inline std::vector<CellBox> translatedBoxes(const std::vector<CellBox>& boxes, glm::ivec3 low, glm::ivec3 size) {
+    std::vector<CellBox> out;
+    for (const CellBox& box : boxes) {
+        const CellBox moved{glm::max(box.low, low) - low, glm::min(box.high, low + size) - low};
+        if (!CellBox{glm::max(box.low, low), glm::min(box.high, low + size)}.empty()) out.push_back(moved);
+    }
+    return out;
 }
 
 }  // namespace rubble

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "runtime/core/log.h"
+#include "runtime/world/history/net_changes.h"
 #include "runtime/world/history/undo_history.h"
 #include "runtime/world/stages/edit_step.h"
 
@@ -24,6 +25,9 @@ void World::setState(WorldState state) {
     m_undo.clear();
     m_data.clear();
     static_cast<WorldState&>(m_data) = std::move(state);
+    m_data.shapes.forEach([](ShapeHandle, Shape& shape) {
+        shape.anchors = translatedBoxes(shape.anchors, glm::ivec3(0), shape.grid.size());
+    });
     m_data.groups.forEach(
         [&](LightGroupHandle, const LightGroup& group) { m_data.flickeringGroups += group.failingSince != 0; });
     m_data.rebuildIndexes();
@@ -46,6 +50,7 @@ FrameChanges World::applyEdits(const Edits& edits) {
     if (wasUndoOrRedo) m_data.restartStress();
     if (!edits.empty() || m_data.isBusy()) EditStep(m_data, changes).run(edits);
     for (UndoHistory& undo : m_undo) undo.recordStep(m_data, changes, wasUndoOrRedo);
+    keepNetChanges(changes, m_data);
     return changes;
 }
 

@@ -33,7 +33,7 @@ struct DriveEdit {
     double brake = 0.0;     ///< 0 to 1
 };
 
-/// Frees a rope's end from a shape. Joints of other kinds are removed.
+/// Frees a rope's end from a shape. Joints of other kinds are removed, and a rope that nothing holds any more.
 struct DetachJointEdit {
     JointHandle joint;
     ShapeHandle shape;

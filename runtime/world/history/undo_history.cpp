@@ -3,6 +3,8 @@
 #include <iterator>
 #include <utility>
 
+#include "runtime/core/log.h"
+
 namespace rubble {
 namespace {
 
@@ -62,7 +64,10 @@ WorldDelta UndoHistory::swapEntry(WorldData& world, WorldDelta entry, FrameChang
 bool UndoHistory::undo(WorldData& world, FrameChanges& changes) {
     if (!m_onlyMotionSinceUndo && !m_current.empty())
         m_marks.push_back(std::move(m_current)), m_current = m_baseline.emptyDelta();
-    if (m_marks.empty()) return false;
+    if (m_marks.empty()) {
+        logWarning("undo: there is no mark to go back to; nothing was undone");
+        return false;
+    }
     WorldDelta entry = std::move(m_marks.back());
     m_marks.pop_back();
     m_redo.push_back(swapEntry(world, std::move(entry), changes));
@@ -70,7 +75,10 @@ bool UndoHistory::undo(WorldData& world, FrameChanges& changes) {
 }
 
 bool UndoHistory::redo(WorldData& world, FrameChanges& changes) {
-    if (m_redo.empty()) return false;
+    if (m_redo.empty()) {
+        logWarning("redo: there is no undo to take back; nothing was redone");
+        return false;
+    }
     WorldDelta entry = std::move(m_redo.back());
     m_redo.pop_back();
     m_marks.push_back(swapEntry(world, std::move(entry), changes));

@@ -46,6 +46,15 @@ std::string jointError(const Joint& joint) {
     return "";
 }
 
+std::string jointEndsError(const Joint& joint) {
+    const auto& [first, second] = joint.ends;
+    if (joint.hand && (joint.kind == JointKind::Rope || !first.shape || second.shape))
+        return "a grab is no rope, and holds a shape by its first end and the world by its second";
+    if (joint.kind == JointKind::Rope) return "";
+    if (!first.shape && !second.shape) return "neither end is on a shape";
+    return first.isFree || second.isFree ? "only the ends of ropes hang free" : "";
+}
+
 uint64_t hashJoint(const Joint& joint, uint64_t seed) {
     uint64_t hash = hashValue(uint64_t(joint.kind) << 40 | uint64_t(joint.collides) << 32 | joint.hand, seed);
     for (const JointEnd& end : joint.ends) {

@@ -113,6 +113,8 @@ enum class JointBreak : uint8_t { VoxelGone, Force, Removed, Cut };
 
 /// Says what is wrong with the numbers of a joint; empty: nothing. Handles are not checked.
 std::string jointError(const Joint& joint);
+/// Says what is wrong with what the ends of a joint are on; empty: nothing. Whether their shapes exist is not checked.
+std::string jointEndsError(const Joint& joint);
 /// Chains all of a joint but a rope's points into a hash.
 uint64_t hashJoint(const Joint& joint, uint64_t seed);
 /// Chains the positions and velocities of a rope's points into a hash; other joints leave it as it is.

@@ -42,8 +42,7 @@ void initRopePoints(Joint& joint, glm::dvec3 from, glm::dvec3 to) {
 
 std::string attachJoint(const WorldObjects& objects, Joint& joint) {
     if (std::string error = jointError(joint); !error.empty()) return error;
-    if (joint.kind != JointKind::Rope && !joint.ends[0].shape && !joint.ends[1].shape)
-        return "neither end is on a shape";
+    if (std::string error = jointEndsError(joint); !error.empty()) return error;
     for (JointEnd& end : joint.ends) {
         end.frame.rotation = glm::normalize(end.frame.rotation);
         if (!end.shape) continue;

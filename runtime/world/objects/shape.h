@@ -23,7 +23,7 @@ struct Shape {
     PaletteRef palette;
     PaintColorsRef paintColors;    ///< null: nothing is painted
     MassMoments moments;           ///< of the grid, always up to date
-    std::vector<CellBox> anchors;  ///< cells that hold a static shape to the world
+    std::vector<CellBox> anchors;  ///< cells of the grid that hold a static shape to the world
     std::vector<std::string> tags;
     bool isPiece = false;         ///< came off another shape, or lost its last anchor
     bool knownConnected = false;  ///< connected since its last split: only the surroundings of a cut need a test

@@ -1,6 +1,5 @@
 #include "runtime/world/stages/debris_stage.h"
 
-#include <algorithm>
 #include <vector>
 
 #include "runtime/world/objects/transforms.h"
@@ -21,45 +20,6 @@ void despawn(EditContext& context, BodyHandle handle) {
     destroyShape(context, shapeHandle);
 }
 
-/// Removes from both lists what was created and destroyed in the same step; what an undo brought back stays.
-template <class Handle, class Map>
-void removeTransient(std::vector<Handle>& created, std::vector<Handle>& destroyed, const Map& alive) {
-    const auto isAlive = [&](Handle handle) { return alive.find(handle) != nullptr; };
-    std::vector<Handle> deadCreated = created, deadDestroyed = destroyed;
-    std::erase_if(deadCreated, isAlive);
-    std::sort(deadCreated.begin(), deadCreated.end());
-    std::erase_if(deadDestroyed, isAlive);
-    std::sort(deadDestroyed.begin(), deadDestroyed.end());
-    std::erase_if(destroyed,
-                  [&](Handle handle) { return std::binary_search(deadCreated.begin(), deadCreated.end(), handle); });
-    std::erase_if(
-        created, [&](Handle handle) { return std::binary_search(deadDestroyed.begin(), deadDestroyed.end(), handle); });
-}
-
-/// Removes pieces that were made and despawned in this step from the journal.
-void dropTransient(EditContext& context) {
-    removeTransient(context.changes.bodiesCreated, context.changes.bodiesDestroyed, context.world.bodies);
-    removeTransient(context.changes.shapesCreated, context.changes.shapesDestroyed, context.world.shapes);
-    std::erase_if(context.changes.impulses,
-                  [&](const ImpulseApplied& each) { return !context.world.bodies.find(each.body); });
-    for (std::vector<BodyHandle>* list : {&context.changes.settled, &context.changes.unsettled})
-        std::erase_if(*list, [&](BodyHandle body) { return !context.world.bodies.find(body); });
-    std::erase_if(context.changes.unanchored, [&](ShapeHandle shape) { return !context.world.shapes.find(shape); });
-    for (ShapeSplit& split : context.changes.splits) {
-        size_t kept = 0;
-        for (size_t i = 0; i < split.children.size(); ++i) {
-            if (!context.world.shapes.find(split.children[i])) continue;
-            split.children[kept] = split.children[i];
-            split.parentOffset[kept] = split.parentOffset[i];
-            split.motions[kept++] = split.motions[i];
-        }
-        split.children.resize(kept);
-        split.parentOffset.resize(kept);
-        split.motions.resize(kept);
-    }
-    std::erase_if(context.changes.splits, [](const ShapeSplit& split) { return split.children.empty(); });
-}
-
 }  // namespace
 
 void enforceDebrisBudgets(EditContext& context) {
@@ -76,10 +36,8 @@ void enforceDebrisBudgets(EditContext& context) {
         context.world.updateDebris(*body);
         context.changes.settled.push_back(*body);
     }
-    const size_t before = context.changes.bodiesDestroyed.size();
     while (debris.awakeCount() > settings.awakeBodies) despawn(context, debris.firstAwake());
     while (debris.count() > settings.bodies || debris.voxels() > settings.voxels) despawn(context, debris.first());
-    if (context.changes.bodiesDestroyed.size() > before) dropTransient(context);
 }
 
 }  // namespace rubble

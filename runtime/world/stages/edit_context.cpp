@@ -1,5 +1,6 @@
 #include "runtime/world/stages/edit_context.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -53,6 +54,11 @@ void EditContext::recordRemoved(ShapeHandle handle, const std::array<uint64_t, 2
         if (entry.lightGroup && entry.lightGroup <= removedByGroup.size())
             removedByGroup[entry.lightGroup - 1] += removed[i];
     }
+}
+
+void EditContext::listPalette(ShapeHandle shape) {
+    std::vector<ShapeHandle>& palettes = changes.palettes;
+    if (std::find(palettes.begin(), palettes.end(), shape) == palettes.end()) palettes.push_back(shape);
 }
 
 void EditContext::wakeBody(BodyHandle handle) {

@@ -26,7 +26,8 @@ struct DetachedFragment {
 struct ShapeEditState {
     ShapeHandle shape;
     BrickSet carved;
-    CellBox lost;  ///< cells that held all voxels that are gone
+    CellBox lost;     ///< cells that held all voxels that are gone
+    BrickSet filled;  ///< bricks that got the voxels of another shape
     BrickSet painted;
     std::vector<DetachedFragment> fragments;  ///< no longer in the grid; bodies of their own after the edits
     bool lostVoxels = false;  ///< before its frame of cells changed: all of it is tested for connectivity
@@ -69,6 +70,8 @@ struct EditContext {
     void recordCarved(ShapeHandle shape, const CarveResult& carved);
     /// Counts voxels that are gone, by entry of the shape's palette, and makes their dust.
     void recordRemoved(ShapeHandle shape, const std::array<uint64_t, 256>& removed, const DustSource& source);
+    /// Lists a shape whose palette or paint colours changed in the journal, once.
+    void listPalette(ShapeHandle shape);
     /// Wakes a body. Physics will wake its own too: by an impulse, or because its shape changed.
     void wakeBody(BodyHandle body);
     /// Sets Body::broken; the journal lists the first time.

@@ -44,7 +44,6 @@ void EditStep::run(const Edits& edits) {
     updateVelocities(m_context);
     applyImpulses(m_context);
     enforceDebrisBudgets(m_context);
-    redistributeHeat(m_context);
     updateLightGroups(m_context);
     if (m_context.world.stress) runStressAnalysis(m_context);
     listChangedBricks();
@@ -64,15 +63,13 @@ void EditStep::applyEdit(const Edit& edit) {
 
 /// Adds to the journal what the edit states hold: bricks, carved shapes, broken bodies.
 void EditStep::listChangedBricks() {
-    std::erase_if(m_context.changes.palettes, [&](ShapeHandle shape) { return !m_context.world.shapes.find(shape); });
     size_t count = m_context.changes.bricks.size();
     for (auto& [slot, each] : m_context.editStates) {
         const Shape* shape = m_context.world.shapes.find(each.shape);
         if (!shape) continue;
-        if (!each.carved.empty()) {
-            m_context.changes.carved.push_back(each.shape);
-            m_context.markBroken(shape->body);
-        }
+        if (!each.carved.empty()) m_context.markBroken(shape->body);
+        each.carved.insert(each.filled);
+        if (!each.carved.empty()) m_context.changes.carved.push_back(each.shape);
         each.carved.insert(each.painted);
         each.carved.forEachNode([&](glm::ivec3, BrickMask bricks) { count += size_t(std::popcount(bricks)); });
     }

@@ -42,41 +42,6 @@ glm::dvec3 brickMiddle(glm::ivec3 brick) {
     return glm::dvec3(brick * kBrickSize) + 0.5 * kBrickSize;
 }
 
-/// The heat of bricks that were split goes to their parts, by their shares of the voxels.
-void splitHeat(EditContext& context, const ShapeSplit& split) {
-    FireState& fire = context.world.fire;
-    const auto field = std::find_if(fire.fields.begin(), fire.fields.end(),
-                                    [&](const HeatField& each) { return each.shape == split.parent; });
-    if (field == fire.fields.end()) return;
-    std::vector<HotBrick> before = std::exchange(field->bricks, {});
-    const auto countIn = [&](ShapeHandle handle, glm::ivec3 brick) {
-        const Shape* shape = context.world.shapes.find(handle);
-        const Brick* content = shape ? shape->grid.brickAt(brick) : nullptr;
-        return int64_t(content ? content->count() : 0);
-    };
-    for (const HotBrick& hot : before) {
-        struct Holder {
-            ShapeHandle shape;
-            glm::ivec3 brick;
-            int64_t voxels;
-        };
-        std::vector<Holder> holders{{split.parent, hot.brick, countIn(split.parent, hot.brick)}};
-        for (size_t i = 0; i < split.children.size(); ++i) {
-            const glm::ivec3 brick = hot.brick - split.parentOffset[i] / kBrickSize;
-            holders.push_back({split.children[i], brick, countIn(split.children[i], brick)});
-        }
-        int64_t sum = 0;
-        for (const Holder& holder : holders) sum += holder.voxels;
-        for (const Holder& holder : holders) {
-            HotBrick* part = holder.voxels ? fire.findOrAdd(holder.shape, holder.brick, ~0u) : nullptr;
-            if (!part) continue;
-            *part = hot;
-            part->brick = holder.brick;
-            part->heat = hot.heat / sum * holder.voxels;
-        }
-    }
-}
-
 }  // namespace
 
 void FireStage::apply(const HeatEdit& edit) {
@@ -299,14 +264,6 @@ void FireStage::extinguishUnderWater() {
                 if (water.contains(at)) extinguishBrick(field.shape, hot, kWetSeconds * kHeatUpdatesPerSecond);
             });
         }
-}
-
-void redistributeHeat(EditContext& context) {
-    FireState& fire = context.world.fire;
-    if (!fire.isActive()) return;
-    for (const ShapeSplit& split : context.changes.splits) splitHeat(context, split);
-    std::erase_if(fire.fields, [&](const HeatField& field) { return !context.world.shapes.find(field.shape); });
-    fire.compact();
 }
 
 }  // namespace rubble

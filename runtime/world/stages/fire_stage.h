@@ -46,7 +46,4 @@ private:
     float m_heatTableVoxelSize = 0.0f;
 };
 
-/// Gives the heat of shapes that were split in this step to the pieces, and drops that of shapes that are gone.
-void redistributeHeat(EditContext& context);
-
 }  // namespace rubble

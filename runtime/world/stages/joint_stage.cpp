@@ -26,13 +26,11 @@ double nearestOnRope(const Joint& rope, glm::dvec3 place) {
     return best;
 }
 
-/// The voxel that holds an end is gone: a rope stays with a free end, unless its other end is free too; other joints
-/// break.
-void releaseEnd(EditContext& context, JointHandle handle, size_t end) {
+/// Nothing holds an end any more: a rope stays with a free end, unless its other end is free too; other joints break.
+void releaseEnd(EditContext& context, JointHandle handle, size_t end, JointBreak reason) {
     Joint& joint = context.world.joints.at(handle);
     const glm::dvec3 place = jointToWorld(context.world, joint.ends[end]).position;
-    if (joint.kind != JointKind::Rope || joint.ends[1 - end].isFree)
-        return breakJoint(context, handle, JointBreak::VoxelGone, place);
+    if (joint.kind != JointKind::Rope || joint.ends[1 - end].isFree) return breakJoint(context, handle, reason, place);
     context.world.jointIndex.remove(handle, joint);
     joint.ends[end] = {.frame = {place}, .isFree = true};
     context.world.jointIndex.add(handle, joint);
@@ -81,16 +79,13 @@ void apply(EditContext& context, const SetJointMotorEdit& edit) {
 }
 
 void apply(EditContext& context, const DetachJointEdit& edit) {
-    const Joint* joint = context.world.joints.find(edit.joint);
-    if (!joint) return logWarning("detach joint: the handle of its joint is stale; nothing was detached");
-    for (size_t end = 0; end < 2; ++end)
-        if (joint->ends[end].shape == edit.shape && !joint->ends[end].isFree) {
-            if (joint->kind != JointKind::Rope)
-                return breakJoint(context, edit.joint, JointBreak::Removed,
-                                  jointToWorld(context.world, joint->ends[end]).position);
-            releaseEnd(context, edit.joint, end);
-            joint = &context.world.joints.at(edit.joint);
-        }
+    if (!context.world.joints.find(edit.joint))
+        return logWarning("detach joint: the handle of its joint is stale; nothing was detached");
+    for (size_t end = 0; end < 2; ++end) {
+        const Joint* joint = context.world.joints.find(edit.joint);
+        if (joint && joint->ends[end].shape == edit.shape && !joint->ends[end].isFree)
+            releaseEnd(context, edit.joint, end, JointBreak::Removed);
+    }
 }
 
 void breakJoint(EditContext& context, JointHandle handle, JointBreak reason, glm::dvec3 position) {
@@ -137,7 +132,7 @@ void releaseJointsOf(EditContext& context, ShapeHandle shape) {
     for (const JointHandle handle : copyOf(context.world.jointIndex.of(shape)))
         for (size_t end = 0; end < 2; ++end)
             if (const Joint* joint = context.world.joints.find(handle); joint && joint->ends[end].shape == shape)
-                releaseEnd(context, handle, end);
+                releaseEnd(context, handle, end, JointBreak::VoxelGone);
 }
 
 void releaseUnheldJoints(EditContext& context) {
@@ -148,7 +143,7 @@ void releaseUnheldJoints(EditContext& context) {
                 const Joint* joint = context.world.joints.find(handle);
                 if (!joint || joint->ends[end].shape != each.shape) continue;
                 if (!context.world.shapes.at(each.shape).grid.at(joint->ends[end].cell))
-                    releaseEnd(context, handle, end);
+                    releaseEnd(context, handle, end, JointBreak::VoxelGone);
             }
 }
 

@@ -12,7 +12,7 @@ void apply(EditContext& context, const AddJointEdit& edit);
 void apply(EditContext& context, const RemoveJointEdit& edit);
 /// Sets motor, friction and steering of a joint.
 void apply(EditContext& context, const SetJointMotorEdit& edit);
-/// Frees a rope's end from a shape; removes joints of other kinds.
+/// Frees a rope's end from a shape. Removes joints of other kinds, and a rope that nothing holds any more.
 void apply(EditContext& context, const DetachJointEdit& edit);
 
 /// Erases a joint and lists it in the journal.

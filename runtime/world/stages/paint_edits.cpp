@@ -1,6 +1,5 @@
 #include "runtime/world/stages/paint_edits.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "runtime/core/log.h"
@@ -18,9 +17,7 @@ void commitPaint(EditContext& context, ShapeHandle handle, const PaintResult& pa
     context.changes.paintMerges += painted.merges;
     if (painted.palette) shape.palette = painted.palette;
     if (painted.colors) shape.paintColors = painted.colors;
-    std::vector<ShapeHandle>& palettes = context.changes.palettes;
-    if ((painted.palette || painted.colors) && std::find(palettes.begin(), palettes.end(), handle) == palettes.end())
-        palettes.push_back(handle);
+    if (painted.palette || painted.colors) context.listPalette(handle);
     if (painted.bricks.empty()) return;
     BrickSet& bricks = context.editState(handle).painted;
     for (const glm::ivec3 brick : painted.bricks) bricks.insert(brick);

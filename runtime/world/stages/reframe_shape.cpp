@@ -6,6 +6,7 @@
 #include "runtime/core/log.h"
 #include "runtime/world/objects/transforms.h"
 #include "runtime/world/stages/entry_counts.h"
+#include "runtime/world/stages/heat_moves.h"
 #include "runtime/world/stages/joint_stage.h"
 #include "runtime/world/stages/shape_lifecycle.h"
 
@@ -42,8 +43,7 @@ bool reframeShape(EditContext& context, ShapeHandle handle, const CellBox& box) 
         context.recordRemoved(handle, removed, {shapeToWorld(context.world, handle).transformPoint({}), 0.0, {}});
     for (PendingSplit& pending : context.world.pendingSplits)  // their cuts are in the old cells
         if (pending.shape == handle) pending.cut.clear(), pending.search.reset(), shape.knownConnected = false;
-    std::erase_if(context.world.fire.fields, [&](const HeatField& field) { return field.shape == handle; });
-    context.world.fire.compact();
+    dropHeat(context, handle);
     if (shape.grid.empty()) {
         context.editStates.erase(handle.slot());
         destroyShape(context, handle);
@@ -54,6 +54,7 @@ bool reframeShape(EditContext& context, ShapeHandle handle, const CellBox& box) 
     if (lostVoxels) shape.knownConnected = false;
     each = {.shape = handle, .lostVoxels = lostVoxels};
     context.world.updateShapeBounds(handle);
+    context.world.updateDebris(shape.body);
     context.changes.shapesDestroyed.push_back(handle);
     context.changes.shapesCreated.push_back(handle);
     return true;

@@ -5,10 +5,12 @@
 #include <glm/common.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "runtime/core/log.h"
 #include "runtime/world/objects/transforms.h"
 #include "runtime/world/stages/entry_counts.h"
+#include "runtime/world/stages/heat_moves.h"
 #include "runtime/world/stages/joint_stage.h"
 #include "runtime/world/stages/light_stage.h"
 #include "runtime/world/stages/palette_merge.h"
@@ -63,8 +65,10 @@ ShapeHandle findMergeTarget(const EditContext& context, ShapeHandle handle) {
     return {};
 }
 
-/// Adds the voxels of `from`, whose cell 0 is cell `at` of `into`. Returns the counts of those whose cell is taken.
-EntryCounts mergeVoxels(Shape& into, const Shape& from, const std::array<uint8_t, 256>& entries, glm::ivec3 at) {
+/// Adds the voxels of `from`, whose cell 0 is cell `at` of `into`, and lists the bricks that got some. Returns the
+/// counts of those whose cell is taken.
+EntryCounts mergeVoxels(Shape& into, const Shape& from, const std::array<uint8_t, 256>& entries, glm::ivec3 at,
+                        BrickSet& filled) {
     std::array<uint8_t, 16> paints{};
     if (from.paintColors) {
         auto colors = std::make_shared<PaintColors>(into.paintColors ? *into.paintColors : PaintColors{});
@@ -79,11 +83,29 @@ EntryCounts mergeVoxels(Shape& into, const Shape& from, const std::array<uint8_t
                 const glm::ivec3 cell = position * kBrickSize + voxelInBrick(i) + at;
                 if (writer.at(cell)) return void(++lost[brick->at(i)]);
                 const uint8_t paint = brick->paintAt(i);
+                filled.insert(cell / kBrickSize);
                 writer.set(cell, entries[brick->at(i)], uint8_t(paint ? paints[paint >> 4] << 4 | (paint & 15) : 0));
             });
         });
     }
     return lost;
+}
+
+/// What is merged into a connected shape may have loose parts, or may be waiting for the test that finds them.
+void moveConnectivity(EditContext& context, ShapeHandle from, ShapeHandle target) {
+    Shape& into = context.world.shapes.at(target);
+    bool isTested = true;
+    for (PendingSplit& pending : context.world.pendingSplits) {
+        isTested = isTested && pending.shape != from;
+        if (pending.shape == target) pending.search.reset();  // it has not seen the new voxels
+    }
+    if (const auto known = context.editStates.find(from.slot()); known != context.editStates.end()) {
+        isTested = isTested && known->second.carved.empty() && !known->second.lostVoxels;
+        if (!known->second.carved.empty()) context.markBroken(into.body);
+        context.editStates.erase(known);
+    }
+    if (!isTested) context.editState(target).lostVoxels = true;
+    into.knownConnected = into.knownConnected && isTested && context.world.shapes.at(from).knownConnected;
 }
 
 /// Lights and joints of a shape that is merged into another go with it.
@@ -138,6 +160,7 @@ void apply(EditContext& context, const SplitShapeEdit& edit) {
     if (split.children.empty()) return;
     moveLights(context, split);
     moveJoints(context, split);
+    moveHeat(context, split);
     context.changes.splits.push_back(std::move(split));
 }
 
@@ -156,14 +179,17 @@ void apply(EditContext& context, const MergeShapeEdit& edit) {
         return logWarning("merge shapes: the two palettes do not fit into one of 255 entries; nothing was done");
     if (!reframeShape(context, target, box)) return;
     const glm::ivec3 at = *offset - box.low;
+    const auto looksBefore = std::pair(into->palette, into->paintColors);
     if (*palette != *into->palette) into->palette = palette;
-    const EntryCounts lost = mergeVoxels(*into, *from, *entries, at);
+    const EntryCounts lost = mergeVoxels(*into, *from, *entries, at, context.editState(target).filled);
+    if (looksBefore != std::pair(into->palette, into->paintColors)) context.listPalette(target);
     for (const CellBox& anchor : from->anchors) into->anchors.push_back({anchor.low + at, anchor.high + at});
     into->moments = gridMoments(into->grid, *into->palette, context.world.materials);
     moveAttached(context, edit.shape, target, at);
+    moveConnectivity(context, edit.shape, target);
     context.recordRemoved(edit.shape, lost, {shapeToWorld(context.world, edit.shape).transformPoint({}), 0.0, {}});
-    context.editStates.erase(edit.shape.slot());
     destroyShape(context, edit.shape);
+    context.wakeBody(into->body);
 }
 
 void apply(EditContext& context, const TrimShapeEdit& edit) {

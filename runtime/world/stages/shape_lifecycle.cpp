@@ -2,22 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 
 #include "runtime/world/objects/transforms.h"
+#include "runtime/world/stages/heat_moves.h"
 #include "runtime/world/stages/joint_stage.h"
 #include "runtime/world/stages/light_stage.h"
 
 namespace rubble {
-
-std::vector<CellBox> translatedBoxes(const std::vector<CellBox>& boxes, glm::ivec3 low, glm::ivec3 size) {
-    std::vector<CellBox> out;
-    for (const CellBox& box : boxes) {
-        const CellBox moved{glm::max(box.low - low, 0), glm::min(box.high - low, size)};
-        if (!moved.empty()) out.push_back(moved);
-    }
-    return out;
-}
 
 ShapeHandle createPiece(EditContext& context, ShapeHandle parentHandle, Piece piece, const MassMoments& moments,
                         PieceMotion& motion) {
@@ -93,6 +84,7 @@ void detachToNewBody(EditContext& context, ShapeHandle handle) {
     shape.local = {};
     shape.anchors.clear();
     shape.isPiece = true;
+    context.world.updateDebris(newBody);
     context.changes.bodiesCreated.push_back(newBody);
     context.changes.unanchored.push_back(handle);
     for (const JointHandle joint : context.world.jointIndex.of(handle)) context.changes.jointsChanged.push_back(joint);
@@ -119,16 +111,18 @@ void discardPiece(EditContext& context, ShapeHandle parent, const Component& com
 void destroyShape(EditContext& context, ShapeHandle handle) {
     turnOffLightsOf(context, handle);
     releaseJointsOf(context, handle);
+    dropHeat(context, handle);
     const BodyHandle body = context.world.shapes.at(handle).body;
     context.world.removeShapeBounds(handle);
     context.world.shapes.erase(handle);
     context.changes.shapesDestroyed.push_back(handle);
     std::vector<ShapeHandle>& left = context.world.bodies.at(body).shapes;
     std::erase(left, handle);
-    if (!left.empty()) return;
-    context.world.bodies.erase(body);
+    if (left.empty()) {
+        context.world.bodies.erase(body);
+        context.changes.bodiesDestroyed.push_back(body);
+    }
     context.world.updateDebris(body);
-    context.changes.bodiesDestroyed.push_back(body);
 }
 
 }  // namespace rubble

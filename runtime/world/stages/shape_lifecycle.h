@@ -16,9 +16,7 @@ ShapeHandle createSplitShape(EditContext& context, ShapeHandle shape, Piece piec
 void detachToNewBody(EditContext& context, ShapeHandle shape);
 /// Removes a component of a shape's cells that is too small for a piece. Its mass must be subtracted already.
 void discardPiece(EditContext& context, ShapeHandle parent, const Component& component);
-/// Erases a shape, and its body if that has no other. Its lights go dark, its joints break.
+/// Erases a shape with its heat, and its body if that has no other. Its lights go dark, its joints break.
 void destroyShape(EditContext& context, ShapeHandle shape);
-/// Boxes of cells in a new frame that begins at cell `low` of the old one and has this size; clipped to it.
-std::vector<CellBox> translatedBoxes(const std::vector<CellBox>& boxes, glm::ivec3 low, glm::ivec3 size);
 
 }  // namespace rubble

@@ -5,6 +5,7 @@
 #include "runtime/destruction/detachment.h"
 #include "runtime/destruction/local_connectivity.h"
 #include "runtime/destruction/split.h"
+#include "runtime/world/stages/heat_moves.h"
 #include "runtime/world/stages/joint_stage.h"
 #include "runtime/world/stages/light_stage.h"
 #include "runtime/world/stages/shape_lifecycle.h"
@@ -53,6 +54,7 @@ void splitShape(EditContext& context, ShapeHandle parent, const Detached& detach
         context.cutWires.insert(parent.slot());
         moveLights(context, split);
         moveJoints(context, split);
+        moveHeat(context, split);
     }
     if (shape->grid.empty())
         destroyShape(context, parent);
@@ -102,6 +104,7 @@ void releaseFragments(EditContext& context) {
         context.cutWires.insert(broken.shape.slot());
         moveLights(context, split);
         moveJoints(context, split);
+        moveHeat(context, split);
         context.changes.splits.push_back(std::move(split));
     }
 }

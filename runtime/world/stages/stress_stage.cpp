@@ -65,9 +65,11 @@ void runStressAnalysis(EditContext& context) {
     for (const ShapeHandle handle : context.changes.shapesCreated)
         if (context.world.shapes.find(handle)) context.world.addStress(handle);
     for (const auto& [slot, each] : context.editStates)
-        if (WorldStress::Entry* entry = stress.find(each.shape); entry && !each.carved.empty()) {
+        if (WorldStress::Entry* entry = stress.find(each.shape);
+            entry && !(each.carved.empty() && each.filled.empty())) {
             std::vector<glm::ivec3> bricks;
-            each.carved.forEach([&](glm::ivec3 brick) { bricks.push_back(brick); });
+            for (const BrickSet* set : {&each.carved, &each.filled})
+                set->forEach([&](glm::ivec3 brick) { bricks.push_back(brick); });
             entry->analysis.markChanged(bricks);
             stress.wake(each.shape);
         }

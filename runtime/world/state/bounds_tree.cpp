@@ -1,11 +1,13 @@
 #include "runtime/world/state/bounds_tree.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace rubble {
 namespace {
 
-constexpr double kMargin = 0.2;  ///< metres: a falling body changes the tree every few steps only
+constexpr int kMaxImbalance = 4;  ///< difference of height of two children that rotations leave
+constexpr double kMargin = 0.2;   ///< metres: a falling body changes the tree every few steps only
 
 bool isNumber(const WorldBox& box) {
     return box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z;
@@ -68,7 +70,8 @@ uint32_t BoundsTree::bestSibling(const WorldBox& box) const {
         };
         const double left = cost(node.left), right = cost(node.right);
         if (joined < left && joined < right) break;
-        at = left <= right ? node.left : node.right;
+        const bool isLeftHigher = m_nodes[node.left].height > m_nodes[node.right].height;
+        at = left < right || (left == right && !isLeftHigher) ? node.left : node.right;
     }
     return at;
 }
@@ -112,19 +115,32 @@ void BoundsTree::replaceChild(uint32_t parent, uint32_t old, uint32_t by) {
 
 void BoundsTree::refit(uint32_t node) {
     for (; node != kNone; node = m_nodes[node].parent) {
-        Node& each = m_nodes[node];
-        each.box = m_nodes[each.left].box.merged(m_nodes[each.right].box);
+        update(m_nodes[node]);
         rotate(node);
     }
 }
 
-void BoundsTree::trySwap(uint32_t child, uint32_t& sibling, double& best, std::pair<uint32_t*, uint32_t*>& swap) {
+/// Takes over box and height of its children.
+void BoundsTree::update(Node& node) const {
+    const Node &left = m_nodes[node.left], &right = m_nodes[node.right];
+    node.box = left.box.merged(right.box);
+    node.height = 1 + std::max(left.height, right.height);
+}
+
+void BoundsTree::tryRotations(uint32_t child, uint32_t& sibling, Rotation& best) {
     Node& node = m_nodes[child];
     if (node.isLeaf()) return;
-    const double now = node.box.area();
+    const int across = m_nodes[sibling].height;
+    const bool isTooHigh = node.height - across > kMaxImbalance;
+    if (isTooHigh) best = {};
     const auto consider = [&](uint32_t& goes, uint32_t stays) {
-        const double saved = now - m_nodes[stays].box.merged(m_nodes[sibling].box).area();
-        if (saved > best) best = saved, swap = {&goes, &sibling};
+        const int up = m_nodes[goes].height, beside = m_nodes[stays].height;
+        const double saved = node.box.area() - m_nodes[stays].box.merged(m_nodes[sibling].box).area();
+        const bool isBalanced =
+            std::abs(across - beside) <= kMaxImbalance && std::abs(up - 1 - std::max(across, beside)) <= kMaxImbalance;
+        if (isTooHigh ? up > beside || (up == beside && (!best.goes || saved > best.saved))
+                      : isBalanced && saved > best.saved)
+            best = {&goes, &sibling, saved};
     };
     consider(node.left, node.right);
     consider(node.right, node.left);
@@ -132,16 +148,17 @@ void BoundsTree::trySwap(uint32_t child, uint32_t& sibling, double& best, std::p
 
 void BoundsTree::rotate(uint32_t at) {
     Node& node = m_nodes[at];
-    double best = 0.0;
-    std::pair<uint32_t*, uint32_t*> swap{nullptr, nullptr};
-    trySwap(node.left, node.right, best, swap);
-    trySwap(node.right, node.left, best, swap);
-    if (!swap.first) return;
-    const uint32_t below = m_nodes[*swap.first].parent;
-    std::swap(*swap.first, *swap.second);
-    m_nodes[*swap.first].parent = below;
-    m_nodes[*swap.second].parent = at;
-    m_nodes[below].box = m_nodes[m_nodes[below].left].box.merged(m_nodes[m_nodes[below].right].box);
+    Rotation best;
+    const bool leftIsHigher = m_nodes[node.left].height > m_nodes[node.right].height;
+    leftIsHigher ? tryRotations(node.right, node.left, best) : tryRotations(node.left, node.right, best);
+    leftIsHigher ? tryRotations(node.left, node.right, best) : tryRotations(node.right, node.left, best);
+    if (!best.goes) return;
+    const uint32_t below = m_nodes[*best.goes].parent;
+    std::swap(*best.goes, *best.sibling);
+    m_nodes[*best.goes].parent = below;
+    m_nodes[*best.sibling].parent = at;
+    update(m_nodes[below]);
+    update(node);
 }
 
 }  // namespace rubble

@@ -11,8 +11,9 @@ namespace rubble {
 /// box; an inner node is the box around its two children. A new leaf becomes the sibling of the node that makes the
 /// total area grow least, and on the path back to the root rotations swap a node with its sibling's child where that
 /// shrinks a box: the area heuristic, by which a node is visited with a probability proportional to its surface area.
-/// Insertion, moves and searches cost the depth of the tree. Boxes are kept with a margin, so that a small move costs a
-/// comparison: what is found is near, not exact, in no order.
+/// Where many boxes are in one place that says nothing, so rotations also keep the heights of two children within a
+/// limit, as in an AVL tree: the depth is O(log n). Insertion, moves and searches cost the depth of the tree. Boxes are
+/// kept with a margin, so that a small move costs a comparison: what is found is near, not exact, in no order.
 class BoundsTree {
 public:
     /// Inserts an item or moves it. An item whose box has a NaN is removed.
@@ -46,6 +47,7 @@ private:
     struct Node {
         WorldBox box;
         uint32_t parent = kNone, left = kNone, right = kNone, item = kNone;
+        int height = 0;  ///< edges to its deepest leaf
         /// Whether it holds an item.
         bool isLeaf() const { return left == kNone; }
     };
@@ -56,9 +58,16 @@ private:
     void replaceChild(uint32_t parent, uint32_t old, uint32_t by);
     /// Updates the boxes from here to the root, with a rotation at each node that has a good one.
     void refit(uint32_t node);
+    void update(Node& node) const;
     void rotate(uint32_t node);
-    /// Tests the rotations that swap `sibling` with a child of `child`; keeps the one that saves the most area.
-    void trySwap(uint32_t child, uint32_t& sibling, double& best, std::pair<uint32_t*, uint32_t*>& swap);
+    /// A rotation: a grandchild and its parent's sibling, which change places.
+    struct Rotation {
+        uint32_t *goes = nullptr, *sibling = nullptr;
+        double saved = 0.0;  ///< area
+    };
+    /// Tests the rotations that swap `sibling` with a child of `child`; keeps the one that saves the most area of those
+    /// that leave the tree balanced. If `child` is too high, one of them is made in any case.
+    void tryRotations(uint32_t child, uint32_t& sibling, Rotation& best);
 
     std::vector<Node> m_nodes;
     std::vector<uint32_t> m_free;

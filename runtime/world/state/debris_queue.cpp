@@ -10,8 +10,8 @@ DebrisQueue::Key DebrisQueue::keyOf(const Debris& piece) {
 
 void DebrisQueue::set(const Debris& piece) {
     const uint32_t slot = piece.body.slot();
-    remove(slot);
     if (m_pieces.size() <= slot) m_pieces.resize(slot + 1);
+    remove(m_pieces[slot].body);
     m_pieces[slot] = piece;
     m_order.insert(keyOf(piece));
     if (piece.rest == RestState::Asleep) m_asleep.emplace(piece.restingSince, slot);
@@ -19,8 +19,9 @@ void DebrisQueue::set(const Debris& piece) {
     m_voxels += piece.voxels;
 }
 
-void DebrisQueue::remove(uint32_t slot) {
-    if (slot >= m_pieces.size() || !m_pieces[slot].body) return;
+void DebrisQueue::remove(BodyHandle body) {
+    if (!body || !contains(body)) return;
+    const uint32_t slot = body.slot();
     const Debris piece = std::exchange(m_pieces[slot], {});
     m_order.erase(keyOf(piece));
     m_asleep.erase({piece.restingSince, slot});

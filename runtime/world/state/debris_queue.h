@@ -29,7 +29,7 @@ public:
     /// Adds a piece or takes over its changes.
     void set(const Debris& piece);
     /// Removes the piece of a body, if it is there.
-    void remove(uint32_t bodySlot);
+    void remove(BodyHandle body);
     /// Removes all pieces.
     void clear() { *this = {}; }
 

@@ -1,6 +1,7 @@
 #include "runtime/world/state/fire_state.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "runtime/core/hash.h"
 
@@ -36,6 +37,16 @@ HotBrick* FireState::findOrAdd(ShapeHandle shape, glm::ivec3 brick, uint32_t lim
     if (field->shape != shape) *field = {shape, {}};  // the old field is of a shape that is gone
     ++hotBricks;
     return &*field->bricks.insert(findBrick(field->bricks, brick), HotBrick{.brick = brick});
+}
+
+std::vector<HotBrick> FireState::take(ShapeHandle shape) {
+    const auto field = findField(fields, shape);
+    if (field == fields.end() || field->shape != shape) return {};
+    std::vector<HotBrick> out = std::move(field->bricks);
+    fields.erase(field);
+    hotBricks -= uint32_t(out.size());
+    for (const HotBrick& hot : out) burning -= hot.burningFor > 0;
+    return out;
 }
 
 void FireState::compact() {

@@ -28,6 +28,8 @@ struct FireState {
     HotBrick* find(ShapeHandle shape, glm::ivec3 brick);
     /// The brick's state, a new one if it has none; nullptr if there is none and `limit` bricks are hot already.
     HotBrick* findOrAdd(ShapeHandle shape, glm::ivec3 brick, uint32_t limit);
+    /// Removes the bricks of a shape and returns them; the counts are as compact() makes them.
+    std::vector<HotBrick> take(ShapeHandle shape);
     /// Drops empty fields and counts again. To be called after `fields` was changed from outside.
     void compact();
     /// A hash of all fields, in slot order.

@@ -35,13 +35,14 @@ ShapeHandle loadShape(WorldData& world, BodyHandle body, bool isStatic, const Le
     Shape shape{.name = from.name, .body = body, .local = from.local, .voxelSize = from.voxelSize, .grid = from.grid};
     shape.palette = from.palette ? from.palette : std::make_shared<const Palette>();
     shape.paintColors = from.paintColors;
-    shape.anchors = from.anchors;
     shape.tags = from.tags;
     shape.strength = from.strength;
     shape.loadBearing = from.loadBearing;
     shape.collisionLayer = from.collisionLayer;
     shape.collisionMask = from.collisionMask;
-    if (isStatic && shape.anchors.empty()) shape.anchors = {bottomLayer(shape.grid)};
+    const bool needsAnchor = isStatic && from.anchors.empty();
+    shape.anchors = needsAnchor ? std::vector{bottomLayer(shape.grid)}
+                                : translatedBoxes(from.anchors, glm::ivec3(0), shape.grid.size());
     shape.moments = gridMoments(shape.grid, *shape.palette, world.materials);
     world.imported += shape.grid.voxelCount();
     const ShapeHandle handle = world.shapes.insert(std::move(shape));

@@ -76,7 +76,7 @@ void WorldData::updateDebris(BodyHandle handle) {
     const Body* body = bodies.find(handle);
     const Shape* shape = body && !body->isStatic && body->shapes.size() == 1 ? shapes.find(body->shapes[0]) : nullptr;
     if (!shape || !shape->isPiece || shape->grid.voxelCount() > settings.debris.largestPiece)
-        return debris.remove(handle.slot());
+        return debris.remove(handle);
     const RestState rest = body->settled ? RestState::Settled : body->asleep ? RestState::Asleep : RestState::Awake;
     debris.set({handle, rest, shape->grid.voxelCount(), body->createdStep, body->restingSince});
 }

@@ -94,5 +94,16 @@ TEST(SlotMap, RestoredObjectsKeepTheirHandlesAndNewOnesGetFreshOnes) {
     EXPECT_EQ(other.insert(7).slot(), 1u);
 }
 
+TEST(SlotMap, RestoringAHighSlotKeepsTheOrderOfTheFreeOnes) {
+    SlotMap<BodyHandle, int> map;
+    const BodyHandle first = map.insert(1), second = map.insert(2);
+    map.erase(first);
+    map.restore(BodyHandle::make(0, 3, 1000000), 5);  // a cost that grows with the square of the slot never ends
+    EXPECT_EQ(map.slotCount(), 1000001u);
+    EXPECT_EQ(map.insert(6).slot(), 0u) << "freed last, used first";
+    for (uint32_t slot = 2; slot < 10; ++slot) EXPECT_EQ(map.insert(7).slot(), slot);
+    EXPECT_TRUE(map.find(second));
+}
+
 }  // namespace
 }  // namespace rubble

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "tests/runtime/world/worlds.h"
 #include "tests/support/allocation_count.h"
@@ -9,6 +10,7 @@
 namespace rubble {
 namespace {
 
+using test::firstShape;
 using test::oneShapeLevel;
 using test::sphereCarve;
 
@@ -244,6 +246,29 @@ TEST(ApplyEdits, TheSameEditsGiveTheSameHash) {
         return hashes;
     };
     EXPECT_EQ(run(), run());
+}
+
+TEST(ApplyEdits, AnAnchorAroundAllCellsHoldsAllParts) {
+    const int far = std::numeric_limits<int>::max();
+    for (const CellBox& anchor :
+         {CellBox{glm::ivec3(-far - 1), glm::ivec3(far)}, CellBox{{-far - 1, 0, -far - 1}, {far, 1, far}},
+          CellBox{{0, 0, 0}, glm::ivec3(far)}}) {
+        Level level = oneShapeLevel(solidGrid({100, 40, 40}, 1), true);
+        level.bodies[0].shapes[0].anchors = {anchor};
+        World world;
+        world.load(level);
+        const ShapeHandle shape = firstShape(world);
+        const auto cut = [](double x) {
+            return CarveEdit{.kind = BrushKind::Box, .position = {x, 2.0, 2.0}, .halfSize = {0.2, 9.0, 9.0}};
+        };
+        EXPECT_TRUE(world.applyEdits({cut(3.0)}).splits.empty());
+        EXPECT_TRUE(world.applyEdits({cut(7.0)}).splits.empty());
+        EXPECT_TRUE(world.applyEdits({ResizeShapeEdit{shape, {{-9, -9, -9}, {109, 49, 49}}}, cut(9.0)}).splits.empty());
+        World loaded;
+        loaded.setState(world.state());
+        EXPECT_TRUE(loaded.applyEdits({cut(5.0)}).splits.empty());
+        EXPECT_EQ(loaded.shapes().size(), 1u);
+    }
 }
 
 }  // namespace

@@ -60,6 +60,21 @@ TEST(BoundsTree, StaysShallowForSortedInsertions) {
     EXPECT_LT(tree.depth(), 4 * 12);
 }
 
+TEST(BoundsTree, StaysShallowForManyBoxesInOnePlace) {
+    for (const double jitter : {0.0, 1e-9, 0.05, 0.5}) {
+        Random random(1);
+        BoundsTree tree;
+        for (uint32_t i = 0; i < 20000; ++i) {
+            const glm::dvec3 low = jitter * glm::dvec3(random.unit(), random.unit(), random.unit());
+            tree.update(i, {low, low + 1.0});
+        }
+        EXPECT_LT(tree.depth(), 4 * 15) << jitter;
+        for (uint32_t i = 0; i < 20000; i += 2) tree.remove(i);
+        EXPECT_LT(tree.depth(), 4 * 15) << jitter;
+        EXPECT_EQ(found(tree, {glm::dvec3(0), glm::dvec3(1)}).size(), 10000u);
+    }
+}
+
 TEST(BoundsTree, NotANumberIsNotStored) {
     BoundsTree tree;
     tree.update(3, {glm::dvec3(0), glm::dvec3(1)});

@@ -3,6 +3,7 @@
 #include <map>
 #include <tuple>
 
+#include "runtime/world/history/world_baseline.h"
 #include "tests/runtime/world/worlds.h"
 #include "tests/support/grids.h"
 
@@ -204,6 +205,106 @@ TEST(Debris, SplitsReportInitialMotions) {
         EXPECT_NEAR(motion.mass, mass.mass, 1e-9);
         EXPECT_LT(glm::length(motion.center - world.bodies().at(body).pose.transformPoint(mass.center)), 1e-12);
     }
+}
+
+/// Expects the list of debris that a load would make.
+void expectDebrisAsLoaded(const World& world) {
+    World loaded;
+    loaded.setState(world.state());
+    const DebrisQueue &is = world.data().debris, &wanted = loaded.data().debris;
+    EXPECT_EQ(is.count(), wanted.count());
+    EXPECT_EQ(is.voxels(), wanted.voxels());
+    EXPECT_EQ(is.awakeCount(), wanted.awakeCount());
+    world.bodies().forEach([&](BodyHandle body, const Body&) { EXPECT_EQ(is.contains(body), wanted.contains(body)); });
+    if (wanted.count()) EXPECT_EQ(is.first(), wanted.first());
+}
+
+TEST(Debris, TheListIsTheOneThatALoadMakes) {
+    Level level = test::oneShapeLevel(solidGrid({4, 4, 4}), false, {{0.0, 30.0, 0.0}});
+    level.bodies.push_back(test::oneShapeLevel(pillars(), true).bodies[0]);
+    World world;
+    world.load(level);
+    WorldSettings settings = withBudgets(1000, 1000, 1000000);
+    settings.undoMarks = 9;
+    settings.debris.largestPiece = 100000;
+    world.applyEdits({SettingsEdit{settings}, test::sphereCarve({0.2, 30.2, 0.2}, 1.0)});
+    ASSERT_EQ(world.bodies().size(), 1u) << "slot 0 is free";
+    const std::vector<ShapeHandle> pieces = world.applyEdits({cutColumns(0, 2)}).shapesCreated;
+    ASSERT_TRUE(world.data().debris.contains(world.bodies().handleAt(0)));
+    expectDebrisAsLoaded(world);
+    const auto resize = [&](int i, int height) {
+        return ResizeShapeEdit{pieces[size_t(i)], {{0, 0, 0}, {8, height, 8}}};
+    };
+    world.applyEdits({HistoryEdit{}, resize(0, 8), resize(1, 9), TrimShapeEdit{pieces[2]}, SplitShapeEdit{pieces[3]}});
+    EXPECT_EQ(world.data().debris.voxels(), 24u * 20 - 12);
+    expectDebrisAsLoaded(world);
+    // The slab loses its anchors and is debris itself.
+    world.applyEdits({HistoryEdit{}, cutColumns(2, 4),
+                      CarveEdit{.kind = BrushKind::Box, .position = {2.4, 0.0, 2.4}, .halfSize = {9.0, 0.15, 9.0}}});
+    ASSERT_EQ(world.data().debris.count(), world.bodies().size());
+    expectDebrisAsLoaded(world);
+    for (const HistoryAction action :
+         {HistoryAction::Undo, HistoryAction::Redo, HistoryAction::Undo, HistoryAction::Undo, HistoryAction::Redo}) {
+        world.applyEdits({HistoryEdit{action}});
+        expectDebrisAsLoaded(world);
+    }
+}
+
+TEST(Debris, APieceThatIsResizedAndDespawnsInOneStepIsGoneForAll) {
+    for (const bool trims : {true, false}) {
+        DebrisWorld world(withBudgets(1000, 1000, 1000000));
+        world.applyEdits({});
+        const FrameChanges cut = world.applyEdits({cutColumns(0, 1)});
+        const ShapeHandle piece = cut.shapesCreated[0];
+        const BodyHandle body = world.shapes().at(piece).body;
+        WorldBaseline baseline(world);
+        Edit edit = ResizeShapeEdit{piece, {{0, 0, 0}, {40, 40, 40}}};
+        if (trims) {
+            baseline.update(world, world.applyEdits({edit}));
+            edit = TrimShapeEdit{piece};
+        }
+        const FrameChanges changes = world.applyEdits({SettingsEdit{withBudgets(1000, 0, 0)}, edit, cutColumns(1, 2)});
+        ASSERT_FALSE(world.shapes().find(piece));
+        EXPECT_EQ(std::count(changes.shapesDestroyed.begin(), changes.shapesDestroyed.end(), piece), 1);
+        EXPECT_EQ(std::count(changes.bodiesDestroyed.begin(), changes.bodiesDestroyed.end(), body), 1);
+        EXPECT_EQ(changes.shapesDestroyed.size(), 12u) << "of the twelve that were there before";
+        EXPECT_TRUE(changes.shapesCreated.empty());
+        baseline.update(world, changes);
+        EXPECT_EQ(resolvedHash(world), resolvedHash(baseline.last()));
+        EXPECT_TRUE(voxelAccounting(world).balances());
+    }
+}
+
+TEST(Debris, UndoIntoAStateOverItsBudgetKeepsTheLedger) {
+    DebrisWorld world(withBudgets(1000, 1000, 1000000));
+    const auto settings = [&](uint32_t bodies) {
+        WorldSettings out = withBudgets(1000, bodies, 1000000);
+        out.undoMarks = 9;
+        return out;
+    };
+    world.applyEdits({SettingsEdit{settings(1000)}});
+    const uint64_t before = resolvedHash(world);
+    world.applyEdits({HistoryEdit{}, cutColumns(0, 2)});
+    const CarveEdit all{.kind = BrushKind::Box, .position = {0.0, 1.0, 0.0}, .halfSize = {9.0, 0.6, 9.0}};
+    world.applyEdits({HistoryEdit{}, all});
+    ASSERT_EQ(world.data().debris.count(), 0u);
+    world.applyEdits({SettingsEdit{settings(5)}});
+    WorldBaseline baseline(world);
+    const auto step = [&](HistoryAction action) {
+        const FrameChanges changes = world.applyEdits({HistoryEdit{action}});
+        expectNoStaleHandles(world, changes);
+        baseline.update(world, changes);
+        EXPECT_EQ(resolvedHash(world), resolvedHash(baseline.last()));
+        EXPECT_TRUE(voxelAccounting(world).balances());
+        expectDebrisAsLoaded(world);
+    };
+    step(HistoryAction::Undo);
+    EXPECT_EQ(world.data().debris.count(), 5u);
+    step(HistoryAction::Redo);
+    step(HistoryAction::Undo);
+    step(HistoryAction::Undo);
+    EXPECT_EQ(resolvedHash(world), before);
+    step(HistoryAction::Redo);
 }
 
 }  // namespace

@@ -239,5 +239,58 @@ TEST(Fire, NoncombustiblesCostNothing) {
     EXPECT_EQ(world.data().fire.fields.capacity(), 0u);
 }
 
+TEST(Fire, GoesOutWithAShapeThatIsMergedIntoAnother) {
+    for (const bool enabled : {true, false}) {
+        Level level;
+        level.bodies.push_back(bodyOf(wall({16, 16, 8}), {}));
+        level.bodies[0].shapes.push_back(level.bodies[0].shapes[0]);
+        level.bodies[0].shapes[1].name = "second";
+        level.bodies[0].shapes[1].local.position = {1.6, 0.0, 0.0};
+        World world;
+        world.load(level);
+        const ShapeHandle first = world.shapes().handleAt(0), second = world.shapes().handleAt(1);
+        run(world, 60, {HeatEdit{.position = {2.4, 0.8, 0.4}, .ignite = true, .shape = second}});
+        ASSERT_FALSE(findFires(world).empty());
+        WorldSettings settings = world.settings();
+        settings.fire.enabled = enabled;
+        const FrameChanges changes = world.applyEdits({SettingsEdit{settings}, MergeShapeEdit{second, first}});
+        EXPECT_TRUE(changes.firesChanged);
+        for (const Fire& fire : findFires(world)) EXPECT_EQ(fire.shape, first);
+        for (const HeatField& field : world.data().fire.fields) EXPECT_TRUE(world.shapes().find(field.shape));
+        run(world, 60);
+    }
+}
+
+TEST(Fire, TheHeatOfFragmentsStaysWhereItWas) {
+    Level level;
+    level.bodies.push_back(bodyOf(wall({40, 40, 8}), {}));
+    World world;
+    world.load(level);
+    const glm::ivec3 brick(2, 2, 0);
+    world.applyEdits({HeatEdit{.position = {2.0, 2.0, 0.0}, .radius = 0.15, .joules = 1e6}});
+    ASSERT_EQ(world.data().fire.hotBricks, 1u);
+    ASSERT_TRUE(world.data().fire.find(test::firstShape(world), brick));
+    const FrameChanges changes = world.applyEdits(
+        {BreakEdit{.position = {2.0, 2.0, 0.4}, .radii = {0.9, 0.9, 0.9}, .tool = Tool::Explosive, .seed = 3}});
+    ASSERT_FALSE(changes.splits.empty());
+    const glm::dvec3 low = glm::dvec3(brick * kBrickSize) * 0.1, high = low + 0.8;
+    size_t hotPieces = 0;
+    world.shapes().forEach([&](ShapeHandle handle, const Shape& shape) {
+        shape.grid.forEachBrick([&](glm::ivec3 at, const BrickRef& content) {
+            bool wasHot = false;
+            forEachVoxel(content->occupancy, [&](int i) {
+                const glm::dvec3 place =
+                    shapeToWorld(world, handle)
+                        .transformPoint((glm::dvec3(at * kBrickSize + voxelInBrick(i)) + 0.5) * 0.1);
+                wasHot = wasHot || WorldBox{low, high}.contains({place, place});
+            });
+            EXPECT_EQ(world.data().fire.find(handle, at) != nullptr, wasHot) << handle.slot();
+            hotPieces += wasHot;
+        });
+    });
+    EXPECT_GT(hotPieces, 2u);
+    for (const HeatField& field : world.data().fire.fields) EXPECT_TRUE(world.shapes().find(field.shape));
+}
+
 }  // namespace
 }  // namespace rubble

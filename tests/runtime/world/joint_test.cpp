@@ -156,6 +156,53 @@ TEST(Joint, RopesSpanTheirEndsAndSurviveLosingOne) {
     EXPECT_FALSE(world.joints().at(rope).ends[1].isFree);
 }
 
+TEST(Joint, DetachingTheLastHeldEndOfARopeRemovesIt) {
+    World world;
+    world.load(beamAndPost());
+    const ShapeHandle beam = world.joints().at(firstJoint(world)).ends[0].shape,
+                      post = world.joints().at(firstJoint(world)).ends[1].shape;
+    Joint rope = jointAt(world, JointKind::Rope, beam, post, {{3.0, 1.05, 0.05}});
+    rope.rope.length = 2.0;
+    for (const bool bothOnOneShape : {false, true}) {
+        if (bothOnOneShape) rope = jointAt(world, JointKind::Rope, beam, beam, {{1.0, 1.05, 0.05}});
+        rope.rope.length = 2.0;
+        const JointHandle handle = world.applyEdits({AddJointEdit{rope}}).jointsCreated.at(0);
+        if (!bothOnOneShape) {
+            EXPECT_TRUE(world.applyEdits({DetachJointEdit{handle, post}}).jointsBroken.empty());
+            EXPECT_TRUE(world.joints().at(handle).ends[1].isFree);
+        }
+        const FrameChanges changes = world.applyEdits({DetachJointEdit{handle, beam}});
+        EXPECT_FALSE(world.joints().find(handle));
+        ASSERT_EQ(changes.jointsBroken.size(), 1u);
+        EXPECT_EQ(changes.jointsBroken[0].reason, JointBreak::Removed);
+    }
+}
+
+TEST(Joint, AGrabHoldsAShapeByItsFirstEndAndNothingElse) {
+    World world;
+    world.load(beamAndPost());
+    const ShapeHandle beam = world.joints().at(firstJoint(world)).ends[0].shape;
+    const Joint grab = jointAt(world, JointKind::Ball, beam, {}, {{1.0, 1.05, 0.05}});
+    Joint reversed = jointAt(world, JointKind::Ball, {}, beam, {{1.0, 1.05, 0.05}}), rope = grab, both = grab;
+    rope.kind = JointKind::Rope;
+    both.ends[1] = both.ends[0];
+    const size_t before = world.joints().size();
+    for (Joint each : {reversed, rope, both}) {
+        each.hand = 1;
+        EXPECT_TRUE(world.applyEdits({AddJointEdit{each}}).jointsCreated.empty());
+        world.applyEdits({ReleaseEdit{}});
+        EXPECT_EQ(world.joints().size(), before);
+    }
+    Joint valid = grab;
+    valid.hand = 1;
+    EXPECT_EQ(world.applyEdits({AddJointEdit{valid}}).jointsCreated.size(), 1u);
+    world.applyEdits({ReleaseEdit{}});
+    EXPECT_EQ(world.joints().size(), before);
+    Joint loose = grab;  // a ball joint cannot hang free
+    loose.ends[1].isFree = true;
+    EXPECT_TRUE(world.applyEdits({AddJointEdit{loose}}).jointsCreated.empty());
+}
+
 TEST(Joint, UndoRestoresBrokenAndMovedJoints) {
     World world;
     world.load(beamAndPost());

@@ -3,7 +3,9 @@
 #include <map>
 
 #include "runtime/destruction/detachment.h"
+#include "runtime/world/history/world_baseline.h"
 #include "tests/runtime/world/worlds.h"
+#include "tests/support/grids.h"
 
 namespace rubble {
 namespace {
@@ -36,6 +38,20 @@ VoxelGrid twoBlocks() {
     writer.set({40, 0, 0}, 3);
     writer.flush();
     return grid;
+}
+
+/// A body with a frame of `length` x 16 x 16 cells, and a peg inside it whose upper part is loose if `isCracked`.
+Level frameAndPeg(bool isStatic, bool isCracked = false, int length = 24) {
+    const auto isFrame = [](glm::ivec3 c) { return uint8_t(c.y < 4 || c.x < 4 ? 1 : 0); };
+    Level level = test::oneShapeLevel(gridOf({length, 16, 16}, isFrame), isStatic);
+    LevelShape peg = test::levelShape(
+        "peg", gridOf({8, 10, 8}, [=](glm::ivec3 c) { return uint8_t(isCracked && c.y == 5 ? 0 : 6); }));
+    auto palette = std::make_shared<Palette>(*peg.palette);
+    (*palette)[6] = {.red = 7, .material = 2};
+    peg.palette = palette;
+    peg.local.position = glm::dvec3(8, 4, 4) * 0.1;
+    level.bodies[0].shapes.push_back(peg);
+    return level;
 }
 
 World worldOf(VoxelGrid grid, bool isStatic) {
@@ -176,6 +192,80 @@ TEST(SlicedSplits, ConserveVoxelsAndEndLikeImmediateSplits) {
             EXPECT_TRUE(findDetached(shape.grid, shape.anchors, true).pieces.empty()) << "a loose piece was forgotten";
         }
     });
+}
+
+TEST(ShapeEdits, AMergeInsideTheFrameOfTheOtherIsInTheJournal) {
+    for (const bool isStatic : {true, false}) {
+        World world;
+        world.load(frameAndPeg(isStatic));
+        WorldSettings settings;
+        settings.undoMarks = 5;
+        world.setSettings(settings);
+        world.applyEdits({});
+        const ShapeHandle into = world.shapes().handleAt(0), peg = world.shapes().handleAt(1);
+        const auto before = worldCells(world);
+        const uint64_t hash = resolvedHash(world);
+        WorldBaseline baseline(world);
+        FrameChanges changes = world.applyEdits({HistoryEdit{}, MergeShapeEdit{peg, into}});
+        EXPECT_EQ(worldCells(world), before);
+        EXPECT_EQ(world.shapes().at(into).grid.size(), glm::ivec3(24, 16, 16)) << "not resized";
+        EXPECT_EQ(std::count(changes.shapesCreated.begin(), changes.shapesCreated.end(), into), 0)
+            << "the cost is that of the peg";
+        EXPECT_EQ(changes.bricks.size(), 4u) << "each brick once";
+        EXPECT_EQ(changes.carved, std::vector{into});
+        EXPECT_EQ(changes.palettes, std::vector{into});
+        EXPECT_TRUE(changes.broken.empty()) << "nothing was lost";
+        baseline.update(world, changes);
+        EXPECT_EQ(resolvedHash(World(world)), resolvedHash(baseline.last()));
+        baseline.update(world, world.applyEdits({HistoryEdit{HistoryAction::Undo}}));
+        EXPECT_EQ(resolvedHash(world), hash);
+        EXPECT_EQ(worldCells(world), before) << "each voxel once";
+        EXPECT_EQ(resolvedHash(world), resolvedHash(baseline.last()));
+        EXPECT_TRUE(voxelAccounting(world).balances());
+    }
+}
+
+TEST(ShapeEdits, ALoosePartOfAMergedShapeComesOffWithTheNextCut) {
+    for (const bool cutsInTheSameStep : {false, true}) {
+        World world;
+        world.load(frameAndPeg(true, !cutsInTheSameStep));
+        const ShapeHandle into = world.shapes().handleAt(0), peg = world.shapes().handleAt(1);
+        world.applyEdits({test::sphereCarve({0.0, 1.6, 0.0}, 0.2)});  // the frame is known to be connected
+        CarveEdit crack{
+            .kind = BrushKind::Box, .position = {1.2, 0.95, 0.8}, .halfSize = {0.6, 0.05, 0.6}, .shape = peg};
+        if (cutsInTheSameStep) {
+            world.applyEdits({crack, MergeShapeEdit{peg, into}});
+        } else {
+            world.applyEdits({MergeShapeEdit{peg, into}});
+            world.applyEdits({test::sphereCarve({0.0, 1.6, 1.6}, 0.2)});
+        }
+        ASSERT_EQ(world.shapes().size(), 2u);
+        EXPECT_EQ(world.shapes().at(world.shapes().handleAt(1)).grid.voxelCount(), 8u * 4 * 8);
+        EXPECT_TRUE(voxelAccounting(world).balances());
+    }
+}
+
+TEST(ShapeEdits, AMergedShapeThatWaitsForItsSplitIsStillSplit) {
+    World world;
+    Level level = frameAndPeg(true, false, 400);
+    level.bodies[0].shapes[0].anchors = {{{0, 0, 0}, {1, 16, 16}}};
+    world.load(level);
+    WorldSettings settings;
+    settings.split.partsPerStep = 1;
+    world.setSettings(settings);
+    const ShapeHandle into = world.shapes().handleAt(0), peg = world.shapes().handleAt(1);
+    CarveEdit crack{.kind = BrushKind::Box, .position = {1.2, 0.95, 0.8}, .halfSize = {0.6, 0.05, 0.6}, .shape = peg};
+    CarveEdit slit{.kind = BrushKind::Box, .position = {20.0, 0.2, 0.2}, .halfSize = {0.1, 0.4, 2.0}, .shape = into};
+    world.applyEdits({test::sphereCarve({0.0, 1.6, 0.0}, 0.2)});
+    world.applyEdits({slit, crack});
+    ASSERT_EQ(world.data().pendingSplits.size(), 2u);
+    world.applyEdits({MergeShapeEdit{peg, into}});
+    for (int i = 0; i < 99; ++i) world.applyEdits({});
+    ASSERT_EQ(world.shapes().size(), 3u) << "the far half, and the upper part of the peg";
+    uint64_t smallest = 1u << 30;
+    world.shapes().forEach(
+        [&](ShapeHandle, const Shape& shape) { smallest = std::min(smallest, shape.grid.voxelCount()); });
+    EXPECT_EQ(smallest, 8u * 4 * 8);
 }
 
 }  // namespace

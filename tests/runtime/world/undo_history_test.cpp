@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/core/log.h"
 #include "runtime/core/random.h"
 #include "tests/runtime/world/worlds.h"
 #include "tests/support/grids.h"
@@ -277,6 +278,20 @@ TEST(UndoHistory, DropsTheOldestMarksAndCostsNothingWhenOff) {
     settings.undoMarks = 0;
     world.applyEdits({SettingsEdit{settings}});
     EXPECT_TRUE(world.applyEdits({kUndo}).empty());
+}
+
+TEST(UndoHistory, WithNothingToUndoOrRedoSaysSo) {
+    World world = smallWorld();
+    std::vector<std::string> lines;
+    setLogSink([](void* user, LogLevel,
+                  std::string_view line) { static_cast<std::vector<std::string>*>(user)->emplace_back(line); },
+               &lines);
+    world.applyEdits({kUndo});
+    world.applyEdits({kRedo});
+    setLogSink(nullptr, nullptr);
+    ASSERT_EQ(lines.size(), 2u);
+    EXPECT_EQ(lines[0].rfind("undo: ", 0), 0u) << lines[0];
+    EXPECT_EQ(lines[1].rfind("redo: ", 0), 0u) << lines[1];
 }
 
 }  // namespace
