@@ -28,8 +28,6 @@ void World::setState(WorldState state) {
     m_data.shapes.forEach([](ShapeHandle, Shape& shape) {
         shape.anchors = translatedBoxes(shape.anchors, glm::ivec3(0), shape.grid.size());
     });
-    m_data.groups.forEach(
-        [&](LightGroupHandle, const LightGroup& group) { m_data.flickeringGroups += group.failingSince != 0; });
     m_data.rebuildIndexes();
 }
 

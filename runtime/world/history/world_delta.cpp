@@ -105,10 +105,10 @@ void journalBodiesAndShapes(const WorldDelta& before, WorldData& world, FrameCha
 void journalGroups(const WorldDelta& before, WorldData& world, FrameChanges& changes) {
     for (const auto& [slot, was] : before.groups) {
         const LightGroupHandle is = world.groups.handleAt(slot);
+        world.flickeringGroups -= uint32_t(was.second && was.second->failingSince != 0);
         if (!is) continue;
         changes.groups.push_back(is);
-        world.flickeringGroups +=
-            uint32_t(world.groups.at(is).failingSince != 0) - uint32_t(was.second && was.second->failingSince != 0);
+        world.flickeringGroups += uint32_t(world.groups.at(is).failingSince != 0);
         if (world.groups.at(is).out && !(was.second && was.second->out)) changes.groupsOut.push_back(is);
     }
 }

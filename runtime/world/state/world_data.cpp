@@ -36,6 +36,7 @@ void WorldData::rebuildIndexes() {
     joints.forEach([&](JointHandle handle, const Joint& joint) { jointIndex.add(handle, joint); });
     shapes.forEach([&](ShapeHandle handle, const Shape&) { updateShapeBounds(handle); });
     bodies.forEach([&](BodyHandle handle, const Body&) { updateDebris(handle); });
+    groups.forEach([&](LightGroupHandle, const LightGroup& group) { flickeringGroups += group.failingSince != 0; });
     indexTriggers();
     restartStress();
 }

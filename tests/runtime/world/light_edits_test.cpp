@@ -160,6 +160,17 @@ TEST(LightEdits, ALightCutOffItsWireGoesOut) {
     EXPECT_FALSE(anyGlow(world));
 }
 
+TEST(LightEdits, OneThatFailsWhenItsLevelIsLoadedGoesOutByItself) {
+    Level level = wiredLight(3);
+    level.lightGroups[0].failingSince = 1;
+    World world;
+    world.load(level);
+    size_t out = 0;
+    for (int step = 0; step < 5; ++step) out += world.applyEdits({}).groupsOut.size();
+    EXPECT_EQ(out, 1u);
+    EXPECT_FALSE(anyGlow(world));
+}
+
 TEST(LightEdits, ItFlickersTheSameEveryTimeBeforeItIsOut) {
     std::vector<bool> first;
     for (int run = 0; run < 2; ++run) {
