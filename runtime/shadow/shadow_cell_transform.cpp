@@ -8,7 +8,8 @@
 namespace rubble {
 namespace {
 
-constexpr double kCell = double(kShadowCell);
+constexpr double kCell = 0.1;  ///< metres: kShadowCell, which as a float would be 0.15 m off at 10,000 km
+static_assert(kShadowCell == float(kCell));
 constexpr double kFixedOne = 0x1p32;
 constexpr double kMaxPosition = 1e8;  ///< metres: cell coordinates stay within 32 bits
 constexpr int kMaxSamples = 8;        ///< voxels under 0.0125 m have samples farther apart than they are wide
@@ -29,7 +30,8 @@ bool ShadowCellTransform::place(const Pose& shapeToWorld, double voxelSize) {
         if (!(std::fabs(shapeToWorld.position[a]) <= kMaxPosition)) return false;
 
     const glm::dquat worldToShape = glm::conjugate(r) / std::sqrt(square);
-    const double voxelsPerCell = kCell / voxelSize;
+    // Voxels of the cells' size are that of a float, too.
+    const double voxelsPerCell = double(kShadowCell) / voxelSize;
     samples = int(std::clamp(std::ceil(voxelsPerCell - 1e-6), 1.0, double(kMaxSamples)));
     glm::dvec3 firstWorld(0.0);
     for (int a = 0; a < 3; ++a) {

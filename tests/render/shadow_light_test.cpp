@@ -75,6 +75,30 @@ TEST_F(ShadowLightTest, SingleCubeIsLitInSixteenRotations) {
     RecordProperty("lit", std::to_string(double(all.lit) / all.facing));
 }
 
+TEST_F(ShadowLightTest, FacesFarFromTheWorldsOriginAreLitLikeOthers) {
+    for (const double away : {0.0, 1e6, 1e7})
+        for (const glm::dvec3 axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
+            VoxelGrid cube({10, 10, 10});
+            {
+                GridWriter writer(cube);
+                fillBox(writer, {0, 0, 0}, {10, 10, 10}, 4);
+            }
+            const glm::dvec3 corner = axis * away;
+            Level level;
+            level.bodies.push_back(bodyOf(cube, {corner, {1, 0, 0, 0}}));
+            Scene scene;
+            scene.apply(levelSnapshot(level));
+            const glm::vec3 toSun = glm::normalize(glm::vec3(0.6f, 0.5f, 0.4f));
+            View view;
+            view.size = {120, 90};
+            view.position = corner + 0.5 + glm::dvec3(toSun) * 2.5;
+            view.rotation = glm::quatLookAt(glm::normalize(corner + 0.5 - view.position), glm::dvec3(0, 1, 0));
+            const Count count = sunlit(scene, view, toSun);
+            EXPECT_GT(count.facing, 1000);
+            EXPECT_GE(count.lit, count.facing * 0.995) << away << " m along " << axis.x << axis.y << axis.z;
+        }
+}
+
 TEST_F(ShadowLightTest, ClosedRoomIsDarkInside) {
     for (const double turn : {0.0, 0.3, 0.785}) {
         VoxelGrid room({30, 24, 26});
