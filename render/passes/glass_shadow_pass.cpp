@@ -29,6 +29,14 @@ GlassShadowPass::GlassShadowPass(ShaderLibrary& shaders)
     glVertexAttribDivisor(0, 1);
     glVertexAttribIPointer(0, 1, GL_INT, 0, nullptr);
     glBindVertexArray(0);
+    clear();  // the composite pass reads the map also where the program does not build
+}
+
+/// Empties the map, and binds it.
+void GlassShadowPass::clear() {
+    m_framebuffer.begin();
+    const float none[4] = {1, 1, 1, kNoPane};
+    glClearBufferfv(GL_COLOR, 0, none);
 }
 
 /// Places the map in front of the camera, in steps of kStep, so that it needs no redraw at every frame.
@@ -44,30 +52,44 @@ void GlassShadowPass::fitMap(const FrameContext& frame) {
     m_center = m_right * place.x + m_up * place.y + m_sun * place.z;
 }
 
+bool GlassShadowPass::overlaps(const Bodies::Instance& body, glm::vec3 place, float radius) const {
+    const glm::vec3 low = glm::vec3(body.low) * body.voxelSize, high = glm::vec3(body.high) * body.voxelSize;
+    const glm::vec3 offset = body.position + body.rotation * ((low + high) * 0.5f) - place;
+    const float extent = radius + 0.5f * glm::length(high - low);
+    return std::abs(glm::dot(offset, m_right)) < extent && std::abs(glm::dot(offset, m_up)) < extent;
+}
+
 /// Lists the bodies with glass that the map covers.
 void GlassShadowPass::listBodies(const FrameContext& frame) {
     m_bodies.clear();
     const auto& instances = frame.scene.bodies().instances();
-    for (size_t i = 0; i < instances.size(); ++i) {
-        const Bodies::Instance& body = instances[i];
-        if (body.empty() || !body.glass) continue;
-        const glm::vec3 low = glm::vec3(body.low) * body.voxelSize, high = glm::vec3(body.high) * body.voxelSize;
-        const glm::vec3 offset = body.position + body.rotation * ((low + high) * 0.5f) - m_center;
-        const float extent = 0.5f * (kSide * kCell + glm::length(high - low));
-        if (std::abs(glm::dot(offset, m_right)) < extent && std::abs(glm::dot(offset, m_up)) < extent)
+    for (size_t i = 0; i < instances.size(); ++i)
+        if (!instances[i].empty() && instances[i].glass && overlaps(instances[i], m_center, 0.5f * kSide * kCell))
             m_bodies.push_back(int(i));
+}
+
+/// Whether shadow casters have changed that may lie before or behind glass, as the sun sees it.
+bool GlassShadowPass::hasChangedAround(const FrameContext& frame) const {
+    const auto& instances = frame.scene.bodies().instances();
+    for (const DirtyRegions::Box& box : frame.scene.dirtyRegions().boxes()) {
+        const glm::dvec3 low = glm::dvec3(box.low) * DirtyRegions::kBrickMetres,
+                         high = glm::dvec3(box.high) * DirtyRegions::kBrickMetres;
+        const glm::vec3 middle(0.5 * (low + high) - frame.scene.origin());
+        const float radius = 0.5f * float(glm::distance(low, high));
+        for (const int body : m_bodies)
+            if (overlaps(instances[size_t(body)], middle, radius)) return true;
     }
+    return false;
 }
 
 void GlassShadowPass::draw(const FrameContext& frame) {
     const glm::vec3 before = m_center;
     fitMap(frame);
-    if (!m_program || (m_drawnChanges == frame.scene.glassChanges() && before == m_center)) return;
+    const bool isUpToDate = m_drawnChanges == frame.scene.glassChanges() && before == m_center;
+    if (!m_program || (isUpToDate && !hasChangedAround(frame))) return;
     m_drawnChanges = frame.scene.glassChanges();
     listBodies(frame);
-    m_framebuffer.begin();
-    const float clear[4] = {1, 1, 1, kNoPane};
-    glClearBufferfv(GL_COLOR, 0, clear);
+    clear();
     if (m_bodies.empty()) return;
     m_program.use();
     frame.scene.bodies().bind(m_program);

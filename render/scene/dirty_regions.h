@@ -12,6 +12,7 @@ namespace rubble {
 class DirtyRegions {
 public:
     static constexpr size_t kMaxRegions = shared::kMaxDirtyRegions;
+    static constexpr double kBrickMetres = 1.6;  ///< side of a brick of the shadow volume
     struct Box {
         glm::ivec3 low, high;  ///< bricks of the shadow volume, high excluded
     };

@@ -111,5 +111,28 @@ TEST_F(WeatherTest, SunThroughRedGlassIsRedAndOnlyThere) {
     }
 }
 
+/// The pane's light falls on the floor as soon as what stood in the sun's way is gone.
+TEST_F(WeatherTest, LightThroughGlassFollowsWhatStandsBeforeIt) {
+    LitScene scene = paneInTheSun(true);
+    const ShapeHandle roof = scene.add({60, 2, 60}, {{-3, 4, -3}, {1, 0, 0, 0}}, [](glm::ivec3) { return kStone; });
+    RenderSettings settings;
+    settings.temporal = settings.sky = false;
+    start(scene, kSize, settings);
+    const auto red = [&] {
+        const Camera camera = lookingAt({0, 3.5, 3.0}, {0, 0, 0.5});
+        draw(camera);
+        const FloatImage image = read("radiance");
+        double most = 0.0;
+        for (const glm::vec4& pixel : image.pixels) most = std::max(most, double(pixel.r - pixel.g));
+        return most;
+    };
+    red();
+    scene.edit(roof, [](glm::ivec3) { return uint8_t(0); });
+    renderer->apply(scene.step());
+    const double after = red();
+    start(scene, kSize, settings);
+    EXPECT_NEAR(after, red(), 0.01 * after);
+}
+
 }  // namespace
 }  // namespace rubble
