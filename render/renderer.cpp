@@ -33,10 +33,14 @@
 #include "render/scene/scene.h"
 #include "render/shader_library/fullscreen_choice.h"
 #include "runtime/core/blue_noise.h"
+#include "runtime/core/constants.h"
 #include "runtime/core/log.h"
 
 namespace rubble {
 namespace {
+
+constexpr float kStill = 1.0f / float(kStepsPerSecond);  ///< seconds of a frame in which no game time passes
+constexpr double kLongestFrame = 1.0;                    ///< seconds
 
 /// How this GL draws full-screen passes, if the settings want `wanted`. On llvmpipe passes take 0.97 to 3.4 times as
 /// long by compute, the whole frame 1.24 to 1.34 times, so for software renderers compute programs are not even built.
@@ -126,7 +130,9 @@ struct Renderer::Impl {
     PassTimer timer{isSoftwareGl(), settings.processorTime};
     RenderStats stats;
     bool hasDrawn = false;
-    float stepAlpha = 1.0f;  ///< of this frame: 0 to 1 between the last two steps
+    float stepAlpha = 1.0f;       ///< of this frame: 0 to 1 between the last two steps
+    double gameSeconds = 0.0;     ///< game time of the last draw()
+    float frameSeconds = kStill;  ///< since the frame before
     const ShowPass::TargetView* shown = &ShowPass::views()[0];
     int downscale = 0;  ///< how often the view's size is halved, because the GL has no room for more
     std::string lastError;
@@ -208,7 +214,7 @@ void Renderer::Impl::drawImage(const FrameContext& frame) {
         run("particles", Depth | DepthBuffer, Radiance, [&] { drawLazily(particles, frame, stepAlpha); });
     if (settings.glare && LocalLightsPass::needed(frame) && !lightGrid->empty())
         run("glare", {}, Radiance, [&] { drawLazily(glare, frame); });
-    run("taa", Radiance | Motion | Surface | GlassSurface | HistoryConfidence | previous(Resolved), Resolved,
+    run("taa", Radiance | Motion | Surface | GlassSurface | HistoryConfidence | previous(Resolved | Surface), Resolved,
         [&] { taa.draw(frame); });
     if (settings.bloom > 0.0f)
         run("bloom", Resolved, Bloom0 | Bloom1 | Bloom2 | Bloom3 | Bloom4, [&] { bloom.draw(frame); });
@@ -292,12 +298,17 @@ void Renderer::Impl::draw(const View& view, float alpha) {
     downscale = std::max(downscale, downscaleFor(view.size));
     stats.uploadBytes = scene.beginFrame(alpha, view.position);
     stepAlpha = alpha;
+    // Where the game stands still its frames count as those of a screen.
+    const double now = scene.seconds() + double(alpha - 1.0f) / kStepsPerSecond, passed = now - gameSeconds;
+    frameSeconds = passed > 0.0 ? float(std::min(passed, kLongestFrame)) : kStill;
+    gameSeconds = now;
     const bool isFirst = view.cut || !hasDrawn;
     hasDrawn = true;
     View each = view;
     for (int i = isFirst ? settings.warmUpFrames : 0; i >= 0; --i) {
         drawOnce(each);
         each.cut = false;
+        frameSeconds = kStill;
     }
     drawSmallerOnFailure(view);
     scene.endFrame();
@@ -357,8 +368,8 @@ void Renderer::Impl::drawOnce(const View& wanted) {
     targets.beginFrame(renderSize, view.size, view.cut);
     fillBlock(view, renderSize);
     uploadBlock();
-    const FrameContext frame{block,  settings, scene, targets, blueNoise, stats, emptyVertexArray, updateLightGrid(),
-                             &choice};
+    const FrameContext frame{
+        block, settings, scene, targets, blueNoise, stats, emptyVertexArray, updateLightGrid(), &choice, frameSeconds};
     drawPasses(frame);
     run("show", shown->target, {}, [&] { show.draw(frame, *shown, wanted, statusDot()); });
 }

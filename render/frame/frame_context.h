@@ -22,6 +22,7 @@ struct FrameContext {
     VertexArray& emptyVertexArray;
     const LightGrid* lightGrid = nullptr;  ///< null: the scene has had no local lights yet
     FullscreenChoice* choice = nullptr;    ///< how full-screen programs are drawn; null: by fragments
+    float seconds = 1.0f / 60.0f;          ///< since the frame before
 
     /// Draws one triangle over the bound framebuffer with the program in use and the GL state as it is. For programs of
     /// ShaderLibrary::load(); those of loadFullscreen() are drawn by render/passes/fullscreen.h.

@@ -103,8 +103,7 @@ const Texture& TargetPool::copy(Target source, Target into, const PixelRect& par
 const Texture* TargetPool::find(Target id) const {
     assert(mayRead(id) && "a pass reads a target that it has not declared: see Renderer::Impl::drawPasses()");
     const Slot& slot = m_slots[size_t(id)];
-    const Texture& found = slot.textures[slot.current];
-    return found ? &found : nullptr;
+    return slot.drawn[slot.current] == m_frame ? &slot.textures[slot.current] : nullptr;
 }
 
 const Texture& TargetPool::at(Target id) const {

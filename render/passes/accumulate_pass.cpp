@@ -3,24 +3,16 @@
 #include "render/frame/shader_constants.h"
 #include "render/passes/fullscreen.h"
 #include "render/passes/gbuffer_pass.h"
-#include "render/scene/scene.h"
+#include "render/passes/known_changes.h"
 
 namespace rubble {
 namespace {
 
-constexpr double kBrickMetres = 1.6;  ///< side of a brick of the shadow volume
+/// In the first frame with a new light, indirect light still comes from the frame before: its history is not kept
+/// either.
+constexpr int kOldestLight = 1;
 static_assert(kTargets[size_t(Target::HistoryConfidence)].divisor == shared::kConfidenceTile);
 static_assert(kTargets[size_t(Target::FastHistory)].divisor == shared::kConfidenceTile);
-
-/// The regions in which shadow casters have changed, for passes/light_change.frag.
-void setDirtyRegions(const Program& program, const Scene& scene) {
-    std::vector<glm::vec4> corners;
-    for (const DirtyRegions::Box& box : scene.dirtyRegions().boxes())
-        for (const glm::ivec3& corner : {box.low, box.high})
-            corners.emplace_back(glm::vec3(glm::dvec3(corner) * kBrickMetres - scene.origin()), 0.0f);
-    program.set("uDirtyCornerCount", int(corners.size()));
-    if (!corners.empty()) program.set("uDirtyCorners[0]", std::span<const glm::vec4>(corners));
-}
 
 }  // namespace
 
@@ -40,7 +32,7 @@ const Texture& AccumulatePass::findChanges(const FrameContext& frame, const Hist
         program.set("uFastHistory", fast.previous);
         program.set("uHistoryValid", int(light.valid && surface.valid && fast.valid));
         program.set("uDepth", frame.targets.at(Target::Depth));
-        setDirtyRegions(program, frame.scene);
+        setKnownChanges(program, frame, kOldestLight);
     });
     return confidence;
 }
@@ -66,7 +58,7 @@ void AccumulatePass::draw(const FrameContext& frame) const {
         program.set("uHistoryConfidence", confidence);
         program.set("uHasConfidence", int(hasConfidence));
         program.set("uHistoryValid", int(hasHistory));
-        program.set("uMaxHistory", float(frame.settings.historyFrames));
+        setKnownChanges(program, frame, kOldestLight);
     });
 }
 

@@ -13,6 +13,7 @@ void ExposurePass::draw(const FrameContext& frame) const {
         program.set("uColor", frame.targets.at(Target::Resolved));
         program.set("uHistory", exposure.previous);
         program.set("uHistoryValid", int(exposure.valid));
+        program.set("uSeconds", frame.seconds);
     });
 }
 

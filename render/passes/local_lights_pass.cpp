@@ -15,11 +15,11 @@ namespace {
 constexpr float kFullRayRadiance = 0.01f;  ///< of a white surface at exposure 1; fainter light gets fewer rays
 constexpr int kMaxHistory = LightGrid::kMaxChangeFrames;  ///< frames over which highlights are averaged
 
-/// The lights that have appeared or gone out, for the histories around them.
+/// Where lights have changed, for the histories around them.
 void setChanges(const Program& program, const FrameContext& frame) {
     std::vector<glm::vec4> changes;
     for (const LightGrid::Change& change : frame.lightGrid->changes()) {
-        changes.emplace_back(glm::vec3(change.position - frame.scene.origin()), change.range);
+        changes.emplace_back(glm::vec3(change.after.position - frame.scene.origin()), change.range());
         changes.emplace_back(float(change.frames + 1));
     }
     program.set("uLightChangeCount", int(changes.size()));

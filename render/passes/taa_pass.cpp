@@ -10,15 +10,17 @@ TaaPass::TaaPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("pas
 void TaaPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
     const History resolved = frame.targets.history(Target::Resolved);
+    const History surface = frame.targets.history(Target::Surface);
     const Texture* confidence =
         frame.settings.rejectStaleHistory ? frame.targets.find(Target::HistoryConfidence) : nullptr;
     drawFullscreen(frame, m_program, {{&resolved.current}}, [&](const Program& program) {
         program.set("uColor", frame.targets.at(Target::Radiance));
         program.set("uHistory", resolved.previous);
-        program.set("uHistoryValid", int(frame.settings.temporal && resolved.valid));
+        program.set("uHistoryValid", int(frame.settings.temporal && resolved.valid && surface.valid));
         program.set("uHasConfidence", int(confidence != nullptr));
         if (confidence) program.set("uHistoryConfidence", *confidence);
-        program.set("uSurface", frame.targets.at(Target::Surface));
+        program.set("uSurface", surface.current);
+        program.set("uSurfaceHistory", surface.previous);
         program.set("uMotion", frame.targets.at(Target::Motion));
         program.set("uHasGlass", int(frame.scene.hasGlass()));
         if (frame.scene.hasGlass()) program.set("uGlassSurface", frame.targets.at(Target::GlassSurface));

@@ -38,6 +38,58 @@ float brightness(const SnapshotLight& light) {
     return glm::dot(light.color, glm::vec3(0.2126f, 0.7152f, 0.0722f));
 }
 
+/// Approximate angular falloff: clamp(dot(direction from the light, xyz) + w, 0, 1).
+glm::vec4 angularFalloff(const SnapshotLight& light) {
+    if (light.kind == LightKind::Cone) {
+        const float outer = std::cos(light.coneOuter);
+        const float scale = 1.0f / std::max(std::cos(light.coneInner) - outer, 1e-3f);
+        return {light.direction * scale, -outer * scale};
+    }
+    const bool isRectangle = light.kind == LightKind::Area || light.kind == LightKind::Screen;
+    return isRectangle && !light.twoSided ? glm::vec4(light.direction, 0.0f) : glm::vec4(0, 0, 0, 1);
+}
+
+/// Mean linear colour of a screen's image, by at most kSamples of its texels.
+glm::vec3 meanColor(const LightImage& image) {
+    constexpr size_t kSamples = 64;
+    if (image.texels.empty()) return glm::vec3(1.0f);
+    glm::vec3 sum(0.0f);
+    const size_t stride = (image.texels.size() + kSamples - 1) / kSamples;
+    for (size_t i = 0; i < image.texels.size(); i += stride)
+        for (int channel = 0; channel < 3; ++channel)
+            sum[channel] += srgbToLinear(uint8_t(image.texels[i] >> (16 - 8 * channel)));
+    return sum / float((image.texels.size() + stride - 1) / stride);
+}
+
+LightGrid::Sent sentBy(const SnapshotLight& light) {
+    return {light.light,     light.position,       light.reach, light.color * meanColor(light.image),
+            extentOf(light), angularFalloff(light)};
+}
+
+bool isFire(const LightGrid::Sent& sent) {
+    return sent.light == LightHandle();
+}
+
+/// Whether what a light sends is different enough for histories to be dropped. Flames flicker all the time, and their
+/// histories are left to the statistics of passes/light_change.frag.
+bool differs(const LightGrid::Sent& a, const LightGrid::Sent& b) {
+    constexpr float kColorChange = 0.1f, kTurn = 0.1f, kScale = 0.1f;  // relative
+    constexpr double kMetres = 0.25;
+    const glm::vec3 brightest = glm::max(a.color, b.color), change = glm::abs(a.color - b.color);
+    const auto isScaled = [](float x, float y) { return std::abs(x - y) > kScale * std::max(x, y); };
+    return std::max({change.x, change.y, change.z}) >
+               kColorChange * std::max({brightest.x, brightest.y, brightest.z}) ||
+           glm::distance(a.position, b.position) > kMetres || isScaled(a.reach, b.reach) ||
+           isScaled(a.extent, b.extent) ||
+           glm::distance(a.falloff, b.falloff) > kTurn * std::max(glm::length(a.falloff), glm::length(b.falloff));
+}
+
+/// The same light while it is out.
+LightGrid::Sent outAt(LightGrid::Sent sent) {
+    sent.color = glm::vec3(0.0f);
+    return sent;
+}
+
 /// A bounding sphere of what a light reaches. For a cone narrower than a right angle it is smaller than the light's
 /// whole reach.
 glm::vec4 boundingSphere(const SnapshotLight& light, glm::dvec3 origin) {
@@ -169,14 +221,9 @@ void LightGrid::fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 ori
                           : light.kind == LightKind::Capsule ? shared::kCapsule
                                                              : shared::kSphere;
         const bool hasImage = shape == shared::kScreen && light.image.height() > 0;
-        // Approximate angular falloff: clamp(cosine * x + y, 0, 1).
         const float scale = 1.0f / std::max(inner - outer, 1e-3f);
-        const bool facesOneWay = shape >= shared::kArea && !light.twoSided;
-        const glm::vec2 edge = cone          ? glm::vec2(scale, -outer * scale)
-                               : facesOneWay ? glm::vec2(1.0f, 0.0f)
-                                             : glm::vec2(0.0f, 1.0f);
         m_texels.emplace_back(glm::vec3(light.position - origin), extentOf(light));
-        m_texels.emplace_back(light.direction * edge.x, edge.y);
+        m_texels.push_back(angularFalloff(light));
         m_texels.emplace_back(brightness(light), light.reach, std::max(light.radius, 0.005f), 0.5f * light.height);
         m_texels.emplace_back(light.color, float(shape));
         m_texels.emplace_back(light.direction, outer);
@@ -211,50 +258,62 @@ uint64_t LightGrid::upload() {
     return sent;
 }
 
-/// The lights of `before` that are not in `now`. Fires have no handles: if their number has changed, all of them count.
-std::vector<LightGrid::LastLight> LightGrid::removedFrom(const std::vector<LastLight>& before,
-                                                         const std::vector<LastLight>& now) {
-    const auto isFire = [](const LastLight& each) { return each.light == LightHandle(); };
-    const bool firesChanged =
-        std::count_if(before.begin(), before.end(), isFire) != std::count_if(now.begin(), now.end(), isFire);
-    std::vector<uint64_t> present;
-    for (const LastLight& each : now) present.push_back(each.light.bits);
-    std::sort(present.begin(), present.end());
-    std::vector<LastLight> gone;
-    for (const LastLight& each : before)
-        if (isFire(each) ? firesChanged : !std::binary_search(present.begin(), present.end(), each.light.bits))
-            gone.push_back(each);
-    return gone;
+float LightGrid::Change::range() const {
+    return std::max(after.reach, before.reach + float(glm::distance(before.position, after.position)));
 }
 
-void LightGrid::addChange(const LastLight& changed) {
-    if (m_changes.size() < kMaxChanges)
-        m_changes.push_back({changed.position, changed.range, 0});
-    else
-        m_changes.back() = {changed.position, std::numeric_limits<float>::infinity(), 0};
+void LightGrid::addChange(const Sent& before, const Sent& after) {
+    if (m_changes.size() < kMaxChanges) {
+        m_changes.push_back({before, after, 0});
+        return;
+    }
+    constexpr float kEverywhere = std::numeric_limits<float>::infinity();
+    constexpr float kBright = 1e9f;  // brighter than any light's share of what a place has
+    m_changes.back() = {outAt(before), {{}, after.position, kEverywhere, glm::vec3(kBright), 0.0f, {0, 0, 0, 1}}, 0};
 }
 
+/// Lights are compared with what they were when their last change counted, so that slow changes count in the end. Fires
+/// have no handles: if their number has changed, all of them count.
 void LightGrid::recordChanges(std::span<const SnapshotLight> lights) {
     for (Change& change : m_changes) ++change.frames;
     std::erase_if(m_changes, [](const Change& change) { return change.frames >= kMaxChangeFrames; });
-    const auto lastOf = [](const SnapshotLight& light) { return LastLight{light.light, light.position, light.reach}; };
     m_framesSinceChange = std::min(m_framesSinceChange + 1, 1000);
-    const auto isSame = [](const SnapshotLight& light, const LastLight& last) { return light.light == last.light; };
-    if (std::equal(lights.begin(), lights.end(), m_lastLights.begin(), m_lastLights.end(), isSame)) {
-        std::transform(lights.begin(), lights.end(), m_lastLights.begin(), lastOf);
-        return;
+    std::vector<Sent> now;
+    now.reserve(lights.size());
+    std::transform(lights.begin(), lights.end(), std::back_inserter(now), sentBy);
+    const bool firesChanged = std::count_if(m_lastLights.begin(), m_lastLights.end(), isFire) !=
+                              std::count_if(now.begin(), now.end(), isFire);
+    std::vector<std::pair<uint64_t, const Sent*>> gone;
+    for (const Sent& each : m_lastLights)
+        if (!isFire(each)) gone.emplace_back(each.light.bits, &each);
+    std::sort(gone.begin(), gone.end());
+    std::vector<std::pair<Sent, Sent>> changed;
+    for (Sent& each : now) {
+        const auto last = std::lower_bound(gone.begin(), gone.end(), std::pair(each.light.bits, (const Sent*)nullptr));
+        if (isFire(each) || last == gone.end() || last->first != each.light.bits) {
+            if (!isFire(each) || firesChanged) changed.emplace_back(outAt(each), each);
+            continue;
+        }
+        if (differs(*last->second, each))
+            changed.emplace_back(*last->second, each);
+        else
+            each = *last->second;
+        last->second = nullptr;
     }
-    m_framesSinceChange = 0;
-    std::vector<LastLight> now;
-    std::transform(lights.begin(), lights.end(), std::back_inserter(now), lastOf);
-    for (const LastLight& gone : removedFrom(m_lastLights, now)) addChange(gone);
-    for (const LastLight& added : removedFrom(now, m_lastLights)) addChange(added);
+    for (const Sent& each : m_lastLights)
+        if (isFire(each) && firesChanged) changed.emplace_back(each, outAt(each));
+    for (const auto& [bits, last] : gone)
+        if (last) changed.emplace_back(*last, outAt(*last));
+    if (!changed.empty()) m_framesSinceChange = 0;
+    for (const auto& [before, after] : changed) addChange(before, after);
     m_lastLights = std::move(now);
 }
 
 uint64_t LightGrid::update(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin) {
     m_size = glm::ivec3(glm::ivec2(glm::ceil(glm::vec2(block.targetSize) / float(kTilePixels))), kSlices);
     recordChanges(lights);
+    const bool isCut = block.counters.y == 0;
+    if (isCut) m_changes.clear();  // no history is left that would have to be dropped
     listVisibleLights(lights, block, origin);
     m_list.clear();
     if (m_visible.empty()) return 0;

@@ -28,13 +28,23 @@ public:
     std::vector<int> lightsAt(glm::ivec2 pixel, float depth) const;
     /// Number of lights in view.
     int lights() const { return int(m_visible.size()); }
-    /// Frames since any light appeared or went out: limits histories that mix the light of several places.
+    /// Frames since any light changed: limits histories that mix the light of several places.
     int framesSinceChange() const { return m_framesSinceChange; }
-    /// A light that appeared or went out: limits histories of places that it reaches.
-    struct Change {
+    /// What a light sends to a place, as far as changes of it are concerned.
+    struct Sent {
+        LightHandle light;    ///< null: of a fire
         glm::dvec3 position;  ///< world
-        float range;          ///< metres that it reaches; infinite: everywhere
-        int frames;           ///< since then
+        float reach;          ///< metres
+        glm::vec3 color;      ///< linear radiant intensity; of a screen times its image's mean colour; 0: it is out
+        float extent;         ///< radius around the position that holds all of it, metres
+        glm::vec4 falloff;    ///< angular: see angularFalloff() in the source
+    };
+    /// A light that appeared, went out, moved or became another colour.
+    struct Change {
+        Sent before, after;
+        int frames;  ///< since then
+        /// Metres around `after` that it reached or reaches; infinite: everywhere.
+        float range() const;
     };
     /// If there are more changes, the last one counts as reaching everywhere.
     static constexpr size_t kMaxChanges = shared::kMaxLightChanges;
@@ -64,15 +74,9 @@ private:
     void fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 origin);
     uint64_t upload();
 
-    struct LastLight {
-        LightHandle light;  ///< null: of a fire
-        glm::dvec3 position;
-        float range;
-    };
-    static std::vector<LastLight> removedFrom(const std::vector<LastLight>& before, const std::vector<LastLight>& now);
-    void addChange(const LastLight& changed);
+    void addChange(const Sent& before, const Sent& after);
 
-    std::vector<LastLight> m_lastLights;  ///< all lights of the last update()
+    std::vector<Sent> m_lastLights;  ///< all lights of the last update(), each as it was when its last change counted
     std::vector<Change> m_changes;
     int m_framesSinceChange = 0;
     glm::ivec3 m_size{0};                 ///< tiles across and up, slices

@@ -4,7 +4,7 @@
 // a path. At each hit there are two sources, in this order:
 //   1. Screen: if the previous frame shows the place, its lit colour is the answer (reprojection). It holds all bounces
 //      of earlier frames, so light converges over time to any number of bounces. Its weight falls to 0 at the screen's
-//      edge; the rest of the throughput goes on to 2.
+//      edge and where the light is known to have changed since; the rest of the throughput goes on to 2.
 //   2. Offscreen: the voxel's material, lit by one sun ray and one ray to a light (next event estimation), and the path
 //      goes on in a direction drawn in proportion to the cosine, so that the throughput is multiplied by the
 //      reflectance alone.
@@ -15,6 +15,7 @@
 #include "lib/constants.glsl"
 #include "lib/surface_history.glsl"
 #include "lib/color.glsl"
+#include "lib/known_changes.glsl"
 #include "lib/local_lights.glsl"
 #include "lib/voxel_walk.glsl"
 #include "lib/paint.glsl"
@@ -65,12 +66,13 @@ vec4 radianceOnScreen(vec3 hitWorld, vec3 normal, float emissionWeight) {
     float range = length(fromEye);
     float haze = hazeAmount(range);
     if (haze >= 0.9) return vec4(0.0);
-    vec3 radiance = texelFetch(uRadianceHistory, pixel, 0).rgb - hazeRadiance(fromEye / max(range, 1e-3)) * haze;
+    vec3 radiance =
+        halfRange(texelFetch(uRadianceHistory, pixel, 0).rgb) - hazeRadiance(fromEye / max(range, 1e-3)) * haze;
     if (uDiffuseOnly) radiance *= texelFetch(uDiffuseFractionHistory, pixel, 0).x;
     vec2 fromEdge = (1.0 - abs(clip.xy / clip.w)) / kScreenEdgeFade;
     float emissionScale = surface.z < 0.0 && frame.counters.z > 0 ? emissionWeight : 1.0;
     return vec4(clamp(radiance / (1.0 - haze), vec3(0.0), vec3(kMaxHitRadiance)) * emissionScale,
-                clamp(min(fromEdge.x, fromEdge.y), 1e-3, 1.0));
+                clamp(min(fromEdge.x, fromEdge.y), 1e-3, 1.0) * previousFrameCounts(hitWorld, luminance(radiance)));
 }
 
 /// The surface where a path started.

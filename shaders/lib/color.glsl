@@ -15,5 +15,9 @@ vec3 linearToSrgb(vec3 c) {
     return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, vec3(lessThan(c, vec3(0.0031308))));
 }
 
-/// Black instead of NaN, infinity or what overflows a half float: history would keep such a value for ever.
-vec3 onlyFinite(vec3 c) { return all(lessThan(abs(c), vec3(60000.0))) ? max(c, vec3(0.0)) : vec3(0.0); }
+/// What a half float holds of light, for all that is written to RGBA16F: what is too bright becomes as bright as can be
+/// (a GL may write infinity instead), and NaN becomes black: history would keep such values for ever.
+const float kMaxHalf = 65504.0;
+float halfRange(float x) { return x > 0.0 ? min(x, kMaxHalf) : 0.0; }
+vec3 halfRange(vec3 c) { return vec3(halfRange(c.r), halfRange(c.g), halfRange(c.b)); }
+vec4 halfRange(vec4 c) { return vec4(halfRange(c.rgb), halfRange(c.a)); }

@@ -24,6 +24,9 @@ vec3 skyRadiance(vec3 direction) {
     return mix(frame.groundColor.rgb, sky, smoothstep(-0.06, 0.02, direction.y));
 }
 
+/// The point of the compass that a direction goes to, of length 1; 0 straight up and down.
+vec2 headingOf(vec3 direction) { return direction.xz / max(length(direction.xz), 1e-6); }
+
 /// Light that the haze scatters into a ray toward a far point.
 vec3 hazeRadiance(vec3 direction) { return frame.fogColor.rgb + sunGlow(dot(direction, frame.sunDirection.xyz)) * 0.5; }
 
@@ -44,7 +47,7 @@ vec3 withClouds(vec3 sky, vec3 direction) {
     float more = (frame.skyCover.x - 0.5) * 0.9;
     float cover = smoothstep(0.52 - more, 0.80 - more, density);
     if (cover <= 0.0) return sky;
-    vec2 toSun = normalize(frame.sunDirection.xz) * 0.35;
+    vec2 toSun = headingOf(frame.sunDirection.xyz) * 0.35;
     float thickness = fractalNoise(stretched + toSun, 4) * 0.75 + valueNoise((stretched + toSun) * 0.35 + 9.1) * 0.35;
     float lit = clamp(1.0 - (thickness - 0.45) * 2.6, 0.0, 1.0);
     float mu = max(dot(direction, frame.sunDirection.xyz), 0.0);
@@ -62,7 +65,7 @@ float hillLine(vec2 heading, float frequency, float seed, int octaves) {
 
 /// Adds three ranges of hills, the farthest first, each mixed with the haze. None is higher than kMaxHillSlope.
 vec3 withHills(vec3 sky, vec3 direction) {
-    vec2 heading = normalize(direction.xz);
+    vec2 heading = headingOf(direction);
     float slope = direction.y / max(length(direction.xz), 1e-4);
     if (slope > kMaxHillSlope) return sky;
     vec3 haze = hazeRadiance(direction);
@@ -92,6 +95,8 @@ vec3 fieldsBelow(vec3 direction, float eyeHeight) {
     return mix(albedo * light, hazeRadiance(direction), min(hazeAmount(distanceMetres), 0.72));
 }
 
+const float kStarRadius = 0.111, kMaxStarRadius = 0.2;  // in cells, in which stars are at least 0.2 off the border
+
 /// Stars of a clear night, fainter toward the horizon: at most one in each cell of a cube map, by a hash of the cell.
 vec3 starsIn(vec3 direction) {
     if (frame.skyCover.y <= 0.0 || direction.y < 0.02) return vec3(0.0);
@@ -106,7 +111,10 @@ vec3 starsIn(vec3 direction) {
     vec2 star = 0.2 + 0.6 * vec2(uvec2(dice >> 8, dice >> 16) & 255u) / 255.0;
     float size = float(dice >> 24) / 255.0;
     float glow = 0.02 + 0.30 * size * size * size * size * size;
-    vec2 away = (place - vec2(patch_) - star) * 9.0;
+    // Never much smaller than a pixel, or it would flicker: it gets fainter instead.
+    float radius = clamp(90.0 * 1.6 * frame.cameraUp.w * frame.targetSize.w, kStarRadius, kMaxStarRadius);
+    vec2 away = (place - vec2(patch_) - star) / radius;
+    glow *= kStarRadius * kStarRadius / (radius * radius);
     vec3 tint = mix(vec3(1.0, 0.82, 0.65), vec3(0.75, 0.86, 1.0), float((dice >> 3) & 31u) / 31.0);
     return tint * (frame.skyCover.y * glow * max(0.0, 1.0 - dot(away, away)) * smoothstep(0.02, 0.35, direction.y));
 }

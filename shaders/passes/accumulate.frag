@@ -4,15 +4,16 @@
 // A tap counts only if it lies on the same surface: its depth must be what this place had in the previous frame and its
 // normal must agree; else it was hidden then (disocclusion). With n frames of history a mean has blend = 1 / n. Here it
 // is (1 + 1 / n) / n, which lets the first frames count less, as they know less of bounced light. n is limited by
-// uMaxHistory and by the history confidence (passes/light_change.frag): where the light has changed, history is
-// dropped, and the filter hides the noise. The second moment of luminance is accumulated likewise, for the filter's
-// variance.
+// uMaxHistory, by the history confidence (passes/light_change.frag) and by what is known to have changed
+// (lib/known_changes.glsl): there history is dropped, and the filter hides the noise. The second moment of luminance is
+// accumulated likewise, for the filter's variance.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
 #include "lib/half.glsl"
 #include "lib/color.glsl"
 #include "lib/surface_history.glsl"
+#include "lib/known_changes.glsl"
 
 uniform sampler2D uLight;
 uniform sampler2D uHitProximity;
@@ -22,7 +23,6 @@ uniform sampler2D uSurfaceHistory;
 uniform sampler2D uHistoryConfidence;
 uniform bool uHasConfidence;
 uniform bool uHistoryValid;
-uniform float uMaxHistory;  // frames
 
 in vec2 uv;
 layout(location = 0) out vec4 accumulated;
@@ -76,14 +76,18 @@ History reprojectHistory(Surface s, float packed_, vec3 position) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Surface s = readSurface(pixel);
-    vec4 now = texelFetch(uLight, pixel, 0);
+    vec4 now = halfRange(texelFetch(uLight, pixel, 0));  // a sum of passes
     float lum = luminance(now.rgb);
     accumulated = now;
     float hitProximity = uHasHitProximity ? min(texelFetch(uHitProximity, pixel, 0).x, kMaxProximity) : 0.0;
     surface = vec4(s.depth, packNormal(s.normal), 1.0 + hitProximity, s.emission > 0.0 ? -1.0 : lum * lum);
-    History history = reprojectHistory(s, surface.y, worldFromDepth(uv, s.depth));
+    vec3 position = worldFromDepth(uv, s.depth);
+    History history = reprojectHistory(s, surface.y, position);
     if (history.weight == 0.0) return;
-    float confidence = uHasConfidence ? texture(uHistoryConfidence, uv).x : 1.0;
+    float confidence = 1.0;
+    if (uHasConfidence)
+        confidence = min(texture(uHistoryConfidence, uv).x,
+                         min(historyNearVoxels(position), historyNearLights(position, luminance(history.light.rgb))));
     float frames = min(min(history.frames, confidence * uMaxHistory) + 1.0, uMaxHistory);
     float blend = min((1.0 + 1.0 / frames) / frames, 1.0);
     accumulated = stochasticRoundToHalf(mix(history.light, now, blend), pixel, 0);

@@ -12,5 +12,5 @@ out vec4 radiance;
 void main() {
     vec3 direction = normalize(viewRay(uv));
     vec3 color = backgroundRadiance(direction, frame.cameraPosition.y - uPlaneHeight);
-    radiance = vec4(onlyFinite(color), 1.0);
+    radiance = vec4(halfRange(color), 1.0);
 }

@@ -10,5 +10,5 @@ out vec4 radiance;
 void main() {
     vec3 direction = normalize(viewRay(uv));
     vec3 color = skyBehind(direction);
-    radiance = vec4(onlyFinite(color), 1.0);
+    radiance = vec4(halfRange(color), 1.0);
 }

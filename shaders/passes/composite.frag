@@ -102,5 +102,5 @@ void main() {
     vec3 viewIndependent, color = surfaceRadiance(s, -direction, pixel, viewIndependent);
     diffuseFraction = vec4(clamp(luminance(viewIndependent) / max(luminance(color), 1e-4), 0.0, 1.0));
     color = mix(color, hazeRadiance(direction), hazeAmount(length(ray) * s.depth));
-    radiance = vec4(onlyFinite(color), 1.0);
+    radiance = vec4(halfRange(color), 1.0);
 }

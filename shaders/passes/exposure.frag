@@ -7,13 +7,14 @@
 uniform sampler2D uColor;
 uniform sampler2D uHistory;
 uniform bool uHistoryValid;
+uniform float uSeconds;  // since the previous frame
 
 out vec4 exposure;
 
 const ivec2 kTaps = ivec2(32, 18);
 const float kTargetLuminance = 0.34;     // log-average luminance that needs no correction
 const float kAdaptationStrength = 0.45;  // 1 would bring every image to the same key
-const float kAdaptationSpeed = 0.05;     // per frame
+const float kAdaptationRate = 3.078;     // per second: what is left falls to 1 / e in a third of one
 const float kMinFactor = 0.7, kMaxFactor = 2.2;
 
 void main() {
@@ -27,5 +28,7 @@ void main() {
             total += w;
         }
     float target = clamp(pow(kTargetLuminance / exp2(sum / total), kAdaptationStrength), kMinFactor, kMaxFactor);
-    exposure = vec4(uHistoryValid ? mix(texelFetch(uHistory, ivec2(0), 0).r, target, kAdaptationSpeed) : target);
+    exposure =
+        vec4(uHistoryValid ? mix(texelFetch(uHistory, ivec2(0), 0).r, target, 1.0 - exp(-kAdaptationRate * uSeconds))
+                           : target);
 }

@@ -6,6 +6,7 @@
 #include "lib/body_tiles.glsl"
 #include "lib/paint.glsl"
 #include "lib/detail.glsl"
+#include "lib/color.glsl"
 layout(location = 0) out vec4 outAlbedo;
 layout(location = 1) out vec4 outNormal;
 layout(location = 2) out vec4 outMaterial;
@@ -36,6 +37,14 @@ void main() {
     }
     bool behindGlass = glassT < best.t;
     if (!best.hit && !behindGlass) discard;
+    outGlass = float(behindGlass);
+    if (!best.hit) {
+        outAlbedo = outNormal = outMaterial = vec4(0.0);
+        outMotion = vec2(0.0);
+        outDepth = kSkyDepth;
+        gl_FragDepth = 1.0;
+        return;
+    }
 
     InstanceTransform place = readTransform(nearestView.instance);
     Entry entry = readEntry(nearestView.shape.palette, best.index);
@@ -49,16 +58,11 @@ void main() {
     vec3 color =
         paintedColor(nearestView.instance, nearestView.shape, best.slot, best.cell, entry.color) * detail.color;
     outAlbedo = vec4(color, float(best.index) / 255.0);
-    outNormal = vec4(rotate(place.rotation, normal), entry.emission);
+    outNormal = vec4(rotate(place.rotation, normal), halfRange(entry.emission));
     outMaterial = vec4(entry.roughness * detail.roughness, entry.metallic, entry.reflectivity,
                        abs(place.moved - encodeTilt(detail.tilt) / 255.0));
     outMotion =
         gl_FragCoord.xy * frame.targetSize.zw + frame.jitter.xy - screenUv(frame.previousViewProjection, lastWorld);
     outDepth = best.t;
-    outGlass = float(behindGlass);
-    if (!best.hit) {
-        outAlbedo = outNormal = outMaterial = vec4(0.0);
-        outMotion = vec2(0.0);
-    }
-    gl_FragDepth = !best.hit ? 1.0 : clamp(depthBufferValue(max(best.t, frame.cameraPosition.w)), 0.0, 1.0);
+    gl_FragDepth = clamp(depthBufferValue(max(best.t, frame.cameraPosition.w)), 0.0, 1.0);
 }

@@ -57,5 +57,5 @@ void main() {
     vec3 mirrored = uHasReflections ? texelFetch(uReflection, pixel, 0).rgb : skyRadiance(reflect(direction, normal));
     vec3 color = mix(behind * texelFetch(uGlassTint, pixel, 0).rgb, mirrored, share);
     // The reflection does not move with what is behind: the larger its share, the less TAA relies on history.
-    radiance = vec4(onlyFinite(color), seen.a * (1.0 - share));
+    radiance = vec4(halfRange(color), seen.a * (1.0 - share));
 }

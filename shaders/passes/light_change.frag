@@ -1,43 +1,48 @@
 // History confidence: finds where the light has changed, so that accumulate.frag may forget. A texel stands for a tile
-// of 4x4 pixels. Two tests, and the stricter one counts:
+// of 4x4 pixels. Two tests:
 //   1. Statistics. A fast history (an exponential mean over 4 frames) is compared with the long one at the same
 //      surfaces. Both are means of samples of one distribution as long as the light stays: their difference then has
 //      the variance s^2 (1 / n_fast + 1 / n_long) / 16. Confidence falls from 1 at two to 0 at four standard
 //      deviations. This is the idea of NVIDIA's ReLAX and ReBLUR ("fast history") and of A-SVGF (Schied et al. 2018).
-//   2. Geometry. Around what the engine knows to have changed (dirty regions) the confidence is lowered by distance.
+//      The 16 samples of this frame alone are compared too, as a large change must not take four frames to be seen.
+//   2. Knowledge (lib/known_changes.glsl), at each of the 16 pixels, so that no edge of a surface is missed.
 #include "lib/constants.glsl"
 #include "lib/frame.glsl"
 #include "lib/color.glsl"
+#include "lib/known_changes.glsl"
 
 uniform sampler2D uLight;
 uniform sampler2D uMotion;
 uniform sampler2D uLightHistory;    // accumulated light
-uniform sampler2D uSurfaceHistory;  // z frames accumulated
+uniform sampler2D uSurfaceHistory;  // lib/surface_history.glsl
 uniform sampler2D uFastHistory;
 uniform bool uHistoryValid;
 uniform sampler2D uDepth;
-uniform int uDirtyCornerCount;
-uniform vec4 uDirtyCorners[2 * kMaxDirtyRegions];  // low and high corners of changed boxes by turns, world
 
 const float kFastHistoryFrames = 4.0;
-const float kResetDistance = 1.2;  // metres around a change within which all history is dropped
-const float kKeepDistance = 4.0;   // metres beyond which only the statistics count
+const float kOneFrameScale = 0.3;   // of one frame's difference: it must be many deviations, as 16 samples are few
+const float kMaxLuminance = 250.0;  // a half float holds its square
 
 // x mean luminance, y variance of a sample, z mean share of the sun, w frames.
 layout(location = 0) out vec4 fastHistory;
-layout(location = 1) out vec4 confidence;  // x: 1 keeps the history, 0 drops it
+layout(location = 1) out vec4 confidence;  // 1 keeps the history, 0 drops it: x by statistics, y by knowledge
 
 float confidenceOf(float difference, float deviation) {
     return 1.0 - smoothstep(2.0, 4.0, abs(difference) / deviation);
 }
 
-/// The geometric test.
-float confidenceNear(vec3 position) {
-    float nearest = kKeepDistance;
-    for (int i = 0; i < uDirtyCornerCount; i += 2)
-        nearest = min(
-            nearest, length(max(max(uDirtyCorners[i].xyz - position, position - uDirtyCorners[i + 1].xyz), vec3(0.0))));
-    return max(nearest - kResetDistance, 0.0) / (kKeepDistance - kResetDistance);
+/// The least history that is left to any pixel of a tile. meanRadiance: of the light that the tile had.
+float historyLeftIn(ivec2 tile, ivec2 high, float meanRadiance) {
+    float left = 1.0;
+    float margin = 2.0 * frame.cameraUp.w * frame.targetSize.w;  // a pixel, for the one beside that TAA takes in
+    int pixels = uDirtyCornerCount + uChangedLightTexels > 0 ? 16 : 0;
+    for (int i = 0; i < pixels; ++i) {
+        ivec2 p = min(tile + ivec2(i & 3, i >> 2), high);
+        vec3 position = worldFromDepth((vec2(p) + 0.5) * frame.targetSize.zw, texelFetch(uDepth, p, 0).r);
+        left = min(left, min(historyNearVoxels(position), historyNearLights(position, meanRadiance)));
+        if (isSeenThroughChange(position, margin)) left = 0.0;
+    }
+    return left;
 }
 
 void main() {
@@ -45,7 +50,7 @@ void main() {
     vec3 now = vec3(0.0);
     for (int i = 0; i < 16; ++i) {
         vec4 light = texelFetch(uLight, min(tile + ivec2(i & 3, i >> 2), high), 0);
-        float l = luminance(light.rgb);
+        float l = min(luminance(light.rgb), kMaxLuminance);
         now += vec3(l, l * l, light.a);
     }
     now /= 16.0;
@@ -53,7 +58,9 @@ void main() {
     fastHistory = vec4(now, 1.0);
     confidence = vec4(1.0);
     if (!uHistoryValid) return;
-    vec2 lastUv = (vec2(tile) + 2.0) * frame.targetSize.zw - texelFetch(uMotion, min(tile + 2, high), 0).rg;
+    ivec2 middle = min(tile + 2, high);
+    vec2 lastUv = (vec2(tile) + 2.0) * frame.targetSize.zw - texelFetch(uMotion, middle, 0).rg;
+    confidence.y = historyLeftIn(tile, high, luminance(texture(uLightHistory, lastUv).rgb));
     if (any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return;
     vec4 lastFastHistory = texture(uFastHistory, lastUv);
     float fastFrames = min(lastFastHistory.w + 1.0, kFastHistoryFrames);
@@ -63,14 +70,16 @@ void main() {
     for (int i = 0; i < 4; ++i)
         history += texture(uLightHistory, lastUv + vec2((i & 1) * 2 - 1, (i >> 1) * 2 - 1) * frame.targetSize.zw);
     history *= 0.25;
-    float historyLum = luminance(history.rgb), frames = max(texture(uSurfaceHistory, lastUv).z, 1.0);
+    vec2 surface = texture(uSurfaceHistory, lastUv).zw;
+    float historyLum = luminance(history.rgb), frames = max(surface.x, 1.0);
     float share = (1.0 / fastFrames + 1.0 / frames) / 16.0;
     float sunVariance = max(history.a * (1.0 - history.a), fastHistory.z * (1.0 - fastHistory.z)) + 0.02;
+    float variance = max(now.y, surface.y - historyLum * historyLum);
+    confidence.x = confidenceOf(kOneFrameScale * (now.x - historyLum), sqrt(variance / 16.0) + 0.1 * historyLum + 1e-4);
     confidence.x =
-        min(confidenceOf(fastHistory.x - historyLum, sqrt(fastHistory.y * share) + 0.03 * fastHistory.x + 1e-4),
-            confidenceOf(fastHistory.z - history.a, sqrt(sunVariance * share)));
-    ivec2 middle = min(tile + 2, high);
-    confidence.x = min(confidence.x, confidenceNear(worldFromDepth((vec2(middle) + 0.5) * frame.targetSize.zw,
-                                                                   texelFetch(uDepth, middle, 0).r)));
-    if (confidence.x < 0.5) fastHistory = vec4(now, 1.0);  // the old light must not count in the fast history either
+        min(confidence.x,
+            min(confidenceOf(fastHistory.x - historyLum, sqrt(fastHistory.y * share) + 0.03 * fastHistory.x + 1e-4),
+                confidenceOf(fastHistory.z - history.a, sqrt(sunVariance * share))));
+    if (min(confidence.x, confidence.y) < 0.5)
+        fastHistory = vec4(now, 1.0);  // the old light must not count in the fast history either
 }

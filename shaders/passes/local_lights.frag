@@ -22,7 +22,7 @@ uniform sampler2D uSurfaceHistory;  // x linear depth, z frames accumulated
 uniform bool uHistoryValid;
 uniform float uMaxHistory;  // frames
 uniform int uLightChangeCount;
-// By turns: xyz where a light has come or gone, w its reach; x how many frames are remembered there.
+// By turns: xyz where a light has changed, w its reach; x how many frames are remembered there.
 uniform vec4 uLightChange[2 * kMaxLightChanges];
 uniform bool uHasReflections;    // mirror rays are traced too
 uniform float uFullRayRadiance;  // radiance of a white surface below which Russian roulette begins
@@ -76,9 +76,11 @@ vec4 accumulateSpecular(vec4 now, vec3 position, Surface s) {
     float expected = (frame.previousViewProjection * vec4(position, 1.0)).w;
     float tolerance = depthTolerance(position, s.normal, s.depth) + s.moving * 0.5;
     if (abs(surface.x - expected) > tolerance || dot(unpackNormal(surface.y), s.normal) < 0.9) return now;
-    // A highlight moves over its surface as soon as the camera does.
-    float maxFrames = length(motion * frame.targetSize.xy) < 0.05 ? maxHistoryAt(position)
-                                                                  : min(maxHistoryAt(position), kMaxHistoryInMotion);
+    // A highlight moves over its surface as the camera does: it may lag by an eighth of the lobe.
+    float turn = distance(normalize(position - frame.cameraPosition.xyz),
+                          normalize(position - frame.previousCameraPosition.xyz));
+    float maxFrames = min(maxHistoryAt(position), max(0.25 * ggxAlpha(s.roughness) / max(turn, 1e-6), 1.0));
+    if (length(motion * frame.targetSize.xy) >= 0.05) maxFrames = min(maxFrames, kMaxHistoryInMotion);
     return mix(texelFetch(uSpecularHistory, last, 0), now, 1.0 / clamp(floor(surface.z) + 1.0, 1.0, maxFrames));
 }
 
@@ -111,10 +113,10 @@ void main() {
     float tMax = dark ? -1.0 : max(shadowRayLength - point.clearance, 0.0);
     bool isBlocked = shadowTrace(origin, shadowRay / shadowRayLength, tMax, t);
     if (!isBlocked && !dark) {
-        light.rgb = arriving;
+        light.rgb = halfRange(arriving);
         vec3 mirroredShare =
             fresnel(f0, dot(view, normalize(view + direction))) * specularLobe(s.normal, view, direction, s.roughness);
-        specular = vec4(min(mirroredShare * arriving * kPi, vec3(kMaxSpecular)), luminance(arriving));
+        specular = vec4(min(mirroredShare * arriving * kPi, vec3(kMaxSpecular)), luminance(light.rgb));
     }
     specular = accumulateSpecular(specular, position, s);
 }

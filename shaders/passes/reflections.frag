@@ -47,7 +47,7 @@ void main() {
                   uBounceLights ? lightsAt(pixel, dot(m.position - frame.cameraPosition.xyz, frame.cameraForward.xyz))
                                 : ivec2(0));
     start.random = more;
-    reflection = vec4(mirrored(shadowOrigin(m.position, m.normal), normalize(direction), start,
-                               1.0 - analyticHighlightShare(m.roughness)),
+    reflection = vec4(halfRange(mirrored(shadowOrigin(m.position, m.normal), normalize(direction), start,
+                                         1.0 - analyticHighlightShare(m.roughness))),
                       1.0);
 }

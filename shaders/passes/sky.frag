@@ -34,6 +34,7 @@ void main() {
     PathStart start = startPath(vec3(0.0), s.normal, uBounceLights ? lightsAt(pixel, s.depth) : ivec2(0));
     if (known)
         start.light = texelFetch(uLightHistory, last, 0).rgb,
+        start.light *= previousFrameCounts(origin, luminance(start.light)),
         start.hitProximity = fract(texelFetch(uSurfaceHistory, last, 0).z);
     for (int i = 0; i < uRayCount; ++i) {
         vec3 direction = cosineDirection(s.normal, blueNoise(pixel, 1, frame.counters.x * uRayCount + i));
@@ -49,5 +50,6 @@ void main() {
         }
     }
     light.rgb /= float(uRayCount);
+    light.rgb = halfRange(light.rgb);
     hitProximity.x /= float(uRayCount);
 }

@@ -6,38 +6,43 @@
 //          sharp over many frames
 //   clip   history is clipped to mean +- 1.25 deviations of the 3x3 neighbourhood in YCoCg (Salvi 2016), as a colour
 //          outside says that the surface was hidden or its light differed
-//   blend  1 / frames of history, at least 0.1
-// Colours are compressed by 1 / (1 + k luminance) meanwhile, so that few bright samples do not flicker. Where nothing
-// moves, the clip box is widened by the deviation between jittered samples, so that details finer than a pixel average
-// out instead of being clipped. If fewer pixels are traced than displayed, a sample counts by its distance to the
-// displayed pixel.
+//   blend  1 / frames of history, at least 0.1; 1 where something nearer has gone, as its depth says (disocclusion)
+// Colours are compressed by 1 / (1 + k luminance) meanwhile, so that few bright samples do not flicker. Details finer
+// than a pixel (wires, stars) are outside the box of most frames. So where nothing has moved or changed for
+// kSteadyFrames, the box is widened by the deviation between jittered samples. Before that it is not, or what has gone
+// would stay. Particles have no motion vectors: where they cover less than before, history counts less.
+// If fewer pixels are traced than displayed, a sample counts by its distance to the displayed pixel.
 #include "lib/constants.glsl"
 #include "lib/frame.glsl"
 #include "lib/color.glsl"
 #include "lib/noise.glsl"
 #include "lib/half.glsl"
+#include "lib/surface_history.glsl"
 
 uniform sampler2D uColor;    // a: share of the surface that shows through particles and panes
-uniform sampler2D uHistory;  // a: mean deviation of samples from the mean where nothing moves, in compressed luminance
+uniform sampler2D uHistory;  // a: packSteadiness()
 uniform bool uHistoryValid;
 uniform sampler2D uMotion;
 uniform bool uHasGlass;
 uniform sampler2D uGlassSurface;
 uniform sampler2D uHistoryConfidence;  // x: 0 where the light has just changed (passes/light_change.frag)
 uniform bool uHasConfidence;
-uniform sampler2D uSurface;  // x depth, z frames accumulated (lib/surface_history.glsl)
+uniform sampler2D uSurface;  // lib/surface_history.glsl
+uniform sampler2D uSurfaceHistory;
 
 const float kCompression = 0.04;
 const float kLongHistory = 6.0;       // frames
 const float kJitterDeviations = 3.0;  // deviations that the clip box is widened by
 const float kSubpixelDetail = 0.04;   // relative deviation above which a pixel has details finer than a pixel
 const float kStaticClipScale = 2.5;   // of the clip box where nothing has moved or changed for long, for thin lines
+const float kSteadyFrames = 8.0;      // without motion or change, after which history is trusted
 const float kMinBlend = 0.1;
 const float kBlendRamp = 1.6;      // above 1 the first frames, which know less of the light, count less than later ones
 const float kMaxBlend = 0.5;       // for a short history
 const float kParticleBlend = 0.5;  // where particles cover everything: they have no motion vectors
-const float kSharpness = 2.3;      // of the Gaussian around a displayed pixel
-const float kSkyDistance = 4000.0;  // metres: the sky moves over the screen as what is that far away
+const vec2 kUncovered = vec2(0.1, 0.4);  // decrease of what particles cover, from which on history is dropped
+const float kSharpness = 2.3;            // of the Gaussian around a displayed pixel
+const float kSkyDistance = 4000.0;       // metres: the sky moves over the screen as what is that far away
 
 in vec2 uv;
 out vec4 resolved;
@@ -64,6 +69,19 @@ vec3 sampleHistory(vec2 place) {
     sum += vec4(texture(uHistory, vec2(t3.x, t12.y)).rgb, 1.0) * (w3.x * w12.y);
     sum += vec4(texture(uHistory, vec2(t12.x, t3.y)).rgb, 1.0) * (w12.x * w3.y);
     return max(sum.rgb / sum.a, vec3(0.0));
+}
+
+/// What a pixel remembers beside its colour.
+struct Steadiness {
+    float steady;     // 0 to 1: the share of kSteadyFrames for which nothing has moved or changed
+    float deviation;  // mean deviation of samples from the mean while steady is 1, in compressed luminance
+    float covered;    // share of what has no motion vectors: particles, waves, panes; only where steady is 0
+};
+
+/// In one number: 1 or more where steady, above that the deviation; below 0 the share that is covered.
+float packSteadiness(Steadiness s) { return s.steady > 0.0 ? s.steady + s.deviation : -s.covered; }
+Steadiness unpackSteadiness(float packed_) {
+    return Steadiness(clamp(packed_, 0.0, 1.0), max(packed_ - 1.0, 0.0), max(-packed_, 0.0));
 }
 
 /// Motion of a point that stands still in the world, seen at a place of the screen.
@@ -100,7 +118,7 @@ Neighbourhood gatherNeighbourhood(ivec2 pixel, vec3 across, vec3 up) {
         n.panePixel = there.a < n.surfaceShare ? p : n.panePixel;
         n.surfaceShare = min(n.surfaceShare, there.a);
         n.maxSurfaceShare = max(n.maxSurfaceShare, there.a);
-        vec3 c = toYCoCg(compress(there.rgb));
+        vec3 c = toYCoCg(compress(halfRange(there.rgb)));  // a sum of passes
         sum += c;
         squares += c * c;
         low = min(low, c);
@@ -133,6 +151,22 @@ vec2 motionOf(Neighbourhood n) {
     return motion;
 }
 
+/// Whether something nearer than what is seen now was before it in the previous frame.
+bool isDisoccluded(Neighbourhood n, vec2 before) {
+    float expected = kSkyDepth, tolerance = 0.0;
+    if (n.depth < kSkyDepth) {
+        vec3 position = worldFromDepth((vec2(n.nearest) + 0.5) * frame.targetSize.zw, n.depth);
+        expected = (frame.previousViewProjection * vec4(position, 1.0)).w;
+        tolerance = depthTolerance(position, unpackNormal(texelFetch(uSurface, n.nearest, 0).y), n.depth);
+    }
+    ivec2 middle = ivec2(before * frame.targetSize.xy), high = ivec2(frame.targetSize.xy) - 1;
+    float nearest = kSkyDepth;
+    for (int i = 0; i < 9; i += 2)
+        nearest =
+            min(nearest, texelFetch(uSurfaceHistory, clamp(middle + ivec2(i % 3, i / 3) - 1, ivec2(0), high), 0).x);
+    return nearest < expected - tolerance;
+}
+
 void main() {
     // The traced sample nearest to this pixel and its offset, in traced pixels.
     vec2 place = (uv - frame.jitter.xy) * frame.targetSize.xy;
@@ -140,28 +174,38 @@ void main() {
     float upscale = frame.displaySize.x * frame.targetSize.z, sharpness = kSharpness * upscale * upscale;
     Neighbourhood n =
         gatherNeighbourhood(ivec2(place), gaussian(fromSample.x, sharpness), gaussian(fromSample.y, sharpness));
-    resolved = vec4(expand(fromYCoCg(n.now)), 0.0);
+    // What lies behind a pane moves as the pane's pixels do, nearly.
+    bool isPane = uHasGlass && texelFetch(uGlassSurface, n.panePixel, 0).w > 0.0;
+    float covered = isPane ? 0.0 : 1.0 - n.surfaceShare;
+    resolved = vec4(expand(fromYCoCg(n.now)), -covered);
     vec2 motion = motionOf(n);
     vec2 before = uv - motion;
     if (!uHistoryValid || any(lessThan(before, vec2(0.0))) || any(greaterThan(before, vec2(1.0)))) return;
     vec3 history = toYCoCg(compress(sampleHistory(before)));
+    Steadiness last = unpackSteadiness(texelFetch(uHistory, ivec2(before * frame.displaySize.xy), 0).a);
+    vec2 confidence = uHasConfidence ? texture(uHistoryConfidence, uv).xy : vec2(1.0);
     float frames = n.depth >= kSkyDepth ? kLongHistory : n.frames;
-    bool isStatic = n.surfaceShare == 1.0 && length(motion * frame.targetSize.xy) < 0.05;
-    float confidence = !isStatic ? 0.0 : uHasConfidence ? texture(uHistoryConfidence, uv).x : 1.0;
-    float jitterDeviation = confidence * texelFetch(uHistory, ivec2(before * frame.displaySize.xy), 0).a;
-    bool isConverged = isStatic && frames >= kLongHistory;
+    bool isSteady = covered == 0.0 && length(motion * frame.targetSize.xy) < 0.05 && confidence.y > 0.5;
+    bool isTrusted = isSteady && !isPane && last.steady == 1.0 && frames >= kLongHistory;
+    float deviation = isSteady ? confidence.x * last.deviation : 0.0;
     vec3 middle = 0.5 * (n.boxLow + n.boxHigh);
-    vec3 extent = 0.5 * (n.boxHigh - n.boxLow) * (isConverged ? kStaticClipScale : 1.0) +
-                  kJitterDeviations * jitterDeviation + 1e-4;
+    vec3 extent =
+        0.5 * (n.boxHigh - n.boxLow) * (isTrusted ? kStaticClipScale : 1.0) + kJitterDeviations * deviation + 1e-4;
     vec3 offset = history - middle;
     vec3 ratio = abs(offset / extent);
     float outside = max(ratio.x, max(ratio.y, ratio.z));
     if (outside > 1.0) history = middle + offset / outside;
-    resolved.a = confidence * mix(jitterDeviation, abs(n.now.x - history.x), kMinBlend);
+    float steady = isSteady ? min(last.steady + 1.0 / kSteadyFrames, 1.0) : 0.0;
+    resolved.a = packSteadiness(Steadiness(
+        steady, steady == 1.0 && !isPane ? confidence.x * mix(deviation, abs(n.now.x - history.x), kMinBlend) : 0.0,
+        covered));
     // Details finer than a pixel change their surface with each jitter: the number of frames drawn counts for them.
-    if (jitterDeviation > kSubpixelDetail * history.x) frames = max(frames, float(min(frame.counters.x, 64)));
+    if (deviation > kSubpixelDetail * history.x) frames = max(frames, float(min(frame.counters.x, 64)));
     float blend = clamp(kBlendRamp / (frames + kBlendRamp - 1.0), kMinBlend, kMaxBlend);
+    blend = mix(kParticleBlend, blend, n.surfaceShare);
+    blend = max(blend, smoothstep(kUncovered.x, kUncovered.y, last.covered - covered));
+    if (!isTrusted && last.steady < 0.5 && isDisoccluded(n, before)) blend = 1.0;
     float near = upscale > 1.0 ? exp(-0.5 * sharpness * dot(fromSample, fromSample)) : 1.0;
-    resolved.rgb = expand(fromYCoCg(mix(history, n.now, near * mix(kParticleBlend, blend, n.surfaceShare))));
+    resolved.rgb = expand(fromYCoCg(mix(history, n.now, near * blend)));
     resolved = stochasticRoundToHalf(resolved, ivec2(gl_FragCoord.xy), 0);
 }

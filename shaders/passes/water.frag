@@ -243,10 +243,11 @@ void main() {
     if (path.isThroughTop) {
         float depth = isUnder ? path.end : path.begin;
         Crossing c = crossingAt(origin + ray * depth, direction, depth);
-        color =
-            vec4(isUnder ? surfaceFromBelow(c) : surfaceFromAbove(c, ray, stretch, path), min(kHistoryWeight, color.a));
+        color = vec4(halfRange(isUnder ? surfaceFromBelow(c) : surfaceFromAbove(c, ray, stretch, path)),
+                     min(kHistoryWeight, color.a));
     }
     if (path.isThroughTop && !isUnder) return;
     color.rgb = throughWater(color.rgb, metres, uSurface - origin.y - ray.y * path.begin, direction.y);
     if (path.begin <= 0.0) color.rgb *= 0.5 + 0.5 * smoothstep(0.0, kMeniscus, -over);
+    color.rgb = halfRange(color.rgb);
 }

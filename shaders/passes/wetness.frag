@@ -27,7 +27,7 @@ void main() {
     float up = s.normal.y;
     if (s.sky || up < -0.3) discard;
     vec3 world = worldFromDepth(uv, s.depth);
-    vec3 rain = coneDirection(vec3(0, 1, 0), kRainAngle, blueNoise(pixel, 30, frame.counters.x));
+    vec3 rain = coneDirection(vec3(0, 1, 0), kRainAngle, blueNoise(pixel, 33, frame.counters.x));
     // Walls get slanted rain only.
     rain = normalize(rain + s.normal * (1.0 - max(up, 0.0)) * 0.6);
     float t;

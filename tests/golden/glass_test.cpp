@@ -70,6 +70,22 @@ TEST_F(GlassTest, PanesOfInterleavedBodiesTintOnceAndTheNearestIsTheSurface) {
     EXPECT_EQ(surface.at(8, 32).w, 0.0f) << "a pane behind the wall is visible";
 }
 
+TEST_F(GlassTest, BeforeTheSkyThereIsNoSurface) {
+    LitScene scene(wallAndPanes());
+    scene.add({20, 20, 1}, {{-1, -1, 0}, kLevel}, [](glm::ivec3) { return uint8_t(kFirstPane); });
+    RenderSettings settings;
+    settings.temporal = false;
+    start(scene, kSize, settings);
+    draw(camera());
+    EXPECT_GT(read("glassTint").at(48, 32).r, 0.0f);
+    EXPECT_EQ(read("glassMask").at(48, 32).r, 1.0f);
+    EXPECT_GT(read("depth").at(48, 32).r, 60000.0f);
+    for (const char* name : {"albedo", "normal", "material", "motion"}) {
+        const glm::vec4 found = read(name).at(48, 32);
+        EXPECT_EQ(found.r + found.g + found.b, 0.0f) << name;
+    }
+}
+
 /// An edge from dark to light on a wall behind a slanted pane: where it appears with and without refraction.
 TEST_F(GlassTest, RefractsLikeAParallelPlate) {
     const auto edgeAt = [&](bool refraction) {

@@ -110,6 +110,70 @@ TEST_F(LightTest, AnEvenSkySurvivesTheDenoiser) {
         for (int x = 8; x < 88; ++x) ASSERT_NEAR(*light.at(x, y), expected, 2) << x << ", " << y;
 }
 
+TEST_F(LightTest, WhatIsTooBrightForATargetIsAsBrightAsItHolds) {
+    auto palette = std::make_shared<Palette>(*plain());
+    (*palette)[1].emission = 90000.0f;
+    LitScene scene(palette);
+    scene.add({20, 20, 2}, {{-1, -1, -2}, kLevel}, solid);
+    SnapshotLight light{LightKind::Sphere, {0, 0, -1.5}, {0, 0, -1}, glm::vec3(1e9f), 0.1f, 12.0f, 0, 0};
+    scene.addLight(light);
+    start(scene, kSmall);
+    const Image image = draw(lookingAt({0, 0, 1}, {0, 0, -2}), 3);
+    for (int channel = 0; channel < 3; ++channel) EXPECT_EQ(image.at(48, 32)[channel], 255) << channel;
+    EXPECT_GT(read("radiance").at(48, 32).g, 10000.0f);
+    EXPECT_EQ(nonFiniteTextures(), "");
+}
+
+TEST_F(LightTest, CloudsStayWhenTheSunIsAtTheZenith) {
+    const auto skyAt = [&](glm::vec3 sun) {
+        LitScene scene(plain());
+        scene.environment.sunDirection = glm::normalize(sun);
+        scene.environment.clouds = 0.6f;
+        scene.add({2, 2, 2}, {{0, 50, 0}, kLevel}, solid);
+        start(scene, kSmall);
+        draw(lookingAt({0, 1.5, 0}, {0, 2.2, -1}));
+        return read("radiance");
+    };
+    const FloatImage zenith = skyAt({0, 1, 0}), beside = skyAt({1e-5f, 1, 0});
+    double difference = 0.0, mean = 0.0;
+    for (size_t p = 0; p < zenith.pixels.size(); ++p) {
+        difference += std::abs(double(zenith.pixels[p].r - beside.pixels[p].r));
+        mean += double(beside.pixels[p].r);
+    }
+    EXPECT_LT(difference, 0.1 * mean);
+    EXPECT_EQ(nonFiniteTextures(), "");
+}
+
+TEST_F(LightTest, TheEyeAdaptsBySecondsNotByFrames) {
+    const auto exposureAfterASecond = [&](int framesPerStep) {
+        LitScene scene(plain());
+        scene.add({80, 2, 80}, {{-4, -0.2, -4}, kLevel}, solid);
+        start(scene, kSmall);
+        const Camera floor = lookingAt({0, 1.5, 2}, {0, 0, 0});
+        draw(floor, 2);
+        scene.environment.exposure = 0.25f;
+        for (int step = 0; step < 30; ++step) {
+            renderer->apply(scene.step());
+            for (int i = 1; i <= framesPerStep; ++i)
+                renderer->draw(floor.view(kSmall, target->framebuffer()), float(i) / float(framesPerStep));
+        }
+        return read("exposure").at(0, 0).r;
+    };
+    const float slow = exposureAfterASecond(1), fast = exposureAfterASecond(4);
+    EXPECT_NEAR(slow, fast, 0.02f * slow);
+}
+
+TEST_F(LightTest, NoConfidenceIsLeftOfFramesBeforeACut) {
+    LitScene scene = streetScene();
+    start(scene, kSmall);
+    draw(streetCamera(0), 3);
+    EXPECT_TRUE(renderer->readTarget("historyConfidence"));
+    View view = streetCamera(1).view(kSmall, target->framebuffer());
+    view.cut = true;
+    renderer->draw(view, 1.0f);
+    EXPECT_FALSE(renderer->readTarget("historyConfidence"));
+}
+
 TEST_F(LightTest, NoTargetHoldsNanOrInfinity) {
     LitScene scene = streetScene();
     start(scene, {160, 90});

@@ -90,5 +90,56 @@ TEST_F(LightGridTest, LightsBehindTheCameraOrDarkCostNothing) {
     EXPECT_EQ(grid.lightsAt({160, 90}, 5.0f), std::vector<int>{1});
 }
 
+/// Histories of light mix what a light has sent over many frames.
+TEST_F(LightGridTest, WhatChangesALightCountsAsAChange) {
+    FrameBlock block = seenFrom(Camera{});
+    block.counters.y = 1;  // not a cut
+    SnapshotLight first{LightKind::Cone, {0, 1.7, -5}, {0, -1, 0}, glm::vec3(1.0f), 0.1f, 8.0f, 0.3f, 0.5f};
+    first.light = LightHandle::make(1, 1, 0);
+    const auto framesAfter = [&](auto&& change) {
+        LightGrid grid;
+        SnapshotLight light = first;
+        const auto update = [&] { grid.update(std::span(&light, 1), block, glm::dvec3(0.0)); };
+        for (int i = 0; i < 40; ++i) update();
+        EXPECT_TRUE(grid.changes().empty());
+        change(light);
+        update();
+        EXPECT_EQ(grid.changes().empty(), grid.framesSinceChange() > 0);
+        return grid.framesSinceChange();
+    };
+    EXPECT_EQ(framesAfter([](SnapshotLight& l) { l.color = {0.2f, 1.0f, 3.0f}; }), 0);
+    EXPECT_EQ(framesAfter([](SnapshotLight& l) { l.color = {1.0f, 0.7f, 1.0f}; }), 0);
+    EXPECT_EQ(framesAfter([](SnapshotLight& l) { l.position.x = 2.0; }), 0);
+    EXPECT_EQ(framesAfter([](SnapshotLight& l) { l.direction = {1, 0, 0}; }), 0);
+    EXPECT_EQ(framesAfter([](SnapshotLight& l) { l.reach = 3.0f; }), 0);
+    EXPECT_EQ(framesAfter([](SnapshotLight& l) { l.coneOuter = 0.7f; }), 0);
+    EXPECT_GT(framesAfter([](SnapshotLight& l) { l.color *= 1.01f; }), 0);
+}
+
+TEST_F(LightGridTest, ACutLeavesNoChanges) {
+    const FrameBlock block = seenFrom(Camera{});
+    ASSERT_EQ(block.counters.y, 0);
+    const SnapshotLight light{LightKind::Sphere, {0, 1.7, -5}, {0, -1, 0}, glm::vec3(1.0f), 0.1f, 8.0f, 0, 0};
+    LightGrid grid;
+    grid.update(std::span(&light, 1), block, glm::dvec3(0.0));
+    EXPECT_TRUE(grid.changes().empty());
+}
+
+TEST_F(LightGridTest, SlowChangesCountOnceTheyHaveAddedUp) {
+    FrameBlock block = seenFrom(Camera{});
+    block.counters.y = 1;  // not a cut
+    SnapshotLight light{LightKind::Sphere, {0, 1.7, -5}, {0, -1, 0}, glm::vec3(1.0f), 0.1f, 8.0f, 0, 0};
+    light.light = LightHandle::make(1, 1, 0);
+    LightGrid grid;
+    int changes = 0;
+    for (int i = 0; i < 50; ++i) {
+        light.color.b *= 0.98f;
+        grid.update(std::span(&light, 1), block, glm::dvec3(0.0));
+        changes += i > 0 && grid.framesSinceChange() == 0;
+    }
+    EXPECT_GE(changes, 5);
+    EXPECT_LE(changes, 12);
+}
+
 }  // namespace
 }  // namespace rubble

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <regex>
 
 #include "render/frame/frame_context.h"
 #include "tests/render/gl_fixture.h"
@@ -9,6 +11,22 @@
 
 namespace rubble {
 namespace {
+
+/// Two uses of one dimension would draw the same numbers for a pixel.
+TEST(BlueNoiseDimensions, AreUsedOnceInAllPasses) {
+    const std::regex use(R"(blueNoise\(\w+, (\d+))");
+    std::map<std::string, std::string> users;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(RUBBLE_SOURCE_DIR "/shaders")) {
+        if (!file.is_regular_file()) continue;
+        std::ifstream stream(file.path());
+        const std::string text{std::istreambuf_iterator<char>(stream), {}};
+        for (std::sregex_iterator found(text.begin(), text.end(), use), end; found != end; ++found) {
+            const auto [before, isNew] = users.emplace((*found)[1], file.path().filename());
+            EXPECT_TRUE(isNew) << file.path() << " uses dimension " << (*found)[1] << " like " << before->second;
+        }
+    }
+    EXPECT_GT(users.size(), 10u);
+}
 
 class ShaderLibraryTest : public GlTest {
 protected:

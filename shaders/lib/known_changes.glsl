@@ -1,0 +1,74 @@
+// What the engine knows to have changed since the previous frame, and how much history is left where it has: a share of
+// uMaxHistory frames, 1 where nothing has. (Set by render/passes/known_changes.cpp.)
+//
+// Let r be a change of light, relative to the light that a place had. n frames of old history then have an error of r,
+// and n frames of samples with the deviation s one of s / sqrt(n). They are equal at n = (s / r)^2: that many are kept.
+// Needs lib/frame, lib/color.
+#include "lib/constants.glsl"
+
+uniform int uDirtyCornerCount;
+uniform vec4 uDirtyCorners[2 * kMaxDirtyRegions];  // low and high corners of changed boxes by turns, world
+uniform int uChangedLightTexels;
+// Before and after by turns, each in three: xyz position, w reach; rgb intensity, w extent; angular falloff.
+uniform vec4 uChangedLights[6 * kMaxLightChanges];
+uniform float uMaxHistory;  // frames
+
+const float kSampleDeviation = 0.25;  // s: of a sample of light after the spatial filter
+const float kResetDistance = 1.2;     // metres around changed voxels within which all history is dropped
+const float kMinFalloff = 0.1;        // share of a light's intensity that reaches places beside its beam, by bounces
+
+float historyLeft(float relativeChange) {
+    float ratio = kSampleDeviation / max(relativeChange, 1e-4);
+    return min(ratio * ratio / uMaxHistory, 1.0);
+}
+
+/// Around voxels that have changed: by the share of directions in which their boxes are seen, squared, as little has
+/// changed in most of a small box.
+float historyNearVoxels(vec3 position) {
+    float share = 0.0;
+    for (int i = 0; i < uDirtyCornerCount; i += 2) {
+        vec3 low = uDirtyCorners[i].xyz, high = uDirtyCorners[i + 1].xyz;
+        vec3 outside = max(max(low - position, position - high), vec3(0.0)), away = 0.5 * (low + high) - position,
+             halfSize = 0.5 * (high - low);
+        if (dot(outside, outside) < kResetDistance * kResetDistance) return 0.0;
+        float radius2 = dot(halfSize, halfSize);
+        share += radius2 / (dot(away, away) + radius2);
+    }
+    return historyLeft(share * share);
+}
+
+/// About the irradiance that a changed light sends to a place, whichever way its surface faces.
+vec3 changedIrradiance(int light, vec3 position) {
+    vec4 place = uChangedLights[light], color = uChangedLights[light + 1], falloff = uChangedLights[light + 2];
+    vec3 away = position - place.xyz;
+    float range = max(length(away), max(color.w, 0.05)), far = range / place.w;
+    float window = max(1.0 - far * far * far * far, 0.0);
+    float beam = clamp(dot(away / range, falloff.xyz) + falloff.w, 0.0, 1.0);
+    return color.rgb * (window * window * max(beam * beam, kMinFalloff) / (range * range));
+}
+
+/// Around lights that have changed. meanRadiance: luminance of the light that the place had.
+float historyNearLights(vec3 position, float meanRadiance) {
+    vec3 change = vec3(0.0);
+    for (int i = 0; i < uChangedLightTexels; i += 6)
+        change += abs(changedIrradiance(i + 3, position) - changedIrradiance(i, position));
+    return historyLeft(max(change.r, max(change.g, change.b)) / (kPi * max(meanRadiance, 1e-4)));
+}
+
+/// Share by which the previous frame's light of a place counts, if all of it counts or none.
+float previousFrameCounts(vec3 position, float meanRadiance) {
+    return min(min(historyNearVoxels(position), historyNearLights(position, meanRadiance)) * uMaxHistory, 1.0);
+}
+
+/// Whether the view of a place passes through changed voxels, or beside them within `margin`, the sine of an angle.
+bool isSeenThroughChange(vec3 position, float margin) {
+    vec3 eye = frame.cameraPosition.xyz, ray = position - eye;
+    vec3 inverse = 1.0 / (ray + vec3(equal(ray, vec3(0.0))) * 1e-6);
+    for (int i = 0; i < uDirtyCornerCount; i += 2) {
+        vec3 low = uDirtyCorners[i].xyz - eye, high = uDirtyCorners[i + 1].xyz - eye;
+        vec3 wider = vec3(margin * length(0.5 * (low + high)));
+        vec3 a = (low - wider) * inverse, b = (high + wider) * inverse, enter = min(a, b), leave = max(a, b);
+        if (max(max(enter.x, enter.y), max(enter.z, 0.0)) <= min(min(leave.x, leave.y), min(leave.z, 1.0))) return true;
+    }
+    return false;
+}
