@@ -43,6 +43,7 @@ void PhysicsWorld::step() {
         for (const uint32_t slot : impl.bodies.awake()) {
             DynamicBody& body = impl.bodies.at(slot);
             body.inWater = waters && waters->applyForces(body, impl.gravity, settings.stepSeconds);
+            impl.bodies.limits().clamp(body);  // contacts are searched along the motion
         }
         impl.contacts.find(impl.bodies, impl.joints.table(), settings);
         impl.contacts.recordTouching(impl.bodies);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "physics/character/character_queries.h"
+#include "runtime/core/ranges.h"
 
 // A kinematic character: a capsule that collides and slides (after Fauerby, "Improved Collision detection and
 // Response", 2003, and the movement code of Quake).
@@ -80,6 +81,7 @@ public:
         } else
             slide(m_c.velocity * m_around.seconds, false, true);
         probeGround(walks, wasGrounded ? stoodOn : BodyHandle{}, handles);
+        m_c.velocity = clampedLength(m_c.velocity, ranges::kMaxCharacterSpeed);  // it may have taken on a body's
     }
 
 private:

@@ -53,6 +53,27 @@ struct CellWalk {
         cell[side] += step[side];
         next[side] += delta[side];
     }
+    /// Whether the line has left the box for good, after it crossed `side`.
+    bool isPast(const CellBox& box, int side) const {
+        return step[side] > 0 ? cell[side] >= box.high[side] : cell[side] < box.low[side];
+    }
+    /// Leaps over most of a long way to a box. Lines that never meet it end beyond their last cell.
+    void approach(const CellBox& box) {
+        float entry = 0.0f;  // at which it is a cell away from the box, or nearer
+        for (int axis = 0; axis < 3; ++axis) {
+            const int cells = step[axis] > 0 ? box.low[axis] - 1 - cell[axis] : cell[axis] - box.high[axis];
+            if (cells > kMaxApproach) entry = std::max(entry, next[axis] + float(cells - 1) * delta[axis]);
+        }
+        entry = std::min(entry, 2.0f);  // the line ends at 1
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(next[axis] < entry)) continue;
+            const int cells = int((entry - next[axis]) / delta[axis]);
+            cell[axis] += step[axis] * cells;
+            next[axis] += delta[axis] * float(cells);
+        }
+    }
+
+    static constexpr int kMaxApproach = 64;  ///< cells that are walked one by one
 };
 
 }  // namespace
@@ -110,10 +131,13 @@ Face closestFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, float marg
 Face sweepToFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const glm::vec3& displacement,
                  const FeatureQuery& query) {
     bool wasInside = occupancy.solid(cell);
-    for (CellWalk walk(cell, p, displacement);;) {
+    CellWalk walk(cell, p, displacement);
+    if (!wasInside) walk.approach(occupancy.bounds());
+    for (;;) {
         const int axis = walk.axis();
         if (!(walk.next[axis] <= 1.0f)) return {};
         walk.cross(axis);
+        if (walk.isPast(occupancy.bounds(), axis)) return {};
         const bool isInside = occupancy.solid(walk.cell), enters = isInside && !wasInside;
         wasInside = isInside;
         if (!enters) continue;

@@ -43,6 +43,8 @@ public:
                     if (m_grid.brickAt({x, y, z})) return true;
         return false;
     }
+    /// A box that holds all solid cells.
+    const CellBox& bounds() const { return m_part.bounds(); }
     /// False outside the grid.
     bool solid(Cell c) {
         if (m_whole) return m_whole->solid(c);

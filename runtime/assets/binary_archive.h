@@ -30,6 +30,10 @@ public:
     void put(const T& value) {
         write(value);
     }
+    /// Counts memory that reading takes for what is not a value of the archive.
+    void addMemory(uint64_t bytes) { m_memory += bytes; }
+    /// The memory that BinaryInputArchive takes from its reader's budget for what was written.
+    uint64_t memory() const { return m_memory; }
 
 private:
     template <class T>
@@ -47,7 +51,10 @@ private:
         write(v.x), write(v.y), write(v.z);
     }
     void write(const glm::dquat& q) { write(q.w), write(q.x), write(q.y), write(q.z); }
-    void write(const VoxelGrid& grid) { write(grid.size()); }
+    void write(const VoxelGrid& grid) {
+        m_memory += directoryMemory(directoryNodes(grid.size()));
+        write(grid.size());
+    }
     void write(const PaletteRef& palette) { write(m_palettes.add(palette)); }
     void write(const PaintColorsRef& colors) {
         write(colors ? colors->count : uint8_t(0));
@@ -67,8 +74,13 @@ private:
         write(uint8_t(value.index()));
         std::visit([&](const auto& each) { write(each); }, value);
     }
+    void write(const std::vector<uint8_t>& bytes) {
+        write(uint32_t(bytes.size()));
+        m_bytes.insert(m_bytes.end(), bytes.begin(), bytes.end());
+    }
     template <class T>
     void write(const std::vector<T>& values) {
+        m_memory += listMemory(values.size(), sizeof(T));
         write(uint32_t(values.size()));
         for (const T& value : values) write(value);
     }
@@ -78,6 +90,7 @@ private:
 
     std::vector<uint8_t>& m_bytes;
     PaletteList& m_palettes;
+    uint64_t m_memory = 0;
 };
 
 /// Reads values that BinaryOutputArchive has written. A value that cannot be valid is a failure of the reader, after
@@ -134,7 +147,7 @@ private:
                                  m_in.offset() - 12);
         m_nodes += directoryNodes(size);
         if (m_nodes > kMaxDirectoryNodes) return m_in.fail("grids of 2^39 cells in all", "more", m_in.offset() - 12);
-        grid = VoxelGrid(size);
+        if (m_in.takeMemory(directoryMemory(directoryNodes(size)))) grid = VoxelGrid(size);
     }
     void read(PaletteRef& palette) {
         const auto number = m_in.read<uint32_t>();
@@ -175,10 +188,14 @@ private:
         const bool isKnown = ((index == i++ ? (read(value.template emplace<T>()), true) : false) || ...);
         if (!isKnown) m_in.fail(fmt::format("a kind below {}", sizeof...(T)), std::to_string(index), m_in.offset() - 1);
     }
+    void read(std::vector<uint8_t>& bytes) {
+        const auto raw = m_in.readBytes(m_in.readCount(1, "bytes"));
+        bytes.assign(raw.begin(), raw.end());
+    }
     template <class T>
     void read(std::vector<T>& values) {
         const uint32_t count = m_in.readCount(1, "elements");
-        for (uint32_t i = 0; i < count && !m_in.failed(); ++i) read(values.emplace_back());
+        for (uint32_t i = 0; i < count && m_in.takeMemory(listMemory(1, sizeof(T))); ++i) read(values.emplace_back());
     }
     template <class T>
     requires std::is_class_v<T>

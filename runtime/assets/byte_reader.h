@@ -4,9 +4,12 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <span>
 #include <string>
 #include <type_traits>
+
+#include "runtime/assets/memory_budget.h"
 
 namespace rubble {
 
@@ -18,7 +21,13 @@ public:
     /// `context` names what the bytes are, in messages. fileOffset: where they begin in the file. The bytes must
     /// outlive the reader.
     ByteReader(std::span<const uint8_t> bytes, std::string context, size_t fileOffset = 0)
-        : m_bytes(bytes), m_context(std::move(context)), m_fileOffset(fileOffset) {}
+        : m_bytes(bytes),
+          m_context(std::move(context)),
+          m_fileOffset(fileOffset),
+          m_budget(std::make_shared<MemoryBudget>(bytes.size())) {}
+    /// The same for bytes that were unpacked from those of `packed`: with its budget of memory.
+    ByteReader(std::span<const uint8_t> bytes, std::string context, const ByteReader& packed)
+        : m_bytes(bytes), m_context(std::move(context)), m_fileOffset(0), m_budget(packed.m_budget) {}
 
     /// The next value, or zero.
     template <class T>
@@ -56,7 +65,19 @@ public:
     /// The next `count` bytes as a reader of their own.
     ByteReader part(size_t count, std::string context) {
         const size_t start = offset();
-        return ByteReader(readBytes(count), std::move(context), start);
+        ByteReader out(readBytes(count), std::move(context), *this);
+        out.m_fileOffset = start;
+        return out;
+    }
+    /// Takes memory that what is read will need from the budget of the whole file. False, and a failure, if too little
+    /// is left.
+    bool takeMemory(uint64_t bytes) {
+        if (failed()) return false;
+        if (m_budget->take(bytes)) return true;
+        fail(fmt::format("what takes at most {} MiB and {} times the file's size of memory", MemoryBudget::kFree >> 20,
+                         MemoryBudget::kPerByte),
+             "more");
+        return false;
     }
 
     /// Bytes to the end; 0 after a failure.
@@ -94,6 +115,7 @@ private:
     std::string m_context;
     std::string m_error;
     size_t m_fileOffset;
+    std::shared_ptr<MemoryBudget> m_budget;
     size_t m_position = 0;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace rubble {
 
 inline constexpr std::array<char, 8> kFileMagic = {'R', 'U', 'B', 'B', 'L', 'E', '\r', '\n'};
 inline constexpr uint32_t kFileVersion = 5;
-inline constexpr uint64_t kMaxFileBytes = uint64_t(8) << 30;  ///< larger files are refused
+inline constexpr uint64_t kMaxFileBytes = uint64_t(8) << 30;  ///< larger files are neither written nor read
 inline constexpr size_t kGridChunkBytes = 8u << 20;           ///< a GRID chunk ends once it holds this much
 
 /// The first 32 bytes of a file.
@@ -43,18 +44,27 @@ FileHeader makeFileHeader(uint32_t chunks, uint64_t contentHash);
 /// Packs chunks one after the other.
 class ChunkWriter {
 public:
-    /// Adds a chunk of raw bytes, packed with LZ4 if that makes them fewer.
-    void add(std::array<char, 4> kind, const std::vector<uint8_t>& raw);
-    /// A whole file: a header and the chunks.
-    std::vector<uint8_t> file(uint64_t contentHash) const;
+    /// Adds a chunk of raw bytes, packed with LZ4 if that makes them fewer. `memory`: what reading takes for their
+    /// content, as archives count it.
+    void add(std::array<char, 4> kind, const std::vector<uint8_t>& raw, uint64_t memory = 0);
+    /// Adds a chunk of zeros that readers skip if a file with these chunks, and `otherBytes` with what takes
+    /// `otherMemory`, would be too short for the budget of its reader.
+    void pad(uint64_t otherBytes = 0, uint64_t otherMemory = 0);
+    /// A whole file: a header and the chunks, padded.
+    std::vector<uint8_t> file(uint64_t contentHash);
     /// The chunks alone.
     const std::vector<uint8_t>& bytes() const { return m_bytes; }
     /// How many chunks there are.
     uint32_t count() const { return m_count; }
+    /// The memory that reading them takes.
+    uint64_t memory() const { return m_memory; }
 
 private:
+    void append(ChunkHeader header, std::span<const uint8_t> stored);
+
     std::vector<uint8_t> m_bytes;
     uint32_t m_count = 0;
+    uint64_t m_memory = 0;
 };
 
 /// Writes the bricks of grids as GRID chunks: the shape's number and the number of bricks (32 bits each), then each

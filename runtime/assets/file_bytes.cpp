@@ -19,34 +19,41 @@ struct Closer {
 };
 using File = std::unique_ptr<std::FILE, Closer>;
 
-Error systemError(const std::string& path, const char* what) {
-    return {fmt::format("{}: {}: {}", path, what, std::strerror(errno))};
-}
-
 }  // namespace
 
+Error fileError(const std::string& path, const char* what, int code) {
+    return {path + ": " + what + (code ? std::string(": ") + std::strerror(code) : "")};
+}
+
 Result<std::vector<uint8_t>> readFileBytes(const std::string& path, uint64_t limit) {
-    const File file(std::fopen(path.c_str(), "rb"));
+    const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    const File file(descriptor < 0 ? nullptr : fdopen(descriptor, "rb"));
     struct stat status {};
-    if (!file || fstat(fileno(file.get()), &status) != 0) return systemError(path, "cannot open");
+    if (!file || fstat(descriptor, &status) != 0) return fileError(path, "cannot open", errno);
     if (!S_ISREG(status.st_mode)) return Error{path + ": expected a file, found something else"};
     if (uint64_t(status.st_size) > limit)
         return Error{fmt::format("{}: expected at most {} bytes, found {}", path, limit, status.st_size)};
     std::vector<uint8_t> bytes(size_t(status.st_size));
-    if (std::fread(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) return systemError(path, "cannot read");
-    return bytes;
+    errno = 0;
+    const size_t got = std::fread(bytes.data(), 1, bytes.size(), file.get());
+    if (got == bytes.size()) return bytes;
+    if (std::ferror(file.get())) return fileError(path, "cannot read", errno);
+    return Error{fmt::format("{}: expected {} bytes, found {}: it was changed meanwhile", path, bytes.size(), got)};
 }
 
-Result<Done> writeFileAtomically(const std::string& path, std::span<const uint8_t> bytes) {
+Result<Done> writeFileAtomically(const std::string& path, std::span<const uint8_t> bytes, uint64_t limit) {
+    if (bytes.size() > limit)
+        return Error{fmt::format("{}: expected at most {} bytes to write, found {}", path, limit, bytes.size())};
     static std::atomic<unsigned> calls{0};  // worlds of other threads may write the same file
     const std::string temporaryPath = fmt::format("{}.{}.{}.part", path, getpid(), ++calls);
     File file(std::fopen(temporaryPath.c_str(), "wb"));
-    if (!file) return systemError(temporaryPath, "cannot write");
+    if (!file) return fileError(temporaryPath, "cannot write", errno);
+    errno = 0;
     bool good = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
     good = good && std::fflush(file.get()) == 0 && fsync(fileno(file.get())) == 0;
     good = good && std::rename(temporaryPath.c_str(), path.c_str()) == 0;
     if (good) return Done{};
-    const Error error = systemError(path, "cannot write");
+    const Error error = fileError(path, "cannot write", errno);
     std::remove(temporaryPath.c_str());
     return error;
 }

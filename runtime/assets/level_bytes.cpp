@@ -22,9 +22,11 @@ bool fitsGrid(const Brick& brick, glm::ivec3 position, glm::ivec3 size) {
 
 }  // namespace
 
-std::vector<uint8_t> levelToBytes(const Level& level, PaletteList& palettes) {
+std::vector<uint8_t> levelToBytes(const Level& level, PaletteList& palettes, uint64_t* memory) {
     std::vector<uint8_t> bytes;
-    BinaryOutputArchive(bytes, palettes).put(level);
+    BinaryOutputArchive out(bytes, palettes);
+    out.put(level);
+    if (memory) *memory = out.memory();
     return bytes;
 }
 
@@ -91,7 +93,7 @@ void readBrick(ByteReader& in, VoxelGrid& grid) {
         in.fail("a brick kind of 0 to 2", std::to_string(kind), start + 6);
     }
     const auto paint = kindByte & kPainted ? in.readBytes(kBrickVoxels) : std::span<const uint8_t>();
-    if (in.failed()) return;
+    if (!in.takeMemory(kBrickMemory)) return;
     BrickIndices layer;
     std::copy(paint.begin(), paint.end(), layer.begin());
     const glm::ivec3 bricks = grid.sizeInBricks();

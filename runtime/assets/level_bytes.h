@@ -9,8 +9,8 @@
 namespace rubble {
 
 /// The bytes of all fields of a level except its voxels. Its palettes are added to the list and written as their
-/// numbers.
-std::vector<uint8_t> levelToBytes(const Level& level, PaletteList& palettes);
+/// numbers. `memory`: gets what reading them takes (MemoryBudget).
+std::vector<uint8_t> levelToBytes(const Level& level, PaletteList& palettes, uint64_t* memory = nullptr);
 /// Reads such bytes. The grids have their sizes and no voxels. Fails in the reader.
 Level levelFromBytes(ByteReader& in, const std::vector<PaletteRef>& palettes);
 

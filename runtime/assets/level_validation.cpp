@@ -6,7 +6,10 @@
 #include <cmath>
 
 #include "runtime/assets/level_fields.h"
-#include "runtime/assets/names.h"
+#include "runtime/core/range_check.h"
+#include "runtime/core/ranges.h"
+#include "runtime/core/utf8.h"
+#include "runtime/world/objects/object_errors.h"
 
 namespace rubble {
 namespace {
@@ -17,7 +20,7 @@ public:
     Result<Done> run(const Level& level) {
         m_lightGroups = level.lightGroups.size();
         m_materials = level.materials.materials.size();
-        if (m_materials < 1 || m_materials > 256)
+        if (!isWithin(double(m_materials), ranges::kMaterials))
             return Error{fmt::format("materials: expected 1 to 256, found {}", m_materials)};
         check(level);
         if (!m_error.empty()) return Error{m_error};
@@ -57,8 +60,8 @@ private:
         if (!palette) return;
         for (size_t i = 0; i < palette->size(); ++i) {
             const PaletteEntry& entry = (*palette)[i];
-            if (!(entry.emission >= 0.0f && std::isfinite(entry.emission)))
-                fail("an emission of 0 or more", fmt::format("{} in entry {}", entry.emission, i));
+            if (const std::string error = objectError(entry); !error.empty())
+                fail("a valid entry", fmt::format("{} in entry {}", error, i));
             if (entry.lightGroup > m_lightGroups)
                 fail(fmt::format("a light group of at most {}", m_lightGroups),
                      fmt::format("{} in entry {}", entry.lightGroup, i));
@@ -85,20 +88,19 @@ private:
     // Rules of one type, beside those of its fields.
     template <class T>
     void checkRanges(const T&) {}
+    void checkRanges(const Pose& pose) { require("a valid pose", RangeCheck().pose("it", pose).error()); }
     void checkRanges(const LevelShape& shape) {
-        if (!(shape.voxelSize > 0.0f && shape.voxelSize <= 1000.0f))
-            fail("a voxel size above 0 and up to 1000 m", fmt::format("{}", shape.voxelSize));
-        if (!(shape.strength > 0.0f && shape.strength <= 1e6f))
-            fail("a strength above 0 and up to 1e6 times its materials'", fmt::format("{}", shape.strength));
+        require("a valid shape", shapeError(shape.local, shape.voxelSize, shape.strength));
         checkPaint(shape);
     }
-    void checkRanges(const Water& water) {
-        if (water.outline.size() < 3) fail("an outline of 3 points or more", fmt::format("{}", water.outline.size()));
-        if (!(water.depth > 0.0 && water.density >= 0.0 && water.linearDrag >= 0.0 && water.angularDrag >= 0.0))
-            fail("a depth above 0, a density and drags of 0 or more",
-                 fmt::format("{} m, {} kg/m3, drags of {} and {} 1/s", water.depth, water.density, water.linearDrag,
-                             water.angularDrag));
+    void checkRanges(const LevelBody& body) {
+        require(
+            "a valid body",
+            objectError(Body{.pose = body.pose, .velocity = body.velocity, .angularVelocity = body.angularVelocity}));
     }
+    void checkRanges(const Material& material) { require("a valid material", objectError(material)); }
+    void checkRanges(const LightGroup& group) { require("a valid light group", objectError(group)); }
+    void checkRanges(const Water& water) { require("a valid water", objectError(water)); }
     void checkRanges(const LightImage& image) {
         if (!image.isWhole())
             fail(
@@ -108,17 +110,8 @@ private:
     void checkRanges(const LevelLight& light) { require("a valid light", lightError(light.light)); }
     void checkRanges(const Environment& environment) { require("a valid environment", environmentError(environment)); }
     void checkRanges(const Joint& joint) { require("a valid joint", jointError(joint)); }
-    void checkRanges(const Trigger& trigger) {
-        if (trigger.kind == TriggerKind::Polygon && trigger.outline.size() < 3)
-            fail("an outline of 3 points or more", fmt::format("{}", trigger.outline.size()));
-    }
-    void checkRanges(const Character& character) {
-        if (!(character.radius >= 0.02 && character.crouchedHeight >= 2.0 * character.radius &&
-              character.height >= character.crouchedHeight && character.mass > 0.0))
-            fail("a radius of 0.02 m or more, crouched and standing height of two radii or more, a mass above 0",
-                 fmt::format("{} m, {} m, {} m, {} kg", character.radius, character.crouchedHeight, character.height,
-                             character.mass));
-    }
+    void checkRanges(const Trigger& trigger) { require("a valid trigger", objectError(trigger)); }
+    void checkRanges(const Character& character) { require("a valid character", objectError(character)); }
     /// Painted voxels must have one of the shape's colours. Bytes of 1 to 15 are no paint at all.
     void checkPaint(const LevelShape& shape) {
         const int colors = shape.paintColors ? shape.paintColors->count : 0;

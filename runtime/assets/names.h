@@ -2,14 +2,13 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 
 namespace rubble {
 
 /// The name as valid UTF-8 of at most 200 bytes, with "?" for each invalid byte and control character; "unnamed" for an
 /// empty one.
-std::string printableName(const std::string& name);
-/// Whether a text is well-formed UTF-8 (Unicode 15, table 3-7).
-bool isUtf8(const std::string& text);
+std::string printableName(std::string_view name);
 
 /// Makes names unique by numbering them: "door", "door 2", "door 3".
 class UniqueNames {

@@ -3,13 +3,17 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <new>
+#include <utility>
 
 #include "runtime/assets/binary_archive.h"
 #include "runtime/assets/chunk_file.h"
 #include "runtime/assets/file_bytes.h"
 #include "runtime/assets/state_fields.h"
+#include "runtime/core/log.h"
+#include "runtime/core/range_check.h"
+#include "runtime/core/ranges.h"
+#include "runtime/world/objects/object_errors.h"
 
 namespace rubble {
 
@@ -43,38 +47,63 @@ Result<RecordingWriter> RecordingWriter::open(const std::string& path, const Sav
     RecordingWriter writer;
     writer.m_path = path;
     writer.m_file.reset(std::fopen((path + ".part").c_str(), "wb"));
-    if (!writer.m_file) return Error{path + ".part: cannot write: " + std::strerror(errno)};
+    if (!writer.m_file) return fileError(path + ".part", "cannot write", errno);
     ChunkWriter chunks;
-    chunks.add({'G', 'A', 'M', 'E'}, gameToBytes(start));
-    writer.m_chunks = chunks.count();
-    writer.write(chunks.file(0));
+    uint64_t memory = 0;
+    const std::vector<uint8_t> game = gameToBytes(start, &memory);
+    chunks.add({'G', 'A', 'M', 'E'}, game, memory);
+    const FileHeader header = makeFileHeader(0, 0);  // close() writes the right one
+    const auto* bytes = reinterpret_cast<const uint8_t*>(&header);
+    writer.write({bytes, sizeof header});
+    writer.write(chunks);
     return writer;
 }
 
-void RecordingWriter::write(const std::vector<uint8_t>& bytes) {
-    m_hasFailed = m_hasFailed || std::fwrite(bytes.data(), 1, bytes.size(), m_file.get()) != bytes.size();
+void RecordingWriter::write(std::span<const uint8_t> bytes) {
+    if (m_failure) return;
+    errno = 0;
+    if (std::fwrite(bytes.data(), 1, bytes.size(), m_file.get()) != bytes.size()) m_failure = errno ? errno : EIO;
+    m_bytes += bytes.size();
+}
+
+void RecordingWriter::write(const ChunkWriter& chunks) {
+    write(chunks.bytes());
+    m_chunks += chunks.count();
+    m_memory += chunks.memory();
 }
 
 void RecordingWriter::add(const RecordedStep& step) {
+    std::vector<uint8_t> bytes;
+    PaletteList unused;
+    BinaryOutputArchive archive(bytes, unused);
+    archive.put(step);
     ChunkWriter chunk;
-    chunk.add({'S', 'T', 'E', 'P'}, recordedStepToBytes(step));
-    write(chunk.bytes());
-    ++m_chunks;
+    chunk.add({'S', 'T', 'E', 'P'}, bytes, archive.memory() + listMemory(1, sizeof(RecordedStep)));
+    if (m_isFull || m_bytes + chunk.bytes().size() > kMaxFileBytes / 2) {  // the rest is room for padding
+        if (!std::exchange(m_isFull, true))
+            logWarning(m_path + ": the recording is as long as a file may get; it ends before step " +
+                       std::to_string(step.step));
+        return;
+    }
+    write(chunk);
     m_lastHash = step.hash;
 }
 
 Result<Done> RecordingWriter::close() {
+    ChunkWriter padding;
+    padding.pad(m_bytes, m_memory);
+    write(padding);
     const FileHeader header = makeFileHeader(m_chunks, m_lastHash);
     std::FILE* file = m_file.get();
-    m_hasFailed =
-        m_hasFailed || std::fseek(file, 0, SEEK_SET) != 0 || std::fwrite(&header, sizeof header, 1, file) != 1;
-    m_hasFailed = m_hasFailed || std::fflush(file) != 0 || fsync(fileno(file)) != 0;
-    m_hasFailed = m_hasFailed || std::rename((m_path + ".part").c_str(), m_path.c_str()) != 0;
-    const int reason = errno;
+    errno = 0;
+    const bool isWritten = !m_failure && std::fseek(file, 0, SEEK_SET) == 0 &&
+                           std::fwrite(&header, sizeof header, 1, file) == 1 && std::fflush(file) == 0 &&
+                           fsync(fileno(file)) == 0 && std::rename((m_path + ".part").c_str(), m_path.c_str()) == 0;
+    const int reason = m_failure ? m_failure : errno;
     m_file.reset();
-    if (!m_hasFailed) return Done{};
+    if (isWritten) return Done{};
     std::remove((m_path + ".part").c_str());
-    return Error{m_path + ": cannot write: " + std::strerror(reason)};
+    return fileError(m_path, "cannot write", reason);
 }
 
 std::vector<uint8_t> recordedStepToBytes(const RecordedStep& step) {
@@ -86,9 +115,27 @@ std::vector<uint8_t> recordedStepToBytes(const RecordedStep& step) {
 
 Result<RecordedStep> recordedStepFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world) {
     ByteReader reader(bytes, "recorded step");
+    return recordedStepFrom(reader, name, world);
+}
+
+/// About the motion of bodies and characters in a step; empty: nothing.
+static std::string motionError(const RecordedStep& step) {
+    RangeCheck check;
+    for (const BodyPose& pose : step.poses)
+        check.include(
+            objectError(Body{.pose = pose.pose, .velocity = pose.velocity, .angularVelocity = pose.angularVelocity}));
+    for (const CharacterMove& move : step.characters)
+        check.vector("position", move.position, ranges::kPlace)
+            .include(characterVelocityError("velocity", move.velocity));
+    return check.error();
+}
+
+Result<RecordedStep> recordedStepFrom(ByteReader& reader, const std::string& name, uint8_t world) {
     RecordedStep step;
     BinaryInputArchive(reader, {}, world).get(step);
     reader.expectEnd("step");
+    if (!reader.failed())
+        if (const std::string error = motionError(step); !error.empty()) reader.fail("motion within its ranges", error);
     if (reader.failed()) return Error{name + ": " + reader.error()};
     return step;
 }
@@ -106,12 +153,15 @@ Result<Recording> recordingFromBytes(std::span<const uint8_t> bytes, const std::
         const std::string kind(chunk.kind.data(), 4),
             part = fmt::format("{}: byte {}, chunk {} ({}) unpacked", name, start, i, kind);
         if (kind == "GAME") {
-            Result<SavedGame> game = gameFromBytes(raw, part, world);
+            ByteReader reader(raw, "save", in);
+            Result<SavedGame> game = gameFrom(reader, part, world);
             if (!game) return Error{game.error()};
             recording.start = std::move(*game);
             haveStart = true;
         } else if (kind == "STEP") {
-            Result<RecordedStep> step = recordedStepFromBytes(raw, part, world);
+            ByteReader reader(raw, "recorded step", in);
+            if (!in.takeMemory(listMemory(1, sizeof(RecordedStep)))) break;
+            Result<RecordedStep> step = recordedStepFrom(reader, part, world);
             if (!step) return Error{step.error()};
             const uint64_t expected = recording.start.world.step + recording.steps.size() + 1;
             if (!haveStart || step->step != expected)

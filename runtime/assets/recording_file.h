@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/assets/chunk_file.h"
 #include "runtime/assets/save_file.h"
 #include "runtime/assets/step_delta.h"
 #include "runtime/world/edits/edit.h"
@@ -31,7 +32,7 @@ class RecordingWriter {
 public:
     /// Opens the file and writes the saved game.
     static Result<RecordingWriter> open(const std::string& path, const SavedGame& start);
-    /// Appends a step. close() reports what could not be written.
+    /// Appends a step. close() reports what could not be written. A file that is as long as one may get gets no more.
     void add(const RecordedStep& step);
     /// Completes the file and gives it its name, or removes it and says why it could not be written.
     Result<Done> close();
@@ -40,13 +41,16 @@ private:
     struct Closer {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
-    void write(const std::vector<uint8_t>& bytes);
+    void write(std::span<const uint8_t> bytes);
+    void write(const ChunkWriter& chunks);
 
     std::string m_path;
     std::unique_ptr<std::FILE, Closer> m_file;
     uint32_t m_chunks = 0;
+    uint64_t m_bytes = 0, m_memory = 0;  ///< of the file so far; that reading it takes
     uint64_t m_lastHash = 0;
-    bool m_hasFailed = false;
+    int m_failure = 0;      ///< errno of the first; 0: none
+    bool m_isFull = false;  ///< further steps are left out
 };
 
 /// A recording in memory.
@@ -59,6 +63,9 @@ struct Recording {
 std::vector<uint8_t> recordedStepToBytes(const RecordedStep& step);
 /// Reads it. `world`: number of the World whose handles the handles become.
 Result<RecordedStep> recordedStepFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world);
+
+/// The same from a reader of its bytes, with its budget of memory.
+Result<RecordedStep> recordedStepFrom(ByteReader& in, const std::string& name, uint8_t world);
 
 /// Reads a whole recording. Steps must follow each other without a gap. `name`: of the file, for messages.
 Result<Recording> recordingFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world);

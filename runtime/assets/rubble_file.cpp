@@ -23,8 +23,10 @@ struct Parsed {
 void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, size_t chunk, Parsed& out,
                  ByteReader& file) {
     const std::string kind(header.kind.data(), 4);
-    ByteReader in(raw, fmt::format("of chunk {} ({}) unpacked", chunk,
-                                   kind == "PALT" || kind == "LEVL" || kind == "GRID" ? kind : "other"));
+    ByteReader in(raw,
+                  fmt::format("of chunk {} ({}) unpacked", chunk,
+                              kind == "PALT" || kind == "LEVL" || kind == "GRID" ? kind : "other"),
+                  file);
     if (kind == "PALT") {
         out.palettes = palettesFromBytes(in);
     } else if (kind == "LEVL" && !out.haveLevel) {
@@ -59,9 +61,10 @@ uint64_t hashLevel(const Level& level) {
 std::vector<uint8_t> levelToRubble(const Level& level) {
     ChunkWriter out;
     PaletteList palettes;
-    const std::vector<uint8_t> levelBytes = levelToBytes(level, palettes);
+    uint64_t memory = 0;
+    const std::vector<uint8_t> levelBytes = levelToBytes(level, palettes, &memory);
     out.add({'P', 'A', 'L', 'T'}, palettesToBytes(palettes.palettes()));
-    out.add({'L', 'E', 'V', 'L'}, levelBytes);
+    out.add({'L', 'E', 'V', 'L'}, levelBytes, memory);
     GridChunkWriter grids(out);
     uint32_t shape = 0;
     for (const LevelBody& body : level.bodies)
@@ -77,8 +80,9 @@ Result<Level> levelFromRubble(std::span<const uint8_t> bytes, const std::string&
     if (!parsed.haveLevel) in.fail("a LEVL chunk", "none");
     if (in.failed()) return Error{name + ": " + in.error()};
     if (const Result<Done> checked = validateLevel(parsed.level); !checked) return Error{name + ": " + checked.error()};
-    if (hashLevel(parsed.level) != header.contentHash)
-        return Error{name + ": byte 16: expected the hash of the level, found another"};
+    if (const uint64_t hash = hashLevel(parsed.level); hash != header.contentHash)
+        return Error{fmt::format("{}: byte 16: expected the hash of the level, {:016x}, found {:016x}", name, hash,
+                                 header.contentHash)};
     return std::move(parsed.level);
 }
 
@@ -92,7 +96,7 @@ Result<Level> readRubble(const std::string& path) try {
 
 Result<Done> writeRubble(const std::string& path, const Level& level) {
     if (const Result<Done> checked = validateLevel(level); !checked) return Error{path + ": " + checked.error()};
-    return writeFileAtomically(path, levelToRubble(level));
+    return writeFileAtomically(path, levelToRubble(level), kMaxFileBytes);
 }
 
 }  // namespace rubble

@@ -10,6 +10,8 @@
 #include "runtime/assets/file_bytes.h"
 #include "runtime/assets/level_validation.h"
 #include "runtime/assets/state_fields.h"
+#include "runtime/world/objects/object_errors.h"
+#include "runtime/world/settings/settings_error.h"
 #include "runtime/world/world.h"
 
 namespace rubble {
@@ -18,6 +20,7 @@ namespace {
 /// All slots of a map with their generations, empty ones too: handles stay the same in a loaded game.
 template <class Handle, class T>
 void putSlots(BinaryOutputArchive& out, const SlotMap<Handle, T>& map) {
+    out.addMemory(listMemory(map.slots().size(), sizeof(typename SlotMap<Handle, T>::Slot)));
     out.put(uint32_t(map.slots().size()));
     for (const auto& slot : map.slots()) {
         out.put(slot.generation);
@@ -30,8 +33,11 @@ void putSlots(BinaryOutputArchive& out, const SlotMap<Handle, T>& map) {
 
 template <class Handle, class T>
 void getSlots(ByteReader& reader, BinaryInputArchive& in, uint8_t world, SlotMap<Handle, T>& map) {
-    std::vector<typename SlotMap<Handle, T>::Slot> slots(reader.readCount(9, "slots"));
-    for (auto& slot : slots) {
+    using Slot = typename SlotMap<Handle, T>::Slot;
+    const uint32_t count = reader.readCount(9, "slots");
+    if (!reader.takeMemory(listMemory(count, sizeof(Slot)))) return;
+    std::vector<Slot> slots(count);
+    for (Slot& slot : slots) {
         in.get(slot.generation);
         in.get(slot.lastGeneration);
         bool isTaken = false;
@@ -48,7 +54,7 @@ void getSlots(ByteReader& reader, BinaryInputArchive& in, uint8_t world, SlotMap
 template <class Map>
 constexpr bool kIsJoints = std::is_same_v<std::decay_t<Map>, SlotMap<JointHandle, Joint>>;
 
-std::vector<uint8_t> stateToBytes(const SavedGame& game, PaletteList& palettes) {
+std::vector<uint8_t> stateToBytes(const SavedGame& game, PaletteList& palettes, uint64_t& memory) {
     std::vector<uint8_t> bytes;
     BinaryOutputArchive out(bytes, palettes);
     const WorldState& world = game.world;
@@ -67,6 +73,7 @@ std::vector<uint8_t> stateToBytes(const SavedGame& game, PaletteList& palettes) 
     out.put(world.fire.fields);
     putSlots(out, world.joints);
     out.put(game.pending);
+    memory = out.memory();
     return bytes;
 }
 
@@ -94,7 +101,7 @@ SavedGame stateFromBytes(ByteReader& reader, const std::vector<PaletteRef>& pale
 }
 
 /// Checks what a World takes for granted: every shape is on one body that lists it once, joints and heat name shapes
-/// that exist, heat lies inside its shape and is sorted.
+/// that exist, ropes have points, each hot brick is listed once, inside its shape and in order.
 Result<Done> validateHandles(const WorldState& world) {
     std::string error;
     const auto fail = [&](const char* what, uint32_t slot) {
@@ -112,12 +119,13 @@ Result<Done> validateHandles(const WorldState& world) {
     });
     if (named != world.shapes.size()) fail("world", 0);
     world.shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
-        if (!world.bodies.find(shape.body) || shape.grid.size() == glm::ivec3(0)) fail("shape", handle.slot());
+        if (!world.bodies.find(shape.body)) fail("shape", handle.slot());
     });
     world.joints.forEach([&](JointHandle handle, const Joint& joint) {
         for (const JointEnd& end : joint.ends)
             if (end.shape && !world.shapes.find(end.shape)) fail("joint", handle.slot());
-        if (joint.points.size() != (joint.kind == JointKind::Rope ? joint.rope.points : 0))
+        const bool isRope = joint.kind == JointKind::Rope;
+        if (joint.points.size() != (isRope ? joint.rope.points : 0) || (isRope && joint.points.empty()))
             fail("points of joint", handle.slot());
         if (const std::string wrong = jointEndsError(joint); error.empty() && !wrong.empty())
             error = fmt::format("joint {}: {}", handle.slot(), wrong);
@@ -130,9 +138,9 @@ Result<Done> validateHandles(const WorldState& world) {
             return glm::any(glm::lessThan(hot.brick, glm::ivec3(0))) ||
                    glm::any(glm::greaterThanEqual(hot.brick, size));
         };
-        const auto isBefore = [](const HotBrick& a, const HotBrick& b) { return cellBefore(a.brick, b.brick); };
+        const auto isNotBefore = [](const HotBrick& a, const HotBrick& b) { return !cellBefore(a.brick, b.brick); };
         if (!shape || field.shape.slot() < next || std::any_of(field.bricks.begin(), field.bricks.end(), isOutside) ||
-            !std::is_sorted(field.bricks.begin(), field.bricks.end(), isBefore))
+            std::adjacent_find(field.bricks.begin(), field.bricks.end(), isNotBefore) != field.bricks.end())
             fail("heat of shape", field.shape.slot());
         next = field.shape.slot() + 1;
     }
@@ -153,7 +161,7 @@ struct Parsed {
 void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, size_t chunk, uint8_t world, Parsed& out,
                  ByteReader& file) {
     const std::string kind(header.kind.data(), 4);
-    ByteReader in(raw, fmt::format("of chunk {} of a save, unpacked", chunk));
+    ByteReader in(raw, fmt::format("of chunk {} of a save, unpacked", chunk), file);
     if (kind == "PALT") {
         out.palettes = palettesFromBytes(in);
     } else if (kind == "SAVE" && !out.haveState) {
@@ -173,34 +181,70 @@ void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, siz
     file.takeErrorOf(in);
 }
 
+/// Checks that a World's shapes have voxels and that all numbers are within their ranges.
+Result<Done> validateNumbers(const WorldState& world) {
+    std::string error = settingsError(world.settings);
+    if (!error.empty()) return Error{"settings: expected valid ones, found " + error};
+    forEachKind(
+        [&](const auto& map) {
+            map.forEach([&](auto handle, const auto& object) {
+                if (!error.empty()) return;
+                error = objectError(object);
+                if (!error.empty())
+                    error = fmt::format("slot {}: expected valid numbers, found {}", handle.slot(), error);
+            });
+        },
+        world);
+    world.shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
+        if (error.empty() && shape.grid.empty())
+            error = fmt::format("shape {}: expected voxels, found none", handle.slot());
+    });
+    if (!error.empty()) return Error{error};
+    return Done{};
+}
+
 /// Checks that a World can be in this state and then has the hash that the file has.
 Result<Done> validateState(const WorldState& state, uint8_t number, uint64_t hash) {
     if (Result<Done> checked = validateHandles(state); !checked) return checked;
+    if (Result<Done> checked = validateNumbers(state); !checked) return checked;
     World world(number);
     world.setState(state);
     if (Result<Done> checked = validateLevel(toLevel(world)); !checked) return checked;
-    if (world.hash() != hash) return Error{"byte 16: expected the hash of the world, found another"};
+    if (world.hash() != hash)
+        return Error{
+            fmt::format("byte 16: expected the hash of the world, {:016x}, found {:016x}", world.hash(), hash)};
     return Done{};
 }
 
 }  // namespace
 
-std::vector<uint8_t> gameToBytes(const SavedGame& game) {
+std::vector<uint8_t> gameToBytes(const SavedGame& game, uint64_t* memory) {
+    World world;
+    world.setState(game.world);
+    return gameToBytes(game, world.hash(), memory);
+}
+
+std::vector<uint8_t> gameToBytes(const SavedGame& game, uint64_t hash, uint64_t* memory) {
     ChunkWriter out;
     PaletteList palettes;
-    const std::vector<uint8_t> state = stateToBytes(game, palettes);
+    uint64_t stateMemory = 0;
+    const std::vector<uint8_t> state = stateToBytes(game, palettes, stateMemory);
     out.add({'P', 'A', 'L', 'T'}, palettesToBytes(palettes.palettes()));
-    out.add({'S', 'A', 'V', 'E'}, state);
+    out.add({'S', 'A', 'V', 'E'}, state, stateMemory);
     GridChunkWriter grids(out);
     uint32_t shape = 0;
     game.world.shapes.forEach([&](ShapeHandle, const Shape& each) { grids.addGrid(shape++, each.grid); });
-    World world;
-    world.setState(game.world);
-    return out.file(world.hash());
+    std::vector<uint8_t> file = out.file(hash);
+    if (memory) *memory = out.memory();
+    return file;
 }
 
 Result<SavedGame> gameFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world) {
     ByteReader in(bytes, "save");
+    return gameFrom(in, name, world);
+}
+
+Result<SavedGame> gameFrom(ByteReader& in, const std::string& name, uint8_t world) {
     Parsed parsed;
     const FileHeader header = readChunkFile(in, [&](const ChunkHeader& chunk, const std::vector<uint8_t>& raw,
                                                     uint32_t i) { readContent(chunk, raw, i, world, parsed, in); });
@@ -217,7 +261,7 @@ Result<SavedGame> gameFromBytes(std::span<const uint8_t> bytes, const std::strin
 }
 
 Result<Done> writeSave(const std::string& path, const SavedGame& game) {
-    return writeFileAtomically(path, gameToBytes(game));
+    return writeFileAtomically(path, gameToBytes(game), kMaxFileBytes);
 }
 
 Result<SavedGame> readSave(const std::string& path, uint8_t world) try {

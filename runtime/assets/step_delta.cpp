@@ -9,6 +9,7 @@
 #include "runtime/assets/level_bytes.h"
 #include "runtime/assets/state_fields.h"
 #include "runtime/voxel/mass_properties.h"
+#include "runtime/world/objects/object_errors.h"
 
 namespace rubble {
 namespace {
@@ -120,7 +121,9 @@ public:
         bool hasEnvironment = false;
         m_in.get(hasEnvironment);
         if (hasEnvironment) m_in.get(delta.environment.emplace());
-        for (uint32_t i = m_reader.readCount(5, "shapes"); i-- > 0 && !m_reader.failed();) readShape(delta);
+        for (uint32_t i = m_reader.readCount(5, "shapes");
+             i-- > 0 && m_reader.takeMemory(listMemory(1, sizeof(Shape)));)
+            readShape(delta);
         forEachKind(
             [&](auto& values, auto& free) {
                 if constexpr (!kIsOf<LightGroupHandle, decltype(values)>) m_in.get(free);
@@ -137,7 +140,8 @@ private:
     }
     template <class Handle, class T>
     void readValues(SlotValues<Handle, T>& out) {
-        for (uint32_t i = m_reader.readCount(12, "objects"); i-- > 0 && !m_reader.failed();) {
+        for (uint32_t i = m_reader.readCount(12, "objects");
+             i-- > 0 && m_reader.takeMemory(listMemory(1, sizeof(typename SlotValues<Handle, T>::value_type)));) {
             const uint32_t slot = readSlot();
             auto& value = out[slot];
             m_in.get(value.first);
@@ -250,16 +254,30 @@ private:
     bool isValidJoint(const Joint& joint) const {
         for (const JointEnd& end : joint.ends)
             if (end.shape && !shapeAfter(end.shape)) return false;
-        return jointError(joint).empty() && jointEndsError(joint).empty() &&
-               joint.points.size() == (joint.kind == JointKind::Rope ? joint.rope.points : 0);
+        const bool isRope = joint.kind == JointKind::Rope;
+        return jointEndsError(joint).empty() && joint.points.size() == (isRope ? joint.rope.points : 0) &&
+               (!isRope || !joint.points.empty());
     }
     bool hasValidValues() const {
-        if (m_delta.environment && !environmentError(*m_delta.environment).empty()) return false;
-        for (const auto& [slot, value] : m_delta.lights)
-            if (value.first && !lightError(*value.second).empty()) return false;
+        bool isValid = !m_delta.environment || environmentError(*m_delta.environment).empty();
+        forEachKind(
+            [&](const auto& values) {
+                for (const auto& [slot, value] : values)
+                    isValid = isValid && (!value.first || objectError(*value.second).empty());
+            },
+            m_delta);
         for (const auto& [slot, value] : m_delta.joints)
-            if (value.first && !isValidJoint(*value.second)) return false;
-        return true;
+            isValid = isValid && (!value.first || isValidJoint(*value.second));
+        for (const auto& [slot, value] : m_delta.shapes)
+            isValid = isValid && (!value.first || (!value.second->grid.empty() && hasValidPalette(*value.second)));
+        return isValid;
+    }
+    /// Whether the entries are within their ranges and name materials and light groups that there are.
+    bool hasValidPalette(const Shape& shape) const {
+        return std::all_of(shape.palette->begin(), shape.palette->end(), [&](const PaletteEntry& entry) {
+            return objectError(entry).empty() && entry.material < m_world.materials().materials.size() &&
+                   entry.lightGroup <= m_world.lightGroups().slotCount();
+        });
     }
     bool changesJointsOfRemovedShapes() const {
         for (const auto& [slot, value] : m_delta.shapes) {

@@ -13,6 +13,7 @@
 #include <filesystem>
 
 #include "runtime/assets/assets.h"
+#include "runtime/assets/file_bytes.h"
 #include "runtime/core/log.h"
 
 extern char** environ;
@@ -23,7 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr size_t kMaxOutput = 64 << 10;  // bytes of the child's output that are kept
+// Bytes of the child's output that are kept: the first, and the last, where its error is.
+constexpr size_t kMaxFirst = 48 << 10, kMaxLast = 16 << 10;
 
 /// A positive number from the environment, or the default.
 uint64_t environmentLimit(const char* name, uint64_t fallback) {
@@ -37,8 +39,14 @@ class TemporaryFolder {
 public:
     TemporaryFolder() {
         std::error_code code;
-        std::string pattern = (fs::temp_directory_path(code) / "rubble-XXXXXX").string();
-        if (mkdtemp(pattern.data())) m_path = pattern;
+        const fs::path parent = fs::temp_directory_path(code);
+        std::string pattern = (parent / "rubble-XXXXXX").string();
+        if (!code && mkdtemp(pattern.data()))
+            m_path = pattern;
+        else
+            m_error = fileError(parent.string(), "cannot make a temporary folder (TMPDIR says where)",
+                                code ? code.value() : errno)
+                          .text;
     }
     ~TemporaryFolder() {
         std::error_code code;
@@ -46,10 +54,34 @@ public:
     }
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    /// Without a slash at its end; empty if it could not be made.
     const std::string& path() const { return m_path; }
+    /// Why it could not be made.
+    const std::string& error() const { return m_error; }
 
 private:
-    std::string m_path;
+    std::string m_path, m_error;
+};
+
+/// The first and the last bytes of a text.
+class Output {
+public:
+    void append(const char* bytes, size_t count) {
+        const size_t first = std::min(count, kMaxFirst - m_first.size());
+        m_first.append(bytes, first);
+        m_last.append(bytes + first, count - first);
+        if (m_last.size() <= 2 * kMaxLast) return;
+        m_last.erase(0, m_last.size() - kMaxLast);
+        m_isCut = true;
+    }
+    /// What is kept. Where the middle is missing, there is a line that says so.
+    std::string text() const {
+        return m_isCut ? m_first + "\nnote: further notes are left out\n" + m_last : m_first + m_last;
+    }
+
+private:
+    std::string m_first, m_last;
+    bool m_isCut = false;
 };
 
 /// Starts a program with its stdout and stderr in a pipe; the process id, or -errno.
@@ -69,7 +101,7 @@ pid_t spawnTool(const std::vector<std::string>& command, int writeEnd) {
 }
 
 /// Collects output until the other end closes it; false when time runs out first.
-bool readUntil(int readEnd, Clock::time_point deadline, std::string& output) {
+bool readUntil(int readEnd, Clock::time_point deadline, Output& output) {
     for (;;) {
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
         if (left <= 0) return false;
@@ -80,15 +112,17 @@ bool readUntil(int readEnd, Clock::time_point deadline, std::string& output) {
         char buffer[4096];
         const ssize_t got = read(readEnd, buffer, sizeof buffer);
         if (got == 0 || (got < 0 && errno != EINTR)) return true;
-        if (got > 0 && output.size() < kMaxOutput) output.append(buffer, size_t(got));
+        if (got > 0) output.append(buffer, size_t(got));
     }
 }
 
 std::string describeExit(int status, bool inTime, uint64_t seconds) {
     if (!inTime) return fmt::format("stopped after {} s (RUBBLE_VDB_SECONDS raises the limit)", seconds);
     if (WIFSIGNALED(status))
-        return fmt::format("killed by signal {} ({}): the file is damaged or hostile", WTERMSIG(status),
-                           strsignal(WTERMSIG(status)));
+        return fmt::format(
+            "killed by signal {} ({}): OpenVDB does not survive this file, which is damaged or hostile; it runs in a "
+            "process of its own, so that nothing else is harmed",
+            WTERMSIG(status), strsignal(WTERMSIG(status)));
     return fmt::format("ended with code {}", WEXITSTATUS(status));
 }
 
@@ -118,17 +152,18 @@ Result<std::string> runVdbTool(const std::string& tool, const std::vector<std::s
         close(ends[0]);
         return Error{fmt::format("{}: cannot start it: {}", tool, std::strerror(-child))};
     }
-    std::string output;
-    const bool inTime = readUntil(ends[0], Clock::now() + std::chrono::seconds(seconds), output);
+    Output collected;
+    const bool inTime = readUntil(ends[0], Clock::now() + std::chrono::seconds(seconds), collected);
     close(ends[0]);
     if (!inTime) kill(child, SIGKILL);
     int status = 0;
     const bool hasStatus = waitForExit(child, status);
+    std::string output = collected.text();
     while (!output.empty() && output.back() == '\n') output.pop_back();
     // Without a status the file that the tool should have written decides.
     if (inTime && (!hasStatus || (WIFEXITED(status) && WEXITSTATUS(status) == 0))) return output;
-    if (inTime && WIFEXITED(status) && output.find("error: ") != std::string::npos)
-        return Error{output.substr(output.find("error: ") + 7)};
+    const size_t error = ("\n" + output).rfind("\nerror: ");
+    if (inTime && WIFEXITED(status) && error != std::string::npos) return Error{output.substr(error + 7)};
     return Error{fmt::format("{}: {}{}{}", fs::path(tool).filename().string(), describeExit(status, inTime, seconds),
                              output.empty() ? "" : ": ", output)};
 }
@@ -156,6 +191,7 @@ void reportNotes(const std::string& output, const std::string& path, ImportRepor
 Result<Level> readVdb(const std::string& path, const std::string& vdbTool, ImportReport* report) {
     if (vdbTool.empty()) return Error{path + ": expected the path of the program rubble-vdb to read it, found none"};
     const TemporaryFolder folder;
+    if (folder.path().empty()) return Error{path + ": " + folder.error()};
     const std::string baked = folder.path() + "/level.rubble";
     const Result<std::string> output = runVdbTool(vdbTool, {"to-rubble", argumentPath(path), baked});
     if (!output)
@@ -170,6 +206,7 @@ Result<Level> readVdb(const std::string& path, const std::string& vdbTool, Impor
 
 Result<Done> writeVdb(const std::string& path, const Level& level, const std::string& vdbTool) {
     const TemporaryFolder folder;
+    if (folder.path().empty()) return Error{path + ": " + folder.error()};
     const std::string baked = folder.path() + "/level.rubble";
     if (const Result<Done> done = writeRubble(baked, level); !done) return done;
     const Result<std::string> output = runVdbTool(vdbTool, {"to-vdb", baked, argumentPath(path)});

@@ -1,6 +1,10 @@
 #include "runtime/assets/vox_file.h"
 
+#include <algorithm>
+
 #include "runtime/assets/byte_reader.h"
+#include "runtime/assets/grid_limits.h"
+#include "runtime/assets/vox_packed_model.h"
 
 namespace rubble {
 namespace {
@@ -17,23 +21,50 @@ VoxAttributes readAttributes(ByteReader& in) {
     return attributes;
 }
 
-void readSize(ByteReader& in, VoxFile& file) {
+glm::ivec3 readModelSize(ByteReader& in) {
     const size_t start = in.offset();
     const auto size = in.read<glm::ivec3>();
     for (int axis = 0; axis < 3; ++axis)
         if (size[axis] < 0 || size[axis] > kMaxModelSize)
             in.fail(fmt::format("a model size of 0 to {}", kMaxModelSize), std::to_string(size[axis]),
                     start + size_t(axis) * 4);
-    file.models.push_back({size, {}});
+    return in.failed() ? glm::ivec3(0) : size;
+}
+
+void readSize(ByteReader& in, VoxFile& file) {
+    file.models.push_back({readModelSize(in), {}});
+}
+
+/// `sizesUsed`: SIZE chunks that have their voxels. Fails in the reader if there is not one more.
+bool requireSize(ByteReader& in, const VoxFile& file, size_t sizesUsed) {
+    if (file.models.size() == sizesUsed + 1) return true;
+    in.fail("a SIZE chunk before each XYZI chunk",
+            fmt::format("{} SIZE chunks before XYZI chunk {}", file.models.size(), sizesUsed + 1));
+    return false;
+}
+
+/// A TDCZ chunk says its size again. Where no SIZE chunk came before, it makes a model of its own.
+void readPackedModel(ByteReader& in, VoxFile& file, size_t sizesUsed) {
+    const size_t start = in.offset();
+    const glm::ivec3 size = readModelSize(in);
+    if (in.failed()) return;
+    if (file.models.size() == sizesUsed) file.models.push_back({size, {}});
+    if (!requireSize(in, file, sizesUsed)) return;
+    VoxModel& model = file.models.back();
+    if (model.size != size)
+        return in.fail(fmt::format("{}x{}x{}, as its SIZE chunk says", model.size.x, model.size.y, model.size.z),
+                       fmt::format("{}x{}x{}", size.x, size.y, size.z), start);
+    if (in.takeMemory(directoryMemory(directoryNodes(size)))) readPackedVoxels(in, model);
 }
 
 void readVoxels(ByteReader& in, VoxFile& file, size_t sizesUsed) {
-    if (file.models.size() != sizesUsed + 1)
-        return in.fail("a SIZE chunk before each XYZI chunk",
-                       fmt::format("{} SIZE chunks before XYZI chunk {}", file.models.size(), sizesUsed + 1));
+    if (!requireSize(in, file, sizesUsed)) return;
     VoxModel& model = file.models.back();
     const uint32_t count = in.readCount(4, "voxels");
-    model.voxels.reserve(count);
+    const bool hasCells = model.size.x > 0 && model.size.y > 0 && model.size.z > 0;
+    if (count == 0 || !in.takeMemory(directoryMemory(directoryNodes(model.size)))) return;
+    model.grid = hasCells ? VoxelGrid(model.size) : VoxelGrid();
+    GridWriter writer(model.grid);
     for (uint32_t i = 0; i < count; ++i) {
         const size_t start = in.offset();
         const auto voxel = in.read<std::array<uint8_t, 4>>();
@@ -42,16 +73,19 @@ void readVoxels(ByteReader& in, VoxFile& file, size_t sizesUsed) {
                 return in.fail(
                     fmt::format("a cell inside the model of {}x{}x{}", model.size.x, model.size.y, model.size.z),
                     fmt::format("cell ({}, {}, {})", voxel[0], voxel[1], voxel[2]), start);
-        model.voxels.push_back(voxel);
+        writer.set({voxel[0], voxel[1], voxel[2]}, voxel[3]);
     }
+    writer.flush();
+    in.takeMemory(model.grid.brickCount() * kBrickMemory);
 }
 
+/// The i-th colour belongs to index i + 1; the last of 256 is never used, and Teardown does not write it.
 void readColors(ByteReader& in, VoxFile& file) {
-    for (int i = 0; i < 256; ++i) {
-        const auto color = in.read<std::array<uint8_t, 4>>();
-        if (i < 255)
-            file.colors[size_t(i) + 1] = color;  // the i-th colour belongs to index i + 1; the last one is never used
-    }
+    const size_t count = std::min<size_t>(in.remaining() / 4, 256);
+    for (size_t i = 0; i < std::min<size_t>(count, 255); ++i) file.colors[i + 1] = in.read<std::array<uint8_t, 4>>();
+    if (count < 256)
+        file.warnings.push_back(
+            fmt::format("RGBA: expected 256 colours, found {}: the others are MagicaVoxel's default colours", count));
     file.defaultColors = false;
 }
 
@@ -141,20 +175,21 @@ class ChunkParser {
 public:
     explicit ChunkParser(VoxFile& file) : m_file(file) {}
 
-    void parseAll(ByteReader& in) {
-        while (in.remaining() > 0 && !in.failed()) parseChunk(in);
+    /// Reads the chunks of a whole file.
+    void parseFile(ByteReader& in) {
+        while (in.remaining() > 0 && !in.failed()) parseChunk(in, true);
     }
     void finish(ByteReader& in) const {
         if (m_file.models.size() != m_modelsRead)
-            in.fail("an XYZI chunk after each SIZE chunk",
-                    fmt::format("{} SIZE and {} XYZI chunks", m_file.models.size(), m_modelsRead));
+            in.fail("an XYZI or TDCZ chunk after each SIZE chunk",
+                    fmt::format("{} models and {} chunks of voxels", m_file.models.size(), m_modelsRead));
         if (m_file.models.empty()) in.fail("at least one model", "none");
         if (m_packed && *m_packed != m_modelsRead)
             m_file.warnings.push_back(fmt::format("PACK: expected {} models, found {}", *m_packed, m_modelsRead));
     }
 
 private:
-    void parseChunk(ByteReader& in) {
+    void parseChunk(ByteReader& in, bool isOutermost) {
         const size_t start = in.offset();
         const auto id = in.read<std::array<char, 4>>();
         const auto contentBytes = in.read<uint32_t>();
@@ -170,7 +205,9 @@ private:
         readContent(kind, content, start);
         in.takeErrorOf(content);
         ByteReader children = in.part(childBytes, "inside " + kind);
-        if (kind == "MAIN") parseAll(children);
+        if (kind == "MAIN" && !isOutermost) in.fail("no MAIN chunk inside another", "one", start);
+        while (kind == "MAIN" && isOutermost && children.remaining() > 0 && !children.failed())
+            parseChunk(children, false);
         in.takeErrorOf(children);
     }
 
@@ -179,6 +216,8 @@ private:
             readSize(in, m_file);
         else if (kind == "XYZI")
             readVoxels(in, m_file, m_modelsRead++);
+        else if (kind == "TDCZ")
+            readPackedModel(in, m_file, m_modelsRead++);
         else if (kind == "RGBA")
             readColors(in, m_file);
         else if (kind == "IMAP")
@@ -241,7 +280,7 @@ Result<VoxFile> parseVox(std::span<const uint8_t> bytes, const std::string& name
     if (file.version < 150 || file.version > 299) in.fail("version 150 to 299", std::to_string(file.version), 4);
     if (in.remaining() == 0) in.fail("a MAIN chunk", "the end");
     ChunkParser parser(file);
-    parser.parseAll(in);
+    parser.parseFile(in);
     if (!in.failed()) parser.finish(in);
     if (in.failed()) return Error{name + ": " + in.error()};
     return file;

@@ -9,16 +9,17 @@
 #include <vector>
 
 #include "runtime/core/result.h"
+#include "runtime/voxel/voxel_grid.h"
 
 namespace rubble {
 
 /// The key-value pairs of a chunk.
 using VoxAttributes = std::map<std::string, std::string>;
 
-/// The voxels of one model as stored, with z up: x, y, z and colour index of each.
+/// The voxels of one model as stored, with z up: the colour index of each cell.
 struct VoxModel {
     glm::ivec3 size{0};
-    std::vector<std::array<uint8_t, 4>> voxels;
+    VoxelGrid grid;  ///< of that size; of size 0 if the model has no voxels
 };
 
 enum class VoxNodeKind : uint8_t { Transform, Group, Shape };
@@ -40,7 +41,7 @@ struct VoxLayer {
 };
 
 /// The chunks of a MagicaVoxel file, checked for their syntax; references between them are not. Format:
-/// github.com/ephtracy/voxel-model.
+/// github.com/ephtracy/voxel-model. Teardown's own files have TDCZ chunks instead of XYZI (vox_packed_model.h).
 struct VoxFile {
     uint32_t version = 0;
     std::vector<VoxModel> models;

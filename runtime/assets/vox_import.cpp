@@ -10,92 +10,152 @@
 #include <tuple>
 
 #include "runtime/assets/file_bytes.h"
+#include "runtime/assets/grid_limits.h"
+#include "runtime/assets/level_validation.h"
+#include "runtime/assets/memory_budget.h"
 #include "runtime/assets/names.h"
 #include "runtime/assets/vox_palette.h"
 #include "runtime/assets/vox_scene.h"
 #include "runtime/core/constants.h"
+#include "runtime/core/ranges.h"
 
 namespace rubble {
 namespace {
 
 constexpr uint64_t kMaxVoxFileBytes = uint64_t(1) << 30;  // larger files are refused
+/// What an object takes beside its grid: a body, a shape, their names and tags, lines of the report.
+constexpr uint64_t kObjectMemory = sizeof(LevelBody) + sizeof(LevelShape) + 2048;
 // MagicaVoxel: z up, y away from the viewer. Rubble: y up, z towards the viewer.
 constexpr VoxTransform kZUpToYUp{{0, 2, 1}, {1, 1, -1}, {}};
 
 /// A model in the orientation of an instance, in the smallest grid that holds its voxels.
 struct RotatedModel {
     VoxelGrid grid;
-    std::array<int64_t, 3> low{};  ///< cell 0 of the grid, relative to the transform's offset
+    std::array<int64_t, 3> low{};             ///< cell 0 of the grid, relative to the transform's offset
+    std::array<uint64_t, 256> entryCounts{};  ///< voxels of each entry
+};
+
+/// The glowing voxels of a model.
+struct Glow {
+    uint64_t voxels = 0;
+    glm::dvec3 center{0.0};    ///< centroid, cells of the grid
+    glm::dvec3 radiance{0.0};  ///< mean, linear
 };
 
 /// `slots`: the palette index for each stored colour index; 0 for those that are empty.
 RotatedModel rotateModel(const VoxModel& model, const VoxTransform& rotation, const std::array<uint8_t, 256>& slots) {
     const glm::ivec3 pivot = model.size / 2;
     // Cell v spans [v - pivot, v + 1 - pivot] along its axis; a negative sign mirrors that interval.
-    const auto rotated = [&](const std::array<uint8_t, 4>& voxel) {
+    const auto rotated = [&](glm::ivec3 voxel) {
         glm::ivec3 cell;
         for (int i = 0; i < 3; ++i) {
             const int from = rotation.axis[size_t(i)];
-            const int corner = int(voxel[size_t(from)]) - pivot[from];
+            const int corner = voxel[from] - pivot[from];
             cell[i] = rotation.sign[size_t(i)] > 0 ? corner : -corner - 1;
         }
         return cell;
     };
+    const auto forEach = [&](auto&& f) {
+        model.grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+            forEachVoxel(brick->occupancy, [&](int i) {
+                if (const uint8_t entry = slots[brick->at(i)])
+                    f(rotated(position * kBrickSize + voxelInBrick(i)), entry);
+            });
+        });
+    };
     RotatedModel out;
     glm::ivec3 low(INT32_MAX), high(INT32_MIN);
-    for (const auto& voxel : model.voxels) {
-        if (slots[voxel[3]] == 0) continue;
-        low = glm::min(low, rotated(voxel));
-        high = glm::max(high, rotated(voxel));
-    }
+    forEach([&](glm::ivec3 cell, uint8_t entry) {
+        low = glm::min(low, cell);
+        high = glm::max(high, cell);
+        ++out.entryCounts[entry];
+    });
     if (low.x > high.x) return out;
     out.low = {low.x, low.y, low.z};
     out.grid = VoxelGrid(high - low + 1);
     GridWriter writer(out.grid);
-    for (const auto& voxel : model.voxels)
-        if (slots[voxel[3]] != 0) writer.set(rotated(voxel) - low, slots[voxel[3]]);
+    forEach([&](glm::ivec3 cell, uint8_t entry) { writer.set(cell - low, entry); });
     writer.flush();
     return out;
 }
 
-std::array<uint64_t, 256> countEntries(const VoxelGrid& grid) {
-    std::array<uint64_t, 256> counts{};
-    grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
-        forEachVoxel(brick->occupancy, [&](int i) { ++counts[brick->at(i)]; });
+Glow findGlow(const VoxelGrid& grid, const Palette& palette) {
+    Glow out;
+    glm::dvec3 sum(0.0), radiance(0.0);
+    grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
+        forEachVoxel(content->occupancy, [&](int i) {
+            const PaletteEntry& entry = palette[content->at(i)];
+            if (entry.emission <= 0.0f) return;
+            sum += glm::dvec3(brick * kBrickSize + voxelInBrick(i)) + 0.5;
+            radiance += double(entry.emission) *
+                        glm::dvec3(srgbToLinear(entry.red), srgbToLinear(entry.green), srgbToLinear(entry.blue));
+            ++out.voxels;
+        });
     });
-    return counts;
+    if (out.voxels == 0) return out;
+    out.center = sum / double(out.voxels);
+    out.radiance = radiance / double(out.voxels);
+    return out;
 }
 
 /// Turns one parsed file into a level: an object of the scene becomes a shape, glowing voxels become light groups,
 /// cameras become locations. Every decision is a line of the report.
 class Importer {
 public:
-    Importer(const VoxFile& file, const std::string& stem, const VoxImportSettings& settings, ImportReport& report)
-        : m_file(file), m_stem(stem), m_settings(settings), m_report(report), m_slots(voxPaletteSlots(file)) {}
+    Importer(const VoxFile& file, const std::string& stem, const VoxImportSettings& settings, MemoryBudget budget,
+             ImportReport& report)
+        : m_file(file),
+          m_stem(stem),
+          m_settings(settings),
+          m_report(report),
+          m_slots(voxPaletteSlots(file)),
+          m_budget(budget) {}
 
-    Level run(const std::vector<VoxInstance>& instances) {
+    Result<Level> run(const std::vector<VoxInstance>& instances) {
         m_level.name = m_stem;
         m_report.models = int(m_file.models.size());
-        for (const VoxInstance& instance : instances) addObject(instance);
-        choosePalette();
-        addLights();
+        for (const VoxInstance& instance : instances)
+            if (m_error.empty()) addObject(instance);
+        if (m_error.empty()) choosePalette();
+        if (m_error.empty()) addLights();
+        if (!m_error.empty()) return Error{m_error};
         addCameras();
         reportIgnored(instances);
+        if (const Result<Done> checked = validateLevel(m_level); !checked) return Error{checked.error()};
         return std::move(m_level);
     }
 
 private:
     void addLine(std::string line) { m_report.lines.push_back(std::move(line)); }
 
+    /// Takes memory from the budget; false, and an error, if there is too little.
+    bool takeMemory(uint64_t bytes) {
+        if (m_budget.take(bytes)) return true;
+        m_error =
+            fmt::format("expected objects that take at most {} MiB and {} times the file's size of memory, found {}",
+                        MemoryBudget::kFree >> 20, MemoryBudget::kPerByte, m_report.shapes + 1);
+        return false;
+    }
+    /// The model in the orientation of an instance; made once for all instances of it.
+    const RotatedModel& rotatedModel(int model, const VoxTransform& transform) {
+        const auto key = std::tuple(model, transform.axis, transform.sign);
+        const auto found = m_rotated.find(key);
+        if (found != m_rotated.end()) return found->second;
+        const RotatedModel& made =
+            m_rotated.emplace(key, rotateModel(m_file.models[size_t(model)], transform, m_slots)).first->second;
+        takeMemory(sizeof(RotatedModel) + made.grid.brickCount() * kBrickMemory);
+        return made;
+    }
+
     void addObject(const VoxInstance& instance) {
         const VoxTransform transform = kZUpToYUp * instance.transform;
-        const auto key = std::tuple(instance.model, transform.axis, transform.sign);
-        auto found = m_rotated.find(key);
-        if (found == m_rotated.end())
-            found =
-                m_rotated.emplace(key, rotateModel(m_file.models[size_t(instance.model)], transform, m_slots)).first;
-        const RotatedModel& rotated = found->second;
+        const RotatedModel& rotated = rotatedModel(instance.model, transform);
         if (rotated.grid.empty()) return addLine(fmt::format("model {}: no voxels, left out", instance.model));
+        const uint64_t nodes = directoryNodes(rotated.grid.size());
+        m_nodes += nodes;
+        if (m_nodes > kMaxDirectoryNodes) m_error = "expected objects of 2^39 cells in all, found more";
+        if (!m_error.empty() || !takeMemory(directoryMemory(nodes) + kObjectMemory)) return;
+        m_shapeModels.push_back(&rotated);
 
         std::string name = printableName(instance.name.empty() ? m_stem : instance.name);
         if (instance.frame > 0) name += fmt::format(" frame {}", instance.frame);
@@ -149,10 +209,8 @@ private:
     /// Makes the one palette that all shapes share.
     void choosePalette() {
         std::array<uint64_t, 256> counts{};
-        forEachShape([&](LevelShape& shape) {
-            const auto own = countEntries(shape.grid);
-            for (size_t i = 1; i < 256; ++i) counts[i] += own[i];
-        });
+        for (const RotatedModel* model : m_shapeModels)
+            for (size_t i = 1; i < 256; ++i) counts[i] += model->entryCounts[i];
         std::array<bool, 256> used{};
         for (size_t i = 1; i < 256; ++i) used[i] = counts[i] > 0;
         m_palette = std::make_shared<Palette>(voxPalette(m_file, used, m_settings.teardownPalette));
@@ -171,29 +229,21 @@ private:
 
     /// Each shape with glowing voxels gets a light group and a sphere light at the centroid of those voxels.
     void addLights() {
+        std::map<const RotatedModel*, Glow> glows;
+        size_t number = 0;
         forEachShape([&](LevelShape& shape) {
-            glm::dvec3 sum(0.0), radiance(0.0);
-            uint64_t count = 0;
-            shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
-                forEachVoxel(content->occupancy, [&](int i) {
-                    const PaletteEntry& entry = (*m_palette)[content->at(i)];
-                    if (entry.emission <= 0.0f) return;
-                    sum += glm::dvec3(brick * kBrickSize + voxelInBrick(i)) + 0.5;
-                    radiance += double(entry.emission) * glm::dvec3(srgbToLinear(entry.red), srgbToLinear(entry.green),
-                                                                    srgbToLinear(entry.blue));
-                    ++count;
-                });
-            });
-            if (count == 0 || shape.hidden) return;
-            addLight(shape, sum / double(count), radiance / double(count), count);
+            const RotatedModel* model = m_shapeModels[number++];
+            auto glow = glows.find(model);
+            if (glow == glows.end()) glow = glows.emplace(model, findGlow(model->grid, *m_palette)).first;
+            if (glow->second.voxels > 0 && !shape.hidden && takeMemory(sizeof(Palette) + kObjectMemory))
+                addLight(shape, glow->second);
         });
     }
 
-    /// centerCells: centroid in cells of the grid. radiance: mean of the glowing voxels, linear.
-    void addLight(LevelShape& shape, glm::dvec3 centerCells, glm::dvec3 radiance, uint64_t count) {
+    void addLight(LevelShape& shape, const Glow& glow) {
         LightGroup group;
         group.name = shape.name;
-        group.initialVoxels = count;
+        group.initialVoxels = glow.voxels;
         m_level.lightGroups.push_back(group);
         auto palette = std::make_shared<Palette>(*m_palette);
         for (PaletteEntry& entry : *palette)
@@ -204,13 +254,15 @@ private:
         light.shapeName = shape.name;
         light.groupName = group.name;
         light.light.name = shape.name + " light";
-        light.light.local.position = centerCells * m_settings.voxelSize;
+        light.light.local.position = glow.center * m_settings.voxelSize;
         const double radius =
-            std::min(0.5 * m_settings.voxelSize * std::sqrt(double(count)), 5.0 * m_settings.voxelSize);
+            std::min(0.5 * m_settings.voxelSize * std::sqrt(double(glow.voxels)), 5.0 * m_settings.voxelSize);
         light.light.radius = float(radius);
-        light.light.color = glm::vec3(radiance * (kPi * radius * radius));  // intensity = radiance * projected area
+        light.light.color =
+            glm::vec3(glow.radiance * (kPi * radius * radius));  // intensity = radiance * projected area
+        clampToRanges(light.light);
         m_level.lights.push_back(light);
-        addLine(fmt::format("'{}': {} glowing voxels -> light group '{}' with a sphere light", shape.name, count,
+        addLine(fmt::format("'{}': {} glowing voxels -> light group '{}' with a sphere light", shape.name, glow.voxels,
                             group.name));
     }
 
@@ -252,8 +304,12 @@ private:
     ImportReport& m_report;
     const std::array<uint8_t, 256> m_slots;
     std::map<std::tuple<int, std::array<uint8_t, 3>, std::array<int8_t, 3>>, RotatedModel> m_rotated;
+    std::vector<const RotatedModel*> m_shapeModels;  ///< of all shapes, in their order
     UniqueNames m_names;
     PaletteRef m_palette;
+    MemoryBudget m_budget;
+    uint64_t m_nodes = 0;  ///< of all grids' directories
+    std::string m_error;
     Level m_level;
 };
 
@@ -261,15 +317,19 @@ private:
 
 Result<Level> importVoxBytes(std::span<const uint8_t> bytes, const std::string& name, const VoxImportSettings& settings,
                              ImportReport* report) {
-    if (!(settings.voxelSize > 0.0 && settings.voxelSize < 1000.0))
-        return Error{fmt::format("{}: expected a voxel size between 0 and 1000 m, found {}", name, settings.voxelSize)};
+    if (!isWithin(double(float(settings.voxelSize)), ranges::kVoxelSize))
+        return Error{fmt::format("{}: expected a voxel size of {} to {} m, found {}", name, ranges::kVoxelSize.low,
+                                 ranges::kVoxelSize.high, settings.voxelSize)};
     Result<VoxFile> file = parseVox(bytes, name);
     if (!file) return Error{file.error()};
     Result<std::vector<VoxInstance>> instances = voxInstances(*file, name);
     if (!instances) return Error{instances.error()};
     ImportReport unused;
     const std::string stem = printableName(std::filesystem::path(name).stem().string());
-    return Importer(*file, stem, settings, report ? *report : unused).run(*instances);
+    Result<Level> level =
+        Importer(*file, stem, settings, MemoryBudget(bytes.size()), report ? *report : unused).run(*instances);
+    if (!level) return Error{name + ": " + level.error()};
+    return level;
 }
 
 Result<Level> importVox(const std::string& path, const VoxImportSettings& settings, ImportReport* report) try {

@@ -4,6 +4,9 @@
 
 #include <charconv>
 #include <set>
+#include <string_view>
+
+#include "runtime/assets/names.h"
 
 namespace rubble {
 namespace {
@@ -13,14 +16,14 @@ constexpr size_t kMaxInstances = 65536;     // objects of a level
 constexpr size_t kMaxVisits = 1u << 20;     // nodes can share children, so a short file can describe a huge tree
 constexpr int64_t kMaxOffset = 10'000'000;  // cells: 1,000 km of 0.1 m
 
-std::string attribute(const VoxAttributes& attributes, const char* key) {
+std::string_view attribute(const VoxAttributes& attributes, const char* key) {
     const auto found = attributes.find(key);
-    return found == attributes.end() ? "" : found->second;
+    return found == attributes.end() ? std::string_view() : found->second;
 }
 
 /// Parses the rotation byte: the column of the non-zero entry in rows 0 and 1 (two bits each), then a sign bit for each
 /// row.
-bool parseRotation(const std::string& text, VoxTransform& out) {
+bool parseRotation(std::string_view text, VoxTransform& out) {
     unsigned bits = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), bits);
     if (code != std::errc{} || end != text.data() + text.size() || bits > 127) return false;
@@ -31,7 +34,7 @@ bool parseRotation(const std::string& text, VoxTransform& out) {
     return true;
 }
 
-bool parseOffset(const std::string& text, VoxTransform& out) {
+bool parseOffset(std::string_view text, VoxTransform& out) {
     const char* at = text.data();
     const char* end = at + text.size();
     for (int64_t& value : out.offset) {
@@ -66,7 +69,7 @@ public:
             return fail(node.offset, fmt::format("at most {} nested nodes", kMaxDepth), "more (a cycle?)");
         if (++m_visits > kMaxVisits)
             return fail(node.offset, fmt::format("at most {} nodes in all", kMaxVisits), "more");
-        if (const std::string name = attribute(node.attributes, "_name"); !name.empty()) state.name = name;
+        if (const auto name = attribute(node.attributes, "_name"); !name.empty()) state.name = printableName(name);
         state.hidden = state.hidden || attribute(node.attributes, "_hidden") == "1";
         if (node.kind == VoxNodeKind::Transform && !enterTransform(node, state)) return;
         if (node.kind == VoxNodeKind::Shape) return addShape(node, state);
@@ -82,22 +85,22 @@ private:
     bool enterTransform(const VoxNode& node, State& state) {
         VoxTransform local;
         if (!node.frames.empty()) {
-            const std::string rotation = attribute(node.frames[0], "_r"), offset = attribute(node.frames[0], "_t");
+            const std::string_view rotation = attribute(node.frames[0], "_r"), offset = attribute(node.frames[0], "_t");
             if (!rotation.empty() && !parseRotation(rotation, local))
                 return fail(node.offset, "a rotation byte (two different columns and three signs)",
-                            "'" + rotation + "'"),
+                            "'" + printableName(rotation) + "'"),
                        false;
             if (!offset.empty() && !parseOffset(offset, local))
                 return fail(node.offset, fmt::format("a translation of three whole numbers up to {}", kMaxOffset),
-                            "'" + offset + "'"),
+                            "'" + printableName(offset) + "'"),
                        false;
             state.skippedPoses += int(node.frames.size()) - 1;
         }
         state.transform = state.transform * local;
         const auto layer = m_file.layers.find(node.layer);
         if (layer != m_file.layers.end()) {
-            state.layer = attribute(layer->second.attributes, "_name");
-            if (state.layer.empty()) state.layer = std::to_string(node.layer);
+            const std::string_view name = attribute(layer->second.attributes, "_name");
+            state.layer = name.empty() ? std::to_string(node.layer) : printableName(name);
             state.hidden = state.hidden || attribute(layer->second.attributes, "_hidden") == "1";
         }
         return true;

@@ -23,11 +23,11 @@ VoxTransform operator*(const VoxTransform& parent, const VoxTransform& child);
 struct VoxInstance {
     int model = 0;
     VoxTransform transform;  ///< of the model's cells about its pivot (the floor of half its size)
-    std::string name;        ///< of the nearest named node above the shape, "" if there is none
-    std::string layer;
-    bool hidden = false;   ///< the node, one above it, or its layer is hidden
-    int frame = 0;         ///< animation frame of the model: 0 is shown, the others are kept as hidden shapes
-    int skippedPoses = 0;  ///< how many poses of the transforms above are left out: only the first of each counts
+    std::string name;        ///< of the nearest named node above the shape, printable; "" if there is none
+    std::string layer;       ///< printable; "" if there is none
+    bool hidden = false;     ///< the node, one above it, or its layer is hidden
+    int frame = 0;           ///< animation frame of the model: 0 is shown, the others are kept as hidden shapes
+    int skippedPoses = 0;    ///< how many poses of the transforms above are left out: only the first of each counts
 };
 
 /// All models of the scene graph, depth first. Without a scene graph the first model stands on the ground at the

@@ -28,9 +28,10 @@ BrickRef withoutTranslucent(const BrickRef& brick, const std::array<bool, 256>& 
 }
 
 VoxelGrid withoutTranslucent(const VoxelGrid& grid, const std::array<bool, 256>& entries) {
-    VoxelGrid out(grid.size());
+    VoxelGrid out = grid;
     grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
-        out.setBrick(position, withoutTranslucent(brick, entries));
+        BrickRef opaque = withoutTranslucent(brick, entries);
+        if (opaque != brick) out.setBrick(position, std::move(opaque));
     });
     return out;
 }

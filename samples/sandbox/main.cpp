@@ -44,6 +44,14 @@ constexpr const char* kHelp =
     "it, G held grabs (with a click on letting go: throws), F fly or walk (Space jumps, Shift crouches), T torch, R "
     "resets, P next pass, Esc leaves.";
 
+/// NaN is within every range of CLI11, whose numbers are out of range if they are below or above.
+const CLI::Validator kIsNumber(
+    [](std::string& text) {
+        double value = 0.0;
+        return CLI::detail::lexical_cast(text, value) && value == value ? std::string() : text + " is no number";
+    },
+    "");
+
 void addSceneOptions(CLI::App& app, SandboxOptions& options) {
     app.add_option("--model", options.model, "put this .vox, .vdb or .rubble on the street and demolish it")
         ->check(CLI::ExistingFile);
@@ -52,8 +60,10 @@ void addSceneOptions(CLI::App& app, SandboxOptions& options) {
     app.add_option("--time", options.time, "time of day: noon, afternoon, dusk, night or rain")
         ->check(CLI::IsMember({"noon", "afternoon", "dusk", "night", "rain"}));
     app.add_option("--seconds", options.seconds, "game time (default: as long as the scene says, or 10)")
-        ->check(CLI::Range(0.1, 3600.0));
-    app.add_option("--seed", options.seed, "seed of everything random")->capture_default_str();
+        ->check(CLI::Range(0.1, 3600.0) & kIsNumber);
+    app.add_option("--seed", options.seed, "seed of everything random")
+        ->capture_default_str()
+        ->check(CLI::NonNegativeNumber);
 }
 
 void addFrameOptions(CLI::App& app, SandboxOptions& options) {

@@ -130,7 +130,9 @@ private:
 int run(int argc, char** argv) {
     StressOptions options;
     CLI::App app{"Random demolition with every invariant checked at every step", "stress"};
-    app.add_option("--seed", options.round.seed, "seed of everything random")->capture_default_str();
+    app.add_option("--seed", options.round.seed, "seed of everything random")
+        ->capture_default_str()
+        ->check(CLI::NonNegativeNumber);
     app.add_option("--steps", options.steps, "steps of 1/60 s in all; 108000 are half an hour")
         ->capture_default_str()
         ->check(CLI::Range(1, 1000000000));

@@ -55,6 +55,27 @@ TEST_F(Abi, NullPointersAreRefused) {
     EXPECT_EQ(renderer, 0u);
 }
 
+TEST_F(Abi, NumbersBeyondTheirRangesAreRefused) {
+    const double corners[8] = {-10, -10, 10, -10, 10, 10, -10, 10};
+    auto water = sized<rubble_water_settings>();
+    water.outline = corners, water.outline_count = 4, water.depth = 5;
+    water.flow[0] = 1e4;
+    expectRefused(api()->add_water(m_world, &water), RUBBLE_ERROR_ARGUMENT, "flow[0] is 10000, expected -100 to 100");
+    auto joint = sized<rubble_joint_settings>();
+    joint.flags = 64;
+    expectRefused(api()->add_joint(m_world, &joint), RUBBLE_ERROR_ARGUMENT, "flags has unknown bits: 0x40");
+    auto character = sized<rubble_character_settings>();
+    character.radius = 2.0;
+    expectRefused(api()->add_character(m_world, &character), RUBBLE_ERROR_ARGUMENT, "height is 1.8, expected 4 to 100");
+    auto impulse = sized<rubble_impulse>();
+    impulse.body = bodies(m_world)[0].body;
+    impulse.impulse[2] = std::numeric_limits<double>::infinity();
+    expectRefused(api()->apply_impulse(m_world, &impulse), RUBBLE_ERROR_ARGUMENT, "impulse[2] is inf");
+    auto grab = sized<rubble_grab>();
+    grab.body = impulse.body, grab.hand = 0xffffffffu;
+    expectRefused(api()->grab_body(m_world, &grab), RUBBLE_ERROR_ARGUMENT, "hand is");
+}
+
 TEST_F(Abi, WrongStructSizesAreRefused) {
     auto explosion = tableExplosion();
     for (const uint32_t size : {0u, 4u, uint32_t(sizeof explosion) - 1, 1u << 30}) {

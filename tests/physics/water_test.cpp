@@ -178,5 +178,16 @@ TEST(Water, FiresInWaterGoOut) {
     for (const Fire& fire : fires) EXPECT_GT(fire.position.y, 0.0);
 }
 
+TEST(Water, ATorrentMovesBodiesNoFasterThanTheLimit) {
+    Lake scene(500, 1e5);
+    scene.level.waters[0].flow = {1e7, 0.0, 0.0};
+    for (int i = 0; i < 8; ++i) scene.add(solidGrid({6, 6, 6}, 1), {0.7 * i, -2.0, 0.0}, false);
+    scene.load();
+    for (int i = 0; i < 5; ++i) {
+        scene.step();
+        for (int k = 0; k < 8; ++k) EXPECT_LE(scene.speed(k), limits::kMaxSpeed * 1.001);
+    }
+}
+
 }  // namespace
 }  // namespace rubble

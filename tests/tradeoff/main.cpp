@@ -89,7 +89,9 @@ int main(int argc, char** argv) {
     app.add_option("--repeats", options.repeats, "runs of each measurement")
         ->capture_default_str()
         ->check(CLI::Range(1, 1000000000));
-    app.add_option("--seed", options.seed, "seed of everything random")->capture_default_str();
+    app.add_option("--seed", options.seed, "seed of everything random")
+        ->capture_default_str()
+        ->check(CLI::NonNegativeNumber);
     app.add_flag("--publish", publish, "physics or light: write its part of OPERATING_ENVELOPE.md");
     app.add_option("--feature-scene", scene)->group("");  // for this program under valgrind
     CLI11_PARSE(app, argc, argv);

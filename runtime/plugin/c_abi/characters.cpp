@@ -1,39 +1,31 @@
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
+#include "runtime/world/objects/object_errors.h"
 
 namespace rubble::abi {
 namespace {
 
-constexpr double kMaxSpeed = 1e3;  // m/s, of a character
-
 glm::dvec3 readVelocity(const double (&given)[3], const char* name) {
     const glm::dvec3 velocity = readVector(given, name);
-    if (glm::length(velocity) > kMaxSpeed)
-        throw ApiError{RUBBLE_ERROR_ARGUMENT, std::string(name) + " is " + std::to_string(glm::length(velocity)) +
-                                                  " m/s, expected at most 1000"};
+    requireNoError(characterVelocityError(name, velocity));
     return velocity;
 }
 
 AddCharacterEdit readCharacter(const World&, const rubble_character_settings& given) {
     Character c;
     c.position = readVector(given.position, "position");
-    c.radius = readOrDefault(given.radius, 0.02, 10.0, c.radius, "radius");
-    c.height = readOrDefault(given.height, 2.0 * c.radius, 100.0, c.height, "height");
-    c.crouchedHeight =
-        readOrDefault(given.crouched_height, 2.0 * c.radius, c.height, c.crouchedHeight, "crouched_height");
-    c.stepHeight = readOrDefault(given.step_height, 0.0, c.height, c.stepHeight, "step_height");
-    c.maxSlope = readOrDefault(given.max_slope, 0.0, 1e3, c.maxSlope, "max_slope");
-    c.mass = readOrDefault(given.mass, 1e-3, 1e6, c.mass, "mass");
-    c.walkSpeed = readOrDefault(given.walk_speed, 0.0, 100.0, c.walkSpeed, "walk_speed");
-    c.jumpSpeed = readOrDefault(given.jump_speed, 0.0, 100.0, c.jumpSpeed, "jump_speed");
-    c.swimSpeed = readOrDefault(given.swim_speed, 0.0, 100.0, c.swimSpeed, "swim_speed");
-    c.maxPushForce = readOrDefault(given.max_push_force, 0.0, 1e9, c.maxPushForce, "max_push_force");
-    if (!(c.height >= c.crouchedHeight && c.crouchedHeight >= 2.0 * c.radius && c.stepHeight <= c.height))
-        throw ApiError{RUBBLE_ERROR_ARGUMENT,
-                       "height is " + std::to_string(c.height) + ", crouched_height " +
-                           std::to_string(c.crouchedHeight) + ", radius " + std::to_string(c.radius) +
-                           ", step_height " + std::to_string(c.stepHeight) +
-                           ": expected height >= crouched_height >= 2 radius, and no higher step"};
+    c.radius = readOrDefault(given.radius, ranges::kCharacterRadius, c.radius, "radius");
+    const NumberRange heights{2.0 * c.radius, ranges::kMaxCharacterHeight};
+    c.height = readOrDefault(given.height, heights, c.height, "height");
+    c.crouchedHeight = readOrDefault(given.crouched_height, heights, c.crouchedHeight, "crouched_height");
+    c.stepHeight = readOrDefault(given.step_height, {0.0, c.height}, c.stepHeight, "step_height");
+    c.maxSlope = readOrDefault(given.max_slope, ranges::kSlope, c.maxSlope, "max_slope");
+    c.mass = readOrDefault(given.mass, ranges::kCharacterMass, c.mass, "mass");
+    c.walkSpeed = readOrDefault(given.walk_speed, ranges::kCharacterSpeed, c.walkSpeed, "walk_speed");
+    c.jumpSpeed = readOrDefault(given.jump_speed, ranges::kCharacterSpeed, c.jumpSpeed, "jump_speed");
+    c.swimSpeed = readOrDefault(given.swim_speed, ranges::kCharacterSpeed, c.swimSpeed, "swim_speed");
+    c.maxPushForce = readOrDefault(given.max_push_force, ranges::kForce, c.maxPushForce, "max_push_force");
+    requireNoError(objectError(c));
     return {c};
 }
 

@@ -8,7 +8,8 @@
 #include <string>
 
 #include "runtime/core/handle.h"
-#include "runtime/core/number_range.h"
+#include "runtime/core/range_check.h"
+#include "runtime/core/ranges.h"
 #include "runtime/plugin/include/rubble/rubble.h"
 
 // Reads the host's arguments. Every function throws ApiError with the name of the argument, what was expected and what
@@ -69,13 +70,11 @@ inline void requireNoError(const std::string& error) {
     if (!error.empty()) throw ApiError{RUBBLE_ERROR_ARGUMENT, error};
 }
 
-/// Three finite numbers of at most 1e9.
-inline glm::dvec3 readVector(const double (&values)[3], const char* name) {
-    for (int i = 0; i < 3; ++i)
-        if (!std::isfinite(values[i]) || std::abs(values[i]) > 1e9)
-            throw ApiError{RUBBLE_ERROR_ARGUMENT,
-                           fmt::format("{}[{}] is {}, expected -1e9 to 1e9", name, i, values[i])};
-    return {values[0], values[1], values[2]};
+/// Three numbers in a range.
+inline glm::dvec3 readVector(const double (&values)[3], const char* name, NumberRange range = ranges::kCoordinate) {
+    const glm::dvec3 vector(values[0], values[1], values[2]);
+    requireNoError(RangeCheck().vector(name, vector, range).error());
+    return vector;
 }
 
 /// The same from an argument that C passes as a pointer.
@@ -91,18 +90,19 @@ inline glm::dvec3 readDirection(const double (&values)[3], const char* name) {
     return direction;
 }
 
-/// A number in [low, high]; 0 is a number like any other.
-inline double readInRange(double value, double low, double high, const std::string& name) {
-    if (isWithin(value, low, high)) return value;
-    throw ApiError{RUBBLE_ERROR_ARGUMENT, fmt::format("{} is {}, expected {} to {}", name, value, low, high)};
+/// A number in a range; 0 is a number like any other.
+inline double readInRange(double value, NumberRange range, const char* name) {
+    requireNoError(RangeCheck().number(name, value, range).error());
+    return value;
 }
 
-/// A number in [low, high], or ifZero for a value of 0.
-inline double readOrDefault(double value, double low, double high, double ifZero, const char* name) {
+/// A number in a range, or ifZero for a value of 0.
+inline double readOrDefault(double value, NumberRange range, double ifZero, const char* name) {
     if (value == 0.0) return ifZero;
-    if (isWithin(value, low, high)) return value;
-    const char* zero = low > 0.0 ? "0 (the default) or " : "";
-    throw ApiError{RUBBLE_ERROR_ARGUMENT, fmt::format("{} is {}, expected {}{} to {}", name, value, zero, low, high)};
+    if (isWithin(value, range)) return value;
+    throw ApiError{RUBBLE_ERROR_ARGUMENT,
+                   fmt::format("{} is {}, expected {}{} to {}", name, value,
+                               range.low > 0.0 ? "0 (the default) or " : "", range.low, range.high)};
 }
 
 /// A number of an enum that ends with `last`.

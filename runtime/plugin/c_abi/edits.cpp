@@ -6,7 +6,7 @@
 namespace rubble::abi {
 namespace {
 
-constexpr double kMaxBrushSize = 100.0;  // metres
+constexpr NumberRange kHostRadius{1e-3, ranges::kBrushRadius.high};  // metres
 
 Hardness readHardness(uint32_t hardness) {
     constexpr Hardness classes[] = {Hardness::Hard, Hardness::Soft, Hardness::Medium, Hardness::Hard};
@@ -19,7 +19,7 @@ Tool readTool(uint32_t tool) {
 
 std::array<double, 3> readRadii(const double (&given)[3]) {
     std::array<double, 3> radii;
-    for (size_t i = 0; i < 3; ++i) radii[i] = readOrDefault(given[i], 1e-3, kMaxBrushSize, 0.0, "radii");
+    for (size_t i = 0; i < 3; ++i) radii[i] = readOrDefault(given[i], kHostRadius, 0.0, "radii");
     if (radii[0] == 0.0)
         throw ApiError{RUBBLE_ERROR_ARGUMENT, "radii[0] is 0, expected more: nothing would be removed"};
     if (!std::is_sorted(radii.rbegin(), radii.rend()))
@@ -30,14 +30,14 @@ std::array<double, 3> readRadii(const double (&given)[3]) {
 glm::dvec3 readHalfSize(const double (&given)[3]) {
     const glm::dvec3 halfSize = readVector(given, "half_size");
     for (int i = 0; i < 3; ++i)
-        if (!(halfSize[i] > 0.0 && halfSize[i] <= kMaxBrushSize))
+        if (!(halfSize[i] > 0.0 && isWithin(halfSize[i], ranges::kBrushRadius)))
             throw ApiError{RUBBLE_ERROR_ARGUMENT,
                            "half_size is " + std::to_string(halfSize[i]) + ", expected more than 0, at most 100"};
     return halfSize;
 }
 
 uint8_t readByteFraction(uint32_t value, uint8_t ifZero, const char* name) {
-    return uint8_t(readOrDefault(value, 1, 255, ifZero, name));
+    return uint8_t(readOrDefault(value, {1, 255}, ifZero, name));
 }
 
 CarveEdit readCarve(const World& world, const rubble_carve& given) {
@@ -71,15 +71,15 @@ BreakEdit readBreak(const World& world, const rubble_break& given) {
 ExplodeEdit readExplosion(const World&, const rubble_explosion& given) {
     ExplodeEdit edit;
     edit.position = readVector(given.position, "position");
-    edit.size = readOrDefault(given.size, 0.5, 4.0, 1.0, "size");
-    edit.impulse = readOrDefault(given.impulse, 0.0, 1e9, 0.0, "impulse");
+    edit.size = readOrDefault(given.size, ranges::kExplosionSize, 1.0, "size");
+    edit.impulse = readOrDefault(given.impulse, ranges::kBlast, 0.0, "impulse");
     return edit;
 }
 
 PaintEdit readPaint(const World&, const rubble_paint& given) {
     PaintEdit edit;
     edit.position = readVector(given.position, "position");
-    edit.radius = readOrDefault(given.radius, 1e-3, 10.0, 0.5, "radius");
+    edit.radius = readOrDefault(given.radius, {1e-3, ranges::kPaintRadius.high}, 0.5, "radius");
     std::copy_n(given.color, 3, edit.color.begin());
     edit.strength = readByteFraction(given.strength, 64, "strength");
     edit.probability = readByteFraction(given.probability, 255, "probability");
@@ -91,7 +91,7 @@ ImpulseEdit readImpulse(const World& world, const rubble_impulse& given) {
     ImpulseEdit edit;
     edit.body = readLiveHandle<HandleType::Body>(world.bodies(), given.body, "body");
     edit.position = readVector(given.position, "position");
-    edit.impulse = readVector(given.impulse, "impulse");
+    edit.impulse = readVector(given.impulse, "impulse", ranges::kImpulse);
     return edit;
 }
 

@@ -4,14 +4,12 @@
 namespace rubble::abi {
 namespace {
 
-constexpr double kMaxMagnitude = 1e12;  // of forces, torques, lengths and frequencies
-
 double readSize(double value, const char* name) {
-    return readOrDefault(value, 0.0, kMaxMagnitude, 0.0, name);
+    return readOrDefault(value, ranges::kJointNumber, 0.0, name);
 }
 
 double readSigned(double value, const char* name) {
-    return readOrDefault(value, -kMaxMagnitude, kMaxMagnitude, 0.0, name);
+    return readOrDefault(value, ranges::kJointTarget, 0.0, name);
 }
 
 JointMotor readMotor(uint32_t mode, double target, double maxForce) {
@@ -29,12 +27,14 @@ Joint readEnds(const World& world, const rubble_joint_settings& given) {
     Joint joint = jointAt(world, kind, shapes[0], shapes[1], frame);
     if (kind == JointKind::Rope)
         joint.ends[1] = jointAt(world, kind, {}, shapes[1], {readVector(given.rope_end, "rope_end")}).ends[1];
-    const double radius = readOrDefault(given.anchor_radius, 0.0, 100.0, joint.ends[0].radius, "anchor_radius");
+    const double radius =
+        readOrDefault(given.anchor_radius, ranges::kAnchorRadius, joint.ends[0].radius, "anchor_radius");
     joint.ends[0].radius = joint.ends[1].radius = radius;
     return joint;
 }
 
 AddJointEdit readJoint(const World& world, const rubble_joint_settings& given) {
+    readFlags(given.flags, RUBBLE_JOINT_COLLIDES | RUBBLE_JOINT_LIMITED, "flags");
     Joint joint = readEnds(world, given);
     joint.collides = given.flags & RUBBLE_JOINT_COLLIDES;
     joint.limits = {(given.flags & RUBBLE_JOINT_LIMITED) != 0, readSigned(given.lower_limit, "lower_limit"),
@@ -46,14 +46,14 @@ AddJointEdit readJoint(const World& world, const rubble_joint_settings& given) {
     joint.breakForce = readSize(given.break_force, "break_force");
     joint.breakTorque = readSize(given.break_torque, "break_torque");
     joint.rope.length = readSize(given.rope_length, "rope_length");
-    joint.rope.radius = readOrDefault(given.rope_radius, 1e-3, 1.0, joint.rope.radius, "rope_radius");
+    joint.rope.radius = readOrDefault(given.rope_radius, ranges::kRopeRadius, joint.rope.radius, "rope_radius");
     joint.rope.stretch = readSize(given.rope_stretch, "rope_stretch");
     joint.rope.strength = readSize(given.rope_strength, "rope_strength");
     joint.wheel = {readSize(given.drive_torque, "drive_torque"),
-                   readOrDefault(given.max_spin, 0.0, 1e4, joint.wheel.maxSpin, "max_spin"),
+                   readOrDefault(given.max_spin, ranges::kWheelSpin, joint.wheel.maxSpin, "max_spin"),
                    readSize(given.brake_torque, "brake_torque"),
-                   readOrDefault(given.max_steer_angle, 0.0, 1.5, 0.0, "max_steer_angle"),
-                   readOrDefault(given.steer_rate, 0.0, 100.0, joint.wheel.steerRate, "steer_rate")};
+                   readOrDefault(given.max_steer_angle, ranges::kSteerAngle, 0.0, "max_steer_angle"),
+                   readOrDefault(given.steer_rate, ranges::kSteerRate, joint.wheel.steerRate, "steer_rate")};
     requireNoError(jointError(joint));
     return {joint};
 }
@@ -61,13 +61,14 @@ AddJointEdit readJoint(const World& world, const rubble_joint_settings& given) {
 SetJointMotorEdit readJointMotor(const World& world, const rubble_joint_motor& given) {
     return {readLiveHandle<HandleType::Joint>(world.joints(), given.joint, "joint"),
             readMotor(given.motor, given.motor_target, given.motor_max_force), readSize(given.friction, "friction"),
-            readOrDefault(given.steer_angle, -3.0, 3.0, 0.0, "steer_angle")};
+            readOrDefault(given.steer_angle, ranges::kSteer, 0.0, "steer_angle")};
 }
 
 DriveEdit readDrive(const World& world, const rubble_drive& given) {
     return {readLiveHandle<HandleType::Body>(world.bodies(), given.body, "body"),
-            readOrDefault(given.throttle, -1.0, 1.0, 0.0, "throttle"),
-            readOrDefault(given.steer, -1.0, 1.0, 0.0, "steer"), readOrDefault(given.brake, 0.0, 1.0, 0.0, "brake")};
+            readOrDefault(given.throttle, ranges::kLever, 0.0, "throttle"),
+            readOrDefault(given.steer, ranges::kLever, 0.0, "steer"),
+            readOrDefault(given.brake, ranges::kPedal, 0.0, "brake")};
 }
 
 GrabEdit readGrab(const World& world, const rubble_grab& given) {
@@ -75,14 +76,15 @@ GrabEdit readGrab(const World& world, const rubble_grab& given) {
     edit.body = readLiveHandle<HandleType::Body>(world.bodies(), given.body, "body");
     edit.point = readVector(given.point, "point");
     edit.target = readVector(given.target, "target");
-    edit.maxForce = readOrDefault(given.max_force, 0.0, 1e9, edit.maxForce, "max_force");
-    edit.hertz = readOrDefault(given.spring_hertz, 0.1, 60.0, edit.hertz, "spring_hertz");
-    edit.hand = given.hand;
+    edit.maxForce = readOrDefault(given.max_force, ranges::kForce, edit.maxForce, "max_force");
+    edit.hertz = readOrDefault(given.spring_hertz, ranges::kGrabHertz, edit.hertz, "spring_hertz");
+    edit.hand = uint32_t(readInRange(given.hand, ranges::kHand, "hand"));
     return edit;
 }
 
 ReleaseEdit readRelease(const World&, const rubble_release& given) {
-    return {readVector(given.impulse, "impulse"), given.hand};
+    return {readVector(given.impulse, "impulse", ranges::kImpulse),
+            uint32_t(readInRange(given.hand, ranges::kHand, "hand"))};
 }
 
 rubble_result addJoint(rubble_world world, const rubble_joint_settings* settings) {

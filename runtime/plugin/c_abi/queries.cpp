@@ -34,7 +34,7 @@ QueryShape readShape(const rubble_query_shape& given) {
     shape.kind = QueryShapeKind(readEnum(given.kind, RUBBLE_QUERY_CAPSULE, "kind"));
     shape.position = readVector(given.position, "position");
     shape.end = readVector(given.end, "end");
-    shape.radius = readOrDefault(given.radius, 0.0, 1e4, 0.0, "radius");
+    shape.radius = readOrDefault(given.radius, ranges::kQuerySize, 0.0, "radius");
     shape.halfSize = readVector(given.half_size, "half_size");
     for (int i = 0; i < 3; ++i)
         if (shape.halfSize[i] < 0.0)
@@ -45,7 +45,7 @@ QueryShape readShape(const rubble_query_shape& given) {
 }
 
 double readDistance(double given) {
-    return readInRange(given, 0.0, 1e6, "max_distance");
+    return readInRange(given, ranges::kDistance, "max_distance");
 }
 
 rubble_hit hitRow(const World& world, const WorldHit& hit) {
@@ -95,7 +95,8 @@ rubble_result castManyRays(rubble_world world, const rubble_ray* rays, uint32_t 
         const World& inside = hosted->loop.world();
         const auto read = [](const rubble_ray& ray) {
             return RayQuery{readVector(ray.origin, "origin"), readDirection(ray.direction, "direction"),
-                            readDistance(ray.max_distance), readOrDefault(ray.radius, 0.0, 1e3, 0.0, "radius")};
+                            readDistance(ray.max_distance),
+                            readOrDefault(ray.radius, ranges::kQuerySize, 0.0, "radius")};
         };
         castAll<RayQuery>(inside, rays, "rays", count, filter, out, read,
                           [&](auto& queries, auto& hits, const auto& with) { castRays(inside, queries, hits, with); });
@@ -146,7 +147,7 @@ rubble_result findClosestPoint(rubble_world world, const double position[3], dou
         const auto hosted = Registry::instance().world(world);
         const World& inside = hosted->loop.world();
         const glm::dvec3 point = readVectorAt(position, "position");
-        const double distance = readOrDefault(maxDistance, 0.0, 1e6, 0.0, "max_distance");
+        const double distance = readOrDefault(maxDistance, ranges::kDistance, 0.0, "max_distance");
         requireNotNull(out, "out") = hitRow(inside, closestPoint(inside, point, distance, readFilter(filter)));
     });
 }

@@ -5,8 +5,7 @@ namespace rubble::abi {
 namespace {
 
 GroundPolygon readOutline(const double* outline, uint32_t count) {
-    if (count < 3 || count > 10000)
-        throw ApiError{RUBBLE_ERROR_ARGUMENT, "outline_count is " + std::to_string(count) + ", expected 3 to 10000"};
+    readInRange(count, ranges::kOutlinePoints, "outline_count");
     requireNotNull(outline, "outline");
     GroundPolygon area;
     for (uint32_t i = 0; i < count; ++i) {
@@ -20,12 +19,12 @@ GroundPolygon readOutline(const double* outline, uint32_t count) {
 AddWaterEdit readWater(const World&, const rubble_water_settings& given) {
     Water water;
     water.outline = readOutline(given.outline, given.outline_count);
-    water.surface = readOrDefault(given.surface_height, -1e6, 1e6, 0.0, "surface_height");
-    water.depth = readOrDefault(given.depth, 1e-3, 1e5, water.depth, "depth");
-    water.density = readOrDefault(given.density, 1.0, 1e5, water.density, "density");
-    water.linearDrag = readOrDefault(given.linear_drag, 0.0, 1e5, water.linearDrag, "linear_drag");
-    water.angularDrag = readOrDefault(given.angular_drag, 0.0, 1e5, water.angularDrag, "angular_drag");
-    water.flow = readVector(given.flow, "flow");
+    water.surface = readOrDefault(given.surface_height, ranges::kWaterSurface, 0.0, "surface_height");
+    water.depth = readOrDefault(given.depth, ranges::kWaterDepth, water.depth, "depth");
+    water.density = readOrDefault(given.density, ranges::kWaterDensity, water.density, "density");
+    water.linearDrag = readOrDefault(given.linear_drag, ranges::kWaterDrag, water.linearDrag, "linear_drag");
+    water.angularDrag = readOrDefault(given.angular_drag, ranges::kWaterDrag, water.angularDrag, "angular_drag");
+    water.flow = readVector(given.flow, "flow", ranges::kWaterFlow);
     return {water};
 }
 
@@ -33,10 +32,10 @@ AddTriggerEdit readTrigger(const World&, const rubble_trigger_settings& given) {
     Trigger trigger;
     trigger.kind = TriggerKind(readEnum(given.kind, RUBBLE_TRIGGER_POLYGON, "kind"));
     trigger.pose = {readVector(given.position, "position"), readRotation(given.rotation, "rotation")};
-    trigger.radius = readOrDefault(given.radius, 1e-3, 1e5, trigger.radius, "radius");
+    trigger.radius = readOrDefault(given.radius, ranges::kTriggerSize, trigger.radius, "radius");
     for (int i = 0; i < 3; ++i)
-        trigger.halfSize[i] = readOrDefault(given.half_size[i], 1e-3, 1e5, trigger.halfSize[i], "half_size");
-    trigger.height = readOrDefault(given.height, 1e-3, 1e5, trigger.height, "height");
+        trigger.halfSize[i] = readOrDefault(given.half_size[i], ranges::kTriggerSize, trigger.halfSize[i], "half_size");
+    trigger.height = readOrDefault(given.height, ranges::kTriggerSize, trigger.height, "height");
     if (trigger.kind == TriggerKind::Polygon) trigger.outline = readOutline(given.outline, given.outline_count);
     trigger.layerMask = readLayers(given.layer_mask, 255, "layer_mask");
     return {trigger};

@@ -44,7 +44,7 @@ View readView(const rubble_view& given) {
     View view;
     view.position = readVector(given.position, "position");
     view.rotation = readRotation(given.rotation, "rotation");
-    view.verticalFov = float(readOrDefault(given.vertical_fov, 0.01, 3.0, view.verticalFov, "vertical_fov"));
+    view.verticalFov = float(readOrDefault(given.vertical_fov, {0.01, 3.0}, view.verticalFov, "vertical_fov"));
     view.size = glm::ivec2(given.width, given.height);
     view.framebuffer = given.framebuffer;
     view.cut = readFlags(given.flags, RUBBLE_VIEW_CUT, "view->flags") & RUBBLE_VIEW_CUT;
@@ -57,7 +57,7 @@ rubble_result draw(rubble_renderer renderer, const rubble_view* view) {
         const auto world = hosted->world.lock();
         if (!world) throw ApiError{RUBBLE_ERROR_STALE, "the renderer's world is destroyed"};
         const rubble_view& given = readStruct(view, "view");
-        const double alpha = readOrDefault(given.alpha, 0.0, 1.0, 0.0, "alpha");
+        const double alpha = readOrDefault(given.alpha, {0.0, 1.0}, 0.0, "alpha");
         world->loop.draw(*hosted->renderer, readView(given), float(alpha));
         if (const std::string& error = hosted->renderer->lastError(); !error.empty())
             throw ApiError{RUBBLE_ERROR_GL, error};

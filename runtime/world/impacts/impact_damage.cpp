@@ -15,6 +15,7 @@ namespace rubble {
 namespace {
 
 constexpr double kContactRadius = 0.3;  ///< metres around a contact in which the shapes that it struck are searched
+constexpr double kMaxHoleCells = 32.0;  ///< radius of a hole in cells: its cost is cubic
 constexpr int kContactCells = 2;        ///< how far from the contact that physics reports the voxel that was hit may be
 
 /// The material of the voxel nearest to a world point on a shape; 0 if none is within kContactCells.
@@ -40,8 +41,8 @@ void addImpactDamage(const WorldData& world, const Impact& impact, BodyHandle bo
         BreakEdit edit{.position = impact.position,
                        .seed = hashCell(int(world.step), int(body.slot()), int(handle.slot())),
                        .shape = handle};
-        const double radius =
-            std::min(world.settings.impactRadiusLimit, world.settings.impactRadius * std::sqrt(force));
+        const double radius = std::min({world.settings.impactRadiusLimit, kMaxHoleCells * double(shape.voxelSize),
+                                        world.settings.impactRadius * std::sqrt(force)});
         std::fill_n(edit.radii.begin(), hardness + 1, radius);
         out.push_back(edit);
     }

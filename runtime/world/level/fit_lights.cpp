@@ -127,6 +127,7 @@ Light fitLight(const LevelShape& shape, const VoxelGrid& only, const Component& 
     }
     const double brightest = std::max({light.color.x, light.color.y, light.color.z});
     light.reach = float(std::clamp(std::sqrt(brightest / kMinIrradiance), kMinReach, kMaxReach));
+    clampToRanges(light);
     return light;
 }
 
@@ -136,7 +137,8 @@ void fitLights(Level& level) {
             const auto glows = [](const PaletteEntry& entry) {
                 return entry.material && entry.emission > 0.0f && !entry.lightGroup;
             };
-            if (!shape.hidden && shape.palette && std::any_of(shape.palette->begin(), shape.palette->end(), glows))
+            if (!shape.hidden && !shape.grid.empty() && shape.palette &&
+                std::any_of(shape.palette->begin(), shape.palette->end(), glows))
                 fitShape(level, shape);
         }
 }

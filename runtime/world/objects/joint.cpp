@@ -1,14 +1,13 @@
 #include "runtime/world/objects/joint.h"
 
-#include <cmath>
+#include <utility>
 
 #include "runtime/core/hash.h"
-#include "runtime/core/number_range.h"
+#include "runtime/core/range_check.h"
+#include "runtime/core/ranges.h"
 
 namespace rubble {
 namespace {
-
-constexpr double kMaxNumber = 1e12;  ///< of all numbers of a joint
 
 uint64_t hashPose(const Pose& pose, uint64_t seed) {
     return hashBytes(&pose.rotation, sizeof pose.rotation, hashBytes(&pose.position, sizeof pose.position, seed));
@@ -17,33 +16,46 @@ uint64_t hashPose(const Pose& pose, uint64_t seed) {
 }  // namespace
 
 std::string jointError(const Joint& joint) {
-    for (const JointEnd& end : joint.ends) {
-        const glm::dquat& q = end.frame.rotation;
-        const double length2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-        if (!isWithin(end.frame.position, kMaxNumber)) return "the place of an end is no finite number";
-        if (!isWithin(length2, 0.998, 1.002)) return "the rotation of an end is not of length 1";
-        if (!isWithin(end.radius, 0.0, 100.0)) return "the radius of an end is not from 0 to 100 m";
-    }
-    if (!isWithin(joint.limits.low, -kMaxNumber, kMaxNumber) ||
-        !isWithin(joint.limits.high, joint.limits.low, kMaxNumber))
-        return "its lower limit is above its upper one";
-    if (!isWithin(joint.motor.target, -kMaxNumber, kMaxNumber) || !isWithin(joint.steer, -kMaxNumber, kMaxNumber))
-        return "its target is no finite number";
-    for (const double value : {joint.motor.maxForce, joint.spring.hertz, joint.spring.dampingRatio, joint.friction,
-                               joint.maxForce, joint.breakForce, joint.breakTorque, joint.rope.length, joint.rope.slack,
-                               joint.rope.stretch, joint.rope.strength, joint.wheel.driveTorque, joint.wheel.maxSpin,
-                               joint.wheel.brakeTorque, joint.wheel.steerAngle, joint.wheel.steerRate})
-        if (!isWithin(value, 0.0, kMaxNumber)) return "a force, length or rate is not 0 or more";
-    if (joint.kind != JointKind::Rope) return joint.points.empty() ? "" : "only ropes have points";
-    if (joint.rope.points == 1 || joint.rope.points > kMaxRopePoints) return "a rope has 2 to 256 points";
-    if (!joint.points.empty() && joint.points.size() != joint.rope.points)
-        return "a rope has as many points as it says";
-    if (!isWithin(joint.rope.radius, 1e-4, 10.0) || !isWithin(joint.rope.massPerMetre, 1e-4, 1e6))
-        return "a rope has a radius and a mass";
+    RangeCheck check;
+    for (const JointEnd& end : joint.ends)
+        check.vector("the position of an end", end.frame.position, ranges::kPlace)
+            .rotation("the rotation of an end", end.frame.rotation)
+            .number("anchor_radius", end.radius, ranges::kAnchorRadius);
+    check.text("name", joint.name)
+        .number("kind", double(joint.kind), {0.0, double(JointKind::Wheel)})
+        .number("lower_limit", joint.limits.low, ranges::kJointTarget)
+        .number("upper_limit", joint.limits.high, {joint.limits.low, ranges::kJointTarget.high})
+        .number("motor", double(joint.motor.mode), {0.0, double(MotorMode::Position)})
+        .number("motor_target", joint.motor.target, ranges::kJointTarget)
+        .number("steer", joint.steer, ranges::kSteer)
+        .number("max_spin", joint.wheel.maxSpin, ranges::kWheelSpin)
+        .number("max_steer_angle", joint.wheel.steerAngle, ranges::kSteerAngle)
+        .number("steer_rate", joint.wheel.steerRate, ranges::kSteerRate);
+    const std::pair<const char*, double> numbers[] = {{"motor_max_force", joint.motor.maxForce},
+                                                      {"spring_hertz", joint.spring.hertz},
+                                                      {"spring_damping_ratio", joint.spring.dampingRatio},
+                                                      {"friction", joint.friction},
+                                                      {"max_force", joint.maxForce},
+                                                      {"break_force", joint.breakForce},
+                                                      {"break_torque", joint.breakTorque},
+                                                      {"rope_length", joint.rope.length},
+                                                      {"rope_slack", joint.rope.slack},
+                                                      {"rope_stretch", joint.rope.stretch},
+                                                      {"rope_strength", joint.rope.strength},
+                                                      {"drive_torque", joint.wheel.driveTorque},
+                                                      {"brake_torque", joint.wheel.brakeTorque}};
+    for (const auto& [name, number] : numbers) check.number(name, number, ranges::kJointNumber);
+    if (joint.kind != JointKind::Rope) return check.require(joint.points.empty(), "only ropes have points").error();
+    const bool isAutomatic = joint.rope.points == 0 && joint.points.empty();
+    check.number("rope_points", isAutomatic ? ranges::kRopePoints.low : joint.rope.points, ranges::kRopePoints)
+        .require(joint.points.empty() || joint.points.size() == joint.rope.points,
+                 "a rope has another number of points than it says")
+        .number("rope_radius", joint.rope.radius, ranges::kRopeRadius)
+        .number("rope_mass", joint.rope.massPerMetre, ranges::kRopeMass);
     for (const RopePoint& point : joint.points)
-        if (!isWithin(point.position, kMaxNumber) || !isWithin(point.velocity, kMaxNumber))
-            return "a point of a rope is no finite number";
-    return "";
+        check.vector("a point of a rope", point.position, ranges::kPlace)
+            .vector("the velocity of a rope's point", point.velocity, ranges::kJointTarget);
+    return check.error();
 }
 
 std::string jointEndsError(const Joint& joint) {

@@ -8,6 +8,7 @@
 
 #include "runtime/core/handle.h"
 #include "runtime/core/pose.h"
+#include "runtime/core/ranges.h"
 
 namespace rubble {
 
@@ -106,7 +107,7 @@ struct RopeMotion {
     std::span<const RopePoint> points;
 };
 
-inline constexpr uint32_t kMaxRopePoints = 256;
+inline constexpr uint32_t kMaxRopePoints = uint32_t(ranges::kRopePoints.high);
 
 /// Why a joint is gone.
 enum class JointBreak : uint8_t { VoxelGone, Force, Removed, Cut };

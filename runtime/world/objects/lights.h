@@ -62,6 +62,8 @@ struct Light {
 /// Says which number of a light is out of its range, what was expected and what was found; empty: none is. Handles are
 /// not checked.
 std::string lightError(const Light& light);
+/// Moves the numbers of a light that are out of their ranges to the nearest in them, for lights that are computed.
+void clampToRanges(Light& light);
 
 /// Emissive voxels and lights that go out together. Voxels belong to a group by their palette entry. A group with a
 /// power supply also goes out when no path of wire (voxels of the material "wire") leads from there to one of its

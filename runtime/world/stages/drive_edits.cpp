@@ -5,6 +5,7 @@
 
 #include "runtime/core/constants.h"
 #include "runtime/core/log.h"
+#include "runtime/core/ranges.h"
 
 namespace rubble {
 namespace {
@@ -13,10 +14,6 @@ constexpr double kStep = 1.0 / kStepsPerSecond;  ///< s
 constexpr double kReverseSpeedShare = 0.5;       ///< top speed backward, as a share of that forward
 constexpr double kRollingResistance = 0.01;      ///< share of a wheel's larger torque that always holds against rolling
 constexpr double kMinThrottle = 0.004;           ///< below this the motor is out of gear
-
-bool isWithinUnit(double value, double low) {
-    return value >= low && value <= 1.0;
-}
 
 /// The wheel with motor, brake and steering as the edit sets them for this step.
 Joint drivenWheel(const Joint& wheel, const DriveEdit& drive) {
@@ -27,8 +24,9 @@ Joint drivenWheel(const Joint& wheel, const DriveEdit& drive) {
     out.motor.mode = isOn ? MotorMode::Speed : MotorMode::Off;
     out.motor.target = isOn ? (throttle > 0.0 ? settings.maxSpin : -kReverseSpeedShare * settings.maxSpin) : 0.0;
     out.motor.maxForce = isOn ? std::abs(throttle) * settings.driveTorque : 0.0;
-    out.friction =
-        drive.brake * settings.brakeTorque + kRollingResistance * std::max(settings.driveTorque, settings.brakeTorque);
+    out.friction = std::min(
+        drive.brake * settings.brakeTorque + kRollingResistance * std::max(settings.driveTorque, settings.brakeTorque),
+        ranges::kJointNumber.high);
     const double turn = settings.steerRate * kStep;
     out.steer += std::clamp(drive.steer * settings.steerAngle - wheel.steer, -turn, turn);
     return out;
@@ -39,9 +37,6 @@ Joint drivenWheel(const Joint& wheel, const DriveEdit& drive) {
 void apply(EditContext& context, const DriveEdit& edit) {
     const Body* body = context.world.bodies.find(edit.body);
     if (!body) return logWarning("drive_wheels: the handle of its body is stale; nothing was driven");
-    if (!isWithinUnit(edit.throttle, -1.0) || !isWithinUnit(edit.steer, -1.0) || !isWithinUnit(edit.brake, 0.0))
-        return logWarning(
-            "drive_wheels: expected throttle and steer from -1 to 1 and brake from 0 to 1; nothing was driven");
     for (const ShapeHandle shape : body->shapes)
         for (const JointHandle handle : context.world.jointIndex.of(shape)) {
             Joint& joint = context.world.joints.at(handle);

@@ -1,8 +1,11 @@
 #include "runtime/world/stages/edit_step.h"
 
 #include <bit>
+#include <string>
 #include <utility>
 
+#include "runtime/core/log.h"
+#include "runtime/world/edits/edit_error.h"
 #include "runtime/world/stages/carve_edits.h"
 #include "runtime/world/stages/character_edits.h"
 #include "runtime/world/stages/debris_stage.h"
@@ -51,6 +54,10 @@ void EditStep::run(const Edits& edits) {
 }
 
 void EditStep::applyEdit(const Edit& edit) {
+    if (const std::string error = editError(edit); !error.empty()) {
+        if (std::holds_alternative<AddLightEdit>(edit)) m_context.changes.lightsAdded.emplace_back();
+        return logWarning(std::string(editName(edit)) + ": " + error + "; nothing was changed");
+    }
     std::visit(Overloaded{[&](const HeatEdit& each) { m_fire.apply(each); },
                           [&](const ExtinguishEdit& each) { m_fire.apply(each); },
                           [&](const RemoveFiresEdit& each) { m_fire.apply(each); },

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "runtime/core/log.h"
-#include "runtime/core/number_range.h"
 #include "runtime/core/random.h"
 #include "runtime/destruction/spray.h"
 #include "runtime/world/objects/transforms.h"
@@ -24,7 +23,6 @@ constexpr int kRadiationInterval = 5;           ///< updates of a brick between 
 constexpr double kRadiationRadius = 1.1;        ///< metres
 constexpr double kRadiatedShare = 0.12;         ///< of the heat that a fire emits
 constexpr uint32_t kWetSeconds = 20;            ///< that bricks stay wet after they were under water
-constexpr double kMaxCoordinate = 1e30;         ///< metres: rejects infinities and NaNs only
 constexpr int64_t kMaxHeat = int64_t(1) << 56;  ///< mJ of a brick
 constexpr double kFlameHeight = 0.3;            ///< metres above a fire, around which it radiates
 
@@ -45,10 +43,6 @@ glm::dvec3 brickMiddle(glm::ivec3 brick) {
 }  // namespace
 
 void FireStage::apply(const HeatEdit& edit) {
-    if (!isWithin(edit.position, kMaxCoordinate) || !(edit.radius > 0.0 && edit.radius < 1e6) ||
-        !(edit.joules >= 0.0 && edit.joules < 1e15))
-        return logWarning(
-            "heat: expected finite numbers, a radius above zero and joules of zero or more; nothing was heated");
     if (!m_context.world.settings.fire.enabled) return;
     if (edit.shape && !m_context.world.shapes.find(edit.shape))
         return logWarning("heat: the handle of its shape is stale; nothing was heated");
@@ -115,10 +109,6 @@ void FireStage::igniteBrick(ShapeHandle handle, HotBrick& hot) {
 }
 
 void FireStage::apply(const ExtinguishEdit& edit) {
-    if (!isWithin(edit.position, kMaxCoordinate) || !(edit.radius > 0.0 && edit.radius < 1e6) ||
-        !(edit.wetSeconds >= 0.0 && edit.wetSeconds <= 6000.0))
-        return logWarning(
-            "extinguish: expected finite numbers, a radius above zero and 0 to 6000 seconds; nothing was put out");
     const uint32_t wet = uint32_t(edit.wetSeconds * kHeatUpdatesPerSecond);
     FireState& fire = m_context.world.fire;
     if (wet == 0 && !fire.isActive()) return;
@@ -135,8 +125,6 @@ void FireStage::apply(const ExtinguishEdit& edit) {
 }
 
 void FireStage::apply(const RemoveFiresEdit& edit) {
-    if (!isWithin(edit.low, kMaxCoordinate) || !isWithin(edit.high, kMaxCoordinate))
-        return logWarning("remove fires: expected finite numbers; nothing was put out");
     for (HeatField& field : m_context.world.fire.fields)
         for (HotBrick& hot : field.bricks) {
             if (!hot.burningFor || !m_context.world.shapes.find(field.shape)) continue;

@@ -11,10 +11,11 @@
 namespace rubble {
 namespace {
 
-/// A light as the world will hold it: one of a group that is out stays dark. Nothing, and a warning, if it is invalid.
+/// A light as the world will hold it: one of a group that is out stays dark. Nothing, and a warning, if a handle is
+/// stale.
 std::optional<Light> checkedLight(const EditContext& context, const Light& wanted, const char* function) {
     const LightGroup* group = context.world.groups.find(wanted.group);
-    std::string error = lightError(wanted);
+    std::string error;
     if (wanted.shape && !context.world.shapes.find(wanted.shape)) error = "the handle of its shape is stale";
     if (wanted.group && !group) error = "the handle of its light group is stale";
     if (!error.empty()) {
@@ -29,8 +30,6 @@ std::optional<Light> checkedLight(const EditContext& context, const Light& wante
 }  // namespace
 
 void apply(EditContext& context, const SetEnvironmentEdit& edit) {
-    if (const std::string error = environmentError(edit.environment); !error.empty())
-        return logWarning("set_environment: " + error + "; nothing was changed");
     const Environment before = context.world.environment;
     context.world.setEnvironment(edit.environment);
     context.changes.environmentChanged |= before != context.world.environment;

@@ -50,12 +50,12 @@ ShapeHandle loadShape(WorldData& world, BodyHandle body, bool isStatic, const Le
     return handle;
 }
 
-/// Leaves out hidden shapes, and bodies of hidden shapes only.
+/// Leaves out shapes that are hidden or have no voxels, and bodies of such shapes only: a World's shapes have voxels.
 ShapeNames loadBodies(WorldData& world, const Level& level) {
     ShapeNames names;
-    const auto isHidden = [](const LevelShape& shape) { return shape.hidden; };
+    const auto isLeftOut = [](const LevelShape& shape) { return shape.hidden || shape.grid.empty(); };
     for (const LevelBody& source : level.bodies) {
-        if (!source.shapes.empty() && std::all_of(source.shapes.begin(), source.shapes.end(), isHidden)) continue;
+        if (!source.shapes.empty() && std::all_of(source.shapes.begin(), source.shapes.end(), isLeftOut)) continue;
         Body body{.name = source.name, .pose = source.pose, .isStatic = source.isStatic, .tags = source.tags};
         body.velocity = source.velocity;
         body.angularVelocity = source.angularVelocity;
@@ -63,7 +63,7 @@ ShapeNames loadBodies(WorldData& world, const Level& level) {
             !source.isStatic && source.velocity == glm::vec3(0.0f) && source.angularVelocity == glm::vec3(0.0f);
         const BodyHandle handle = world.bodies.insert(std::move(body));
         for (const LevelShape& shape : source.shapes)
-            if (!isHidden(shape)) names.emplace(shape.name, loadShape(world, handle, source.isStatic, shape));
+            if (!isLeftOut(shape)) names.emplace(shape.name, loadShape(world, handle, source.isStatic, shape));
     }
     return names;
 }

@@ -1,13 +1,16 @@
 #include "runtime/assets/rubble_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <limits>
 
+#include "runtime/assets/chunk_file.h"
 #include "runtime/core/hash.h"
 #include "tests/runtime/assets/sample_level.h"
 #include "tests/support/temp_folder.h"
@@ -123,11 +126,14 @@ TEST(RubbleFile, InvalidLevelsAreNotWritten) {
     };
     EXPECT_NE(error([](Level& l) {
                   l.bodies[1].pose.position.y = std::numeric_limits<double>::quiet_NaN();
-              }).find("bodies[1].pose.position"),
+              }).find("bodies[1]: expected a valid body, found pose.position[1] is "),
               std::string::npos);
-    EXPECT_NE(error([](Level& l) { l.bodies[0].shapes[1].voxelSize = 0; }).find("voxel size"), std::string::npos);
-    EXPECT_NE(error([](Level& l) { l.bodies[0].shapes[1].strength = -1.0f; }).find("strength"), std::string::npos);
-    EXPECT_NE(error([](Level& l) { l.lights[0].light.name = "\xff"; }).find("lights[0].name: expected text in UTF-8"),
+    EXPECT_NE(error([](Level& l) { l.bodies[0].shapes[1].voxelSize = 0; }).find("voxel_size is 0"), std::string::npos);
+    EXPECT_NE(error([](Level& l) { l.bodies[0].shapes[1].strength = -1.0f; }).find("strength is -1"),
+              std::string::npos);
+    EXPECT_NE(error([](Level& l) {
+                  l.lights[0].light.name = "\xff";
+              }).find("lights[0]: expected a valid light, found name is no text in UTF-8"),
               std::string::npos);
     EXPECT_NE(error([](Level& l) {
                   l.lights[0].light.reach = -1.0f;
@@ -141,6 +147,50 @@ TEST(RubbleFile, InvalidLevelsAreNotWritten) {
     EXPECT_NE(error([](Level& l) { l.bodies[0].pose.rotation = glm::dquat(2, 0, 0, 0); }).find("rotation"),
               std::string::npos);
     EXPECT_FALSE(fs::exists(path));
+}
+
+TEST(RubbleFile, WhatIsNoFileIsRefusedAndNeverWaitedFor) {
+    const TempFolder folder;
+    ASSERT_EQ(mkfifo((folder / "pipe.rubble").c_str(), 0600), 0);
+    const Result<Level> pipe = readLevel(folder / "pipe.rubble", "");
+    ASSERT_FALSE(pipe);
+    EXPECT_NE(pipe.error().find("expected a file, found something else"), std::string::npos) << pipe.error();
+    EXPECT_FALSE(readRubble(folder.path().string()));
+}
+
+/// A level whose one shape is large and has no voxels: many bytes of memory from few.
+Level largeEmptyGrids(int count) {
+    Level level;
+    for (int i = 0; i < count; ++i) {
+        LevelBody& body = level.bodies.emplace_back();
+        body.shapes.push_back({.name = "shape", .grid = VoxelGrid({2048, 512, 512}), .hidden = true});
+    }
+    return level;
+}
+
+/// The file without its padding, with a valid header.
+std::vector<uint8_t> withoutPadding(std::vector<uint8_t> bytes) {
+    const std::array<char, 4> kind{'P', 'A', 'D', ' '};
+    const auto padding = std::search(bytes.begin(), bytes.end(), kind.begin(), kind.end());
+    EXPECT_NE(padding, bytes.end());
+    bytes.erase(padding, bytes.end());
+    uint32_t chunks = 0;
+    uint64_t hash = 0;
+    std::memcpy(&chunks, bytes.data() + 12, 4), std::memcpy(&hash, bytes.data() + 16, 8);
+    const FileHeader header = makeFileHeader(chunks - 1, hash);
+    std::memcpy(bytes.data(), &header, sizeof header);
+    return bytes;
+}
+
+TEST(RubbleFile, ReadingTakesNoMoreMemoryThanTheBudgetOfTheFile) {
+    const Level level = largeEmptyGrids(300);  // 300 directories of 16,384 nodes
+    const std::vector<uint8_t> bytes = levelToRubble(level);
+    EXPECT_TRUE(levelFromRubble(bytes, "t")) << "what is written can be read";
+    const std::vector<uint8_t> bomb = withoutPadding(bytes);
+    EXPECT_LT(bomb.size(), 20'000u);
+    const Result<Level> refused = levelFromRubble(bomb, "t");
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().find("expected what takes at most 128 MiB"), std::string::npos) << refused.error();
 }
 
 TEST(RubbleFile, FilesAreReplacedWhole) {

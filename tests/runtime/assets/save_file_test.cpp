@@ -1,14 +1,17 @@
 #include "runtime/assets/save_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <atomic>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <thread>
 
 #include "runtime/assets/assets.h"
+#include "runtime/assets/chunk_file.h"
 #include "runtime/assets/recording_file.h"
 #include "runtime/world/history/world_baseline.h"
 #include "tests/runtime/world/worlds.h"
@@ -102,6 +105,68 @@ TEST(SaveFile, RoundTripKeepsStateSlotsAndPendingEdits) {
     first.applyEdits(edits);
     back.applyEdits(edits);
     EXPECT_EQ(back.hash(), first.hash());
+}
+
+/// Reads a save of the game back; says why not if it cannot be read.
+std::string readingError(const WorldState& world) {
+    const Result<SavedGame> game = gameFromBytes(gameToBytes({world, {}}), "save", 1);
+    return game ? "" : game.error();
+}
+
+TEST(SaveFile, AnyLevelCanBeSavedAndLoaded) {
+    Level level = oneShapeLevel(towerGrid({40, 20, 20}), true);
+    level.bodies.push_back({.name = "shapes without voxels"});
+    level.bodies.back().shapes = {levelShape("no cells", {}), levelShape("no voxels", VoxelGrid({9, 9, 9}))};
+    Palette glowing = fiveEntries();
+    glowing[1].emission = 1e6f;
+    level.bodies[0].shapes[0].palette = std::make_shared<const Palette>(glowing);
+    level.bodies[0].shapes[0].voxelSize = 1000.0f;
+    level.autoLightGroups = 5;
+    World world;
+    world.load(level);
+    EXPECT_EQ(world.shapes().size(), 1u);
+    EXPECT_EQ(world.bodies().size(), 1u);
+    EXPECT_GT(world.lights().size(), 0u);
+    EXPECT_EQ(readingError(world.state()), "");
+}
+
+TEST(SaveFile, AWorldWithManyEmptySlotsCanBeSavedAndLoaded) {
+    WorldState state = brokenWorld().state();
+    state.joints = {1, std::vector<SlotMap<JointHandle, Joint>::Slot>(400'000), {}};
+    EXPECT_EQ(readingError(state), "");
+}
+
+TEST(SaveFile, StatesThatNoWorldCanHaveAreRefused) {
+    const WorldState good = brokenWorld().state();
+    ASSERT_EQ(readingError(good), "");
+    const auto error = [&](auto&& change) {
+        WorldState bad = good;
+        change(bad);
+        return readingError(bad);
+    };
+    EXPECT_NE(error([](WorldState& world) {
+                  const ShapeHandle shape = world.shapes.handleAt(0);
+                  world.fire.fields = {{shape, {{.heat = 5}, {.heat = 7}}}};
+              }).find("heat of shape"),
+              std::string::npos)
+        << "a hot brick that is listed twice";
+    EXPECT_NE(error([](WorldState& world) {
+                  world.joints.forEach([](JointHandle, Joint& joint) { joint.rope.points = 0, joint.points.clear(); });
+              }).find("points of joint"),
+              std::string::npos);
+    EXPECT_NE(error([](WorldState& world) { world.settings.impactRadius = 100.0; }).find("impact_radius is 100"),
+              std::string::npos);
+    EXPECT_NE(error([](WorldState& world) { world.settings.stress.contactTime = 0.0; }).find("contact_time is 0"),
+              std::string::npos);
+    EXPECT_NE(error([](WorldState& world) {
+                  world.waters.insert({.outline = {{0, 0}, {1, 0}, {0, 1}}, .flow = {1e7, 0, 0}});
+              }).find("flow[0] is 1e+07"),
+              std::string::npos);
+    EXPECT_NE(error([](WorldState& world) { world.materials.materials[1].restitution = 5e7f; }).find("restitution is"),
+              std::string::npos);
+    EXPECT_NE(
+        error([](WorldState& world) { world.materials.materials[1].density = 4'000'000'000u; }).find("density is"),
+        std::string::npos);
 }
 
 TEST(SaveFile, EveryTruncationAndEveryBitFlipIsRefused) {
@@ -259,6 +324,44 @@ TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
     ASSERT_GT(joiner.lights().size(), 3u);
     EXPECT_EQ(joiner.lights().freeSlots(), host.world.lights().freeSlots());
     RecordProperty("bytes_per_step", int(bytes / 30));
+}
+
+TEST(RecordingFile, EditsOfFewBytesTakeNoMoreMemoryThanTheBudgetOfTheFile) {
+    const TempFolder folder;
+    const World world = brokenWorld();
+    Result<RecordingWriter> writer = RecordingWriter::open(folder / "many.rubblelog", gameOf(world));
+    ASSERT_TRUE(writer);
+    RecordedStep step{.step = world.step() + 1, .edits = Edits(300'000, HistoryEdit{})};
+    writer->add(step);
+    ASSERT_TRUE(writer->close());
+    const Result<Recording> recording = readRecording(folder / "many.rubblelog", 1);
+    ASSERT_TRUE(recording) << "what is written can be read: " << recording.error();
+    EXPECT_EQ(recording->steps.at(0).edits.size(), 300'000u);
+
+    ChunkWriter bomb;
+    bomb.add({'G', 'A', 'M', 'E'}, gameToBytes(gameOf(world)));
+    bomb.add({'S', 'T', 'E', 'P'}, recordedStepToBytes(step));
+    const Result<Recording> refused = recordingFromBytes(bomb.file(0), "bomb", 1);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().find("takes at most 128 MiB"), std::string::npos) << refused.error();
+}
+
+TEST(RecordingFile, TheFirstReasonWhyItCannotBeWrittenIsReported) {
+    const TempFolder folder;
+    const World world = brokenWorld();
+    Result<RecordingWriter> writer = RecordingWriter::open(folder / "full.rubblelog", gameOf(world));
+    ASSERT_TRUE(writer);
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const rlimit small{1000, before.rlim_max};
+    const auto oldHandler = std::signal(SIGXFSZ, SIG_IGN);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    for (int i = 0; i < 3; ++i) writer->add({.step = world.step() + 1, .delta = std::vector<uint8_t>(100'000, 7)});
+    const Result<Done> closed = writer->close();
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, oldHandler);
+    ASSERT_FALSE(closed);
+    EXPECT_NE(closed.error().find("cannot write: File too large"), std::string::npos) << closed.error();
 }
 
 TEST(StepDelta, DamagedStepsAreRefusedAndChangeNothing) {

@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "runtime/assets/vox_file.h"
 #include "runtime/assets/vox_palette.h"
 #include "runtime/world/world.h"
 #include "tests/runtime/assets/vox_writer.h"
@@ -345,6 +346,89 @@ TEST(VoxImport, EveryBitFlipIsReadOrRefused) {
         bytes[bit / 8] ^= uint8_t(1u << bit % 8);
     }
     EXPECT_GT(refused, int(bytes.size()));
+}
+
+TEST(VoxImport, ModelsOfTeardownAreReadAsThoseOfMagicaVoxel) {
+    const glm::ivec3 size(5, 7, 11);
+    std::vector<uint8_t> cells(5 * 7 * 11);
+    std::vector<std::array<uint8_t, 4>> voxels;
+    for (size_t i = 0; i < cells.size(); ++i) {
+        cells[i] = i % 3 ? uint8_t(1 + i % 250) : uint8_t(0);
+        if (cells[i]) voxels.push_back({uint8_t(i % 5), uint8_t(i / 5 % 7), uint8_t(i / 35), cells[i]});
+    }
+    std::array<std::array<uint8_t, 4>, 256> colors{};
+    for (size_t i = 0; i < 256; ++i) colors[i] = {uint8_t(i), uint8_t(255 - i), 7, 255};
+    VoxWriter usual;
+    usual.model(size, voxels).colors(colors);
+    const uint64_t expected = hashLevel(import(usual));
+    for (const bool hasSize : {true, false}) {
+        VoxWriter teardown;
+        teardown.packedModel(size, cells, hasSize).colors(colors, 255);
+        ImportReport report;
+        EXPECT_EQ(hashLevel(import(teardown, &report)), expected) << "with a SIZE chunk: " << hasSize;
+        EXPECT_TRUE(reportHas(report, "RGBA: expected 256 colours, found 255"));
+    }
+}
+
+TEST(VoxImport, ShortPalettesKeepTheDefaultColoursOfTheOthers) {
+    std::array<std::array<uint8_t, 4>, 256> colors{};
+    VoxWriter writer;
+    writer.model({2, 1, 1}, {{0, 0, 0, 3}, {1, 0, 0, 4}}).colors(colors, 3);
+    ImportReport report;
+    const Level level = import(writer, &report);
+    const Palette& palette = *level.bodies.at(0).shapes.at(0).palette;
+    EXPECT_EQ(palette[3].red, 0);
+    EXPECT_EQ(palette[4].green, defaultVoxColors()[4][1]);
+    EXPECT_TRUE(reportHas(report, "found 3: the others are MagicaVoxel's default colours"));
+}
+
+TEST(VoxImport, DamagedModelsOfTeardownAreRefused) {
+    VoxWriter shorter;
+    shorter.packedModel({4, 4, 4}, std::vector<uint8_t>(63, 1));
+    EXPECT_NE(importError(shorter).find("expected 64 cells of a model of 4x4x4, found 63"), std::string::npos)
+        << importError(shorter);
+    VoxWriter longer;
+    longer.packedModel({4, 4, 4}, std::vector<uint8_t>(99, 1));
+    EXPECT_EQ(importError(longer), "no error") << "what follows the last cell does not matter";
+    VoxWriter none;
+    none.chunk("TDCZ", {4, 0, 0, 0, 4, 0, 0, 0, 4, 0, 0, 0, 'x', 'y', 'z'});
+    EXPECT_NE(importError(none).find("found 0: the packed data is damaged"), std::string::npos) << importError(none);
+    VoxWriter sizes;
+    sizes.chunk("SIZE", {5, 0, 0, 0, 4, 0, 0, 0, 4, 0, 0, 0})
+        .packedModel({4, 4, 4}, std::vector<uint8_t>(64, 1), false);
+    EXPECT_NE(importError(sizes).find("expected 5x4x4, as its SIZE chunk says, found 4x4x4"), std::string::npos)
+        << importError(sizes);
+}
+
+TEST(VoxImport, NestedMainChunksAreRefused) {
+    VoxWriter::Bytes bytes{'V', 'O', 'X', ' ', 150, 0, 0, 0};
+    constexpr uint32_t kLevels = 100'000;
+    for (uint32_t i = 0; i < kLevels; ++i) {
+        bytes.insert(bytes.end(), {'M', 'A', 'I', 'N'});
+        VoxWriter::put(bytes, 0u), VoxWriter::put(bytes, (kLevels - 1 - i) * 12);
+    }
+    const Result<Level> level = importVoxBytes(bytes, "deep.vox", {});
+    ASSERT_FALSE(level);
+    EXPECT_NE(level.error().find("expected no MAIN chunk inside another"), std::string::npos) << level.error();
+}
+
+/// Groups of which each has all 40 objects of the next level as children, 64,000 objects in all.
+VoxWriter manyObjects(const std::string& name) {
+    VoxWriter writer;
+    VoxWriter::Bytes cells(256 * 256 * 256);
+    cells.front() = cells.back() = 1;
+    writer.packedModel({256, 256, 256}, cells);
+    const std::vector<int> fan(40, 1);
+    writer.group(0, fan).group(1, std::vector<int>(40, 2)).group(2, std::vector<int>(40, 3));
+    writer.transform(3, 4, {{}}, {{"_name", name}}).shape(4, {0});
+    return writer;
+}
+
+TEST(VoxImport, ObjectsByTheThousandTakeNoMoreMemoryThanTheBudgetOfTheFile) {
+    const VoxWriter writer = manyObjects(std::string(100'000, 'n'));
+    EXPECT_LT(writer.file().size(), 130'000u);
+    EXPECT_NE(importError(writer).find("expected objects that take at most 128 MiB"), std::string::npos)
+        << importError(writer);
 }
 
 }  // namespace

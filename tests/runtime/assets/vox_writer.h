@@ -1,4 +1,6 @@
 #pragma once
+#include <zlib.h>
+
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -48,6 +50,24 @@ public:
         for (const auto& voxel : voxels) content.insert(content.end(), voxel.begin(), voxel.end());
         return chunk("XYZI", content);
     }
+    /// Adds a TDCZ chunk, as Teardown writes it, and a SIZE chunk before it if wished: cells with x fastest, then y.
+    /// The zlib stream is not closed.
+    VoxWriter& packedModel(glm::ivec3 size, const Bytes& cells, bool hasSize = true) {
+        Bytes sizes;
+        for (int i = 0; i < 3; ++i) put(sizes, uint32_t(size[i]));
+        if (hasSize) chunk("SIZE", sizes);
+        z_stream stream{};
+        deflateInit(&stream, Z_BEST_COMPRESSION);
+        Bytes packed(deflateBound(&stream, uLong(cells.size())) + 64);
+        stream.next_in = const_cast<Bytef*>(cells.data()), stream.avail_in = uInt(cells.size());
+        stream.next_out = packed.data(), stream.avail_out = uInt(packed.size());
+        deflate(&stream, Z_SYNC_FLUSH);
+        packed.resize(packed.size() - stream.avail_out);
+        deflateEnd(&stream);
+        Bytes content = sizes;
+        content.insert(content.end(), packed.begin(), packed.end());
+        return chunk("TDCZ", content);
+    }
     /// Adds an nTRN node: a pose for each frame.
     VoxWriter& transform(int id, int child, const std::vector<Attributes>& frames, const Attributes& attributes = {},
                          int layer = -1) {
@@ -80,10 +100,10 @@ public:
         if (std::string(kind) == "LAYR") put(content, uint32_t(-1));
         return chunk(kind, content);
     }
-    /// Adds RGBA.
-    VoxWriter& colors(const std::array<std::array<uint8_t, 4>, 256>& colors) {
+    /// Adds RGBA, or the first colours of one.
+    VoxWriter& colors(const std::array<std::array<uint8_t, 4>, 256>& colors, size_t count = 256) {
         Bytes content;
-        for (const auto& color : colors) content.insert(content.end(), color.begin(), color.end());
+        for (size_t i = 0; i < count; ++i) content.insert(content.end(), colors[i].begin(), colors[i].end());
         return chunk("RGBA", content);
     }
     /// The file: header, MAIN and all chunks.

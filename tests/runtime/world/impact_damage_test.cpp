@@ -61,6 +61,16 @@ TEST(ImpactDamage, ImpactsBreakRestingWeightDoesNot) {
     EXPECT_EQ(voxelAccounting(hit.world).imported, 8000u + 6400u);
 }
 
+TEST(ImpactDamage, AHoleInFineVoxelsHasABoundedNumberOfCells) {
+    Level level = blockOnGround("concrete", {20, 20, 20});
+    level.bodies[0].shapes[0].voxelSize = 0.004f;
+    Hit hit(level);
+    hit.impact.position = {0.04, 0.0, 0.04};
+    const Edits edits = hit.with(1e9);
+    ASSERT_EQ(edits.size(), 1u);
+    EXPECT_LE(std::get<BreakEdit>(edits[0]).radii[0], 32.0 * 0.0041) << "metres";
+}
+
 TEST(ImpactDamage, DamageDependsOnTheMaterial) {
     const auto threshold = [](const char* material) { return Hit(blockOnGround(material, {4, 4, 4})).threshold(); };
     EXPECT_NEAR(threshold("concrete"), 2000.0 * 2.0, 1.0) << "medium: twice the scene's threshold";

@@ -65,6 +65,11 @@ TEST(Sandbox, SameSeedSameStateWithTheWorkerOnOrOff) {
     EXPECT_GT(a["voxels_removed"].get<uint64_t>(), 0u);
 }
 
+TEST(Sandbox, RefusesNumbersThatMeanNothing) {
+    for (const char* arguments : {"--seconds nan", "--seconds inf", "--seconds 0", "--seed -1", "--frames 0"})
+        EXPECT_NE(runSandbox("--no-render " + std::string(arguments) + " 2>/dev/null"), 0) << arguments;
+}
+
 TEST(Sandbox, RefusesWhatItCannotDo) {
     EXPECT_NE(runSandbox("--size 5x5 2>/dev/null"), 0);
     EXPECT_NE(runSandbox("--model /no/such/file.vox 2>/dev/null"), 0);

@@ -306,7 +306,7 @@ typedef struct rubble_joint_state {
  * another body lets go of the first. */
 typedef struct rubble_grab {
     uint32_t struct_size;
-    uint32_t hand; /* any number that the host chooses */
+    uint32_t hand; /* any number that the host chooses, below 4294967295 */
     rubble_body body;
     double point[3];     /* world: where the body is held; counts when it is grabbed */
     double target[3];    /* world: where that point shall go */
@@ -461,7 +461,7 @@ typedef struct rubble_water_settings {
     double density;         /* kg/m3; 0: 1000 */
     double linear_drag;     /* 1/s: rate at which the displaced water drags a body along; 0: 1.5 */
     double angular_drag;    /* 1/s: the same for its spin; 0: 1.5 */
-    double flow[3];         /* m/s: current */
+    double flow[3];         /* m/s: current, -100 to 100 along each axis */
 } rubble_water_settings;
 
 enum { RUBBLE_TRIGGER_SPHERE = 0, RUBBLE_TRIGGER_BOX = 1, RUBBLE_TRIGGER_POLYGON = 2 };

@@ -1,0 +1,208 @@
+#include "runtime/world/edits/edit_error.h"
+
+#include <glm/vector_relational.hpp>
+
+#include "runtime/core/range_check.h"
+#include "runtime/core/ranges.h"
+#include "runtime/world/objects/object_errors.h"
+#include "runtime/world/settings/settings_error.h"
+
+namespace rubble {
+namespace {
+
+/// Names of the kinds, in the order of AnyEdit.
+constexpr const char* kNames[] = {"carve",
+                                  "explode",
+                                  "paint",
+                                  "apply_impulse",
+                                  "settings",
+                                  "undo",
+                                  "heat",
+                                  "extinguish",
+                                  "remove fires",
+                                  "break_voxels",
+                                  "split shape",
+                                  "merge shapes",
+                                  "trim shape",
+                                  "resize shape",
+                                  "impact load",
+                                  "set_collision_filter",
+                                  "add_water",
+                                  "remove_water",
+                                  "add_trigger",
+                                  "remove_trigger",
+                                  "add_character",
+                                  "remove_character",
+                                  "move_character",
+                                  "teleport_character",
+                                  "add_joint",
+                                  "remove_joint",
+                                  "set_joint_motor",
+                                  "detach joint",
+                                  "grab_body",
+                                  "release_body",
+                                  "drive_wheels",
+                                  "set_environment",
+                                  "set_light",
+                                  "add_light",
+                                  "remove_light"};
+static_assert(std::size(kNames) == std::variant_size_v<AnyEdit>);
+
+/// About a number of an enum whose last is `last`.
+template <class Enum>
+RangeCheck checkEnum(const char* name, Enum value, Enum last) {
+    return RangeCheck().number(name, double(value), {0.0, double(last)});
+}
+
+RangeCheck checkRadii(const std::array<double, 3>& radii) {
+    RangeCheck check;
+    for (const double radius : radii) check.number("radii", radius, ranges::kBrushRadius);
+    return check.require(radii[0] >= radii[1] && radii[1] >= radii[2], "radii grow, expected soft >= medium >= hard");
+}
+
+/// Edits of handles and flags alone have nothing to check.
+template <class T>
+std::string errorOf(const T&) {
+    return "";
+}
+std::string errorOf(const CarveEdit& edit) {
+    RangeCheck check = checkEnum("brush", edit.kind, BrushKind::Capsule);
+    check.include(checkEnum("tool", edit.tool, Tool::Explosive).error())
+        .include(checkEnum("max_hardness", edit.maxHardness, Hardness::Unphysical).error())
+        .vector("position", edit.position, ranges::kCoordinate);
+    if (edit.kind == BrushKind::Box)
+        return check.vector("half_size", edit.halfSize, ranges::kBrushRadius)
+            .rotation("rotation", edit.rotation)
+            .error();
+    return check.vector("end", edit.end, ranges::kCoordinate).include(checkRadii(edit.radii).error()).error();
+}
+std::string errorOf(const BreakEdit& edit) {
+    return checkEnum("tool", edit.tool, Tool::Explosive)
+        .vector("position", edit.position, ranges::kCoordinate)
+        .include(checkRadii(edit.radii).error())
+        .error();
+}
+std::string errorOf(const ExplodeEdit& edit) {
+    return RangeCheck()
+        .vector("position", edit.position, ranges::kCoordinate)
+        .number("size", edit.size, ranges::kExplosionSize)
+        .number("impulse", edit.impulse, ranges::kBlast)
+        .error();
+}
+std::string errorOf(const PaintEdit& edit) {
+    return checkEnum("mode", edit.mode, PaintMode::Layer)
+        .vector("position", edit.position, ranges::kCoordinate)
+        .vector("end", edit.end, ranges::kCoordinate)
+        .number("radius", edit.radius, ranges::kPaintRadius)
+        .error();
+}
+std::string errorOf(const ImpulseEdit& edit) {
+    return RangeCheck()
+        .vector("position", edit.position, ranges::kCoordinate)
+        .vector("impulse", edit.impulse, ranges::kImpulse)
+        .error();
+}
+std::string errorOf(const ImpactLoadEdit& edit) {
+    return RangeCheck()
+        .vector("position", edit.position, ranges::kCoordinate)
+        .vector("impulse", edit.impulse, ranges::kImpulse)
+        .error();
+}
+std::string errorOf(const SettingsEdit& edit) {
+    return settingsError(edit.settings);
+}
+std::string errorOf(const HeatEdit& edit) {
+    return RangeCheck()
+        .vector("position", edit.position, ranges::kCoordinate)
+        .number("radius", edit.radius, ranges::kHeatRadius)
+        .number("joules", edit.joules, ranges::kHeat)
+        .error();
+}
+std::string errorOf(const ExtinguishEdit& edit) {
+    return RangeCheck()
+        .vector("position", edit.position, ranges::kCoordinate)
+        .number("radius", edit.radius, ranges::kHeatRadius)
+        .number("wet_seconds", edit.wetSeconds, ranges::kWetSeconds)
+        .error();
+}
+std::string errorOf(const RemoveFiresEdit& edit) {
+    return RangeCheck()
+        .vector("low", edit.low, ranges::kCoordinate)
+        .vector("high", edit.high, ranges::kCoordinate)
+        .error();
+}
+std::string errorOf(const AddWaterEdit& edit) {
+    return objectError(edit.water);
+}
+std::string errorOf(const AddTriggerEdit& edit) {
+    return objectError(edit.trigger);
+}
+std::string errorOf(const AddCharacterEdit& edit) {
+    return objectError(edit.character);
+}
+std::string errorOf(const MoveCharacterEdit& edit) {
+    return characterVelocityError("desired_velocity", edit.wish);
+}
+std::string errorOf(const TeleportCharacterEdit& edit) {
+    return RangeCheck()
+        .vector("position", edit.position, ranges::kCoordinate)
+        .include(characterVelocityError("velocity", edit.velocity))
+        .error();
+}
+std::string errorOf(const AddJointEdit& edit) {
+    return objectError(edit.joint);
+}
+std::string errorOf(const RemoveJointEdit& edit) {
+    return RangeCheck().vector("place", edit.place, ranges::kCoordinate).error();
+}
+std::string errorOf(const SetJointMotorEdit& edit) {
+    return checkEnum("motor", edit.motor.mode, MotorMode::Position)
+        .number("motor_target", edit.motor.target, ranges::kJointTarget)
+        .number("motor_max_force", edit.motor.maxForce, ranges::kJointNumber)
+        .number("friction", edit.friction, ranges::kJointNumber)
+        .number("steer_angle", edit.steer, ranges::kSteer)
+        .error();
+}
+std::string errorOf(const GrabEdit& edit) {
+    return RangeCheck()
+        .vector("point", edit.point, ranges::kCoordinate)
+        .vector("target", edit.target, ranges::kCoordinate)
+        .number("max_force", edit.maxForce, ranges::kForce)
+        .number("spring_hertz", edit.hertz, ranges::kGrabHertz)
+        .number("hand", edit.hand, ranges::kHand)
+        .error();
+}
+std::string errorOf(const ReleaseEdit& edit) {
+    return RangeCheck()
+        .vector("impulse", edit.impulse, ranges::kImpulse)
+        .number("hand", edit.hand, ranges::kHand)
+        .error();
+}
+std::string errorOf(const DriveEdit& edit) {
+    return RangeCheck()
+        .number("throttle", edit.throttle, ranges::kLever)
+        .number("steer", edit.steer, ranges::kLever)
+        .number("brake", edit.brake, ranges::kPedal)
+        .error();
+}
+std::string errorOf(const SetEnvironmentEdit& edit) {
+    return environmentError(edit.environment);
+}
+std::string errorOf(const SetLightEdit& edit) {
+    return objectError(edit.values);
+}
+std::string errorOf(const AddLightEdit& edit) {
+    return objectError(edit.light);
+}
+
+}  // namespace
+
+std::string editError(const Edit& edit) {
+    return std::visit([](const auto& each) { return errorOf(each); }, static_cast<const AnyEdit&>(edit));
+}
+
+const char* editName(const Edit& edit) {
+    return kNames[edit.index()];
+}
+
+}  // namespace rubble

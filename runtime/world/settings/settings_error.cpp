@@ -1,0 +1,26 @@
+#include "runtime/world/settings/settings_error.h"
+
+#include "runtime/core/range_check.h"
+#include "runtime/core/ranges.h"
+
+namespace rubble {
+
+std::string settingsError(const WorldSettings& s) {
+    return RangeCheck()
+        .number("impact_threshold", s.impactThreshold, ranges::kImpactThreshold)
+        .number("impact_speed", s.impactSpeed, ranges::kImpactSpeed)
+        .number("impact_radius", s.impactRadius, ranges::kImpactRadius)
+        .number("impact_radius_limit", s.impactRadiusLimit, ranges::kImpactRadius)
+        .number("impacts_per_step", double(s.impactsPerStep), ranges::kImpactsPerStep)
+        .number("fragments_per_break", double(s.debris.fragmentsPerBreak), ranges::kFragments)
+        .number("mode", double(s.paint.mode), {0.0, double(PaintMode::Layer)})
+        .number("strength_scale", s.stress.strengthScale, ranges::kStrengthScale)
+        .number("work_per_step", double(s.stress.workPerStep), ranges::kStressWork)
+        .number("contact_time", s.stress.contactTime, ranges::kContactTime)
+        .number("min_impulse", s.stress.minImpulse, ranges::kImpactThreshold)
+        .number("spread", double(s.fire.spread), ranges::kFireSpread)
+        .number("burn_time", double(s.fire.burnTime), ranges::kFireBurnTime)
+        .error();
+}
+
+}  // namespace rubble

@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "runtime/assets/assets.h"
+#include "tests/support/temp_folder.h"
+
+namespace rubble {
+namespace {
+
+/// A program that stands for rubble-vdb.
+std::string script(const TempFolder& folder, const std::string& text) {
+    const std::string path = folder / "tool";
+    std::ofstream(path) << "#!/bin/sh\n" << text << "\n";
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+    return path;
+}
+
+TEST(VdbTool, ManyNotesDoNotHideTheError) {
+    const TempFolder folder;
+    const std::string tool =
+        script(folder,
+               "yes 'note: a grid of an unknown type with a long name was left out' | head -n 5000\n"
+               "echo 'error: the reason'\n"
+               "exit 1");
+    const Result<Level> level = readVdb("some.vdb", tool);
+    ASSERT_FALSE(level);
+    EXPECT_EQ(level.error(), "some.vdb: the reason");
+}
+
+TEST(VdbTool, LeftOutNotesAreSaid) {
+    const TempFolder folder;
+    const std::string tool = script(folder, "yes 'note: n' | head -n 50000");
+    ImportReport report;
+    EXPECT_FALSE(readVdb("some.vdb", tool, &report));
+    EXPECT_EQ(std::count(report.lines.begin(), report.lines.end(), "further notes are left out"), 1);
+}
+
+TEST(VdbTool, AChildThatAbortsIsSaidToHarmNothingElse) {
+    const TempFolder folder;
+    const Result<Level> level = readVdb("some.vdb", script(folder, "kill -ABRT $$"));
+    ASSERT_FALSE(level);
+    EXPECT_NE(level.error().find("it runs in a process of its own"), std::string::npos) << level.error();
+}
+
+TEST(VdbTool, WithoutATemporaryFolderNothingIsConverted) {
+    const TempFolder folder;
+    const std::string tool = script(folder, "touch " + (folder / "started"));
+    const char* before = std::getenv("TMPDIR");
+    const std::string old = before ? before : "";
+    setenv("TMPDIR", "/proc/self", 1);
+    const Result<Level> level = readVdb("some.vdb", tool);
+    const Result<Done> written = writeVdb("some.vdb", Level{}, tool);
+    before ? setenv("TMPDIR", old.c_str(), 1) : unsetenv("TMPDIR");
+    ASSERT_FALSE(level);
+    ASSERT_FALSE(written);
+    EXPECT_NE(level.error().find("cannot make a temporary folder"), std::string::npos) << level.error();
+    EXPECT_FALSE(std::filesystem::exists(folder / "started"));
+}
+
+}  // namespace
+}  // namespace rubble
