@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/vector_relational.hpp>
 #include <new>
+#include <set>
 #include <type_traits>
 
 #include "runtime/assets/binary_archive.h"
@@ -77,6 +78,17 @@ std::vector<uint8_t> stateToBytes(const SavedGame& game, PaletteList& palettes, 
     return bytes;
 }
 
+/// The shapes that wait for their split, in a chunk of their own: saves of before have none.
+std::vector<uint8_t> waitingToBytes(const WorldState& world, PaletteList& palettes, uint64_t& memory) {
+    std::vector<ShapeHandle> waiting;
+    for (const PendingSplit& pending : world.pendingSplits) waiting.push_back(pending.shape);
+    std::vector<uint8_t> bytes;
+    BinaryOutputArchive out(bytes, palettes);
+    out.put(waiting);
+    memory = out.memory();
+    return bytes;
+}
+
 SavedGame stateFromBytes(ByteReader& reader, const std::vector<PaletteRef>& palettes, uint8_t number) {
     SavedGame game;
     BinaryInputArchive in(reader, palettes, number);
@@ -130,6 +142,10 @@ Result<Done> validateHandles(const WorldState& world) {
         if (const std::string wrong = jointEndsError(joint); error.empty() && !wrong.empty())
             error = fmt::format("joint {}: {}", handle.slot(), wrong);
     });
+    std::set<ShapeHandle> waiting;
+    for (const PendingSplit& pending : world.pendingSplits)
+        if (!world.shapes.find(pending.shape) || !waiting.insert(pending.shape).second)
+            fail("split of shape", pending.shape.slot());
     uint32_t next = 0;
     for (const HeatField& field : world.fire.fields) {
         const Shape* shape = world.shapes.find(field.shape);
@@ -152,6 +168,7 @@ Result<Done> validateHandles(const WorldState& world) {
 struct Parsed {
     std::vector<PaletteRef> palettes;
     SavedGame game;
+    std::vector<ShapeHandle> waiting;  ///< for their split
     std::vector<Shape*> shapes;
     std::vector<VoxelGrid*> grids;  ///< of all shapes, by the numbers that GRID chunks use
     bool haveState = false;
@@ -170,6 +187,8 @@ void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, siz
         if (!in.failed())
             out.game.world.shapes.forEach(
                 [&](ShapeHandle, Shape& shape) { out.shapes.push_back(&shape), out.grids.push_back(&shape.grid); });
+    } else if (kind == "WAIT") {
+        BinaryInputArchive(in, out.palettes, world).get(out.waiting);
     } else if (kind == "GRID") {
         readGridChunk(in, out.grids);
     } else if (kind == "LEVL") {
@@ -221,7 +240,8 @@ Result<Done> validateState(const WorldState& state, uint8_t number, uint64_t has
 std::vector<uint8_t> gameToBytes(const SavedGame& game, uint64_t* memory) {
     World world;
     world.setState(game.world);
-    return gameToBytes(game, world.hash(), memory);
+    world.resetCaches();
+    return gameToBytes({world.state(), game.pending}, world.hash(), memory);
 }
 
 std::vector<uint8_t> gameToBytes(const SavedGame& game, uint64_t hash, uint64_t* memory) {
@@ -231,6 +251,11 @@ std::vector<uint8_t> gameToBytes(const SavedGame& game, uint64_t hash, uint64_t*
     const std::vector<uint8_t> state = stateToBytes(game, palettes, stateMemory);
     out.add({'P', 'A', 'L', 'T'}, palettesToBytes(palettes.palettes()));
     out.add({'S', 'A', 'V', 'E'}, state, stateMemory);
+    if (!game.world.pendingSplits.empty()) {
+        uint64_t waitingMemory = 0;
+        const std::vector<uint8_t> waiting = waitingToBytes(game.world, palettes, waitingMemory);
+        out.add({'W', 'A', 'I', 'T'}, waiting, waitingMemory);
+    }
     GridChunkWriter grids(out);
     uint32_t shape = 0;
     game.world.shapes.forEach([&](ShapeHandle, const Shape& each) { grids.addGrid(shape++, each.grid); });
@@ -251,12 +276,14 @@ Result<SavedGame> gameFrom(ByteReader& in, const std::string& name, uint8_t worl
     if (!parsed.haveState) in.fail("a SAVE chunk", "none");
     if (in.failed()) return Error{name + ": " + in.error()};
     WorldState& state = parsed.game.world;
+    for (const ShapeHandle shape : parsed.waiting) state.pendingSplits.push_back({shape, {}, {}});
     for (Shape* shape : parsed.shapes) {
         if (!shape->palette) shape->palette = std::make_shared<const Palette>();
         shape->moments = gridMoments(shape->grid, *shape->palette, state.materials);
     }
     if (const Result<Done> checked = validateState(state, world, header.contentHash); !checked)
         return Error{name + ": " + checked.error()};
+    restartPendingSplits(state);
     return std::move(parsed.game);
 }
 

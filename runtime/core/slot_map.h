@@ -19,8 +19,9 @@ public:
         uint32_t lastGeneration = 1;  ///< the highest so far: a later value gets a higher one
     };
 
-    /// `world` is stored in all handles: handles of another world find nothing here.
-    explicit SlotMap(uint8_t world = 0) : m_world(world) {}
+    /// `world` is stored in all handles: handles of another world find nothing here. `firstGeneration`: of new slots.
+    explicit SlotMap(uint8_t world = 0, uint32_t firstGeneration = 1)
+        : m_firstGeneration(firstGeneration), m_world(world) {}
     /// From slots() and freeSlots() of another map, as a saved game stores them.
     SlotMap(uint8_t world, std::vector<Slot> slots, const std::vector<uint32_t>& free)
         : m_slots(std::move(slots)), m_world(world) {
@@ -34,7 +35,7 @@ public:
         if (m_free.empty()) {
             slot = uint32_t(m_slots.size());
             assert(slot < 0xffffffu && "SlotMap is full: 16,777,215 slots");
-            m_slots.emplace_back();
+            m_slots.push_back({{}, m_firstGeneration, m_firstGeneration});
         } else {
             slot = m_free.back();
             m_free.pop_back();
@@ -73,7 +74,7 @@ public:
             std::vector<uint32_t> added(slot + 1 - m_slots.size());
             for (size_t i = 0; i < added.size(); ++i) added[i] = slot - uint32_t(i);
             m_free.insert(m_free.begin(), added.begin(), added.end());
-            m_slots.resize(slot + 1);
+            m_slots.resize(slot + 1, {{}, m_firstGeneration, m_firstGeneration});
         }
         assert(!m_slots[slot].value && "restoring over a living object");
         m_free.erase(std::find(m_free.rbegin(), m_free.rend(), slot).base() - 1);
@@ -138,6 +139,12 @@ public:
         m_free.insert(m_free.end(), next.begin(), next.end());
     }
 
+    /// The highest generation of all handles so far.
+    uint32_t highestGeneration() const {
+        uint32_t highest = 0;
+        for (const Slot& slot : m_slots) highest = std::max(highest, slot.lastGeneration);
+        return highest;
+    }
     /// Objects in the map.
     size_t size() const { return m_size; }
     /// Slots ever used: the length of a side table indexed by Handle::slot().
@@ -147,6 +154,7 @@ private:
     std::vector<Slot> m_slots;
     std::vector<uint32_t> m_free;
     size_t m_size = 0;
+    uint32_t m_firstGeneration = 1;
     uint8_t m_world = 0;
 };
 

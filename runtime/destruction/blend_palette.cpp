@@ -32,14 +32,10 @@ uint8_t stepped(int from, int to, int strength) {
     return uint8_t(difference < 0 ? from - step : from + step);
 }
 
-bool isFree(const PaletteEntry& entry) {
-    return entry.material == 0;
-}
-
 }  // namespace
 
 BlendPalette::BlendPalette(const VoxelGrid& grid, const Palette& palette, const Paint& paint)
-    : m_grid(grid), m_palette(palette), m_paint(paint) {
+    : m_used(usedEntries(grid)), m_palette(palette), m_paint(paint) {
     m_blended.fill(-1);
 }
 
@@ -54,7 +50,7 @@ uint8_t BlendPalette::blended(uint8_t source) {
 uint8_t BlendPalette::choose(uint8_t source) {
     const PaletteEntry from = m_palette[source];
     const PaletteEntry goal = withColor(from, m_paint.color);
-    if (from == goal || isFree(from)) return source;
+    if (from == goal || from.material == 0) return source;
     const PaletteEntry wanted = withColor(
         from, {stepped(from.red, goal.red, m_paint.strength), stepped(from.green, goal.green, m_paint.strength),
                stepped(from.blue, goal.blue, m_paint.strength)});
@@ -92,31 +88,31 @@ std::optional<uint8_t> BlendPalette::nearestCloser(uint8_t source, const Palette
 }
 
 std::optional<uint8_t> BlendPalette::allocate(const PaletteEntry& entry) {
-    for (int i = 1; i < 256; ++i) {
-        if (!isFree(m_palette[size_t(i)]) || m_isTaken[size_t(i)]) continue;
-        m_palette[size_t(i)] = entry;
+    for (size_t i = 1; i < 256; ++i) {
+        if (!isFree(i)) continue;
+        m_palette[i] = entry;
         m_hasChanged = true;
         return uint8_t(i);
     }
     return std::nullopt;
 }
 
+/// Voxels may have entries without a material too.
+bool BlendPalette::isFree(size_t entry) const {
+    return m_palette[entry].material == 0 && !m_used.contains(entry) && !m_isTaken[entry];
+}
+
 int BlendPalette::freeCount() const {
-    return int(std::count_if(m_palette.begin() + 1, m_palette.end(), isFree));
+    int count = 0;
+    for (size_t i = 1; i < 256; ++i) count += isFree(i);
+    return count;
 }
 
 void BlendPalette::freeUnused() {
     if (m_hasFreedUnused) return;
     m_hasFreedUnused = true;
-    std::array<bool, 256> isUsed = m_isTaken;
-    m_grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
-        if (!brick->indices)
-            isUsed[brick->uniform] = true;
-        else
-            for (const uint8_t entry : *brick->indices) isUsed[entry] = true;
-    });
     for (size_t i = 1; i < 256; ++i)
-        if (!isUsed[i] && !isFree(m_palette[i])) m_palette[i] = {.material = 0};
+        if (!m_used.contains(i) && !m_isTaken[i]) m_palette[i] = {.material = 0};
 }
 
 }  // namespace rubble

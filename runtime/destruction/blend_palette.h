@@ -4,13 +4,14 @@
 #include <optional>
 
 #include "runtime/destruction/paint.h"
+#include "runtime/voxel/used_entries.h"
 
 namespace rubble {
 
 /// Finds or makes the palette entries for one step of paint (see paintPalette()).
 class BlendPalette {
 public:
-    /// `grid` and `paint` must outlive it; the palette is copied.
+    /// `paint` must outlive it.
     BlendPalette(const VoxelGrid& grid, const Palette& palette, const Paint& paint);
 
     /// The entry that voxels of entry `source` get in this step; `source` itself once it has the paint's colour.
@@ -28,9 +29,10 @@ private:
     std::optional<uint8_t> nearestCloser(uint8_t source, const PaletteEntry& wanted) const;
     std::optional<uint8_t> allocate(const PaletteEntry& entry);
     void freeUnused();
+    bool isFree(size_t entry) const;
     int freeCount() const;
 
-    const VoxelGrid& m_grid;
+    UsedEntries m_used;  ///< by voxels, before this step
     Palette m_palette;
     const Paint& m_paint;
     std::array<int16_t, 256> m_blended;  ///< by source entry: the result of blended(); -1: none yet

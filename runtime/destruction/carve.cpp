@@ -36,7 +36,7 @@ void removeFromNode(VoxelGrid& grid, glm::ivec3 position, std::span<const BrickS
     NodeRef node = grid.takeNode(position);
     const NodeMoments* known = node->cachedMoments.find();
     std::unique_ptr<NodeMoments> left;
-    if (known && known->densities == densities.hash) left = std::make_unique<NodeMoments>(*known);
+    if (known && known->areFor(densities)) left = std::make_unique<NodeMoments>(*known);
     BrickNode& changed = node.own();
     MassMoments gone;
     for (const BrickSubset& subset : cells) {

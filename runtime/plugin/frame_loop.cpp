@@ -10,7 +10,7 @@
 namespace rubble {
 
 FrameLoop::FrameLoop(const FrameLoopSettings& settings)
-    : m_world(settings.worldId),
+    : m_world(settings.worldId, settings.firstGeneration),
       m_physics(settings.physics),
       m_snapshots(settings.particles),
       m_publish(settings.publish),
@@ -32,18 +32,37 @@ void FrameLoop::load(SavedGame game) {
     m_pending = std::move(game.pending);
 }
 
-SavedGame FrameLoop::save() {
-    const Edits waiting = m_edits.take();
-    m_pending.insert(m_pending.end(), waiting.begin(), waiting.end());
-    m_rebuildPhysics = true;
-    m_world.resetCaches();
-    return {m_world.state(), m_pending};
+/// The game as it is now, with `waiting` behind the edits that it has made itself.
+SavedGame FrameLoop::savedGame(const Edits& waiting) const {
+    SavedGame game{m_world.state(), m_pending};
+    restartPendingSplits(game.world);
+    game.pending.insert(game.pending.end(), waiting.begin(), waiting.end());
+    return game;
 }
 
+SavedGame FrameLoop::save() {
+    SavedGame game = savedGame(m_edits.waiting());
+    goOnAsLoaded(false);
+    return game;
+}
+
+Result<Done> FrameLoop::save(const std::string& path) {
+    Result<Done> written = writeSave(path, savedGame(m_edits.waiting()));
+    if (written) goOnAsLoaded(false);
+    return written;
+}
+
+void FrameLoop::goOnAsLoaded(bool dropMarks) {
+    m_rebuildPhysics = true;
+    m_world.resetCaches(dropMarks);
+}
+
+/// The queue of edits is not in the saved game that it begins with, because the first step records it.
 Result<Done> FrameLoop::startRecording(const std::string& path) {
     if (Result<Done> stopped = stopRecording(); !stopped) return stopped;
-    Result<RecordingWriter> writer = RecordingWriter::open(path, save());
+    Result<RecordingWriter> writer = RecordingWriter::open(path, savedGame({}));
     if (!writer) return Error{writer.error()};
+    goOnAsLoaded(true);
     m_recorder = std::make_unique<Recorder>(std::move(*writer), m_world);
     return Done{};
 }

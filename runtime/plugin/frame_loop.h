@@ -16,7 +16,8 @@
 namespace rubble {
 
 struct FrameLoopSettings {
-    uint8_t worldId = 1;  ///< 1 to 255, part of every handle, so that a handle of another world is recognised
+    uint8_t worldId = 1;           ///< 1 to 255, part of every handle, so that a handle of another world is recognised
+    uint32_t firstGeneration = 1;  ///< of handles; see World
     PhysicsSettings physics;
     ShadowWorker::Mode shadow = ShadowWorker::Mode::Thread;
     bool shadowVolume = true;    ///< false: nothing is drawn with rays, and step() does no work for them
@@ -39,8 +40,11 @@ public:
     /// [main-thread] The game as it is now, with its queue of edits. The next step rebuilds physics from the World, as
     /// loading does, so that playing on and loading give the same result.
     SavedGame save();
+    /// [main-thread] The same into a file, whole or not at all. If it cannot be written, nothing changes.
+    Result<Done> save(const std::string& path);
     /// [main-thread] Records every step from here on, beginning with a saved game. Stops a recording that is running.
-    /// The file gets its name in stopRecording(); an error if it cannot be written.
+    /// Undo reaches back to here only. The file gets its name in stopRecording(). If it cannot be written, nothing
+    /// changes.
     Result<Done> startRecording(const std::string& path);
     /// [main-thread] Completes the file; without a recording it does nothing.
     Result<Done> stopRecording();
@@ -69,6 +73,8 @@ public:
     uint64_t shadowLag() const { return m_shadowLag; }
 
 private:
+    SavedGame savedGame(const Edits& waiting) const;
+    void goOnAsLoaded(bool dropMarks);
     void stepWith(Edits hostEdits);
     void applyEdits(const Edits& hostEdits);
     void stepPhysics();

@@ -3,6 +3,7 @@
 #include "runtime/core/hash.h"
 #include "runtime/voxel/mass_properties.h"
 #include "runtime/voxel/node_parts.h"
+#include "runtime/voxel/used_entries.h"
 
 namespace rubble {
 
@@ -14,6 +15,7 @@ BrickNode::~BrickNode() = default;
 void BrickNode::set(int child, BrickRef value) {
     cachedParts.forget();
     cachedMoments.forget();
+    cachedEntries.forget();
     const BrickMask bit = BrickMask(1) << child;
     BrickRef& brick = bricks[size_t(child)];
     if (brick) {

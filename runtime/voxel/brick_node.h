@@ -12,6 +12,7 @@ namespace rubble {
 
 struct NodeMoments;
 struct NodeParts;
+struct UsedEntries;
 
 inline constexpr int kNodeBricks = 4;                       ///< bricks on a side of a directory node
 inline constexpr int kNodeSize = kNodeBricks * kBrickSize;  ///< voxels on a side of a directory node
@@ -61,6 +62,7 @@ struct BrickNode {
     // Computed from the bricks on first use.
     mutable Lazy<NodeParts> cachedParts;      ///< see nodeParts()
     mutable Lazy<NodeMoments> cachedMoments;  ///< see nodeMoments()
+    mutable Lazy<UsedEntries> cachedEntries;  ///< see usedEntries()
 
 private:
     friend class NodeRef;

@@ -103,7 +103,12 @@ MassMoments MassMoments::shifted(glm::ivec3 offset) const {
 
 Densities::Densities(const Palette& palette, const MaterialTable& materials) {
     for (size_t i = 0; i < 256; ++i) byEntry[i] = materials[palette[i].material].density;
-    hash = hashBytes(byEntry.data(), sizeof byEntry);
+}
+
+uint64_t Densities::hashOf(const UsedEntries& entries) const {
+    uint64_t hash = 0;
+    entries.forEach([&](size_t entry) { hash = hashValue(byEntry[entry], hash); });
+    return hash;
 }
 
 MassMoments brickMoments(const Brick& brick, const BrickBits& voxels, glm::ivec3 brickPosition,
@@ -125,9 +130,10 @@ MassMoments brickMoments(const Brick& brick, const BrickBits& voxels, glm::ivec3
 
 MassMoments nodeMoments(const BrickNode& node, glm::ivec3 nodePosition, const Densities& densities) {
     const glm::ivec3 offset = nodePosition * kNodeSize;
-    if (const NodeMoments* known = node.cachedMoments.find(); known && known->densities == densities.hash)
+    if (const NodeMoments* known = node.cachedMoments.find(); known && known->areFor(densities))
         return known->sums.shifted(offset);
-    auto found = std::make_unique<NodeMoments>(NodeMoments{densities.hash, {}});
+    const UsedEntries& entries = usedEntries(node);
+    auto found = std::make_unique<NodeMoments>(NodeMoments{entries, densities.hashOf(entries), {}});
     forEachChild(node.mask, [&](int child) {
         const Brick& brick = *node.bricks[size_t(child)];
         found->sums += brickMoments(brick, brick.occupancy, childPosition(child), densities);

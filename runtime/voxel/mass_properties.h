@@ -6,6 +6,7 @@
 
 #include "runtime/voxel/material.h"
 #include "runtime/voxel/palette.h"
+#include "runtime/voxel/used_entries.h"
 #include "runtime/voxel/voxel_grid.h"
 
 namespace rubble {
@@ -30,21 +31,26 @@ struct MassMoments {
     friend bool operator==(const MassMoments&, const MassMoments&) = default;
 };
 
-/// The moments of a node's voxels in the node's own cells, for one table of densities.
-struct NodeMoments {
-    uint64_t densities = 0;  ///< a hash of the table
-    MassMoments sums;
-};
 /// Density by palette entry, kg/m3.
 struct Densities {
     std::array<uint32_t, 256> byEntry{};
-    uint64_t hash = 0;  ///< of the densities
     /// The densities of the materials of a palette.
     Densities(const Palette& palette, const MaterialTable& materials);
+    /// A hash of the densities of some entries.
+    uint64_t hashOf(const UsedEntries& entries) const;
 };
 
-/// [any-thread] The moments of a node's voxels, in cells of the grid. Cached in the node for the table of
-/// densities that came first.
+/// The moments of a node's voxels in the node's own cells, for the densities that their entries had.
+struct NodeMoments {
+    UsedEntries entries;     ///< of its voxels, and maybe more
+    uint64_t densities = 0;  ///< Densities::hashOf() these entries
+    MassMoments sums;
+    /// Whether they hold for a table: that of another palette may differ in entries that no voxel has.
+    bool areFor(const Densities& table) const { return densities == table.hashOf(entries); }
+};
+
+/// [any-thread] The moments of a node's voxels, in cells of the grid. Cached in the node for the densities that came
+/// first.
 MassMoments nodeMoments(const BrickNode& node, glm::ivec3 nodePosition, const Densities& densities);
 /// The moments of the solid voxels among `voxels` of a brick, in cells of the grid in which the brick is at
 /// `brickPosition`.

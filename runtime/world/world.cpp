@@ -9,7 +9,7 @@
 
 namespace rubble {
 
-World::World(uint8_t id) : m_data(id) {}
+World::World(uint8_t id, uint32_t firstGeneration) : m_data(id, firstGeneration) {}
 World::~World() = default;
 World::World(const World&) = default;
 World::World(World&&) noexcept = default;
@@ -45,7 +45,8 @@ FrameChanges World::applyEdits(const Edits& edits) {
     else if (m_undo.empty())
         m_undo.emplace_back(m_data);
     const bool wasUndoOrRedo = runHistory(edits, changes);
-    if (wasUndoOrRedo) m_data.restartStress();
+    const bool hasLostStress = m_data.settings.stress.on && !m_data.stress;  // in applyDelta()
+    if (wasUndoOrRedo || hasLostStress) m_data.restartStress();
     if (!edits.empty() || m_data.isBusy()) EditStep(m_data, changes).run(edits);
     for (UndoHistory& undo : m_undo) undo.recordStep(m_data, changes, wasUndoOrRedo);
     keepNetChanges(changes, m_data);
@@ -55,7 +56,11 @@ FrameChanges World::applyEdits(const Edits& edits) {
 FrameChanges World::applyDelta(std::optional<WorldDelta> delta) {
     FrameChanges changes = beginStep();
     changes.unsettled = std::exchange(m_data.unsettled, {});
-    if (delta) swapObjects(m_data, std::move(*delta), changes);
+    if (!delta) return changes;
+    m_undo.clear();
+    m_data.stress.reset();
+    swapObjects(m_data, std::move(*delta), changes);
+    restartPendingSplits(m_data);
     return changes;
 }
 
@@ -88,11 +93,10 @@ void World::resetSearches(const FrameChanges& changes) {
             if (Shape* shape = m_data.shapes.find(handle)) shape->knownConnected = false;
 }
 
-void World::resetCaches() {
+void World::resetCaches(bool dropMarks) {
     m_data.restartStress();
-    for (const PendingSplit& pending : m_data.pendingSplits)
-        if (Shape* shape = m_data.shapes.find(pending.shape)) shape->knownConnected = false;
-    m_data.pendingSplits.clear();
+    restartPendingSplits(m_data);
+    if (dropMarks) m_undo.clear();
 }
 
 void World::setSettings(const WorldSettings& settings) {

@@ -27,8 +27,9 @@ struct WorldDelta;
 /// (state/fires.h).
 class World {
 public:
-    /// An empty world. `id`, 1 to 255, is in all its handles: those of another world are stale here.
-    explicit World(uint8_t id = 1);
+    /// An empty world. `id`, 1 to 255, is in all its handles: those of another world are stale here. A world that gets
+    /// the id of one that is gone begins with a `firstGeneration` above all of its handles: see highestGeneration().
+    explicit World(uint8_t id = 1, uint32_t firstGeneration = 1);
     ~World();
     /// A copy with the same id: handles of one are valid in the other. Costs the number of objects, not of voxels.
     World(const World&);
@@ -43,7 +44,8 @@ public:
     /// One step: undo or redo, then the edits in their order, then all that follows from them and from time. Counts the
     /// step. Invalid edits are logged and do nothing.
     FrameChanges applyEdits(const Edits& edits);
-    /// A step whose outcome is known, instead of applyEdits(): nothing is decided here. Null: nothing happened in it.
+    /// A step whose outcome is known, instead of applyEdits(): nothing is decided here, undo and the analyses of stress
+    /// start again. Null: nothing happened in it.
     FrameChanges applyDelta(std::optional<WorldDelta> delta);
 
     /// Takes over the motion of bodies from physics. Stale handles are skipped.
@@ -61,8 +63,9 @@ public:
     /// Changes settings between steps; a recording needs a SettingsEdit instead.
     void setSettings(const WorldSettings& settings);
     /// Drops work that is begun and no state: stress analyses and pending connectivity tests start again. A save does
-    /// that in the running game too, so that it goes on like one that was loaded.
-    void resetCaches();
+    /// that in the running game too, so that it goes on like one that was loaded. dropMarks: undo starts again too, as
+    /// for a recording, because its replay knows nothing from before.
+    void resetCaches(bool dropMarks = false);
 
     /// State and indexes, to read.
     const WorldData& data() const { return m_data; }

@@ -189,5 +189,23 @@ TEST_F(Abi, ARendererNeedsTheHostsGl) {
     EXPECT_EQ(api()->destroy_world(world), RUBBLE_OK);
 }
 
+TEST_F(Abi, HandlesOfADestroyedWorldNameNothingInALaterOne) {
+    rubble_world world = makeWorld();
+    const std::vector<rubble_body_state> old = bodies(world);
+    ASSERT_FALSE(old.empty());
+    for (int round = 0; round < 3; ++round) {
+        ASSERT_EQ(api()->destroy_world(world), RUBBLE_OK);
+        world = makeWorld();
+        const std::vector<rubble_body_state> now = bodies(world);
+        ASSERT_EQ(now.size(), old.size());
+        uint32_t count = 0;
+        for (const rubble_body_state& body : old) {
+            EXPECT_EQ(body.body >> 48, now[0].body >> 48) << "the number is used again";
+            EXPECT_EQ(api()->get_shape_states(world, body.body, nullptr, 0, &count), RUBBLE_ERROR_STALE);
+        }
+    }
+    EXPECT_EQ(api()->destroy_world(world), RUBBLE_OK);
+}
+
 }  // namespace
 }  // namespace rubble

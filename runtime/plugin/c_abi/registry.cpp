@@ -1,5 +1,7 @@
 #include "runtime/plugin/c_abi/registry.h"
 
+#include <algorithm>
+
 #include "runtime/plugin/c_abi/checks.h"
 
 namespace rubble::abi {
@@ -35,6 +37,7 @@ WorldId Registry::createWorld(FrameLoopSettings settings, bool drawable) {
     // The world's number is its slot plus 1, so the slot is taken before the world is made.
     const WorldId id = m_worlds.insert(nullptr);
     settings.worldId = uint8_t(id.slot() + 1);
+    settings.firstGeneration = std::max(1u, m_firstGeneration[settings.worldId]);
     try {
         m_worlds.at(id) = std::make_shared<HostedWorld>(settings);
     } catch (...) {
@@ -50,6 +53,9 @@ void Registry::destroyWorld(WorldId id) {
     const std::lock_guard lock(m_mutex);
     last = std::move(lookUp(m_worlds, id, "world"));
     m_worlds.erase(id);
+    const World& world = last->loop.world();
+    uint32_t& first = m_firstGeneration[world.id()];
+    first = std::max(first, highestGeneration(world.data()) + 1);
 }
 
 std::shared_ptr<HostedWorld> Registry::world(uint64_t handle) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <mutex>
 
@@ -36,7 +37,8 @@ public:
     static Registry& instance();
     ~Registry();
 
-    /// Makes a world whose handles carry its number. Throws ApiError if there are 255.
+    /// Makes a world whose handles carry its number; those of destroyed worlds that had it are stale. Throws ApiError
+    /// if there are 255.
     WorldId createWorld(FrameLoopSettings settings, bool drawable);
     /// Throws ApiError for a stale handle.
     void destroyWorld(WorldId id);
@@ -53,6 +55,7 @@ public:
 private:
     std::mutex m_mutex;
     SlotMap<WorldId, std::shared_ptr<HostedWorld>> m_worlds;
+    std::array<uint32_t, 256> m_firstGeneration{};  ///< by number of a world: above those of destroyed ones
     SlotMap<RendererId, std::shared_ptr<HostedRenderer>> m_renderers;
 };
 

@@ -11,10 +11,8 @@ void requireDone(const Result<Done>& done) {
 }
 
 rubble_result saveGame(rubble_world world, const char* path) {
-    return guarded("save_game", [&] {
-        const auto hosted = Registry::instance().world(world);
-        requireDone(writeSave(&requireNotNull(path, "path"), hosted->loop.save()));
-    });
+    return guarded("save_game",
+                   [&] { requireDone(Registry::instance().world(world)->loop.save(&requireNotNull(path, "path"))); });
 }
 
 rubble_result loadGame(rubble_world world, const char* path) {

@@ -201,6 +201,8 @@ public:
     }
     /// Hands over all edits and forgets them.
     Edits take() { return std::exchange(m_edits, {}); }
+    /// The edits that wait.
+    const Edits& waiting() const { return m_edits; }
     /// Whether no edit waits.
     bool empty() const { return m_edits.empty(); }
 

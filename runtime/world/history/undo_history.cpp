@@ -48,7 +48,12 @@ WorldDelta UndoHistory::swapEntry(WorldData& world, WorldDelta entry, FrameChang
     const WorldDelta slots = entry;
     const WorldDelta drift = m_onlyMotionSinceUndo ? std::move(m_current) : WorldDelta{};
     addMissing(entry, drift);
+    std::vector<PendingSplit> line;
+    for (const ShapeHandle shape : entry.waiting) line.push_back({shape, {}, {}});
     WorldDelta was = swapObjects(world, std::move(entry), changes);
+    for (const PendingSplit& pending : world.pendingSplits) was.waiting.push_back(pending.shape);
+    world.pendingSplits = std::move(line);
+    restartPendingSplits(world);
     m_baseline.update(world, changes);
     WorldDelta out = m_onlyMotionSinceUndo ? drift : was;
     forEachKind([](auto& values, const auto& wanted, const auto& moved,

@@ -43,13 +43,16 @@ void forEachShapeIn(const FrameChanges& changes, F&& f) {
 
 }  // namespace
 
-WorldBaseline::WorldBaseline(const WorldData& world) : m_last(world), m_freeSlots(freeSlotsOf(world)) {}
+WorldBaseline::WorldBaseline(const WorldData& world) : m_last(world), m_freeSlots(freeSlotsOf(world)) {
+    for (PendingSplit& pending : m_last.pendingSplits) pending = {pending.shape, {}, {}};
+}
 
 WorldDelta WorldBaseline::emptyDelta() const {
     WorldDelta delta;
     delta.imported = m_last.imported;
     delta.removed = m_last.removed;
     delta.fire = m_last.fire;
+    for (const PendingSplit& pending : m_last.pendingSplits) delta.waiting.push_back(pending.shape);
     delta.freeSlots = m_freeSlots;
     return delta;
 }
@@ -84,6 +87,8 @@ WorldDelta WorldBaseline::update(const WorldData& world, const FrameChanges& cha
     m_last.imported = world.imported;
     m_last.removed = world.removed;
     if (world.fire.isActive() || m_last.fire.isActive()) m_last.fire = world.fire;
+    m_last.pendingSplits.clear();
+    for (const PendingSplit& pending : world.pendingSplits) m_last.pendingSplits.push_back({pending.shape, {}, {}});
     m_freeSlots = freeSlotsOf(world);
     return before;
 }

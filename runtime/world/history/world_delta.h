@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "runtime/world/history/frame_changes.h"
 #include "runtime/world/state/world_data.h"
@@ -19,13 +20,15 @@ struct WorldDelta : ObjectKinds<SlotValues> {
     ObjectKinds<FreeSlots> freeSlots;  ///< that are used next; light groups are made by levels alone and need none
     uint64_t imported = 0, removed = 0;
     FireState fire;
+    std::vector<ShapeHandle> waiting;        ///< for their split, see WorldState::pendingSplits
     std::optional<Environment> environment;  ///< none: it has not changed
 
     /// Whether it holds no object and no environment.
     bool empty() const;
 };
 
-/// Puts the delta's objects in their slots, adds that to the journal, and returns what was there before.
+/// Puts the delta's objects in their slots, adds that to the journal, and returns what was there before. Shapes that
+/// wait for their split stay as they are.
 WorldDelta swapObjects(WorldData& world, WorldDelta target, FrameChanges& changes);
 
 }  // namespace rubble

@@ -53,15 +53,16 @@ void recolour(VoxelGrid& grid, const VoxelGrid& only, const Component& voxels, u
     });
 }
 
-/// The last entry without a material; 0 if there is none.
-uint8_t freeEntry(const Palette& palette) {
+/// The last entry without a material and without voxels; 0 if there is none.
+uint8_t freeEntry(const Palette& palette, const UsedEntries& used) {
     for (size_t i = 255; i > 0; --i)
-        if (palette[i].material == 0) return uint8_t(i);
+        if (palette[i].material == 0 && !used.contains(i)) return uint8_t(i);
     return 0;
 }
 
 void fitShape(Level& level, LevelShape& shape) {
     Palette palette = *shape.palette;
+    const UsedEntries usedBefore = usedEntries(shape.grid);
     for (size_t entry = 1; entry < 256; ++entry) {
         const PaletteEntry glow = palette[entry];
         if (glow.material == 0 || glow.emission <= 0.0f || glow.lightGroup) continue;
@@ -72,7 +73,7 @@ void fitShape(Level& level, LevelShape& shape) {
                            "the level's glowing voxels need more light groups than its auto_light_groups allows; the "
                            "others get none"),
                        void(shape.palette = std::make_shared<const Palette>(palette));
-            const uint8_t own = palette[entry].lightGroup ? freeEntry(palette) : uint8_t(entry);
+            const uint8_t own = palette[entry].lightGroup ? freeEntry(palette, usedBefore) : uint8_t(entry);
             const size_t used = own ? own : entry;
             if (own && own != entry) palette[own] = glow, recolour(shape.grid, only, voxels, own);
             if (own) {

@@ -1,6 +1,14 @@
 #include "runtime/world/objects/world_objects.h"
 
+#include <algorithm>
+
 namespace rubble {
+
+uint32_t highestGeneration(const WorldObjects& objects) {
+    uint32_t highest = 0;
+    forEachKind([&](const auto& map) { highest = std::max(highest, map.highestGeneration()); }, objects);
+    return highest;
+}
 
 ObjectKinds<FreeSlots> freeSlotsOf(const WorldObjects& objects) {
     ObjectKinds<FreeSlots> out;

@@ -48,6 +48,8 @@ using WorldObjects = ObjectKinds<SlotMap>;
 template <class Handle, class T>
 using FreeSlots = std::vector<uint32_t>;
 
+/// The highest generation of all handles so far. A later world of the same number that begins above it knows none.
+uint32_t highestGeneration(const WorldObjects& objects);
 /// What freeSlots() of each slot map gives.
 ObjectKinds<FreeSlots> freeSlotsOf(const WorldObjects& objects);
 

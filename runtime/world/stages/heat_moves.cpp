@@ -18,9 +18,8 @@ struct Holder {
 /// Appends the bricks of a grid that hold voxels of the cells [low, low + kBrickSize).
 void findHolders(ShapeHandle shape, const VoxelGrid& grid, glm::ivec3 low, std::vector<Holder>& out) {
     const CellBox cells{low, low + kBrickSize};
-    const glm::ivec3 first = glm::max(low >> 3, 0),
-                     last = glm::min((low + kBrickSize - 1) >> 3, grid.sizeInBricks() - 1);
-    static_assert(kBrickSize == 8);
+    const glm::ivec3 first = glm::max(brickOfCell(low), 0),
+                     last = glm::min(brickOfCell(low + kBrickSize - 1), grid.sizeInBricks() - 1);
     for (int z = first.z; z <= last.z; ++z)
         for (int y = first.y; y <= last.y; ++y)
             for (int x = first.x; x <= last.x; ++x) {

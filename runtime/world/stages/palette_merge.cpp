@@ -4,19 +4,23 @@
 
 namespace rubble {
 
-std::optional<std::array<uint8_t, 256>> mergePalette(Palette& into, const Palette& from, const EntryCounts& used) {
+std::optional<std::array<uint8_t, 256>> mergePalette(Palette& into, UsedEntries usedInto, const Palette& from,
+                                                     const UsedEntries& usedFrom) {
     std::array<uint8_t, 256> map{};
-    for (size_t i = 1; i < 256; ++i) {
-        if (!used[i]) continue;
-        auto place =
-            into[i] == from[i] ? into.begin() + ptrdiff_t(i) : std::find(into.begin() + 1, into.end(), from[i]);
-        if (place == into.end())
-            place = std::find_if(into.begin() + 1, into.end(),
-                                 [](const PaletteEntry& entry) { return entry.material == 0; });
-        if (place == into.end()) return std::nullopt;
-        *place = from[i];
-        map[i] = uint8_t(place - into.begin());
-    }
+    bool fits = true;
+    usedFrom.forEach([&](size_t i) {
+        size_t place = into[i] == from[i] ? i : size_t(std::find(into.begin() + 1, into.end(), from[i]) - into.begin());
+        if (place == into.size()) {
+            place = 1;
+            while (place < into.size() && (into[place].material || usedInto.contains(place))) ++place;
+        }
+        fits = fits && place < into.size();
+        if (!fits) return;
+        into[place] = from[i];
+        usedInto.insert(place);
+        map[i] = uint8_t(place);
+    });
+    if (!fits) return std::nullopt;
     return map;
 }
 

@@ -83,7 +83,7 @@ EntryCounts mergeVoxels(Shape& into, const Shape& from, const std::array<uint8_t
                 const glm::ivec3 cell = position * kBrickSize + voxelInBrick(i) + at;
                 if (writer.at(cell)) return void(++lost[brick->at(i)]);
                 const uint8_t paint = brick->paintAt(i);
-                filled.insert(cell / kBrickSize);
+                filled.insert(brickOfCell(cell));
                 writer.set(cell, entries[brick->at(i)], uint8_t(paint ? paints[paint >> 4] << 4 | (paint & 15) : 0));
             });
         });
@@ -174,7 +174,7 @@ void apply(EditContext& context, const MergeShapeEdit& edit) {
         return logWarning("merge shapes: no shape that matches and touches; nothing was done");
     const CellBox box{glm::min(*offset, glm::ivec3(0)), glm::max(*offset + from->grid.size(), into->grid.size())};
     auto palette = std::make_shared<Palette>(*into->palette);
-    const auto entries = mergePalette(*palette, *from->palette, countEntries(from->grid));
+    const auto entries = mergePalette(*palette, usedEntries(into->grid), *from->palette, usedEntries(from->grid));
     if (!entries)
         return logWarning("merge shapes: the two palettes do not fit into one of 255 entries; nothing was done");
     if (!reframeShape(context, target, box)) return;

@@ -126,6 +126,12 @@ void splitShapes(EditContext& context) {
     size_t done = 0;
     while (done < line.size() && continueSearch(context, line[done], budget)) ++done;
     line.erase(line.begin(), line.begin() + ptrdiff_t(done));
+    std::erase_if(line, [&](const PendingSplit& pending) {  // what has no voxel left does not wait
+        const Shape* shape = context.world.shapes.find(pending.shape);
+        const bool isEmpty = shape && shape->grid.empty();
+        if (isEmpty) destroyShape(context, pending.shape);
+        return isEmpty;
+    });
 }
 
 }  // namespace rubble

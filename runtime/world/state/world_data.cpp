@@ -10,8 +10,8 @@
 
 namespace rubble {
 
-WorldData::WorldData(uint8_t worldId) : id(worldId) {
-    forEachKind([worldId](auto& map) { map = std::decay_t<decltype(map)>(worldId); }, *this);
+WorldData::WorldData(uint8_t worldId, uint32_t firstGeneration) : id(worldId) {
+    forEachKind([&](auto& map) { map = std::decay_t<decltype(map)>(worldId, firstGeneration); }, *this);
     materials = defaultMaterials();
 }
 

@@ -6,18 +6,18 @@
 #include "runtime/world/state/bounds_tree.h"
 #include "runtime/world/state/debris_queue.h"
 #include "runtime/world/state/joint_index.h"
-#include "runtime/world/state/pending_split.h"
 #include "runtime/world/state/world_state.h"
 #include "runtime/world/state/world_stress.h"
 
 namespace rubble {
 
 /// A world as the stages of a step see it: its state, and indexes over that. The indexes say nothing that the state
-/// does not say, but pending splits and stress analyses, which are work begun. Who changes an object calls the function
+/// does not say, but stress analyses, which are work begun. Who changes an object calls the function
 /// below that keeps its index up to date. Hosts see all of this only as const, through World::data().
 struct WorldData : WorldState {
-    /// An empty world with the default materials; `id` is in all its handles.
-    explicit WorldData(uint8_t id);
+    /// An empty world with the default materials; `id` is in all its handles, whose generations begin with
+    /// `firstGeneration`.
+    explicit WorldData(uint8_t id, uint32_t firstGeneration = 1);
 
     uint8_t id;
     bool levelReplaced = false;           ///< since the last step
@@ -27,9 +27,8 @@ struct WorldData : WorldState {
     BoundsTree triggerBounds;             ///< by slot of the trigger
     std::vector<BodyHandle> movedBodies;  ///< since triggers were last updated; empty if there are no triggers
     JointIndex jointIndex;
-    DebrisQueue debris;  ///< the pieces under the budgets of DebrisSettings
-    std::vector<PendingSplit> pendingSplits;
-    std::optional<WorldStress> stress;  ///< none: StressSettings are off
+    DebrisQueue debris;                 ///< the pieces under the budgets of DebrisSettings
+    std::optional<WorldStress> stress;  ///< none: StressSettings are off, or a delta came last
 
     /// Erases all objects and forgets all work; handles from before go stale. Materials, environment, settings, name
     /// and locations stay.

@@ -9,6 +9,7 @@
 #include "runtime/world/objects/world_objects.h"
 #include "runtime/world/settings/world_settings.h"
 #include "runtime/world/state/fire_state.h"
+#include "runtime/world/state/pending_split.h"
 
 namespace rubble {
 
@@ -25,6 +26,10 @@ struct WorldState : WorldObjects {
     WorldSettings settings;
     std::vector<std::pair<std::string, Pose>> locations;  ///< named places of the level
     FireState fire;
+    std::vector<PendingSplit> pendingSplits;
 };
+
+/// Drops connectivity tests that have begun: those that wait will begin with the whole shape, in their order.
+void restartPendingSplits(WorldState& world);
 
 }  // namespace rubble

@@ -14,38 +14,13 @@
 #include "runtime/assets/chunk_file.h"
 #include "runtime/assets/recording_file.h"
 #include "runtime/world/history/world_baseline.h"
-#include "tests/runtime/world/worlds.h"
+#include "tests/runtime/assets/broken_world.h"
 #include "tests/support/temp_folder.h"
 
 namespace rubble {
 namespace {
 
 using namespace test;
-
-/// A damaged wall, moving pieces of it, a light and a rope.
-World brokenWorld(uint8_t id = 1) {
-    Level level = oneShapeLevel(towerGrid({40, 40, 20}), true);
-    level.lightGroups.push_back({"lantern"});
-    level.lights.push_back({Light{.name = "bulb"}, "shape", "lantern"});
-    LevelJoint rope{{.name = "rope", .kind = JointKind::Rope}, {"shape", ""}};
-    rope.joint.ends[0].frame.position = {0.05, 0.05, 0.05};
-    rope.joint.ends[1].frame.position = {5.0, 2.0, 0.0};
-    level.joints.push_back(rope);
-    World world(id);
-    world.load(level);
-    WorldSettings settings;
-    settings.debris.bodies = 77;
-    world.applyEdits({SettingsEdit{settings}, sphereCarve({1.0, 1.0, 1.0}, 0.6)});
-    world.applyEdits({sphereCarve({2.0, 2.0, 0.2}, 0.7), PaintEdit{.position = {2.0, 3.0, 0.2}, .radius = 1.0}});
-    world.applyEdits({PaintEdit{.position = {2.0, 1.0, 0.2}, .radius = 1.0, .mode = PaintMode::Layer}});
-    std::vector<BodyPose> poses;
-    world.bodies().forEach([&](BodyHandle handle, const Body& body) {
-        if (!body.isStatic)
-            poses.push_back({handle, {{1.0, 2.0, 3.0}}, {0.5, 0.0, 0.0}, {0.0, 0.1, 0.0}, poses.size() % 2 == 0});
-    });
-    world.setPoses(poses);
-    return world;
-}
 
 /// A light with a value in every field.
 Light screen(const World& world) {
@@ -424,72 +399,6 @@ TEST(StepDelta, InvalidLightsAndWeatherAreRefused) {
         ASSERT_FALSE(applied);
         EXPECT_NE(applied.error().find("lights and weather within their ranges"), std::string::npos) << applied.error();
         EXPECT_EQ(world.hash(), start.hash());
-    }
-}
-
-/// The bytes of a step in which the world's journal is `changes`.
-std::vector<uint8_t> deltaOf(const World& world, WorldBaseline& baseline, const FrameChanges& changes) {
-    PaletteList list;
-    return stepDeltaToBytes(baseline.update(world, changes), changes, world, list);
-}
-
-void expectRefused(const std::vector<uint8_t>& bytes, const World& start, const char* expected) {
-    World world = start;
-    std::vector<PaletteRef> palettes;
-    const Result<FrameChanges> applied = applyStepDelta(bytes, "t", world, palettes);
-    ASSERT_FALSE(applied);
-    EXPECT_NE(applied.error().find(expected), std::string::npos) << applied.error();
-    EXPECT_EQ(world.hash(), start.hash());
-    EXPECT_LT(world.bodies().slotCount(), 1000u);
-}
-
-TEST(StepDelta, AShapeWithoutABodyIsRefusedWhenTheBodyInSlot0Goes) {
-    Level level = oneShapeLevel(solidGrid({8, 8, 8}, 1), false);
-    LevelBody other{.name = "other", .pose = {{5.0, 0.0, 0.0}}, .isStatic = false};
-    other.shapes.push_back(levelShape("other", solidGrid({16, 8, 8}, 1)));
-    level.bodies.push_back(other);
-    World host;
-    host.load(level);
-    host.applyEdits({});
-    const World start = host;
-    WorldBaseline baseline(host);
-    const BodyHandle second = host.bodies().handleAt(1);
-    std::vector<uint8_t> bytes = deltaOf(
-        host, baseline, host.applyEdits({sphereCarve({0.4, 0.4, 0.4}, 1.0), sphereCarve({5.0, 0.0, 0.0}, 0.3)}));
-    ASSERT_FALSE(host.bodies().handleAt(0));
-    const uint64_t name = BodyHandle::make(0, second.generation(), second.slot()).bits, none = 0;
-    std::array<uint8_t, 8> was{};
-    std::memcpy(was.data(), &name, 8);
-    int patched = 0;
-    for (auto at = bytes.begin(); (at = std::search(at, bytes.end(), was.begin(), was.end())) != bytes.end(); ++at) {
-        std::vector<uint8_t> other = bytes;
-        std::memcpy(&other[size_t(at - bytes.begin())], &none, 8);
-        World world = start;
-        std::vector<PaletteRef> palettes;
-        EXPECT_FALSE(applyStepDelta(other, "t", world, palettes));
-        ++patched;
-    }
-    EXPECT_GE(patched, 2) << "the handle of the body, and the body of its shape";
-}
-
-TEST(StepDelta, AFewBytesCannotNameAHighSlot) {
-    World host = brokenWorld();
-    const World start = host;
-    for (const uint32_t slot : {1000u, 200000u, 0xfffffeu}) {
-        host = start;
-        WorldBaseline baseline(host);
-        std::vector<uint8_t> bytes = deltaOf(host, baseline, host.applyEdits({AddLightEdit{}}));
-        const LightHandle light = host.lights().handleAt(1);
-        const uint64_t name = LightHandle::make(0, light.generation(), 1).bits,
-                       high = LightHandle::make(0, light.generation(), slot).bits;
-        std::array<uint8_t, 12> was{}, wanted{};
-        const uint32_t one = 1;
-        std::memcpy(was.data(), &one, 4), std::memcpy(was.data() + 4, &name, 8);
-        std::memcpy(wanted.data(), &slot, 4), std::memcpy(wanted.data() + 4, &high, 8);
-        const auto place = std::search(bytes.begin(), bytes.end(), was.begin(), was.end());
-        ASSERT_NE(place, bytes.end());
-        std::copy(wanted.begin(), wanted.end(), place);
-        expectRefused(bytes, start, "slots");
     }
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "tests/runtime/destruction/reference_algorithms.h"
+#include "tests/support/grids.h"
 
 namespace rubble {
 namespace {
@@ -122,6 +123,22 @@ TEST(Paint, ProbabilityThinsTheRimOnly) {
     EXPECT_GT(middle, middleAll * 9 / 10);
     EXPECT_LT(rim, rimAll / 2);
     EXPECT_GT(rim, 0);
+}
+
+TEST(Paint, EntriesWithoutAMaterialThatVoxelsHaveAreNotTaken) {
+    VoxelGrid grid = gridOf({16, 8, 8}, [](glm::ivec3 c) { return uint8_t(c.x < 8 ? 1 : 2 + c.y); });
+    Palette palette{};
+    palette[1] = {.red = 10, .material = 1};
+    for (size_t i = 2; i < 10; ++i) palette[i] = {.red = uint8_t(20 * i), .material = 0};
+    const Palette before = palette;
+    PaletteRef now = shared(palette);
+    for (int step = 0; step < 40; ++step) {
+        const PaintResult painted =
+            paintPalette(grid, now, sphereBrush({8, 4, 4}, {20, 20, 20}), {.color = {250, 0, 9}, .strength = 20});
+        if (painted.palette) now = painted.palette;
+        for (size_t i = 2; i < 10; ++i) ASSERT_EQ((*now)[i], before[i]) << "entry " << i << " has voxels";
+    }
+    EXPECT_NE(grid.at({0, 0, 0}), 1) << "painted";
 }
 
 }  // namespace

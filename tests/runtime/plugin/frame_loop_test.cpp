@@ -165,5 +165,134 @@ TEST(FrameLoop, ARecordingThatCannotBeWrittenIsAnError) {
     EXPECT_TRUE(loop.stopRecording());
 }
 
+/// A loop with the tower, sliced splits and undo.
+FrameLoop& loadSliced(FrameLoop& loop) {
+    loop.load(tower());
+    WorldSettings settings;
+    settings.split.partsPerStep = 1;
+    settings.undoMarks = 9;
+    loop.edits().push(SettingsEdit{settings});
+    for (int step = 0; step < 3; ++step) loop.edits().push(destructionScript(step)), loop.step();
+    for (int step = 0; step < 40; ++step) loop.step();
+    return loop;
+}
+
+/// Cuts the tower through, and steps until its split waits.
+void cutThrough(FrameLoop& loop) {
+    loop.edits().push(CarveEdit{.kind = BrushKind::Box, .position = {2.0, 3.0, 2.0}, .halfSize = {3.0, 0.2, 3.0}});
+    loop.step();
+    ASSERT_FALSE(loop.world().data().pendingSplits.empty());
+}
+
+TEST(FrameLoop, ASplitThatWaitsSurvivesSavesAndRecordings) {
+    const TempFolder folder;
+    FrameLoop loop(headlessSettings()), loaded(headlessSettings()), replayed(headlessSettings());
+    cutThrough(loadSliced(loop));
+    const size_t before = loop.world().bodies().size();
+    ASSERT_TRUE(loop.save(folder / "game.rubble"));
+    ASSERT_TRUE(loop.startRecording(folder / "game.rubblelog"));
+    EXPECT_FALSE(loop.world().data().pendingSplits.empty());
+    Result<SavedGame> game = readSave(folder / "game.rubble", loaded.world().id());
+    ASSERT_TRUE(game) << game.error();
+    loaded.load(std::move(*game));
+    EXPECT_EQ(loaded.world().hash(), loop.world().hash());
+    for (int step = 0; step < 60; ++step) {
+        loop.step();
+        loaded.step();
+        ASSERT_EQ(loaded.world().hash(), loop.world().hash()) << step;
+    }
+    EXPECT_GT(loop.world().bodies().size(), before) << "the upper part came off";
+    ASSERT_TRUE(loop.stopRecording());
+    Result<Recording> recording = readRecording(folder / "game.rubblelog", replayed.world().id());
+    ASSERT_TRUE(recording) << recording.error();
+    replayed.load(recording->start);
+    for (const RecordedStep& step : recording->steps) {
+        replayed.replay(step);
+        ASSERT_EQ(replayed.world().hash(), step.hash) << step.step;
+    }
+}
+
+/// Replays a recording; the number of steps with the recorded hash.
+size_t replaySteps(const std::string& path, size_t& recorded) {
+    FrameLoop loop(headlessSettings());
+    Result<Recording> recording = readRecording(path, loop.world().id());
+    EXPECT_TRUE(recording) << recording.error();
+    recorded = recording->steps.size();
+    loop.load(recording->start);
+    size_t equal = 0;
+    for (const RecordedStep& step : recording->steps) {
+        loop.replay(step);
+        equal += loop.world().hash() == step.hash;
+    }
+    return equal;
+}
+
+TEST(FrameLoop, UndoDoesNotReachBackBeyondTheBeginningOfARecording) {
+    const TempFolder folder;
+    const std::string path = folder / "game.rubblelog";
+    const Edit mark = HistoryEdit{}, undo = HistoryEdit{HistoryAction::Undo}, redo = HistoryEdit{HistoryAction::Redo};
+    const Edit blast = ExplodeEdit{.position = {2.0, 2.0, 2.0}, .size = 1.5};
+    const std::vector<std::pair<Edits, Edits>> cases = {{{mark, blast}, {undo}},
+                                                        {{mark}, {blast, undo}},
+                                                        {{mark, blast, undo}, {redo}},
+                                                        {{mark, blast}, {mark, blast, undo, undo, redo, redo}},
+                                                        {{}, {mark, blast, undo, redo, undo}}};
+    for (const auto& [before, after] : cases) {
+        FrameLoop loop(headlessSettings());
+        loadSliced(loop);
+        for (const Edit& edit : before) loop.edits().push(edit), loop.step();
+        ASSERT_TRUE(loop.startRecording(path));
+        for (const Edit& edit : after) loop.edits().push(edit), loop.step(), loop.step();
+        ASSERT_TRUE(loop.stopRecording());
+        size_t recorded = 0;
+        EXPECT_EQ(replaySteps(path, recorded), 2 * after.size());
+        EXPECT_EQ(recorded, 2 * after.size());
+    }
+}
+
+TEST(FrameLoop, EditsThatWaitWhileTheGameIsSavedAreRecordedOnce) {
+    const TempFolder folder;
+    const std::string path = folder / "game.rubblelog";
+    FrameLoop loop(headlessSettings());
+    loop.load(tower());
+    loop.step();
+    loop.edits().push(ExplodeEdit{.position = {2.0, 2.0, 2.0}, .size = 1.5});
+    ASSERT_TRUE(loop.startRecording(path));
+    loop.step();
+    loop.edits().push(sphereCarve({0.2, 0.5, 0.2}, 0.4));
+    const SavedGame saved = loop.save();
+    EXPECT_EQ(loop.save().pending.size(), saved.pending.size()) << "nothing is added twice";
+    loop.edits().push(sphereCarve({1.8, 0.5, 0.2}, 0.4));
+    loop.step();
+    FrameLoop loaded(headlessSettings());
+    loaded.load(saved);
+    loaded.edits().push(sphereCarve({1.8, 0.5, 0.2}, 0.4));
+    loaded.step();
+    EXPECT_EQ(loaded.world().hash(), loop.world().hash());
+    ASSERT_TRUE(loop.stopRecording());
+    size_t recorded = 0;
+    EXPECT_EQ(replaySteps(path, recorded), 2u);
+}
+
+TEST(FrameLoop, AFileThatCannotBeWrittenChangesNothing) {
+    FrameLoop loop(headlessSettings()), other(headlessSettings());
+    for (FrameLoop* each : {&loop, &other}) {
+        loadSliced(*each).edits().push(Edits{HistoryEdit{}});
+        cutThrough(*each);
+        each->edits().push(ExplodeEdit{.position = {2.0, 5.0, 2.0}, .size = 1.0});
+        for (int step = 0; step < 30; ++step) {
+            if (each == &other) {
+                EXPECT_FALSE(each->save("/no/such/folder/x.rubble"));
+                EXPECT_FALSE(each->startRecording("/no/such/folder/x.rubblelog"));
+            }
+            each->step();
+        }
+        each->edits().push(Edits{HistoryEdit{HistoryAction::Undo}});
+        each->step();
+    }
+    EXPECT_EQ(loop.world().hash(), other.world().hash());
+    EXPECT_EQ(loop.physics().stats().contacts, other.physics().stats().contacts);
+}
+
 }  // namespace
 }  // namespace rubble

@@ -93,5 +93,23 @@ TEST(MassProperties, PrincipalAxesReproduceTheTensor) {
             EXPECT_NEAR(rebuilt[column][row], expected[row][column], 1e-9 * mass.principalInertia.x);
 }
 
+TEST(NodeMoments, StayKnownWhenEntriesThatNoVoxelHasChange) {
+    VoxelGrid grid = solidGrid({32, 32, 32}, 1);
+    MaterialTable materials;
+    materials.materials.resize(3);
+    materials.materials[1].density = 500, materials.materials[2].density = 900;
+    Palette palette{};
+    palette[1].material = 1;
+    const MassMoments light = gridMoments(grid, palette, materials);
+    const NodeMoments* known = grid.nodeAt({0, 0, 0})->cachedMoments.find();
+    ASSERT_TRUE(known);
+    palette[7].material = 2;  // as painting does
+    EXPECT_TRUE(known->areFor(Densities(palette, materials)));
+    EXPECT_EQ(gridMoments(grid, palette, materials), light);
+    palette[1].material = 2;
+    EXPECT_FALSE(known->areFor(Densities(palette, materials)));
+    EXPECT_EQ(gridMoments(grid, palette, materials).weight, light.weight / 500 * 900);
+}
+
 }  // namespace
 }  // namespace rubble

@@ -216,7 +216,9 @@ void expectDebrisAsLoaded(const World& world) {
     EXPECT_EQ(is.voxels(), wanted.voxels());
     EXPECT_EQ(is.awakeCount(), wanted.awakeCount());
     world.bodies().forEach([&](BodyHandle body, const Body&) { EXPECT_EQ(is.contains(body), wanted.contains(body)); });
-    if (wanted.count()) EXPECT_EQ(is.first(), wanted.first());
+    if (wanted.count()) {
+        EXPECT_EQ(is.first(), wanted.first());
+    }
 }
 
 TEST(Debris, TheListIsTheOneThatALoadMakes) {

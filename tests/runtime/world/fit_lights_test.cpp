@@ -74,5 +74,17 @@ TEST(FitLights, IsBoundedAndOff) {
     EXPECT_EQ(world.lights().size(), 0u);
 }
 
+TEST(FitLights, TakesNoEntryThatVoxelsHave) {
+    Level level = glowingWall();
+    fillBox(level.bodies[0].shapes[0].grid, {{0, 0, 0}, {4, 4, 4}}, 255);  // without a material
+    fillBox(level.bodies[0].shapes[0].grid, {{4, 0, 0}, {8, 4, 4}}, 253);
+    fitLights(level);
+    const LevelShape& shape = level.bodies[0].shapes[0];
+    for (const int cell : {0, 4}) {
+        EXPECT_EQ((*shape.palette)[shape.grid.at({cell, 0, 0})], PaletteEntry{});
+    }
+    EXPECT_EQ(level.lightGroups.size(), 3u);
+}
+
 }  // namespace
 }  // namespace rubble

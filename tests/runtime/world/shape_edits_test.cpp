@@ -268,5 +268,39 @@ TEST(ShapeEdits, AMergedShapeThatWaitsForItsSplitIsStillSplit) {
     EXPECT_EQ(smallest, 8u * 4 * 8);
 }
 
+TEST(ShapeEdits, AMergeTakesNoEntryThatVoxelsHave) {
+    Level level = frameAndPeg(false);
+    auto palette = std::make_shared<Palette>(*level.bodies[0].shapes[0].palette);
+    for (size_t i = 1; i < 8; ++i) (*palette)[i] = {.red = uint8_t(i), .material = uint8_t(i == 1)};
+    level.bodies[0].shapes[0].palette = palette;
+    fillBox(level.bodies[0].shapes[0].grid, {{0, 0, 0}, {3, 3, 3}}, 2);  // without a material
+    World world;
+    world.load(level);
+    const ShapeHandle into = world.shapes().handleAt(0);
+    world.applyEdits({MergeShapeEdit{world.shapes().handleAt(1), into}});
+    const Shape& merged = world.shapes().at(into);
+    EXPECT_EQ(merged.grid.at({0, 0, 0}), 2);
+    EXPECT_EQ((*merged.palette)[2], (*palette)[2]);
+    EXPECT_EQ((*merged.palette)[merged.grid.at({9, 5, 5})].red, 7);
+    EXPECT_EQ(merged.moments, gridMoments(merged.grid, *merged.palette, world.materials()));
+}
+
+TEST(SlicedSplits, AShapeThatLostAllItsVoxelsDoesNotWait) {
+    Level level = test::oneShapeLevel(solidGrid({400, 8, 8}), true);
+    level.bodies[0].shapes[0].anchors = {{{0, 0, 0}, {1, 8, 8}}};
+    level.bodies.push_back(test::oneShapeLevel(solidGrid({4, 4, 4}), false, {{0.0, 5.0, 0.0}}).bodies[0]);
+    World world;
+    world.load(level);
+    WorldSettings settings;
+    settings.split.partsPerStep = 1;
+    world.setSettings(settings);
+    world.applyEdits({test::sphereCarve({0.5, 0.8, 0.8}, 0.2)});
+    const CarveEdit slit{.kind = BrushKind::Box, .position = {20.0, 0.4, 0.4}, .halfSize = {0.2, 1.0, 1.0}};
+    const FrameChanges changes = world.applyEdits({slit, test::sphereCarve({0.2, 5.2, 0.2}, 1.0)});
+    EXPECT_EQ(world.data().pendingSplits.size(), 1u) << "the slit";
+    EXPECT_EQ(world.shapes().size(), 1u);
+    EXPECT_EQ(changes.bodiesDestroyed.size(), 1u);
+}
+
 }  // namespace
 }  // namespace rubble

@@ -294,5 +294,51 @@ TEST(UndoHistory, WithNothingToUndoOrRedoSaysSo) {
     EXPECT_EQ(lines[1].rfind("redo: ", 0), 0u) << lines[1];
 }
 
+TEST(UndoHistory, AShapeThatWaitedForItsSplitAtTheMarkIsSplitAfterAnUndo) {
+    Level level = oneShapeLevel(solidGrid({400, 8, 8}, 1), true);
+    level.bodies[0].shapes[0].anchors = {{{0, 0, 0}, {1, 8, 8}}};
+    World world;
+    world.load(level);
+    WorldSettings settings;
+    settings.undoMarks = 5;
+    settings.split.partsPerStep = 1;
+    world.applyEdits({SettingsEdit{settings}, sphereCarve({0.5, 0.8, 0.8}, 0.2)});
+    world.applyEdits({});
+    const CarveEdit slit{.kind = BrushKind::Box, .position = {20.0, 0.4, 0.4}, .halfSize = {0.2, 1.0, 1.0}};
+    world.applyEdits({slit});
+    ASSERT_EQ(world.data().pendingSplits.size(), 1u);
+    world.applyEdits({kMark, sphereCarve({30.0, 0.8, 0.8}, 0.5)});
+    const auto finish = [&] {
+        for (int i = 0; i < 99; ++i) world.applyEdits({});
+        EXPECT_EQ(world.shapes().size(), 2u) << "the far half came off";
+        EXPECT_TRUE(world.data().pendingSplits.empty());
+    };
+    finish();
+    world.applyEdits({kUndo});
+    finish();
+}
+
+TEST(UndoHistory, DoesNotReachBackBeyondADelta) {
+    World world = smallWorld(), host = world;
+    WorldBaseline baseline(host);
+    world.applyEdits({kMark, sphereCarve({2.0, 1.2, 0.3}, 0.5)});
+    host.applyEdits({});
+    const FrameChanges cut = host.applyEdits({sphereCarve({6.1, 1.5, 0.1}, 0.4)});
+    WorldDelta after = baseline.update(host, cut);
+    forEachKind(
+        [](auto& values, const auto& now) {
+            for (auto& [slot, value] : values) {
+                value.first = now.handleAt(slot);
+                value.second.reset();
+                if (value.first) value.second = now.at(value.first);
+            }
+        },
+        after, host.data());
+    world.applyDelta(after);
+    const uint64_t hash = resolvedHash(world);
+    world.applyEdits({kUndo});
+    EXPECT_EQ(resolvedHash(world), hash);
+}
+
 }  // namespace
 }  // namespace rubble

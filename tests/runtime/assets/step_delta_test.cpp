@@ -1,0 +1,107 @@
+#include "runtime/assets/step_delta.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "runtime/world/history/world_baseline.h"
+#include "tests/runtime/assets/broken_world.h"
+
+namespace rubble {
+namespace {
+
+using namespace test;
+
+/// The bytes of a step in which the world's journal is `changes`.
+std::vector<uint8_t> deltaOf(const World& world, WorldBaseline& baseline, const FrameChanges& changes) {
+    PaletteList list;
+    return stepDeltaToBytes(baseline.update(world, changes), changes, world, list);
+}
+
+void expectRefused(const std::vector<uint8_t>& bytes, const World& start, const char* expected) {
+    World world = start;
+    std::vector<PaletteRef> palettes;
+    const Result<FrameChanges> applied = applyStepDelta(bytes, "t", world, palettes);
+    ASSERT_FALSE(applied);
+    EXPECT_NE(applied.error().find(expected), std::string::npos) << applied.error();
+    EXPECT_EQ(world.hash(), start.hash());
+    EXPECT_LT(world.bodies().slotCount(), 1000u);
+}
+
+TEST(StepDelta, AShapeWithoutABodyIsRefusedWhenTheBodyInSlot0Goes) {
+    Level level = oneShapeLevel(solidGrid({8, 8, 8}, 1), false);
+    LevelBody other{.name = "other", .pose = {{5.0, 0.0, 0.0}}, .isStatic = false};
+    other.shapes.push_back(levelShape("other", solidGrid({16, 8, 8}, 1)));
+    level.bodies.push_back(other);
+    World host;
+    host.load(level);
+    host.applyEdits({});
+    const World start = host;
+    WorldBaseline baseline(host);
+    const BodyHandle second = host.bodies().handleAt(1);
+    std::vector<uint8_t> bytes = deltaOf(
+        host, baseline, host.applyEdits({sphereCarve({0.4, 0.4, 0.4}, 1.0), sphereCarve({5.0, 0.0, 0.0}, 0.3)}));
+    ASSERT_FALSE(host.bodies().handleAt(0));
+    const uint64_t name = BodyHandle::make(0, second.generation(), second.slot()).bits, none = 0;
+    std::array<uint8_t, 8> was{};
+    std::memcpy(was.data(), &name, 8);
+    int patches = 0;
+    for (auto at = bytes.begin(); (at = std::search(at, bytes.end(), was.begin(), was.end())) != bytes.end(); ++at) {
+        std::vector<uint8_t> patch = bytes;
+        std::memcpy(&patch[size_t(at - bytes.begin())], &none, 8);
+        World world = start;
+        std::vector<PaletteRef> palettes;
+        EXPECT_FALSE(applyStepDelta(patch, "t", world, palettes));
+        ++patches;
+    }
+    EXPECT_GE(patches, 2) << "the handle of the body, and the body of its shape";
+}
+
+TEST(StepDelta, AFewBytesCannotNameAHighSlot) {
+    World host = brokenWorld();
+    const World start = host;
+    for (const uint32_t slot : {1000u, 200000u, 0xfffffeu}) {
+        host = start;
+        WorldBaseline baseline(host);
+        std::vector<uint8_t> bytes = deltaOf(host, baseline, host.applyEdits({AddLightEdit{}}));
+        const LightHandle light = host.lights().handleAt(1);
+        const uint64_t name = LightHandle::make(0, light.generation(), 1).bits,
+                       high = LightHandle::make(0, light.generation(), slot).bits;
+        std::array<uint8_t, 12> was{}, wanted{};
+        const uint32_t one = 1;
+        std::memcpy(was.data(), &one, 4), std::memcpy(was.data() + 4, &name, 8);
+        std::memcpy(wanted.data(), &slot, 4), std::memcpy(wanted.data() + 4, &high, 8);
+        const auto place = std::search(bytes.begin(), bytes.end(), was.begin(), was.end());
+        ASSERT_NE(place, bytes.end());
+        std::copy(wanted.begin(), wanted.end(), place);
+        expectRefused(bytes, start, "slots");
+    }
+}
+
+TEST(StepDelta, AFollowerWithStressAnalysisGoesOnAsIfLoaded) {
+    World host = brokenWorld();
+    WorldSettings settings = host.settings();
+    settings.stress.on = true;
+    host.applyEdits({SettingsEdit{settings}});
+    World follower(1);
+    follower.setState(host.state());
+    WorldBaseline baseline(host);
+    PaletteList list;
+    std::vector<PaletteRef> palettes;
+    for (const Edits& edits : {Edits{sphereCarve({1.0, 2.0, 1.0}, 1.5)}, Edits{sphereCarve({2.0, 2.0, 1.0}, 9.0)}}) {
+        const FrameChanges changes = host.applyEdits(edits);
+        const std::vector<uint8_t> bytes = stepDeltaToBytes(baseline.update(host, changes), changes, host, list);
+        ASSERT_TRUE(applyStepDelta(bytes, "t", follower, palettes));
+        World loaded(1), goesOn = follower;
+        loaded.setState(follower.state());
+        for (int i = 0; i < 3; ++i) {
+            goesOn.applyEdits({});
+            loaded.applyEdits({});
+            EXPECT_EQ(goesOn.hash(), loaded.hash());
+        }
+    }
+}
+
+}  // namespace
+}  // namespace rubble
