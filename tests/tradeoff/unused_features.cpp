@@ -29,7 +29,7 @@ const std::vector<Stages>& stages() {
         {"triggers", {"updateTriggers"}},
         {"collision filters", {"PhysicsBodies::updateFilter"}},
         {"stress", {"openCracks", "runStressAnalysis"}},
-        {"fire and heat", {"FireStage::update", "redistributeHeat"}},
+        {"fire and heat", {"FireStage::update"}},
         {"light groups", {"updateLightGroups"}},
         {"debris budget", {"enforceDebrisBudgets"}},
     };
