@@ -1,11 +1,12 @@
 #include "render/renderer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 
-#include "render/frame/frame_camera.h"
 #include "render/frame/frame_context.h"
+#include "render/frame/view_check.h"
+#include "render/frame/view_histories.h"
+#include "render/gl/offscreen.h"
 #include "render/gl/pass_timer.h"
 #include "render/gl/state_guard.h"
 #include "render/passes/accumulate_pass.h"
@@ -31,6 +32,7 @@
 #include "render/passes/wetness_pass.h"
 #include "render/scene/light_grid.h"
 #include "render/scene/scene.h"
+#include "render/scene/warm_up_scene.h"
 #include "render/shader_library/fullscreen_choice.h"
 #include "runtime/core/blue_noise.h"
 #include "runtime/core/constants.h"
@@ -65,13 +67,32 @@ FullscreenChoice initialChoice(Fullscreen drawn) {
 
 }  // namespace
 
+constexpr double kGreenSeconds = 1.0;  ///< for which a dot tells of reloaded shaders
+
 struct Renderer::Impl {
     Impl(const std::string& shaderFolder, const RenderSettings& given)
-        : settings(given), shaders(shaderFolder, libraryMode(fullscreen)) {
-        scene.setUploadBudget(given.uploadBudget);
-        scene.setBounceColors(given.sky && given.bounce && given.bounceColors);
+        : settings(given), shaders(shaderFolder, libraryMode(fullscreen), texels.shaderDefines(), &programCache) {
+        startScene();
         blueNoise = Texture(GL_R8, glm::ivec2(kBlueNoiseSize), Filter::Nearest, Wrap::Repeat);
         blueNoise.upload(makeBlueNoise().data());
+        shaders.endBatch();
+    }
+    /// An empty scene.
+    void startScene() {
+        scene = Scene();
+        scene.setUploadBudget(settings.uploadBudget);
+        scene.setBounceColors(settings.sky && settings.bounce && settings.bounceColors);
+    }
+    void compileAhead();
+    template <class F>
+    void forEachLazyPass(F&& f) {
+        f(localLights), f(glassShadow), f(wetness), f(water), f(fog), f(glare), f(particles), f(ropes);
+    }
+    GlStateGuard guardHostState() const {
+        return GlStateGuard(settings.hostState,
+                            {.images = fullscreen != Fullscreen::Fragment,
+                             .sharedTexels = texels.isShared(),
+                             .units = texels.isShared() ? GlLimits().textureUnits + 1 : kTextureUnits});
     }
 
     /// The frame. Each line: the pass, the targets that it reads, those that it writes. The target pool asserts that
@@ -99,17 +120,20 @@ struct Renderer::Impl {
 
     template <class F>
     void run(const char* name, TargetSet reads, TargetSet writes, F&& draw) {
-        timer.begin(name);
         choice.beginPass(name);
-        targets.beginPass(reads, writes);
+        timer.begin(name, int(choice.method()));
+        history->targets.beginPass(reads, writes);
         draw();
-        targets.endPass();
-        timer.end(stats.passMs);
+        history->targets.endPass();
+        timer.end();
+        stats.passes.push_back(name);
         if (choice.hasDrawnByCompute()) stats.computePasses.push_back(name);
     }
     void beginTimes();
+    void takeTimes();
     void draw(const View& view, float alpha);
     void drawOnce(const View& view);
+    void drawFrames(const View& view, float alpha);
     void drawSmallerOnFailure(const View& view);
     glm::vec4 statusDot() const;
     void fillBlock(const View& view, glm::ivec2 renderSize);
@@ -117,28 +141,32 @@ struct Renderer::Impl {
     const LightGrid* updateLightGrid();
 
     RenderSettings settings;
+    GlLimits limits =
+        settings.limits ? GlLimits::least(*settings.limits, GlLimits::ofContext()) : GlLimits::ofContext();
+    TexelStore texels{limits};
+    ProgramCache programCache{settings.programCache};
     Fullscreen fullscreen = supported(settings.fullscreen);
     ShaderLibrary shaders;
     FullscreenChoice choice = initialChoice(fullscreen);
     Scene scene;
-    TargetPool targets;
-    FrameCamera camera;
+    ViewHistories histories;
+    ViewHistory* history = nullptr;  ///< of the view that is drawn
+    ViewCheck check;
+    uint64_t moment = 1;       ///< of the scene: grows when what is drawn has changed
+    bool isMomentOver = true;  ///< a snapshot was applied since the last draw
     FrameBlock block{};
     GlName<BufferKind> blockBuffer = GlName<BufferKind>::make();
     VertexArray emptyVertexArray = VertexArray::make();
     Texture blueNoise;
     PassTimer timer{isSoftwareGl(), settings.processorTime};
     RenderStats stats;
-    bool hasDrawn = false;
     float stepAlpha = 1.0f;       ///< of this frame: 0 to 1 between the last two steps
-    double gameSeconds = 0.0;     ///< game time of the last draw()
-    float frameSeconds = kStill;  ///< since the frame before
+    float frameSeconds = kStill;  ///< since the frame before of this view
     const ShowPass::TargetView* shown = &ShowPass::views()[0];
-    int downscale = 0;  ///< how often the view's size is halved, because the GL has no room for more
     std::string lastError;
-    std::chrono::steady_clock::time_point reloaded{};
+    double greenUntil = 0.0;  ///< when the dot that tells of reloaded shaders goes out, by RenderSettings::seconds
 
-    GBufferPass gbuffer{shaders};
+    GBufferPass gbuffer{(shaders.beginBatch(), shaders)};  // all programs are started before the first is finished
     GlassPass glass{shaders};
     SunPass sun{shaders};
     SkyPass sky{shaders};
@@ -223,7 +251,7 @@ void Renderer::Impl::drawImage(const FrameContext& frame) {
 }
 
 void Renderer::Impl::fillBlock(const View& view, glm::ivec2 renderSize) {
-    camera.begin(view, renderSize, settings.temporal, scene.origin(), block);
+    history->camera.begin(view, renderSize, settings.temporal, scene.origin(), block);
     const Environment& e = scene.environment();
     block.counters.z = int(scene.lights().size());
     block.counters.w = settings.noise == Noise::White;
@@ -254,92 +282,93 @@ void Renderer::Impl::uploadBlock() {
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, blockBuffer.get());
 }
 
-constexpr int kMaxDownscale = 6;  ///< as a power of two: a side is at least 1/64 of the view's
-
-/// How often a view's size must be halved for the GL to draw into it.
-int downscaleFor(glm::ivec2 size) {
-    GLint side = 0, viewport[2] = {0, 0};
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side);
-    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
-    const glm::ivec2 largest(std::min(side, viewport[0]), std::min(side, viewport[1]));
-    int downscale = 0;
-    while (downscale < kMaxDownscale && ((size.x >> downscale) > largest.x || (size.y >> downscale) > largest.y))
-        ++downscale;
-    return downscale;
-}
-
-/// Why draw() cannot draw this view; empty: it can.
-std::string viewError(const View& view) {
-    if (!glGetString(GL_VERSION)) return "expected a current GL context on the thread that draws, found none";
-    if (isContextLost()) return "the GL context was lost: destroy this renderer, then make a new context and renderer";
-    if (view.framebuffer == 0) return {};
-    const auto error = [&](const std::string& text) {
-        return "the view's framebuffer " + std::to_string(view.framebuffer) + ": " + text;
-    };
-    if (!glIsFramebuffer(view.framebuffer)) return error("expected a framebuffer of this GL context, found none");
-    GLint bound = 0;  // asked for by itself: the state guard asks for everything
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, view.framebuffer);
-    const GLenum status = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(bound));
-    if (status == GL_FRAMEBUFFER_COMPLETE) return {};
-    return error("expected a complete framebuffer, found status " + std::to_string(status));
+/// Builds the programs of all passes and draws each twice, by each of two methods if both will be tried, into a small
+/// image that is thrown away.
+void Renderer::Impl::compileAhead() {
+    const GlStateGuard hostState = guardHostState();
+    const TexelStore::Use use(texels);
+    shaders.beginBatch();
+    forEachLazyPass([&](auto& pass) { pass.emplace(shaders); });
+    shaders.endBatch();
+    const Offscreen image({97, 61});  // no side a power of two, for which some drivers build programs of their own
+    View view;
+    view.position = kWarmUpPosition;
+    view.size = image.size();
+    view.framebuffer = image.framebuffer();
+    scene.apply(warmUpScene());
+    history = &histories.begin(0, view.size, limits);
+    for (int i = 0; i < 2; ++i) drawFrames(view, 1.0f);
+    histories.clear();
+    forEachLazyPass([](auto& pass) { pass.reset(); });  // their programs stay in the library
+    lightGrid.reset();
+    startScene();
+    gbuffer.freeDetailMaps();
+    choice = initialChoice(fullscreen);
+    isMomentOver = true;
+    stats = {};
 }
 
 void Renderer::Impl::draw(const View& view, float alpha) {
     if (view.size.x <= 0 || view.size.y <= 0) return;
-    if (std::string error = viewError(view); !error.empty()) {
+    if (std::string error = check.error(view, settings.hostState == HostState::Restored); !error.empty()) {
         if (error != lastError) logError(error);
         lastError = std::move(error);
         return;
     }
     lastError.clear();
-    const GlStateGuard hostState;
-    downscale = std::max(downscale, downscaleFor(view.size));
-    stats.uploadBytes = scene.beginFrame(alpha, view.position);
-    stepAlpha = alpha;
-    // Where the game stands still its frames count as those of a screen.
-    const double now = scene.seconds() + double(alpha - 1.0f) / kStepsPerSecond, passed = now - gameSeconds;
-    frameSeconds = passed > 0.0 ? float(std::min(passed, kLongestFrame)) : kStill;
-    gameSeconds = now;
-    const bool isFirst = view.cut || !hasDrawn;
-    hasDrawn = true;
-    View each = view;
-    for (int i = isFirst ? settings.warmUpFrames : 0; i >= 0; --i) {
-        drawOnce(each);
-        each.cut = false;
-        frameSeconds = kStill;
-    }
+    const GlStateGuard hostState = guardHostState();
+    const TexelStore::Use use(texels);
+    history = &histories.begin(view.slot, view.size, limits);
+    drawFrames(view, alpha);
     drawSmallerOnFailure(view);
-    scene.endFrame();
     stats.textureBytes =
-        targets.bytes() + scene.bytes() + gbuffer.bytes() + blueNoise.bytes() + (lightGrid ? lightGrid->bytes() : 0);
+        histories.bytes() + scene.bytes() + gbuffer.bytes() + blueNoise.bytes() + (lightGrid ? lightGrid->bytes() : 0);
     stats.computePrograms = shaders.computePrograms();
     stats.waitingBytes = scene.bodies().waitingBytes();
     stats.shapes = scene.bodies().shapes();
     stats.bricks = scene.bodies().bricks();
 }
 
+void Renderer::Impl::drawFrames(const View& view, float alpha) {
+    // Another view of what was drawn last shows the same motion; the same view again shows that it has ended.
+    const bool isSameMoment = !isMomentOver && alpha == stepAlpha && history->moment != moment;
+    moment += !isSameMoment;
+    isMomentOver = false;
+    stepAlpha = alpha;
+    stats.uploadBytes = scene.beginFrame(alpha, view.position, isSameMoment);
+    // Where the game stands still its frames count as those of a screen.
+    const double now = scene.seconds() + double(alpha - 1.0f) / kStepsPerSecond, passed = now - history->gameSeconds;
+    frameSeconds = passed > 0.0 ? float(std::min(passed, kLongestFrame)) : kStill;
+    history->gameSeconds = now;
+    const bool isFirst = view.cut || history->moment == 0;
+    history->moment = moment;
+    View each = view;
+    for (int i = isFirst ? settings.warmUpFrames : 0; i >= 0; --i) {
+        drawOnce(each);
+        each.cut = false;
+        frameSeconds = kStill;
+    }
+}
+
 void Renderer::Impl::drawSmallerOnFailure(const View& view) {
-    while (targets.allocationFailed()) {
-        if (downscale == kMaxDownscale) {
+    while (history->targets.allocationFailed()) {
+        if (history->downscale == ViewHistories::kMaxDownscale) {
             logError(lastError = "the GL could not make render targets of any size: it is probably out of memory");
             return;
         }
-        ++downscale;
+        ++history->downscale;
         logWarning("the GL could not make render targets for a view of " + std::to_string(view.size.x) + "x" +
-                   std::to_string(view.size.y) + "; it is drawn at 1/" + std::to_string(1 << downscale) +
+                   std::to_string(view.size.y) + "; it is drawn at 1/" + std::to_string(1 << history->downscale) +
                    " of that size and scaled up");
-        targets.clear();
+        history->targets.clear();
         drawOnce(view);
     }
 }
 
-/// Red while shaders do not build, green for a second after they were reloaded.
+/// Red while shaders do not build, green for kGreenSeconds after they were reloaded.
 glm::vec4 Renderer::Impl::statusDot() const {
     if (!shaders.errors().empty()) return {0.9f, 0.1f, 0.05f, 1.0f};
-    const bool justNow = std::chrono::steady_clock::now() - reloaded < std::chrono::seconds(1);
-    return justNow ? glm::vec4(0.1f, 0.8f, 0.2f, 1.0f) : glm::vec4(0.0f);
+    return settings.seconds() < greenUntil ? glm::vec4(0.1f, 0.8f, 0.2f, 1.0f) : glm::vec4(0.0f);
 }
 
 /// A scale outside [0.1, 1) counts as 1.
@@ -348,38 +377,52 @@ glm::ivec2 scaledSize(glm::ivec2 view, float scale) {
     return glm::max(glm::ivec2(glm::round(glm::vec2(view) * scale)), glm::ivec2(1));
 }
 
-/// Starts the times of a frame, and gives those of the last one to the choice between fragments and compute.
+/// Gives the times that have become known to the choice between fragments and compute.
+void Renderer::Impl::takeTimes() {
+    const PassTimer::Times times = timer.take();
+    if (times.empty()) return;
+    choice.addPassTimes(times);
+    if (!settings.passTimes) return;
+    stats.passMs.clear();
+    for (const PassTimer::Time& time : times) stats.passMs.emplace_back(time.name, time.ms);
+}
+
+/// Starts the times of a frame.
 void Renderer::Impl::beginTimes() {
-    if (timer.isImmediate()) choice.addPassTimes(stats.passMs);
-    timer.beginFrame(stats.passMs);
-    if (!timer.isImmediate()) choice.addPassTimes(stats.passMs);
+    takeTimes();
+    timer.beginFrame(settings.passTimes || choice.isMeasuring());
+    takeTimes();
     if (const std::string decisions = choice.takeDecisions(); !decisions.empty())
         logInfo("full-screen passes are drawn by the faster method: " + decisions);
 }
 
 void Renderer::Impl::drawOnce(const View& wanted) {
     View view = wanted;
-    view.size = glm::max(wanted.size >> downscale, glm::ivec2(1));
+    view.size = glm::max(wanted.size >> history->downscale, glm::ivec2(1));
     beginTimes();
     stats.drawCalls = stats.bodyDraws = stats.waters = stats.imageCopies = 0;
     stats.waterPixels = 0;
     stats.computePasses.clear();
+    stats.passes.clear();
     const glm::ivec2 renderSize = scaledSize(view.size, settings.resolutionScale);
-    targets.beginFrame(renderSize, view.size, view.cut);
+    history->targets.beginFrame(renderSize, view.size, view.cut);
     fillBlock(view, renderSize);
     uploadBlock();
     const FrameContext frame{
-        block, settings, scene, targets, blueNoise, stats, emptyVertexArray, updateLightGrid(), &choice, frameSeconds};
+        block,   settings,    scene, history->targets, blueNoise, stats, emptyVertexArray, updateLightGrid(),
+        &choice, frameSeconds};
     drawPasses(frame);
     run("show", shown->target, {}, [&] { show.draw(frame, *shown, wanted, statusDot()); });
+    if (timer.isImmediate()) takeTimes();
 }
 
 Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader, const std::string& shaderFolder,
                                                    const RenderSettings& settings) {
     if (auto loaded = loadGl(loader); !loaded) return Error{loaded.error()};
-    const GlStateGuard hostState;
+    const GlStateGuard hostState(settings.hostState);
     auto impl = std::make_unique<Impl>(shaderFolder, settings);
     if (!impl->shaders.errors().empty()) return Error{impl->shaders.errors().front()};
+    if (settings.compileAhead) impl->compileAhead();
     return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
 }
 
@@ -388,6 +431,7 @@ Renderer::~Renderer() = default;
 
 void Renderer::apply(FrameSnapshot&& snapshot) {
     m_impl->scene.apply(std::move(snapshot));
+    m_impl->isMomentOver = true;
 }
 void Renderer::draw(const View& view, float alpha) {
     m_impl->draw(view, alpha);
@@ -398,9 +442,10 @@ const std::string& Renderer::lastError() const {
 }
 
 bool Renderer::reloadShaders() {
-    const GlStateGuard hostState;
+    if (m_impl->check.isLost()) return false;
+    const GlStateGuard hostState = m_impl->guardHostState();
     const bool any = m_impl->shaders.reloadChanged();
-    if (any) m_impl->reloaded = std::chrono::steady_clock::now();
+    if (any) m_impl->greenUntil = m_impl->settings.seconds() + kGreenSeconds;
     return any;
 }
 
@@ -428,15 +473,15 @@ Result<FloatImage> Renderer::readTarget(std::string_view name) const {
                                        [&](const TargetDeclaration& each) { return each.name == name; });
     const std::string text = "target \"" + std::string(name) + "\": ";
     if (declared == kTargets.end()) return Error{text + "expected a name of render/frame/targets.h"};
-    const Texture* texture = m_impl->targets.find(declared->id);
+    ViewHistory* drawn = m_impl->histories.last();
+    const Texture* texture = drawn && !m_impl->check.isLost() ? drawn->targets.find(declared->id) : nullptr;
     if (!texture) return Error{text + "no pass has drawn it; call draw() with the settings that need it"};
     if (pixelFormat(texture->internalFormat()).format == GL_DEPTH_COMPONENT)
         return Error{text + "expected colours, found a depth buffer"};
-    const GlStateGuard hostState;
+    const GlStateGuard hostState = m_impl->guardHostState();
+    const PixelPackGuard packing;
     FloatImage image(texture->size());
-    m_impl->targets.framebuffer({texture}).begin();
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    drawn->targets.framebuffer({texture}).begin();
     glReadPixels(0, 0, image.size.x, image.size.y, GL_RGBA, GL_FLOAT, image.pixels.data());
     return image;
 }

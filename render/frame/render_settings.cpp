@@ -1,6 +1,12 @@
 #include "render/frame/render_settings.h"
 
+#include <chrono>
+
 namespace rubble {
+
+double steadySeconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 RenderSettings RenderSettings::preset(std::string_view name) {
     RenderSettings settings;

@@ -3,7 +3,12 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
+#include <string>
 #include <string_view>
+
+#include "render/gl/gl_limits.h"
+#include "render/gl/host_state.h"
 
 namespace rubble {
 
@@ -15,7 +20,15 @@ struct View {
     glm::ivec2 size{1280, 720};       ///< pixels
     unsigned framebuffer = 0;         ///< GL name
     bool cut = false;                 ///< the camera jumped: histories of frames before this one are not used
+    /// Views that are drawn in turn by one renderer, as those of a split screen, have different slots: each keeps its
+    /// own history. Different sizes do so by themselves.
+    int slot = 0;
 };
+
+/// A clock: seconds since any moment.
+using Seconds = double (*)();
+/// The clock of the system.
+double steadySeconds();
 
 /// How the random numbers of rays are spread over pixels and frames. White noise is for tests of estimators, which need
 /// independent samples.
@@ -59,7 +72,15 @@ struct RenderSettings {
     bool detail = true;               ///< grain, joints and pores on the faces of near voxels, by material
     float bloom = 0.04f;              ///< share of the blurred image that is added; 0: none, at no cost
     uint64_t uploadBudget = 4 << 20;  ///< bytes of changed bricks per frame; a level that is loaded is sent at once
+    bool passTimes = false;           ///< RenderStats::passMs is filled; a software renderer waits for each pass to end
     bool processorTime = false;       ///< pass times are those of all threads of this process: for a busy machine
+    HostState hostState = HostState::Restored;
+    /// All programs are built, and drawn with once, before the first frame: no later frame waits for the driver when
+    /// something is first seen. Off: those of what most scenes never have are built in the frame that needs them.
+    bool compileAhead = false;
+    std::string programCache;         ///< a folder for programs as the driver made them; empty: none
+    std::optional<GlLimits> limits;   ///< the GL counts as having no more than these; none: as much as it has
+    Seconds seconds = steadySeconds;  ///< the clock of what is shown for a time
 
     /// "fast", "balanced" or "accurate"; any other name gives the defaults, which are "balanced".
     static RenderSettings preset(std::string_view name);

@@ -17,8 +17,9 @@ struct RenderStats {
     uint64_t textureBytes = 0;  ///< held now
     int shapes = 0;
     int bricks = 0;
-    /// Milliseconds of each pass, in the order drawn: by GL_TIME_ELAPSED on a GPU, after glFinish on a software
-    /// renderer.
+    std::vector<const char*> passes;  ///< in the order drawn
+    /// Milliseconds of each pass, in the order drawn, with RenderSettings::passTimes: on a GPU those of the newest
+    /// frame that it has finished, on a software renderer of this one.
     std::vector<std::pair<const char*, double>> passMs;
     std::vector<const char*> computePasses;  ///< passes that drew full-screen programs by compute
     int computePrograms = 0;                 ///< held now

@@ -57,11 +57,10 @@ TargetPool::Slot& TargetPool::slot(Target id) {
     if (!slot.textures[0]) {
         Group& group = m_groups[size_t(declared.resolution)];
         const glm::ivec2 size = glm::max((group.size + declared.divisor - 1) / declared.divisor, glm::ivec2(1));
-        while (glGetError() != GL_NO_ERROR) {  // errors of earlier calls, perhaps of the host's
-        }
-        for (int i = 0; i <= int(declared.hasHistory); ++i)
+        for (int i = 0; i <= int(declared.hasHistory); ++i) {
             slot.textures[i] = Texture(declared.format, size, declared.filter);
-        group.allocationFailed |= glGetError() != GL_NO_ERROR;
+            group.allocationFailed |= !slot.textures[i].isAllocated();
+        }
     }
     slot.drawn[slot.current] = m_frame;
     return slot;

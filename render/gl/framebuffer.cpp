@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "render/gl/draw_state.h"
+
 namespace rubble {
 
 Framebuffer::Framebuffer(const std::vector<const Texture*>& colors, const Texture* depth)
@@ -16,14 +18,17 @@ Framebuffer::Framebuffer(const std::vector<const Texture*>& colors, const Textur
         buffers.push_back(attachment);
     }
     if (depth) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth->name(), 0);
-    if (buffers.empty()) buffers.push_back(GL_NONE);
+    if (buffers.empty()) {
+        buffers.push_back(GL_NONE);
+        glReadBuffer(GL_NONE);  // before GL 4.1 a framebuffer is incomplete whose read buffer has no attachment
+    }
     glDrawBuffers(GLsizei(buffers.size()), buffers.data());
     m_isComplete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
 void Framebuffer::begin() const {
     glBindFramebuffer(GL_FRAMEBUFFER, name());
-    glViewport(0, 0, m_size.x, m_size.y);
+    setViewport(m_size);
 }
 
 }  // namespace rubble

@@ -5,7 +5,7 @@
 
 namespace rubble {
 
-/// Texture units that the renderer uses: the samplers of a program from the first on, the last one for uploads.
+/// Texture units that the renderer uses: the first one for uploads, the others for the samplers of programs.
 inline constexpr int kTextureUnits = 32;
 
 /// Loads the functions of GL 3.3 core, and of compute where there are some, through a host's loader. The context must

@@ -10,6 +10,8 @@ template <class Kind>
 class GlName {
 public:
     GlName() = default;
+    /// Takes over an object that the GL has made.
+    explicit GlName(GLuint name) : m_name(name) {}
     /// A new object of the current context.
     static GlName make() {
         GlName name;
@@ -73,6 +75,9 @@ struct QueryKind {
         return name;
     }
     static void destroy(GLuint name) { glDeleteQueries(1, &name); }  ///< frees the object
+};
+struct ShaderKind {
+    static void destroy(GLuint name) { glDeleteShader(name); }  ///< frees the object
 };
 struct ProgramKind {
     static GLuint create() { return glCreateProgram(); }         ///< a new name

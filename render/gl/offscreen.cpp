@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/gl/state_guard.h"
+
 namespace rubble {
 
 Offscreen::Offscreen(glm::ivec2 size) : m_color(GL_RGBA8, size), m_framebuffer({&m_color}) {}
@@ -10,7 +12,7 @@ std::vector<uint8_t> Offscreen::readRgb() const {
     const size_t rowBytes = size_t(size().x) * 3;
     std::vector<uint8_t> pixels(rowBytes * size_t(size().y));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer());
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    const PixelPackGuard packing;
     glReadPixels(0, 0, size().x, size().y, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
     for (int top = 0, bottom = size().y - 1; top < bottom; ++top, --bottom)
         std::swap_ranges(pixels.begin() + long(rowBytes) * top, pixels.begin() + long(rowBytes) * (top + 1),

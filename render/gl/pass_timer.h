@@ -1,39 +1,56 @@
 #pragma once
-#include <utility>
+#include <deque>
 #include <vector>
 
 #include "render/gl/name.h"
 
 namespace rubble {
 
-/// Times the passes of a frame. On a GPU by GL_TIME_ELAPSED queries, which are read one frame later, so that nothing
-/// waits; on a software renderer by the clock after glFinish, because queries do not see its work.
+/// Times the passes of a frame. On a GPU by timestamps, which do not meet a host's own timer queries; they are read
+/// when the GPU has passed them, some frames later, so that nothing waits. On a software renderer by the clock after
+/// glFinish, because queries do not see its work. [render-thread]
 class PassTimer {
 public:
-    using Times = std::vector<std::pair<const char*, double>>;  ///< milliseconds by pass, in the order drawn
+    /// The time of one pass of one frame.
+    struct Time {
+        const char* name;
+        double ms;
+        int tag;  ///< as given to begin()
+    };
+    using Times = std::vector<Time>;  ///< in the order drawn
 
-    /// processorTime: on a software renderer, the milliseconds that all threads of this process worked, instead of the
-    /// elapsed ones.
+    /// software: whether the GL draws on the processor. processorTime: if so, the milliseconds that all threads of this
+    /// process worked, instead of the elapsed ones.
     PassTimer(bool software, bool processorTime) : m_software(software), m_processorTime(processorTime) {}
-    /// Whether a pass's time is known when it ends; else it comes with the next frame.
+    /// Whether a pass's time is known when it ends; else it comes some frames later.
     bool isImmediate() const { return m_software; }
-    /// Starts a frame. `out` gets the times of the frame before, if they are not immediate.
-    void beginFrame(Times& out);
-    /// Starts a pass. `name` must outlive the next beginFrame().
-    void begin(const char* name);
-    /// Ends the pass; appends its time to `out`, if that is immediate.
-    void end(Times& out);
+    /// Starts a frame. isOn: whether it is timed; if not, the GL is not called.
+    void beginFrame(bool isOn);
+    /// Starts a pass. `name` must outlive the timer.
+    void begin(const char* name, int tag = 0);
+    /// Ends the pass.
+    void end();
+    /// The times of the newest frame that are known, if they were not taken before.
+    Times take();
 
 private:
+    static constexpr size_t kMaxFrames = 4;  ///< on their way; while there are as many, frames are not timed
     struct Timed {
         const char* name;
-        GlName<QueryKind> query;
+        int tag;
+        GlName<QueryKind> begin, end;
     };
+    using Frame = std::vector<Timed>;
     double nowMs() const;
+    GlName<QueryKind> timestamp();
+    void readWhatIsReady();
+
     bool m_software, m_processorTime;
+    bool m_isOn = false;
     double m_start = 0.0;
-    std::vector<Timed> m_running;
-    size_t m_count = 0;
+    std::deque<Frame> m_frames;              ///< oldest first
+    std::vector<GlName<QueryKind>> m_spare;  ///< queries to use again
+    Times m_times;
 };
 
 }  // namespace rubble

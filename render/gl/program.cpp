@@ -4,24 +4,10 @@
 #include <cassert>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "render/gl/program_build.h"
+
 namespace rubble {
 namespace {
-
-GLuint compile(GLenum stage, const std::string& source, std::string& log) {
-    const GLuint shader = glCreateShader(stage);
-    const char* text = source.c_str();
-    glShaderSource(shader, 1, &text, nullptr);
-    glCompileShader(shader);
-    GLint done = 0, length = 0;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
-    if (done) return shader;
-    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
-    log.resize(size_t(length));
-    glGetShaderInfoLog(shader, length, &length, log.data());
-    log.resize(size_t(length));
-    glDeleteShader(shader);
-    return 0;
-}
 
 bool isSampler(GLenum type) {
     switch (type) {
@@ -31,6 +17,7 @@ bool isSampler(GLenum type) {
         case GL_INT_SAMPLER_2D:
         case GL_INT_SAMPLER_BUFFER:
         case GL_UNSIGNED_INT_SAMPLER_2D:
+        case GL_UNSIGNED_INT_SAMPLER_2D_ARRAY:
         case GL_UNSIGNED_INT_SAMPLER_3D:
         case GL_UNSIGNED_INT_SAMPLER_BUFFER:
             return true;
@@ -40,49 +27,24 @@ bool isSampler(GLenum type) {
 
 }  // namespace
 
+Program::Program(GlName<ProgramKind> linked) : m_name(std::move(linked)) {
+    listUniforms();
+}
+
 Program::Program(const std::string& vertexSource, const std::string& fragmentSource, std::string& log,
                  bool& vertexFailed) {
-    const GLuint vertex = compile(GL_VERTEX_SHADER, vertexSource, log);
-    vertexFailed = !vertex;
-    if (!vertex) return;
-    const GLuint fragment = compile(GL_FRAGMENT_SHADER, fragmentSource, log);
-    if (!fragment) {
-        glDeleteShader(vertex);
-        return;
-    }
-    link({vertex, fragment}, log);
-}
-
-Program::Program(const std::string& computeSource, std::string& log) {
-    if (const GLuint shader = compile(GL_COMPUTE_SHADER, computeSource, log)) link({shader}, log);
-}
-
-/// Links the shaders and deletes them, whether that succeeds or not.
-void Program::link(std::initializer_list<GLuint> shaders, std::string& log) {
-    auto program = GlName<ProgramKind>::make();
-    for (const GLuint shader : shaders) {
-        glAttachShader(program.get(), shader);
-        glDeleteShader(shader);
-    }
-    glLinkProgram(program.get());
-    GLint done = 0, length = 0;
-    glGetProgramiv(program.get(), GL_LINK_STATUS, &done);
-    if (!done) {
-        glGetProgramiv(program.get(), GL_INFO_LOG_LENGTH, &length);
-        log.resize(size_t(length));
-        glGetProgramInfoLog(program.get(), length, &length, log.data());
-        log.resize(size_t(length));
-        return;
-    }
-    m_name = std::move(program);
-    listUniforms();
+    ProgramBuild build({{GL_VERTEX_SHADER, vertexSource}, {GL_FRAGMENT_SHADER, fragmentSource}}, nullptr);
+    ProgramBuild::Failure failure;
+    *this = build.finish(failure);
+    log = failure.log;
+    vertexFailed = !*this && failure.stage == 0;
 }
 
 void Program::listUniforms() {
     use();
     GLint count = 0;
     glGetProgramiv(name(), GL_ACTIVE_UNIFORMS, &count);
-    int units = 0;
+    int units = 1;
     for (GLint i = 0; i < count; ++i) {
         char text[128];
         GLsizei length = 0;
@@ -98,7 +60,7 @@ void Program::listUniforms() {
         }
         m_uniforms.push_back({text, location, unit});
     }
-    assert(units < kTextureUnits && "a program with more samplers than there are units for them");
+    assert(units <= kTextureUnits && "a program with more samplers than there are units for them");
     const GLuint block = glGetUniformBlockIndex(name(), "FrameBlock");
     if (block != GL_INVALID_INDEX) glUniformBlockBinding(name(), block, 0);
     glUseProgram(0);
@@ -141,6 +103,12 @@ void Program::set(std::string_view name, const glm::mat4& value) const {
 
 void Program::set(std::string_view name, std::span<const glm::vec4> values) const {
     if (const Uniform* u = find(name)) glUniform4fv(u->location, GLsizei(values.size()), glm::value_ptr(values[0]));
+}
+
+void Program::set(std::string_view array, const BufferTexture& texture) const {
+    const std::string_view shared = texture.sharedSampler();
+    bind(shared.empty() ? array : shared, texture.target(), texture.name());
+    if (!shared.empty()) set(array, texture.firstTexel());
 }
 
 void Program::bind(std::string_view sampler, GLenum target, GLuint texture) const {

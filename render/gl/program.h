@@ -3,7 +3,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,15 +12,16 @@
 
 namespace rubble {
 
-/// A linked program. Its samplers get texture units when it is linked, in the order in which the GL lists them.
+/// A linked program. Its samplers get texture units, in the order in which the GL lists them, behind the one for
+/// uploads.
 class Program {
 public:
     Program() = default;
+    /// Takes over a linked program.
+    explicit Program(GlName<ProgramKind> linked);
     /// From vertex and fragment source as the GL gets them. On failure the program is empty, `log` holds the GL's
     /// message and `vertexFailed` says which of the two it is about.
     Program(const std::string& vertexSource, const std::string& fragmentSource, std::string& log, bool& vertexFailed);
-    /// A compute program, where hasCompute(). On failure the program is empty and `log` holds the GL's message.
-    Program(const std::string& computeSource, std::string& log);
 
     explicit operator bool() const { return bool(m_name); }
     /// The GL's name of it; 0: empty.
@@ -47,10 +47,8 @@ public:
     void set(std::string_view sampler, const Texture& texture) const {
         bind(sampler, texture.target(), texture.name());
     }
-    /// Binds a buffer texture to the sampler's unit.
-    void set(std::string_view sampler, const BufferTexture& texture) const {
-        bind(sampler, texture.target(), texture.name());
-    }
+    /// Sets an array of lib/texels.glsl.
+    void set(std::string_view array, const BufferTexture& texture) const;
 
 private:
     struct Uniform {
@@ -60,7 +58,6 @@ private:
     };
     const Uniform* find(std::string_view name) const;
     void bind(std::string_view sampler, GLenum target, GLuint texture) const;
-    void link(std::initializer_list<GLuint> shaders, std::string& log);
     void listUniforms();
 
     GlName<ProgramKind> m_name;

@@ -3,50 +3,49 @@
 namespace rubble {
 namespace {
 
-constexpr GLenum kBlendNames[6] = {GL_BLEND_SRC_RGB,   GL_BLEND_DST_RGB,      GL_BLEND_SRC_ALPHA,
-                                   GL_BLEND_DST_ALPHA, GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATION_ALPHA};
+GLint asked(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
 
 void setSwitch(GLenum name, bool on) {
     on ? glEnable(name) : glDisable(name);
 }
 
-}  // namespace
+void askBindings(GlState& s) {
+    s.drawFramebuffer = asked(GL_DRAW_FRAMEBUFFER_BINDING);
+    s.readFramebuffer = asked(GL_READ_FRAMEBUFFER_BINDING);
+    s.program = asked(GL_CURRENT_PROGRAM);
+    s.vertexArray = asked(GL_VERTEX_ARRAY_BINDING);
+    s.arrayBuffer = asked(GL_ARRAY_BUFFER_BINDING);
+    s.copyReadBuffer = asked(GL_COPY_READ_BUFFER);
+    s.copyWriteBuffer = asked(GL_COPY_WRITE_BUFFER);
+    s.unpackBuffer = asked(GL_PIXEL_UNPACK_BUFFER_BINDING);
+    s.uniformBuffer = asked(GL_UNIFORM_BUFFER_BINDING);
+    glGetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, 0, &s.uniformBuffer0);
+    glGetInteger64i_v(GL_UNIFORM_BUFFER_START, 0, &s.uniformStart0);
+    glGetInteger64i_v(GL_UNIFORM_BUFFER_SIZE, 0, &s.uniformSize0);
+}
 
-GlStateGuard::GlStateGuard() {
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_drawFramebuffer);
-    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &m_readFramebuffer);
-    glGetIntegerv(GL_CURRENT_PROGRAM, &m_program);
-    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &m_vertexArray);
-    glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &m_arrayBuffer);
-    glGetIntegerv(GL_UNIFORM_BUFFER_BINDING, &m_uniformBuffer);
-    glGetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, 0, &m_uniformBuffer0);
-    glGetIntegerv(GL_COPY_READ_BUFFER, &m_copyReadBuffer);
-    glGetIntegerv(GL_COPY_WRITE_BUFFER, &m_copyWriteBuffer);
-    glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &m_pixelUnpackBuffer);
-    glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &m_pixelPackBuffer);
-    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-    glGetIntegerv(GL_ACTIVE_TEXTURE, &m_activeTexture);
-    glGetIntegerv(GL_CULL_FACE_MODE, &m_cullFace);
-    glGetIntegerv(GL_FRONT_FACE, &m_frontFace);
-    glGetIntegerv(GL_DEPTH_FUNC, &m_depthFunc);
-    glGetIntegerv(GL_UNPACK_ALIGNMENT, &m_unpackAlignment);
-    glGetIntegerv(GL_PACK_ALIGNMENT, &m_packAlignment);
-    glGetIntegerv(GL_UNPACK_ROW_LENGTH, &m_unpackRowLength);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-    for (int i = 0; i < 6; ++i) glGetIntegerv(kBlendNames[i], &m_blend[i]);
-    glGetIntegerv(GL_VIEWPORT, m_viewport);
-    glGetBooleanv(GL_DEPTH_WRITEMASK, &m_depthMask);
-    glGetBooleanv(GL_COLOR_WRITEMASK, m_colorMask);
-    for (int i = 0; i < kTextureUnits; ++i) {
+void askUnits(GlState& s, const GlUse& use) {
+    s.activeTexture = asked(GL_ACTIVE_TEXTURE);
+    s.unitCount = use.units;
+    for (int i = 0; i < s.unitCount; ++i) {
         glActiveTexture(GLenum(GL_TEXTURE0 + i));
-        glGetIntegerv(GL_TEXTURE_BINDING_2D, &m_texture2D[size_t(i)]);
-        glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &m_textureBuffer[size_t(i)]);
-        glGetIntegerv(GL_SAMPLER_BINDING, &m_sampler[size_t(i)]);
-        glBindSampler(GLuint(i), 0);
+        GlState::Unit& unit = s.units[size_t(i)];
+        unit.texture2D = asked(GL_TEXTURE_BINDING_2D);
+        unit.sampler = asked(GL_SAMPLER_BINDING);
+        unit.array = use.sharedTexels ? asked(GL_TEXTURE_BINDING_2D_ARRAY) : GlState::kUntouched;
+        unit.buffer = use.sharedTexels ? GlState::kUntouched : asked(GL_TEXTURE_BINDING_BUFFER);
     }
-    for (GLuint i = 0; i < kImages && hasCompute(); ++i) {
-        Image& image = m_images[i];
+    glActiveTexture(GLenum(s.activeTexture));
+}
+
+void askImages(GlState& s) {
+    s.images.emplace();
+    for (GLuint i = 0; i < GlState::kImages; ++i) {
+        GlState::Image& image = (*s.images)[i];
         glGetIntegeri_v(GL_IMAGE_BINDING_NAME, i, &image.name);
         glGetIntegeri_v(GL_IMAGE_BINDING_LEVEL, i, &image.level);
         glGetIntegeri_v(GL_IMAGE_BINDING_LAYERED, i, &image.layered);
@@ -54,51 +53,135 @@ GlStateGuard::GlStateGuard() {
         glGetIntegeri_v(GL_IMAGE_BINDING_ACCESS, i, &image.access);
         glGetIntegeri_v(GL_IMAGE_BINDING_FORMAT, i, &image.format);
     }
-    for (size_t i = 0; i < kSwitches.size(); ++i) {
-        m_switches[i] = glIsEnabled(kSwitches[i]);
-        glDisable(kSwitches[i]);
+}
+
+void askRasterizer(GlState& s) {
+    s.polygonMode[1] = 0;  // GL writes one number or two
+    glGetIntegerv(GL_POLYGON_MODE, s.polygonMode);
+    if (GLAD_GL_ARB_clip_control) {
+        s.clipOrigin = asked(GL_CLIP_ORIGIN);
+        s.clipDepth = asked(GL_CLIP_DEPTH_MODE);
     }
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthMask(GL_TRUE);
-    glFrontFace(GL_CCW);
+    s.cullFace = asked(GL_CULL_FACE_MODE);
+    s.frontFace = asked(GL_FRONT_FACE);
+    s.depthFunc = asked(GL_DEPTH_FUNC);
+    glGetDoublev(GL_DEPTH_RANGE, s.depthRange);
+    glGetBooleanv(GL_DEPTH_WRITEMASK, &s.depthMask);
+    s.scissorTest = glIsEnabled(GL_SCISSOR_TEST);
+    glGetFloatv(GL_VIEWPORT, s.viewport.emplace().data());
+    glGetIntegerv(GL_SCISSOR_BOX, s.scissor.emplace().data());
+    s.blend = currentBlend();
+    for (GLuint i = 0; i < GlState::kTargets; ++i) {
+        s.blends[i] = glIsEnabledi(GL_BLEND, i);
+        glGetBooleani_v(GL_COLOR_WRITEMASK, i, s.colorMasks[i].data());
+    }
+    for (size_t i = 0; i < s.switches.size(); ++i) s.switches[i] = glIsEnabled(GlState::kSwitches[i]);
+    for (size_t i = 0; i < s.unpack.size(); ++i) s.unpack[i] = asked(GlState::kUnpack[i]);
+}
+
+void setUnits(const GlState& s) {
+    for (int i = 0; i < s.unitCount; ++i) {
+        const GlState::Unit& unit = s.units[size_t(i)];
+        glActiveTexture(GLenum(GL_TEXTURE0 + i));
+        glBindTexture(GL_TEXTURE_2D, GLuint(unit.texture2D));
+        if (unit.array != GlState::kUntouched) glBindTexture(GL_TEXTURE_2D_ARRAY, GLuint(unit.array));
+        if (unit.buffer != GlState::kUntouched) glBindTexture(GL_TEXTURE_BUFFER, GLuint(unit.buffer));
+        glBindSampler(GLuint(i), GLuint(unit.sampler));
+    }
+    glActiveTexture(GLenum(s.activeTexture));
+}
+
+void setRasterizer(const GlState& s) {
+    // Core contexts have one mode for both sides; others may have two.
+    if (s.polygonMode[0] == s.polygonMode[1] || s.polygonMode[1] == 0)
+        glPolygonMode(GL_FRONT_AND_BACK, GLenum(s.polygonMode[0]));
+    else
+        glPolygonMode(GL_FRONT, GLenum(s.polygonMode[0])), glPolygonMode(GL_BACK, GLenum(s.polygonMode[1]));
+    if (GLAD_GL_ARB_clip_control) glClipControl(GLenum(s.clipOrigin), GLenum(s.clipDepth));
+    glCullFace(GLenum(s.cullFace));
+    glFrontFace(GLenum(s.frontFace));
+    glDepthFunc(GLenum(s.depthFunc));
+    setDepthRange(s.depthRange[0], s.depthRange[1]);
+    glDepthMask(s.depthMask);
+    setScissorTest(s.scissorTest);
+    if (s.viewport) setViewport({(*s.viewport)[0], (*s.viewport)[1], (*s.viewport)[2], (*s.viewport)[3]});
+    if (s.scissor) setScissor({(*s.scissor)[0], (*s.scissor)[1]}, {(*s.scissor)[2], (*s.scissor)[3]});
+    setBlendFunctions(s.blend);
+    for (GLuint i = 0; i < GlState::kTargets; ++i) {
+        s.blends[i] ? glEnablei(GL_BLEND, i) : glDisablei(GL_BLEND, i);
+        const auto& mask = s.colorMasks[i];
+        glColorMaski(i, mask[0], mask[1], mask[2], mask[3]);
+    }
+    for (size_t i = 0; i < s.switches.size(); ++i) setSwitch(GlState::kSwitches[i], s.switches[i]);
+    for (size_t i = 0; i < s.unpack.size(); ++i) glPixelStorei(GlState::kUnpack[i], s.unpack[i]);
+}
+
+/// What a draw needs of a new context's state, where it does not set it itself.
+void setForDrawing(const GlUse& use) {
+    static const GlState fresh;
+    setRasterizer(fresh);
+    for (GLuint i = 0; i < GLuint(use.units); ++i) glBindSampler(i, 0);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+}
+
+}  // namespace
+
+GlState GlState::current(const GlUse& use) {
+    GlState state;
+    askRasterizer(state);
+    askBindings(state);
+    if (use.images) askImages(state);
+    askUnits(state, use);
+    return state;
+}
+
+void GlState::set() const {
+    setRasterizer(*this);
+    if (images)
+        for (GLuint i = 0; i < kImages; ++i) {
+            const Image& image = (*images)[i];
+            glBindImageTexture(i, GLuint(image.name), image.level, image.layered ? GL_TRUE : GL_FALSE, image.layer,
+                               GLenum(image.access), GLenum(image.format));
+        }
+    setUnits(*this);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, GLuint(unpackBuffer));
+    glBindBuffer(GL_COPY_WRITE_BUFFER, GLuint(copyWriteBuffer));
+    glBindBuffer(GL_COPY_READ_BUFFER, GLuint(copyReadBuffer));
+    if (uniformSize0 > 0)
+        glBindBufferRange(GL_UNIFORM_BUFFER, 0, GLuint(uniformBuffer0), GLintptr(uniformStart0),
+                          GLsizeiptr(uniformSize0));
+    else
+        glBindBufferBase(GL_UNIFORM_BUFFER, 0, GLuint(uniformBuffer0));
+    glBindBuffer(GL_UNIFORM_BUFFER, GLuint(uniformBuffer));
+    glBindVertexArray(GLuint(vertexArray));
+    glBindBuffer(GL_ARRAY_BUFFER, GLuint(arrayBuffer));
+    glUseProgram(GLuint(program));
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(drawFramebuffer));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(readFramebuffer));
+}
+
+GlStateGuard::GlStateGuard(HostState host, const GlUse& use) {
+    if (host == HostState::Restored) m_after = GlState::current(use);
+    if (host == HostState::Reset && use.images) m_after.images.emplace();
+    m_after.unitCount = use.units;
+    setForDrawing(use);
 }
 
 GlStateGuard::~GlStateGuard() {
-    for (size_t i = 0; i < kSwitches.size(); ++i) setSwitch(kSwitches[i], m_switches[i]);
-    for (int i = 0; i < kTextureUnits; ++i) {
-        glActiveTexture(GLenum(GL_TEXTURE0 + i));
-        glBindTexture(GL_TEXTURE_2D, GLuint(m_texture2D[size_t(i)]));
-        glBindTexture(GL_TEXTURE_BUFFER, GLuint(m_textureBuffer[size_t(i)]));
-        glBindSampler(GLuint(i), GLuint(m_sampler[size_t(i)]));
+    m_after.set();
+}
+
+PixelPackGuard::PixelPackGuard() : m_buffer(asked(GL_PIXEL_PACK_BUFFER_BINDING)) {
+    for (size_t i = 0; i < m_pack.size(); ++i) {
+        m_pack[i] = asked(kPack[i]);
+        glPixelStorei(kPack[i], kPack[i] == GL_PACK_ALIGNMENT ? 1 : 0);
     }
-    for (GLuint i = 0; i < kImages && hasCompute(); ++i) {
-        const Image& image = m_images[i];
-        glBindImageTexture(i, GLuint(image.name), image.level, image.layered ? GL_TRUE : GL_FALSE, image.layer,
-                           GLenum(image.access), GLenum(image.format));
-    }
-    glActiveTexture(GLenum(m_activeTexture));
-    glColorMask(m_colorMask[0], m_colorMask[1], m_colorMask[2], m_colorMask[3]);
-    glDepthMask(m_depthMask);
-    glViewport(m_viewport[0], m_viewport[1], m_viewport[2], m_viewport[3]);
-    glBlendFuncSeparate(GLenum(m_blend[0]), GLenum(m_blend[1]), GLenum(m_blend[2]), GLenum(m_blend[3]));
-    glBlendEquationSeparate(GLenum(m_blend[4]), GLenum(m_blend[5]));
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, m_unpackRowLength);
-    glPixelStorei(GL_PACK_ALIGNMENT, m_packAlignment);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, m_unpackAlignment);
-    glDepthFunc(GLenum(m_depthFunc));
-    glFrontFace(GLenum(m_frontFace));
-    glCullFace(GLenum(m_cullFace));
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, GLuint(m_pixelPackBuffer));
-    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, GLuint(m_pixelUnpackBuffer));
-    glBindBuffer(GL_COPY_WRITE_BUFFER, GLuint(m_copyWriteBuffer));
-    glBindBuffer(GL_COPY_READ_BUFFER, GLuint(m_copyReadBuffer));
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, GLuint(m_uniformBuffer0));
-    glBindBuffer(GL_UNIFORM_BUFFER, GLuint(m_uniformBuffer));
-    glBindVertexArray(GLuint(m_vertexArray));
-    glBindBuffer(GL_ARRAY_BUFFER, GLuint(m_arrayBuffer));
-    glUseProgram(GLuint(m_program));
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(m_drawFramebuffer));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(m_readFramebuffer));
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+}
+
+PixelPackGuard::~PixelPackGuard() {
+    for (size_t i = 0; i < m_pack.size(); ++i) glPixelStorei(kPack[i], m_pack[i]);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, GLuint(m_buffer));
 }
 
 }  // namespace rubble

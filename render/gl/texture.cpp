@@ -7,13 +7,37 @@
 namespace rubble {
 namespace {
 
-/// Binds a texture to the last unit that GlStateGuard restores, so that the units of the program in use keep theirs.
-void bindForUpload(GLenum target, GLuint texture) {
-    glActiveTexture(GLenum(GL_TEXTURE0 + kTextureUnits - 1));
-    glBindTexture(target, texture);
+constexpr uint64_t kStep = 4096;  ///< bytes: buffers are multiples of this
+
+/// Capacity for `bytes`: many small growths must not copy the buffer each time.
+uint64_t grown(uint64_t capacity, uint64_t bytes) {
+    return (std::max(bytes, capacity + capacity / 16) + kStep - 1) / kStep * kStep;
+}
+
+/// Gives the buffer that is bound to COPY_WRITE a new store. False if the GL has no memory for it.
+bool allocateBuffer(uint64_t bytes, GLenum usage) {
+    glBufferData(GL_COPY_WRITE_BUFFER, GLsizeiptr(bytes), nullptr, usage);
+    GLint64 found = 0;
+    glGetBufferParameteri64v(GL_COPY_WRITE_BUFFER, GL_BUFFER_SIZE, &found);
+    if (uint64_t(found) == bytes) return true;
+    glGetError();
+    return false;
 }
 
 }  // namespace
+
+void bindForUpload(GLenum target, GLuint texture) {
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(target, texture);
+}
+
+bool wasAllocated(GLenum target) {
+    GLint width = 0;
+    glGetTexLevelParameteriv(target, 0, GL_TEXTURE_WIDTH, &width);
+    if (width > 0) return true;
+    glGetError();
+    return false;
+}
 
 PixelFormat pixelFormat(GLenum internalFormat) {
     switch (internalFormat) {
@@ -53,6 +77,7 @@ Texture::Texture(GLenum internalFormat, glm::ivec2 size, Filter filter, Wrap wra
     const PixelFormat pixel = pixelFormat(internalFormat);
     bindForUpload(GL_TEXTURE_2D, name());
     glTexImage2D(GL_TEXTURE_2D, 0, GLint(internalFormat), size.x, size.y, 0, pixel.format, pixel.type, nullptr);
+    m_isAllocated = wasAllocated(GL_TEXTURE_2D);
     const GLint filterGl = filter == Filter::Linear ? GL_LINEAR : GL_NEAREST;
     const GLint wrapGl = wrap == Wrap::Repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filterGl);
@@ -70,31 +95,57 @@ void Texture::upload(const void* pixels) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
-BufferTexture::BufferTexture(GLenum internalFormat)
-    : m_texture(GlName<TextureKind>::make()), m_internalFormat(internalFormat) {
-    reserve(4096);
+BufferTexture& BufferTexture::operator=(BufferTexture&& other) noexcept {
+    std::swap(m_texture, other.m_texture);
+    std::swap(m_buffer, other.m_buffer);
+    std::swap(m_shared, other.m_shared);
+    std::swap(m_rows, other.m_rows);
+    std::swap(m_internalFormat, other.m_internalFormat);
+    std::swap(m_capacity, other.m_capacity);
+    return *this;
+}
+
+void BufferTexture::release() {
+    if (m_shared) m_shared->free(m_rows);
+}
+
+std::string_view BufferTexture::sharedSampler() const {
+    if (!m_shared) return {};
+    return m_shared->texelBytes() == 4 ? "uTexels1" : m_shared->texelBytes() == 8 ? "uTexels2" : "uTexels4";
 }
 
 bool BufferTexture::reserve(uint64_t bytes) {
     if (bytes <= m_capacity) return true;
-    GLint maxTexels = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &maxTexels);
-    const uint64_t most = uint64_t(maxTexels) * pixelFormat(m_internalFormat).bytes;
-    if (bytes > most) return false;
-    constexpr uint64_t kStep = 4096;
-    const uint64_t grown =
-        std::max(bytes, m_capacity + m_capacity / 16);  // many small growths must not copy the buffer each time
-    const uint64_t capacity = std::min(most, (grown + kStep - 1) / kStep * kStep);
+    if (!m_capacity && TexelStore::current()) m_shared = TexelStore::current()->of(m_internalFormat);
+    return m_shared ? reserveShared(bytes) : reserveOwn(bytes);
+}
 
+bool BufferTexture::reserveShared(uint64_t bytes) {
+    const uint64_t rowBytes = uint64_t(m_shared->rowTexels()) * m_shared->texelBytes();
+    const auto rowsFor = [&](uint64_t size) { return uint32_t((size + rowBytes - 1) / rowBytes); };
+    if (!m_shared->grow(m_rows, rowsFor(grown(m_capacity, bytes))) && !m_shared->grow(m_rows, rowsFor(bytes)))
+        return false;
+    m_capacity = m_rows.count * rowBytes;
+    return true;
+}
+
+bool BufferTexture::reserveOwn(uint64_t bytes) {
+    const TexelStore* store = TexelStore::current();
+    const GlLimits limits = store ? store->limits() : GlLimits::ofContext();
+    const uint64_t most = uint64_t(limits.bufferTexels) * uint64_t(pixelFormat(m_internalFormat).bytes);
+    if (bytes > most) return false;
+    const uint64_t capacity = std::min(most, grown(m_capacity, bytes));
     auto buffer = GlName<BufferKind>::make();
     glBindBuffer(GL_COPY_WRITE_BUFFER, buffer.get());
-    glBufferData(GL_COPY_WRITE_BUFFER, GLsizeiptr(capacity), nullptr, GL_DYNAMIC_DRAW);
-    if (m_buffer) {
+    const bool hasRoom = allocateBuffer(capacity, GL_DYNAMIC_DRAW);
+    if (hasRoom && m_buffer) {
         glBindBuffer(GL_COPY_READ_BUFFER, m_buffer.get());
         glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, GLsizeiptr(m_capacity));
         glBindBuffer(GL_COPY_READ_BUFFER, 0);
     }
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+    if (!hasRoom) return false;
+    if (!m_texture) m_texture = GlName<TextureKind>::make();
     bindForUpload(GL_TEXTURE_BUFFER, m_texture.get());
     glTexBuffer(GL_TEXTURE_BUFFER, m_internalFormat, buffer.get());
     m_buffer = std::move(buffer);
@@ -104,9 +155,21 @@ bool BufferTexture::reserve(uint64_t bytes) {
 
 void BufferTexture::upload(uint64_t offset, std::span<const std::byte> data) {
     assert(offset + data.size() <= m_capacity && "an upload past the capacity: call reserve() before");
+    if (m_shared) return m_shared->upload(m_rows, offset / m_shared->texelBytes(), data);
     glBindBuffer(GL_COPY_WRITE_BUFFER, m_buffer.get());
     glBufferSubData(GL_COPY_WRITE_BUFFER, GLintptr(offset), GLsizeiptr(data.size()), data.data());
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
+bool BufferTexture::refill(std::span<const std::byte> data) {
+    if (data.empty()) return true;
+    if (!reserve(data.size())) return false;
+    if (!m_shared) {  // a new store for the buffer: the GL keeps the old one until it is no longer read
+        glBindBuffer(GL_COPY_WRITE_BUFFER, m_buffer.get());
+        glBufferData(GL_COPY_WRITE_BUFFER, GLsizeiptr(m_capacity), nullptr, GL_STREAM_DRAW);
+    }
+    upload(0, data);
+    return true;
 }
 
 }  // namespace rubble

@@ -1,9 +1,11 @@
 #pragma once
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <memory>
 #include <span>
+#include <string_view>
 
-#include "render/gl/name.h"
+#include "render/gl/shared_texels.h"
 
 namespace rubble {
 
@@ -18,6 +20,12 @@ struct PixelFormat {
 };
 /// Asserts on an internal format that the renderer does not use.
 PixelFormat pixelFormat(GLenum internalFormat);
+
+/// Binds a texture to the unit for uploads, so that those of the program in use keep theirs.
+void bindForUpload(GLenum target, GLuint texture);
+/// Whether the GL had memory for level 0 of the texture that bindForUpload() has bound last. If not, the GL's error is
+/// taken from its queue.
+bool wasAllocated(GLenum target);
 
 /// A 2D texture of one level.
 class Texture {
@@ -37,6 +45,8 @@ public:
     /// GPU memory.
     uint64_t bytes() const { return uint64_t(m_size.x) * m_size.y * pixelFormat(m_internalFormat).bytes; }
     explicit operator bool() const { return bool(m_name); }
+    /// Whether the GL had memory for it.
+    bool isAllocated() const { return m_isAllocated; }
 
     /// Replaces all of it. Rows from the bottom up, tightly packed, in pixelFormat() of the internal format.
     void upload(const void* pixels);
@@ -45,29 +55,47 @@ private:
     GlName<TextureKind> m_name;
     GLenum m_internalFormat = 0;
     glm::ivec2 m_size{0};
+    bool m_isAllocated = false;
 };
 
-/// A buffer that shaders read with texelFetch(samplerBuffer). When it grows it keeps what it holds.
+/// An array of texels that shaders read by index (lib/texels.glsl): a buffer texture, or a part of the shared texture
+/// of its format, where the TexelStore in use when it is first filled says so. When it grows it keeps what it holds.
 class BufferTexture {
 public:
     BufferTexture() = default;
-    /// internalFormat: of a texel.
-    explicit BufferTexture(GLenum internalFormat);
+    /// internalFormat: of a texel. The GL is not called before reserve().
+    explicit BufferTexture(GLenum internalFormat) : m_internalFormat(internalFormat) {}
+    BufferTexture(BufferTexture&& other) noexcept = default;
+    BufferTexture& operator=(BufferTexture&& other) noexcept;
+    ~BufferTexture() { release(); }
 
-    /// The GL's name of the texture.
-    GLuint name() const { return m_texture.get(); }
+    /// The GL's name of the texture; 0: nothing was reserved.
+    GLuint name() const { return m_shared ? m_shared->name() : m_texture.get(); }
     /// The GL's kind of texture.
-    GLenum target() const { return GL_TEXTURE_BUFFER; }
+    GLenum target() const { return m_shared ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_BUFFER; }
+    /// The sampler that it is read through, where it is a part of a shared texture; empty where it has its own.
+    std::string_view sharedSampler() const;
+    /// Where it is a part of a shared texture: the number of its first texel there.
+    int firstTexel() const { return m_shared ? int(m_rows.first << m_shared->sideBits()) : 0; }
     /// Its capacity.
     uint64_t bytes() const { return m_capacity; }
-    /// Makes its capacity at least this. False if the GL's largest buffer texture is smaller.
+    /// Makes its capacity at least this. False if the GL has no room: then it is as before.
     bool reserve(uint64_t bytes);
-    /// Replaces a part of it. Offset in bytes, within the capacity.
+    /// Replaces a part of it. Offset in bytes, within the capacity; whole texels.
     void upload(uint64_t offset, std::span<const std::byte> data);
+    /// Replaces all of it, without waiting for draws that still read what it held. False if the GL has no room: then
+    /// it is as before.
+    bool refill(std::span<const std::byte> data);
 
 private:
+    bool reserveOwn(uint64_t bytes);
+    bool reserveShared(uint64_t bytes);
+    void release();
+
     GlName<TextureKind> m_texture;
     GlName<BufferKind> m_buffer;
+    std::shared_ptr<SharedTexels> m_shared;
+    SharedTexels::Rows m_rows;  ///< in m_shared
     GLenum m_internalFormat = 0;
     uint64_t m_capacity = 0;
 };

@@ -41,9 +41,7 @@ void BackgroundTiles::update(const FrameBlock& block, float eyeHeight) {
             m_tiles[same ? c[0] : Both].push_back(uint32_t(y * tiles.x + x));
         }
     for (size_t band = 0; band < kBands; ++band) {
-        if (m_tiles[band].empty()) continue;
-        m_textures[band].reserve(m_tiles[band].size() * sizeof(uint32_t));
-        m_textures[band].upload(0, std::as_bytes(std::span(m_tiles[band])));
+        if (!m_textures[band].refill(std::as_bytes(std::span(m_tiles[band])))) m_tiles[band].clear();
     }
 }
 

@@ -6,21 +6,19 @@
 #include "render/passes/local_lights_pass.h"
 #include "render/scene/light_grid.h"
 #include "render/scene/scene.h"
-#include "runtime/core/log.h"
 
 namespace rubble {
 namespace {
 
+constexpr const char* kMissing = "fog is not drawn";
 constexpr int kMaxHistory = 12;  ///< frames averaged: light through a new hole takes no longer to appear in the fog
 
 }  // namespace
 
 FogPass::FogPass(ShaderLibrary& shaders)
-    : m_light(shaders.loadFullscreen("passes/fog_light.frag")),
-      m_filter(shaders.loadFullscreen("passes/fog_filter.frag")),
-      m_over(shaders.loadFullscreen("passes/fog.frag", {.merge = {Merge::Over}})) {
-    if (!m_light || !m_filter || !m_over) logError("fog is not drawn: " + shaders.errors().back());
-}
+    : m_light(shaders.loadFullscreen("passes/fog_light.frag", {}, kMissing)),
+      m_filter(shaders.loadFullscreen("passes/fog_filter.frag", {}, kMissing)),
+      m_over(shaders.loadFullscreen("passes/fog.frag", {.merge = {Merge::Over}}, kMissing)) {}
 
 bool FogPass::needed(const FrameContext& frame) {
     return frame.settings.fog && frame.block.fog.x > 0.0f;

@@ -4,6 +4,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <optional>
 
+#include "render/gl/draw_state.h"
 #include "render/passes/depth_limit.h"
 #include "render/shader_library/fullscreen_choice.h"
 
@@ -26,12 +27,11 @@ FullscreenMethod chooseFor(const FrameContext& frame, FullscreenProgram& program
 class MergeState {
 public:
     explicit MergeState(const FullscreenKind& kind) : m_targets(GLuint(kind.merge.size())) {
-        glBlendEquation(GL_FUNC_ADD);
         for (GLuint i = 0; i < m_targets; ++i) set(i, kind.merge[i]);
     }
     ~MergeState() {
-        for (GLuint i = 0; i < m_targets; ++i) glDisablei(GL_BLEND, i);
-        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        for (GLuint i = 0; i < m_targets; ++i) glColorMaski(i, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        disableBlend();
     }
     MergeState(const MergeState&) = delete;
     MergeState& operator=(const MergeState&) = delete;
@@ -40,9 +40,10 @@ private:
     static void set(GLuint target, Merge merge) {
         if (merge == Merge::Color) glColorMaski(target, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
         if (merge == Merge::Alpha) glColorMaski(target, GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
-        if (merge == Merge::Add) glBlendFunc(GL_ONE, GL_ONE);
-        if (merge == Merge::Over) glBlendFunc(GL_ONE, GL_SRC_ALPHA);
-        if (merge == Merge::Add || merge == Merge::Over) glEnablei(GL_BLEND, target);
+        const bool isBlended = merge == Merge::Add || merge == Merge::Over;
+        assert((target == 0 || !isBlended) && "only the first target is merged by blending");
+        if (merge == Merge::Add) setBlend({GL_ONE, GL_ONE, GL_ONE, GL_ONE});
+        if (merge == Merge::Over) setBlend({GL_ONE, GL_SRC_ALPHA, GL_ONE, GL_SRC_ALPHA});
     }
     GLuint m_targets;
 };
@@ -72,12 +73,12 @@ void FullscreenDraw::rasterize() const {
     if (m_into.depth) limit.emplace(DepthLimit::To::Surfaces);
     const MergeState merge(m_program.kind());
     if (m_into.area) {
-        glEnable(GL_SCISSOR_TEST);
-        glScissor(m_into.area->low.x, m_into.area->low.y, m_into.area->size().x, m_into.area->size().y);
+        setScissorTest(true);
+        setScissor(m_into.area->low, m_into.area->size());
     }
     glBindVertexArray(m_frame.emptyVertexArray.get());
     m_into.tiles ? glDrawArraysInstanced(GL_TRIANGLES, 0, 6, m_into.tiles) : glDrawArrays(GL_TRIANGLES, 0, 3);
-    if (m_into.area) glDisable(GL_SCISSOR_TEST);
+    if (m_into.area) setScissorTest(false);
 }
 
 void FullscreenDraw::dispatch() const {

@@ -1,14 +1,13 @@
 #include "render/passes/glare_pass.h"
 
+#include "render/gl/draw_state.h"
 #include "render/scene/light_grid.h"
 #include "render/scene/scene.h"
-#include "runtime/core/log.h"
 
 namespace rubble {
 
-GlarePass::GlarePass(ShaderLibrary& shaders) : m_program(shaders.load("passes/glare.frag", "passes/glare.vert")) {
-    if (!m_program) logError("glare is not drawn: " + shaders.errors().back());
-}
+GlarePass::GlarePass(ShaderLibrary& shaders)
+    : m_program(shaders.load("passes/glare.frag", "passes/glare.vert", "glare is not drawn")) {}
 
 void GlarePass::draw(const FrameContext& frame) const {
     if (!m_program) return;
@@ -16,13 +15,11 @@ void GlarePass::draw(const FrameContext& frame) const {
     m_program.use();
     frame.scene.bindShadow(m_program);
     frame.lightGrid->bind(m_program);
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFunc(GL_ONE, GL_ONE);
+    setBlend({GL_ONE, GL_ONE, GL_ONE, GL_ONE});
     glBindVertexArray(frame.emptyVertexArray.get());
     glDrawArraysInstanced(GL_TRIANGLES, 0, 6, frame.lightGrid->lights());
     ++frame.stats.drawCalls;
-    glDisable(GL_BLEND);
+    disableBlend();
 }
 
 }  // namespace rubble

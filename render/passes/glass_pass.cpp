@@ -4,6 +4,11 @@
 #include "render/scene/scene.h"
 
 namespace rubble {
+namespace {
+
+constexpr GLuint kColors = 2;  ///< that the pass fills: tint and surface
+
+}  // namespace
 
 GlassPass::GlassPass(ShaderLibrary& shaders)
     : m_mask(shaders.load("passes/glass_mask.frag", "passes/tiles.vert")),
@@ -39,10 +44,10 @@ void GlassPass::drawMask(const FrameContext& frame, const BodyTiles& tiles) cons
     m_mask.use();
     tiles.bind(m_mask, BodyTiles::Which::Glass);
     m_mask.set("uGlassMask", frame.targets.at(Target::GlassMask));
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    for (GLuint i = 0; i < kColors; ++i) glColorMaski(i, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthFunc(GL_ALWAYS);
     tiles.drawTiles(m_mask, BodyTiles::Which::Glass, frame.emptyVertexArray);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    for (GLuint i = 0; i < kColors; ++i) glColorMaski(i, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void GlassPass::drawOver(const FrameContext& frame, const BodyTiles& tiles) const {

@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "render/gl/draw_state.h"
 #include "render/scene/scene.h"
 #include "render/scene/sun_basis.h"
 
@@ -105,14 +106,11 @@ void GlassShadowPass::draw(const FrameContext& frame) {
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(m_bodies.size() * sizeof(int)), m_bodies.data(), GL_STREAM_DRAW);
     glEnable(GL_CULL_FACE);
     glCullFace(GL_FRONT);
-    glEnable(GL_BLEND);
-    glBlendEquationSeparate(GL_FUNC_ADD, GL_MIN);
-    glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+    setBlend({GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_SRC_COLOR, GL_FUNC_ADD, GL_MIN});
     glDrawArraysInstanced(GL_TRIANGLES, 0, 36, GLsizei(m_bodies.size()));
     ++frame.stats.drawCalls;
     ++frame.stats.bodyDraws;
-    glBlendEquation(GL_FUNC_ADD);
-    glDisable(GL_BLEND);
+    disableBlend();
     glDisable(GL_CULL_FACE);
 }
 

@@ -7,7 +7,6 @@
 #include "render/passes/reflections_pass.h"
 #include "render/scene/light_grid.h"
 #include "render/scene/scene.h"
-#include "runtime/core/log.h"
 
 namespace rubble {
 namespace {
@@ -31,9 +30,8 @@ void setChanges(const Program& program, const FrameContext& frame) {
 LocalLightsPass::LocalLightsPass(ShaderLibrary& shaders)
     : m_program(shaders.loadFullscreen(
           "passes/local_lights.frag",
-          {.surfacesOnly = true, .merge = {Merge::Add}, .vertexFile = "passes/local_lights.vert"})) {
-    if (!m_program) logError("local lights are not drawn: " + shaders.errors().back());
-}
+          {.surfacesOnly = true, .merge = {Merge::Add}, .vertexFile = "passes/local_lights.vert"},
+          "local lights are not drawn")) {}
 
 bool LocalLightsPass::needed(const FrameContext& frame) {
     return frame.settings.localLights && frame.lightGrid && frame.lightGrid->hasLights();

@@ -4,16 +4,17 @@
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "render/gl/draw_state.h"
 #include "render/passes/gbuffer_pass.h"
 #include "render/scene/scene.h"
 #include "runtime/core/constants.h"
-#include "runtime/core/log.h"
 #include "runtime/core/random.h"
 
 namespace rubble {
 namespace {
 
 constexpr const char* kVertexShader = "passes/particles.vert";
+constexpr const char* kMissing = "particles are not drawn";
 constexpr int kNoiseSize = 128;  ///< texels
 constexpr float kStepSeconds = 1.0f / float(kStepsPerSecond);
 constexpr int kLights = 4;  ///< local lights that light particles: the strongest at the particles' mean position
@@ -58,10 +59,9 @@ float fraction(uint32_t seed, int shift) {
 }  // namespace
 
 ParticlesPass::ParticlesPass(ShaderLibrary& shaders)
-    : m_solids(shaders.load("passes/particle_solids.frag", kVertexShader)),
-      m_soft(shaders.load("passes/particle_soft.frag", kVertexShader)),
+    : m_solids(shaders.load("passes/particle_solids.frag", kVertexShader, kMissing)),
+      m_soft(shaders.load("passes/particle_soft.frag", kVertexShader, kMissing)),
       m_noise(GL_RGBA8, glm::ivec2(kNoiseSize), Filter::Linear, Wrap::Repeat) {
-    if (!m_solids || !m_soft) logError("particles are not drawn: " + shaders.errors().back());
     m_noise.upload(makePuffTexture().data());
     glBindVertexArray(m_vertexArray.get());
     for (GLuint i = 0; i < 4; ++i) {
@@ -146,11 +146,10 @@ void ParticlesPass::draw(const FrameContext& frame, float alpha) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
-    glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+    setBlend({GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA});
     drawRange(frame, m_solids, 0, m_solidOrder.size());
     drawRange(frame, m_soft, m_solidOrder.size(), m_instances.size());
-    glDisable(GL_BLEND);
+    disableBlend();
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);

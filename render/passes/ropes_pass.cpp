@@ -2,7 +2,6 @@
 
 #include "render/passes/gbuffer_pass.h"
 #include "render/scene/scene.h"
-#include "runtime/core/log.h"
 
 namespace rubble {
 namespace {
@@ -19,8 +18,8 @@ glm::dvec3 spline(const std::vector<glm::dvec3>& points, size_t i, double t) {
 
 }  // namespace
 
-RopesPass::RopesPass(ShaderLibrary& shaders) : m_program(shaders.load("passes/ropes.frag", "passes/ropes.vert")) {
-    if (!m_program) logError("ropes are not drawn: " + shaders.errors().back());
+RopesPass::RopesPass(ShaderLibrary& shaders)
+    : m_program(shaders.load("passes/ropes.frag", "passes/ropes.vert", "ropes are not drawn")) {
     glBindVertexArray(m_vertexArray.get());
     for (GLuint i = 0; i < 5; ++i) {
         glEnableVertexAttribArray(i);

@@ -1,5 +1,7 @@
 #include "render/passes/show_pass.h"
 
+#include "render/gl/draw_state.h"
+
 namespace rubble {
 namespace {
 
@@ -39,7 +41,7 @@ ShowPass::ShowPass(ShaderLibrary& shaders) : m_program(shaders.load("passes/show
 void ShowPass::draw(const FrameContext& frame, const TargetView& shown, const View& view, glm::vec4 statusDot) const {
     if (!m_program) return;
     glBindFramebuffer(GL_FRAMEBUFFER, view.framebuffer);
-    glViewport(0, 0, view.size.x, view.size.y);
+    setViewport(view.size);
     const Texture* target = frame.targets.find(shown.target);
     m_program.use();
     m_program.set("uTarget", target ? *target : frame.blueNoise);

@@ -12,7 +12,6 @@
 #include "render/passes/fullscreen.h"
 #include "render/scene/scene.h"
 #include "render/scene/water_area.h"
-#include "runtime/core/log.h"
 
 namespace rubble {
 namespace {
@@ -85,9 +84,8 @@ std::vector<VisibleWater> visibleWaters(const FrameContext& frame) {
 
 }  // namespace
 
-WaterPass::WaterPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("passes/water.frag")) {
-    if (!m_program) logError("water is not drawn: " + shaders.errors().back());
-}
+WaterPass::WaterPass(ShaderLibrary& shaders)
+    : m_program(shaders.loadFullscreen("passes/water.frag", {}, "water is not drawn")) {}
 
 void WaterPass::draw(const FrameContext& frame) const {
     if (!m_program) return;

@@ -3,7 +3,6 @@
 #include "render/passes/fullscreen.h"
 #include "render/passes/gbuffer_pass.h"
 #include "render/scene/scene.h"
-#include "runtime/core/log.h"
 
 namespace rubble {
 namespace {
@@ -13,9 +12,7 @@ constexpr float kRoofDistance = 60.0f;  ///< metres up to which something overhe
 }  // namespace
 
 WetnessPass::WetnessPass(ShaderLibrary& shaders)
-    : m_program(shaders.loadFullscreen("passes/wetness.frag", {.surfacesOnly = true})) {
-    if (!m_program) logError("nothing gets wet: " + shaders.errors().back());
-}
+    : m_program(shaders.loadFullscreen("passes/wetness.frag", {.surfacesOnly = true}, "nothing gets wet")) {}
 
 void WetnessPass::draw(const FrameContext& frame) const {
     if (!m_program) return;

@@ -225,8 +225,9 @@ void Bodies::setPose(const SnapshotPose& pose) {
     shape->moving = true;
 }
 
-uint64_t Bodies::beginFrame(float alpha, glm::dvec3 originWorld) {
-    if (originWorld != m_origin) {
+uint64_t Bodies::beginFrame(float alpha, glm::dvec3 originWorld, bool isSameMoment) {
+    const bool isRebased = originWorld != m_origin;
+    if (isRebased) {
         m_origin = originWorld;
         for (uint32_t slot = 0; slot < m_shapes.size(); ++slot) {
             if (!m_shapes[slot]) continue;
@@ -240,18 +241,63 @@ uint64_t Bodies::beginFrame(float alpha, glm::dvec3 originWorld) {
     for (uint32_t slot : m_boundsDirty)
         if (m_shapes[slot]) updateBounds(slot);
     m_touched = std::exchange(m_boundsDirty, {});
+    if (isRebased || !isSameMoment) updateTransforms(alpha);
+    leaveOutWithoutRoom();
+    return m_nodes.upload() + m_tables.upload() + m_transforms.upload() + m_layouts.upload() + m_palettes.upload();
+}
 
+void Bodies::updateTransforms(float alpha) {
     std::vector<uint32_t> still;
     std::sort(m_moving.begin(), m_moving.end());
     m_moving.erase(std::unique(m_moving.begin(), m_moving.end()), m_moving.end());
     m_touched.insert(m_touched.end(), m_moving.begin(), m_moving.end());
     for (uint32_t slot : m_moving)
         if (m_shapes[slot]) {
-            updateTransform(slot, alpha, originWorld);
+            updateTransform(slot, alpha, m_origin);
             if (m_shapes[slot]->moving) still.push_back(slot);
         }
     m_moving = std::move(still);
-    return m_nodes.upload() + m_tables.upload() + m_transforms.upload() + m_layouts.upload() + m_palettes.upload();
+}
+
+/// Whether the GL has room for all that a shape needs but its bricks.
+bool Bodies::hasRoom(uint32_t slot) const {
+    const Shape& shape = *m_shapes[slot];
+    for (size_t n = 0; n < shape.bricks.size(); ++n)
+        if (shape.bricks[n] && m_nodes[shape.firstNode + n].table >= m_tables.held()) return false;
+    return shape.firstNode + shape.bricks.size() <= m_nodes.held() && slot < m_transforms.held() &&
+           slot < m_layouts.held() && m_layouts[slot].palette < m_palettes.held();
+}
+
+/// Takes the bricks that the GL has no room for out of a shape's directory.
+void Bodies::leaveOutBricks(const Shape& shape) {
+    for (size_t n = 0; n < shape.bricks.size(); ++n) {
+        if (!shape.bricks[n]) continue;
+        const uint32_t table = m_nodes[shape.firstNode + n].table;
+        for (uint32_t child = 0; child < 64; ++child) {
+            if (m_tables[table].entry[child] >> 8 < m_room) continue;
+            m_tables.change(table).entry[child] = 0;
+            m_nodes.change(shape.firstNode + n).mask[child >> 5] &= ~(1u << (child & 31));
+        }
+    }
+}
+
+/// Hides shapes, and leaves out bricks, that the GL has no room for, so that shaders read nothing that is not there.
+void Bodies::leaveOutWithoutRoom() {
+    bool isFull = false;
+    const auto reserve = [&](auto&... buffers) {
+        (buffers.reserve(), ...);
+        isFull = ((buffers.held() < buffers.size()) || ...);
+    };
+    reserve(m_nodes, m_tables, m_transforms, m_layouts, m_palettes);
+    const bool isNew = std::exchange(m_room, m_atlas.room()) != m_room;
+    for (uint32_t slot = 0; slot < m_shapes.size() && isNew; ++slot) m_touched.push_back(slot);
+    for (const uint32_t slot : m_touched)
+        if (m_shapes[slot] && m_room != ~0u) leaveOutBricks(*m_shapes[slot]);
+    for (uint32_t slot = 0; slot < m_shapes.size() && isFull; ++slot) {
+        if (!m_shapes[slot] || m_instances[slot].empty() || hasRoom(slot)) continue;
+        m_instances[slot].low = m_instances[slot].high = glm::ivec3(0);
+        m_touched.push_back(slot);
+    }
 }
 
 uint64_t Bodies::newBytes(const FrameSnapshot& snapshot) const {

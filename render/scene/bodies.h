@@ -56,8 +56,8 @@ public:
     /// Sends bricks in the order in which they came, at most budgetBytes of them. Returns the bytes sent.
     uint64_t sendBricks(uint64_t budgetBytes) { return m_atlas.upload(budgetBytes); }
     /// Interpolates the poses of what moves (alpha: 0 to 1) and sends what changed, except bricks. originWorld: the
-    /// point that GPU coordinates are relative to. Returns the bytes sent.
-    uint64_t beginFrame(float alpha, glm::dvec3 originWorld);
+    /// point that GPU coordinates are relative to. isSameMoment: see Scene::beginFrame(). Returns the bytes sent.
+    uint64_t beginFrame(float alpha, glm::dvec3 originWorld, bool isSameMoment = false);
 
     /// Bytes of those bricks of a snapshot that the atlas does not have.
     uint64_t newBytes(const FrameSnapshot& snapshot) const;
@@ -128,7 +128,11 @@ private:
     void usePalette(Shape& shape, uint32_t slot, const PaletteRef& palette);
     /// Colours and flag of the shape's paint layer.
     void usePaint(uint32_t slot, const PaintColorsRef& colors);
+    void updateTransforms(float alpha);
     void updateTransform(uint32_t slot, float alpha, glm::dvec3 originWorld);
+    bool hasRoom(uint32_t slot) const;
+    void leaveOutWithoutRoom();
+    void leaveOutBricks(const Shape& shape);
 
     struct PaletteUse {
         PaletteRef palette;
@@ -149,6 +153,7 @@ private:
     std::vector<Instance> m_instances;
     std::vector<uint32_t> m_moving, m_boundsDirty, m_touched;  ///< slots
     glm::dvec3 m_origin{0.0};
+    uint32_t m_room = ~0u;  ///< of the atlas, in the last frame
     int m_shapeCount = 0, m_glassShapes = 0, m_mirrorShapes = 0, m_detailPalettes = 0;
 };
 

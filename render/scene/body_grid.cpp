@@ -96,7 +96,8 @@ void BodyGrid::bind(const Program& program) const {
     program.set("uBodyBucketHeads", m_bucketHeads.texture());
     program.set("uBodyEntries", m_entries.texture());
     program.set("uBodyBuckets", int(m_bucketHeads.size()));
-    program.set("uBodyLevels", m_levels);
+    const bool isWhole = m_bucketHeads.held() == m_bucketHeads.size() && m_entries.held() == m_entries.size();
+    program.set("uBodyLevels", isWhole ? m_levels : 0);
 }
 
 std::vector<uint32_t> BodyGrid::bodiesAt(glm::vec3 point) const {

@@ -4,8 +4,11 @@
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <string>
+#include <utility>
 
 #include "render/frame/frame_block.h"
+#include "runtime/core/log.h"
 
 namespace rubble {
 namespace {
@@ -51,10 +54,8 @@ struct ScreenBox {
 };
 
 template <class T>
-void send(BufferTexture& to, const std::vector<T>& data) {
-    if (data.empty()) return;
-    to.reserve(data.size() * sizeof(T));
-    to.upload(0, std::as_bytes(std::span(data)));
+bool send(BufferTexture& to, const std::vector<T>& data) {
+    return to.refill(std::as_bytes(std::span(data)));
 }
 
 uint32_t packed(glm::ivec3 size) {
@@ -90,9 +91,20 @@ void BodyTiles::update(const Bodies& bodies, const FrameBlock& block) {
         if (body.glass)
             m_glassSpans.insert(m_glassSpans.end(), m_spans.begin() + std::ptrdiff_t(before), m_spans.end());
     }
-    fill(m_all, m_spans);
-    fill(m_glass, m_glassSpans);
-    send(m_viewTexture, m_views);
+    const bool fits = rubble::send(m_viewTexture, m_views);
+    for (auto [lists, spans] : {std::pair(&m_all, &m_spans), std::pair(&m_glass, &m_glassSpans)}) {
+        fill(*lists, *spans);
+        if (lists->entries.empty() || (fits && send(*lists))) continue;
+        lists->entries.clear();
+        if (!std::exchange(m_fullLogged, true))
+            logError("bodies are not drawn: the GL has no room for the lists of " + std::to_string(m_views.size()) +
+                     " bodies in view");
+    }
+}
+
+bool BodyTiles::send(Lists& lists) {
+    return rubble::send(lists.offsetTexture, lists.offsets) && rubble::send(lists.entryTexture, lists.entries) &&
+           rubble::send(lists.tileTexture, lists.tiles);
 }
 
 void BodyTiles::sort(const Bodies& bodies, const FrameBlock& block) {
@@ -175,9 +187,6 @@ void BodyTiles::fill(Lists& lists, const std::vector<Span>& spans) const {
     // Filling moved each offset to the end of its tile's entries, where the next tile's begin.
     std::rotate(offsets.begin(), offsets.end() - 1, offsets.end());
     offsets[0] = 0;
-    send(lists.offsetTexture, offsets);
-    send(lists.entryTexture, lists.entries);
-    send(lists.tileTexture, lists.tiles);
 }
 
 void BodyTiles::bind(const Program& program, Which which) const {

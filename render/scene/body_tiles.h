@@ -54,6 +54,7 @@ private:
     void sort(const Bodies& bodies, const FrameBlock& block);
     void cover(const Bodies::Instance& body, const FrameBlock& block, uint32_t view, std::vector<Span>& spans) const;
     void fill(Lists& lists, const std::vector<Span>& spans) const;
+    static bool send(Lists& lists);
 
     int m_tileShift = 3;
     glm::ivec2 m_tiles{0};
@@ -63,6 +64,7 @@ private:
     std::vector<Span> m_spans, m_glassSpans;
     Lists m_all, m_glass;
     BufferTexture m_viewTexture{GL_RGBA32UI};
+    bool m_fullLogged = false;
 };
 
 }  // namespace rubble

@@ -9,8 +9,6 @@
 namespace rubble {
 namespace {
 
-constexpr size_t kWordBytes = 64, kIndexBytes = kBrickVoxels;
-
 /// The 4x4x4 voxels at (x, y, z) * 4 of a brick as one word: bit x + 4 y + 16 z.
 uint64_t wordOf(const Brick& brick, int x, int y, int z) {
     uint64_t word = 0;
@@ -73,10 +71,9 @@ uint64_t BrickAtlas::uploadBricks(uint64_t budgetBytes) {
     if (!m_words.reserve(m_slots.end() * kWordBytes) || !m_indices.reserve(m_slots.end() * kIndexBytes)) {
         if (!m_full)
             logError("brick atlas: full at " + std::to_string(bytes()) +
-                     " bytes, the largest buffer texture of this GL; further bricks are not drawn");
+                     " bytes, as the GL has no room for more; further bricks are not drawn");
         m_full = true;
-        const uint64_t room = std::min(m_words.bytes() / kWordBytes, m_indices.bytes() / kIndexBytes);
-        std::erase_if(slots, [&](uint32_t slot) { return slot >= room; });
+        std::erase_if(slots, [&](uint32_t slot) { return slot >= room(); });
     }
     send(slots);
     return slots.size() * kBrickBytes;

@@ -1,11 +1,12 @@
 #pragma once
+#include <algorithm>
 #include <memory>
 #include <unordered_map>
 #include <vector>
 
 #include "render/gl/texture.h"
-#include "render/scene/index_allocator.h"
 #include "render/scene/paint_atlas.h"
+#include "runtime/core/index_allocator.h"
 #include "runtime/voxel/brick.h"
 
 namespace rubble {
@@ -31,6 +32,10 @@ public:
     uint64_t queued() const { return m_queued; }
     /// How many of those have been sent, or were released before.
     uint64_t sent() const { return m_queued - m_pending.size(); }
+    /// How many slots the GL has room for, once it had not enough; what is beyond is not sent.
+    uint32_t room() const {
+        return m_full ? uint32_t(std::min(m_words.bytes() / kWordBytes, m_indices.bytes() / kIndexBytes)) : ~0u;
+    }
     /// Number of bricks held.
     int bricks() const { return int(m_slots.used()); }
     /// GPU memory.
@@ -47,6 +52,7 @@ public:
     const BufferTexture& indices() const { return m_indices; }
 
 private:
+    static constexpr uint64_t kWordBytes = 64, kIndexBytes = kBrickVoxels;  ///< of a brick
     uint64_t uploadBricks(uint64_t budgetBytes);
     void send(const std::vector<uint32_t>& slots);
     struct Entry {

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "render/gl/program.h"
-#include "render/scene/index_allocator.h"
 #include "render/scene/skip_distances.h"
 #include "render/scene/staged_buffer.h"
+#include "runtime/core/index_allocator.h"
 #include "runtime/shadow/shadow_volume.h"
 
 namespace rubble {

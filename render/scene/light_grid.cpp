@@ -242,20 +242,16 @@ uint64_t LightGrid::upload() {
     uint64_t sent = 0;
     const auto send = [&](BufferTexture& texture, const auto& data) {
         const auto bytes = std::as_bytes(std::span(data));
-        if (bytes.empty()) return true;
-        if (!texture.reserve(bytes.size())) return false;
-        texture.upload(0, bytes);
         sent += bytes.size();
-        return true;
+        return texture.refill(bytes);
     };
     const bool fits = send(m_lightsTexture, m_texels) && send(m_cellsTexture, m_cells) && send(m_listTexture, m_list) &&
                       send(m_imageTexture, m_imageTexels);
-    if (!fits) {
-        logError("local lights are not drawn: " + std::to_string(m_visible.size()) +
-                 " in view are more than the largest buffer texture of this GL holds");
-        m_list.clear();
-    }
-    return sent;
+    if (fits) return sent;
+    if (!std::exchange(m_fullLogged, true))
+        logError("local lights are not drawn: the GL has no room for " + std::to_string(m_visible.size()) + " in view");
+    m_list.clear();
+    return 0;
 }
 
 float LightGrid::Change::range() const {

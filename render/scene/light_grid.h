@@ -89,6 +89,7 @@ private:
     std::vector<glm::vec4> m_imageTexels;
     BufferTexture m_lightsTexture{GL_RGBA32F}, m_cellsTexture{GL_RG32UI}, m_listTexture{GL_R32UI},
         m_imageTexture{GL_RGBA32F};
+    bool m_fullLogged = false;
 };
 
 }  // namespace rubble

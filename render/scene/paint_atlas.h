@@ -2,8 +2,8 @@
 #include <array>
 
 #include "render/gl/program.h"
-#include "render/scene/index_allocator.h"
 #include "render/scene/staged_buffer.h"
+#include "runtime/core/index_allocator.h"
 #include "runtime/voxel/brick.h"
 #include "runtime/voxel/paint_colors.h"
 

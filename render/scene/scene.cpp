@@ -81,14 +81,15 @@ bool Scene::touchesGlass(const FrameSnapshot& snapshot) const {
            std::any_of(snapshot.poses.begin(), snapshot.poses.end(), isOne);
 }
 
-uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld) {
+uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld, bool isSameMoment) {
     const uint64_t bricks = m_bodies.sendBricks(std::exchange(m_sendAll, false) ? ~uint64_t(0) : m_uploadBudget);
     applyDeferred();
     const bool rebased = glm::distance(cameraWorld, m_origin) > kRebaseDistance;
     if (rebased) m_origin = glm::round(cameraWorld / kSector) * kSector;
     if (m_smokeChanged || rebased) m_smoke.update(m_particles, m_environment.sunDirection, m_origin);
     m_smokeChanged = false;
-    const uint64_t bodies = m_bodies.beginFrame(alpha, m_origin);
+    if (!isSameMoment) m_shownDirtyRegions = std::exchange(m_dirtyRegions, {});
+    const uint64_t bodies = m_bodies.beginFrame(alpha, m_origin, isSameMoment);
     return bricks + bodies + updateGrid() + m_shadow.upload();
 }
 

@@ -26,10 +26,10 @@ public:
     void setUploadBudget(uint64_t bytes) { m_uploadBudget = bytes; }
     /// Whether indirect light looks up the colours of voxels: see bindVoxelsAt().
     void setBounceColors(bool wanted) { m_bounceColors = wanted; }
-    /// Interpolates poses (alpha: 0 to 1 between the last two steps) and sends what changed. Returns the bytes sent.
-    uint64_t beginFrame(float alpha, glm::dvec3 cameraWorld);
-    /// Forgets the dirty regions: the frame has used them.
-    void endFrame() { m_dirtyRegions.clear(); }
+    /// Interpolates poses (alpha: 0 to 1 between the last two steps) and sends what changed. isSameMoment: another view
+    /// is drawn of the moment of the last frame, so that motion and changes are still those since the moment before.
+    /// Returns the bytes sent.
+    uint64_t beginFrame(float alpha, glm::dvec3 cameraWorld, bool isSameMoment = false);
 
     /// All shapes.
     const Bodies& bodies() const { return m_bodies; }
@@ -58,8 +58,8 @@ public:
     const GpuShadowVolume& shadow() const { return m_shadow; }
     /// Sets position and extent of the shadow volume, for lib/shadow_trace.glsl.
     void describeShadow(FrameBlock& block) const;
-    /// Where shadow casters have changed since endFrame().
-    const DirtyRegions& dirtyRegions() const { return m_dirtyRegions; }
+    /// Where shadow casters have changed since the moment before.
+    const DirtyRegions& dirtyRegions() const { return m_shownDirtyRegions; }
     /// Whether any shape has a palette entry of opacity < 255.
     bool hasGlass() const { return m_bodies.hasGlass(); }
     /// A number that grows when shapes with glass, or the sun, have changed or moved.
@@ -92,7 +92,8 @@ private:
     uint64_t m_uploadBudget = ~uint64_t(0);
     bool m_sendAll = false;  ///< a level was loaded: the next frame ignores the budget
     GpuShadowVolume m_shadow;
-    DirtyRegions m_dirtyRegions;
+    DirtyRegions m_dirtyRegions;       ///< of the moment to come
+    DirtyRegions m_shownDirtyRegions;  ///< of the moment that is drawn
     SmokeShadow m_smoke;
     std::vector<SnapshotLight> m_lights;
     std::vector<SnapshotParticle> m_particles;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/gl/texture.h"
@@ -32,21 +33,26 @@ public:
         return m_data[i];
     }
 
-    /// Sends what has changed. Returns the bytes sent. What the GL has no room for is dropped, with an error in the
-    /// log.
+    /// Makes the GL's copy as long as this array. Where the GL has no room, the copy stays as it is, with an error in
+    /// the log the first time.
+    void reserve() {
+        if (m_texture.reserve(m_data.size() * sizeof(T)) || std::exchange(m_fullLogged, true)) return;
+        logError(std::string(m_name) + ": full at " + std::to_string(held()) + " elements of " +
+                 std::to_string(m_data.size()) + ", as the GL has no room for more; what is beyond is not drawn");
+    }
+    /// How many elements the GL's copy has room for, at most size().
+    size_t held() const { return std::min(m_data.size(), size_t(m_texture.bytes() / sizeof(T))); }
+    /// Sends what has changed, as far as the GL has room. Returns the bytes sent.
     uint64_t upload() {
         if (m_dirty.empty()) return 0;
-        if (!m_texture.reserve(m_data.size() * sizeof(T))) {
-            logError(std::string(m_name) + ": full at " + std::to_string(m_texture.bytes()) +
-                     " bytes, the largest buffer texture of this GL; what is beyond is not drawn");
-            m_data.resize(m_texture.bytes() / sizeof(T));
-        }
+        reserve();
+        const size_t held = this->held();
         std::sort(m_dirty.begin(), m_dirty.end());
         uint64_t sent = 0;
         for (size_t i = 0; i < m_dirty.size();) {
             size_t end = i + 1;
             while (end < m_dirty.size() && m_dirty[end] == m_dirty[end - 1] + 1) ++end;
-            const size_t first = m_dirty[i] * kPage, last = std::min((m_dirty[end - 1] + 1) * kPage, m_data.size());
+            const size_t first = m_dirty[i] * kPage, last = std::min((m_dirty[end - 1] + 1) * kPage, held);
             if (first < last) {
                 m_texture.upload(first * sizeof(T), std::as_bytes(std::span(m_data).subspan(first, last - first)));
                 sent += (last - first) * sizeof(T);
@@ -67,6 +73,7 @@ private:
     std::vector<size_t> m_dirty;
     BufferTexture m_texture;
     const char* m_name;
+    bool m_fullLogged = false;
 };
 
 }  // namespace rubble

@@ -1,6 +1,7 @@
 #include "render/shader_library/built_program.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "render/shader_library/uniforms_as_varyings.h"
 
@@ -17,28 +18,42 @@ BuiltProgram::BuiltProgram(std::string fragmentFile, FullscreenKind kind, Fullsc
     m_method = method;
 }
 
-bool BuiltProgram::build(const std::filesystem::path& folder, const ShaderBuild& how) {
+void BuiltProgram::start(const std::filesystem::path& folder, const ShaderBuild& how) {
     m_newest = newest(folder);
-    const auto vertex = m_vertexFile.empty() ? Result<ShaderSource>(ShaderSource()) : readShader(folder, m_vertexFile);
-    const auto read = readShader(folder, m_fragmentFile, how.defines);
-    if (!vertex || !read) {
-        m_error = vertex ? read.error() : vertex.error();
-        return false;
-    }
-    ShaderSource source = m_method ? asFullscreen(*read, m_kind, *m_method) : *read, vertexSource = *vertex;
-    if (m_method == FullscreenMethod::Fragment && how.uniformsAsVaryings) passUniformsAsVaryings(vertexSource, source);
-    m_files = vertex->files;
-    m_files.insert(m_files.end(), source.files.begin(), source.files.end());
-    m_newest = newest(folder);
-    std::string log;
-    bool vertexFailed = false;
-    Program program =
-        m_vertexFile.empty() ? Program(source.text, log) : Program(vertexSource.text, source.text, log, vertexFailed);
-    if (!program) {
-        m_error = (vertexFailed ? vertexSource : source).explain(log);
-        return false;
-    }
     m_error.clear();
+    m_sources.clear();
+    for (const std::string& file : {m_vertexFile, m_fragmentFile}) {
+        if (file.empty()) continue;
+        auto read = readShader(folder, file, how.defines);
+        if (!read) {
+            m_error = read.error();
+            return;
+        }
+        m_sources.push_back(std::move(*read));
+    }
+    ShaderSource& fragment = m_sources.back();
+    if (m_method) fragment = asFullscreen(std::move(fragment), m_kind, *m_method);
+    if (m_method == FullscreenMethod::Fragment && how.uniformsAsVaryings)
+        passUniformsAsVaryings(m_sources.front(), fragment);
+    m_files.clear();
+    for (const ShaderSource& source : m_sources)
+        m_files.insert(m_files.end(), source.files.begin(), source.files.end());
+    m_newest = newest(folder);
+    std::vector<ProgramBuild::Stage> stages = {{GL_COMPUTE_SHADER, m_sources[0].text}};
+    if (m_sources.size() == 2)
+        stages = {{GL_VERTEX_SHADER, m_sources[0].text}, {GL_FRAGMENT_SHADER, m_sources[1].text}};
+    m_build = ProgramBuild(stages, how.cache);
+}
+
+bool BuiltProgram::finish() {
+    if (!m_build) return false;
+    ProgramBuild::Failure failure;
+    Program program = std::exchange(m_build, {}).finish(failure);
+    const auto sources = std::exchange(m_sources, {});
+    if (!program) {
+        m_error = sources[failure.stage].explain(failure.log);
+        return false;
+    }
     m_program = std::move(program);
     return true;
 }

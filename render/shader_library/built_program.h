@@ -4,15 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "render/gl/program.h"
+#include "render/gl/program_build.h"
 #include "render/shader_library/fullscreen_source.h"
 
 namespace rubble {
 
 /// What the context asks of shader sources.
 struct ShaderBuild {
-    std::string defines;              ///< see readShader()
+    std::string defines;              ///< of all shaders: see readShader()
     bool uniformsAsVaryings = false;  ///< of full-screen fragment programs: see passUniformsAsVaryings()
+    ProgramCache* cache = nullptr;    ///< of programs as the driver made them; null: none
 };
 
 /// A program, the files that it is built from, and the error in them, if they do not build as they are now.
@@ -23,8 +24,10 @@ public:
     /// A full-screen program, not built yet.
     BuiltProgram(std::string fragmentFile, FullscreenKind kind, FullscreenMethod method);
 
-    /// Builds it from what the files hold now. False on an error: the last good program stays.
-    bool build(const std::filesystem::path& folder, const ShaderBuild& how = {});
+    /// Starts to build it from what the files hold now; finish() must follow.
+    void start(const std::filesystem::path& folder, const ShaderBuild& how = {});
+    /// Waits for what start() began. False on an error: the last good program stays.
+    bool finish();
     /// Whether one of its files is newer than at the last build().
     bool hasChanged(const std::filesystem::path& folder) const { return newest(folder) > m_newest; }
     /// Whether it is the plain program of these two files.
@@ -44,6 +47,8 @@ private:
     std::optional<FullscreenMethod> m_method;  ///< none: a plain program
     std::vector<std::string> m_files;
     std::filesystem::file_time_type m_newest{};
+    std::vector<ShaderSource> m_sources;  ///< from start() to finish(), by stage
+    ProgramBuild m_build;                 ///< the same; empty: the files could not be read
     Program m_program;
     std::string m_error;
 };

@@ -26,25 +26,29 @@ double FullscreenChoice::median(std::vector<double> values) {
     return *middle;
 }
 
-void FullscreenChoice::addPassTimes(const PassTimer::Times& passMs) {
+bool FullscreenChoice::isMeasuring() const {
+    const auto isOpen = [](const auto& each) { return each.second.isUsed && !each.second.isDecided; };
+    return m_measures && (m_passes.empty() || std::any_of(m_passes.begin(), m_passes.end(), isOpen));
+}
+
+void FullscreenChoice::addPassTimes(const PassTimer::Times& times) {
     if (!m_measures) return;
-    for (const auto& [name, ms] : passMs) {
+    for (const auto& [name, ms, tag] : times) {
         const auto found = m_passes.find(std::string_view(name));
         if (found == m_passes.end() || found->second.isDecided || !found->second.isUsed) continue;
         Pass& pass = found->second;
         std::vector<double>& fragment = pass.ms[size_t(FullscreenMethod::Fragment)];
         std::vector<double>& compute = pass.ms[size_t(FullscreenMethod::Compute)];
-        pass.ms[size_t(pass.method)].push_back(ms);
+        pass.ms[size_t(tag)].push_back(ms);
         if (fragment.size() < kWarmUpFrames + kTimedFrames || compute.size() < kWarmUpFrames + kTimedFrames) continue;
-        for (auto* times : {&fragment, &compute}) *times = {median({times->begin() + kWarmUpFrames, times->end()})};
+        for (auto* each : {&fragment, &compute}) *each = {median({each->begin() + kWarmUpFrames, each->end()})};
         pass.method = compute[0] < fragment[0] ? FullscreenMethod::Compute : FullscreenMethod::Fragment;
         pass.isDecided = pass.isUnreported = true;
     }
 }
 
 std::string FullscreenChoice::takeDecisions() {
-    const auto isMeasured = [](const auto& each) { return each.second.isUsed && !each.second.isDecided; };
-    if (std::any_of(m_passes.begin(), m_passes.end(), isMeasured)) return {};
+    if (isMeasuring()) return {};
     std::ostringstream decisions;
     for (auto& [name, pass] : m_passes) {
         if (!std::exchange(pass.isUnreported, false)) continue;

@@ -35,8 +35,10 @@ public:
     }
     /// Whether the current pass has drawn by compute since beginPass().
     bool hasDrawnByCompute() const { return m_hasDrawnByCompute; }
-    /// The times of the last frame's passes.
-    void addPassTimes(const PassTimer::Times& passMs);
+    /// Whether it needs times to decide.
+    bool isMeasuring() const;
+    /// The times of the passes of a frame. Their tags: the methods that drew them.
+    void addPassTimes(const PassTimer::Times& times);
     /// What has been decided since the last call, for a log; empty while any pass is still measured.
     std::string takeDecisions();
 

@@ -1,37 +1,61 @@
 #include "render/shader_library/shader_library.h"
 
+#include <utility>
+
 #include "render/gl/gl.h"
 #include "runtime/core/log.h"
 
 namespace rubble {
 
-ShaderLibrary::ShaderLibrary(std::filesystem::path folder, Fullscreen fullscreen, int textureUnits)
-    : m_folder(std::move(folder)), m_fullscreen(fullscreen), m_build{.uniformsAsVaryings = isSoftwareGl()} {
-    if (!textureUnits) glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &textureUnits);
-    if (textureUnits < kTextureUnits) m_build.defines = "#define FEW_TEXTURE_UNITS\n";
-}
+ShaderLibrary::ShaderLibrary(std::filesystem::path folder, Fullscreen fullscreen, std::string defines,
+                             ProgramCache* cache)
+    : m_folder(std::move(folder)),
+      m_fullscreen(fullscreen),
+      m_build{.defines = std::move(defines), .uniformsAsVaryings = isSoftwareGl(), .cache = cache} {}
 
-const Program& ShaderLibrary::load(const std::string& fragmentFile, const std::string& vertexFile) {
+const Program& ShaderLibrary::load(const std::string& fragmentFile, const std::string& vertexFile,
+                                   const char* missing) {
     for (const auto& built : m_programs)
         if (built->isOf(fragmentFile, vertexFile)) return built->program();
-    m_programs.push_back(std::make_unique<BuiltProgram>(fragmentFile, vertexFile));
-    m_programs.back()->build(m_folder, m_build);
-    return m_programs.back()->program();
+    BuiltProgram& made = *m_programs.emplace_back(std::make_unique<BuiltProgram>(fragmentFile, vertexFile));
+    made.start(m_folder, m_build);
+    finishOrQueue({.plain = &made, .missing = missing});
+    return made.program();
 }
 
-FullscreenProgram& ShaderLibrary::loadFullscreen(const std::string& file, const FullscreenKind& kind) {
+FullscreenProgram& ShaderLibrary::loadFullscreen(const std::string& file, const FullscreenKind& kind,
+                                                 const char* missing) {
     for (const auto& program : m_fullscreenPrograms)
         if (program->file() == file) return *program;
-    auto program = std::make_unique<FullscreenProgram>(file, kind);
-    if (m_fullscreen != Fullscreen::Compute) program->make(FullscreenMethod::Fragment).build(m_folder, m_build);
-    if (m_fullscreen != Fullscreen::Fragment && !program->make(FullscreenMethod::Compute).build(m_folder, m_build) &&
-        m_fullscreen == Fullscreen::Both) {
-        logWarning("a compute program does not build, so fragments draw it: " +
-                   program->built(FullscreenMethod::Compute)->error());
-        program->release(FullscreenMethod::Compute);
-    }
-    m_fullscreenPrograms.push_back(std::move(program));
-    return *m_fullscreenPrograms.back();
+    FullscreenProgram& made = *m_fullscreenPrograms.emplace_back(std::make_unique<FullscreenProgram>(file, kind));
+    if (m_fullscreen != Fullscreen::Compute) made.make(FullscreenMethod::Fragment).start(m_folder, m_build);
+    if (m_fullscreen != Fullscreen::Fragment) made.make(FullscreenMethod::Compute).start(m_folder, m_build);
+    finishOrQueue({.fullscreen = &made, .missing = missing});
+    return made;
+}
+
+void ShaderLibrary::finishOrQueue(const Started& started) {
+    m_isBatch ? m_started.push_back(started) : finish(started);
+}
+
+void ShaderLibrary::finish(const Started& started) const {
+    const auto report = [&](const BuiltProgram& failed) {
+        if (started.missing) logError(std::string(started.missing) + ": " + failed.error());
+    };
+    if (started.plain && !started.plain->finish()) report(*started.plain);
+    if (!started.fullscreen) return;
+    auto& fragment = started.fullscreen->built(FullscreenMethod::Fragment);
+    auto& compute = started.fullscreen->built(FullscreenMethod::Compute);
+    if (fragment && !fragment->finish()) report(*fragment);
+    if (!compute || compute->finish()) return;
+    if (m_fullscreen != Fullscreen::Both) return report(*compute);
+    logWarning("a compute program does not build, so fragments draw it: " + compute->error());
+    started.fullscreen->release(FullscreenMethod::Compute);
+}
+
+void ShaderLibrary::endBatch() {
+    m_isBatch = false;
+    for (const Started& started : std::exchange(m_started, {})) finish(started);
 }
 
 template <class F>
@@ -45,7 +69,9 @@ void ShaderLibrary::forEach(F&& visit) const {
 bool ShaderLibrary::reloadChanged() {
     bool any = false;
     forEach([&](BuiltProgram& built) {
-        if (built.hasChanged(m_folder)) any |= built.build(m_folder, m_build);
+        if (!built.hasChanged(m_folder)) return;
+        built.start(m_folder, m_build);
+        any |= built.finish();
     });
     return any;
 }

@@ -18,16 +18,23 @@ public:
         Compute,
         Both,  ///< the fragment program alone, where the compute program does not build
     };
-    /// textureUnits: how many a program may use; 0: as many as the GL has. With fewer than kTextureUnits shaders leave
-    /// out what needs many (FEW_TEXTURE_UNITS).
+    /// defines: whole lines that precede all shaders. cache: null for none; must outlive it.
     explicit ShaderLibrary(std::filesystem::path folder, Fullscreen fullscreen = Fullscreen::Fragment,
-                           int textureUnits = 0);
+                           std::string defines = {}, ProgramCache* cache = nullptr);
 
     /// The program of these files, relative to the shader folder, built at the first call. The reference stays valid; a
-    /// reload puts a new program into it.
-    const Program& load(const std::string& fragmentFile, const std::string& vertexFile = "lib/fullscreen.vert");
-    /// A full-screen shader, built at the first call. The reference stays valid.
-    FullscreenProgram& loadFullscreen(const std::string& file, const FullscreenKind& kind = {});
+    /// reload puts a new program into it. missing: what to log if it does not build, as "ropes are not drawn"; null:
+    /// nothing.
+    const Program& load(const std::string& fragmentFile, const std::string& vertexFile = "lib/fullscreen.vert",
+                        const char* missing = nullptr);
+    /// A full-screen shader, built at the first call. The reference stays valid. missing: as of load().
+    FullscreenProgram& loadFullscreen(const std::string& file, const FullscreenKind& kind = {},
+                                      const char* missing = nullptr);
+    /// From here to endBatch() programs are only started, so that drivers can compile many at once. Until then they
+    /// are empty.
+    void beginBatch() { m_isBatch = true; }
+    /// Waits for all programs that were started.
+    void endBatch();
     /// Rebuilds the programs whose files changed on disk; on an error the last good program stays. True if any was
     /// rebuilt.
     bool reloadChanged();
@@ -37,14 +44,24 @@ public:
     int computePrograms() const;
 
 private:
+    /// A program that is started, and what to log if it does not build.
+    struct Started {
+        BuiltProgram* plain = nullptr;
+        FullscreenProgram* fullscreen = nullptr;
+        const char* missing = nullptr;
+    };
     template <class F>
     void forEach(F&& visit) const;
+    void finishOrQueue(const Started& started);
+    void finish(const Started& started) const;
 
     std::filesystem::path m_folder;
     Fullscreen m_fullscreen;
     ShaderBuild m_build;
     std::vector<std::unique_ptr<BuiltProgram>> m_programs;
     std::vector<std::unique_ptr<FullscreenProgram>> m_fullscreenPrograms;
+    std::vector<Started> m_started;  ///< of the batch
+    bool m_isBatch = false;
 };
 
 }  // namespace rubble

@@ -40,6 +40,7 @@ public:
         RenderSettings settings = RenderSettings::preset(options.preset);
         settings.fullscreen = RenderSettings::fullscreenFromName(options.fullscreen);
         settings.warmUpFrames = kWarmUpFrames;
+        settings.passTimes = true;
         auto renderer = Renderer::create(recorder->m_context->loader(), options.shaders, settings);
         if (!renderer) return Error{renderer.error()};
         recorder->m_renderer = std::move(*renderer);

@@ -183,6 +183,8 @@ int runWindow(const SandboxOptions& options) {
     if (!window) return logError(window.error()), 1;
     RenderSettings settings = RenderSettings::preset(options.preset);
     settings.fullscreen = RenderSettings::fullscreenFromName(options.fullscreen);
+    settings.hostState = HostState::Reset;
+    settings.compileAhead = true;
     auto renderer = Renderer::create((*window)->loader(), options.shaders, settings);
     if (!renderer) return logError(renderer.error()), 1;
     Game game(options, **window, std::move(*stage), std::move(*renderer));

@@ -1,19 +1,19 @@
 // The buffers of all bodies (filled by render/scene/bodies.cpp) and the meaning of their texels. A shape is a grid of
 // nodes of 32^3 cells; a node holds 4^3 bricks of 8^3 cells; a brick holds 2^3 words of 4^3 cells, one bit a cell.
 #include "lib/constants.glsl"
-uniform usamplerBuffer uNodes;         // a node: 64-bit mask of its bricks, number of its brick table
-uniform usamplerBuffer uTables;        // 64 texels a table: brick slot << 8 | mask of the brick's occupied words
-uniform usamplerBuffer uBrickWords;    // 8 texels a brick: its words, 64 bits each
-uniform usamplerBuffer uBrickIndices;  // 128 texels a brick: 512 palette indices, four a texel
-uniform samplerBuffer uTransforms;     // 4 texels an instance: see readTransform()
-uniform usamplerBuffer uLayouts;       // 4 texels an instance: first node, palette, flags; nodes; low cell; high cell
-uniform usamplerBuffer uPalettes;      // 256 texels a palette: colour and opacity, surface, emission, detail map
+#include "lib/texels.glsl"
+uniform texels4 uNodes;         // a node: 64-bit mask of its bricks, number of its brick table
+uniform texels1 uTables;        // 64 texels a table: brick slot << 8 | mask of the brick's occupied words
+uniform texels2 uBrickWords;    // 8 texels a brick: its words, 64 bits each
+uniform texels1 uBrickIndices;  // 128 texels a brick: 512 palette indices, four a texel
+uniform texels4f uTransforms;   // 4 texels an instance: see readTransform()
+uniform texels4 uLayouts;       // 4 texels an instance: first node, palette, flags; nodes; low cell; high cell
+uniform texels4 uPalettes;      // 256 texels a palette: colour and opacity, surface, emission, detail map
 
-// The only fetches from these buffers: WebGL2 has no buffer textures and will read 2D textures here.
-uvec4 fetchNode(int i) { return texelFetch(uNodes, i); }
-uint fetchTable(int i) { return texelFetch(uTables, i).r; }
-uvec2 fetchWord(int i) { return texelFetch(uBrickWords, i).rg; }
-uint fetchIndices(int i) { return texelFetch(uBrickIndices, i).r; }
+uvec4 fetchNode(int i) { return fetch4(uNodes, i); }
+uint fetchTable(int i) { return fetch1(uTables, i); }
+uvec2 fetchWord(int i) { return fetch2(uBrickWords, i); }
+uint fetchIndices(int i) { return fetch1(uBrickIndices, i); }
 
 /// Where an instance is in this frame and was in the previous one.
 struct InstanceTransform {
@@ -26,9 +26,9 @@ struct InstanceTransform {
 };
 
 InstanceTransform readTransform(int instance) {
-    vec4 p = texelFetch(uTransforms, instance * 4 + 1), q = texelFetch(uTransforms, instance * 4 + 3);
-    return InstanceTransform(texelFetch(uTransforms, instance * 4), p.xyz, p.w,
-                             texelFetch(uTransforms, instance * 4 + 2), q.xyz, q.w);
+    vec4 p = fetch4f(uTransforms, instance * 4 + 1), q = fetch4f(uTransforms, instance * 4 + 3);
+    return InstanceTransform(fetch4f(uTransforms, instance * 4), p.xyz, p.w,
+                             fetch4f(uTransforms, instance * 4 + 2), q.xyz, q.w);
 }
 
 /// The voxels of an instance: its nodes, and the box [low, high) of its occupied cells.
@@ -39,9 +39,9 @@ struct Layout {
 };
 
 Layout readLayout(int instance) {
-    uvec4 a = texelFetch(uLayouts, instance * 4);
-    return Layout(int(a.x), int(a.y), a.z, ivec3(texelFetch(uLayouts, instance * 4 + 1).xyz),
-                  ivec3(texelFetch(uLayouts, instance * 4 + 2).xyz), ivec3(texelFetch(uLayouts, instance * 4 + 3).xyz));
+    uvec4 a = fetch4(uLayouts, instance * 4);
+    return Layout(int(a.x), int(a.y), a.z, ivec3(fetch4(uLayouts, instance * 4 + 1).xyz),
+                  ivec3(fetch4(uLayouts, instance * 4 + 2).xyz), ivec3(fetch4(uLayouts, instance * 4 + 3).xyz));
 }
 
 /// The node that holds a cell.
@@ -68,14 +68,14 @@ struct Entry {
 };
 
 Entry readEntry(int palette, int index) {
-    uvec4 v = texelFetch(uPalettes, palette * 256 + index);
+    uvec4 v = fetch4(uPalettes, palette * 256 + index);
     uvec4 bytes = uvec4(0u, 8u, 16u, 24u);
     vec4 a = vec4((uvec4(v.x) >> bytes) & 255u) / 255.0, b = vec4((uvec4(v.y) >> bytes) & 255u) / 255.0;
     return Entry(a.rgb, a.a, b.r, b.g, b.b, uintBitsToFloat(v.z), v.w);
 }
 
 /// Glass is what has an opacity below 255.
-bool isGlass(int palette, int index) { return texelFetch(uPalettes, palette * 256 + index).x >> 24 < 255u; }
+bool isGlass(int palette, int index) { return fetch4(uPalettes, palette * 256 + index).x >> 24 < 255u; }
 
 /// A vector rotated by a unit quaternion, and by its inverse.
 vec3 rotate(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }

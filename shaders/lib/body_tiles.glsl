@@ -1,10 +1,10 @@
 // The bodies that a pixel may show, nearest first: one list for each tile of pixels (filled by
 // render/scene/body_tiles.cpp).
 #include "lib/bodies.glsl"
-uniform usamplerBuffer uTileOffsets;  // a tile: its first entry in uTileBodies; its list ends where the next begins
-uniform usamplerBuffer uTileBodies;   // an entry: the number of a body view
-uniform usamplerBuffer uBodyViews;    // 5 texels a body in view
-uniform ivec2 uTileGrid;              // tiles in a row; log2 of a tile's side in pixels
+uniform texels1 uTileOffsets;  // a tile: its first entry in uTileBodies; its list ends where the next begins
+uniform texels1 uTileBodies;   // an entry: the number of a body view
+uniform texels4 uBodyViews;    // 5 texels a body in view
+uniform ivec2 uTileGrid;       // tiles in a row; log2 of a tile's side in pixels
 
 /// A body and the ray of a pixel in the body's cells.
 struct BodyView {
@@ -18,16 +18,16 @@ struct BodyView {
 ivec2 tileList(ivec2 pixel) {
     ivec2 tile = pixel >> uTileGrid.y;
     int i = tile.y * uTileGrid.x + tile.x;
-    return ivec2(texelFetch(uTileOffsets, i).r, texelFetch(uTileOffsets, i + 1).r);
+    return ivec2(fetch1(uTileOffsets, i), fetch1(uTileOffsets, i + 1));
 }
 
 /// The body of a list entry, with the ray through a point of the screen (in pixels). Rays in a body's cells are linear
 /// in the point, so origin and two derivatives are stored.
 BodyView bodyViewAt(int entry, vec2 screen) {
-    int i = int(texelFetch(uTileBodies, entry).r) * 5;
-    uvec4 a = texelFetch(uBodyViews, i), b = texelFetch(uBodyViews, i + 1), c = texelFetch(uBodyViews, i + 2),
-          d = texelFetch(uBodyViews, i + 3);
-    uvec4 e = texelFetch(uBodyViews, i + 4);
+    int i = int(fetch1(uTileBodies, entry)) * 5;
+    uvec4 a = fetch4(uBodyViews, i), b = fetch4(uBodyViews, i + 1), c = fetch4(uBodyViews, i + 2),
+          d = fetch4(uBodyViews, i + 3);
+    uvec4 e = fetch4(uBodyViews, i + 4);
     vec3 ray = uintBitsToFloat(b.xyz) + uintBitsToFloat(c.xyz) * screen.x + uintBitsToFloat(d.xyz) * screen.y;
     Layout shape = Layout(int(c.w), int(d.w >> 8), d.w & 255u, (ivec3(e.w) >> ivec3(0, 10, 20)) & 1023,
                           ivec3(e.xyz & 65535u), ivec3(e.xyz >> 16));

@@ -100,7 +100,6 @@ vec3 sunlightOn(vec3 position, vec3 normal) {
     return frame.sunColor.rgb * (facing / kPi);
 }
 
-#ifndef FEW_TEXTURE_UNITS
 /// Irradiance of all local lights on a face / pi, estimated with one ray to one of them (lib/local_lights.glsl).
 vec3 localLightOn(vec3 position, vec3 normal, PathStart start) {
     Reservoir reservoir = chooseLight(start.lights, position, normal, start.random.xy);
@@ -118,7 +117,6 @@ vec3 localLightOn(vec3 position, vec3 normal, PathStart start) {
     return dark ? vec3(0.0)
                 : min(arriving, vec3(max(kMaxLightRadiance, kMaxLightRadianceRatio * luminance(start.light))));
 }
-#endif
 
 /// A face that the previous frame does not show: what it sends from sun, lights and its own emission, and its
 /// reflectance for all other light.
@@ -127,9 +125,6 @@ struct OffscreenFace {
 };
 OffscreenFace shadeOffscreenFace(vec3 hitWorld, vec3 normal, vec3 direction, PathStart start, float emissionWeight) {
     vec3 sun = sunlightOn(hitWorld, normal);
-#ifdef FEW_TEXTURE_UNITS
-    return OffscreenFace(kDefaultAlbedo * sun, vec3(kDefaultAlbedo));  // a voxel lookup needs twelve samplers
-#else
     vec3 localLight = uBounceLights ? localLightOn(hitWorld, normal, start) : vec3(0.0);
     // The centre of the shadow cell lies in the voxel. A moving body is drawn between two steps, so that its voxel may
     // be a cell farther along the ray.
@@ -145,7 +140,6 @@ OffscreenFace shadeOffscreenFace(vec3 hitWorld, vec3 normal, vec3 direction, Pat
     vec3 diffuse = albedo * (1.0 - entry.metallic) * (1.0 - f0), reflectance = diffuse + f0;
     return OffscreenFace(
         reflectance * localLight + diffuse * sun + min(specular * sun, vec3(kMaxHitRadiance)) + emitted, reflectance);
-#endif
 }
 
 /// Light that arrives at the last face of a path, as a share of the light at the path's start: as much, if both are as

@@ -13,12 +13,13 @@
 // is small where w_i is nearly proportional to the light's true contribution. Needs lib/frame, lib/sampling.
 #include "lib/constants.glsl"
 #include "lib/color.glsl"
+#include "lib/texels.glsl"
 
-uniform samplerBuffer uLights;       // kTexelsPerLight a light: see readLight()
-uniform usamplerBuffer uLightCells;  // a cell of the grid: first entry in the list, number of lights
-uniform usamplerBuffer uLightList;   // light numbers; the first kAlwaysWeighed of a cell are its strongest
-uniform samplerBuffer uLightImages;  // texels of screens, linear colour
-uniform ivec3 uLightGrid;            // tiles across and up, slices of depth; one more slice lists lights of all depths
+uniform texels4f uLights;      // kTexelsPerLight a light: see readLight()
+uniform texels2 uLightCells;   // a cell of the grid: first entry in the list, number of lights
+uniform texels1 uLightList;    // light numbers; the first kAlwaysWeighed of a cell are its strongest
+uniform texels4f uLightImages;  // texels of screens, linear colour
+uniform ivec3 uLightGrid;         // tiles across and up, slices of depth; one more slice lists lights of all depths
 
 const int kOthersWeighed = 12;  // beside the kAlwaysWeighed first ones of a cell
 
@@ -39,8 +40,8 @@ struct LocalLight {
 
 LocalLight readLight(int i) {
     i *= kTexelsPerLight;
-    vec4 a = texelFetch(uLights, i), c = texelFetch(uLights, i + 2), d = texelFetch(uLights, i + 3),
-         e = texelFetch(uLights, i + 4), f = texelFetch(uLights, i + 5), g = texelFetch(uLights, i + 6);
+    vec4 a = fetch4f(uLights, i), c = fetch4f(uLights, i + 2), d = fetch4f(uLights, i + 3),
+         e = fetch4f(uLights, i + 4), f = fetch4f(uLights, i + 5), g = fetch4f(uLights, i + 6);
     return LocalLight(a.xyz, a.w, d.rgb, c.y, e.xyz, int(d.w), vec2(e.w, g.x), c.z, f.xyz, vec2(f.w, c.w), g.w > 0.0,
                       ivec3(int(g.y), int(g.z) & 255, int(g.z) >> 8));
 }
@@ -49,7 +50,7 @@ LocalLight readLight(int i) {
 ivec2 lightsAt(ivec2 pixel, float depth) {
     int slice = depth < 0.0 ? uLightGrid.z : clamp(int(floor(2.0 * log2(max(depth, 1.0)))), 0, uLightGrid.z - 1);
     ivec2 tile = min(pixel / kTilePixels, uLightGrid.xy - 1);
-    return ivec2(texelFetch(uLightCells, tile.x + uLightGrid.x * (tile.y + uLightGrid.y * slice)).xy);
+    return ivec2(fetch2(uLightCells, tile.x + uLightGrid.x * (tile.y + uLightGrid.y * slice)));
 }
 
 /// How many of `count` lights become candidates.
@@ -60,7 +61,7 @@ vec2 candidateLight(ivec2 cell, int i, float random) {
     float stride = float(cell.y - kAlwaysWeighed) / float(kOthersWeighed);
     bool counted = stride <= 1.0 || i < kAlwaysWeighed;
     int place = counted ? i : kAlwaysWeighed + int((float(i - kAlwaysWeighed) + random) * stride);
-    return vec2(texelFetch(uLightList, cell.x + min(place, cell.y - 1)).x, counted ? 1.0 : stride);
+    return vec2(fetch1(uLightList, cell.x + min(place, cell.y - 1)), counted ? 1.0 : stride);
 }
 
 /// Falls smoothly to 0 at a light's reach (Karis 2013, "Real Shading in Unreal Engine 4", inverse-square falloff).
@@ -80,7 +81,7 @@ float coneAttenuation(LocalLight light, float cosine) {
 /// wherever the light may send anything, as `wide` adds the angle that the light's extent takes.
 float unshadowedIrradiance(int i, vec3 position, vec3 normal) {
     i *= kTexelsPerLight;
-    vec4 a = texelFetch(uLights, i), b = texelFetch(uLights, i + 1), c = texelFetch(uLights, i + 2);
+    vec4 a = fetch4f(uLights, i), b = fetch4f(uLights, i + 1), c = fetch4f(uLights, i + 2);
     vec3 toCentre = a.xyz - position;
     float range2 = dot(toCentre, toCentre), extent = a.w, inverse = inversesqrt(max(range2, extent * extent)),
           wide = extent * inverse;
@@ -125,7 +126,7 @@ Reservoir chooseLight(ivec2 cell, vec3 position, vec3 normal, vec2 random) {
 vec3 screenImageAt(LocalLight light, vec2 place) {
     if (light.image.y == 0) return vec3(1.0);
     ivec2 texel = clamp(ivec2((0.5 - 0.5 * place) * vec2(light.image.yz)), ivec2(0), light.image.yz - 1);
-    return texelFetch(uLightImages, light.image.x + texel.x + texel.y * light.image.y).rgb;
+    return fetch4f(uLightImages, light.image.x + texel.x + texel.y * light.image.y).rgb;
 }
 
 /// From a position to a light's centre; of a capsule, to a random one of the spheres on its axis.

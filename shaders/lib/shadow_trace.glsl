@@ -11,16 +11,16 @@
 // nearest one, and the number of a word or cell is mirrored with one XOR. All branches are selections, as lanes of a
 // GPU wait for each other anyway. Needs lib/frame first.
 #include "lib/constants.glsl"
+#include "lib/texels.glsl"
 
 // A texel a brick. Empty brick: x has the empty cubes' sides, 4 bits an octant (render/scene/skip_distances.h).
 // Occupied brick: x is 16 x its slot, yz says which of its words are occupied.
-uniform usamplerBuffer uShadowDirectory;
+uniform texels4 uShadowDirectory;
 // 64 texels a slot: the cells of an occupied word, or the empty boxes of an empty one (runtime/shadow/shadow_volume.h).
-uniform usamplerBuffer uShadowTexels;
+uniform texels2 uShadowTexels;
 
-// The only fetches from these buffers: WebGL2 has no buffer textures and will read 2D textures here.
-uvec4 fetchShadowDirectory(int i) { return texelFetch(uShadowDirectory, i); }
-uvec2 fetchShadowTexel(int i) { return texelFetch(uShadowTexels, i).rg; }
+uvec4 fetchShadowDirectory(int i) { return fetch4(uShadowDirectory, i); }
+uvec2 fetchShadowTexel(int i) { return fetch2(uShadowTexels, i); }
 
 /// A world position in the directory's cells.
 vec3 shadowCells(vec3 positionWorld) {

@@ -3,10 +3,11 @@
 // that its box touches, at the level whose cells are about as large as the body. So a point asks one bucket of each
 // level and looks into the bodies listed there. Needs lib/voxel_walk, paint.
 #include "lib/constants.glsl"
-uniform usamplerBuffer uBodyBucketHeads;  // a bucket: number of its first entry plus one, 0 = none
-uniform usamplerBuffer uBodyEntries;      // an entry: body, number of the next entry plus one
-uniform int uBodyBuckets;                 // a power of two
-uniform int uBodyLevels;                  // 0 = no bodies
+#include "lib/texels.glsl"
+uniform texels1 uBodyBucketHeads;  // a bucket: number of its first entry plus one, 0 = none
+uniform texels2 uBodyEntries;      // an entry: body, number of the next entry plus one
+uniform int uBodyBuckets;          // a power of two
+uniform int uBodyLevels;           // 0 = no bodies
 
 const int kMaxBodiesPerPoint = 128;  // no more are looked into
 
@@ -15,7 +16,7 @@ uint firstBodyAt(vec3 world, int level) {
     uvec3 c = uvec3(ivec3(floor(world / (kFinestBodyCell * float(1 << (2 * level))))));
     uint hash = c.x * 0x8da6b343u ^ c.y * 0xd8163841u ^ c.z * 0xcb1ab31fu ^ uint(level) * 0x9e3779b9u;
     hash ^= hash >> 15;
-    return texelFetch(uBodyBucketHeads, int(hash & uint(uBodyBuckets - 1))).r;
+    return fetch1(uBodyBucketHeads, int(hash & uint(uBodyBuckets - 1)));
 }
 
 /// Whether a body has a voxel in a cell. slot: of the voxel's brick.
@@ -39,12 +40,12 @@ int nextBodyAt(inout BodySearch search, vec3 world, out ivec3 cell) {
     while (body < 0 && search.left > 0) {
         while (search.next == 0u && search.level < uBodyLevels) search.next = firstBodyAt(world, search.level++);
         if (search.next == 0u) break;
-        uvec2 listed = texelFetch(uBodyEntries, int(search.next) - 1).rg;
+        uvec2 listed = fetch2(uBodyEntries, int(search.next) - 1);
         int candidate = int(listed.x);
-        vec4 place = texelFetch(uTransforms, candidate * 4 + 1);
-        cell = ivec3(floor(rotateBack(texelFetch(uTransforms, candidate * 4), world - place.xyz) / place.w));
-        ivec3 low = ivec3(texelFetch(uLayouts, candidate * 4 + 2).xyz),
-              high = ivec3(texelFetch(uLayouts, candidate * 4 + 3).xyz);
+        vec4 place = fetch4f(uTransforms, candidate * 4 + 1);
+        cell = ivec3(floor(rotateBack(fetch4f(uTransforms, candidate * 4), world - place.xyz) / place.w));
+        ivec3 low = ivec3(fetch4(uLayouts, candidate * 4 + 2).xyz),
+              high = ivec3(fetch4(uLayouts, candidate * 4 + 3).xyz);
         if (insideCells(cell, low, high)) body = candidate;
         search.next = listed.y;
         --search.left;

@@ -99,7 +99,7 @@ FogSample sampleTowardSky(FogRay ray, vec3 u) {
 /// The weight of a candidate: about the luminance of a light's in-scattering without shadows.
 float unshadowedFogRadiance(FogRay ray, int i) {
     i *= kTexelsPerLight;
-    vec4 a = texelFetch(uLights, i), c = texelFetch(uLights, i + 2);
+    vec4 a = fetch4f(uLights, i), c = fetch4f(uLights, i + 2);
     vec3 toCentre = a.xyz - frame.cameraPosition.xyz;
     float along = dot(toCentre, ray.direction), aside2 = max(dot(toCentre, toCentre) - along * along, 0.01),
           reach = c.y + a.w;

@@ -184,6 +184,9 @@ TEST_F(Abi, ARendererNeedsTheHostsGl) {
     rubble_renderer renderer = 0;
     settings.shader_folder = RUBBLE_SOURCE_DIR "/shaders";
     expectRefused(api()->create_renderer(world, &settings, &renderer), RUBBLE_ERROR_GL, "gl_get_proc_address");
+    settings.flags = 4;
+    expectRefused(api()->create_renderer(world, &settings, &renderer), RUBBLE_ERROR_ARGUMENT, "flags");
+    settings.flags = 0;
     settings.preset = "shiny";
     expectRefused(api()->create_renderer(world, &settings, &renderer), RUBBLE_ERROR_ARGUMENT, "shiny");
     EXPECT_EQ(api()->destroy_world(world), RUBBLE_OK);

@@ -10,6 +10,7 @@
 #include "runtime/core/constants.h"
 #include "tests/abi/test_level.h"
 #include "tests/render/gl_fixture.h"
+#include "tests/support/temp_folder.h"
 
 namespace rubble {
 namespace {
@@ -45,6 +46,7 @@ protected:
         auto settings = sized<rubble_renderer_settings>();
         settings.shader_folder = RUBBLE_SOURCE_DIR "/shaders";
         settings.preset = "fast";
+        settings.flags = RUBBLE_RENDERER_COMPILE_LATE;
         return settings;
     }
     const rubble_api* m_api = nullptr;
@@ -142,6 +144,33 @@ TEST_F(AbiRenderer, AnAddedLightShowsAndARemovedOneDoesNot) {
         EXPECT_LT(lightAfter(1), 0.01 * settled) << "the second frame no longer shows it";
         EXPECT_LT(lightAfter(20), 1e-4 * settled);
     }
+    EXPECT_EQ(m_api->destroy_renderer(renderer), RUBBLE_OK);
+}
+
+TEST_F(AbiRenderer, ViewsInTurnAreDrawnAndTheStateIsResetWhereTheHostWantsThat) {
+    const std::string level = writeTestLevel();
+    ASSERT_EQ(m_api->load_level(m_world, level.c_str(), nullptr), RUBBLE_OK) << m_api->get_last_error();
+    std::filesystem::remove(level);
+    ASSERT_EQ(m_api->step(m_world), RUBBLE_OK);
+    const TempFolder folder;
+    const std::string cache = folder / "programs";
+    rubble_renderer_settings given = settings();
+    given.flags |= RUBBLE_RENDERER_RESET_STATE;
+    given.program_cache = cache.c_str();
+    rubble_renderer renderer = 0;
+    ASSERT_EQ(m_api->create_renderer(m_world, &given, &renderer), RUBBLE_OK) << m_api->get_last_error();
+    const Offscreen target({kWidth, kHeight});
+    auto view = sized<rubble_view>();
+    view.framebuffer = target.framebuffer();
+    view.width = kWidth, view.height = kHeight;
+    view.slot = 16;
+    EXPECT_EQ(m_api->draw(renderer, &view), RUBBLE_ERROR_ARGUMENT);
+    glEnable(GL_RASTERIZER_DISCARD);
+    for (view.slot = 0; view.slot < 3; ++view.slot) ASSERT_EQ(m_api->draw(renderer, &view), RUBBLE_OK);
+    EXPECT_FALSE(glIsEnabled(GL_RASTERIZER_DISCARD));
+    GLint formats = 0;
+    glGetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &formats);
+    EXPECT_EQ(std::filesystem::exists(cache) && !std::filesystem::is_empty(cache), formats > 0);
     EXPECT_EQ(m_api->destroy_renderer(renderer), RUBBLE_OK);
 }
 

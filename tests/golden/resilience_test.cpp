@@ -10,6 +10,7 @@
 #include "render/renderer.h"
 #include "runtime/core/log.h"
 #include "tests/golden/drawing.h"
+#include "tests/render/gl_calls.h"
 #include "tests/support/temp_folder.h"
 
 namespace rubble {
@@ -26,8 +27,16 @@ GLenum refuseSome(GLenum) {
                                                                   : GL_FRAMEBUFFER_COMPLETE;
 }
 GLenum g_resetStatus = GL_NO_ERROR;
+bool g_resetIsToldOnce = false;
 GLenum resetStatus() {
-    return g_resetStatus;
+    return g_resetIsToldOnce ? std::exchange(g_resetStatus, GLenum(GL_NO_ERROR)) : g_resetStatus;
+}
+double g_seconds = 0.0;  ///< the renderer's clock
+double testSeconds() {
+    return g_seconds;
+}
+GLenum alwaysAnError() {
+    return GL_OUT_OF_MEMORY;
 }
 void* loaderOfALostContext(const char* name) {
     if (std::strstr(name, "glGetGraphicsResetStatus")) return reinterpret_cast<void*>(&resetStatus);
@@ -112,6 +121,37 @@ TEST_F(ResilienceTest, ALostContextIsReportedOnceAndDrawsNothing) {
     EXPECT_EQ(m_lines.size(), 1u);
 }
 
+/// Drivers tell of a reset once; afterwards the new context seems fine, but all objects are gone.
+TEST_F(ResilienceTest, ALostContextStaysLost) {
+    auto made = Renderer::create(loaderOfALostContext, shaderFolder(), {});
+    ASSERT_TRUE(made) << made.error();
+    const Offscreen offscreen(kSize);
+    g_resetIsToldOnce = true;
+    g_resetStatus = 0x8253;  // GL_GUILTY_CONTEXT_RESET
+    for (int i = 0; i < 3; ++i) {
+        (*made)->draw(streetCamera(0).view(kSize, offscreen.framebuffer()), 1.0f);
+        EXPECT_NE((*made)->lastError().find("lost"), std::string::npos) << "draw " << i;
+    }
+    EXPECT_FALSE((*made)->readTarget("final"));
+    EXPECT_FALSE((*made)->reloadShaders());
+    g_resetIsToldOnce = false;
+    static_cast<void>(loadGl(testContext().loader()));
+}
+
+TEST_F(ResilienceTest, AHostsErrorIsLeftToTheHost) {
+    start(streetScene(), kSize);
+    glEnable(GL_TEXTURE_BINDING_2D);  // an invalid enum
+    draw(streetCamera(0), 2);
+    EXPECT_EQ(glGetError(), GLenum(GL_INVALID_ENUM));
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
+TEST_F(ResilienceTest, AContextThatHasAlwaysAnErrorDoesNotStopADraw) {
+    start(streetScene(), kSize);
+    const GlReplaced errors(glad_glGetError, decltype(glad_glGetError)(alwaysAnError));
+    EXPECT_GT(colors(draw(streetCamera(0))), 50u);
+}
+
 TEST_F(ResilienceTest, AViewThatCannotBeDrawnSaysWhyAndTheNextOneIsDrawn) {
     start(streetScene(), kSize);
     const Image before = draw(streetCamera(0));
@@ -140,7 +180,9 @@ TEST_F(ResilienceTest, ABrokenShaderKeepsTheImageAndShowsARedDot) {
     const TempFolder copies;
     const fs::path folder = copies.path() / "shaders";
     fs::copy(shaderFolder(), folder, fs::copy_options::recursive);
-    auto made = Renderer::create(testContext().loader(), folder.string(), {});
+    RenderSettings settings;
+    settings.seconds = testSeconds;
+    auto made = Renderer::create(testContext().loader(), folder.string(), settings);
     ASSERT_TRUE(made) << made.error();
     renderer = std::move(made).value();
     renderer->apply(streetScene().snapshot());
@@ -165,7 +207,10 @@ TEST_F(ResilienceTest, ABrokenShaderKeepsTheImageAndShowsARedDot) {
     fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::seconds(10));
     EXPECT_TRUE(renderer->reloadShaders());
     EXPECT_TRUE(renderer->shaderErrors().empty());
+    g_seconds += 0.9;
     EXPECT_GT(draw(streetCamera(0)).at(12, kSize.y - 13)[1], 150) << "no green dot";
+    g_seconds += 0.2;
+    EXPECT_LT(draw(streetCamera(0)).at(12, kSize.y - 13)[1], 150) << "the green dot stays";
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // Fewer pixels traced than displayed: TAA reconstructs the image.
+#include "render/frame/view_histories.h"
 #include "tests/golden/compare.h"
 #include "tests/golden/drawing.h"
+#include "tests/render/gl_calls.h"
 
 namespace rubble {
 namespace {
@@ -44,6 +46,86 @@ TEST_F(ResolutionTest, AnInvalidScaleTracesEveryPixel) {
         street(scale, 1);
         EXPECT_EQ(traced(), kSize.x * kSize.y) << scale;
     }
+}
+
+/// A GL with textures of 128 x 128 pixels.
+class SizesTest : public ResolutionTest {
+protected:
+    void startSmall() {
+        RenderSettings settings;
+        settings.limits = GlLimits::ofContext();
+        settings.limits->textureSide = 128;
+        start(streetScene(), kSize, settings);
+    }
+    void drawAt(glm::ivec2 size, int slot = 0) {
+        View view = streetCamera(0).view(size, target->framebuffer());
+        view.slot = slot;
+        renderer->draw(view, 1.0f);
+        EXPECT_EQ(renderer->lastError(), "");
+    }
+};
+
+TEST_F(SizesTest, AHugeViewLeavesTheNextOneItsPixels) {
+    startSmall();
+    drawAt({1000, 500});
+    EXPECT_EQ(traced(), 125 * 62);
+    drawAt(kSize);
+    EXPECT_EQ(traced(), kSize.x * kSize.y);
+    drawAt({1000, 500});
+    EXPECT_EQ(traced(), 125 * 62);
+}
+
+TEST_F(SizesTest, ViewsOfTwoSizesInTurnMakeNoTargetsAnew) {
+    startSmall();
+    for (int i = 0; i < 4; ++i) drawAt(kSize), drawAt({48, 48});
+    const uint64_t bytes = renderer->stats().textureBytes;
+    const GlCalls<&glad_glTexImage2D> textures;
+    const GlCalls<&glad_glGenFramebuffers> framebuffers;
+    for (int i = 0; i < 5; ++i) drawAt(kSize), drawAt({48, 48});
+    EXPECT_EQ(textures.count(), 0);
+    EXPECT_EQ(framebuffers.count(), 0);
+    EXPECT_EQ(renderer->stats().textureBytes, bytes);
+}
+
+TEST_F(SizesTest, AWindowThatIsResizedKeepsFewTargets) {
+    startSmall();
+    drawAt({64, 64});
+    const uint64_t bytes = renderer->stats().textureBytes;
+    for (int i = 0; i < 40; ++i) drawAt({64 - i, 64});
+    EXPECT_LE(renderer->stats().textureBytes, 2 * bytes);
+}
+
+TEST_F(SizesTest, ASizeThatIsNoLongerDrawnIsFreed) {
+    startSmall();
+    for (int i = 0; i < 4; ++i) drawAt(kSize);
+    const uint64_t bytes = renderer->stats().textureBytes;
+    drawAt({48, 48});
+    EXPECT_GT(renderer->stats().textureBytes, bytes);
+    for (uint64_t i = 0; i <= ViewHistories::kIdleDraws; ++i) drawAt(kSize);
+    EXPECT_EQ(renderer->stats().textureBytes, bytes);
+}
+
+/// Two cameras of a split screen, each with its history: the same as two renderers.
+TEST_F(SizesTest, SlotsOfOneSizeDoNotSeeEachOther) {
+    const auto drawFrames = [&](std::initializer_list<int> cameras) {
+        LitScene scene = streetScene();
+        RenderSettings settings;
+        start(scene, kSize, settings);
+        for (int frame = 0; frame < 4; ++frame) {
+            if (frame) {
+                scene.move(ShapeHandle::make(1, 1, 1), {{0.1 * frame, 1.0, 0.0}, {1, 0, 0, 0}});
+                renderer->apply(scene.step());
+            }
+            for (const int camera : cameras) {
+                View view = streetCamera(camera).view(kSize, target->framebuffer());
+                view.slot = camera;
+                renderer->draw(view, 1.0f);
+            }
+        }
+        return target->readRgb();
+    };
+    EXPECT_EQ(drawFrames({3, 0}), drawFrames({0}));
+    EXPECT_EQ(drawFrames({0, 3}), drawFrames({3}));
 }
 
 }  // namespace

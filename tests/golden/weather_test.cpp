@@ -31,8 +31,8 @@ Camera lookingAt(glm::dvec3 from, glm::dvec3 at) {
 class WeatherTest : public Drawing {
 protected:
     bool ran(std::string_view pass) const {
-        const auto& all = renderer->stats().passMs;
-        return std::any_of(all.begin(), all.end(), [&](const auto& each) { return each.first == pass; });
+        const auto& all = renderer->stats().passes;
+        return std::find(all.begin(), all.end(), pass) != all.end();
     }
 };
 

@@ -147,6 +147,7 @@ TEST_F(SideBySide, BesideTheReference) {
         each.view.size = {width, width * 9 / 16};
         Settings settings{.samples = samples, .filterPixels = true};
         RenderSettings drawnSettings = comparedSettings();
+        drawnSettings.passTimes = true;
         drawnSettings.filterPasses = numberFrom("RUBBLE_PASSES", drawnSettings.filterPasses);
         drawnSettings.historyFrames = numberFrom("RUBBLE_HISTORY", drawnSettings.historyFrames);
         drawnSettings.skyDistance = float(numberFrom("RUBBLE_REACH", int(drawnSettings.skyDistance)));

@@ -20,7 +20,7 @@ void drawFrame(FullscreenChoice& choice, std::initializer_list<Cost> costs, doub
         const FullscreenMethod method = choice.method();
         if (cost.isFullscreen) choice.recordDraw(method);
         const double milliseconds = method == FullscreenMethod::Compute ? cost.compute : cost.fragment;
-        times.emplace_back(cost.pass, milliseconds + disturbance);
+        times.push_back({cost.pass, milliseconds + disturbance, int(method)});
     }
     choice.addPassTimes(times);
 }

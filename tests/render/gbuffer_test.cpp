@@ -1,4 +1,3 @@
-#include <chrono>
 #include <cmath>
 
 #include "render/passes/glass_pass.h"
@@ -176,11 +175,6 @@ TEST_F(GBufferTest, OneDrawForAnyNumberOfBodies) {
         draw(scene, view);
         EXPECT_LE(figures.bodyDraws, GBufferPass::kMaxDraws) << count << " bodies";
         EXPECT_EQ(scene.bodies().bricks(), 1) << "they share one brick";
-        const auto start = std::chrono::steady_clock::now();
-        draw(scene, view);
-        glFinish();
-        printf("%d bodies: %.1f ms\n", count,
-               std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
     }
 }
 

@@ -60,9 +60,8 @@ protected:
         return target->readRgb();
     }
     bool passRan() const {
-        for (const auto& [name, ms] : renderer->stats().passMs)
-            if (std::string_view(name) == "particles") return true;
-        return false;
+        const auto& passes = renderer->stats().passes;
+        return std::find(passes.begin(), passes.end(), std::string_view("particles")) != passes.end();
     }
     static SnapshotParticle at(ParticleKind kind, double z, float radius, float opacity = 0.9f) {
         return {kind, {0, 0, z}, glm::vec3(0.0f), glm::vec3(0.6f), radius, opacity, 0.3f, 12345};

@@ -4,8 +4,8 @@
 
 #include "render/gl/state_guard.h"
 #include "render/scene/brick_atlas.h"
-#include "render/scene/index_allocator.h"
 #include "runtime/core/blue_noise.h"
+#include "runtime/core/index_allocator.h"
 #include "runtime/core/random.h"
 #include "tests/render/gl_fixture.h"
 
@@ -82,7 +82,7 @@ TEST_F(StateGuardTest, RestoresTheHostsState) {
     glDepthFunc(GL_GREATER);
     glViewport(1, 2, 3, 4);
     {
-        const GlStateGuard guard;
+        const GlStateGuard guard(HostState::Restored);
         EXPECT_FALSE(glIsEnabled(GL_BLEND)) << "passes start from a known state";
         glActiveTexture(GL_TEXTURE20);
         glBindTexture(GL_TEXTURE_2D, 0);
@@ -117,7 +117,7 @@ TEST_F(StateGuardTest, RestoresImageBindings) {
     glBindImageTexture(0, first.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
     glBindImageTexture(1, second.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
     {
-        const GlStateGuard guard;
+        const GlStateGuard guard(HostState::Restored, {.images = true});
         for (const GLuint unit : {0u, 1u})
             glBindImageTexture(unit, ours.name(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA16F);
     }

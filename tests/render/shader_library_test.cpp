@@ -183,17 +183,5 @@ TEST_F(ShaderLibraryTest, FrameBlockLayoutMatchesTheShader) {
     }
 }
 
-/// 16 units are all that GL 3.3 promises a stage.
-TEST_F(ShaderLibraryTest, FewTextureUnitsDisableVoxelLookup) {
-    for (const char* file : {"passes/sky.frag", "passes/reflections.frag"}) {
-        ShaderLibrary all(shaderFolder()), few(shaderFolder(), ShaderLibrary::Fullscreen::Fragment, 16);
-        const FullscreenKind kind{.surfacesOnly = true};
-        EXPECT_GT(all.loadFullscreen(file, kind).program(FullscreenMethod::Fragment).samplers(), 16) << file;
-        const Program& lean = few.loadFullscreen(file, kind).program(FullscreenMethod::Fragment);
-        ASSERT_TRUE(lean) << file;
-        EXPECT_LE(lean.samplers(), 16) << file;
-    }
-}
-
 }  // namespace
 }  // namespace rubble

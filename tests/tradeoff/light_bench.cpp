@@ -36,7 +36,9 @@ GlContext& context() {
 LightBench::LightBench(const FrameSnapshot& snapshot, const View& view, glm::ivec2 size, const RenderSettings& settings,
                        const std::string& shaderFolder)
     : m_view(view) {
-    auto made = Renderer::create(context().loader(), shaderFolder, settings);
+    RenderSettings timed = settings;
+    timed.passTimes = true;
+    auto made = Renderer::create(context().loader(), shaderFolder, timed);
     if (!made) fmt::print("{}\n", made.error()), std::exit(1);
     m_renderer = std::move(*made);
     m_renderer->apply(FrameSnapshot(snapshot));

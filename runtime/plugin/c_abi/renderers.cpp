@@ -6,6 +6,7 @@ namespace rubble::abi {
 namespace {
 
 constexpr uint32_t kMaxViewSize = 16384;  // pixels
+constexpr uint32_t kMaxSlots = 16;
 
 std::string readPreset(const char* preset) {
     const std::string name = preset ? preset : "balanced";
@@ -15,20 +16,30 @@ std::string readPreset(const char* preset) {
     return name;
 }
 
+RenderSettings readSettings(const rubble_renderer_settings& given) {
+    const uint32_t flags =
+        readFlags(given.flags, RUBBLE_RENDERER_RESET_STATE | RUBBLE_RENDERER_COMPILE_LATE, "settings->flags");
+    RenderSettings settings = RenderSettings::preset(readPreset(given.preset));
+    settings.hostState = flags & RUBBLE_RENDERER_RESET_STATE ? HostState::Reset : HostState::Restored;
+    settings.compileAhead = !(flags & RUBBLE_RENDERER_COMPILE_LATE);
+    if (given.program_cache) settings.programCache = given.program_cache;
+    return settings;
+}
+
 rubble_result createRenderer(rubble_world world, const rubble_renderer_settings* settings, rubble_renderer* out) {
     return guarded("create_renderer", [&] {
         requireNotNull(out, "out") = 0;
         const auto hosted = Registry::instance().world(world);
         const rubble_renderer_settings& read = readStruct(settings, "settings");
         const std::string folder = &requireNotNull(read.shader_folder, "settings->shader_folder");
-        const RenderSettings preset = RenderSettings::preset(readPreset(read.preset));
+        const RenderSettings wanted = readSettings(read);
         if (!host().gl_get_proc_address)
             throw ApiError{RUBBLE_ERROR_GL, "the host has set no gl_get_proc_address: call set_host() with one first"};
         if (!hosted->drawable)
             throw ApiError{RUBBLE_ERROR_ARGUMENT, "the world was created with RUBBLE_WORLD_NO_RENDERER"};
         if (hosted->hadRenderer)
             throw ApiError{RUBBLE_ERROR_ARGUMENT, "the world has or had a renderer; it can have one in its life"};
-        Result<std::unique_ptr<Renderer>> renderer = Renderer::create(host().gl_get_proc_address, folder, preset);
+        Result<std::unique_ptr<Renderer>> renderer = Renderer::create(host().gl_get_proc_address, folder, wanted);
         if (!renderer) throw ApiError{RUBBLE_ERROR_GL, renderer.error()};
         hosted->hadRenderer = true;
         const auto made = std::make_shared<HostedRenderer>(HostedRenderer{hosted, std::move(*renderer)});
@@ -47,6 +58,10 @@ View readView(const rubble_view& given) {
     view.verticalFov = float(readOrDefault(given.vertical_fov, {0.01, 3.0}, view.verticalFov, "vertical_fov"));
     view.size = glm::ivec2(given.width, given.height);
     view.framebuffer = given.framebuffer;
+    if (given.slot >= kMaxSlots)
+        throw ApiError{RUBBLE_ERROR_ARGUMENT, "view->slot is " + std::to_string(given.slot) + ", expected 0 to " +
+                                                  std::to_string(kMaxSlots - 1)};
+    view.slot = int(given.slot);
     view.cut = readFlags(given.flags, RUBBLE_VIEW_CUT, "view->flags") & RUBBLE_VIEW_CUT;
     return view;
 }

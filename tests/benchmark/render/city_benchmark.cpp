@@ -102,7 +102,9 @@ int benchCityFrames(const Options& options, GlContext& context) {
                       0.70f});            // the same surfaces in each city
     std::map<std::string, double> first;  // milliseconds by view and pass
     for (const int side : kTownsPerSide) {
-        auto renderer = Renderer::create(context.loader(), options.shaders, RenderSettings::preset(options.preset));
+        RenderSettings settings = RenderSettings::preset(options.preset);
+        settings.passTimes = true;
+        auto renderer = Renderer::create(context.loader(), options.shaders, settings);
         if (!renderer) {
             fmt::print(stderr, "{}\n", renderer.error());
             return 1;

@@ -25,6 +25,7 @@ struct Drawn {
 
 Result<Drawn> makeDrawn(const Options& options, GlContext& context, const std::string& fullscreen) {
     RenderSettings settings = RenderSettings::preset(options.preset);
+    settings.passTimes = true;
     settings.processorTime = options.processorTime;
     settings.fullscreen = RenderSettings::fullscreenFromName(fullscreen);
     auto renderer = Renderer::create(context.loader(), options.shaders, settings);

@@ -59,7 +59,7 @@
  *    the plugin; get_state_hash() compares. Frame times, threads and the renderer have no influence.
  *  - The plugin opens no window, makes no GL context, opens no file that the host did not name (a file that it
  *    writes has a temporary neighbour while it is written; a .vdb level is baked in a folder of $TMPDIR meanwhile),
- *    and restores the GL state that it changes.
+ *    and restores the GL state that it changes (or resets it: RUBBLE_RENDERER_RESET_STATE).
  *
  * Not included: network, sound, input, textured triangles, use of the host's job system or allocator. */
 #ifndef RUBBLE_RUBBLE_H
@@ -661,11 +661,24 @@ typedef struct rubble_light_settings {
 
 /* ---- renderer ---- */
 
+enum {
+    /* draw() leaves what it changes of the GL's state as in a new context (but viewport and scissor), instead of as
+     * it was: to know that, it asks the GL some 170 questions a draw. For hosts that set the state that they need,
+     * or whose cache of it can be emptied. */
+    RUBBLE_RENDERER_RESET_STATE = 1,
+    /* Programs are compiled when something is first seen that needs them, not by create_renderer(). It returns
+     * seconds earlier; the first explosion, fog or water may stop the game for as long. */
+    RUBBLE_RENDERER_COMPILE_LATE = 2
+};
+
 typedef struct rubble_renderer_settings {
     uint32_t struct_size;
-    uint32_t reserved;
+    uint32_t flags;            /* RUBBLE_RENDERER_... */
     const char* shader_folder; /* path of Rubble's folder shaders/ */
     const char* preset;        /* "fast", "balanced" or "accurate"; null: "balanced" */
+    /* Path of a folder, made if it is missing, in which compiled programs are kept for later runs, where the driver
+     * supports that. Null: none. */
+    const char* program_cache;
 } rubble_renderer_settings;
 
 enum { RUBBLE_VIEW_CUT = 1 /* the camera jumped: do not reuse earlier frames */ };
@@ -677,11 +690,12 @@ typedef struct rubble_view {
     uint32_t framebuffer; /* GL name of the target; 0: the window's */
     uint32_t width;       /* pixels, 1 to 16384 */
     uint32_t height;      /* pixels, 1 to 16384 */
-    uint32_t reserved;
-    double position[3];  /* of the camera, world */
-    double rotation[4];  /* the camera looks along -z with y up */
-    double vertical_fov; /* radians, 0.01 to 3; 0: 1.05 */
-    double alpha;        /* 0 to 1: interpolates between the poses of the last two steps */
+    uint32_t slot;        /* 0 to 15: views drawn in turn, as those of a split screen, have slots of their own, in
+                             which the renderer keeps their earlier frames */
+    double position[3];   /* of the camera, world */
+    double rotation[4];   /* the camera looks along -z with y up */
+    double vertical_fov;  /* radians, 0.01 to 3; 0: 1.05 */
+    double alpha;         /* 0 to 1: interpolates between the poses of the last two steps */
 } rubble_view;
 
 /* Counters and wall-clock times of the last draw(). */
