@@ -200,7 +200,7 @@ void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, siz
     file.takeErrorOf(in);
 }
 
-/// Checks that a World's shapes have voxels and that all numbers are within their ranges.
+/// Checks that a World's shapes have cells and that all numbers are within their ranges.
 Result<Done> validateNumbers(const WorldState& world) {
     std::string error = settingsError(world.settings);
     if (!error.empty()) return Error{"settings: expected valid ones, found " + error};
@@ -214,9 +214,10 @@ Result<Done> validateNumbers(const WorldState& world) {
             });
         },
         world);
+    // One without voxels may wait for its split.
     world.shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
-        if (error.empty() && shape.grid.empty())
-            error = fmt::format("shape {}: expected voxels, found none", handle.slot());
+        if (error.empty() && shape.grid.size() == glm::ivec3(0))
+            error = fmt::format("shape {}: expected a grid of cells, found none", handle.slot());
     });
     if (!error.empty()) return Error{error};
     return Done{};

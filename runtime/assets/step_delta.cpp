@@ -269,7 +269,7 @@ private:
         for (const auto& [slot, value] : m_delta.joints)
             isValid = isValid && (!value.first || isValidJoint(*value.second));
         for (const auto& [slot, value] : m_delta.shapes)
-            isValid = isValid && (!value.first || (!value.second->grid.empty() && hasValidPalette(*value.second)));
+            isValid = isValid && (!value.first || hasValidPalette(*value.second));
         return isValid;
     }
     /// Whether the entries are within their ranges and name materials and light groups that there are.
