@@ -1,0 +1,374 @@
+// The C interface: random sequences of calls with usual and wild arguments, on worlds that come and go.
+#include <rubble/rubble.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "runtime/assets/assets.h"
+#include "tests/fuzz/random_world.h"
+
+namespace rubble {
+namespace {
+
+const rubble_api& api() {
+    static const rubble_api* table = [] {
+        const rubble_api* found = nullptr;
+        rubble_get_api(RUBBLE_VERSION, &found);
+        rubble_host host = {};
+        host.struct_size = sizeof host;
+        host.log = [](void*, int32_t, const char*) {};
+        found->set_host(&host);
+        return found;
+    }();
+    return *table;
+}
+
+/// A folder of this process, removed at its end.
+class Folder {
+public:
+    Folder() : m_path(std::filesystem::temp_directory_path() / ("rubble_fuzz_" + std::to_string(getpid()))) {
+        std::filesystem::create_directories(m_path);
+    }
+    ~Folder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(m_path, ignored);
+    }
+    std::string operator/(const char* name) const { return (m_path / name).string(); }
+
+private:
+    std::filesystem::path m_path;
+};
+
+std::string path(const char* name) {
+    static const Folder folder;
+    return folder / name;
+}
+
+/// A host that calls at random.
+class RandomHost {
+public:
+    explicit RandomHost(Decisions& decisions) : m_decisions(decisions), m_wildness(1u << (1 + decisions.below(6))) {}
+    ~RandomHost() { api().destroy_world(m_world); }
+
+    void run() {
+        rubble_world_settings settings = {};
+        settings.struct_size = sizeof settings;
+        settings.flags = m_decisions.oneIn(8) ? RUBBLE_WORLD_SHADOW_INLINE : RUBBLE_WORLD_NO_RENDERER;
+        if (api().create_world(&settings, &m_world) != RUBBLE_OK) std::abort();
+        if (!writeRubble(path("level.rubble"), randomLevel(m_decisions))) return;
+        if (api().load_level(m_world, path("level.rubble").c_str(), nullptr) != RUBBLE_OK) std::abort();
+        for (uint32_t i = 10 + m_decisions.below(40); i-- > 0;) call();
+        saveAndLoad();
+    }
+
+private:
+    double number(double usual) {
+        return m_decisions.oneIn(m_wildness * 4) ? m_decisions.wild() : usual * m_decisions.unit();
+    }
+    uint32_t whole(uint32_t bound) {
+        return m_decisions.oneIn(m_wildness * 4) ? uint32_t(m_decisions.bits()) : m_decisions.below(bound);
+    }
+    template <size_t kCount>
+    void fill(double (&out)[kCount], double usual) {
+        for (double& each : out) each = number(usual);
+    }
+    void place(double (&out)[3]) {
+        const glm::dvec3 at = m_decisions.place();
+        for (int i = 0; i < 3; ++i) out[i] = at[i];
+    }
+    void rotation(double (&out)[4]) {
+        if (m_decisions.oneIn(4)) fill(out, 1.0);
+    }
+    template <class T>
+    T sized() {
+        T out = {};
+        out.struct_size = m_decisions.oneIn(m_wildness * 16) ? whole(8192) : uint32_t(sizeof out);
+        return out;
+    }
+    /// A handle of a list, now and then one that is stale or of another kind.
+    uint64_t any(const std::vector<uint64_t>& handles) {
+        if (handles.empty() || m_decisions.oneIn(m_wildness * 4)) return m_decisions.oneIn(2) ? 0 : m_decisions.bits();
+        const uint64_t handle = handles[m_decisions.below(uint32_t(handles.size()))];
+        if (m_decisions.oneIn(8)) m_old = handle;
+        return m_decisions.oneIn(m_wildness * 4) ? m_old : handle;
+    }
+    template <class List>
+    std::vector<uint64_t> list(List function) {
+        std::vector<uint64_t> out(256);
+        uint32_t count = 0;
+        function(m_world, out.data(), uint32_t(out.size()), &count);
+        out.resize(std::min<size_t>(count, out.size()));
+        return out;
+    }
+    std::vector<uint64_t> bodies() {
+        std::vector<rubble_body_state> states(256);
+        uint32_t count = 0;
+        api().get_body_states(m_world, states.data(), uint32_t(states.size()), &count);
+        std::vector<uint64_t> out;
+        for (uint32_t i = 0; i < std::min(count, 256u); ++i) out.push_back(states[i].body);
+        return out;
+    }
+    std::vector<uint64_t> shapes() {
+        std::vector<rubble_shape_state> states(256);
+        uint32_t count = 0;
+        api().get_shape_states(m_world, 0, states.data(), uint32_t(states.size()), &count);
+        std::vector<uint64_t> out;
+        for (uint32_t i = 0; i < std::min(count, 256u); ++i) out.push_back(states[i].shape);
+        return out;
+    }
+    std::vector<uint64_t> joints() {
+        std::vector<rubble_joint_state> states(256);
+        uint32_t count = 0;
+        api().get_joint_states(m_world, states.data(), uint32_t(states.size()), &count);
+        std::vector<uint64_t> out;
+        for (uint32_t i = 0; i < std::min(count, 256u); ++i) out.push_back(states[i].joint);
+        return out;
+    }
+    std::vector<uint64_t> characters() {
+        std::vector<rubble_character_state> states(64);
+        uint32_t count = 0;
+        api().get_character_states(m_world, states.data(), uint32_t(states.size()), &count);
+        std::vector<uint64_t> out;
+        for (uint32_t i = 0; i < std::min(count, 64u); ++i) out.push_back(states[i].character);
+        return out;
+    }
+
+    void call() {
+        switch (m_decisions.below(12)) {
+            case 0:
+            case 1:
+            case 2:
+                return void(api().step(m_world));
+            case 3:
+            case 4:
+                return callEdit();
+            case 5:
+                return callJoint();
+            case 6:
+                return callRegion();
+            case 7:
+                return callCharacter();
+            case 8:
+                return callLight();
+            case 9:
+                return callQuery();
+            case 10:
+                return callUndo();
+            default:
+                return m_decisions.oneIn(6) ? callFile() : callEdit();
+        }
+    }
+    void callEdit() {
+        switch (m_decisions.below(6)) {
+            case 0: {
+                auto carve = sized<rubble_carve>();
+                carve.brush = whole(3), carve.max_hardness = whole(4), carve.tool = whole(5);
+                place(carve.position), place(carve.end), rotation(carve.rotation);
+                fill(carve.half_size, 1.0);
+                carve.radii[0] = number(1.5), carve.radii[1] = carve.radii[0] * 0.7;
+                if (m_decisions.oneIn(3)) carve.shape = any(shapes());
+                return void(api().carve(m_world, &carve));
+            }
+            case 1: {
+                auto edit = sized<rubble_break>();
+                edit.tool = whole(5), edit.seed = whole(1000);
+                place(edit.position);
+                edit.radii[0] = number(1.5), edit.radii[1] = edit.radii[2] = edit.radii[0] * 0.5;
+                return void(api().break_voxels(m_world, &edit));
+            }
+            case 2: {
+                auto explosion = sized<rubble_explosion>();
+                place(explosion.position);
+                explosion.size = m_decisions.oneIn(2) ? 0.0 : number(4.0);
+                explosion.impulse = m_decisions.oneIn(2) ? 0.0 : number(1e6);
+                return void(api().explode(m_world, &explosion));
+            }
+            case 3: {
+                auto paint = sized<rubble_paint>();
+                place(paint.position);
+                paint.radius = number(2.0), paint.strength = whole(256), paint.probability = whole(256);
+                return void(api().paint(m_world, &paint));
+            }
+            case 4: {
+                auto impulse = sized<rubble_impulse>();
+                impulse.body = any(bodies());
+                place(impulse.position), fill(impulse.impulse, 1e4);
+                return void(api().apply_impulse(m_world, &impulse));
+            }
+            default: {
+                auto filter = sized<rubble_collision_filter>();
+                filter.layer = whole(257), filter.mask = whole(257), filter.shape = any(shapes());
+                return void(api().set_collision_filter(m_world, &filter));
+            }
+        }
+    }
+    void callJoint() {
+        switch (m_decisions.below(6)) {
+            case 0:
+            case 1: {
+                auto joint = sized<rubble_joint_settings>();
+                joint.kind = whole(7), joint.flags = whole(4), joint.motor = whole(3);
+                for (rubble_shape& shape : joint.shapes) shape = m_decisions.oneIn(3) ? 0 : any(shapes());
+                place(joint.position), place(joint.rope_end), rotation(joint.rotation);
+                joint.anchor_radius = number(2.0), joint.motor_target = number(3.0),
+                joint.motor_max_force = number(1e4);
+                joint.upper_limit = number(1.0), joint.spring_hertz = number(30.0), joint.friction = number(10.0);
+                joint.break_force = number(1e5), joint.rope_length = number(4.0), joint.drive_torque = number(1e3);
+                joint.max_steer_angle = number(1.0);
+                return void(api().add_joint(m_world, &joint));
+            }
+            case 2: {
+                auto motor = sized<rubble_joint_motor>();
+                motor.joint = any(joints()), motor.motor = whole(3);
+                motor.motor_target = number(3.0), motor.motor_max_force = number(1e4), motor.steer_angle = number(1.0);
+                return void(api().set_joint_motor(m_world, &motor));
+            }
+            case 3: {
+                auto drive = sized<rubble_drive>();
+                drive.body = any(bodies());
+                drive.throttle = number(1.0), drive.steer = number(-1.0), drive.brake = number(1.0);
+                return void(api().drive_wheels(m_world, &drive));
+            }
+            case 4: {
+                auto grab = sized<rubble_grab>();
+                grab.hand = whole(3), grab.body = any(bodies());
+                place(grab.point), place(grab.target);
+                grab.max_force = number(1e4), grab.spring_hertz = number(10.0);
+                return void(api().grab_body(m_world, &grab));
+            }
+            default: {
+                auto release = sized<rubble_release>();
+                release.hand = whole(3), fill(release.impulse, 100.0);
+                api().release_body(m_world, &release);
+                if (m_decisions.oneIn(3)) api().remove_joint(m_world, any(joints()));
+                double points[30];
+                uint32_t count = 0;
+                api().get_rope_points(m_world, any(joints()), points, 30, &count);
+            }
+        }
+    }
+    void callRegion() {
+        std::vector<double> outline;
+        for (uint32_t i = 2 * (2 + m_decisions.below(5)); i-- > 0;) outline.push_back(number(4.0) - 1.0);
+        if (m_decisions.oneIn(2)) {
+            auto water = sized<rubble_water_settings>();
+            water.outline = outline.data(), water.outline_count = uint32_t(outline.size() / 2);
+            water.surface_height = number(2.0), water.depth = number(3.0), water.density = number(2000.0);
+            water.linear_drag = number(5.0), fill(water.flow, 5.0);
+            api().add_water(m_world, &water);
+        } else {
+            auto trigger = sized<rubble_trigger_settings>();
+            trigger.kind = whole(3), place(trigger.position), rotation(trigger.rotation);
+            trigger.radius = number(2.0), fill(trigger.half_size, 2.0), trigger.height = number(3.0);
+            trigger.outline = outline.data(), trigger.outline_count = uint32_t(outline.size() / 2);
+            trigger.layer_mask = whole(257);
+            api().add_trigger(m_world, &trigger);
+        }
+        if (m_decisions.oneIn(4)) api().remove_water(m_world, any(list(api().get_waters)));
+        if (m_decisions.oneIn(4)) api().remove_trigger(m_world, any(list(api().get_triggers)));
+        std::vector<rubble_trigger_event> events(8);
+        uint32_t count = 0;
+        api().get_trigger_events(m_world, events.data(), 8, &count);
+    }
+    void callCharacter() {
+        if (m_decisions.oneIn(3)) {
+            auto settings = sized<rubble_character_settings>();
+            place(settings.position);
+            settings.radius = m_decisions.oneIn(2) ? 0.0 : number(1.0);
+            settings.height = m_decisions.oneIn(2) ? 0.0 : number(3.0);
+            settings.walk_speed = number(10.0), settings.max_push_force = number(1e3);
+            api().add_character(m_world, &settings);
+        }
+        auto move = sized<rubble_character_move>();
+        move.flags = whole(4), move.character = any(characters()), fill(move.desired_velocity, 5.0);
+        api().move_character(m_world, &move);
+        auto teleport = sized<rubble_character_teleport>();
+        teleport.character = any(characters()), place(teleport.position), fill(teleport.velocity, 20.0);
+        if (m_decisions.oneIn(3)) api().teleport_character(m_world, &teleport);
+        if (m_decisions.oneIn(8)) api().remove_character(m_world, any(characters()));
+    }
+    void callLight() {
+        auto weather = sized<rubble_environment>();
+        api().get_environment(m_world, &weather);
+        fill(weather.gravity, 20.0);
+        weather.clouds = number(1.0), weather.fog_density = number(1.0);
+        if (m_decisions.oneIn(2)) api().set_environment(m_world, &weather);
+        auto light = sized<rubble_light_settings>();
+        light.kind = whole(5), light.flags = whole(4), light.light = any(list(api().get_lights));
+        light.shape = m_decisions.oneIn(2) ? 0 : any(shapes());
+        place(light.position), rotation(light.rotation), fill(light.color, 100.0);
+        light.radius = number(1.0), light.reach = number(20.0), light.width = number(2.0), light.height = number(2.0);
+        m_decisions.oneIn(2) ? api().add_light(m_world, &light) : api().set_light(m_world, &light);
+        if (m_decisions.oneIn(6)) api().remove_light(m_world, any(list(api().get_lights)));
+    }
+    void callQuery() {
+        rubble_hit hit = {};
+        rubble_ray ray = {};
+        place(ray.origin), fill(ray.direction, 1.0);
+        ray.max_distance = number(100.0), ray.radius = m_decisions.oneIn(2) ? 0.0 : number(2.0);
+        auto filter = sized<rubble_query_filter>();
+        filter.flags = whole(16), filter.layer_mask = whole(256);
+        api().cast_rays(m_world, &ray, 1, m_decisions.oneIn(2) ? &filter : nullptr, &hit);
+        rubble_shape_cast cast = {};
+        cast.shape.kind = whole(3), place(cast.shape.position), place(cast.shape.end), rotation(cast.shape.rotation);
+        cast.shape.radius = number(2.0), fill(cast.shape.half_size, 2.0), fill(cast.direction, 1.0);
+        cast.max_distance = number(50.0);
+        api().cast_shapes(m_world, &cast, 1, nullptr, &hit);
+        uint64_t found[4];
+        uint32_t count = 0;
+        api().overlap_bodies(m_world, &cast.shape, nullptr, found, 4, &count);
+        api().overlap_shapes(m_world, &cast.shape, &filter, found, 4, &count);
+        api().find_closest_point(m_world, ray.origin, ray.max_distance, nullptr, &hit);
+    }
+    void callUndo() {
+        switch (m_decisions.below(4)) {
+            case 0:
+                return void(api().set_undo_limit(m_world, whole(5)));
+            case 1:
+                return void(api().add_undo_mark(m_world));
+            case 2:
+                return void(api().undo(m_world));
+            default:
+                return void(api().redo(m_world));
+        }
+    }
+    void callFile() {
+        if (m_decisions.oneIn(2)) return saveAndLoad();
+        api().start_recording(m_world, path("game.rubblelog").c_str());
+        for (uint32_t i = m_decisions.below(4); i-- > 0;) callEdit(), api().step(m_world);
+        if (api().stop_recording(m_world) != RUBBLE_OK) std::abort();
+        uint64_t steps = 0;
+        if (api().play_recording(m_world, path("game.rubblelog").c_str(), &steps) != RUBBLE_OK) fail("play_recording");
+    }
+    void saveAndLoad() {
+        uint64_t before = 0, after = 0;
+        if (api().save_game(m_world, path("game.rubble").c_str()) != RUBBLE_OK) fail("save_game");
+        api().get_state_hash(m_world, &before);
+        if (api().load_game(m_world, path("game.rubble").c_str()) != RUBBLE_OK) fail("load_game");
+        api().get_state_hash(m_world, &after);
+        if (before != after) fail("another hash after load_game");
+    }
+    [[noreturn]] void fail(const char* what) {
+        std::fprintf(stderr, "%s: %s\n", what, api().get_last_error());
+        std::abort();
+    }
+
+    Decisions& m_decisions;
+    uint32_t m_wildness;
+    uint64_t m_old = 0;
+    rubble_world m_world = 0;
+};
+
+}  // namespace
+}  // namespace rubble
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+    rubble::Decisions decisions(data, size);
+    rubble::RandomHost(decisions).run();
+    return 0;
+}

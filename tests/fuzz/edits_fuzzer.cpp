@@ -1,0 +1,48 @@
+// Edits: random sequences with wild numbers, on a world with its physics, as the frame loop steps it.
+#include <cstdio>
+#include <cstdlib>
+
+#include "physics/physics_world.h"
+#include "runtime/core/log.h"
+#include "runtime/world/impacts/break_through.h"
+#include "runtime/world/impacts/impact_damage.h"
+#include "tests/fuzz/random_world.h"
+
+namespace rubble {
+namespace {
+
+void run(Decisions& decisions) {
+    World world;
+    PhysicsWorld physics;
+    world.load(randomLevel(decisions));
+    Edits damage;
+    const uint32_t wildness = decisions.oneIn(3) ? 0 : 1u << decisions.below(7);
+    for (uint32_t step = 2 + decisions.below(10); step-- > 0;) {
+        Edits edits = std::exchange(damage, {});
+        for (uint32_t i = decisions.below(4); i-- > 0;) edits.push_back(randomEdit(decisions, world, wildness));
+        const FrameChanges changes = world.applyEdits(edits);
+        physics.apply(changes, world, decisions.oneIn(20));
+        physics.step();
+        copyMotion(physics, world);
+        damage = impactDamage(world, physics.impacts());
+        addBreakThroughImpulses(world, physics.impacts(), damage);
+        for (const JointHandle joint : physics.jointBreaks())
+            damage.emplace_back(RemoveJointEdit{joint, JointBreak::Force});
+    }
+    const VoxelAccounting sums = voxelAccounting(world);
+    if (!sums.balances()) {
+        std::fprintf(stderr, "voxels are lost or made\n");
+        std::abort();
+    }
+    requireReadableSave(world);
+}
+
+}  // namespace
+}  // namespace rubble
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+    rubble::setLogSink([](void*, rubble::LogLevel, std::string_view) {}, nullptr);
+    rubble::Decisions decisions(data, size);
+    rubble::run(decisions);
+    return 0;
+}
