@@ -54,7 +54,8 @@ struct SnapshotLight {
     float width = 0.0f, height = 0.0f;  ///< metres
     bool twoSided = false;
     LightImage image = {};   ///< of a screen
-    LightHandle light = {};  ///< null: of a fire
+    LightHandle light = {};  ///< null: of a fire or of particles
+    bool fleeting = false;   ///< of a fire or of particles: no voxels glow for it
 };
 
 /// The numbers are those of shaders/lib/particle_kinds.glsl.

@@ -16,6 +16,8 @@ constexpr int kFlamesPerStep = 30;          ///< of all fires together
 constexpr int kSmokePerStep = 4;
 constexpr int kEmbersPerStep = 5;
 constexpr float kBlazeFires = 90.0f;         ///< number of fires from which on flames have their full height
+constexpr float kBlastGlow = 6.0f;           ///< radiant intensity of a flame of an explosion of size 1
+constexpr float kSparkGlow = 0.08f;          ///< the same of a spark
 constexpr double kSolidShare = 0.6;          ///< of the budget, for solid particles: the rest is for gas and fire
 constexpr double kImpactPuff = 1500;         ///< N s above which an impact raises dust
 constexpr double kMaxImpactStrength = 10.0;  ///< of sqrt(impulse / 4 kN s): above it the dust does not grow
@@ -112,6 +114,7 @@ void Particles::addDust(const DustCloud& cloud, const World& world) {
         p.growth = 0.0f;
         p.opacity = 1.0f;
         p.life = spark ? between(0.25f, 0.8f) : between(1.2f, 4.0f);
+        p.glow = spark ? kSparkGlow : 0.0f;
         p.floor = floor;
         p.seed = m_random.next();
         add(p);
@@ -132,6 +135,9 @@ void Particles::addBlast(const Blast& blast, const World& world) {
         p.growth = growth;
         p.opacity = opacity;
         p.life = life * between(0.6f, 1.3f);
+        p.glow = kind == ParticleKind::Flame   ? kBlastGlow * size * size
+                 : kind == ParticleKind::Spark ? kSparkGlow
+                                               : 0.0f;
         p.floor = floor;
         p.seed = m_random.next();
         add(p);

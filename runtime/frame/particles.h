@@ -13,8 +13,12 @@
 
 namespace rubble {
 
+/// Colour of the light of flames, linear.
+inline constexpr glm::vec3 kFireColor{1.0f, 0.42f, 0.12f};
+
 struct ParticleSettings {
     uint32_t maxAlive = 4096;            ///< particles at once; 0: none, at no cost
+    uint32_t maxLights = 4;              ///< that sparks and the flames of explosions together make
     glm::vec3 wind{0.9f, 0.0f, -0.25f};  ///< m/s, carries dust and smoke
 };
 
@@ -33,6 +37,8 @@ public:
     void clear() { m_alive.clear(); }
     /// As they are to be drawn.
     std::vector<SnapshotParticle> snapshot() const;
+    /// The light of what glows, in a few merged lights, the brightest first. Not that of fires, which have their own.
+    std::vector<SnapshotLight> lights() const;
     bool empty() const { return m_alive.empty(); }  ///< nothing is in the air
 
 private:
@@ -40,13 +46,14 @@ private:
         ParticleKind kind;
         glm::dvec3 position;
         glm::vec3 velocity;
-        glm::vec3 color;   ///< linear
-        float radius;      ///< metres, at birth
-        float growth;      ///< metres a second
-        float opacity;     ///< at its thickest
-        float age = 0.0f;  ///< seconds
-        float life;        ///< seconds
-        double floor;      ///< height of the ground below it
+        glm::vec3 color;    ///< linear
+        float radius;       ///< metres, at birth
+        float growth;       ///< metres a second
+        float opacity;      ///< at its thickest
+        float age = 0.0f;   ///< seconds
+        float life;         ///< seconds
+        float glow = 0.0f;  ///< radiant intensity at birth; it fades with age
+        double floor;       ///< height of the ground below it
         uint32_t seed;
     };
     void move(Particle& particle) const;

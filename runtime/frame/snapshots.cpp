@@ -98,8 +98,9 @@ void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> m
     addCreated(changes, world, out);
     addChanged(changes, world, out);
     addPoses(moved, world, out);
-    addLights(changes, moved, world, out);
+    const bool lightsChanged = updateLights(changes, moved, world);
     addParticles(changes, impacts, world, out);
+    listLights(out, lightsChanged);
     if (changes.levelReplaced) m_ripples.clear();
     addRipples(moved, world, out);
     if (changes.levelReplaced) m_ropes.clear();
@@ -189,15 +190,14 @@ void Snapshots::addRipples(std::span<const BodyPose> moved, const World& world, 
     out.ripples = m_ripples.snapshot();
 }
 
-void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
-                          FrameSnapshot& out) {
+bool Snapshots::updateLights(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world) {
     const bool listChanged =
         changes.levelReplaced || !changes.lights.empty() || !changes.groupsOut.empty() || changes.firesChanged;
     const auto carries = [&](const BodyPose& pose) {
         return std::binary_search(m_lightBodies.begin(), m_lightBodies.end(), pose.body);
     };
-    if (!listChanged && (m_lightBodies.empty() || std::none_of(moved.begin(), moved.end(), carries))) return;
-    out.lightsChanged = true;
+    if (!listChanged && (m_lightBodies.empty() || std::none_of(moved.begin(), moved.end(), carries))) return false;
+    m_lights.clear();
     m_lightBodies.clear();
     world.lights().forEach([&](LightHandle handle, const Light& light) {
         if (const Shape* shape = world.shapes().find(light.shape)) m_lightBodies.push_back(shape->body);
@@ -206,12 +206,23 @@ void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose>
         const Pose pose = lightToWorld(world, light);
         const glm::vec3 direction(pose.rotation * glm::dvec3(0.0, 0.0, -1.0));
         const glm::vec3 right(pose.rotation * glm::dvec3(1.0, 0.0, 0.0));
-        out.lights.push_back({light.kind, pose.position, direction, light.color, light.radius, light.reach,
-                              light.coneInner, light.coneOuter, right, light.width, light.height, light.twoSided,
-                              light.image, handle});
+        m_lights.push_back({light.kind, pose.position, direction, light.color, light.radius, light.reach,
+                            light.coneInner, light.coneOuter, right, light.width, light.height, light.twoSided,
+                            light.image, handle});
     });
     std::sort(m_lightBodies.begin(), m_lightBodies.end());
-    addFires(changes, world, out);
+    addFires(changes, world);
+    return true;
+}
+
+void Snapshots::listLights(FrameSnapshot& out, bool worldChanged) {
+    std::vector<SnapshotLight> glow;
+    if (!m_particles.empty()) glow = m_particles.lights();
+    if (!worldChanged && glow.empty() && !m_hadGlow) return;
+    m_hadGlow = !glow.empty();
+    out.lightsChanged = true;
+    out.lights = m_lights;
+    out.lights.insert(out.lights.end(), glow.begin(), glow.end());
 }
 
 /// Adds all ropes, if any of them moved in this step or the one before, or was created or removed.
@@ -238,20 +249,14 @@ void Snapshots::addRopes(const World& world, FrameSnapshot& out) {
 }
 
 /// Finds what burns, for the particles, and adds flickering lights over the biggest fires.
-void Snapshots::addFires(const FrameChanges& changes, const World& world, FrameSnapshot& out) {
+void Snapshots::addFires(const FrameChanges& changes, const World& world) {
     const std::vector<Fire> fires = findFires(world);
     if (changes.firesChanged || changes.levelReplaced) m_fires = fires;
     for (const FireLight& light : fireLights(fires, changes.step, world.settings().fire.maxLights)) {
         const float strength = 6.0f * std::sqrt(light.intensity);
         const glm::dvec3 above = light.position + glm::dvec3(0.0, 0.5 * light.radius, 0.0);
-        out.lights.push_back({LightKind::Sphere,
-                              above,
-                              {0, -1, 0},
-                              glm::vec3(1.0f, 0.42f, 0.12f) * strength,
-                              1.2f,
-                              4.0f + strength,
-                              0,
-                              0});
+        m_lights.push_back({LightKind::Sphere, above, {0, -1, 0}, kFireColor * strength, 1.2f, 4.0f + strength, 0, 0});
+        m_lights.back().fleeting = true;
     }
 }
 

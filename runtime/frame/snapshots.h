@@ -53,10 +53,12 @@ private:
     void addParticles(const FrameChanges& changes, std::span<const Impact> impacts, const World& world,
                       FrameSnapshot& out);
     void addRipples(std::span<const BodyPose> moved, const World& world, FrameSnapshot& out);
-    void addLights(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
-                   FrameSnapshot& out);
+    /// Brings m_lights up to date; whether it has changed.
+    bool updateLights(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world);
     void addRopes(const World& world, FrameSnapshot& out);
-    void addFires(const FrameChanges& changes, const World& world, FrameSnapshot& out);
+    /// Lists all lights of the world, of fires and of particles, if any of them has changed.
+    void listLights(FrameSnapshot& out, bool worldChanged);
+    void addFires(const FrameChanges& changes, const World& world);
     /// Moves the oldest waiting snapshot, without its shadow, behind `out`.
     void releaseOldest(std::optional<FrameSnapshot>& out);
     void post(std::optional<FrameSnapshot> snapshot, uint64_t newestStep);
@@ -68,6 +70,8 @@ private:
     std::vector<ShapeHandle> m_moving;      ///< shapes that the newest snapshot shows moving
     std::vector<ShapeHandle> m_moved;       ///< the same while it is being made
     std::vector<BodyHandle> m_lightBodies;  ///< that carry a light, ascending
+    std::vector<SnapshotLight> m_lights;    ///< of the world and its fires
+    bool m_hadGlow = false;                 ///< the newest list of lights has some of particles
     std::optional<Environment> m_environment;
     Particles m_particles;
     Ripples m_ripples;

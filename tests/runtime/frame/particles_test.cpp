@@ -68,6 +68,58 @@ TEST_F(ParticlesTest, FiresSmokeForAsLongAsTheyBurn) {
     EXPECT_TRUE(particles.empty());
 }
 
+TEST_F(ParticlesTest, AnExplosionLightsItsSurroundingsAndGoesDark) {
+    Particles particles({});
+    FrameChanges changes;
+    changes.blasts.push_back({.position = {4.0, 2.0, 4.0}, .size = 1.5});
+    particles.step(changes, {}, {}, world);
+    std::vector<SnapshotLight> lights = particles.lights();
+    ASSERT_FALSE(lights.empty());
+    EXPECT_LE(lights.size(), ParticleSettings().maxLights);
+    EXPECT_GT(lights[0].color.r, 10.0f);
+    EXPECT_GT(lights[0].color.r, 2.0f * lights[0].color.g) << "fire is orange";
+    EXPECT_LT(glm::distance(lights[0].position, glm::dvec3(4.0, 2.0, 4.0)), 2.0);
+    float last = 1e9f;
+    for (int step = 0; step < 90; ++step) {
+        particles.step({}, {}, {}, world);
+        float sum = 0.0f;
+        for (const SnapshotLight& light : particles.lights()) sum += light.color.r;
+        EXPECT_LE(sum, last * 1.01f);
+        last = std::max(sum, 1e-3f);
+    }
+    EXPECT_TRUE(particles.lights().empty());
+}
+
+TEST_F(ParticlesTest, SparksLightAndDustDoesNot) {
+    Particles metal({}), stone({});
+    metal.step(breaks("metal", 400), {}, {}, world);
+    stone.step(breaks("concrete", 400), {}, {}, world);
+    EXPECT_FALSE(metal.lights().empty());
+    EXPECT_TRUE(stone.lights().empty());
+}
+
+TEST_F(ParticlesTest, SnapshotsListTheLightOfAnExplosionUntilItHasGone) {
+    Snapshots snapshots{ParticleSettings{}};
+    snapshots.publishWithoutShadow(world.applyEdits({}), {}, world);
+    snapshots.take();
+    FrameChanges changes;
+    changes.step = world.step();
+    changes.blasts.push_back({.position = {4.0, 2.0, 4.0}, .size = 1.5});
+    snapshots.publishWithoutShadow(changes, {}, world);
+    auto taken = snapshots.take();
+    ASSERT_TRUE(taken && taken->lightsChanged);
+    EXPECT_FALSE(taken->lights.empty());
+    bool isDark = false;
+    for (int step = 0; step < 120; ++step) {
+        snapshots.publishWithoutShadow({}, {}, world);
+        taken = snapshots.take();
+        if (!taken || !taken->lightsChanged) continue;
+        EXPECT_FALSE(isDark) << "a list of lights without a change";
+        isDark = taken->lights.empty();
+    }
+    EXPECT_TRUE(isDark);
+}
+
 TEST_F(ParticlesTest, TheSameStepsGiveTheSameParticles) {
     Particles a({}), b({});
     for (Particles* each : {&a, &b}) {
