@@ -223,7 +223,10 @@ void Renderer::Impl::drawLight(const FrameContext& frame) {
     run("filter", DepthBuffer | AccumulatedLight | Surface, DenoisedLight | DenoisedLightScratch,
         [&] { filter.draw(frame); });
     if (ReflectionsPass::needed(frame))
-        run("reflections", kGBuffer | GlassSurface | DenoisedLight | kBounceHistory, Reflection | ReflectionMask,
+        run("reflections",
+            kGBuffer | GlassSurface | DenoisedLight | Surface | kBounceHistory |
+                previous(AccumulatedReflection | ReflectionMoments),
+            Reflection | ReflectionMask | NoisyReflection | AccumulatedReflection | ReflectionMoments,
             [&] { reflections.draw(frame); });
 }
 
@@ -250,10 +253,14 @@ void Renderer::Impl::drawImage(const FrameContext& frame) {
     run("tonemap", Resolved | Exposure | Bloom0, Final, [&] { tonemap.draw(frame); });
 }
 
+/// World height of the plane of fields around a level, in metres: a little below the ground of levels, which is at 0.
+constexpr double kFieldsHeight = -0.05;
+
 void Renderer::Impl::fillBlock(const View& view, glm::ivec2 renderSize) {
     history->camera.begin(view, renderSize, settings.temporal, scene.origin(), block);
     const Environment& e = scene.environment();
-    block.counters.z = int(scene.lights().size());
+    block.counters.z = int(std::count_if(scene.lights().begin(), scene.lights().end(),
+                                         [](const SnapshotLight& light) { return !light.fleeting; }));
     block.counters.w = settings.noise == Noise::White;
     block.sunDirection = glm::vec4(glm::normalize(e.sunDirection), e.sunAngle);
     block.sunColor = glm::vec4(e.sunColor, 0.0f);
@@ -264,7 +271,7 @@ void Renderer::Impl::fillBlock(const View& view, glm::ivec2 renderSize) {
     block.fog = glm::vec4(e.fogDensity, float(double(e.fogBase) - scene.origin().y), std::max(e.fogHeight, 0.1f),
                           std::clamp(e.fogForward, -0.9f, 0.9f));
     block.fogTint = glm::vec4(e.fogTint, 0.0f);
-    block.skyCover = glm::vec4(e.clouds, e.stars, 0.0f, 0.0f);
+    block.skyCover = glm::vec4(e.clouds, e.stars, float(kFieldsHeight - scene.origin().y), 0.0f);
     block.exposure = glm::vec4(e.exposure);
     scene.describeShadow(block);
 }

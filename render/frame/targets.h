@@ -31,6 +31,9 @@ enum class Target {
     DenoisedLight,
     DenoisedLightScratch,
     ReflectionMask,
+    NoisyReflection,
+    AccumulatedReflection,
+    ReflectionMoments,
     Reflection,
     Radiance,
     DiffuseFraction,
@@ -103,6 +106,9 @@ inline constexpr std::array<TargetDeclaration, kTargetCount> kTargets = [] {
 
         // Composition.
         {ReflectionMask, "reflectionMask", GL_DEPTH_COMPONENT32F},
+        {NoisyReflection, "noisyReflection", GL_RGBA16F},
+        {AccumulatedReflection, "accumulatedReflection", GL_RGBA16F, Render, 1, kLinear, kHistory},
+        {ReflectionMoments, "reflectionMoments", GL_RGBA16F, Render, 1, kLinear, kHistory},
         {Reflection, "reflection", GL_RGBA16F},
         {Radiance, "radiance", GL_RGBA16F, Render, 1, kLinear, kHistory},
         {DiffuseFraction, "diffuseFraction", GL_R8, Render, 1, kLinear, kHistory},

@@ -11,9 +11,6 @@
 namespace rubble {
 namespace {
 
-/// World height of the plane of fields around a level, in metres: a little below the ground of levels, which is at 0.
-constexpr double kPlaneHeight = -0.05;
-
 void bindReflections(const Program& program, const FrameContext& frame) {
     const bool reflections = ReflectionsPass::needed(frame), glass = frame.scene.hasGlass();
     program.set("uHasReflections", int(reflections));
@@ -56,13 +53,11 @@ void CompositePass::draw(const FrameContext& frame, const GlassShadowPass* glass
 
 void CompositePass::drawBackground(const FrameContext& frame) {
     const DepthLimit limit(DepthLimit::To::Sky);
-    const float planeHeight = float(kPlaneHeight - frame.scene.origin().y);
-    m_tiles.update(frame.block, frame.block.cameraPosition.y - planeHeight);
+    m_tiles.update(frame.block, frame.block.cameraPosition.y - frame.block.skyCover.z);
     for (const auto band : {BackgroundTiles::Sky, BackgroundTiles::Fields, BackgroundTiles::Both}) {
         const Program& program = *m_backgrounds[band];
         if (!program || m_tiles.empty(band)) continue;
         program.use();
-        program.set("uPlaneHeight", planeHeight);
         m_tiles.draw(program, band, frame);
     }
 }

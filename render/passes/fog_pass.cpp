@@ -11,7 +11,8 @@ namespace rubble {
 namespace {
 
 constexpr const char* kMissing = "fog is not drawn";
-constexpr int kMaxHistory = 12;  ///< frames averaged: light through a new hole takes no longer to appear in the fog
+/// Frames averaged while nothing changes, and while anything does: light through a new hole takes no longer to appear.
+constexpr int kMaxHistory = 128, kMaxHistoryAfterChange = 12;
 
 }  // namespace
 
@@ -24,9 +25,17 @@ bool FogPass::needed(const FrameContext& frame) {
     return frame.settings.fog && frame.block.fog.x > 0.0f;
 }
 
-void FogPass::drawLight(const FrameContext& frame) const {
+int FogPass::maxHistory(const FrameContext& frame) {
+    const bool changed = !frame.scene.dirtyRegions().boxes().empty() || m_environment != frame.scene.environment();
+    m_environment = frame.scene.environment();
+    const int frames = changed ? kMaxHistoryAfterChange : kMaxHistory;
+    return frame.lightGrid ? std::min(frames, frame.lightGrid->framesSinceChange() + 1) : frames;
+}
+
+void FogPass::drawLight(const FrameContext& frame) {
     const History light = frame.targets.history(Target::FogLight);
     const bool lights = LocalLightsPass::needed(frame) && !frame.lightGrid->empty();
+    const int frames = maxHistory(frame);
     drawFullscreen(frame, m_light, {{&light.current}}, [&](const Program& program) {
         frame.scene.bindShadow(program);
         if (lights) frame.lightGrid->bind(program);
@@ -36,9 +45,7 @@ void FogPass::drawLight(const FrameContext& frame) const {
         program.set("uHistory", light.previous);
         program.set("uHistoryValid", int(frame.settings.temporal && light.valid));
         program.set("uSunUp", int(frame.settings.sun && frame.block.sunDirection.y > 0.0f));
-        program.set(
-            "uMaxHistory",
-            float(frame.lightGrid ? std::min(kMaxHistory, frame.lightGrid->framesSinceChange() + 1) : kMaxHistory));
+        program.set("uMaxHistory", float(frames));
     });
 }
 
@@ -57,7 +64,7 @@ void FogPass::drawOver(const FrameContext& frame) const {
     });
 }
 
-void FogPass::draw(const FrameContext& frame) const {
+void FogPass::draw(const FrameContext& frame) {
     if (!m_light || !m_filter || !m_over) return;
     drawLight(frame);
     drawFilter(frame);

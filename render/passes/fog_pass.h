@@ -1,5 +1,8 @@
 #pragma once
+#include <optional>
+
 #include "render/frame/frame_context.h"
+#include "render/scene/scene.h"
 
 namespace rubble {
 
@@ -10,18 +13,21 @@ public:
     /// Builds its programs. If one fails, shaders.errors() says why and it is not drawn.
     explicit FogPass(ShaderLibrary& shaders);
     /// Fills FogLight and Fog, and blends the fog over Radiance.
-    void draw(const FrameContext& frame) const;
+    void draw(const FrameContext& frame);
     /// Whether the environment has fog and the settings want it.
     static bool needed(const FrameContext& frame);
 
 private:
-    void drawLight(const FrameContext& frame) const;
+    /// Frames that the light of fog is averaged over: few while anything changes.
+    int maxHistory(const FrameContext& frame);
+    void drawLight(const FrameContext& frame);
     void drawFilter(const FrameContext& frame) const;
     void drawOver(const FrameContext& frame) const;
 
     FullscreenProgram& m_light;
     FullscreenProgram& m_filter;
     FullscreenProgram& m_over;
+    std::optional<Environment> m_environment;  ///< of the last frame
 };
 
 }  // namespace rubble

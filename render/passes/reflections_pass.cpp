@@ -1,5 +1,7 @@
 #include "render/passes/reflections_pass.h"
 
+#include <algorithm>
+
 #include "render/passes/bounce.h"
 #include "render/passes/fullscreen.h"
 #include "render/passes/gbuffer_pass.h"
@@ -17,11 +19,16 @@ void bindMirror(const Program& program, const FrameContext& frame) {
     if (glass) program.set("uGlassSurface", *pane);
 }
 
+constexpr int kMaxFilterPasses = 3;  ///< lobes of traced reflections reach no farther
+const glm::vec4 kNone(0.0f);
+
 }  // namespace
 
 ReflectionsPass::ReflectionsPass(ShaderLibrary& shaders)
     : m_mask(shaders.load("passes/reflection_mask.frag")),
-      m_program(shaders.loadFullscreen("passes/reflections.frag", {.surfacesOnly = true})) {}
+      m_program(shaders.loadFullscreen("passes/reflections.frag", {.surfacesOnly = true})),
+      m_accumulate(shaders.loadFullscreen("passes/reflection_accumulate.frag", {.surfacesOnly = true})),
+      m_filter(shaders.loadFullscreen("passes/reflection_filter.frag", {.surfacesOnly = true})) {}
 
 bool ReflectionsPass::needed(const FrameContext& frame) {
     return frame.settings.reflections &&
@@ -29,7 +36,21 @@ bool ReflectionsPass::needed(const FrameContext& frame) {
 }
 
 void ReflectionsPass::draw(const FrameContext& frame) const {
-    if (!m_mask || !m_program) return;
+    if (!m_mask || !m_program || !m_accumulate || !m_filter) return;
+    const Texture& mask = drawMask(frame);
+    const FullscreenTargets into{{&frame.targets.target(Target::NoisyReflection)}, &mask, {kNone}};
+    drawFullscreen(frame, m_program, into, [&](const Program& program) {
+        bindMirror(program, frame);
+        frame.scene.bindShadow(program);
+        bindBounce(program, frame, BounceRays::Mirrored);
+        program.set("uLight", frame.targets.at(Target::DenoisedLight));
+        program.set("uBlueNoise", frame.blueNoise);
+    });
+    accumulate(frame, mask);
+    filter(frame, mask);
+}
+
+const Texture& ReflectionsPass::drawMask(const FrameContext& frame) const {
     const Texture& mask = frame.targets.target(Target::ReflectionMask);
     frame.targets.framebuffer({}, &mask).begin();
     const float farthest = 1.0f;
@@ -40,15 +61,42 @@ void ReflectionsPass::draw(const FrameContext& frame) const {
     bindMirror(m_mask, frame);
     frame.drawTriangle();
     glDisable(GL_DEPTH_TEST);
+    return mask;
+}
 
-    const FullscreenTargets into{{&frame.targets.target(Target::Reflection)}, &mask, {glm::vec4(0.0f)}};
-    drawFullscreen(frame, m_program, into, [&](const Program& program) {
+void ReflectionsPass::accumulate(const FrameContext& frame, const Texture& mask) const {
+    const History light = frame.targets.history(Target::AccumulatedReflection);
+    const History moments = frame.targets.history(Target::ReflectionMoments);
+    const History surface = frame.targets.history(Target::Surface);
+    const FullscreenTargets into{{&light.current, &moments.current}, &mask, {kNone, kNone}};
+    drawFullscreen(frame, m_accumulate, into, [&](const Program& program) {
         bindMirror(program, frame);
-        frame.scene.bindShadow(program);
-        bindBounce(program, frame, BounceRays::Mirrored);
-        program.set("uLight", frame.targets.at(Target::DenoisedLight));
-        program.set("uBlueNoise", frame.blueNoise);
+        program.set("uNoisyReflection", frame.targets.at(Target::NoisyReflection));
+        program.set("uReflectionHistory", light.previous);
+        program.set("uMomentHistory", moments.previous);
+        program.set("uSurfaceHistory", surface.previous);
+        program.set("uHistoryValid", int(frame.settings.temporal && light.valid && moments.valid && surface.valid));
     });
+}
+
+void ReflectionsPass::filter(const FrameContext& frame, const Texture& mask) const {
+    const Texture* source = &frame.targets.at(Target::AccumulatedReflection);
+    const int steps = std::clamp(frame.settings.filterPasses, 1, kMaxFilterPasses);
+    for (int step = 0; step < steps; ++step) {
+        // The two targets alternate; the last step writes Reflection.
+        const Texture& target = frame.targets.target((steps - step) % 2 ? Target::Reflection : Target::NoisyReflection);
+        const FullscreenTargets into{{&target}, &mask, {kNone}};
+        drawFullscreen(frame, m_filter, into, [&](const Program& program) {
+            program.set("uReflection", *source);
+            program.set("uMoments", frame.targets.at(Target::ReflectionMoments));
+            program.set("uSurface", frame.targets.at(Target::Surface));
+            // Without filter passes one step of stride 0 copies each pixel.
+            program.set("uStride", frame.settings.filterPasses ? 1 << step : 0);
+            program.set("uDiagonal", step % 2);
+            program.set("uIsLast", int(step + 1 == steps));
+        });
+        source = &target;
+    }
 }
 
 }  // namespace rubble

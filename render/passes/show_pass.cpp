@@ -23,6 +23,7 @@ constexpr auto kViews = [] {
         {"sun", Target::DenoisedLight, Alpha},
         {"denoisedLight", Target::DenoisedLight, Linear},
         {"history", Target::Surface, History},
+        {"accumulatedReflection", Target::AccumulatedReflection, Linear},
         {"reflection", Target::Reflection, Linear},
         {"radiance", Target::Radiance, Linear},
         {"resolved", Target::Resolved, Linear},

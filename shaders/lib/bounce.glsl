@@ -36,8 +36,9 @@ const float kDefaultAlbedo = 0.3;    // where no voxel is found
 // Clamps against fireflies close to a light: an absolute radiance, or a multiple of that at the path's start.
 const float kMaxLightRadiance = 6.0, kMaxLightRadianceRatio = 150.0;
 const float kMaxOpennessRatio = 1.4;
-const float kMaxHitRadiance = 3.0;   // clamp of what a hit sends: few rays meet the brightest places, as fireflies
-const float kMaxSunDistance = 64.0;  // metres of a shadow ray to the sun
+const float kMaxHitRadiance = 3.0;  // clamp of what a hit sends: few rays meet the brightest places, as fireflies
+const float kMaxEmissionRatio = 10.0, kMaxEmission = 0.3;  // see maxEmission()
+const float kMaxSunDistance = 64.0;                        // metres of a shadow ray to the sun
 const vec2 kIndoorProximity = vec2(0.1, 0.3);  // hit proximity between which light comes ever more from all around
 const float kMaxReflectance = 0.95;            // below 1, or the ambient share of a white room would grow for ever
 
@@ -51,10 +52,11 @@ vec3 faceNormal(vec3 hitWorld, vec3 direction) {
     return vec3(0, 0, -sign(direction.z));
 }
 
-/// rgb: radiance that the previous frame shows at a hit. a: its weight, 0 where the place is not visible.
-/// normal: of the face that was hit. The visible surface must face the same way, or it is the far side of a thin wall.
-/// emissionWeight: factor for voxels that emit and have a light: rays to that light must not count their light twice.
-vec4 radianceOnScreen(vec3 hitWorld, vec3 normal, float emissionWeight) {
+/// rgb: radiance that the previous frame shows at a hit. a: its weight, 0 where the place is not visible. normal: of
+/// the face that was hit. The visible surface must face the same way, or it is the far side of a thin wall.
+/// maxRadiance: clamp of what a surface shows that emits. emissionWeight: factor for voxels that emit and have a light:
+/// rays to that light must not count their light twice.
+vec4 radianceOnScreen(vec3 hitWorld, vec3 normal, float emissionWeight, float maxRadiance) {
     if (!uHistoryValid) return vec4(0.0);
     vec4 clip = frame.previousViewProjection * vec4(hitWorld, 1.0);
     if (clip.w < 0.1 || any(greaterThanEqual(abs(clip.xy), vec2(clip.w)))) return vec4(0.0);
@@ -71,7 +73,8 @@ vec4 radianceOnScreen(vec3 hitWorld, vec3 normal, float emissionWeight) {
     if (uDiffuseOnly) radiance *= texelFetch(uDiffuseFractionHistory, pixel, 0).x;
     vec2 fromEdge = (1.0 - abs(clip.xy / clip.w)) / kScreenEdgeFade;
     float emissionScale = surface.z < 0.0 && frame.counters.z > 0 ? emissionWeight : 1.0;
-    return vec4(clamp(radiance / (1.0 - haze), vec3(0.0), vec3(kMaxHitRadiance)) * emissionScale,
+    float most = surface.z < 0.0 ? min(maxRadiance, kMaxHitRadiance) : kMaxHitRadiance;
+    return vec4(clamp(radiance / (1.0 - haze), vec3(0.0), vec3(most)) * emissionScale,
                 clamp(min(fromEdge.x, fromEdge.y), 1e-3, 1.0) * previousFrameCounts(hitWorld, luminance(radiance)));
 }
 
@@ -82,10 +85,18 @@ struct PathStart {
     vec3 random;           // for the choice of a light and of a point on it
     vec2 directionSample;  // for the direction of the path's next ray
     float hitProximity;    // of its surroundings (passes/sky.frag): 0 in the open
+    float maxEmission;     // clamp of the radiance of voxels that emit
 };
 
 PathStart startPath(vec3 light, vec3 normal, ivec2 lights) {
-    return PathStart(light, normal, lights, vec3(0.0), vec2(0.0), 0.0);
+    return PathStart(light, normal, lights, vec3(0.0), vec2(0.0), 0.0, kMaxHitRadiance);
+}
+
+/// Clamp of what voxels that emit send to a diffuse surface. Few rays meet a small one that is far away, and each of
+/// them would be a firefly; it hardly lights the surface. One that many rays meet is soon not above kMaxEmissionRatio
+/// times the light that they bring, and counts in full.
+float maxEmission(vec3 light, float metres) {
+    return clamp(max(kMaxEmissionRatio * luminance(light), kMaxEmission / (metres * metres)), 1e-3, kMaxHitRadiance);
 }
 
 /// Irradiance of a face under an open sky, relative to a face that looks up.
@@ -134,7 +145,8 @@ OffscreenFace shadeOffscreenFace(vec3 hitWorld, vec3 normal, vec3 direction, Pat
     for (int i = 0; i < 2 && !found; ++i) found = voxelAt(middle + direction * (kShadowCell * float(i)), entry);
     if (!found) return OffscreenFace(kDefaultAlbedo * (sun + localLight), vec3(kDefaultAlbedo));
     vec3 albedo = srgbToLinear(entry.color), f0 = mix(vec3(entry.reflectivity), albedo, entry.metallic);
-    vec3 emitted = min(albedo * entry.emission, vec3(kMaxHitRadiance)) * (frame.counters.z > 0 ? emissionWeight : 1.0);
+    vec3 emitted =
+        min(albedo * entry.emission, vec3(start.maxEmission)) * (frame.counters.z > 0 ? emissionWeight : 1.0);
     vec3 toSun = frame.sunDirection.xyz, specular = fresnel(f0, dot(-direction, normalize(toSun - direction)));
     specular *= specularLobe(normal, -direction, toSun, entry.roughness) * kPi;
     vec3 diffuse = albedo * (1.0 - entry.metallic) * (1.0 - f0), reflectance = diffuse + f0;
@@ -155,7 +167,7 @@ vec3 radianceAt(vec3 hitWorld, vec3 direction, PathStart start, float emissionWe
     if (!uBounce) return radiance;
     for (int i = 1;; ++i) {
         vec3 normal = faceNormal(hitWorld, direction);
-        vec4 onScreen = radianceOnScreen(hitWorld, normal, emissionWeight);
+        vec4 onScreen = radianceOnScreen(hitWorld, normal, emissionWeight, start.maxEmission);
         radiance += throughput * onScreen.a * onScreen.rgb;
         throughput *= 1.0 - onScreen.a;
         if (onScreen.a == 1.0) break;

@@ -81,10 +81,10 @@ vec3 withHills(vec3 sky, vec3 direction) {
     return sky;
 }
 
-/// Fields from the level's edge to the horizon, on a plane a little below the ground. eyeHeight: over that plane.
-vec3 fieldsBelow(vec3 direction, float eyeHeight) {
-    float distanceMetres = eyeHeight / max(-direction.y, 1e-4);
-    vec2 place = direction.xz * distanceMetres + frame.cameraPosition.xz;
+/// Fields from the level's edge to the horizon, on a plane a little below the ground, seen from a point over it.
+vec3 fieldsBelow(vec3 origin, vec3 direction) {
+    float distanceMetres = (origin.y - frame.skyCover.z) / max(-direction.y, 1e-4);
+    vec2 place = direction.xz * distanceMetres + origin.xz;
     float detail = exp2(-distanceMetres * 0.02);
     float patches = fractalNoise(place * 0.02, 3);
     float tufts = mix(0.5, fractalNoise(place * 0.9, 3), detail);
@@ -131,8 +131,19 @@ vec3 skyBehind(vec3 direction) {
     return sky;
 }
 
-/// All that lies behind the level as the camera sees it. eyeHeight: over the plane of the fields.
-vec3 backgroundRadiance(vec3 direction, float eyeHeight) {
-    if (direction.y < 0.0 && eyeHeight > 0.0) return fieldsBelow(direction, eyeHeight);
+/// Whether fields are what a ray that leaves the level meets.
+bool meetsFields(vec3 origin, vec3 direction) { return direction.y < 0.0 && origin.y > frame.skyCover.z; }
+
+/// All that lies behind the level as the camera sees it.
+vec3 backgroundRadiance(vec3 direction) {
+    vec3 origin = frame.cameraPosition.xyz;
+    if (meetsFields(origin, direction)) return fieldsBelow(origin, direction);
     return withHills(skyBehind(direction), direction);
+}
+
+/// All that lies behind the level as a mirror shows it: without the sun's disc and stars, which highlights stand for.
+vec3 mirroredBackground(vec3 origin, vec3 direction) {
+    if (meetsFields(origin, direction)) return fieldsBelow(origin, direction);
+    vec3 sky = skyRadiance(direction);
+    return direction.y > 0.0 ? withHills(withClouds(sky, direction), direction) : sky;
 }

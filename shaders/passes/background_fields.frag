@@ -4,13 +4,11 @@
 #include "lib/sky.glsl"
 #include "lib/color.glsl"
 
-uniform float uPlaneHeight;  // of the fields around the level, metres
-
 in vec2 uv;
 out vec4 radiance;
 
 void main() {
     vec3 direction = normalize(viewRay(uv));
-    vec3 color = fieldsBelow(direction, frame.cameraPosition.y - uPlaneHeight);
+    vec3 color = fieldsBelow(frame.cameraPosition.xyz, direction);
     radiance = vec4(halfRange(color), 1.0);
 }

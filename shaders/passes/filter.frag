@@ -15,6 +15,7 @@
 #include "lib/noise.glsl"
 #include "lib/half.glsl"
 #include "lib/surface_history.glsl"
+#include "lib/atrous.glsl"
 
 uniform sampler2D uLight;    // rgb light, a share of the sun
 uniform sampler2D uSurface;  // lib/surface_history.glsl
@@ -28,15 +29,9 @@ out vec4 filtered;
 const int kTaps = 5;  // the first is the pixel itself
 const float kCentreWeight = 1.5;
 const float kLongHistory = 12.0;  // frames
-const float kLowNoise = 0.10;     // relative standard deviation of the accumulated light
+const float kLowNoise = 0.10;                          // relative standard deviation of the accumulated light
 // Deviation of one sample of hit proximity, relative to the largest that a number in [0, 1] with its mean can have.
 const float kProximityDeviation = 0.3;
-
-/// Tukey's biweight: 1 for no difference, 0 from twice the scale on.
-float biweight(float x) {
-    float y = max(0.0, 1.0 - 0.25 * x * x);
-    return y * y;
-}
 
 /// 1 / the difference of hit proximity that counts as one deviation. Early samples say little about the deviation.
 float proximityScaleOf(vec4 centre) {
@@ -44,33 +39,6 @@ float proximityScaleOf(vec4 centre) {
     float proximityDeviation = mix(1.0, kProximityDeviation * sqrt(hitProximity * (1.0 - hitProximity)),
                                    clamp((frames - 1.0) / 4.0, 0.0, 1.0));
     return 1.0 / (2.0 * proximityDeviation * inversesqrt(max(frames, 1.0)) + 0.03);
-}
-
-/// The plane of the pixel's surface. Height of a tap over it = dot(normal, ray) x depth - the pixel's own, and
-/// dot(normal, ray) is linear in pixels.
-struct Plane {
-    float facing, facingX, facingY;  // dot(normal, ray) of the pixel, and its change a pixel
-    float depth, scale;
-};
-
-Plane planeOf(vec4 centre) {
-    vec3 normal = unpackNormal(centre.y);
-    float facing = dot(normal, viewRay(uv));
-    float facingX = dot(normal, frame.cameraRight.xyz) * 2.0 * frame.cameraRight.w * frame.targetSize.z;
-    float facingY = dot(normal, frame.cameraUp.xyz) * 2.0 * frame.cameraUp.w * frame.targetSize.w;
-    return Plane(facing, facingX, facingY, centre.x, 1.0 / (0.01 + 0.0015 * centre.x));
-}
-
-float planeWeight(Plane plane, vec2 away, float depth) {
-    float height =
-        (plane.facing + plane.facingX * away.x + plane.facingY * away.y) * depth - plane.facing * plane.depth;
-    return max(0.0, 1.0 - abs(height) * plane.scale);
-}
-
-/// Offset of tap i in strides.
-ivec2 tapOffset(int i) {
-    ivec2 offset = ivec2(i == 1 ? 1 : i == 2 ? -1 : 0, i == 3 ? 1 : i == 4 ? -1 : 0);
-    return uDiagonal ? ivec2(offset.x + offset.y, offset.x - offset.y) : offset;
 }
 
 void main() {
@@ -86,12 +54,12 @@ void main() {
         filtered = centreLight;
         return;
     }
-    Plane plane = planeOf(centre);
+    Plane plane = planeOf(uv, centre);
     vec4 lights[kTaps];
     float lums[kTaps], weights[kTaps], proximityWeights[kTaps];
     float sun = 0.0, total = 0.0, lum = 0.0, squares = 0.0, temporal = 0.0;
     for (int i = 0; i < kTaps; ++i) {
-        ivec2 p = clamp(pixel + tapOffset(i) * uStride, ivec2(0), high);
+        ivec2 p = clamp(pixel + tapOffset(i, uDiagonal) * uStride, ivec2(0), high);
         vec4 there = i == 0 ? centre : texelFetch(uSurface, p, 0);
         float w = i == 0 ? kCentreWeight : there.y == centre.y ? planeWeight(plane, vec2(p - pixel), there.x) : 0.0;
         proximityWeights[i] = biweight((fract(there.z) - hitProximity) * proximityScale);

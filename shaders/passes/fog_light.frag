@@ -10,6 +10,7 @@
 // weighted reservoir sampling.
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
+#include "lib/half.glsl"
 #include "lib/sampling.glsl"
 #include "lib/shadow_trace.glsl"
 #include "lib/sky.glsl"
@@ -21,11 +22,15 @@ uniform sampler2D uHistory;  // rgb mean light, a frames
 uniform bool uHistoryValid;
 uniform bool uSunUp;
 uniform bool uHasLocalLights;
-uniform float uMaxHistory;  // frames
+uniform float uMaxHistory;  // frames; fewer count where the image moves
 
 in vec2 uv;
 out vec4 light;
 
+// Roberts' R5 sequence: powers of 1 / g, where g^6 = g + 1.
+const vec4 kStepsOfFive = vec4(0.8812714616, 0.7766393890, 0.6844301295, 0.6031687406);
+const float kFifthStep = 0.5315553977, kGoldenStep = 0.6180339887;
+const float kMaxHistoryInMotion = 12.0;                      // frames
 const float kSunRayDistance = 80.0, kSkyRayDistance = 16.0;  // metres
 
 struct FogRay {
@@ -130,6 +135,13 @@ vec3 otherInscatter(FogRay ray, ivec2 pixel, vec2 random, vec3 u) {
     return chosen.light * (reservoir.weightSum / reservoir.weight);
 }
 
+/// As blueNoise(), with a step of its own for each of the five numbers that a sample takes together. With the same
+/// steps their differences would stay, and each pixel would come to a wrong mean of its own.
+vec2 sampleOf(ivec2 halfPixel, int dimension, vec2 steps) {
+    if (frame.counters.w == 1) return blueNoise(halfPixel, dimension, frame.counters.x);
+    return fract(blueNoise(halfPixel, dimension, 0) + float(frame.counters.x & 1023) * steps);
+}
+
 void main() {
     ivec2 pixel = min(ivec2(gl_FragCoord.xy) * 2, ivec2(frame.targetSize.xy) - 1);
     vec3 toPixel = viewRay((vec2(pixel) + 0.5) * frame.targetSize.zw);
@@ -139,16 +151,20 @@ void main() {
     ray.end = min(texelFetch(uDepth, pixel, 0).r * stretch, kMaxFogDistance);
     ray.share = max(1.0 - exp(-fogOpticalDepth(ray.direction.y, ray.end)), 1e-5);
     ivec2 halfPixel = ivec2(gl_FragCoord.xy);
-    vec2 u = blueNoise(halfPixel, 30, frame.counters.x), v = blueNoise(halfPixel, 31, frame.counters.x),
-         w = blueNoise(halfPixel, 32, frame.counters.x);
-    vec3 now = sunInscatter(ray, u.x) + otherInscatter(ray, pixel, v, vec3(w, u.y));
+    vec2 u = sampleOf(halfPixel, 30, kStepsOfFive.xy), v = sampleOf(halfPixel, 31, kStepsOfFive.zw),
+         w = sampleOf(halfPixel, 32, vec2(kFifthStep, kGoldenStep));
+    vec3 now = sunInscatter(ray, w.y) + otherInscatter(ray, pixel, v, vec3(u, w.x));
     light = vec4(min(now, vec3(1000.0)), 1.0);
 
     vec3 middle = frame.cameraPosition.xyz + ray.direction * sampleFogDistance(ray, 0.5);
     vec4 clip = frame.previousViewProjection * vec4(middle, 1.0);
     vec2 lastUv = clip.xy / max(clip.w, 1e-3) * 0.5 + 0.5;
     if (!uHistoryValid || clip.w < 0.05 || lastUv != clamp(lastUv, vec2(0.0), vec2(1.0))) return;
-    vec4 last = texture(uHistory, lastUv);
-    light.a = min(last.a + 1.0, uMaxHistory);
-    light.rgb = mix(last.rgb, light.rgb, 1.0 / light.a);
+    // What stands still on the screen keeps its own texel, so that noise does not run into blotches.
+    vec2 pixelUv = (vec2(pixel) + 0.5) * frame.targetSize.zw;
+    bool isStill = length((lastUv - pixelUv - frame.jitter.xy) * frame.targetSize.xy) < 0.05;
+    vec4 last = isStill ? texelFetch(uHistory, halfPixel, 0) : texture(uHistory, lastUv);
+    float frames = min(last.a + 1.0, isStill ? uMaxHistory : min(uMaxHistory, kMaxHistoryInMotion));
+    light = stochasticRoundToHalf(vec4(mix(last.rgb, light.rgb, 1.0 / frames), 0.0), halfPixel, 9);
+    light.a = frames;
 }

@@ -1,7 +1,7 @@
 // Reflections of smooth surfaces and glass: one mirror ray a pixel. The reflected radiance is the integral of L times
 // the specular lobe. Its direction is drawn by reflecting the view about a visible GGX normal (lib/sampling.glsl),
-// whose density is nearly the lobe itself, so that the sample is just the radiance of the ray. rgb radiance, a 1 where
-// a ray was traced.
+// whose density is nearly the lobe itself, so that the sample is just the radiance of the ray. rgb radiance, a metres
+// to the hit. Passes "reflection_accumulate" and "reflection_filter" take away the noise.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
@@ -17,17 +17,15 @@ uniform sampler2D uLight;
 in vec2 uv;
 out vec4 reflection;
 
-const float kMaxRayDistance = 40.0;  // metres
-const float kMinRoughness = 0.03;    // smoother surfaces mirror as if they were ideal
+const float kMaxRayDistance = 1e5;  // metres: to the edge of the level, beyond which there is nothing to meet
+const float kSkyMetres = 1000.0;    // of what is farther the image hardly moves
+const float kMinRoughness = 0.03;   // smoother surfaces mirror as if they were ideal
 
 /// Radiance of a mirror ray, without the sun's disc: the analytic highlight has that, and without noise.
-vec3 mirrored(vec3 origin, vec3 direction, PathStart start, float emissionWeight) {
-    float t;
-    if (shadowTrace(origin, direction, kMaxRayDistance, t))
-        return radianceAt(origin + direction * t, direction, start, emissionWeight);
-    vec3 sky = direction.y > 0.0 ? withHills(withClouds(skyRadiance(direction), direction), direction)
-                                 : skyRadiance(direction);
-    return sky;
+vec3 mirrored(vec3 origin, vec3 direction, PathStart start, float emissionWeight, out float t) {
+    if (!shadowTrace(origin, direction, kMaxRayDistance, t)) return mirroredBackground(origin, direction);
+    return mix(radianceAt(origin + direction * t, direction, start, emissionWeight), hazeRadiance(direction),
+               hazeAmount(t));
 }
 
 void main() {
@@ -47,7 +45,8 @@ void main() {
                   uBounceLights ? lightsAt(pixel, dot(m.position - frame.cameraPosition.xyz, frame.cameraForward.xyz))
                                 : ivec2(0));
     start.random = more;
-    reflection = vec4(halfRange(mirrored(shadowOrigin(m.position, m.normal), normalize(direction), start,
-                                         1.0 - analyticHighlightShare(m.roughness))),
-                      1.0);
+    float t;
+    vec3 radiance = mirrored(shadowOrigin(m.position, m.normal), normalize(direction), start,
+                             1.0 - analyticHighlightShare(m.roughness), t);
+    reflection = vec4(halfRange(radiance), clamp(t, 0.01, kSkyMetres));
 }

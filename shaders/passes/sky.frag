@@ -43,6 +43,7 @@ void main() {
         start.directionSample = blueNoise(pixel, 7, frame.counters.x * uRayCount + i);
         float t;
         if (shadowTraceCoarse(origin, direction, uMaxDistance, uExactDistance, t)) {
+            if (known) start.maxEmission = maxEmission(start.light, t);
             light.rgb += radianceAt(origin + direction * t, direction, start, 0.0);
             hitProximity.x += kHalfProximityDistance / (kHalfProximityDistance + t);
         } else {

@@ -34,13 +34,13 @@ uniform int uRippleCount;
 const float kRingWidth = 0.45;  // metres to each side of a crest
 const float kRingPhase = 9.42;  // 3 pi: radians of the wave to each side of a crest
 const float kRefractiveIndex = 1.33;
-const float kReflectance = 0.02;       // at normal incidence
-const float kMaxBend = 3.0;            // metres of water that displace what is seen through them
-const float kScattering = 0.6;         // single-scattering albedo x 4 pi x phase function
-const float kHistoryWeight = 0.6;      // for TAA, as waves have no motion vectors: 1 would trust history fully
-const float kMinMirrorShare = 0.05;    // share of light that is worth a ray
-const float kMaxRayDistance = 4000.0;  // metres
-const float kMeniscus = 0.003;         // metres of height at the port that the water line covers
+const float kReflectance = 0.02;     // at normal incidence
+const float kMaxBend = 3.0;          // metres of water that displace what is seen through them
+const float kScattering = 0.6;       // single-scattering albedo x 4 pi x phase function
+const float kHistoryWeight = 0.6;    // for TAA, as waves have no motion vectors: 1 would trust history fully
+const float kMinMirrorShare = 0.05;  // share of light that is worth a ray
+const float kMaxRayDistance = 1e5;   // metres
+const float kMeniscus = 0.003;       // metres of height at the port that the water line covers
 
 in vec2 uv;
 out vec4 color;
@@ -167,9 +167,10 @@ vec4 seenBelow(vec3 ray, vec3 bend, WaterPath path) {
 vec3 radianceAlong(vec3 place, vec3 direction, out float t) {
     vec3 origin = place + vec3(0.0, direction.y > 0.0 ? 0.01 : -0.01, 0.0);
     if (shadowTrace(origin, direction, kMaxRayDistance, t))
-        return radianceAt(origin + direction * t, direction,
-                          startPath(0.4 * skyRadiance(vec3(0, 1, 0)), vec3(0, 1, 0), ivec2(0)), 1.0);
-    return direction.y > 0.0 ? withHills(withClouds(skyRadiance(direction), direction), direction) : vec3(0.0);
+        return mix(radianceAt(origin + direction * t, direction,
+                              startPath(0.4 * skyRadiance(vec3(0, 1, 0)), vec3(0, 1, 0), ivec2(0)), 1.0),
+                   hazeRadiance(direction), direction.y > 0.0 ? hazeAmount(t) : 0.0);
+    return direction.y > 0.0 ? mirroredBackground(origin, direction) : vec3(0.0);
 }
 
 /// A direction that points away from the water, or into it, by at least a little.

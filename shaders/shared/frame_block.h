@@ -13,7 +13,7 @@ vec4 targetSize;              // width, height, 1 / width, 1 / height of the tra
 vec4 displaySize;             // the same of the displayed image: larger if RenderSettings::resolutionScale is below 1
 vec4 jitter;                  // xy this frame, zw previous frame, uv units: sample point = pixel centre + jitter
 vec4 noiseOffset;             // xy R2 sequence, z R1 sequence, w golden ratio sequence of the frame number, in [0, 1)
-ivec4 counters;               // x frame number, y 1 if history is valid, z number of lights, w 1 for white noise
+ivec4 counters;               // x frame number, y 1 if history is valid, z lasting lights, w 1 for white noise
 vec4 sunDirection;            // xyz unit vector towards the sun; w angular radius, radians
 vec4 sunColor;                // rgb irradiance on a surface that faces the sun
 vec4 skyColor;                // rgb radiance at the zenith
@@ -22,7 +22,7 @@ vec4 groundColor;             // rgb radiance from below; w wetness of what is o
 vec4 fogColor;                // rgb radiance of the haze; w distance at which the haze takes half the light, metres
 vec4 fog;                     // x extinction at the base, 1 / m; y base height; z metres for 1 / e; w mean cosine
 vec4 fogTint;                 // rgb single-scattering albedo
-vec4 skyCover;                // x clouds: 0.5 some, 1 overcast; y brightness of the stars
+vec4 skyCover;                // x clouds: 0.5 some, 1 overcast; y brightness of the stars; z height of the fields
 vec4 exposure;                // x exposure of the level
 ivec4 shadowSectorLow;        // xyz first sector of the shadow directory, from the render origin; w 1 if there is one
 ivec4 shadowSectorCount;      // xyz sectors of the shadow directory

@@ -42,6 +42,7 @@ protected:
         air.sunDirection = {0.0f, kSunHeight, -1.0f};
         air.sunColor = glm::vec3(4.0f);
         air.skyColor = air.horizonColor = air.groundColor = glm::vec3(0.0f);
+        air.fogDistance = 1e6f;
         scene.add({60, 40, 2}, {{-3, -0.5, -2.2}, {1, 0, 0, 0}}, steel);
         wall = scene.add({80, 60, 4}, {turn * glm::dvec3(-4, -1, 3.0), turn}, [=](glm::ivec3) { return entry; });
         return scene;
@@ -53,13 +54,15 @@ protected:
         return camera;
     }
     /// Mean reflected radiance in the middle of the image.
-    glm::vec3 mirrored() {
-        draw(camera(), 3);
-        const auto image = renderer->readTarget("reflection");
-        EXPECT_TRUE(image) << image.error();
+    glm::vec3 mirrored(const Camera& from = camera()) {
+        draw(from, 3);
+        return middleOf("reflection");
+    }
+    glm::vec3 middleOf(const char* target) {
+        const FloatImage image = read(target);
         glm::vec3 sum(0.0f);
         for (int y = 28; y < 36; ++y)
-            for (int x = 40; x < 56; ++x) sum += glm::vec3(image->at(x, y));
+            for (int x = 40; x < 56; ++x) sum += glm::vec3(image.at(x, y));
         return sum / (8.0f * 16.0f);
     }
     /// Radiance of a Lambertian face of this colour in the sun.
@@ -94,10 +97,35 @@ TEST_F(MirrorTest, AWallThatHasMovedIsMirroredWhereItIs) {
     scene.move(wall, {turn * glm::dvec3(-4, -1, 4.03), turn});
     renderer->apply(scene.step());
     expectNear(mirrored(), lit(200, 60, 40));
-    scene.move(wall, {{-4, -1, 60}, turn});  // beyond the length of mirror rays
+    scene.move(wall, {{-4, -1, -60}, turn});  // behind the mirror
     renderer->apply(scene.step());
     const glm::vec3 hills = mirrored();
     EXPECT_LT(hills.r, 2.0f * hills.b);
+}
+
+TEST_F(MirrorTest, AWallSixtyMetresAwayIsMirrored) {
+    LitScene scene = mirrorAndWall(kRed);
+    scene.move(wall, {{-4, -1, 60.0}, {1, 0, 0, 0}});
+    start(scene, kSize);
+    Camera narrow = camera();
+    narrow.verticalFov = 0.05f;
+    expectNear(mirrored(narrow), lit(200, 60, 40));
+}
+
+/// What lies below the horizon in a mirror must be what the camera sees there.
+TEST_F(MirrorTest, BelowTheHorizonAMirrorShowsTheFields) {
+    LitScene scene = mirrorAndWall(kRed);
+    scene.environment.skyColor = scene.environment.horizonColor = glm::vec3(0.5f, 0.6f, 0.8f);
+    scene.environment.groundColor = glm::vec3(0.3f, 0.1f, 0.0f);
+    scene.move(wall, {{-4, -1, -60}, {1, 0, 0, 0}});
+    start(scene, kSize);
+    Camera down = camera();
+    down.lookAt({0, 0.85, -2});
+    const glm::vec3 reflected = mirrored(down);
+    down.lookAt({0, 0.85, 2});  // the same direction, mirrored
+    draw(down, 3);
+    const glm::vec3 direct = middleOf("radiance");
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(reflected[i], direct[i], 0.15f * direct[i]) << "channel " << i;
 }
 
 TEST_F(MirrorTest, WhatGlowsBehindTheCameraGlowsInTheMirror) {
@@ -105,6 +133,45 @@ TEST_F(MirrorTest, WhatGlowsBehindTheCameraGlowsInTheMirror) {
     scene.environment.sunColor = glm::vec3(0.0f);
     start(scene, kSize);
     expectNear(mirrored(), 0.9f * glm::vec3(srgbToLinear(200), srgbToLinear(200), srgbToLinear(60)));
+}
+
+/// A glossy floor under posts of two colours, as a polished floor or car paint is.
+TEST_F(MirrorTest, GlossyReflectionsAreSmoothAndTrue) {
+    auto palette = std::make_shared<Palette>(*steelAndPaints());
+    (*palette)[kSteel].roughness = 70;
+    LitScene scene(palette);
+    scene.environment.sunDirection = {0.4f, 0.8f, 0.5f};
+    scene.add({80, 2, 80}, {{-4, -0.2, -6}, {1, 0, 0, 0}}, steel);
+    scene.add({70, 30, 2}, {{-3.5, 0, -5}, {1, 0, 0, 0}}, [](glm::ivec3 c) { return c.x / 6 % 2 ? kRed : kBlue; });
+    Camera over = camera();
+    over.lookAt({0, 0.2, -2});
+    RenderSettings still;
+    still.temporal = false;
+    start(scene, kSize, still);
+    constexpr int kReferenceFrames = 256;
+    FloatImage mean(kSize);
+    for (int i = 0; i < kReferenceFrames; ++i) {
+        draw(over, 1);
+        const FloatImage one = read("accumulatedReflection");
+        for (size_t p = 0; p < one.pixels.size(); ++p) mean.pixels[p] += one.pixels[p] / float(kReferenceFrames);
+    }
+    const auto errorOf = [&](const char* target) {
+        const FloatImage image = read(target);
+        double error = 0.0, sum = 0.0;
+        for (int y = 2; y < 26; ++y)  // the floor
+            for (int x = 8; x < 88; ++x) {
+                const glm::vec3 off = glm::vec3(image.at(x, y)) - glm::vec3(mean.at(x, y));
+                error += double(glm::dot(off, off)), sum += double(glm::dot(mean.at(x, y), mean.at(x, y)));
+            }
+        return std::sqrt(error / sum);
+    };
+    const double noisy = errorOf("accumulatedReflection"), filtered = errorOf("reflection");
+    start(scene, kSize);
+    draw(over, 16);
+    const double denoised = errorOf("reflection");
+    std::printf("relative error: one ray %.3f, filtered %.3f, after 16 frames %.3f\n", noisy, filtered, denoised);
+    EXPECT_LT(filtered, 0.5 * noisy);
+    EXPECT_LT(denoised, 0.2 * noisy);
 }
 
 TEST_F(MirrorTest, WithoutMirrorsNothingIsAllocatedForThem) {

@@ -17,7 +17,8 @@ using glm::dvec3;
 using glm::vec3;
 
 constexpr double kSurfaceOffset = 1e-6;    // metres, enough in double precision
-constexpr double kPlaneHeight = -0.05;     // render/passes/composite_pass.cpp
+constexpr double kMirrorDistance = 1e5;    // passes/reflections.frag
+constexpr double kPlaneHeight = -0.05;     // render/renderer.cpp
 constexpr float kPaneReflectance = 0.05f;  // shaders/lib/brdf.glsl
 constexpr double kLightClearance = 0.12;   // metres around a light where its own voxels do not block it
 constexpr int kRouletteFrom = 4;           // bounces
@@ -361,19 +362,26 @@ private:
                 1.0f - r.lobe};
     }
 
-    /// Radiance along a ray of a path. Without haze, which would light closed rooms.
+    /// Radiance along a ray of a path. Only mirrors show haze: it would light closed rooms.
     vec3 incoming(const Next& first, Random& random) const {
         vec3 sum(0.0f), weight(1.0f);
         Ray ray = first.ray;
         bool diffuse = first.diffuse;
         float emissionWeight = first.emissionWeight;
         for (int bounce = 0;; ++bounce) {
-            ray.tMax = m_settings.maxDistance;
+            ray.tMax = diffuse ? m_settings.maxDistance : kMirrorDistance;
             const Surface s = m_scene.closest(ray);
             weight *= m_scene.panes({ray.origin, ray.direction, std::min(s.t, ray.tMax)}).tint;
+            const vec3 origin(ray.origin), direction(ray.direction);
             if (!s.hit)
-                return sum + weight * (diffuse ? skyRadiance(m_air, vec3(ray.direction))
-                                               : mirroredSky(m_air, vec3(ray.direction)));
+                return sum + weight * (diffuse ? skyRadiance(m_air, direction)
+                                               : mirroredBackground(m_air, direction, origin,
+                                                                    float(ray.origin.y - kPlaneHeight)));
+            if (!diffuse) {
+                const float haze = hazeAmount(m_air, float(s.t));
+                sum += weight * haze * hazeRadiance(m_air, direction);
+                weight *= 1.0f - haze;
+            }
             if (bounce == m_settings.bounces) return sum;
             const dvec3 view = -ray.direction;
             const Response response = responseOf(s, vec3(view));

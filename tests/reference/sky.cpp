@@ -123,7 +123,8 @@ vec3 skyRadiance(const Environment& air, vec3 direction) {
     return mix(air.groundColor, sky, smoothstep(-0.06f, 0.02f, direction.y));
 }
 
-vec3 mirroredSky(const Environment& air, vec3 direction) {
+vec3 mirroredBackground(const Environment& air, vec3 direction, vec3 eye, float eyeHeight) {
+    if (direction.y < 0.0f && eyeHeight > 0.0f) return fieldsBelow(air, direction, eye, eyeHeight);
     const vec3 sky = skyRadiance(air, direction);
     return direction.y > 0.0f ? withHills(air, withClouds(air, sky, direction), direction) : sky;
 }

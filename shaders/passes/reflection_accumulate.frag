@@ -1,0 +1,117 @@
+// Temporal accumulation of mirror rays. A mirror's image lies behind its plane, as far as the ray goes before it. So
+// history is fetched where the previous camera saw that virtual image in the same plane; the rougher the surface, the
+// more the image sticks to it, by the dominance of the specular peak (Lagarde and de Rousiers 2014, 4.9.3). A tap
+// counts if it lies in that plane. History is clamped to the mean of the neighbours +- 3 deviations, so that what moves
+// in the mirror is followed. Ideal mirrors have no noise and keep no history.
+#include "lib/gbuffer.glsl"
+#include "lib/frame.glsl"
+#include "lib/noise.glsl"
+#include "lib/half.glsl"
+#include "lib/brdf.glsl"
+#include "lib/color.glsl"
+#include "lib/surface_history.glsl"
+#include "lib/mirror.glsl"
+
+uniform sampler2D uNoisyReflection;    // rgb radiance, a metres to the hit
+uniform sampler2D uReflectionHistory;  // rgb mean radiance, a frames
+uniform sampler2D uMomentHistory;      // as `moments`
+uniform sampler2D uSurfaceHistory;     // lib/surface_history.glsl
+uniform bool uHistoryValid;
+
+in vec2 uv;
+layout(location = 0) out vec4 accumulated;  // rgb mean radiance, a frames
+layout(location = 1) out vec4 moments;      // x mean squared luminance, y radius over which the lobe blurs, pixels
+
+const float kMaxFrames = 24.0;
+const vec2 kGlossy = vec2(0.03, 0.12);  // roughness between which histories grow from none to kMaxFrames
+const float kDeviations = 3.0;          // of the neighbours, beyond which history is clamped
+const float kTolerance = 0.2;           // relative, of the same
+
+/// Mean and deviation of the radiance of the 3x3 pixels around, and their mean hit distance.
+struct Around {
+    vec3 mean, deviation;
+    float metres;
+};
+
+Around gatherAround(ivec2 pixel) {
+    ivec2 high = ivec2(frame.targetSize.xy) - 1;
+    vec3 sum = vec3(0.0), squares = vec3(0.0);
+    float metres = 0.0, count = 0.0;
+    for (int i = 0; i < 9; ++i) {
+        vec4 there = texelFetch(uNoisyReflection, clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), high), 0);
+        float counts = step(1e-6, there.a);
+        sum += counts * there.rgb;
+        squares += counts * there.rgb * there.rgb;
+        metres += there.a;
+        count += counts;
+    }
+    vec3 mean = sum / max(count, 1.0);
+    return Around(mean, sqrt(max(squares / max(count, 1.0) - mean * mean, vec3(0.0))), metres / max(count, 1.0));
+}
+
+/// Where the previous frame shows what this mirror shows: xy uv, z linear depth of the mirror there; z below 0:
+/// nowhere.
+vec3 lastPlace(Mirror m, Surface s, float metres) {
+    if (s.moving > 0.0) {
+        vec4 clip = frame.previousViewProjection * vec4(m.position, 1.0);
+        return vec3(uv - texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg, clip.w);
+    }
+    float smoothness = 1.0 - m.roughness, dominance = smoothness * (sqrt(smoothness) + m.roughness);
+    vec3 eye = frame.previousCameraPosition.xyz, toImage = m.position - m.view * (metres * dominance) - eye;
+    float toPlane = dot(m.normal, m.position - eye), along = dot(m.normal, toImage);
+    if (toPlane >= 0.0 || along >= 0.0) return vec3(-1.0);
+    vec4 clip = frame.previousViewProjection * vec4(eye + toImage * (toPlane / along), 1.0);
+    return vec3(clip.xy / max(clip.w, 1e-4) * 0.5 + 0.5, clip.w);
+}
+
+/// The history of four pixels that show the same mirror. Their alpha is 0 if there is none.
+vec4 reprojectHistory(Mirror m, Surface s, vec3 last, out vec4 lastMoments) {
+    lastMoments = vec4(0.0);
+    if (last.z < 0.0 || last.xy != clamp(last.xy, vec2(0.0), vec2(0.9999))) return vec4(0.0);
+    float tolerance = depthTolerance(m.position, m.normal, s.depth) + s.moving * 0.5;
+    vec2 corner = last.xy * frame.targetSize.xy - 0.5;
+    ivec2 base = ivec2(floor(corner));
+    vec2 f = corner - vec2(base);
+    vec4 sum = vec4(0.0);
+    float total = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 offset = ivec2(i & 1, i >> 1);
+        float w = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y);
+        ivec2 p = clamp(base + offset, ivec2(0), ivec2(frame.targetSize.xy) - 1);
+        vec4 surface = texelFetch(uSurfaceHistory, p, 0), there = texelFetch(uReflectionHistory, p, 0);
+        if (there.a <= 0.0 || abs(surface.x - last.z) > tolerance || dot(unpackNormal(surface.y), m.normal) < 0.98)
+            continue;
+        sum += w * there;
+        lastMoments += w * texelFetch(uMomentHistory, p, 0);
+        total += w;
+    }
+    if (total < 0.01) return vec4(0.0);
+    lastMoments /= total;
+    return sum / total;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 now = texelFetch(uNoisyReflection, pixel, 0);
+    Surface s = readSurface(pixel);
+    Mirror m = mirrorAt(pixel, uv);
+    float lum = luminance(now.rgb);
+    accumulated = vec4(now.rgb, 1.0);
+    moments = vec4(min(lum * lum, 6e4), 0.0, 0.0, 1.0);
+    if (m.roughness <= kGlossy.x) return;
+    Around around = gatherAround(pixel);
+    float range = max(length(m.position - frame.cameraPosition.xyz), 1e-3);
+    moments.y = min(m.roughness * m.roughness * around.metres / (range + around.metres) * 0.5 * frame.targetSize.y /
+                        frame.cameraUp.w,
+                    64.0);
+    vec4 lastMoments,
+        history = uHistoryValid ? reprojectHistory(m, s, lastPlace(m, s, around.metres), lastMoments) : vec4(0.0);
+    if (history.a <= 0.0) return;
+    vec3 room = kDeviations * around.deviation + kTolerance * around.mean;
+    history.rgb = clamp(history.rgb, around.mean - room, around.mean + room);
+    float limit = mix(1.0, kMaxFrames, smoothstep(kGlossy.x, kGlossy.y, m.roughness));
+    float frames = min(history.a + 1.0, limit);
+    accumulated = stochasticRoundToHalf(vec4(mix(history.rgb, now.rgb, 1.0 / frames), 0.0), pixel, 8);
+    accumulated.a = frames;
+    moments.x = mix(lastMoments.x, moments.x, 1.0 / frames);
+}

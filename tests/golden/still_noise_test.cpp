@@ -1,0 +1,114 @@
+// How much noise still frames keep: fog by night, and voxels that glow without a light.
+#include "tests/golden/drawing.h"
+
+namespace rubble {
+namespace {
+
+constexpr glm::ivec2 kSize(160, 90);
+constexpr uint8_t kStone = 1, kGlow = 2;
+
+PaletteRef stoneAndGlow() {
+    auto palette = std::make_shared<Palette>();
+    const auto entry = [&](int index, uint8_t gray) -> PaletteEntry& {
+        PaletteEntry& e = (*palette)[size_t(index)];
+        e.red = e.green = e.blue = gray;
+        e.roughness = 230;
+        return e;
+    };
+    entry(kStone, 186);
+    entry(kGlow, 255).emission = 20.0f;
+    return palette;
+}
+
+/// A floor with some posts, at night.
+LitScene nightScene() {
+    LitScene scene(stoneAndGlow());
+    scene.add({240, 2, 240}, {{-12, -0.2, -12}, {1, 0, 0, 0}}, [](glm::ivec3) { return kStone; });
+    for (const double x : {-3.0, 0.4, 2.6})
+        scene.add({3, 30, 3}, {{x, 0, -3.0 - x}, {1, 0, 0, 0}}, [](glm::ivec3) { return kStone; });
+    Environment& air = scene.environment;
+    air.sunDirection = {0.3f, -0.4f, 0.2f};
+    air.sunColor = glm::vec3(0.0f);
+    air.skyColor = air.horizonColor = air.groundColor = glm::vec3(0.01f, 0.012f, 0.02f);
+    air.fogColor = glm::vec3(0.0f);
+    return scene;
+}
+
+class StillNoiseTest : public Drawing {
+protected:
+    static Camera camera() {
+        Camera camera;
+        camera.position = {0, 1.7, 6.0};
+        camera.lookAt({0, 1.0, 0});
+        return camera;
+    }
+};
+
+TEST_F(StillNoiseTest, FogByNightIsSmoothAfterFortyFrames) {
+    LitScene scene = nightScene();
+    scene.environment.fogDensity = 0.06f;
+    for (uint32_t i = 0; i < 4; ++i)
+        scene.addLight({.kind = LightKind::Sphere,
+                        .position = {-5.0 + 3.3 * i, 2.4, -1.0 - 1.7 * i},
+                        .direction = {0, -1, 0},
+                        .color = glm::vec3(6.0f, 4.4f, 2.6f),
+                        .radius = 0.08f,
+                        .reach = 14.0f,
+                        .coneInner = 0.0f,
+                        .coneOuter = 0.0f,
+                        .light = LightHandle::make(1, 1, i)});
+    start(scene, kSize);
+    draw(camera(), 40);
+    const FloatImage fog = read("fog");
+    RenderSettings independent;
+    independent.temporal = false;
+    independent.noise = Noise::White;
+    start(scene, kSize, independent);
+    FloatImage mean(fog.size);
+    constexpr int kFrames = 300;
+    for (int i = 0; i < kFrames; ++i) {
+        draw(camera());
+        const FloatImage one = read("fog");
+        for (size_t p = 0; p < one.pixels.size(); ++p) mean.pixels[p] += one.pixels[p] / float(kFrames);
+    }
+    double error = 0.0, light = 0.0;
+    for (size_t p = 0; p < fog.pixels.size(); ++p) {
+        const double off = double(fog.pixels[p].g - mean.pixels[p].g), there = double(mean.pixels[p].g);
+        error += off * off;
+        light += there * there;
+    }
+    const double noise = std::sqrt(error / light);
+    std::printf("noise %.4f\n", noise);
+    EXPECT_LT(noise, 0.09);
+}
+
+TEST_F(StillNoiseTest, AVoxelThatGlowsWithoutALightLeavesNoSpeckles) {
+    LitScene scene = nightScene();
+    scene.add({2, 2, 2}, {{-1.0, 0.9, 1.0}, {1, 0, 0, 0}}, [](glm::ivec3) { return kGlow; });
+    start(scene, kSize);
+    draw(camera(), 24);
+    const FloatImage light = read("denoisedLight"), normal = read("normal"), depth = read("depth");
+    double worst = 0.0, off = 0.0, sum = 0.0;
+    for (int y = 2; y < kSize.y - 2; ++y)
+        for (int x = 2; x < kSize.x - 2; ++x) {
+            double around = 0.0;
+            int floor = 0;
+            for (int i = 0; i < 25; ++i) {
+                const glm::ivec2 p(x + i % 5 - 2, y + i / 5 - 2);
+                floor += normal.at(p.x, p.y).y > 0.9f && depth.at(p.x, p.y).r < 12.0f;
+                around += double(light.at(p.x, p.y).g) / 25.0;
+            }
+            if (floor < 25) continue;
+            const double there = double(light.at(x, y).g);
+            worst = std::max(worst, there / around);
+            off += (there - around) * (there - around);
+            sum += around * around;
+        }
+    std::printf("deviation %.4f\n", std::sqrt(off / sum));
+    std::printf("worst %.4f\n", worst);
+    EXPECT_LT(std::sqrt(off / sum), 0.06);
+    EXPECT_LT(worst, 1.6);
+}
+
+}  // namespace
+}  // namespace rubble
