@@ -115,9 +115,10 @@ void Scene::bindVoxelsAt(const Program& program) const {
 }
 
 void Scene::describeShadow(FrameBlock& block) const {
+    const ShadowDirectory& directory = m_shadow.directory();
     block.shadowSectorLow =
-        glm::ivec4(m_shadow.sectorLow() - glm::ivec3(glm::round(m_origin / kSector)), m_shadow.sectorCount().x > 0);
-    block.shadowSectorCount = glm::ivec4(m_shadow.sectorCount(), 0);
+        glm::ivec4(directory.low() - glm::ivec3(glm::round(m_origin / kSector)), directory.size().x > 0);
+    block.shadowSectorCount = glm::ivec4(directory.size(), directory.tableAt());
     block.shadowLow = glm::vec4(m_shadow.occupiedLow(), 0.0f);
     block.shadowHigh = glm::vec4(m_shadow.occupiedHigh(), 0.0f);
 }

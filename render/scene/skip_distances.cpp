@@ -7,8 +7,8 @@
 namespace rubble {
 namespace {
 
-constexpr int kBlock = 32;              ///< bricks: changes within a block of this side are swept as one box
-constexpr int64_t kSmallBox = 1 << 18;  ///< bricks: all changes within a box of this volume are swept as one box
+constexpr int kBlock = 32;              ///< sectors: changes within a block of this side are swept as one box
+constexpr int64_t kSmallBox = 1 << 18;  ///< sectors: all changes within a box of this volume are swept as one box
 
 int64_t volume(glm::ivec3 size) {
     return int64_t(size.x) * size.y * size.z;
@@ -22,14 +22,15 @@ void SkipDistances::reset(glm::ivec3 size) {
     m_occupied.assign(padded, 0);
     for (auto& sides : m_sides) sides.assign(padded, uint8_t(kMaxDistance));
     m_skips.assign(size_t(volume(size)), ~0u);
+    m_isChanged.assign(m_skips.size(), 0);
     m_touched.clear();
 }
 
-void SkipDistances::set(glm::ivec3 brick, bool occupied) {
-    uint8_t& known = m_occupied[paddedIndexOf(brick)];
+void SkipDistances::set(glm::ivec3 sector, bool occupied) {
+    uint8_t& known = m_occupied[paddedIndexOf(sector)];
     if (known == uint8_t(occupied)) return;
     known = occupied;
-    m_touched.push_back(brick);
+    m_touched.push_back(sector);
 }
 
 std::vector<SkipDistances::Box> SkipDistances::dirtyBoxes() {
@@ -42,19 +43,21 @@ std::vector<SkipDistances::Box> SkipDistances::dirtyBoxes() {
     if (m_touched.empty()) return {};
     const Box all = boxOf(0, m_touched.size());
     if (volume(all.high - all.low) <= kSmallBox) return {all};
-    const auto block = [](glm::ivec3 brick) {
-        return std::tuple(brick.z / kBlock, brick.y / kBlock, brick.x / kBlock);
+    const auto block = [](glm::ivec3 sector) {
+        return std::tuple(sector.z / kBlock, sector.y / kBlock, sector.x / kBlock);
     };
     std::sort(m_touched.begin(), m_touched.end(), [&](glm::ivec3 a, glm::ivec3 b) { return block(a) < block(b); });
     std::vector<Box> boxes;
+    int64_t swept = 0;
     for (size_t first = 0, end = 1; first < m_touched.size(); first = end++) {
         while (end < m_touched.size() && block(m_touched[end]) == block(m_touched[first])) ++end;
         boxes.push_back(boxOf(first, end));
+        swept += volume(boxes.back().high - boxes.back().low + (kMaxDistance - 1));
     }
-    return boxes;
+    return swept < volume(all.high - all.low + (kMaxDistance - 1)) ? boxes : std::vector<Box>{all};
 }
 
-/// Solves the recurrence around a box of changed bricks for one octant, from far bricks to near ones.
+/// Solves the recurrence around a box of changed sectors for one octant, from far sectors to near ones.
 void SkipDistances::sweep(const Box& dirty, int octant) {
     glm::ivec3 low = dirty.low, high = dirty.high, step;
     for (int a = 0; a < 3; ++a) {
@@ -72,12 +75,12 @@ void SkipDistances::sweep(const Box& dirty, int octant) {
                     z = step.z * ptrdiff_t(m_size.x + 2) * (m_size.y + 2);
     for (int k = 0; k < count.z; ++k)
         for (int j = 0; j < count.y; ++j) {
-            const glm::ivec3 brick = first - step * glm::ivec3(0, j, k);
-            const size_t row = paddedIndexOf(brick);
+            const glm::ivec3 sector = first - step * glm::ivec3(0, j, k);
+            const size_t row = paddedIndexOf(sector);
             uint8_t* side = &sides[row];
             const uint8_t* occupied = &m_occupied[row];
-            size_t index = indexOf(brick);
-            // Of the seven cubes one on, three begin beside this brick and four one step along x: their minimum is the
+            size_t index = indexOf(sector);
+            // Of the seven cubes one on, three begin beside this sector and four one step along x: their minimum is the
             // last step's, because this row is walked along x.
             const auto beside = [&](const uint8_t* at) { return std::min(std::min(at[y], at[z]), at[y + z]); };
             uint8_t behind = std::min(side[x], beside(side + x));
@@ -90,7 +93,8 @@ void SkipDistances::sweep(const Box& dirty, int octant) {
                 *side = value;
                 uint32_t& packed = m_skips[index];
                 packed = (packed & ~(15u << (4 * octant))) | uint32_t(value) << (4 * octant);
-                m_changed.push_back(index);
+                if (!m_isChanged[index]) m_changed.push_back(index);
+                m_isChanged[index] = 1;
             }
         }
 }
@@ -100,8 +104,7 @@ const std::vector<size_t>& SkipDistances::update() {
     for (const Box& box : dirtyBoxes())
         for (int octant = 0; octant < 8; ++octant) sweep(box, octant);
     m_touched.clear();
-    std::sort(m_changed.begin(), m_changed.end());
-    m_changed.erase(std::unique(m_changed.begin(), m_changed.end()), m_changed.end());
+    for (const size_t index : m_changed) m_isChanged[index] = 0;
     return m_changed;
 }
 

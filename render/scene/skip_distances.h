@@ -6,30 +6,31 @@
 
 namespace rubble {
 
-/// How far rays may skip over empty bricks. For each brick of a box and each octant of directions (bit a of its number:
-/// down axis a) this is the side of the largest empty cube that has the brick in its corner and lies ahead.
+/// How far rays may skip over empty sectors of the shadow volume. For each sector of a box and each octant of
+/// directions (bit a of its number: down axis a) this is the side of the largest empty cube that has the sector in its
+/// corner and lies ahead.
 ///
-/// Derivation. Let s(p) be that side for the octant of +x, +y, +z; 0 if brick p is occupied. A cube of side n + 1 at p
-/// is p itself and the seven cubes of side n that begin one brick on along any of the axes, which overlap but leave
+/// Derivation. Let s(p) be that side for the octant of +x, +y, +z; 0 if sector p is occupied. A cube of side n + 1 at p
+/// is p itself and the seven cubes of side n that begin one sector on along any of the axes, which overlap but leave
 /// nothing out. So s(p) = 1 + min over those seven of s, the recurrence of the largest-square problem in three
-/// dimensions, and one sweep against the octant's direction solves it. A changed brick can change s only behind it, up
-/// to kMaxDistance - 1 bricks away along each axis: an update sweeps that neighbourhood and is exact.
+/// dimensions, and one sweep against the octant's direction solves it. A changed sector can change s only behind it, up
+/// to kMaxDistance - 1 sectors away along each axis: an update sweeps that neighbourhood and is exact.
 class SkipDistances {
 public:
-    static constexpr int kMaxDistance = 15;  ///< bricks: larger cubes count as this one, which fits 4 bits
+    static constexpr int kMaxDistance = 15;  ///< sectors: larger cubes count as this one, which fits 4 bits
 
-    /// A box of this size with all bricks empty. Bricks outside the box are always empty.
+    /// A box of this size with all sectors empty. Sectors outside the box are always empty.
     void reset(glm::ivec3 size);
-    /// Marks a brick; the distances follow with update().
-    void set(glm::ivec3 brick, bool occupied);
-    /// Brings the distances up to date. Returns the indices of the bricks whose distances changed, ascending.
+    /// Marks a sector; the distances follow with update().
+    void set(glm::ivec3 sector, bool occupied);
+    /// Brings the distances up to date. Returns the indices of the sectors whose distances changed, each once.
     const std::vector<size_t>& update();
 
-    /// The index of a brick, x fastest.
-    size_t indexOf(glm::ivec3 brick) const {
-        return (size_t(brick.z) * size_t(m_size.y) + size_t(brick.y)) * size_t(m_size.x) + size_t(brick.x);
+    /// The index of a sector, x fastest.
+    size_t indexOf(glm::ivec3 sector) const {
+        return (size_t(sector.z) * size_t(m_size.y) + size_t(sector.y)) * size_t(m_size.x) + size_t(sector.x);
     }
-    /// The distances of a brick: 4 bits for each octant, the first one lowest; 0 if the brick is occupied.
+    /// The distances of a sector: 4 bits for each octant, the first one lowest; 0 if the sector is occupied.
     uint32_t at(size_t index) const { return m_skips[index]; }
 
 private:
@@ -38,17 +39,18 @@ private:
     };
     std::vector<Box> dirtyBoxes();
     void sweep(const Box& dirty, int octant);
-    size_t paddedIndexOf(glm::ivec3 brick) const {
-        return (size_t(brick.z + 1) * size_t(m_size.y + 2) + size_t(brick.y + 1)) * size_t(m_size.x + 2) +
-               size_t(brick.x + 1);
+    size_t paddedIndexOf(glm::ivec3 sector) const {
+        return (size_t(sector.z + 1) * size_t(m_size.y + 2) + size_t(sector.y + 1)) * size_t(m_size.x + 2) +
+               size_t(sector.x + 1);
     }
 
     glm::ivec3 m_size{0};
-    std::vector<uint8_t> m_occupied;              ///< with a border of one brick, as m_sides
+    std::vector<uint8_t> m_occupied;              ///< with a border of one sector, as m_sides
     std::array<std::vector<uint8_t>, 8> m_sides;  ///< distances by octant
     std::vector<uint32_t> m_skips;                ///< the same, packed, without the border
-    std::vector<glm::ivec3> m_touched;            ///< bricks changed by set() since the last update()
-    std::vector<size_t> m_changed;
+    std::vector<glm::ivec3> m_touched;            ///< sectors changed by set() since the last update()
+    std::vector<size_t> m_changed;                ///< by the last update()
+    std::vector<uint8_t> m_isChanged;             ///< scratch of update(): which are in m_changed
 };
 
 }  // namespace rubble

@@ -54,13 +54,12 @@ bool ShadowCellTransform::isShift() const {
     return true;
 }
 
-CellBox shadowBounds(const Pose& shapeToWorld, double voxelSize, const CellBox& boxLocal) {
+CellBox shadowBounds(const Pose& shapeToWorld, double voxelSize, glm::dvec3 lowLocal, glm::dvec3 highLocal) {
     constexpr double kMargin = 1e-3;  // cells: more than all rounding errors together
     glm::dvec3 low(1e300), high(-1e300);
     for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 local(corner & 1 ? boxLocal.high.x : boxLocal.low.x,
-                               corner & 2 ? boxLocal.high.y : boxLocal.low.y,
-                               corner & 4 ? boxLocal.high.z : boxLocal.low.z);
+        const glm::dvec3 local(corner & 1 ? highLocal.x : lowLocal.x, corner & 2 ? highLocal.y : lowLocal.y,
+                               corner & 4 ? highLocal.z : lowLocal.z);
         const glm::dvec3 world = shapeToWorld.transformPoint(local * voxelSize) / kCell;
         for (int a = 0; a < 3; ++a) {
             low[a] = std::min(low[a], world[a]);

@@ -57,6 +57,10 @@ struct ShadowCellTransform {
 
 /// A box that contains all shadow cells that a box of a shape's cells can set. ShadowCellTransform::place() must have
 /// accepted the pose.
-CellBox shadowBounds(const Pose& shapeToWorld, double voxelSize, const CellBox& boxLocal);
+CellBox shadowBounds(const Pose& shapeToWorld, double voxelSize, glm::dvec3 lowLocal, glm::dvec3 highLocal);
+/// The same for a box of whole cells.
+inline CellBox shadowBounds(const Pose& shapeToWorld, double voxelSize, const CellBox& boxLocal) {
+    return shadowBounds(shapeToWorld, voxelSize, glm::dvec3(boxLocal.low), glm::dvec3(boxLocal.high));
+}
 
 }  // namespace rubble

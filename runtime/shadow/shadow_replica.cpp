@@ -1,7 +1,11 @@
 #include "runtime/shadow/shadow_replica.h"
 
 #include <algorithm>
+#include <string>
 #include <tuple>
+
+#include "runtime/core/log.h"
+#include "runtime/shadow/surface_bricks.h"
 
 namespace rubble {
 namespace {
@@ -36,12 +40,23 @@ VoxelGrid withoutTranslucent(const VoxelGrid& grid, const std::array<bool, 256>&
     return out;
 }
 
+void sortUnique(std::vector<glm::ivec3>& bricks) {
+    std::sort(bricks.begin(), bricks.end(), isBefore);
+    bricks.erase(std::unique(bricks.begin(), bricks.end()), bricks.end());
+}
+
 /// Lists the bricks of the volume in which a grid's voxels can set cells, in the order of isBefore().
 void listBricks(const VoxelGrid& grid, const Pose& pose, double voxelSize, std::vector<glm::ivec3>& bricks) {
     constexpr size_t kFewBricks = 64;  // up to these the box around all of them is cheaper than each for itself
     const auto add = [&](glm::ivec3 brick) { bricks.push_back(brick); };
     bricks.clear();
     if (grid.brickCount() == 0) return;
+    if (voxelSize >= kSurfaceVoxelSize) {
+        if (!listSurfaceBricks(grid, pose, voxelSize, bricks))
+            logWarning("shadow volume: a shape with voxels of " + std::to_string(voxelSize) +
+                       " m is too large and casts no shadow; use smaller pieces, or fewer or smaller voxels");
+        return sortUnique(bricks);
+    }
     if (grid.brickCount() <= kFewBricks) {
         CellBox used{grid.size(), glm::ivec3(0)};
         grid.forEachBrick([&](glm::ivec3 position, const BrickRef&) {
@@ -56,8 +71,7 @@ void listBricks(const VoxelGrid& grid, const Pose& pose, double voxelSize, std::
         const CellBox box{position * kBrickSize, position * kBrickSize + kBrickSize};
         forEachCell(shadowBricksOf(shadowBounds(pose, voxelSize, box)), add);
     });
-    std::sort(bricks.begin(), bricks.end(), isBefore);
-    bricks.erase(std::unique(bricks.begin(), bricks.end()), bricks.end());
+    sortUnique(bricks);
 }
 
 }  // namespace
@@ -125,6 +139,10 @@ void ShadowReplica::setBrick(Shape& shape, const BrickChange& change) {
     if (same) return;
     shape.source.clear();
     if (!shape.placed || shape.isQueued) return;
+    if (shape.voxelSize >= kSurfaceVoxelSize) {  // its surface is elsewhere now
+        leaveAll(shape);
+        return queuePlacement(shape);
+    }
     shape.raster.isMade() ? queuePlacement(shape) : touchVoxelBrick(shape, change.brick);
 }
 

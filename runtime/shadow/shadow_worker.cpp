@@ -3,9 +3,12 @@
 #include <atomic>
 #include <cassert>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
+#include <string>
 #include <thread>
 
+#include "runtime/core/log.h"
 #include "runtime/core/mailbox.h"
 #include "runtime/shadow/shadow_replica.h"
 #include "runtime/shadow/shadow_step.h"
@@ -32,10 +35,11 @@ struct ShadowWorker::Impl {
             publication.version = step->version;
             publication.replacesAll = publication.replacesAll || step->replacesAll;
             epoch = step->epoch;
-            replica.apply(std::move(*step), stop);
+            update([&] { replica.apply(std::move(*step), stop); }, step->replacesAll);
             step = queue.tryTake();
         }
-        if (stop || !replica.update(publication, stop)) return;
+        update([&] { replica.update(publication, stop); });
+        if (stop) return;
         const std::lock_guard lock(mutex);
         if (epoch != shared.epoch) return;  // another level was loaded meanwhile: the next publication replaces all
         shared.publishedVersion = publication.version;
@@ -43,13 +47,30 @@ struct ShadowWorker::Impl {
         changed.notify_all();
     }
 
+    /// [worker] Works on the replica. Where an error ends that, the volume stays as it was last published, and the
+    /// steps after it change nothing until one replaces all.
+    template <class F>
+    void update(F&& work, bool replacesAll = false) {
+        if (replacesAll) hasFailed = false;
+        if (hasFailed) return;
+        try {
+            work();
+        } catch (const std::exception& error) {
+            hasFailed = true;
+            replica = ShadowReplica();
+            logError(std::string("shadow volume: ") + error.what() +
+                     "; shadows stay as they are until another level is loaded");
+        }
+    }
+
     mutable std::mutex mutex;
     std::condition_variable changed;
     Shared shared;
     Mailbox<ShadowStep> queue;
     std::atomic<bool> stop = false;
-    ShadowReplica replica;  ///< [worker]
-    std::thread thread;     ///< none if inline
+    ShadowReplica replica;   ///< [worker]
+    bool hasFailed = false;  ///< [worker]
+    std::thread thread;      ///< none if inline
 };
 
 ShadowWorker::ShadowWorker(Mode mode) : m_impl(std::make_unique<Impl>()) {

@@ -7,8 +7,8 @@
 namespace rubble {
 namespace {
 
-/// The definition: the side of the largest cube without an occupied brick.
-int sideAt(const std::vector<uint8_t>& occupied, glm::ivec3 size, glm::ivec3 brick, int octant) {
+/// The definition: the side of the largest cube without an occupied sector.
+int sideAt(const std::vector<uint8_t>& occupied, glm::ivec3 size, glm::ivec3 sector, int octant) {
     const auto isOccupied = [&](glm::ivec3 p) {
         for (int a = 0; a < 3; ++a)
             if (p[a] < 0 || p[a] >= size[a]) return false;
@@ -21,7 +21,7 @@ int sideAt(const std::vector<uint8_t>& occupied, glm::ivec3 size, glm::ivec3 bri
                 at[(face + 1) % 3] = i % (side + 1);
                 at[(face + 2) % 3] = i / (side + 1);
                 for (int a = 0; a < 3; ++a) at[a] = octant >> a & 1 ? -at[a] : at[a];
-                if (isOccupied(brick + at)) return side;
+                if (isOccupied(sector + at)) return side;
             }
     return SkipDistances::kMaxDistance;
 }
@@ -35,20 +35,20 @@ TEST(SkipDistances, AreMaximalAfterEveryUpdate) {
     std::vector<uint32_t> known(occupied.size(), ~0u);
     for (int round = 0; round < 12; ++round) {
         for (int i = 0; i < 1 + round * 3; ++i) {
-            const glm::ivec3 brick(random.below(uint32_t(size.x)), random.below(uint32_t(size.y)),
-                                   random.below(uint32_t(size.z)));
-            uint8_t& at = occupied[cubes.indexOf(brick)];
+            const glm::ivec3 sector(random.below(uint32_t(size.x)), random.below(uint32_t(size.y)),
+                                    random.below(uint32_t(size.z)));
+            uint8_t& at = occupied[cubes.indexOf(sector)];
             at = random.below(3) ? 1 : 0;
-            cubes.set(brick, at);
+            cubes.set(sector, at);
         }
         for (const size_t index : cubes.update()) known[index] = cubes.at(index);
         size_t wrong = 0;
         for (size_t i = size_t(round); i < occupied.size(); i += 37) {
             const int n = int(i);
-            const glm::ivec3 brick(n % size.x, n / size.x % size.y, n / size.x / size.y);
+            const glm::ivec3 sector(n % size.x, n / size.x % size.y, n / size.x / size.y);
             wrong += known[i] != cubes.at(i);
             for (int octant = 0; octant < 8; ++octant)
-                wrong += int(cubes.at(i) >> (4 * octant) & 15) != sideAt(occupied, size, brick, octant);
+                wrong += int(cubes.at(i) >> (4 * octant) & 15) != sideAt(occupied, size, sector, octant);
         }
         EXPECT_EQ(wrong, 0u) << "round " << round;
     }

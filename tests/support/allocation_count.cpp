@@ -6,7 +6,8 @@
 
 namespace {
 std::atomic<size_t> g_allocations = 0;
-}
+std::atomic<size_t> g_largest = ~size_t(0);
+}  // namespace
 
 // The operators of clang's thread sanitizer cannot be replaced: there nothing is counted.
 #if defined(__has_feature)
@@ -18,6 +19,7 @@ std::atomic<size_t> g_allocations = 0;
 #ifndef RUBBLE_COUNTS_NOTHING
 void* operator new(size_t size) {
     ++g_allocations;
+    if (size > g_largest) throw std::bad_alloc();
     if (void* memory = std::malloc(size ? size : 1)) return memory;
     throw std::bad_alloc();
 }
@@ -35,6 +37,10 @@ void operator delete(void* memory, size_t) noexcept {
 #endif
 
 namespace rubble {
+
+void limitAllocations(size_t bytes) {
+    g_largest = bytes;
+}
 
 size_t allocationCount() {
     return g_allocations;

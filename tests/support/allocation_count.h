@@ -5,5 +5,7 @@ namespace rubble {
 
 /// How often this program has called operator new, on all threads; 0 under clang's thread sanitizer.
 size_t allocationCount();
+/// From now on operator new throws std::bad_alloc for more bytes than this at once, on all threads.
+void limitAllocations(size_t bytes);
 
 }  // namespace rubble

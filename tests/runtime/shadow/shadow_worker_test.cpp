@@ -2,13 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <thread>
 
+#include "runtime/core/log.h"
 #include "tests/runtime/shadow/received_volume.h"
+#include "tests/support/allocation_count.h"
 
 namespace rubble {
 namespace {
+
+std::atomic<int> g_lines = 0;  ///< of the log
 
 int editCount() {
     return std::getenv("RUBBLE_LONG") ? 10'000 : 500;
@@ -168,6 +173,69 @@ TEST(ShadowWorker, SleepingBodiesCostNothing) {
     const std::vector<ShadowPatches> patches = worker.takePatches();
     ASSERT_EQ(patches.size(), 1u) << "a version for each step that may have changed something";
     EXPECT_TRUE(patches[0].patches.empty());
+}
+
+TEST(ShadowWorker, AnErrorInItEndsNoProcessAndAnotherLevelStartsItAgain) {
+    World world = worldOf({makeBody(solidGrid({800, 8, 800}), {}, true)});
+    for (const auto mode : {ShadowWorker::Mode::Inline, ShadowWorker::Mode::Thread}) {
+        ShadowWorker worker(mode);
+        setLogSink([](void* lines, LogLevel, std::string_view) { ++*static_cast<std::atomic<int>*>(lines); }, &g_lines);
+        limitAllocations(20'000);  // less than the list of its bricks needs
+        const int before = g_lines;
+        FrameChanges changes = world.applyEdits({});
+        changes.levelReplaced = true;
+        worker.submit(changes, {}, world);
+        worker.waitFor(changes.step);
+        limitAllocations(~size_t(0));
+        setLogSink(nullptr, nullptr);
+        if (g_lines == before) GTEST_SKIP() << "allocations cannot be limited here";
+        Volume volume;
+        for (const ShadowPatches& publication : worker.takePatches()) volume.apply(publication);
+        EXPECT_TRUE(volume.empty());
+        changes = world.applyEdits({});
+        changes.levelReplaced = true;
+        worker.submit(changes, {}, world);
+        worker.waitFor(changes.step);
+        for (const ShadowPatches& publication : worker.takePatches()) volume.apply(publication);
+        EXPECT_TRUE(volume == rebuild(world));
+    }
+}
+
+TEST(ShadowWorker, LargeVoxelsCostTheirSurface) {
+    World world = worldOf({makeBody(solidGrid({8, 8, 8}), {{1.0, 2.0, 3.0}}, true, 20.0f)});
+    ShadowWorker worker(ShadowWorker::Mode::Inline);
+    worker.submit(world.applyEdits({}), {}, world);
+    size_t bricks = 0;
+    Volume volume;
+    for (const ShadowPatches& publication : worker.takePatches()) {
+        bricks += publication.patches.size();
+        volume.apply(publication);
+    }
+    EXPECT_LE(bricks, size_t(6 * 102 * 102)) << "of 1.6 m, on the faces of a cube of 160 m; there are a million inside";
+    const glm::dvec3 middle(81.0, 82.0, 83.0);
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-1.0, 1.0}) {
+            glm::dvec3 from = middle, toward(0.0);
+            from[axis] += side * 80.5;
+            toward[axis] = -side;
+            from[(axis + 1) % 3] += 33.3;
+            EXPECT_TRUE(volume.occluded(from, toward, 1.0));
+            EXPECT_FALSE(volume.occluded(from, -toward, 1.0));
+        }
+    CarveEdit carve;  // the corner voxel goes: what is behind it is a surface now
+    carve.position = {11.0, 12.0, 13.0};
+    carve.radii = {9.0, 9.0, 9.0};
+    worker.submit(world.applyEdits({carve}), {}, world);
+    for (const ShadowPatches& publication : worker.takePatches()) volume.apply(publication);
+    EXPECT_FALSE(volume.occluded({0.0, 12.0, 13.0}, {1.0, 0.0, 0.0}, 20.0));
+    EXPECT_TRUE(volume.occluded({0.0, 12.0, 13.0}, {1.0, 0.0, 0.0}, 22.0));
+}
+
+TEST(ShadowWorker, AShapeBeyondItsBudgetIsLeftOut) {
+    World world = worldOf({makeBody(solidGrid({64, 8, 64}), {}, true, 1000.0f)});
+    ShadowWorker worker(ShadowWorker::Mode::Inline);
+    worker.submit(world.applyEdits({}), {}, world);
+    for (const ShadowPatches& publication : worker.takePatches()) EXPECT_TRUE(publication.patches.empty());
 }
 
 }  // namespace

@@ -1,0 +1,205 @@
+#include "render/scene/shadow_directory.h"
+
+#include <glm/common.hpp>
+#include <utility>
+
+namespace rubble {
+namespace {
+
+constexpr int kSectorWords = 16;
+
+int64_t volume(glm::ivec3 size) {
+    return int64_t(size.x) * size.y * size.z;
+}
+
+int brickInSector(glm::ivec3 brick) {
+    return (brick.x & 3) + 4 * (brick.y & 3) + 16 * (brick.z & 3);
+}
+
+}  // namespace
+
+void ShadowDirectory::clear() {
+    m_low = m_size = glm::ivec3(0);
+    m_skips.reset(glm::ivec3(0));
+    m_pageOf.clear();
+    m_pages.clear();
+    m_freePages = {};
+    m_places = {};
+    m_table = m_tablePages = 0;
+    m_changedPages.clear();
+    m_occupied.clear();
+}
+
+bool ShadowDirectory::holdsSector(glm::ivec3 sector) const {
+    const glm::ivec3 at = sector - m_low;
+    return glm::all(glm::greaterThanEqual(at, glm::ivec3(0))) && glm::all(glm::lessThan(at, m_size));
+}
+
+bool ShadowDirectory::holds(glm::ivec3 brick) const {
+    return holdsSector(brick >> 2);
+}
+
+uint32_t ShadowDirectory::texelOf(glm::ivec3 brick) const {
+    return m_pages[pageAt(brick >> 2)].place * kPageTexels + uint32_t(brickInSector(brick));
+}
+
+ShadowDirectory::Brick ShadowDirectory::find(glm::ivec3 brick) const {
+    const uint32_t page = pageAt(brick >> 2);
+    if (page == kNone || !(m_pages[page].occupied >> brickInSector(brick) & 1)) return {};
+    const size_t at = texelOf(brick);
+    return {m_texels[at] / 64, m_texels[at + kLowerWords] | uint64_t(m_texels[at + kUpperWords]) << 32};
+}
+
+void ShadowDirectory::write(size_t at, uint32_t texel) {
+    if (m_texels[at] == texel) return;
+    m_texels.change(at) = texel;
+    ++m_writtenTexels;
+}
+
+/// Gives m_texels room for all places; what is new there is sent, whatever it holds.
+void ShadowDirectory::growTexels() {
+    const size_t before = m_texels.size(), size = size_t(m_places.end()) * kPageTexels;
+    if (size <= before) return;
+    m_texels.resize(size);
+    for (size_t i = before; i < size; ++i) m_texels.change(i) = 0;
+}
+
+uint32_t ShadowDirectory::addPage(glm::ivec3 sector) {
+    const uint32_t page = m_freePages.allocate();
+    if (page == m_pages.size()) m_pages.emplace_back();
+    m_pages[page].sector = sector;
+    m_pages[page].place = m_places.allocate(1);
+    growTexels();
+    const size_t index = sectorIndex(sector);
+    m_pageOf[index] = page;
+    m_skips.set(sector - m_low, true);
+    write(tableAt() + index, m_pages[page].place * kPageTexels);
+    return page;
+}
+
+void ShadowDirectory::set(glm::ivec3 brick, const Brick& content) {
+    const Brick before = find(brick);
+    const glm::ivec3 sector = brick >> 2;
+    uint32_t page = pageAt(sector);
+    if (page == kNone) {
+        if (!content.occupied) return;
+        page = addPage(sector);
+    }
+    m_occupied.change(brick, before.occupied, content.occupied);
+    if (!before.occupied != !content.occupied) {
+        m_pages[page].occupied ^= SectorBricks(1) << brickInSector(brick);
+        queueAround(sector);
+    }
+    if (!content.occupied) return;  // its texels follow with update()
+    const uint32_t at = texelOf(brick);
+    write(at, content.slot * 64);
+    write(at + kLowerWords, uint32_t(content.occupied));
+    write(at + kUpperWords, uint32_t(content.occupied >> 32));
+}
+
+void ShadowDirectory::queueAround(glm::ivec3 sector) {
+    for (int i = 0; i < 27; ++i) {
+        const uint32_t page = pageAt(sector + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1);
+        if (page == kNone || std::exchange(m_pages[page].isQueued, true)) continue;
+        m_changedPages.push_back(page);
+    }
+}
+
+void ShadowDirectory::removeEmptyPages() {
+    for (const uint32_t index : m_changedPages) {
+        Page& page = m_pages[index];
+        if (page.occupied) continue;
+        const size_t at = sectorIndex(page.sector);
+        m_pageOf[at] = kNone;
+        m_skips.set(page.sector - m_low, false);
+        if (m_skips.at(at)) write(tableAt() + at, m_skips.at(at));  // it came and went since the last update
+        m_places.free(page.place, 1);
+        m_freePages.free(index);
+        page.isQueued = false;
+    }
+    std::erase_if(m_changedPages, [&](uint32_t page) { return !m_pages[page].occupied; });
+}
+
+void ShadowDirectory::writeSkips(const Page& page) {
+    SectorSurroundings occupied;
+    for (int i = 0; i < 27; ++i) {
+        const uint32_t at = pageAt(page.sector + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1);
+        occupied[size_t(i)] = at == kNone ? 0 : m_pages[at].occupied;
+    }
+    const std::array<uint32_t, 64> skips = pageSkips(occupied);
+    for (int i = 0; i < 64; ++i) {
+        if (page.occupied >> i & 1) continue;
+        const size_t at = page.place * kPageTexels + size_t(i);
+        write(at, skips[size_t(i)]);
+        write(at + kLowerWords, 0);
+        write(at + kUpperWords, 0);
+    }
+}
+
+void ShadowDirectory::update() {
+    removeEmptyPages();
+    shrink();
+    for (const size_t index : m_skips.update())
+        if (m_skips.at(index)) write(tableAt() + index, m_skips.at(index));
+    for (const uint32_t page : m_changedPages) {
+        writeSkips(m_pages[page]);
+        m_pages[page].isQueued = false;
+    }
+    m_changedPages.clear();
+}
+
+/// Replaces the table by one of another box. The pages stay where they are.
+void ShadowDirectory::makeTable(glm::ivec3 low, glm::ivec3 size) {
+    if (m_tablePages) m_places.free(m_table, m_tablePages);
+    m_low = low;
+    m_size = size;
+    const size_t count = size_t(volume(size));
+    m_tablePages = uint32_t((count + kPageTexels - 1) / kPageTexels);
+    m_table = m_places.allocate(m_tablePages);
+    growTexels();
+    m_skips.reset(size);
+    m_pageOf.assign(count, kNone);
+    for (uint32_t i = 0; i < m_pages.size(); ++i) {
+        if (!m_pages[i].occupied) continue;
+        m_pageOf[sectorIndex(m_pages[i].sector)] = i;
+        m_skips.set(m_pages[i].sector - m_low, true);
+    }
+    m_skips.update();
+    for (size_t i = 0; i < count; ++i)
+        write(tableAt() + i, m_pageOf[i] == kNone ? m_skips.at(i) : m_pages[m_pageOf[i]].place * kPageTexels);
+}
+
+/// A table that grows does so by at least a quarter, so that a body that flies away does not need another one at each
+/// sector.
+void ShadowDirectory::reach(const std::vector<ShadowPatch>& patches) {
+    glm::ivec3 low = m_low, high = m_low + m_size;
+    bool isNew = m_size.x == 0;
+    for (const ShadowPatch& patch : patches) {
+        if (!patch.content) continue;
+        const glm::ivec3 sector = patch.brick >> 2;
+        const glm::ivec3 nextLow = isNew ? sector : glm::min(low, sector),
+                         nextHigh = isNew ? sector + 1 : glm::max(high, sector + 1);
+        if (volume(nextHigh - nextLow) > kMaxSectors) continue;
+        low = nextLow;
+        high = nextHigh;
+        isNew = false;
+    }
+    if (low == m_low && high == m_low + m_size) return;
+    if (m_size.x) {
+        const glm::ivec3 margin = (m_size + 3) / 4;
+        const glm::ivec3 wideLow = low - margin * glm::ivec3(glm::lessThan(low, m_low));
+        const glm::ivec3 wideHigh = high + margin * glm::ivec3(glm::greaterThan(high, m_low + m_size));
+        if (volume(wideHigh - wideLow) <= kMaxSectors) low = wideLow, high = wideHigh;
+    }
+    makeTable(low, high - low);
+}
+
+/// Replaces a table that is several times as large as what is occupied.
+void ShadowDirectory::shrink() {
+    constexpr int64_t kRatio = 4, kSmall = 64;  // sectors
+    const glm::ivec3 low = m_occupied.low() >> 4, high = (m_occupied.high() + (kSectorWords - 1)) >> 4;
+    if (m_occupied.low() == m_occupied.high() || volume(m_size) <= kRatio * volume(high - low) + kSmall) return;
+    makeTable(low, high - low);
+}
+
+}  // namespace rubble

@@ -1,0 +1,23 @@
+#pragma once
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "runtime/core/pose.h"
+#include "runtime/voxel/voxel_grid.h"
+
+namespace rubble {
+
+/// From this size on, in metres, only the surface of a shape is rasterised: a voxel of 20 m holds 8 million shadow
+/// cells, and no ray gets to those inside.
+inline constexpr double kSurfaceVoxelSize = 0.8;
+/// The most pieces of faces, of at most a shadow brick's side, that a shape's surface may have: 512 voxels of 20 m have
+/// 65,000. A larger one casts no shadow.
+inline constexpr int64_t kMaxSurfaceTiles = int64_t(1) << 19;
+
+/// Adds the shadow bricks that the surface of a shape's solid voxels can touch, some of them often. False, and nothing
+/// is added, if it has more than kMaxSurfaceTiles. ShadowCellTransform::place() must have accepted the pose.
+bool listSurfaceBricks(const VoxelGrid& grid, const Pose& shapeToWorld, double voxelSize,
+                       std::vector<glm::ivec3>& bricks);
+
+}  // namespace rubble
