@@ -5,6 +5,7 @@
 #include "render/passes/bounce.h"
 #include "render/passes/fullscreen.h"
 #include "render/passes/gbuffer_pass.h"
+#include "render/passes/known_changes.h"
 #include "render/scene/scene.h"
 
 namespace rubble {
@@ -71,6 +72,7 @@ void ReflectionsPass::accumulate(const FrameContext& frame, const Texture& mask)
     const FullscreenTargets into{{&light.current, &moments.current}, &mask, {kNone, kNone}};
     drawFullscreen(frame, m_accumulate, into, [&](const Program& program) {
         bindMirror(program, frame);
+        setKnownChanges(program, frame);
         program.set("uNoisyReflection", frame.targets.at(Target::NoisyReflection));
         program.set("uReflectionHistory", light.previous);
         program.set("uMomentHistory", moments.previous);

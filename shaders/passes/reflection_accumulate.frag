@@ -2,13 +2,15 @@
 // history is fetched where the previous camera saw that virtual image in the same plane; the rougher the surface, the
 // more the image sticks to it, by the dominance of the specular peak (Lagarde and de Rousiers 2014, 4.9.3). A tap
 // counts if it lies in that plane. History is clamped to the mean of the neighbours +- 3 deviations, so that what moves
-// in the mirror is followed. Ideal mirrors have no noise and keep no history.
+// in the mirror is followed, and shortened where the mirror shows a place whose light has changed. Ideal mirrors have
+// no noise and keep no history.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
 #include "lib/half.glsl"
 #include "lib/brdf.glsl"
 #include "lib/color.glsl"
+#include "lib/known_changes.glsl"
 #include "lib/surface_history.glsl"
 #include "lib/mirror.glsl"
 
@@ -110,7 +112,9 @@ void main() {
     vec3 room = kDeviations * around.deviation + kTolerance * around.mean;
     history.rgb = clamp(history.rgb, around.mean - room, around.mean + room);
     float limit = mix(1.0, kMaxFrames, smoothstep(kGlossy.x, kGlossy.y, m.roughness));
-    float frames = min(history.a + 1.0, limit);
+    vec3 seen = m.position + reflect(-m.view, m.normal) * around.metres;
+    float left = min(historyNearVoxels(seen), historyNearLights(seen, luminance(history.rgb)));
+    float frames = min(min(history.a, left * uMaxHistory) + 1.0, limit);
     accumulated = stochasticRoundToHalf(vec4(mix(history.rgb, now.rgb, 1.0 / frames), 0.0), pixel, 8);
     accumulated.a = frames;
     moments.x = mix(lastMoments.x, moments.x, 1.0 / frames);

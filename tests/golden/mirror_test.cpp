@@ -58,8 +58,8 @@ protected:
         draw(from, 3);
         return middleOf("reflection");
     }
-    glm::vec3 middleOf(const char* target) {
-        const FloatImage image = read(target);
+    glm::vec3 middleOf(const char* name) {
+        const FloatImage image = read(name);
         glm::vec3 sum(0.0f);
         for (int y = 28; y < 36; ++y)
             for (int x = 40; x < 56; ++x) sum += glm::vec3(image.at(x, y));
@@ -155,8 +155,8 @@ TEST_F(MirrorTest, GlossyReflectionsAreSmoothAndTrue) {
         const FloatImage one = read("accumulatedReflection");
         for (size_t p = 0; p < one.pixels.size(); ++p) mean.pixels[p] += one.pixels[p] / float(kReferenceFrames);
     }
-    const auto errorOf = [&](const char* target) {
-        const FloatImage image = read(target);
+    const auto errorOf = [&](const char* name) {
+        const FloatImage image = read(name);
         double error = 0.0, sum = 0.0;
         for (int y = 2; y < 26; ++y)  // the floor
             for (int x = 8; x < 88; ++x) {

@@ -1,5 +1,9 @@
 // Wet ground and sunlight through glass: where they must be, and where they must not.
+#include <filesystem>
+#include <fstream>
+
 #include "tests/golden/drawing.h"
+#include "tests/support/temp_folder.h"
 
 namespace rubble {
 namespace {
@@ -132,6 +136,26 @@ TEST_F(WeatherTest, LightThroughGlassFollowsWhatStandsBeforeIt) {
     const double after = red();
     start(scene, kSize, settings);
     EXPECT_NEAR(after, red(), 0.01 * after);
+}
+
+/// A map that was never drawn must not be read.
+TEST_F(WeatherTest, LightThroughGlassIsNotTintedWhereItsShaderDoesNotBuild) {
+    const TempFolder folder;
+    std::filesystem::copy(shaderFolder(), folder.path(), std::filesystem::copy_options::recursive);
+    std::ofstream(folder.path() / "passes/glass_shadow.frag") << "oops";
+    RenderSettings settings;
+    settings.sky = settings.bounce = false;
+    auto made = Renderer::create(testContext().loader(), folder.path().string(), settings);
+    ASSERT_TRUE(made) << made.error();
+    renderer = std::move(made).value();
+    renderer->apply(paneInTheSun(true).snapshot());
+    target = std::make_unique<Offscreen>(kSize);
+    draw(lookingAt({0, 6.0, 0.02}, {0, 0, 0}), 2);
+    const FloatImage image = read("radiance");
+    const glm::ivec2 low(44, 20), high(52, 26);
+    EXPECT_GT(meanOf(image, low, high, 0), 0.1);
+    EXPECT_NEAR(meanOf(image, low, high, 1) / meanOf(image, low, high, 0),
+                meanOf(image, {4, 20}, {12, 26}, 1) / meanOf(image, {4, 20}, {12, 26}, 0), 0.02);
 }
 
 }  // namespace

@@ -5,9 +5,11 @@
 namespace rubble::reference {
 namespace {
 
-/// The white furnace test: under a uniform sky a white object that reflects all light is invisible.
+/// The white furnace test: under a uniform sky a white object that reflects all light is invisible. It is below the
+/// plane of the fields, which mirrors would show.
 class FurnaceTest : public EstimatorTest {
 protected:
+    static constexpr double kHeight = -20.0;
     static LitScene furnace(uint8_t roughness, glm::dquat turned) {
         LitScene scene(palette(255, roughness, 60));
         Environment& air = scene.environment;
@@ -15,14 +17,14 @@ protected:
         air.skyColor = air.horizonColor = air.groundColor = air.fogColor = glm::vec3(1.0f);
         air.fogDistance = 1e6f;
         air.clouds = 0.0f;
-        scene.add({12, 12, 12}, {glm::dvec3(0, 1.6, 0) - turned * glm::dvec3(0.6), turned}, solid);
+        scene.add({12, 12, 12}, {glm::dvec3(0, kHeight, 0) - turned * glm::dvec3(0.6), turned}, solid);
         return scene;
     }
     /// Mean over the faces toward a camera on this side. Smooth sides reflect hills, so that only top and bottom count.
     double meanRadiance(glm::dvec3 from, bool smooth) {
         Camera camera;
-        camera.position = glm::dvec3(0, 1.6, 0) + from;
-        camera.lookAt({0, 1.6, 0});
+        camera.position = glm::dvec3(0, kHeight, 0) + from;
+        camera.lookAt({0, kHeight, 0});
         const Drawn drawn = drawMany(camera, "radiance", 16);
         const FloatImage depth = read("depth"), normal = read("normal");
         double sum = 0.0;

@@ -211,7 +211,7 @@ protected:
         // What a renderer reaches that begins with the change: a ray or two a pixel.
         const double noise = reference::flip(fresh, reference::displayed(started, exposure));
         printf("%s: FLIP %.4f, begun then %.4f\n", name.c_str(), difference, noise);
-        EXPECT_LE(difference, std::max(limit, 1.1 * noise)) << name;
+        EXPECT_LE(difference, std::max(limit, 1.2 * noise)) << name;
     }
     Stage m_stage;
     bool m_isLightOut = false;
@@ -246,7 +246,7 @@ TEST_P(Ghosts, ACameraThatStrafedLeavesNoTrace) {
         draw(m_stage.camera);
     }
     m_stage.camera = last;
-    expectNoGhost("strafe", 0.042);  // mirrored highlights on smooth floors are noisy in motion
+    expectNoGhost("strafe", 0.045);  // mirrored highlights on smooth floors are noisy in motion
 }
 
 TEST_P(Ghosts, ARecolouredLightHasItsNewColour) {

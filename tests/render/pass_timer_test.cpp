@@ -80,7 +80,9 @@ TEST_F(PassTimerTest, TimesEachPassWhereWanted) {
     const Offscreen target({32, 24});
     for (int i = 0; i < 3; ++i) (*made)->draw(Camera().view(target.size(), target.framebuffer()), 1.0f);
     const RenderStats& stats = (*made)->stats();
-    if (isSoftwareGl()) EXPECT_EQ(stats.passMs.size(), stats.passes.size());
+    if (isSoftwareGl()) {
+        EXPECT_EQ(stats.passMs.size(), stats.passes.size());
+    }
 }
 
 }  // namespace
