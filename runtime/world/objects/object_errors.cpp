@@ -37,11 +37,13 @@ std::string objectError(const PaletteEntry& entry) {
 }
 
 std::string objectError(const Body& body) {
-    return RangeCheck()
+    RangeCheck check;
+    check.text("name", body.name)
         .pose("pose", body.pose)
         .vector("velocity", body.velocity, ranges::kVelocity)
-        .vector("angular_velocity", body.angularVelocity, ranges::kVelocity)
-        .error();
+        .vector("angular_velocity", body.angularVelocity, ranges::kVelocity);
+    for (const std::string& tag : body.tags) check.text("a tag", tag);
+    return check.error();
 }
 
 std::string shapeError(const Pose& local, float voxelSize, float strength) {
@@ -53,7 +55,10 @@ std::string shapeError(const Pose& local, float voxelSize, float strength) {
 }
 
 std::string objectError(const Shape& shape) {
-    return shapeError(shape.local, shape.voxelSize, shape.strength);
+    RangeCheck check;
+    check.text("name", shape.name).include(shapeError(shape.local, shape.voxelSize, shape.strength));
+    for (const std::string& tag : shape.tags) check.text("a tag", tag);
+    return check.error();
 }
 
 std::string objectError(const Light& light) {
@@ -61,7 +66,11 @@ std::string objectError(const Light& light) {
 }
 
 std::string objectError(const LightGroup& group) {
-    return RangeCheck().number("threshold", double(group.threshold), ranges::kThreshold).error();
+    return RangeCheck()
+        .text("name", group.name)
+        .text("supply_shape", group.supplyShape)
+        .number("threshold", double(group.threshold), ranges::kThreshold)
+        .error();
 }
 
 std::string objectError(const Water& water) {
@@ -119,7 +128,7 @@ std::string objectError(const Character& c) {
 }
 
 std::string objectError(const Joint& joint) {
-    return jointError(joint);
+    return RangeCheck().text("name", joint.name).include(jointError(joint)).error();
 }
 
 }  // namespace rubble
