@@ -365,10 +365,9 @@ private:
 };
 
 }  // namespace
-}  // namespace rubble
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-    rubble::Decisions decisions(data, size);
-    rubble::RandomHost(decisions).run();
-    return 0;
+void fuzz(Decisions& decisions) {
+    RandomHost(decisions).run();
 }
+
+}  // namespace rubble

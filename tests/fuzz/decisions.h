@@ -66,4 +66,7 @@ private:
     Random m_random;
 };
 
+/// One input of a fuzzer; each NAME_fuzzer.cpp defines it, or an entry of its own instead. Aborts on a fault.
+void fuzz(Decisions& decisions);
+
 }  // namespace rubble

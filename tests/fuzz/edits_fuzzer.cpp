@@ -3,15 +3,14 @@
 #include <cstdlib>
 
 #include "physics/physics_world.h"
-#include "runtime/core/log.h"
 #include "runtime/world/impacts/break_through.h"
 #include "runtime/world/impacts/impact_damage.h"
 #include "tests/fuzz/random_world.h"
 
 namespace rubble {
-namespace {
+namespace {}  // namespace
 
-void run(Decisions& decisions) {
+void fuzz(Decisions& decisions) {
     World world;
     PhysicsWorld physics;
     world.load(randomLevel(decisions));
@@ -37,12 +36,4 @@ void run(Decisions& decisions) {
     requireReadableSave(world);
 }
 
-}  // namespace
 }  // namespace rubble
-
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-    rubble::setLogSink([](void*, rubble::LogLevel, std::string_view) {}, nullptr);
-    rubble::Decisions decisions(data, size);
-    rubble::run(decisions);
-    return 0;
-}

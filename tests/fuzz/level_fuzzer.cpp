@@ -4,7 +4,7 @@
 
 #include "runtime/assets/chunk_file.h"
 #include "runtime/assets/rubble_file.h"
-#include "runtime/core/log.h"
+#include "tests/fuzz/content_hash.h"
 #include "tests/fuzz/mutator.h"
 #include "tests/fuzz/random_world.h"
 
@@ -37,24 +37,13 @@ std::vector<uint8_t> fileOf(Decisions& decisions, const Level& level, uint64_t h
     return file;
 }
 
-/// Reads a file again whose only fault is its content hash.
-Result<Level> readWithHash(std::vector<uint8_t> file) {
-    Result<Level> level = levelFromRubble(file, "fuzz");
-    const char* expected = "expected the hash of the level, ";
-    const size_t at = level ? std::string::npos : level.error().find(expected);
-    if (at == std::string::npos) return level;
-    uint32_t chunks = 0;
-    std::memcpy(&chunks, file.data() + 12, 4);
-    const FileHeader header =
-        makeFileHeader(chunks, std::strtoull(level.error().c_str() + at + std::strlen(expected), nullptr, 16));
-    std::memcpy(file.data(), &header, sizeof header);
-    return levelFromRubble(file, "fuzz");
-}
+}  // namespace
 
-void run(Decisions& decisions) {
+void fuzz(Decisions& decisions) {
     Level level = randomLevel(decisions);
     if (!decisions.oneIn(8)) Mutator(decisions, 1u << (4 + decisions.below(8))).mutate(level);
-    const Result<Level> read = readWithHash(fileOf(decisions, level, 0));
+    const Result<Level> read =
+        readWithItsHash(fileOf(decisions, level, 0), [](const auto& file) { return levelFromRubble(file, "fuzz"); });
     if (!read) {
         if (read.error().empty()) std::abort();
         return;
@@ -66,12 +55,4 @@ void run(Decisions& decisions) {
     requireReadableSave(world);
 }
 
-}  // namespace
 }  // namespace rubble
-
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-    rubble::setLogSink([](void*, rubble::LogLevel, std::string_view) {}, nullptr);
-    rubble::Decisions decisions(data, size);
-    rubble::run(decisions);
-    return 0;
-}

@@ -4,7 +4,6 @@
 
 #include "runtime/assets/chunk_file.h"
 #include "runtime/assets/recording_file.h"
-#include "runtime/core/log.h"
 #include "runtime/world/history/world_baseline.h"
 #include "tests/fuzz/mutator.h"
 #include "tests/fuzz/random_world.h"
@@ -66,7 +65,9 @@ void follow(const Recording& recording) {
     requireReadableSave(player);
 }
 
-void run(Decisions& decisions) {
+}  // namespace
+
+void fuzz(Decisions& decisions) {
     World world;
     world.load(randomLevel(decisions));
     world.applyEdits({});
@@ -88,12 +89,4 @@ void run(Decisions& decisions) {
     if (!isChanged || recording.error().empty()) std::abort();
 }
 
-}  // namespace
 }  // namespace rubble
-
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-    rubble::setLogSink([](void*, rubble::LogLevel, std::string_view) {}, nullptr);
-    rubble::Decisions decisions(data, size);
-    rubble::run(decisions);
-    return 0;
-}

@@ -3,7 +3,7 @@
 
 #include "runtime/assets/chunk_file.h"
 #include "runtime/assets/save_file.h"
-#include "runtime/core/log.h"
+#include "tests/fuzz/content_hash.h"
 #include "tests/fuzz/mutator.h"
 #include "tests/fuzz/random_world.h"
 
@@ -27,21 +27,9 @@ void mutateState(Decisions& decisions, WorldState& world) {
     if (decisions.oneIn(64)) world.step = decisions.bits();
 }
 
-/// Reads a file again whose only fault is its content hash.
-Result<SavedGame> readWithHash(std::vector<uint8_t> file) {
-    Result<SavedGame> game = gameFromBytes(file, "fuzz", 1);
-    const char* expected = "expected the hash of the world, ";
-    const size_t at = game ? std::string::npos : game.error().find(expected);
-    if (at == std::string::npos) return game;
-    uint32_t chunks = 0;
-    std::memcpy(&chunks, file.data() + 12, 4);
-    const FileHeader header =
-        makeFileHeader(chunks, std::strtoull(game.error().c_str() + at + std::strlen(expected), nullptr, 16));
-    std::memcpy(file.data(), &header, sizeof header);
-    return gameFromBytes(file, "fuzz", 1);
-}
+}  // namespace
 
-void run(Decisions& decisions) {
+void fuzz(Decisions& decisions) {
     World world;
     world.load(randomLevel(decisions));
     for (uint32_t i = decisions.below(6); i-- > 0;) world.applyEdits({randomEdit(decisions, world, 0)});
@@ -51,7 +39,8 @@ void run(Decisions& decisions) {
     if (!decisions.oneIn(8)) mutateState(decisions, game.world);
     std::vector<uint8_t> file = gameToBytes(game, 0, nullptr);
     if (decisions.oneIn(16)) mutateBytes(decisions, file);
-    const Result<SavedGame> read = readWithHash(std::move(file));
+    const Result<SavedGame> read =
+        readWithItsHash(std::move(file), [](const auto& bytes) { return gameFromBytes(bytes, "fuzz", 1); });
     if (!read) {
         if (read.error().empty()) std::abort();
         return;
@@ -63,12 +52,4 @@ void run(Decisions& decisions) {
     requireReadableSave(loaded);
 }
 
-}  // namespace
 }  // namespace rubble
-
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-    rubble::setLogSink([](void*, rubble::LogLevel, std::string_view) {}, nullptr);
-    rubble::Decisions decisions(data, size);
-    rubble::run(decisions);
-    return 0;
-}
