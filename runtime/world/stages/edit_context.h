@@ -1,12 +1,14 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
 #include <set>
 #include <variant>
 #include <vector>
 
+#include "runtime/core/ranges.h"
 #include "runtime/destruction/carve.h"
 #include "runtime/destruction/fragments.h"
 #include "runtime/world/edits/edit.h"
@@ -38,8 +40,11 @@ struct BodyMotion {
     BodyHandle body;
     glm::dvec3 center;                     ///< of mass, world
     glm::dvec3 velocity, angularVelocity;  ///< m/s of the centre; rad/s, world axes
-    /// Velocity of the body's point at a world position: v + w x r.
-    glm::dvec3 velocityAt(glm::dvec3 point) const { return velocity + glm::cross(angularVelocity, point - center); }
+    /// Velocity of the body's point at a world position: v + w x r, within the range that bodies may have.
+    glm::dvec3 velocityAt(glm::dvec3 point) const {
+        return glm::clamp(velocity + glm::cross(angularVelocity, point - center), ranges::kVelocity.low,
+                          ranges::kVelocity.high);
+    }
 };
 
 /// Where removed voxels were, for their dust.
