@@ -91,9 +91,8 @@ bool UndoHistory::redo(WorldData& world, FrameChanges& changes) {
 }
 
 void UndoHistory::recordStep(const WorldData& world, const FrameChanges& changes, bool wasUndoOrRedo) {
-    if (changes.empty()) return;
     addMissing(m_current, m_baseline.update(world, changes));
-    if (wasUndoOrRedo) return;
+    if (wasUndoOrRedo || changes.empty()) return;
     m_onlyMotionSinceUndo = false;
     m_redo.clear();
 }

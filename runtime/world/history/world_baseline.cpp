@@ -58,6 +58,10 @@ WorldDelta WorldBaseline::emptyDelta() const {
 }
 
 WorldDelta WorldBaseline::update(const WorldData& world, const FrameChanges& changes) {
+    // Heat spreads and tests of what is connected go on in steps that the journal has nothing of.
+    if (world.fire.isActive() || m_last.fire.isActive()) m_last.fire = world.fire;
+    m_last.pendingSplits.clear();
+    for (const PendingSplit& pending : world.pendingSplits) m_last.pendingSplits.push_back({pending.shape, {}, {}});
     WorldDelta before;
     if (changes.empty()) return before;
     const auto body = [&](BodyHandle handle) { updateSlot(world.bodies, m_last.bodies, handle, before.bodies); };
@@ -86,9 +90,6 @@ WorldDelta WorldBaseline::update(const WorldData& world, const FrameChanges& cha
     if (changes.environmentChanged) before.environment = std::exchange(m_last.environment, world.environment);
     m_last.imported = world.imported;
     m_last.removed = world.removed;
-    if (world.fire.isActive() || m_last.fire.isActive()) m_last.fire = world.fire;
-    m_last.pendingSplits.clear();
-    for (const PendingSplit& pending : world.pendingSplits) m_last.pendingSplits.push_back({pending.shape, {}, {}});
     m_freeSlots = freeSlotsOf(world);
     return before;
 }

@@ -318,6 +318,24 @@ TEST(UndoHistory, AShapeThatWaitedForItsSplitAtTheMarkIsSplitAfterAnUndo) {
     finish();
 }
 
+TEST(UndoHistory, HeatIsAsItWasAtTheMarkIfNothingElseChangedBefore) {
+    World world;
+    world.load(oneShapeLevel(solidGrid({16, 16, 16}, 1), true));
+    world.applyEdits({});
+    UndoHistory history(world);
+    const auto step = [&](const Edits& edits) { history.recordStep(world, world.applyEdits(edits), false); };
+    step({HeatEdit{.position = {0.8, 0.8, 0.0}, .radius = 0.5, .joules = 1e5}});
+    step({ExtinguishEdit{{0.8, 0.8, 0.0}, 0.5, 10.0}});
+    ASSERT_TRUE(world.data().fire.isActive());
+    const uint64_t atMark = world.data().fire.hash();
+    history.mark(4);
+    step({sphereCarve({0.8, 0.8, 0.0}, 0.3)});
+    WorldData data = world;
+    FrameChanges changes;
+    ASSERT_TRUE(history.undo(data, changes));
+    EXPECT_EQ(data.fire.hash(), atMark);
+}
+
 TEST(UndoHistory, DoesNotReachBackBeyondADelta) {
     World world = smallWorld(), host = world;
     WorldBaseline baseline(host);
