@@ -195,7 +195,9 @@ private:
     template <class T>
     void read(std::vector<T>& values) {
         const uint32_t count = m_in.readCount(1, "elements");
-        for (uint32_t i = 0; i < count && m_in.takeMemory(listMemory(1, sizeof(T))); ++i) read(values.emplace_back());
+        if (!m_in.takeMemory(listMemory(count, sizeof(T)))) return;
+        values.reserve(count);
+        for (uint32_t i = 0; i < count && !m_in.failed(); ++i) read(values.emplace_back());
     }
     template <class T>
     requires std::is_class_v<T>

@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
+#include <utility>
+#include <vector>
 
 #include "runtime/assets/level_fields.h"
 #include "runtime/core/range_check.h"
 #include "runtime/core/ranges.h"
 #include "runtime/core/utf8.h"
+#include "runtime/voxel/paint_colors.h"
 #include "runtime/world/objects/object_errors.h"
 
 namespace rubble {
@@ -30,10 +34,9 @@ public:
     template <class T>
     void operator()(const char* name, const T& value) {
         if (!m_error.empty()) return;
-        const size_t length = m_path.size();
-        m_path += m_path.empty() ? name : std::string(".") + name;
+        m_path.push_back({name, 0});
         check(value);
-        m_path.resize(length);
+        m_path.pop_back();
     }
 
 private:
@@ -57,7 +60,7 @@ private:
     void check(const VoxelGrid&) {}
     void check(const PaintColorsRef&) {}
     void check(const PaletteRef& palette) {
-        if (!palette) return;
+        if (!palette || !m_checked.insert(palette.get()).second) return;
         for (size_t i = 0; i < palette->size(); ++i) {
             const PaletteEntry& entry = (*palette)[i];
             if (const std::string error = objectError(entry); !error.empty())
@@ -72,10 +75,9 @@ private:
     template <class T>
     void check(const std::vector<T>& values) {
         for (size_t i = 0; i < values.size() && m_error.empty(); ++i) {
-            const size_t length = m_path.size();
-            m_path += fmt::format("[{}]", i);
+            m_path.push_back({nullptr, i});
             check(values[i]);
-            m_path.resize(length);
+            m_path.pop_back();
         }
     }
     template <class T>
@@ -112,15 +114,12 @@ private:
     void checkRanges(const Joint& joint) { require("a valid joint", jointError(joint)); }
     void checkRanges(const Trigger& trigger) { require("a valid trigger", objectError(trigger)); }
     void checkRanges(const Character& character) { require("a valid character", objectError(character)); }
-    /// Painted voxels must have one of the shape's colours. Bytes of 1 to 15 are no paint at all.
+    /// Painted voxels must have one of the shape's colours.
     void checkPaint(const LevelShape& shape) {
         const int colors = shape.paintColors ? shape.paintColors->count : 0;
         int highest = 0;
-        shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
-            if (!brick->paint) return;
-            for (const uint8_t paint : *brick->paint)
-                highest = std::max(highest, paint > 0 && paint < 16 ? 16 : paintColor(paint));
-        });
+        shape.grid.forEachBrick(
+            [&](glm::ivec3, const BrickRef& brick) { highest = std::max(highest, highestPaintColor(*brick)); });
         if (highest > colors)
             fail(fmt::format("paint of the {} colours that the shape has", colors), fmt::format("colour {}", highest));
     }
@@ -129,14 +128,28 @@ private:
         if (!error.empty()) fail(expected, error);
     }
     void fail(const std::string& expected, const std::string& found) {
-        if (m_error.empty()) m_error = fmt::format("{}: expected {}, found {}", m_path, expected, found);
+        if (!m_error.empty()) return;
+        std::string path;
+        for (const auto& [name, index] : m_path)
+            path += !name ? fmt::format("[{}]", index) : path.empty() ? name : std::string(".") + name;
+        m_error = fmt::format("{}: expected {}, found {}", path, expected, found);
     }
 
-    std::string m_path, m_error;
+    std::vector<std::pair<const char*, size_t>> m_path;  ///< names of fields; no name: an index
+    std::unordered_set<const Palette*> m_checked;        ///< shapes share palettes
+    std::string m_error;
     size_t m_lightGroups = 0, m_materials = 0;
 };
 
 }  // namespace
+
+int highestPaintColor(const Brick& brick) {
+    int highest = 0;
+    if (brick.paint)
+        for (const uint8_t paint : *brick.paint)
+            highest = std::max(highest, paint > 0 && paint < 16 ? kPaintColors + 1 : paintColor(paint));
+    return highest;
+}
 
 Result<Done> validateLevel(const Level& level) {
     return LevelValidator().run(level);

@@ -1,5 +1,6 @@
 #pragma once
 #include "runtime/core/result.h"
+#include "runtime/voxel/brick.h"
 #include "runtime/world/level/level.h"
 
 namespace rubble {
@@ -8,5 +9,9 @@ namespace rubble {
 /// indices are in range. The error names the first bad field by its path ("bodies[1].pose.position"), what was expected
 /// and what was found. Every reader and writer of level files calls it.
 Result<Done> validateLevel(const Level& level);
+
+/// The highest colour of a brick's paint (runtime/voxel/paint_colors.h), 0 without paint; more than kPaintColors if a
+/// byte is no paint at all.
+int highestPaintColor(const Brick& brick);
 
 }  // namespace rubble

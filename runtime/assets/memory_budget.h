@@ -30,7 +30,7 @@ inline constexpr uint64_t kBrickMemory = 800;
 constexpr uint64_t directoryMemory(uint64_t nodes) {
     return nodes * sizeof(void*) * 4;
 }
-/// What a list of that many elements takes, with the room that it grows into.
+/// What a list of that many elements takes, and a copy of it.
 constexpr uint64_t listMemory(uint64_t elements, uint64_t bytesEach) {
     return elements * bytesEach * 2;
 }

@@ -10,15 +10,31 @@ namespace {
 constexpr size_t kMaxNameBytes = 200;
 constexpr size_t kMaxCharacterBytes = 4;  // of UTF-8
 
+/// The character at a byte, or "?" instead of one that cannot be printed, which is one byte long.
+std::string_view printableCharacter(std::string_view text, size_t at) {
+    const size_t length = utf8Length(text, at);
+    const bool isControl = length == 1 && (uint8_t(text[at]) < 32 || text[at] == 127);
+    return length == 0 || isControl ? std::string_view("?") : text.substr(at, length);
+}
+
 }  // namespace
+
+std::string printableText(std::string_view text) {
+    std::string out;
+    for (size_t at = 0; at < text.size();) {
+        const std::string_view next = text[at] == '\n' ? text.substr(at, 1) : printableCharacter(text, at);
+        out += next;
+        at += next.size();
+    }
+    return out;
+}
 
 std::string printableName(std::string_view name) {
     std::string out;
     for (size_t at = 0; at < name.size() && out.size() + kMaxCharacterBytes <= kMaxNameBytes;) {
-        const size_t length = utf8Length(name, at);
-        const bool control = length == 1 && (uint8_t(name[at]) < 32 || name[at] == 127);
-        out += length == 0 || control ? std::string_view("?") : name.substr(at, length);
-        at += length ? length : 1;
+        const std::string_view next = printableCharacter(name, at);
+        out += next;
+        at += next.size();
     }
     return out.empty() ? "unnamed" : out;
 }

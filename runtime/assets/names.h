@@ -6,6 +6,8 @@
 
 namespace rubble {
 
+/// The text as valid UTF-8, with "?" for each invalid byte and for each control character but line feeds.
+std::string printableText(std::string_view text);
 /// The name as valid UTF-8 of at most 200 bytes, with "?" for each invalid byte and control character; "unnamed" for an
 /// empty one.
 std::string printableName(std::string_view name);

@@ -78,6 +78,11 @@ std::vector<uint8_t> stateToBytes(const SavedGame& game, PaletteList& palettes, 
     return bytes;
 }
 
+/// What shapes take that wait for their split, beside the list of their handles.
+uint64_t waitingMemory(size_t count) {
+    return listMemory(count, sizeof(PendingSplit));
+}
+
 /// The shapes that wait for their split, in a chunk of their own: saves of before have none.
 std::vector<uint8_t> waitingToBytes(const WorldState& world, PaletteList& palettes, uint64_t& memory) {
     std::vector<ShapeHandle> waiting;
@@ -85,7 +90,7 @@ std::vector<uint8_t> waitingToBytes(const WorldState& world, PaletteList& palett
     std::vector<uint8_t> bytes;
     BinaryOutputArchive out(bytes, palettes);
     out.put(waiting);
-    memory = out.memory();
+    memory = out.memory() + waitingMemory(waiting.size());
     return bytes;
 }
 
@@ -189,6 +194,7 @@ void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, siz
                 [&](ShapeHandle, Shape& shape) { out.shapes.push_back(&shape), out.grids.push_back(&shape.grid); });
     } else if (kind == "WAIT") {
         BinaryInputArchive(in, out.palettes, world).get(out.waiting);
+        in.takeMemory(waitingMemory(out.waiting.size()));
     } else if (kind == "GRID") {
         readGridChunk(in, out.grids);
     } else if (kind == "LEVL") {
@@ -253,9 +259,9 @@ std::vector<uint8_t> gameToBytes(const SavedGame& game, uint64_t hash, uint64_t*
     out.add({'P', 'A', 'L', 'T'}, palettesToBytes(palettes.palettes()));
     out.add({'S', 'A', 'V', 'E'}, state, stateMemory);
     if (!game.world.pendingSplits.empty()) {
-        uint64_t waitingMemory = 0;
-        const std::vector<uint8_t> waiting = waitingToBytes(game.world, palettes, waitingMemory);
-        out.add({'W', 'A', 'I', 'T'}, waiting, waitingMemory);
+        uint64_t listMemory = 0;
+        const std::vector<uint8_t> waiting = waitingToBytes(game.world, palettes, listMemory);
+        out.add({'W', 'A', 'I', 'T'}, waiting, listMemory);
     }
     GridChunkWriter grids(out);
     uint32_t shape = 0;
@@ -277,6 +283,7 @@ Result<SavedGame> gameFrom(ByteReader& in, const std::string& name, uint8_t worl
     if (!parsed.haveState) in.fail("a SAVE chunk", "none");
     if (in.failed()) return Error{name + ": " + in.error()};
     WorldState& state = parsed.game.world;
+    state.pendingSplits.reserve(parsed.waiting.size());
     for (const ShapeHandle shape : parsed.waiting) state.pendingSplits.push_back({shape, {}, {}});
     for (Shape* shape : parsed.shapes) {
         if (!shape->palette) shape->palette = std::make_shared<const Palette>();

@@ -7,6 +7,7 @@
 
 #include "runtime/assets/binary_archive.h"
 #include "runtime/assets/level_bytes.h"
+#include "runtime/assets/level_validation.h"
 #include "runtime/assets/state_fields.h"
 #include "runtime/voxel/mass_properties.h"
 #include "runtime/world/objects/object_errors.h"
@@ -170,41 +171,60 @@ private:
             return m_reader.fail("a shape that fits the world before the step", "another");
         if (isChanged) shape.grid = from->grid;
         if (!shape.palette) shape.palette = std::make_shared<const Palette>();
+        const int colors = shape.paintColors ? shape.paintColors->count : 0;
         for (uint32_t i = m_reader.readCount(7, "bricks"); i-- > 0 && !m_reader.failed();)
-            readBrickOf(shape.grid, source);
+            checkPaint(readBrickOf(shape.grid, source), colors);
+        if (isChanged && from->paintColors && from->paintColors->count > colors)
+            shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) { checkPaint(brick.get(), colors); });
         if (m_reader.failed()) return;
         shape.moments = gridMoments(shape.grid, *shape.palette, m_world.materials());
         shape.anchors = translatedBoxes(shape.anchors, glm::ivec3(0), shape.grid.size());
         value = std::move(shape);
     }
-    void readBrickOf(VoxelGrid& grid, const Source& source) {
+    /// Fails if a brick has paint of another colour than the first so many.
+    void checkPaint(const Brick* brick, int colors) {
+        if (!brick || highestPaintColor(*brick) <= colors) return;
+        m_reader.fail(fmt::format("paint of the {} colours that the shape has", colors),
+                      fmt::format("colour {}", highestPaintColor(*brick)));
+    }
+    /// The brick that is there now; null if there is none.
+    const Brick* readBrickOf(VoxelGrid& grid, const Source& source) {
         const auto kind = m_reader.read<BrickKind>();
-        if (kind == BrickKind::Full) return readFull(grid);
-        glm::ivec3 position;
-        for (int i = 0; i < 3; ++i) position[i] = m_reader.read<uint16_t>();
+        const auto position = kind == BrickKind::Full ? readFull(grid) : readBrickOfSource(grid, source, kind);
+        return m_reader.failed() ? nullptr : grid.brickAt(position);
+    }
+    glm::ivec3 readBrickOfSource(VoxelGrid& grid, const Source& source, BrickKind kind) {
+        const glm::ivec3 position = readPosition(m_reader);
         const glm::ivec3 bricks = grid.sizeInBricks();
         const BrickRef from = source.brick(position);
         const bool fits = position.x < bricks.x && position.y < bricks.y && position.z < bricks.z &&
                           (kind == BrickKind::Empty || from);
-        if (m_reader.failed() || kind > BrickKind::Full || !fits)
-            return m_reader.fail("a brick that the source has", "none there");
-        if (kind == BrickKind::Empty) return grid.setBrick(position, nullptr);
-        const BrickRef brick = kind == BrickKind::Whole ? from : maskBrick(*from, m_reader.read<BrickBits>());
+        if (kind > BrickKind::Full || !fits) m_reader.fail("a brick that the source has", "none there");
+        if (m_reader.failed()) return position;
+        BrickRef brick;
+        if (kind != BrickKind::Empty)
+            brick = kind == BrickKind::Whole ? from : maskBrick(*from, m_reader.read<BrickBits>());
         const glm::ivec3 remaining = grid.size() - position * kBrickSize;
         bool isInside = true;
         if (brick && glm::any(glm::lessThan(remaining, glm::ivec3(kBrickSize))))
             forEachVoxel(brick->occupancy,
                          [&](int i) { isInside = isInside && glm::all(glm::lessThan(voxelInBrick(i), remaining)); });
-        if (!isInside) return m_reader.fail("a brick inside the grid", "one with voxels outside");
-        grid.setBrick(position, brick);
+        if (!isInside) m_reader.fail("a brick inside the grid", "one with voxels outside");
+        if (!m_reader.failed()) grid.setBrick(position, brick);
+        return position;
     }
     /// New content replaces the brick that is there, which readBrick() alone refuses.
-    void readFull(VoxelGrid& grid) {
+    glm::ivec3 readFull(VoxelGrid& grid) {
         ByteReader ahead = m_reader;
-        glm::ivec3 position;
-        for (int i = 0; i < 3; ++i) position[i] = ahead.read<uint16_t>();
+        const glm::ivec3 position = readPosition(ahead);
         if (grid.brickAt(position)) grid.setBrick(position, nullptr);
         readBrick(m_reader, grid);
+        return position;
+    }
+    static glm::ivec3 readPosition(ByteReader& in) {
+        glm::ivec3 position;
+        for (int i = 0; i < 3; ++i) position[i] = in.read<uint16_t>();
+        return position;
     }
     ByteReader& m_reader;
     BinaryInputArchive m_in;

@@ -14,6 +14,7 @@
 
 #include "runtime/assets/assets.h"
 #include "runtime/assets/file_bytes.h"
+#include "runtime/assets/vdb_reply.h"
 #include "runtime/core/log.h"
 
 extern char** environ;
@@ -23,9 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-// Bytes of the child's output that are kept: the first, and the last, where its error is.
-constexpr size_t kMaxFirst = 48 << 10, kMaxLast = 16 << 10;
 
 /// A positive number from the environment, or the default.
 uint64_t environmentLimit(const char* name, uint64_t fallback) {
@@ -63,27 +61,6 @@ private:
     std::string m_path, m_error;
 };
 
-/// The first and the last bytes of a text.
-class Output {
-public:
-    void append(const char* bytes, size_t count) {
-        const size_t first = std::min(count, kMaxFirst - m_first.size());
-        m_first.append(bytes, first);
-        m_last.append(bytes + first, count - first);
-        if (m_last.size() <= 2 * kMaxLast) return;
-        m_last.erase(0, m_last.size() - kMaxLast);
-        m_isCut = true;
-    }
-    /// What is kept. Where the middle is missing, there is a line that says so.
-    std::string text() const {
-        return m_isCut ? m_first + "\nnote: further notes are left out\n" + m_last : m_first + m_last;
-    }
-
-private:
-    std::string m_first, m_last;
-    bool m_isCut = false;
-};
-
 /// Starts a program with its stdout and stderr in a pipe; the process id, or -errno.
 pid_t spawnTool(const std::vector<std::string>& command, int writeEnd) {
     std::vector<char*> arguments;
@@ -101,7 +78,7 @@ pid_t spawnTool(const std::vector<std::string>& command, int writeEnd) {
 }
 
 /// Collects output until the other end closes it; false when time runs out first.
-bool readUntil(int readEnd, Clock::time_point deadline, Output& output) {
+bool readUntil(int readEnd, Clock::time_point deadline, VdbReply& reply) {
     for (;;) {
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
         if (left <= 0) return false;
@@ -112,18 +89,8 @@ bool readUntil(int readEnd, Clock::time_point deadline, Output& output) {
         char buffer[4096];
         const ssize_t got = read(readEnd, buffer, sizeof buffer);
         if (got == 0 || (got < 0 && errno != EINTR)) return true;
-        if (got > 0) output.append(buffer, size_t(got));
+        if (got > 0) reply.append({buffer, size_t(got)});
     }
-}
-
-std::string describeExit(int status, bool inTime, uint64_t seconds) {
-    if (!inTime) return fmt::format("stopped after {} s (RUBBLE_VDB_SECONDS raises the limit)", seconds);
-    if (WIFSIGNALED(status))
-        return fmt::format(
-            "killed by signal {} ({}): OpenVDB does not survive this file, which is damaged or hostile; it runs in a "
-            "process of its own, so that nothing else is harmed",
-            WTERMSIG(status), strsignal(WTERMSIG(status)));
-    return fmt::format("ended with code {}", WEXITSTATUS(status));
 }
 
 /// Waits for the child and releases it. False if the host ignores SIGCHLD: then there is no status.
@@ -152,20 +119,17 @@ Result<std::string> runVdbTool(const std::string& tool, const std::vector<std::s
         close(ends[0]);
         return Error{fmt::format("{}: cannot start it: {}", tool, std::strerror(-child))};
     }
-    Output collected;
-    const bool inTime = readUntil(ends[0], Clock::now() + std::chrono::seconds(seconds), collected);
+    VdbReply reply;
+    const bool inTime = readUntil(ends[0], Clock::now() + std::chrono::seconds(seconds), reply);
     close(ends[0]);
     if (!inTime) kill(child, SIGKILL);
     int status = 0;
     const bool hasStatus = waitForExit(child, status);
-    std::string output = collected.text();
-    while (!output.empty() && output.back() == '\n') output.pop_back();
-    // Without a status the file that the tool should have written decides.
-    if (inTime && (!hasStatus || (WIFEXITED(status) && WEXITSTATUS(status) == 0))) return output;
-    const size_t error = ("\n" + output).rfind("\nerror: ");
-    if (inTime && WIFEXITED(status) && error != std::string::npos) return Error{output.substr(error + 7)};
-    return Error{fmt::format("{}: {}{}{}", fs::path(tool).filename().string(), describeExit(status, inTime, seconds),
-                             output.empty() ? "" : ": ", output)};
+    if (!inTime)
+        reply.stop(seconds);
+    else if (hasStatus)
+        reply.end(status);
+    return reply.result(fs::path(tool).filename().string());
 }
 
 /// A path that the tool cannot take for an option.
@@ -173,16 +137,13 @@ std::string argumentPath(const std::string& path) {
     return path.starts_with('-') ? "./" + path : path;
 }
 
-/// Takes the lines "note: ..." from the tool's output.
+/// Hands on what the tool noted: to the report, or to the log.
 void reportNotes(const std::string& output, const std::string& path, ImportReport* report) {
-    std::string line;
-    for (size_t at = 0; at < output.size(); at += line.size() + 1) {
-        line = output.substr(at, output.find('\n', at) - at);
-        if (!line.starts_with("note: ")) continue;
+    for (std::string& note : notesOf(output)) {
         if (report)
-            report->lines.push_back(line.substr(6));
+            report->lines.push_back(std::move(note));
         else
-            logWarning(path + ": " + line.substr(6));
+            logWarning(path + ": " + note);
     }
 }
 

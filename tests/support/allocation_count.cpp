@@ -1,5 +1,7 @@
 #include "tests/support/allocation_count.h"
 
+#include <malloc.h>
+
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -7,6 +9,7 @@
 namespace {
 std::atomic<size_t> g_allocations = 0;
 std::atomic<size_t> g_largest = ~size_t(0);
+std::atomic<size_t> g_allocated = 0, g_peak = 0;
 }  // namespace
 
 // The operators of clang's thread sanitizer cannot be replaced: there nothing is counted.
@@ -17,22 +20,35 @@ std::atomic<size_t> g_largest = ~size_t(0);
 #endif
 
 #ifndef RUBBLE_COUNTS_NOTHING
-void* operator new(size_t size) {
+namespace {
+void* allocate(size_t size) {
     ++g_allocations;
+    void* memory = std::malloc(size ? size : 1);
+    const size_t now = g_allocated += malloc_usable_size(memory);
+    for (size_t peak = g_peak; peak < now && !g_peak.compare_exchange_weak(peak, now);) continue;
+    return memory;
+}
+
+void release(void* memory) {
+    g_allocated -= malloc_usable_size(memory);
+    std::free(memory);
+}
+}  // namespace
+
+void* operator new(size_t size) {
     if (size > g_largest) throw std::bad_alloc();
-    if (void* memory = std::malloc(size ? size : 1)) return memory;
+    if (void* memory = allocate(size)) return memory;
     throw std::bad_alloc();
 }
 // std::stable_sort allocates its buffer with this operator. Under a sanitizer the default one would not be ours.
 void* operator new(size_t size, const std::nothrow_t&) noexcept {
-    ++g_allocations;
-    return std::malloc(size ? size : 1);
+    return allocate(size);
 }
 void operator delete(void* memory) noexcept {
-    std::free(memory);
+    release(memory);
 }
 void operator delete(void* memory, size_t) noexcept {
-    std::free(memory);
+    release(memory);
 }
 #endif
 
@@ -44,6 +60,18 @@ void limitAllocations(size_t bytes) {
 
 size_t allocationCount() {
     return g_allocations;
+}
+
+size_t allocatedBytes() {
+    return g_allocated;
+}
+
+size_t peakAllocatedBytes() {
+    return g_peak;
+}
+
+void countPeakFromNow() {
+    g_peak = g_allocated.load();
 }
 
 }  // namespace rubble

@@ -79,6 +79,34 @@ TEST(StepDelta, AFewBytesCannotNameAHighSlot) {
     }
 }
 
+TEST(StepDelta, PaintOfColoursThatTheShapeHasNotIsRefused) {
+    World start;
+    start.load(oneShapeLevel(solidGrid({16, 8, 8}, 1), true));
+    start.applyEdits({PaintEdit{.position = {0.4, 0.4, 0.4}, .radius = 3.0, .mode = PaintMode::Layer}});
+    const ShapeHandle shape = firstShape(start);
+    ASSERT_EQ(start.shapes().at(shape).paintColors->count, 1);
+    const auto afterChange = [&](auto&& change) {
+        WorldState state = start.state();
+        change(state.shapes.at(shape));
+        World host(start.id());
+        host.setState(state);
+        WorldBaseline baseline(start);
+        FrameChanges changes;
+        changes.palettes.push_back(shape);
+        return deltaOf(host, baseline, changes);
+    };
+    for (const uint8_t paint : {0x2f, 0x05}) {
+        BrickIndices indices, layer;
+        indices.fill(1), layer.fill(paint);
+        expectRefused(afterChange([&](Shape& each) {
+                          each.grid.setBrick({1, 0, 0}, makeBrick(indices, &layer));
+                      }),
+                      start, "expected paint of the 1 colours that the shape has");
+    }
+    expectRefused(afterChange([](Shape& each) { each.paintColors = nullptr; }), start,
+                  "expected paint of the 0 colours that the shape has");
+}
+
 TEST(StepDelta, AFollowerWithStressAnalysisGoesOnAsIfLoaded) {
     World host = brokenWorld();
     WorldSettings settings = host.settings();

@@ -39,6 +39,23 @@ TEST(VdbTool, LeftOutNotesAreSaid) {
     EXPECT_EQ(std::count(report.lines.begin(), report.lines.end(), "further notes are left out"), 1);
 }
 
+TEST(VdbTool, WhatItSaysIsPrintable) {
+    const TempFolder folder;
+    ImportReport report;
+    EXPECT_FALSE(readVdb("some.vdb", script(folder, "printf 'note: \\033[2J\\377\\n'"), &report));
+    EXPECT_EQ(report.lines, std::vector<std::string>{"?[2J?"});
+    const Result<Level> level = readVdb("some.vdb", script(folder, "printf 'error: \\a\\n'; exit 1"));
+    ASSERT_FALSE(level);
+    EXPECT_EQ(level.error(), "some.vdb: ?");
+}
+
+TEST(VdbTool, AnErrorWithoutWordsSaysHowItEnded) {
+    const TempFolder folder;
+    const Result<Level> level = readVdb("some.vdb", script(folder, "echo 'error: '; exit 3"));
+    ASSERT_FALSE(level);
+    EXPECT_NE(level.error().find("ended with code 3"), std::string::npos) << level.error();
+}
+
 TEST(VdbTool, AChildThatAbortsIsSaidToHarmNothingElse) {
     const TempFolder folder;
     const Result<Level> level = readVdb("some.vdb", script(folder, "kill -ABRT $$"));
