@@ -45,7 +45,7 @@ void askUnits(GlState& s, const GlUse& use) {
 void askImages(GlState& s) {
     s.images.emplace();
     for (GLuint i = 0; i < GlState::kImages; ++i) {
-        GlState::Image& image = (*s.images)[i];
+        ImageBinding& image = (*s.images)[i];
         glGetIntegeri_v(GL_IMAGE_BINDING_NAME, i, &image.name);
         glGetIntegeri_v(GL_IMAGE_BINDING_LEVEL, i, &image.level);
         glGetIntegeri_v(GL_IMAGE_BINDING_LAYERED, i, &image.layered);
@@ -139,7 +139,7 @@ void GlState::set() const {
     setRasterizer(*this);
     if (images)
         for (GLuint i = 0; i < kImages; ++i) {
-            const Image& image = (*images)[i];
+            const ImageBinding& image = (*images)[i];
             glBindImageTexture(i, GLuint(image.name), image.level, image.layered ? GL_TRUE : GL_FALSE, image.layer,
                                GLenum(image.access), GLenum(image.format));
         }

@@ -14,6 +14,11 @@ struct GlUse {
     int units = kTextureUnits;  ///< texture units
 };
 
+/// What a unit that compute programs store into is bound to. Clang 14 makes no default of it inside GlState.
+struct ImageBinding {
+    GLint name = 0, level = 0, layered = 0, layer = 0, access = GL_READ_ONLY, format = GL_R8;
+};
+
 /// The part of the GL's state that the renderer changes. Not what is on while a host draws: transform feedback,
 /// conditional rendering and queries must have ended.
 struct GlState {
@@ -35,9 +40,6 @@ struct GlState {
     struct Unit {
         GLint texture2D = 0, array = 0, buffer = 0, sampler = 0;
     };
-    struct Image {
-        GLint name = 0, level = 0, layered = 0, layer = 0, access = GL_READ_ONLY, format = GL_R8;
-    };
 
     // The values of a new context.
     GLint drawFramebuffer = 0, readFramebuffer = 0, program = 0, vertexArray = 0, arrayBuffer = 0;
@@ -58,7 +60,7 @@ struct GlState {
     std::array<GLint, kUnpack.size()> unpack{0, 0, 0, 0, 0, 0, 4};
     std::array<Unit, kTextureUnits> units;
     int unitCount = kTextureUnits;  ///< of `units`, from the first on; the others are left as they are
-    std::optional<std::array<Image, kImages>> images;  ///< none: they are left as they are
+    std::optional<std::array<ImageBinding, kImages>> images;  ///< none: they are left as they are
 
     /// That of a new context.
     GlState() { colorMasks.fill({GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE}); }

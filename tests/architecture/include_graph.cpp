@@ -26,7 +26,7 @@ const std::vector<Library>& libraries() {
         {"Bullet", {"bt", "Bullet", "LinearMath/"}, {"physics/", "tests/physics/"}},
         {"OpenVDB",
          {"openvdb/", "nanovdb/", "tbb/", "OpenEXR/", "Imath/"},
-         {"runtime/assets/vdb/", "tests/runtime/assets/vdb/", "tests/benchmark/openvdb/"}},
+         {"runtime/assets/vdb/", "tests/runtime/assets/vdb/", "tests/fuzz/vdb/", "tests/benchmark/openvdb/"}},
         {"OpenGL", {"GL/", "GLES", "glad/", "KHR/"}, {"render/", "samples/support/", "tests/"}},
         {"a window or a GL context",
          {"GLFW/", "EGL/", "GL/osmesa", "X11/"},

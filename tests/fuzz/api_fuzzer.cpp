@@ -1,16 +1,15 @@
 // The C interface: random sequences of calls with usual and wild arguments, on worlds that come and go.
 #include <rubble/rubble.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "runtime/assets/assets.h"
 #include "tests/fuzz/random_world.h"
+#include "tests/fuzz/scratch_folder.h"
 
 namespace rubble {
 namespace {
@@ -28,27 +27,6 @@ const rubble_api& api() {
     return *table;
 }
 
-/// A folder of this process, removed at its end.
-class Folder {
-public:
-    Folder() : m_path(std::filesystem::temp_directory_path() / ("rubble_fuzz_" + std::to_string(getpid()))) {
-        std::filesystem::create_directories(m_path);
-    }
-    ~Folder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(m_path, ignored);
-    }
-    std::string operator/(const char* name) const { return (m_path / name).string(); }
-
-private:
-    std::filesystem::path m_path;
-};
-
-std::string path(const char* name) {
-    static const Folder folder;
-    return folder / name;
-}
-
 /// A host that calls at random.
 class RandomHost {
 public:
@@ -60,9 +38,9 @@ public:
         settings.struct_size = sizeof settings;
         settings.flags = m_decisions.oneIn(8) ? RUBBLE_WORLD_SHADOW_INLINE : RUBBLE_WORLD_NO_RENDERER;
         if (api().create_world(&settings, &m_world) != RUBBLE_OK) std::abort();
-        if (!writeRubble(path("level.rubble"), randomLevel(m_decisions))) return;
-        if (api().load_level(m_world, path("level.rubble").c_str(), nullptr) != RUBBLE_OK) std::abort();
-        for (uint32_t i = 10 + m_decisions.below(40); i-- > 0;) call();
+        if (!writeRubble(scratchPath("level.rubble"), randomLevel(m_decisions))) return;
+        if (api().load_level(m_world, scratchPath("level.rubble").c_str(), nullptr) != RUBBLE_OK) std::abort();
+        for (uint32_t i = 8 + m_decisions.below(24); i-- > 0;) call();
         saveAndLoad();
     }
 
@@ -84,10 +62,20 @@ private:
     void rotation(double (&out)[4]) {
         if (m_decisions.oneIn(4)) fill(out, 1.0);
     }
+    /// A struct of a host that may know more fields than the plugin.
     template <class T>
-    T sized() {
-        T out = {};
-        out.struct_size = m_decisions.oneIn(m_wildness * 16) ? whole(8192) : uint32_t(sizeof out);
+    struct Newer : T {
+        unsigned char more[256] = {};
+    };
+    template <class T>
+    Newer<T> sized() {
+        Newer<T> out;
+        static_cast<T&>(out) = {};
+        out.struct_size = uint32_t(sizeof(T));
+        if (!m_decisions.oneIn(m_wildness * 16)) return out;
+        out.struct_size = m_decisions.oneIn(2) ? whole(sizeof out) : 8192 + whole(8192);
+        if (out.struct_size > sizeof out && out.struct_size <= 4096) out.struct_size = sizeof(T);
+        if (m_decisions.oneIn(2)) out.more[m_decisions.below(sizeof out.more)] = 1;
         return out;
     }
     /// A handle of a list, now and then one that is stale or of another kind.
@@ -139,7 +127,9 @@ private:
     }
 
     void call() {
-        switch (m_decisions.below(12)) {
+        switch (m_decisions.below(13)) {
+            case 12:
+                return callState();
             case 0:
             case 1:
             case 2:
@@ -325,6 +315,29 @@ private:
         api().overlap_shapes(m_world, &cast.shape, &filter, found, 4, &count);
         api().find_closest_point(m_world, ray.origin, ray.max_distance, nullptr, &hit);
     }
+    void callState() {
+        auto events = sized<rubble_events>();
+        api().get_events(m_world, &events);
+        uint64_t found[4];
+        uint32_t count = 0;
+        api().get_trigger_bodies(m_world, any(list(api().get_triggers)), found, 4, &count);
+        api().get_added_lights(m_world, found, 4, &count);
+        auto light = sized<rubble_light_settings>();
+        api().get_light_settings(m_world, any(list(api().get_lights)), &light);
+        auto accounting = sized<rubble_voxel_accounting>();
+        api().get_voxel_accounting(m_world, &accounting);
+        auto stats = sized<rubble_step_stats>();
+        api().get_step_stats(m_world, &stats);
+        auto weather = sized<rubble_environment>();
+        double direction[3];
+        fill(direction, 1.0);
+        api().get_environment(m_world, &weather);
+        api().apply_sky_model(&weather, direction);
+        if (m_decisions.oneIn(2)) api().set_environment(m_world, &weather);
+        const uint64_t stale = any({});
+        api().set_debug_view(stale, "normal");
+        api().destroy_renderer(stale);
+    }
     void callUndo() {
         switch (m_decisions.below(4)) {
             case 0:
@@ -339,17 +352,18 @@ private:
     }
     void callFile() {
         if (m_decisions.oneIn(2)) return saveAndLoad();
-        api().start_recording(m_world, path("game.rubblelog").c_str());
+        api().start_recording(m_world, scratchPath("game.rubblelog").c_str());
         for (uint32_t i = m_decisions.below(4); i-- > 0;) callEdit(), api().step(m_world);
         if (api().stop_recording(m_world) != RUBBLE_OK) std::abort();
         uint64_t steps = 0;
-        if (api().play_recording(m_world, path("game.rubblelog").c_str(), &steps) != RUBBLE_OK) fail("play_recording");
+        if (api().play_recording(m_world, scratchPath("game.rubblelog").c_str(), &steps) != RUBBLE_OK)
+            fail("play_recording");
     }
     void saveAndLoad() {
         uint64_t before = 0, after = 0;
-        if (api().save_game(m_world, path("game.rubble").c_str()) != RUBBLE_OK) fail("save_game");
+        if (api().save_game(m_world, scratchPath("game.rubble").c_str()) != RUBBLE_OK) fail("save_game");
         api().get_state_hash(m_world, &before);
-        if (api().load_game(m_world, path("game.rubble").c_str()) != RUBBLE_OK) fail("load_game");
+        if (api().load_game(m_world, scratchPath("game.rubble").c_str()) != RUBBLE_OK) fail("load_game");
         api().get_state_hash(m_world, &after);
         if (before != after) fail("another hash after load_game");
     }

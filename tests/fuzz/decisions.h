@@ -50,7 +50,7 @@ public:
     /// A place near the origin, where small levels are; rarely a wild one.
     glm::dvec3 place() {
         glm::dvec3 out;
-        for (int i = 0; i < 3; ++i) out[i] = oneIn(100) ? wild() : unit() * 4.0 - 0.5;
+        for (int i = 0; i < 3; ++i) out[i] = oneIn(100) ? wild() : unit() * 1.8 - 0.3;
         return out;
     }
 

@@ -14,8 +14,9 @@ namespace rubble {
 /// An archive (fields.h) that changes fields of a value at random: files of it have valid checksums and lying contents.
 class Mutator {
 public:
-    /// One field in `cases` is changed.
-    Mutator(Decisions& decisions, uint32_t cases) : m_decisions(decisions), m_cases(cases) {}
+    /// One field in `cases` is changed. `keepsNames`: enums keep a value that has a name, which JSON stores.
+    Mutator(Decisions& decisions, uint32_t cases, bool keepsNames = false)
+        : m_decisions(decisions), m_cases(cases), m_keepsNames(keepsNames) {}
 
     template <class T>
     void operator()(const char*, T& value) {
@@ -42,7 +43,7 @@ private:
     template <class T>
     requires std::is_enum_v<T>
     void change(T& value) {
-        if (wants()) value = T(m_decisions.below(8));
+        if (wants()) value = T(m_decisions.below(m_keepsNames ? uint32_t(enumNames(value).size()) : 8));
     }
     void change(std::string& text) {
         if (wants())
@@ -105,6 +106,7 @@ private:
 
     Decisions& m_decisions;
     uint32_t m_cases;
+    bool m_keepsNames;
 
 public:
     static constexpr bool kIsBinary = true;  ///< fields of binary files too

@@ -59,8 +59,8 @@ void follow(const Recording& recording) {
         }
         joiner.setPoses(step.poses);
         joiner.setCharacters(step.characters);
-        requireReadableSave(joiner);
     }
+    requireReadableSave(joiner);
     for (const RecordedStep& step : recording.steps) player.applyEdits(step.edits);
     requireReadableSave(player);
 }

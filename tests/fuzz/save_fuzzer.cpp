@@ -10,12 +10,23 @@
 namespace rubble {
 namespace {
 
+/// Adds an empty slot, and changes a generation.
+template <class Map>
+void changeGenerations(Decisions& decisions, Map& map) {
+    auto slots = map.slots();
+    slots.emplace_back();
+    auto& slot = slots[decisions.below(uint32_t(slots.size()))];
+    (decisions.oneIn(2) ? slot.lastGeneration : slot.generation) = uint32_t(decisions.oneIn(2) ? 0 : decisions.bits());
+    map = Map(1, std::move(slots), {});
+}
+
 void mutateState(Decisions& decisions, WorldState& world) {
     Mutator mutator(decisions, 1u << (4 + decisions.below(9)));
     forEachKind(
         [&](auto& map) {
             map.forEach([&](auto, auto& object) { mutator.mutate(object); });
             if (decisions.oneIn(32)) map.setFreeSlots({0, 1, decisions.below(100)});
+            if (decisions.oneIn(64)) changeGenerations(decisions, map);
         },
         world);
     mutator.mutate(world.settings);

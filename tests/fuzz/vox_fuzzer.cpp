@@ -12,7 +12,7 @@ namespace rubble {
 namespace {
 
 glm::ivec3 randomSize(Decisions& decisions) {
-    const auto side = [&] { return int(decisions.below(decisions.oneIn(8) ? 60 : 9)); };
+    const auto side = [&] { return int(decisions.below(decisions.oneIn(64) ? 60 : decisions.oneIn(8) ? 20 : 9)); };
     const int x = side(), y = side(), z = side();
     return {x, y, z};
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -190,6 +191,25 @@ private:
     std::string m_path, m_error;
 };
 
+constexpr int kMaxNesting = 64;  // a level needs fewer; messages print what they found, one inside the other
+
+/// How deep lists and objects are nested in a JSON text.
+int nestingOf(const std::string& text) {
+    int depth = 0, deepest = 0;
+    bool isInText = false;
+    for (size_t i = 0; i < text.size(); ++i) {
+        if (isInText && text[i] == '\\')
+            ++i;
+        else if (text[i] == '"')
+            isInText = !isInText;
+        else if (!isInText && (text[i] == '[' || text[i] == '{'))
+            deepest = std::max(deepest, ++depth);
+        else if (!isInText && (text[i] == ']' || text[i] == '}'))
+            --depth;
+    }
+    return deepest;
+}
+
 /// The entries that differ from the default, each with its "index".
 json paletteToJson(const Palette& palette, JsonOutputArchive& out) {
     json list = json::array();
@@ -234,6 +254,9 @@ std::map<std::string, std::string> levelToJson(const Level& level, const std::ve
 Result<JsonLevel> levelFromJson(const std::map<std::string, std::string>& topics) {
     json all = json::object();
     for (const auto& [topic, text] : topics) {
+        if (const int nesting = nestingOf(text); nesting > kMaxNesting)
+            return Error{fmt::format("metadata rubble.{}: expected at most {} nested lists and objects, found {}",
+                                     topic, kMaxNesting, nesting)};
         try {
             all[topic] = json::parse(text);
         } catch (const json::exception& error) {

@@ -52,6 +52,7 @@ openvdb::Int32Grid::Ptr indices(int value) {
 
 openvdb::GridPtrVec gridsOf(const std::string& kind) {
     using Transform = openvdb::math::Transform;
+    if (kind == "deep list") return {threeBools("blob")};
     if (kind == "bool") {
         auto grid = threeBools("blob");
         grid->setTransform(Transform::createLinearTransform(0.25));
@@ -104,8 +105,15 @@ openvdb::GridPtrVec gridsOf(const std::string& kind) {
 
 void writeThirdPartyVdb(const std::string& kind, const std::string& path) {
     openvdb::initialize();
+    openvdb::MetaMap metadata;
+    if (kind == "deep list") {
+        constexpr size_t kDepth = 100'000;
+        metadata.insertMeta("rubble.version", openvdb::Int32Metadata(1));
+        metadata.insertMeta("rubble.bodies",
+                            openvdb::StringMetadata(std::string(kDepth, '[') + std::string(kDepth, ']')));
+    }
     openvdb::io::File file(path);
-    file.write(gridsOf(kind));
+    file.write(gridsOf(kind), metadata);
     file.close();
 }
 

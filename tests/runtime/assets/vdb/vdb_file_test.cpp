@@ -196,6 +196,8 @@ TEST_F(VdbFile, InvalidGridsAreRefusedWithAReason) {
     EXPECT_NE(error("huge box").find("at most 4096 cells on a side"), std::string::npos) << error("huge box");
     EXPECT_NE(error("huge tile").find("voxels"), std::string::npos) << error("huge tile");
     EXPECT_NE(error("wrong index").find("found 300"), std::string::npos) << error("wrong index");
+    EXPECT_NE(error("deep list").find("expected at most 64 nested lists and objects, found 100000"), std::string::npos)
+        << error("deep list");
 }
 
 TEST_F(VdbFile, DamagedFilesCrashAtMostTheChildProcess) {
