@@ -1,6 +1,7 @@
 #include "runtime/assets/save_file.h"
 
 #include <algorithm>
+#include <cstring>
 #include <glm/vector_relational.hpp>
 #include <new>
 #include <set>
@@ -94,6 +95,11 @@ std::vector<uint8_t> waitingToBytes(const WorldState& world, PaletteList& palett
     return bytes;
 }
 
+/// The generation of the slots that were never used, the same in all maps.
+uint32_t firstGenerationOf(const WorldState& world) {
+    return world.bodies.firstGeneration();
+}
+
 SavedGame stateFromBytes(ByteReader& reader, const std::vector<PaletteRef>& palettes, uint8_t number) {
     SavedGame game;
     BinaryInputArchive in(reader, palettes, number);
@@ -176,6 +182,7 @@ struct Parsed {
     std::vector<ShapeHandle> waiting;  ///< for their split
     std::vector<Shape*> shapes;
     std::vector<VoxelGrid*> grids;  ///< of all shapes, by the numbers that GRID chunks use
+    uint32_t firstGeneration = 1;   ///< of slots that were never used
     bool haveState = false;
 };
 
@@ -195,6 +202,8 @@ void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, siz
     } else if (kind == "WAIT") {
         BinaryInputArchive(in, out.palettes, world).get(out.waiting);
         in.takeMemory(waitingMemory(out.waiting.size()));
+    } else if (kind == "GENS") {
+        out.firstGeneration = in.read<uint32_t>();
     } else if (kind == "GRID") {
         readGridChunk(in, out.grids);
     } else if (kind == "LEVL") {
@@ -263,6 +272,11 @@ std::vector<uint8_t> gameToBytes(const SavedGame& game, uint64_t hash, uint64_t*
         const std::vector<uint8_t> waiting = waitingToBytes(game.world, palettes, listMemory);
         out.add({'W', 'A', 'I', 'T'}, waiting, listMemory);
     }
+    if (const uint32_t first = firstGenerationOf(game.world); first != 1) {
+        std::vector<uint8_t> generation(sizeof first);
+        std::memcpy(generation.data(), &first, sizeof first);
+        out.add({'G', 'E', 'N', 'S'}, generation);
+    }
     GridChunkWriter grids(out);
     uint32_t shape = 0;
     game.world.shapes.forEach([&](ShapeHandle, const Shape& each) { grids.addGrid(shape++, each.grid); });
@@ -283,6 +297,7 @@ Result<SavedGame> gameFrom(ByteReader& in, const std::string& name, uint8_t worl
     if (!parsed.haveState) in.fail("a SAVE chunk", "none");
     if (in.failed()) return Error{name + ": " + in.error()};
     WorldState& state = parsed.game.world;
+    forEachKind([&](auto& map) { map.setFirstGeneration(parsed.firstGeneration); }, state);
     state.pendingSplits.reserve(parsed.waiting.size());
     for (const ShapeHandle shape : parsed.waiting) state.pendingSplits.push_back({shape, {}, {}});
     for (Shape* shape : parsed.shapes) {

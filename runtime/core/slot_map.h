@@ -145,6 +145,10 @@ public:
         for (const Slot& slot : m_slots) highest = std::max(highest, slot.lastGeneration);
         return highest;
     }
+    /// The generation of slots that were never used.
+    uint32_t firstGeneration() const { return m_firstGeneration; }
+    /// See firstGeneration().
+    void setFirstGeneration(uint32_t generation) { m_firstGeneration = generation; }
     /// Objects in the map.
     size_t size() const { return m_size; }
     /// Slots ever used: the length of a side table indexed by Handle::slot().

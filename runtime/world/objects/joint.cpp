@@ -30,7 +30,9 @@ std::string jointError(const Joint& joint) {
         .number("steer", joint.steer, ranges::kSteer)
         .number("max_spin", joint.wheel.maxSpin, ranges::kWheelSpin)
         .number("max_steer_angle", joint.wheel.steerAngle, ranges::kSteerAngle)
-        .number("steer_rate", joint.wheel.steerRate, ranges::kSteerRate);
+        .number("steer_rate", joint.wheel.steerRate, ranges::kSteerRate)
+        .number("rope_radius", joint.rope.radius, ranges::kRopeRadius)
+        .number("rope_mass", joint.rope.massPerMetre, ranges::kRopeMass);
     const std::pair<const char*, double> numbers[] = {{"motor_max_force", joint.motor.maxForce},
                                                       {"spring_hertz", joint.spring.hertz},
                                                       {"spring_damping_ratio", joint.spring.dampingRatio},
@@ -49,9 +51,7 @@ std::string jointError(const Joint& joint) {
     const bool isAutomatic = joint.rope.points == 0 && joint.points.empty();
     check.number("rope_points", isAutomatic ? ranges::kRopePoints.low : joint.rope.points, ranges::kRopePoints)
         .require(joint.points.empty() || joint.points.size() == joint.rope.points,
-                 "a rope has another number of points than it says")
-        .number("rope_radius", joint.rope.radius, ranges::kRopeRadius)
-        .number("rope_mass", joint.rope.massPerMetre, ranges::kRopeMass);
+                 "a rope has another number of points than it says");
     for (const RopePoint& point : joint.points)
         check.vector("a point of a rope", point.position, ranges::kPlace)
             .vector("the velocity of a rope's point", point.velocity, ranges::kJointTarget);

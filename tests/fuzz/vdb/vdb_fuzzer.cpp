@@ -45,9 +45,9 @@ typename Grid::Ptr filledGrid(Decisions& decisions, ValueOf valueOf) {
         else
             grid->tree().setValueOn(randomCell(decisions), valueOf());
     }
-    if (decisions.oneIn(8)) {
-        const Coord low = randomCell(decisions);
-        const int side = decisions.oneIn(100) ? 4096 : decisions.oneIn(20) ? 128 : 16;
+    if (decisions.oneIn(8)) {  // large boxes are tiles of the library, or else they would be millions of cells
+        const int side = decisions.oneIn(100) ? 4096 : decisions.oneIn(20) ? 128 : 8;
+        const Coord low = randomCell(decisions) & -side;
         grid->sparseFill(CoordBBox(low, low.offsetBy(side - 1)), valueOf());
     }
     return grid;

@@ -301,6 +301,19 @@ TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
     RecordProperty("bytes_per_step", int(bytes / 30));
 }
 
+TEST(SaveFile, NewObjectsGetTheHandlesThatTheSavedWorldWouldGiveThem) {
+    World world(1, 9);  // a number that was used before
+    world.load(oneShapeLevel(solidGrid({8, 8, 8}, 1), true));
+    world.applyEdits({AddLightEdit{}});
+    const Result<SavedGame> game = gameFromBytes(gameToBytes({world.state(), {}}), "t", 1);
+    ASSERT_TRUE(game) << game.error();
+    World back(1);
+    back.setState(game->world);
+    for (World* each : {&world, &back}) each->applyEdits({AddLightEdit{}});
+    EXPECT_EQ(back.lights().handleAt(1).generation(), 9u);
+    EXPECT_EQ(back.lights().handleAt(1), world.lights().handleAt(1));
+}
+
 TEST(RecordingFile, EditsOfFewBytesTakeNoMoreMemoryThanTheBudgetOfTheFile) {
     const TempFolder folder;
     const World world = brokenWorld();

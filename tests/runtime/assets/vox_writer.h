@@ -2,6 +2,7 @@
 #include <zlib.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <glm/vec3.hpp>
@@ -62,7 +63,7 @@ public:
         stream.next_in = const_cast<Bytef*>(cells.data()), stream.avail_in = uInt(cells.size());
         stream.next_out = packed.data(), stream.avail_out = uInt(packed.size());
         deflate(&stream, Z_SYNC_FLUSH);
-        packed.resize(packed.size() - stream.avail_out);
+        packed.erase(packed.end() - std::ptrdiff_t(stream.avail_out), packed.end());
         deflateEnd(&stream);
         Bytes content = sizes;
         content.insert(content.end(), packed.begin(), packed.end());
