@@ -3,6 +3,7 @@
 
 #include "physics/physics_world.h"
 #include "physics/stages/contact_detection.h"
+#include "physics/stages/ground.h"
 #include "physics/stages/physics_bodies.h"
 #include "physics/stages/physics_characters.h"
 #include "physics/stages/physics_joints.h"
@@ -30,6 +31,7 @@ struct PhysicsWorld::Impl {
     PhysicsSettings settings;
     glm::dvec3 gravity{0.0};  ///< m/s2
     PhysicsBodies bodies;
+    Ground ground;
     PhysicsJoints joints;
     WaterVolumes waters;
     PhysicsCharacters characters;

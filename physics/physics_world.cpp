@@ -23,6 +23,7 @@ void PhysicsWorld::apply(const FrameChanges& changes, const World& world, bool r
         impl.load(world);
     else
         impl.applyChanges(changes, world);
+    impl.ground.update(world, impl.bodies, !rebuild);
     impl.applyImpulses(changes);
     for (const BodyHandle handle : changes.settled)
         if (DynamicBody* body = impl.bodies.find(handle)) body->settled = body->asleep();

@@ -253,9 +253,6 @@ void Renderer::Impl::drawImage(const FrameContext& frame) {
     run("tonemap", Resolved | Exposure | Bloom0, Final, [&] { tonemap.draw(frame); });
 }
 
-/// World height of the plane of fields around a level, in metres: a little below the ground of levels, which is at 0.
-constexpr double kFieldsHeight = -0.05;
-
 void Renderer::Impl::fillBlock(const View& view, glm::ivec2 renderSize) {
     history->camera.begin(view, renderSize, settings.temporal, scene.origin(), block);
     const Environment& e = scene.environment();

@@ -14,13 +14,14 @@ namespace rubble {
 class DynamicBody;
 
 inline constexpr uint32_t kStaticObject = 0x80000000u;  ///< bit in the number of a static object
+inline constexpr uint32_t kNoBody = ~0u;                ///< what World does not hold: the ground around a level
 
 /// What can be touched, at its pose: all voxels of a dynamic body, or one shape of a static body.
 struct CollisionObject {
     VoxelCollider collider;
     Pose pose;                       ///< collider's frame -> world
     double radius = 0.0;             ///< of the collider about its frame's origin, metres
-    uint32_t body = 0;               ///< slot
+    uint32_t body = 0;               ///< slot, or kNoBody
     uint32_t number = 0;             ///< unique: a body's slot, or a static shape's slot with kStaticObject
     DynamicBody* dynamic = nullptr;  ///< null: static
     bool isNew = true;               ///< no warm start: its mass or shape has changed since the last step

@@ -51,8 +51,9 @@ void findImpacts(std::span<Manifold* const> manifolds, double minSpeed, double t
                 sum.speed = std::max(sum.speed, hits[i].speed);
         if (sum.impulse < threshold) continue;
         const double length = glm::length(sum.normal);
-        out.push_back({handles[sum.body], handles[sum.other], sum.position / sum.impulse,
-                       length > 0.0 ? sum.normal / length : glm::dvec3(0.0, 1.0, 0.0), sum.impulse, sum.speed});
+        out.push_back({handles[sum.body], sum.other == kNoBody ? BodyHandle{} : handles[sum.other],
+                       sum.position / sum.impulse, length > 0.0 ? sum.normal / length : glm::dvec3(0.0, 1.0, 0.0),
+                       sum.impulse, sum.speed});
     }
 }
 

@@ -35,6 +35,11 @@ inline constexpr auto kFields<CellBox> = std::tuple{
     Field{"high", &CellBox::high},
 };
 template <>
+inline constexpr auto kFields<WorldBox> = std::tuple{
+    Field{"low", &WorldBox::low},
+    Field{"high", &WorldBox::high},
+};
+template <>
 inline constexpr auto kFields<PaletteEntry> = std::tuple{
     Field{"red", &PaletteEntry::red},
     Field{"green", &PaletteEntry::green},
@@ -300,6 +305,7 @@ inline constexpr auto kFields<Level> = std::tuple{
     Field{"name", &Level::name},
     Field{"materials", memberOf(&Level::materials, &MaterialTable::materials)},
     Field{"environment", &Level::environment},
+    Field{"bounds", &Level::bounds},
     Field{"light_groups", &Level::lightGroups},
     Field{"auto_light_groups", &Level::autoLightGroups},
     Field{"lights", &Level::lights},

@@ -111,6 +111,7 @@ private:
     }
     void checkRanges(const LevelLight& light) { require("a valid light", lightError(light.light)); }
     void checkRanges(const Environment& environment) { require("a valid environment", environmentError(environment)); }
+    void checkRanges(const WorldBox& box) { require("a valid box", objectError(box)); }
     void checkRanges(const Joint& joint) { require("a valid joint", jointError(joint)); }
     void checkRanges(const Trigger& trigger) { require("a valid trigger", objectError(trigger)); }
     void checkRanges(const Character& character) { require("a valid character", objectError(character)); }

@@ -71,6 +71,8 @@ std::vector<uint8_t> stateToBytes(const SavedGame& game, PaletteList& palettes, 
     out.put(world.materials.materials);
     out.put(world.environment);
     out.put(world.settings);
+    out.put(world.bounds);
+    out.put(world.footprint);
     out.put(world.locations);
     out.put(world.fire.fields);
     putSlots(out, world.joints);
@@ -115,6 +117,8 @@ SavedGame stateFromBytes(ByteReader& reader, const std::vector<PaletteRef>& pale
     in.get(world.materials.materials);
     in.get(world.environment);
     in.get(world.settings);
+    in.get(world.bounds);
+    in.get(world.footprint);
     in.get(world.locations);
     in.get(world.fire.fields);
     getSlots(reader, in, number, world.joints);
@@ -219,6 +223,8 @@ void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, siz
 Result<Done> validateNumbers(const WorldState& world) {
     std::string error = settingsError(world.settings);
     if (!error.empty()) return Error{"settings: expected valid ones, found " + error};
+    error = objectError(world.footprint);  // that of the bounds is the level's
+    if (!error.empty()) return Error{"footprint: expected a valid box, found " + error};
     forEachKind(
         [&](const auto& map) {
             map.forEach([&](auto handle, const auto& object) {

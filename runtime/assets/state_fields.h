@@ -13,6 +13,8 @@ namespace rubble {
 template <>
 inline constexpr std::array<const char*, 3> kEnumNames<BrushKind> = {"sphere", "box", "capsule"};
 template <>
+inline constexpr std::array<const char*, 3> kEnumNames<BoundsRule> = {"dust", "keep", "ground"};
+template <>
 inline constexpr std::array<const char*, 3> kEnumNames<PaintMode> = {"default", "blend", "layer"};
 template <>
 inline constexpr std::array<const char*, 3> kEnumNames<HistoryAction> = {"mark", "undo", "redo"};
@@ -70,6 +72,12 @@ inline constexpr auto kFields<HeatField> = std::tuple{
 };
 
 template <>
+inline constexpr auto kFields<BoundsSettings> = std::tuple{
+    Field{"rule", &BoundsSettings::rule},
+    Field{"low", &BoundsSettings::low},
+    Field{"high", &BoundsSettings::high},
+};
+template <>
 inline constexpr auto kFields<DebrisSettings> = std::tuple{
     Field{"awake_bodies", &DebrisSettings::awakeBodies},
     Field{"bodies", &DebrisSettings::bodies},
@@ -112,6 +120,7 @@ inline constexpr auto kFields<WorldSettings> = std::tuple{
     Field{"impact_radius_limit", &WorldSettings::impactRadiusLimit},
     Field{"impacts_per_step", &WorldSettings::impactsPerStep},
     Field{"undo_marks", &WorldSettings::undoMarks},
+    Field{"bounds", &WorldSettings::bounds},
     Field{"debris", &WorldSettings::debris},
     Field{"stress", &WorldSettings::stress},
     Field{"paint", &WorldSettings::paint},
@@ -297,6 +306,10 @@ inline constexpr auto kFields<SetLightEdit> = std::tuple{
 template <>
 inline constexpr auto kFields<RemoveLightEdit> = std::tuple{
     Field{"light", &RemoveLightEdit::light},
+};
+template <>
+inline constexpr auto kFields<SetBoundsEdit> = std::tuple{
+    Field{"bounds", &SetBoundsEdit::bounds},
 };
 template <>
 inline constexpr auto kFields<DetachJointEdit> = std::tuple{

@@ -15,6 +15,7 @@
 #include "runtime/world/history/frame_changes.h"
 #include "runtime/world/objects/lights.h"
 #include "runtime/world/objects/water.h"
+#include "runtime/world/settings/bounds_settings.h"
 
 namespace rubble {
 

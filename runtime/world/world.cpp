@@ -112,6 +112,7 @@ void World::setPoses(std::span<const BodyPose> poses) {
             body->angularVelocity = pose.angularVelocity;
             body->asleep = pose.asleep;
             for (const ShapeHandle shape : body->shapes) m_data.updateShapeBounds(shape);
+            m_data.checkBounds(pose.body);
             if (!changesSleep) continue;
             body->restingSince = pose.asleep ? m_data.step : 0;
             if (body->settled) m_data.unsettled.push_back(pose.body);

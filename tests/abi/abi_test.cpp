@@ -193,5 +193,27 @@ TEST_F(Abi, TheHostReceivesLogMessages) {
     ASSERT_EQ(api()->set_host(nullptr), RUBBLE_OK);
 }
 
+TEST_F(Abi, BoundsAreSetAndReadAndCheckedOnTheWayIn) {
+    auto bounds = sized<rubble_bounds>();
+    ASSERT_EQ(api()->get_bounds(m_world, &bounds), RUBBLE_OK);
+    EXPECT_LT(bounds.low[1], -100.0) << "a margin around the level";
+    EXPECT_EQ(bounds.rule, uint32_t(RUBBLE_BOUNDS_DUST));
+    bounds.rule = RUBBLE_BOUNDS_KEEP;
+    for (int a = 0; a < 3; ++a) bounds.low[a] = -5.0, bounds.high[a] = 50.0;
+    ASSERT_EQ(api()->set_bounds(m_world, &bounds), RUBBLE_OK);
+    ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
+    auto now = sized<rubble_bounds>();
+    ASSERT_EQ(api()->get_bounds(m_world, &now), RUBBLE_OK);
+    EXPECT_EQ(now.rule, uint32_t(RUBBLE_BOUNDS_KEEP));
+    EXPECT_EQ(now.high[2], 50.0);
+    bounds.low[1] = 60.0;
+    EXPECT_EQ(api()->set_bounds(m_world, &bounds), RUBBLE_ERROR_ARGUMENT);
+    bounds.low[1] = -5.0;
+    bounds.rule = RUBBLE_BOUNDS_GROUND;
+    EXPECT_EQ(api()->set_bounds(m_world, &bounds), RUBBLE_OK);
+    bounds.rule = 3;
+    EXPECT_EQ(api()->set_bounds(m_world, &bounds), RUBBLE_ERROR_ARGUMENT);
+}
+
 }  // namespace
 }  // namespace rubble

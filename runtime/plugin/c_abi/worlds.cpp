@@ -1,6 +1,7 @@
 #include "runtime/assets/assets.h"
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
+#include "runtime/world/settings/settings_error.h"
 
 namespace rubble::abi {
 namespace {
@@ -45,6 +46,28 @@ rubble_result step(rubble_world world) {
     });
 }
 
+rubble_result setBounds(rubble_world world, const rubble_bounds* bounds) {
+    return pushEdit("set_bounds", world, bounds, [](const World&, const rubble_bounds& given) {
+        BoundsSettings out;
+        out.rule = BoundsRule(readEnum(given.rule, RUBBLE_BOUNDS_GROUND, "rule"));
+        out.low = readVector(given.low, "low");
+        out.high = readVector(given.high, "high");
+        requireNoError(boundsError(out));
+        return SetBoundsEdit{out};
+    });
+}
+
+rubble_result getBounds(rubble_world world, rubble_bounds* out) {
+    return guarded("get_bounds", [&] {
+        const World& from = Registry::instance().world(world)->loop.world();
+        const WorldBox box = from.data().boundsInUse();
+        rubble_bounds bounds{};
+        bounds.rule = uint32_t(from.settings().bounds.rule);
+        for (int a = 0; a < 3; ++a) bounds.low[a] = box.low[a], bounds.high[a] = box.high[a];
+        writeStruct(out, bounds);
+    });
+}
+
 // ---- undo ----
 
 rubble_result setUndoLimit(rubble_world world, uint32_t marks) {
@@ -77,6 +100,8 @@ void setWorldFunctions(rubble_api& api) {
     api.destroy_world = destroyWorld;
     api.load_level = loadLevel;
     api.step = step;
+    api.set_bounds = setBounds;
+    api.get_bounds = getBounds;
     api.set_undo_limit = setUndoLimit;
     api.add_undo_mark = addUndoMark;
     api.undo = undo;

@@ -85,6 +85,11 @@ struct SettingsEdit {
     WorldSettings settings;
 };
 
+/// Replaces WorldSettings::bounds.
+struct SetBoundsEdit {
+    BoundsSettings bounds;
+};
+
 enum class HistoryAction : uint8_t { Mark, Undo, Redo };
 /// Undo and redo; see UndoHistory. They happen before the other edits of their step.
 struct HistoryEdit {
@@ -171,7 +176,7 @@ using AnyEdit =
                  ImpactLoadEdit, SetCollisionFilterEdit, AddWaterEdit, RemoveWaterEdit, AddTriggerEdit,
                  RemoveTriggerEdit, AddCharacterEdit, RemoveCharacterEdit, MoveCharacterEdit, TeleportCharacterEdit,
                  AddJointEdit, RemoveJointEdit, SetJointMotorEdit, DetachJointEdit, GrabEdit, ReleaseEdit, DriveEdit,
-                 SetEnvironmentEdit, SetLightEdit, AddLightEdit, RemoveLightEdit>;
+                 SetEnvironmentEdit, SetLightEdit, AddLightEdit, RemoveLightEdit, SetBoundsEdit>;
 /// One command for the World: any of the kinds above. It is a class of its own so that its copies, moves and
 /// destructor, which are long over so many kinds, are compiled once (edit.cpp) and not wherever a list of edits is
 /// held.

@@ -45,7 +45,8 @@ constexpr const char* kNames[] = {"carve",
                                   "set_environment",
                                   "set_light",
                                   "add_light",
-                                  "remove_light"};
+                                  "remove_light",
+                                  "set_bounds"};
 static_assert(std::size(kNames) == std::variant_size_v<AnyEdit>);
 
 /// About a number of an enum whose last is `last`.
@@ -110,6 +111,9 @@ std::string errorOf(const ImpactLoadEdit& edit) {
 }
 std::string errorOf(const SettingsEdit& edit) {
     return settingsError(edit.settings);
+}
+std::string errorOf(const SetBoundsEdit& edit) {
+    return boundsError(edit.bounds);
 }
 std::string errorOf(const HeatEdit& edit) {
     return RangeCheck()

@@ -8,7 +8,7 @@ namespace rubble {
 /// A hard contact, as physics reports it.
 struct Impact {
     BodyHandle body;
-    BodyHandle other;
+    BodyHandle other;          ///< empty: the ground around the level
     glm::dvec3 position{0.0};  ///< world
     glm::dvec3 normal{0.0};    ///< unit; the direction in which `body` is pushed
     double impulse = 0.0;      ///< N s

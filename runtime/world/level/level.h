@@ -14,6 +14,7 @@
 #include "runtime/world/objects/lights.h"
 #include "runtime/world/objects/trigger.h"
 #include "runtime/world/objects/water.h"
+#include "runtime/world/objects/world_box.h"
 
 namespace rubble {
 
@@ -67,6 +68,7 @@ struct Level {
     std::vector<LightGroup> lightGroups;
     uint32_t autoLightGroups = 0;  ///< the most groups that fitLights() makes from glowing voxels that have none
     Environment environment;
+    WorldBox bounds;  ///< where the world ends; low == high: the box around all shapes, and a margin (load_level.h)
     std::vector<std::pair<std::string, Pose>> locations;  ///< named places: spawn points, cameras
     std::vector<Water> waters;
     std::vector<Trigger> triggers;

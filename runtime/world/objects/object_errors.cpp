@@ -103,6 +103,15 @@ std::string objectError(const Trigger& trigger) {
     return check.error();
 }
 
+std::string objectError(const WorldBox& box) {
+    return RangeCheck()
+        .vector("low", box.low, ranges::kPlace)
+        .vector("high", box.high, ranges::kPlace)
+        .require(box.low == box.high || glm::all(glm::lessThan(box.low, box.high)),
+                 "low and high: expected low below high along each axis, or both equal")
+        .error();
+}
+
 std::string characterVelocityError(const char* name, const glm::dvec3& velocity) {
     return RangeCheck().number(name, glm::length(velocity), {0.0, ranges::kMaxCharacterSpeed}).error();
 }

@@ -33,6 +33,8 @@ std::string objectError(const LightGroup& group);
 std::string objectError(const Water& water);
 /// About a trigger.
 std::string objectError(const Trigger& trigger);
+/// About a box. Its corners are equal, which stands for no box, or the low one is below the other along each axis.
+std::string objectError(const WorldBox& box);
 /// About a character.
 std::string objectError(const Character& character);
 /// See jointError().

@@ -1,9 +1,21 @@
 #include "runtime/world/settings/settings_error.h"
 
+#include <glm/vector_relational.hpp>
+
 #include "runtime/core/range_check.h"
 #include "runtime/core/ranges.h"
 
 namespace rubble {
+
+std::string boundsError(const BoundsSettings& s) {
+    return RangeCheck()
+        .number("rule", double(s.rule), {0.0, double(BoundsRule::Ground)})
+        .vector("low", s.low, ranges::kCoordinate)
+        .vector("high", s.high, ranges::kCoordinate)
+        .require(s.low == s.high || glm::all(glm::lessThan(s.low, s.high)),
+                 "low and high: expected low below high along each axis, or both equal")
+        .error();
+}
 
 std::string settingsError(const WorldSettings& s) {
     return RangeCheck()
@@ -20,6 +32,7 @@ std::string settingsError(const WorldSettings& s) {
         .number("min_impulse", s.stress.minImpulse, ranges::kImpactThreshold)
         .number("spread", double(s.fire.spread), ranges::kFireSpread)
         .number("burn_time", double(s.fire.burnTime), ranges::kFireBurnTime)
+        .include(boundsError(s.bounds))
         .error();
 }
 

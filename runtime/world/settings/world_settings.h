@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "runtime/world/settings/bounds_settings.h"
 #include "runtime/world/settings/debris_settings.h"
 #include "runtime/world/settings/fire_settings.h"
 #include "runtime/world/settings/paint_settings.h"
@@ -19,6 +20,7 @@ struct WorldSettings {
     double impactRadiusLimit = 0.6;  ///< metres, the largest such hole
     size_t impactsPerStep = 8;       ///< impacts that break something in one step, the hardest first
     size_t undoMarks = 0;            ///< marks that can be undone; 0: no history, at no cost
+    BoundsSettings bounds;
     DebrisSettings debris;
     PaintSettings paint;
     FireSettings fire;

@@ -1,26 +1,8 @@
 #include "runtime/world/stages/debris_stage.h"
 
-#include <vector>
-
-#include "runtime/world/objects/transforms.h"
-#include "runtime/world/stages/entry_counts.h"
 #include "runtime/world/stages/shape_lifecycle.h"
 
 namespace rubble {
-namespace {
-
-void despawn(EditContext& context, BodyHandle handle) {
-    const Body& body = context.world.bodies.at(handle);
-    const ShapeHandle shapeHandle = body.shapes.front();
-    const Shape& shape = context.world.shapes.at(shapeHandle);
-    const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
-    context.recordRemoved(
-        shapeHandle, countEntries(shape.grid),
-        {shapeToWorld(context.world, shapeHandle).transformPoint(half), glm::length(half), body.velocity});
-    destroyShape(context, shapeHandle);
-}
-
-}  // namespace
 
 void enforceDebrisBudgets(EditContext& context) {
     const DebrisSettings& settings = context.world.settings.debris;

@@ -6,6 +6,7 @@
 
 #include "runtime/core/log.h"
 #include "runtime/world/edits/edit_error.h"
+#include "runtime/world/stages/bounds_stage.h"
 #include "runtime/world/stages/carve_edits.h"
 #include "runtime/world/stages/character_edits.h"
 #include "runtime/world/stages/debris_stage.h"
@@ -46,6 +47,7 @@ void EditStep::run(const Edits& edits) {
     releaseUnheldJoints(m_context);
     updateVelocities(m_context);
     applyImpulses(m_context);
+    enforceBounds(m_context);
     enforceDebrisBudgets(m_context);
     updateLightGroups(m_context);
     if (m_context.world.stress) runStressAnalysis(m_context);
@@ -63,6 +65,7 @@ void EditStep::applyEdit(const Edit& edit) {
                           [&](const RemoveFiresEdit& each) { m_fire.apply(each); },
                           [&](const ImpactLoadEdit& each) { m_impactLoads.apply(each); },
                           [&](const SettingsEdit& each) { m_context.world.setSettings(each.settings); },
+                          [&](const SetBoundsEdit& each) { m_context.world.setBounds(each.bounds); },
                           [](const HistoryEdit&) {},  // World::applyEdits() has done it
                           [&](const auto& each) { apply(m_context, each); }},
                edit);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "runtime/world/objects/transforms.h"
+#include "runtime/world/stages/entry_counts.h"
 #include "runtime/world/stages/heat_moves.h"
 #include "runtime/world/stages/joint_stage.h"
 #include "runtime/world/stages/light_stage.h"
@@ -123,6 +124,18 @@ void destroyShape(EditContext& context, ShapeHandle handle) {
         context.changes.bodiesDestroyed.push_back(body);
     }
     context.world.updateDebris(body);
+}
+
+void despawn(EditContext& context, BodyHandle handle) {
+    const Body body = context.world.bodies.at(handle);
+    for (const ShapeHandle shapeHandle : body.shapes) {
+        const Shape& shape = context.world.shapes.at(shapeHandle);
+        const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
+        context.recordRemoved(
+            shapeHandle, countEntries(shape.grid),
+            {shapeToWorld(context.world, shapeHandle).transformPoint(half), glm::length(half), body.velocity});
+        destroyShape(context, shapeHandle);
+    }
 }
 
 }  // namespace rubble

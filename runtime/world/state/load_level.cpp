@@ -1,12 +1,17 @@
 #include "runtime/world/state/load_level.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
+#include <optional>
 #include <string>
 #include <unordered_map>
 
 #include "runtime/core/log.h"
+#include "runtime/core/ranges.h"
 #include "runtime/world/level/fit_lights.h"
 #include "runtime/world/objects/joint_attachment.h"
+#include "runtime/world/objects/object_errors.h"
+#include "runtime/world/objects/transforms.h"
 #include "runtime/world/state/power_supply.h"
 
 namespace rubble {
@@ -130,6 +135,35 @@ void loadJoints(WorldData& world, const Level& level, const ShapeNames& names) {
     }
 }
 
+/// Cuts off what is beyond the range of places; none if nothing is left.
+WorldBox withinRange(const WorldBox& box) {
+    const WorldBox out{glm::max(box.low, glm::dvec3(ranges::kPlace.low)),
+                       glm::min(box.high, glm::dvec3(ranges::kPlace.high))};
+    return objectError(out).empty() ? out : WorldBox{};
+}
+
+/// The box around all shapes, or all static ones, within the range of places; none without any.
+WorldBox boxOfShapes(const WorldData& world, bool onlyStatic) {
+    std::optional<WorldBox> all;
+    world.shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
+        if (onlyStatic && !world.bodies.at(shape.body).isStatic) return;
+        const WorldBox box = gridBounds(world, handle);
+        all = all ? all->merged(box) : box;
+    });
+    return all ? withinRange(*all) : WorldBox{};
+}
+
+/// The box around all shapes, and around it half of its longest side, but at least 128 m, where what is thrown from the
+/// level comes down again, and at most 512 m. None without shapes.
+WorldBox defaultBounds(const WorldData& world) {
+    constexpr double kMinMargin = 128.0, kMaxMargin = 512.0;  // metres
+    const WorldBox all = boxOfShapes(world, false);
+    if (all.low == all.high) return {};
+    const glm::dvec3 size = all.high - all.low;
+    const double margin = std::clamp(0.5 * std::max({size.x, size.y, size.z}), kMinMargin, kMaxMargin);
+    return withinRange({all.low - margin, all.high + margin});
+}
+
 }  // namespace
 
 void loadLevel(WorldData& world, const Level& level) {
@@ -160,6 +194,8 @@ void loadLevel(WorldData& world, const Level& level) {
         world.characters.insert(std::move(character));
     }
     loadJoints(world, level, names);
+    world.footprint = boxOfShapes(world, true);
+    world.bounds = level.bounds.low == level.bounds.high ? defaultBounds(world) : level.bounds;
     world.rebuildIndexes();
 }
 
@@ -168,6 +204,7 @@ Level toLevel(const WorldState& world) {
     level.name = world.name;
     level.materials = world.materials;
     level.environment = world.environment;
+    level.bounds = world.bounds;
     level.locations = world.locations;
     std::vector<std::string> shapeNames(world.shapes.slotCount());
     world.bodies.forEach([&](BodyHandle, const Body& body) {

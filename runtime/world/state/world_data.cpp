@@ -23,6 +23,7 @@ void WorldData::clear() {
     shapeBounds.clear();
     triggerBounds.clear();
     movedBodies.clear();
+    leftBounds.clear();
     debris.clear();
     unsettled.clear();
     pendingSplits.clear();
@@ -35,7 +36,10 @@ void WorldData::rebuildIndexes() {
     wire = materials.find("wire");
     joints.forEach([&](JointHandle handle, const Joint& joint) { jointIndex.add(handle, joint); });
     shapes.forEach([&](ShapeHandle handle, const Shape&) { updateShapeBounds(handle); });
-    bodies.forEach([&](BodyHandle handle, const Body&) { updateDebris(handle); });
+    bodies.forEach([&](BodyHandle handle, const Body&) {
+        updateDebris(handle);
+        checkBounds(handle);
+    });
     groups.forEach([&](LightGroupHandle, const LightGroup& group) { flickeringGroups += group.failingSince != 0; });
     indexTriggers();
     restartStress();
@@ -55,7 +59,10 @@ void WorldData::setSettings(const WorldSettings& to) {
     const bool stressChanged = !(to.stress == settings.stress);
     settings = to;
     if (stressChanged) restartStress();
-    bodies.forEach([&](BodyHandle handle, const Body&) { updateDebris(handle); });
+    bodies.forEach([&](BodyHandle handle, const Body&) {
+        updateDebris(handle);
+        checkBounds(handle);
+    });
 }
 
 void WorldData::setEnvironment(Environment to) {
@@ -80,6 +87,24 @@ void WorldData::updateDebris(BodyHandle handle) {
         return debris.remove(handle);
     const RestState rest = body->settled ? RestState::Settled : body->asleep ? RestState::Asleep : RestState::Awake;
     debris.set({handle, rest, shape->grid.voxelCount(), body->createdStep, body->restingSince});
+}
+
+void WorldData::setBounds(const BoundsSettings& to) {
+    settings.bounds = to;
+    bodies.forEach([&](BodyHandle handle, const Body&) { checkBounds(handle); });
+}
+
+bool WorldData::isOutside(BodyHandle handle) const {
+    const WorldBox box = boundsInUse();
+    const Body* body = bodies.find(handle);
+    if (settings.bounds.rule == BoundsRule::Keep || box.low == box.high || !body || body->isStatic) return false;
+    return !body->shapes.empty() && std::none_of(body->shapes.begin(), body->shapes.end(), [&](ShapeHandle shape) {
+        return gridBounds(*this, shape).overlaps(box);
+    });
+}
+
+void WorldData::checkBounds(BodyHandle body) {
+    if (isOutside(body)) leftBounds.push_back(body);
 }
 
 JointHandle WorldData::addJoint(Joint joint) {
@@ -119,7 +144,7 @@ void WorldData::addStress(ShapeHandle handle) {
 
 bool WorldData::isBusy() const {
     return hasDebrisWork() || flickeringGroups || fire.isActive() || (stress && stress->isBusy()) ||
-           !movedBodies.empty() || !pendingSplits.empty() || hasActiveWinch();
+           !movedBodies.empty() || !leftBounds.empty() || !pendingSplits.empty() || hasActiveWinch();
 }
 
 bool WorldData::hasDebrisWork() const {

@@ -26,6 +26,7 @@ struct WorldData : WorldState {
     BoundsTree shapeBounds;               ///< by slot of the shape
     BoundsTree triggerBounds;             ///< by slot of the trigger
     std::vector<BodyHandle> movedBodies;  ///< since triggers were last updated; empty if there are no triggers
+    std::vector<BodyHandle> leftBounds;   ///< found outside since the last step; may hold one twice, or stale ones
     JointIndex jointIndex;
     DebrisQueue debris;                 ///< the pieces under the budgets of DebrisSettings
     std::optional<WorldStress> stress;  ///< none: StressSettings are off, or a delta came last
@@ -49,6 +50,12 @@ struct WorldData : WorldState {
     void removeShapeBounds(ShapeHandle shape) { shapeBounds.remove(shape.slot()); }
     /// To be called when a body or its shapes changed; the body may be gone or be no debris.
     void updateDebris(BodyHandle body);
+    /// Takes over where the world ends.
+    void setBounds(const BoundsSettings& to);
+    /// Whether a body is free, has shapes, none of them touches the bounds, and BoundsRule says that it becomes dust.
+    bool isOutside(BodyHandle body) const;
+    /// Lists a body in leftBounds if it is outside. To be called when it has moved.
+    void checkBounds(BodyHandle body);
     /// Inserts a joint, whose ends must be attached (attachJoint()), and lists it in the index.
     JointHandle addJoint(Joint joint);
 

@@ -6,6 +6,7 @@
 
 #include "runtime/core/pose.h"
 #include "runtime/voxel/material.h"
+#include "runtime/world/objects/world_box.h"
 #include "runtime/world/objects/world_objects.h"
 #include "runtime/world/settings/world_settings.h"
 #include "runtime/world/state/fire_state.h"
@@ -24,9 +25,17 @@ struct WorldState : WorldObjects {
     MaterialTable materials;
     Environment environment;
     WorldSettings settings;
+    WorldBox bounds;     ///< where the world ends, if BoundsSettings say nothing else; low == high: nowhere
+    WorldBox footprint;  ///< around all static shapes that the level brought; low == high: it brought none
     std::vector<std::pair<std::string, Pose>> locations;  ///< named places of the level
     FireState fire;
     std::vector<PendingSplit> pendingSplits;
+
+    /// The box outside of which BoundsRule applies: of the settings, or else the level's; low == high: there is none.
+    WorldBox boundsInUse() const {
+        return settings.bounds.low == settings.bounds.high ? bounds
+                                                           : WorldBox{settings.bounds.low, settings.bounds.high};
+    }
 };
 
 /// Drops connectivity tests that have begun: those that wait will begin with the whole shape, in their order.

@@ -212,6 +212,52 @@ TEST(FrameLoop, ASplitThatWaitsSurvivesSavesAndRecordings) {
     }
 }
 
+TEST(FrameLoop, WhatLeavesTheLevelIsSavedAndReplayedUnderEveryRule) {
+    const TempFolder folder;
+    for (const BoundsRule rule : {BoundsRule::Dust, BoundsRule::Keep, BoundsRule::Ground}) {
+        FrameLoop loop(headlessSettings()), loaded(headlessSettings()), replayed(headlessSettings());
+        Level level = oneShapeLevel(solidGrid({40, 8, 40}), true, {{0.0, -0.8, 0.0}});
+        for (int i = 0; i < 6; ++i) {
+            LevelBody cube{.name = "cube " + std::to_string(i),
+                           .pose = {{3.0 + 0.7 * i, 0.5, 2.0}},
+                           .isStatic = false,
+                           .velocity = {3.0 + 2.5 * i, 2.0, 0.3 * i}};
+            cube.shapes.push_back(levelShape(cube.name, solidGrid({5, 4, 6})));
+            level.bodies.push_back(std::move(cube));
+        }
+        loop.load(level);
+        loop.edits().push(SetBoundsEdit{{rule, {-4.0, -6.0, -4.0}, {12.0, 10.0, 8.0}}});
+        const auto nudge = [&](BodyHandle body, const Body& of) {
+            if (!of.isStatic) loop.edits().push(ImpulseEdit{body, of.pose.position, {1.0, 1.0, 0.0}});
+        };
+        loop.world().bodies().forEach(nudge);
+        for (int step = 0; step < 20; ++step) loop.step();
+        ASSERT_TRUE(loop.save(folder / "game.rubble"));
+        ASSERT_TRUE(loop.startRecording(folder / "game.rubblelog"));
+        Result<SavedGame> game = readSave(folder / "game.rubble", loaded.world().id());
+        ASSERT_TRUE(game) << game.error();
+        loaded.load(std::move(*game));
+        for (int step = 0; step < 200; ++step) {
+            loop.step();
+            loaded.step();
+            ASSERT_EQ(loaded.world().hash(), loop.world().hash()) << step;
+        }
+        ASSERT_TRUE(loop.stopRecording());
+        Result<Recording> recording = readRecording(folder / "game.rubblelog", replayed.world().id());
+        ASSERT_TRUE(recording) << recording.error();
+        replayed.load(recording->start);
+        for (const RecordedStep& step : recording->steps) {
+            replayed.replay(step);
+            ASSERT_EQ(replayed.world().hash(), step.hash) << step.step;
+        }
+        const size_t left = loop.world().bodies().size();
+        EXPECT_EQ(left < 7, rule != BoundsRule::Keep) << "some are dust";
+        EXPECT_TRUE(rule != BoundsRule::Ground || left > 1) << "and some rest on the ground";
+        const VoxelAccounting voxels = voxelAccounting(loop.world().data());
+        EXPECT_EQ(voxels.imported, voxels.standing + voxels.inPieces + voxels.removed) << "none is lost";
+    }
+}
+
 /// Replays a recording; the number of steps with the recorded hash.
 size_t replaySteps(const std::string& path, size_t& recorded) {
     FrameLoop loop(headlessSettings());

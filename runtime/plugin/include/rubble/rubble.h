@@ -142,6 +142,17 @@ typedef struct rubble_world_settings {
     uint32_t flags; /* RUBBLE_WORLD_... */
 } rubble_world_settings;
 
+/* Where the world ends. A free body that has left the box with all of its voxels is removed in the next step, and its
+ * voxels become dust (RUBBLE_BOUNDS_DUST), or it goes on (RUBBLE_BOUNDS_KEEP). RUBBLE_BOUNDS_GROUND is as DUST, and the
+ * fields that are drawn around a level, at a height of -0.05 m, are solid within the box: bodies, ropes and characters
+ * rest on them. Below the level the ground lies at its lowest point. Ray casts and other queries do not find it. */
+enum { RUBBLE_BOUNDS_DUST = 0, RUBBLE_BOUNDS_KEEP = 1, RUBBLE_BOUNDS_GROUND = 2 };
+typedef struct rubble_bounds {
+    uint32_t struct_size;
+    uint32_t rule;          /* RUBBLE_BOUNDS_... */
+    double low[3], high[3]; /* metres; all equal: the box of the level, or around all its shapes with a margin */
+} rubble_bounds;
+
 /* ---- edits of voxels ---- */
 
 enum { RUBBLE_BRUSH_SPHERE = 0, RUBBLE_BRUSH_BOX = 1, RUBBLE_BRUSH_CAPSULE = 2 };
@@ -933,6 +944,14 @@ typedef struct rubble_api {
     rubble_result (*get_draw_stats)(rubble_renderer renderer, rubble_draw_stats* out);
     /* [render-thread] Destroys the renderer and its GL objects. Its context must be current. */
     rubble_result (*destroy_renderer)(rubble_renderer renderer);
+
+    /* ---- bounds ---- */
+
+    /* [main-thread] Sets where the world ends from the next step on; see rubble_bounds. Saves and recordings keep it.
+     */
+    rubble_result (*set_bounds)(rubble_world world, const rubble_bounds* bounds);
+    /* [main-thread] The bounds in use, as the last step() knew them. Low and high are equal if there are none. */
+    rubble_result (*get_bounds)(rubble_world world, rubble_bounds* out);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:
