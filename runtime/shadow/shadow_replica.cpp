@@ -88,7 +88,7 @@ ShadowReplica::Shape* ShadowReplica::find(ShapeHandle handle) {
     return m_shapes[handle.slot()]->handle == handle ? m_shapes[handle.slot()].get() : nullptr;
 }
 
-void ShadowReplica::apply(ShadowStep&& step, const std::atomic<bool>& stop) {
+void ShadowReplica::apply(ShadowStep&& step, const MustStop& mustStop) {
     if (step.replacesAll) {
         m_shapes.clear();
         m_brickStates.clear();
@@ -97,7 +97,7 @@ void ShadowReplica::apply(ShadowStep&& step, const std::atomic<bool>& stop) {
     }
     for (const ShapeHandle handle : step.destroyed) destroy(handle);
     for (ShadowStep::NewShape& shape : step.created) {
-        if (stop) return;
+        if (mustStop()) return;
         create(std::move(shape));
     }
     for (const BrickChange& change : step.bricks)
@@ -294,14 +294,14 @@ void ShadowReplica::rebuildBrick(BrickEntry& entry, ShadowPatches& out) {
     out.patches.push_back({brick, state.published});
 }
 
-bool ShadowReplica::update(ShadowPatches& out, const std::atomic<bool>& stop) {
+bool ShadowReplica::update(ShadowPatches& out, const MustStop& mustStop) {
     for (const ShapeHandle handle : m_waiting) {
-        if (stop) return false;
+        if (mustStop()) return false;
         if (Shape* shape = find(handle)) place(*shape);
     }
     m_waiting.clear();
     for (BrickEntry* entry : m_touched) {
-        if (stop) return false;
+        if (mustStop()) return false;
         entry->second.touched = false;
         rebuildBrick(*entry, out);
         if (entry->second.resting.empty() && entry->second.moving.empty())

@@ -1,6 +1,6 @@
 #pragma once
 #include <array>
-#include <atomic>
+#include <functional>
 #include <memory>
 #include <unordered_map>
 #include <vector>
@@ -18,13 +18,15 @@ namespace rubble {
 /// Owned by one thread.
 class ShadowReplica {
 public:
+    /// Asked between two pieces of work: a shape, a brick.
+    using MustStop = std::function<bool()>;
     /// Voxels of palette entries below this opacity cast no shadow.
     static constexpr uint8_t kMinOpacity = 128;
 
-    /// Applies a step to the copy. Returns early when `stop` becomes true; then the replica can only be destroyed.
-    void apply(ShadowStep&& step, const std::atomic<bool>& stop);
+    /// Applies a step to the copy. Returns early when `mustStop` says so; then the replica can only be destroyed.
+    void apply(ShadowStep&& step, const MustStop& mustStop);
     /// Rebuilds the touched bricks and lists those that differ from what the last call published. False if stopped.
-    bool update(ShadowPatches& out, const std::atomic<bool>& stop);
+    bool update(ShadowPatches& out, const MustStop& mustStop);
 
 private:
     /// Which palette entries cast a shadow.

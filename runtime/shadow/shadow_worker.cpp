@@ -35,10 +35,10 @@ struct ShadowWorker::Impl {
             publication.version = step->version;
             publication.replacesAll = publication.replacesAll || step->replacesAll;
             epoch = step->epoch;
-            update([&] { replica.apply(std::move(*step), stop); }, step->replacesAll);
+            update([&] { replica.apply(std::move(*step), mustStop); }, step->replacesAll);
             step = queue.tryTake();
         }
-        update([&] { replica.update(publication, stop); });
+        update([&] { replica.update(publication, mustStop); });
         if (stop) return;
         const std::lock_guard lock(mutex);
         if (epoch != shared.epoch) return;  // another level was loaded meanwhile: the next publication replaces all
@@ -68,12 +68,18 @@ struct ShadowWorker::Impl {
     Shared shared;
     Mailbox<ShadowStep> queue;
     std::atomic<bool> stop = false;
+    std::function<void()> onProgress;  ///< [worker] empty: nobody asks
+    const ShadowReplica::MustStop mustStop = [this] {
+        if (onProgress) onProgress();
+        return stop.load();
+    };
     ShadowReplica replica;   ///< [worker]
     bool hasFailed = false;  ///< [worker]
     std::thread thread;      ///< none if inline
 };
 
-ShadowWorker::ShadowWorker(Mode mode) : m_impl(std::make_unique<Impl>()) {
+ShadowWorker::ShadowWorker(Mode mode, std::function<void()> onProgress) : m_impl(std::make_unique<Impl>()) {
+    m_impl->onProgress = std::move(onProgress);
     if (mode == Mode::Inline) return;
     m_impl->thread = std::thread([impl = m_impl.get()] {
         while (auto step = impl->queue.take()) impl->work(std::move(*step));

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -23,7 +24,8 @@ class ShadowWorker {
 public:
     enum class Mode { Thread, Inline };
     /// Thread: starts a thread. Inline: submit() does the work itself, for tests and single-threaded hosts.
-    explicit ShadowWorker(Mode mode);
+    /// onProgress: called on the worker's thread before each piece of its work, a shape or a brick; for tests.
+    explicit ShadowWorker(Mode mode, std::function<void()> onProgress = {});
     ~ShadowWorker();  ///< does not wait for queued steps
     ShadowWorker(const ShadowWorker&) = delete;
     ShadowWorker& operator=(const ShadowWorker&) = delete;

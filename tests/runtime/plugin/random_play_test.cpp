@@ -42,7 +42,7 @@ public:
                 moved.push_back({handle, body->pose, body->velocity, body->angularVelocity, body->asleep});
         m_snapshots.publishWithoutShadow(changes, moved, loop.world(), loop.physics().impacts());
         if (auto snapshot = m_snapshots.take()) apply(*snapshot);
-        const std::atomic<bool> never = false;
+        const auto never = [] { return false; };
         ShadowPatches publication;
         publication.replacesAll = changes.levelReplaced;
         m_replica.apply(makeShadowStep(changes, moved, loop.world()), never);

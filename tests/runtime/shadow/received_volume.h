@@ -1,5 +1,4 @@
 #pragma once
-#include <atomic>
 #include <bit>
 #include <map>
 #include <memory>
@@ -89,7 +88,7 @@ inline Volume rebuild(const World& world) {
     FrameChanges changes;
     changes.levelReplaced = true;
     changes.step = 1;
-    const std::atomic<bool> never = false;
+    const auto never = [] { return false; };
     ShadowReplica replica;
     replica.apply(makeShadowStep(changes, {}, world), never);
     ShadowPatches publication;

@@ -121,14 +121,34 @@ TEST(ShadowWorker, EqualsARebuildAtEveryPublishOnItsThread) {
     expectRebuildAtEveryPublish(ShadowWorker::Mode::Thread, editCount());
 }
 
+/// Counts a worker's pieces of work, so that a test can act at a point of it.
+class Progress {
+public:
+    void add() {
+        ++m_pieces;
+        m_pieces.notify_one();
+    }
+    uint32_t pieces() const { return m_pieces; }
+    /// Waits until so many pieces were begun.
+    void waitFor(uint32_t pieces) {
+        for (uint32_t now = m_pieces; now < pieces; now = m_pieces) m_pieces.wait(now);
+    }
+
+private:
+    std::atomic<uint32_t> m_pieces = 0;
+};
+
 TEST(ShadowWorker, StopsAndChangesLevelsAtAnyPoint) {
     Random random(5);
     for (int round = 0; round < 12; ++round) {
-        ShadowWorker worker(ShadowWorker::Mode::Thread);
+        Progress progress;
+        ShadowWorker worker(ShadowWorker::Mode::Thread, [&] { progress.add(); });
         Volume volume;
         uint64_t step = 0;
+        uint32_t begin = 0;
         for (int level = 0; level < 2; ++level) {
             Demolition demolition(uint64_t(round) * 2 + uint64_t(level));  // its steps begin at 1 again
+            begin = progress.pieces();
             for (uint32_t i = 2 + random.below(4); i; --i) {
                 demolition.step();
                 worker.submit(demolition.changes(), demolition.moved(), demolition.world());
@@ -141,7 +161,7 @@ TEST(ShadowWorker, StopsAndChangesLevelsAtAnyPoint) {
             for (const ShadowPatches& publication : worker.takePatches()) volume.apply(publication);
             ASSERT_TRUE(volume == rebuild(demolition.world()));
         }
-        std::this_thread::sleep_for(std::chrono::microseconds(random.below(20'000)));
+        progress.waitFor(begin + random.below(600));  // the second level alone has more
     }
 }
 
