@@ -35,9 +35,11 @@ void journalSlots(const SlotValues<Handle, T>& before, const Map& now, std::vect
     }
 }
 
-bool sameMotion(const Body& a, const Body& b) {
+/// Of two states of one body: its name, its tags and when it came to be never change.
+bool sameState(const Body& a, const Body& b) {
     return a.pose == b.pose && a.velocity == b.velocity && a.angularVelocity == b.angularVelocity &&
-           a.asleep == b.asleep && a.settled == b.settled && a.isStatic == b.isStatic && a.shapes == b.shapes;
+           a.asleep == b.asleep && a.settled == b.settled && a.isStatic == b.isStatic && a.shapes == b.shapes &&
+           a.broken == b.broken && a.restingSince == b.restingSince;
 }
 
 void journalBricks(ShapeHandle handle, const Shape& was, const Shape& is, FrameChanges& changes) {
@@ -90,7 +92,7 @@ void journalBodiesAndShapes(const WorldDelta& before, WorldData& world, FrameCha
         const BodyHandle is = world.bodies.handleAt(slot);
         if (was.first && was.first != is) changes.bodiesDestroyed.push_back(was.first);
         if (is && was.first != is) changes.bodiesCreated.push_back(is);
-        if (is && was.first == is && !sameMotion(*was.second, world.bodies.at(is))) changes.teleported.push_back(is);
+        if (is && was.first == is && !sameState(*was.second, world.bodies.at(is))) changes.teleported.push_back(is);
         world.updateDebris(was.first);
         if (!is) continue;
         world.updateDebris(is);

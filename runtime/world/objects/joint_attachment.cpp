@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <optional>
 
+#include "runtime/core/ranges.h"
 #include "runtime/voxel/nearest_voxel.h"
 #include "runtime/world/objects/transforms.h"
 
@@ -29,7 +30,7 @@ std::optional<glm::ivec3> findHeldCell(const VoxelGrid& grid, glm::dvec3 point, 
 void initRopePoints(Joint& joint, glm::dvec3 from, glm::dvec3 to) {
     RopeSettings& rope = joint.rope;
     if (rope.length == 0.0) rope.length = glm::length(to - from) + rope.slack;
-    rope.length = std::max(rope.length, 0.01);
+    rope.length = std::clamp(rope.length, 0.01, ranges::kJointNumber.high);
     if (rope.points == 0)
         rope.points = uint32_t(std::clamp(std::round(rope.length / kRopeSpacing) + 1.0, 3.0, double(kMaxRopePoints)));
     if (joint.points.size() == rope.points) return;

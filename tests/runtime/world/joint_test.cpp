@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/core/ranges.h"
 #include "runtime/world/history/world_baseline.h"
 #include "runtime/world/queries/joint_queries.h"
 #include "tests/runtime/world/worlds.h"
@@ -154,6 +155,16 @@ TEST(Joint, RopesSpanTheirEndsAndSurviveLosingOne) {
     EXPECT_EQ(changes.jointsChanged, std::vector<JointHandle>{rope});
     EXPECT_TRUE(world.joints().at(rope).ends[0].isFree);
     EXPECT_FALSE(world.joints().at(rope).ends[1].isFree);
+}
+
+TEST(Joint, ARopeThatIsMadeHasALengthThatASaveCanHold) {
+    World world;
+    Level level = beamAndPost();
+    level.joints[0].joint.kind = JointKind::Rope;
+    level.joints[0].joint.rope.slack = ranges::kJointNumber.high;
+    level.joints[0].joint.ends[1].frame.position = {0.0, 2.0, 0.0};
+    world.load(level);
+    EXPECT_EQ(jointError(world.joints().at(firstJoint(world))), "");
 }
 
 TEST(Joint, DetachingTheLastHeldEndOfARopeRemovesIt) {

@@ -294,6 +294,27 @@ TEST(UndoHistory, WithNothingToUndoOrRedoSaysSo) {
     EXPECT_EQ(lines[1].rfind("redo: ", 0), 0u) << lines[1];
 }
 
+TEST(UndoHistory, ItsJournalNamesABodyThatRestsSinceAnotherStep) {
+    World world = smallWorld();
+    BodyHandle crate;
+    world.bodies().forEach([&](BodyHandle handle, const Body& body) { crate = body.isStatic ? crate : handle; });
+    const auto setAsleep = [&](bool asleep) {
+        const Body& body = world.bodies().at(crate);
+        world.setPoses(std::vector{BodyPose{crate, body.pose, body.velocity, body.angularVelocity, asleep}});
+    };
+    world.applyEdits({});
+    setAsleep(true);
+    world.applyEdits({kMark});
+    const uint64_t restingSince = world.bodies().at(crate).restingSince;
+    setAsleep(false);
+    world.applyEdits({sphereCarve({1.0, 1.0, 0.0}, 0.3)});
+    setAsleep(true);
+    EXPECT_NE(world.bodies().at(crate).restingSince, restingSince);
+    const FrameChanges changes = world.applyEdits({kUndo});
+    EXPECT_EQ(world.bodies().at(crate).restingSince, restingSince);
+    EXPECT_EQ(changes.teleported, std::vector{crate});
+}
+
 TEST(UndoHistory, AShapeThatWaitedForItsSplitAtTheMarkIsSplitAfterAnUndo) {
     Level level = oneShapeLevel(solidGrid({400, 8, 8}, 1), true);
     level.bodies[0].shapes[0].anchors = {{{0, 0, 0}, {1, 8, 8}}};
