@@ -17,7 +17,7 @@ namespace {
 using namespace test;
 
 int gameCount() {
-    return std::getenv("RUBBLE_LONG") ? 2000 : 12;
+    return std::getenv("RUBBLE_LONG") ? 2000 : 24;
 }
 
 /// Random edits are refused by the hundred: their warnings are not shown.
