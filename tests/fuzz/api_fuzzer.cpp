@@ -334,6 +334,10 @@ private:
         api().get_environment(m_world, &weather);
         api().apply_sky_model(&weather, direction);
         if (m_decisions.oneIn(2)) api().set_environment(m_world, &weather);
+        auto bounds = sized<rubble_bounds>();
+        api().get_bounds(m_world, &bounds);
+        bounds.rule = whole(3), place(bounds.low), place(bounds.high);
+        if (m_decisions.oneIn(2)) api().set_bounds(m_world, &bounds);
         const uint64_t stale = any({});
         api().set_debug_view(stale, "normal");
         api().destroy_renderer(stale);

@@ -8,6 +8,7 @@
 
 #include "runtime/assets/state_fields.h"
 #include "runtime/world/objects/object_errors.h"
+#include "runtime/world/settings/settings_error.h"
 
 namespace rubble {
 namespace {
@@ -96,6 +97,8 @@ TEST(ObjectFields, NoObjectMayHaveANumberThatIsNone) {
     expectAllChecked(Body{}, 10);
     expectAllChecked(Shape{}, 8);
     expectAllChecked(LightGroup{}, 1);
+    expectAllChecked(WorldBox{}, 6);
+    expectAllChecked(BoundsSettings{}, 6, [](const BoundsSettings& bounds) { return boundsError(bounds); });
     expectAllChecked(Material{}, 6);
     expectAllChecked(PaletteEntry{}, 1);
     expectAllChecked(Environment{}, 10, [](const Environment& environment) { return environmentError(environment); });
