@@ -35,11 +35,11 @@ void journalSlots(const SlotValues<Handle, T>& before, const Map& now, std::vect
     }
 }
 
-/// Of two states of one body: its name, its tags and when it came to be never change.
+/// Of two states of one body. Its name and tags never change; what makes it broken is in the journal of its shapes.
 bool sameState(const Body& a, const Body& b) {
     return a.pose == b.pose && a.velocity == b.velocity && a.angularVelocity == b.angularVelocity &&
            a.asleep == b.asleep && a.settled == b.settled && a.isStatic == b.isStatic && a.shapes == b.shapes &&
-           a.broken == b.broken && a.restingSince == b.restingSince;
+           a.restingSince == b.restingSince;
 }
 
 void journalBricks(ShapeHandle handle, const Shape& was, const Shape& is, FrameChanges& changes) {
