@@ -306,7 +306,7 @@ void Renderer::Impl::compileAhead() {
     forEachLazyPass([](auto& pass) { pass.reset(); });  // their programs stay in the library
     lightGrid.reset();
     startScene();
-    gbuffer.freeDetailMaps();
+    gbuffer.startScene();
     choice = initialChoice(fullscreen);
     isMomentOver = true;
     stats = {};

@@ -24,8 +24,11 @@ public:
     static void bind(const Program& program, const TargetPool& targets);
     /// The tiles of the frame that was drawn last.
     const BodyTiles& tiles() const { return m_tiles; }
-    /// Frees the detail maps until the next frame that needs them.
-    void freeDetailMaps() { m_details.reset(); }
+    /// Forgets what it holds for a scene, before it draws another one.
+    void startScene() {
+        m_tiles.clear();
+        m_details.reset();
+    }
     /// GPU memory of the detail maps.
     uint64_t bytes() const { return m_details ? m_details->texture().bytes() : 0; }
     /// Whether faces have detail: the settings want it, and a palette has a material with a detail map.

@@ -14,6 +14,12 @@ constexpr uint32_t kNoBrickTable = ~0u;
 using shared::kHasGlass;
 using shared::kHasPaint;
 
+WorldBox boundsOf(const Bodies::Instance& body) {
+    const glm::dvec3 low = glm::vec3(body.low) * body.voxelSize, high = glm::vec3(body.high) * body.voxelSize;
+    const glm::dquat rotation(body.rotation);
+    return boundsOfBox(glm::dvec3(body.position) + rotation * ((low + high) * 0.5), (high - low) * 0.5, rotation);
+}
+
 glm::vec4 packed(glm::quat q) {
     return {q.x, q.y, q.z, q.w};
 }
@@ -73,7 +79,7 @@ void Bodies::create(const SnapshotShape& given) {
     usePalette(*m_shapes[slot], slot, given.palette);
     usePaint(slot, given.paintColors);
     for (const BrickChange& change : given.bricks) putBrick(*m_shapes[slot], change.brick, change.content);
-    m_boundsDirty.push_back(slot);
+    m_changed.push_back(slot);
     m_moving.push_back(slot);
     m_shapes[slot]->moving = true;
 }
@@ -84,7 +90,7 @@ void Bodies::destroy(ShapeHandle handle) {
     release(*shape, handle.slot());
     m_shapes[handle.slot()].reset();
     m_instances[handle.slot()] = Instance{};
-    m_boundsDirty.push_back(handle.slot());
+    m_changed.push_back(handle.slot());
     --m_shapeCount;
 }
 
@@ -112,7 +118,7 @@ void Bodies::setBrick(const BrickChange& change) {
     Shape* shape = find(change.shape);
     if (!shape) return;
     putBrick(*shape, change.brick, change.content);
-    m_boundsDirty.push_back(change.shape.slot());
+    m_changed.push_back(change.shape.slot());
 }
 
 void Bodies::putBrick(Shape& shape, glm::ivec3 brick, const BrickRef& content) {
@@ -130,6 +136,10 @@ void Bodies::putBrick(Shape& shape, glm::ivec3 brick, const BrickRef& content) {
     const int child = childIndex(brick);
     BrickRef& held = (*shape.bricks[n])[size_t(child)];
     const uint32_t entry = content ? m_atlas.acquire(content) << 8 | BrickAtlas::occupiedWords(*content) : 0;
+    for (size_t axis = 0; axis < 3; ++axis) {
+        if (content && !held) shape.layers[axis].add(brick[int(axis)]);
+        if (held && !content) shape.layers[axis].remove(brick[int(axis)]);
+    }
     if (held) m_atlas.release(held.get());
     held = content;
     m_tables.change(gpuNode.table).entry[child] = entry;
@@ -140,19 +150,9 @@ void Bodies::putBrick(Shape& shape, glm::ivec3 brick, const BrickRef& content) {
 
 void Bodies::updateBounds(uint32_t slot) {
     const Shape& shape = *m_shapes[slot];
-    glm::ivec3 low(1 << 20), high(0);
-    for (size_t n = 0; n < shape.bricks.size(); ++n) {
-        const Node& node = m_nodes[shape.firstNode + n];
-        const int i = int(n), nx = shape.sizeInNodes.x, ny = shape.sizeInNodes.y;
-        const glm::ivec3 base = glm::ivec3(i % nx, i / nx % ny, i / nx / ny) * 4;
-        for (uint64_t mask = node.mask[0] | uint64_t(node.mask[1]) << 32; mask; mask &= mask - 1) {
-            const int child = std::countr_zero(mask);
-            const glm::ivec3 brick = base + childPosition(child);
-            low = glm::min(low, brick * kBrickSize);
-            high = glm::max(high, (brick + 1) * kBrickSize);
-        }
-    }
-    high = glm::min(high, shape.size);
+    const auto& [x, y, z] = shape.layers;
+    const glm::ivec3 low = glm::ivec3(x.low(), y.low(), z.low()) * kBrickSize,
+                     high = glm::min(glm::ivec3(x.high(), y.high(), z.high()) * kBrickSize, shape.size);
     m_instances[slot].low = low;
     m_instances[slot].high = high;
     m_layouts.change(slot).low = glm::ivec4(low, 0);
@@ -214,6 +214,7 @@ void Bodies::setPalette(const SnapshotPalette& given) {
     if (!shape) return;
     usePalette(*shape, given.shape.slot(), given.palette);
     usePaint(given.shape.slot(), given.paintColors);
+    m_changed.push_back(given.shape.slot());
 }
 
 void Bodies::setPose(const SnapshotPose& pose) {
@@ -236,13 +237,15 @@ uint64_t Bodies::beginFrame(float alpha, glm::dvec3 originWorld, bool isSameMome
             m_shapes[slot]->moving = true;
         }
     }
-    std::sort(m_boundsDirty.begin(), m_boundsDirty.end());
-    m_boundsDirty.erase(std::unique(m_boundsDirty.begin(), m_boundsDirty.end()), m_boundsDirty.end());
-    for (uint32_t slot : m_boundsDirty)
+    std::sort(m_changed.begin(), m_changed.end());
+    m_changed.erase(std::unique(m_changed.begin(), m_changed.end()), m_changed.end());
+    for (uint32_t slot : m_changed)
         if (m_shapes[slot]) updateBounds(slot);
-    m_touched = std::exchange(m_boundsDirty, {});
-    if (isRebased || !isSameMoment) updateTransforms(alpha);
+    m_touched.slots = std::exchange(m_changed, {});
     leaveOutWithoutRoom();
+    if (isRebased || !isSameMoment) updateTransforms(alpha);
+    updateTree();
+    ++m_touched.frame;
     return m_nodes.upload() + m_tables.upload() + m_transforms.upload() + m_layouts.upload() + m_palettes.upload();
 }
 
@@ -250,13 +253,24 @@ void Bodies::updateTransforms(float alpha) {
     std::vector<uint32_t> still;
     std::sort(m_moving.begin(), m_moving.end());
     m_moving.erase(std::unique(m_moving.begin(), m_moving.end()), m_moving.end());
-    m_touched.insert(m_touched.end(), m_moving.begin(), m_moving.end());
+    m_touched.slots.insert(m_touched.slots.end(), m_moving.begin(), m_moving.end());
     for (uint32_t slot : m_moving)
         if (m_shapes[slot]) {
             updateTransform(slot, alpha, m_origin);
             if (m_shapes[slot]->moving) still.push_back(slot);
         }
     m_moving = std::move(still);
+}
+
+/// Enters what was touched into the tree of bounds.
+void Bodies::updateTree() {
+    for (const uint32_t slot : m_touched.slots) {
+        const Instance& body = m_instances[slot];
+        if (body.empty())
+            m_bounds.remove(slot);
+        else
+            m_bounds.update(slot, boundsOf(body));
+    }
 }
 
 /// Whether the GL has room for all that a shape needs but its bricks.
@@ -281,7 +295,8 @@ void Bodies::leaveOutBricks(const Shape& shape) {
     }
 }
 
-/// Hides shapes, and leaves out bricks, that the GL has no room for, so that shaders read nothing that is not there.
+/// Hides shapes, and leaves out bricks, that the GL has no room for, so that shaders read nothing that is not there. Of
+/// shapes that have changed: what the others need is as it was.
 void Bodies::leaveOutWithoutRoom() {
     bool isFull = false;
     const auto reserve = [&](auto&... buffers) {
@@ -290,13 +305,11 @@ void Bodies::leaveOutWithoutRoom() {
     };
     reserve(m_nodes, m_tables, m_transforms, m_layouts, m_palettes);
     const bool isNew = std::exchange(m_room, m_atlas.room()) != m_room;
-    for (uint32_t slot = 0; slot < m_shapes.size() && isNew; ++slot) m_touched.push_back(slot);
-    for (const uint32_t slot : m_touched)
-        if (m_shapes[slot] && m_room != ~0u) leaveOutBricks(*m_shapes[slot]);
-    for (uint32_t slot = 0; slot < m_shapes.size() && isFull; ++slot) {
-        if (!m_shapes[slot] || m_instances[slot].empty() || hasRoom(slot)) continue;
-        m_instances[slot].low = m_instances[slot].high = glm::ivec3(0);
-        m_touched.push_back(slot);
+    for (uint32_t slot = 0; slot < m_shapes.size() && isNew; ++slot) m_touched.slots.push_back(slot);
+    for (const uint32_t slot : m_touched.slots) {
+        if (!m_shapes[slot]) continue;
+        if (m_room != ~0u) leaveOutBricks(*m_shapes[slot]);
+        if (isFull && !hasRoom(slot)) m_instances[slot].low = m_instances[slot].high = glm::ivec3(0);
     }
 }
 

@@ -10,7 +10,9 @@
 #include "render/gl/program.h"
 #include "render/scene/brick_atlas.h"
 #include "render/scene/detail_maps.h"
+#include "render/scene/layer_counts.h"
 #include "render/scene/staged_buffer.h"
+#include "runtime/core/bounds_tree.h"
 #include "runtime/frame/frame_snapshot.h"
 
 namespace rubble {
@@ -73,8 +75,15 @@ public:
     /// Sets the samplers of lib/bodies.glsl. The program must be in use.
     void bind(const Program& program) const;
 
-    /// Slots of the instances that the last beginFrame() moved, resized or found removed.
-    const std::vector<uint32_t>& touched() const { return m_touched; }
+    /// What the last beginFrame() did.
+    struct Touched {
+        std::vector<uint32_t> slots;  ///< of the instances that it moved or found changed or removed
+        uint64_t frame = 0;           ///< number of calls so far
+    };
+    /// Of the last beginFrame().
+    const Touched& touched() const { return m_touched; }
+    /// The boxes of all instances that are not empty(), by slot, from the render origin.
+    const BoundsTree& bounds() const { return m_bounds; }
     /// By slot; slots without a shape are empty().
     const std::vector<Instance>& instances() const { return m_instances; }
     /// Of the shape in a slot.
@@ -115,6 +124,7 @@ private:
         uint32_t firstNode = 0;
         PaletteRef palette;
         std::vector<std::unique_ptr<std::array<BrickRef, 64>>> bricks;  ///< by node
+        std::array<LayerCounts, 3> layers;                              ///< of bricks that exist, by axis
         Pose previous, current;
         bool hasTransform = false;  ///< its transform has been sent: the next frame can reproject from it
         bool moving = false;        ///< is in m_moving
@@ -123,6 +133,7 @@ private:
     void release(Shape& shape, uint32_t slot);
     void putBrick(Shape& shape, glm::ivec3 brick, const BrickRef& content);
     void updateBounds(uint32_t slot);
+    void updateTree();
     uint32_t acquireGpuPalette(const PaletteRef& palette);
     void releaseGpuPalette(const Palette* palette);
     void usePalette(Shape& shape, uint32_t slot, const PaletteRef& palette);
@@ -151,7 +162,9 @@ private:
     std::unordered_map<const Palette*, PaletteUse> m_paletteUses;
     std::vector<std::unique_ptr<Shape>> m_shapes;  ///< by the handle's slot
     std::vector<Instance> m_instances;
-    std::vector<uint32_t> m_moving, m_boundsDirty, m_touched;  ///< slots
+    std::vector<uint32_t> m_moving, m_changed;  ///< slots
+    Touched m_touched;
+    BoundsTree m_bounds;
     glm::dvec3 m_origin{0.0};
     uint32_t m_room = ~0u;  ///< of the atlas, in the last frame
     int m_shapeCount = 0, m_glassShapes = 0, m_mirrorShapes = 0, m_detailPalettes = 0;

@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kMinTileShift = 3;  ///< tiles of 8x8 pixels; larger ones for views of more than kMaxTiles
 constexpr int kMaxTiles = 4096;
+constexpr size_t kMaxStaleViews = 1024;  ///< more than twice as many views as bodies: then all are projected again
 
 /// Normals of the planes of the view frustum through the camera, pointing inwards: left, right, bottom, top.
 std::array<glm::vec3, 4> sidePlanes(const FrameBlock& b) {
@@ -64,42 +65,133 @@ uint32_t packed(glm::ivec3 size) {
 
 }  // namespace
 
+/// What a camera sees.
+struct BodyTiles::Frustum {
+    explicit Frustum(const FrameBlock& b) : camera(b.cameraPosition), forward(b.cameraForward), planes(sidePlanes(b)) {}
+    /// Whether the sphere around a body is in view; then also the least depth of its box.
+    bool sees(const Bodies::Instance& body, float& minDepth) const {
+        if (body.empty()) return false;
+        const glm::vec3 low = glm::vec3(body.low) * body.voxelSize, high = glm::vec3(body.high) * body.voxelSize;
+        const glm::vec3 half = (high - low) * 0.5f;
+        const glm::vec3 center = body.position + body.rotation * ((low + high) * 0.5f) - camera;
+        const float radius = glm::length(half), depth = glm::dot(center, forward);
+        if (!(depth > -radius)) return false;
+        for (const glm::vec3& plane : planes)
+            if (!(glm::dot(center, plane) > -radius)) return false;
+        minDepth = std::max(depth - glm::dot(glm::abs(glm::conjugate(body.rotation) * forward), half), 0.0f);
+        return true;
+    }
+    /// Whether a part of a box may be in view.
+    bool sees(const WorldBox& box) const {
+        const glm::vec3 half((box.high - box.low) * 0.5), center(glm::vec3((box.low + box.high) * 0.5) - camera);
+        const auto isBefore = [&](const glm::vec3& plane) {
+            return glm::dot(center, plane) + glm::dot(half, glm::abs(plane)) >= 0.0f;
+        };
+        return isBefore(forward) && std::all_of(planes.begin(), planes.end(), isBefore);
+    }
+    glm::vec3 camera, forward;
+    std::array<glm::vec3, 4> planes;
+};
+
 void BodyTiles::update(const Bodies& bodies, const FrameBlock& block) {
-    const glm::ivec2 size(block.targetSize);
+    const Camera camera{block.cameraPosition, block.cameraRight, block.cameraUp, block.cameraForward, block.targetSize};
+    const bool isSameView = camera == m_camera && bodies.touched().frame - m_frame <= 1;
+    const bool isSameFrame = isSameView && bodies.touched().frame == m_frame;
+    m_camera = camera;
+    m_frame = bodies.touched().frame;
+    if (isSameView && (isSameFrame || bodies.touched().slots.empty())) return;
+
+    resize();
+    const Frustum frustum(block);
+    const bool keeps = isSameView && m_views.size() <= 2 * m_seen.size() + kMaxStaleViews;
+    const bool fits = (keeps && addBodies(dropTouched(bodies, frustum), bodies, block)) ||
+                      addBodies(startOver(bodies, frustum), bodies, block);
+    if (!fits) m_camera = {};  // the next frame starts over too
+    for (const Which which : {Which::All, Which::Glass}) {
+        Lists& lists = which == Which::All ? m_all : m_glass;
+        fill(lists, which);
+        if (lists.entries.empty() || (fits && send(lists))) continue;
+        lists.entries.clear();
+        if (!std::exchange(m_fullLogged, true))
+            logError("bodies are not drawn: the GL has no room for the lists of " + std::to_string(m_seen.size()) +
+                     " bodies in view");
+    }
+}
+
+/// Adds bodies in view. False if the GL has no room for their views.
+bool BodyTiles::addBodies(const Found& found, const Bodies& bodies, const FrameBlock& block) {
+    const size_t firstNew = m_views.size(), kept = m_seen.size();
+    for (const auto& [minDepth, instance] : found) project(bodies, block, minDepth, instance);
+    std::inplace_merge(m_seen.begin(), m_seen.begin() + std::ptrdiff_t(kept), m_seen.end());
+    return sendViews(firstNew);
+}
+
+void BodyTiles::resize() {
+    const glm::ivec2 size(m_camera.targetSize);
     m_tileShift = kMinTileShift;
     const auto tiles = [&] { return (size + (1 << m_tileShift) - 1) >> m_tileShift; };
     while (tiles().x * tiles().y > kMaxTiles) ++m_tileShift;
     m_tiles = tiles();
-    sort(bodies, block);
+}
+
+/// Forgets all bodies and returns those in view, nearest first.
+BodyTiles::Found BodyTiles::startOver(const Bodies& bodies, const Frustum& frustum) {
+    m_seen.clear();
     m_views.clear();
     m_spans.clear();
-    m_glassSpans.clear();
+    Found found;
+    float minDepth = 0.0f;
+    const auto sees = [&](const WorldBox& box) { return ++m_compared, frustum.sees(box); };
+    bodies.bounds().find(sees, [&](uint32_t slot) {
+        if (frustum.sees(bodies.instances()[slot], minDepth)) found.emplace_back(minDepth, slot);
+    });
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+/// Forgets the bodies that were touched and returns those of them that are in view, nearest first.
+BodyTiles::Found BodyTiles::dropTouched(const Bodies& bodies, const Frustum& frustum) {
+    std::vector<uint32_t> touched = bodies.touched().slots;
+    std::sort(touched.begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+    std::erase_if(m_seen,
+                  [&](const Seen& seen) { return std::binary_search(touched.begin(), touched.end(), seen.instance); });
+    m_compared += touched.size();
+    Found found;
+    float minDepth = 0.0f;
+    for (const uint32_t slot : touched)
+        if (frustum.sees(bodies.instances()[slot], minDepth)) found.emplace_back(minDepth, slot);
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+/// Appends a body with its view and the tiles that it covers.
+void BodyTiles::project(const Bodies& bodies, const FrameBlock& block, float minDepth, uint32_t instance) {
+    const Bodies::Instance& body = bodies.instances()[instance];
+    const Bodies::Layout& layout = bodies.layout(instance);
     const glm::vec3 across = glm::vec3(block.cameraRight) * block.cameraRight.w,
                     up = glm::vec3(block.cameraUp) * block.cameraUp.w;
-    const glm::vec2 corner = glm::vec2(block.jitter) * 2.0f - 1.0f;  // as viewRay() in lib/frame.glsl
-    for (const auto& [minDepth, slot] : m_sorted) {
-        const Bodies::Instance& body = bodies.instances()[size_t(slot)];
-        const Bodies::Layout& layout = bodies.layout(size_t(slot));
-        const glm::mat3 toCells = glm::mat3_cast(glm::conjugate(body.rotation)) * (1.0f / body.voxelSize);
-        m_views.push_back({toCells * (glm::vec3(block.cameraPosition) - body.position), minDepth,
-                           toCells * (glm::vec3(block.cameraForward) + across * corner.x + up * corner.y), slot,
-                           toCells * across * (2.0f * block.targetSize.z), layout.node,
-                           toCells * up * (2.0f * block.targetSize.w), layout.palette << 8 | layout.flags,
-                           glm::uvec3(body.low) | glm::uvec3(body.high) << 16u, packed(layout.sizeInNodes)});
-        const size_t before = m_spans.size();
-        cover(body, block, uint32_t(m_views.size() - 1), m_spans);
-        if (body.glass)
-            m_glassSpans.insert(m_glassSpans.end(), m_spans.begin() + std::ptrdiff_t(before), m_spans.end());
-    }
-    const bool fits = rubble::send(m_viewTexture, m_views);
-    for (auto [lists, spans] : {std::pair(&m_all, &m_spans), std::pair(&m_glass, &m_glassSpans)}) {
-        fill(*lists, *spans);
-        if (lists->entries.empty() || (fits && send(*lists))) continue;
-        lists->entries.clear();
-        if (!std::exchange(m_fullLogged, true))
-            logError("bodies are not drawn: the GL has no room for the lists of " + std::to_string(m_views.size()) +
-                     " bodies in view");
-    }
+    const glm::mat3 toCells = glm::mat3_cast(glm::conjugate(body.rotation)) * (1.0f / body.voxelSize);
+    Seen seen{minDepth, instance, uint32_t(m_views.size()), uint32_t(m_spans.size()), 0, body.glass};
+    m_views.push_back({toCells * (glm::vec3(block.cameraPosition) - body.position), minDepth,
+                       toCells * (glm::vec3(block.cameraForward) - across - up), int(instance),
+                       toCells * across * (2.0f * block.targetSize.z), layout.node,
+                       toCells * up * (2.0f * block.targetSize.w), layout.palette << 8 | layout.flags,
+                       glm::uvec3(body.low) | glm::uvec3(body.high) << 16u, packed(layout.sizeInNodes)});
+    cover(body, block);
+    seen.endSpan = uint32_t(m_spans.size());
+    m_seen.push_back(seen);
+    ++m_projected;
+}
+
+/// Sends the views from an index on.
+bool BodyTiles::sendViews(size_t firstNew) {
+    if (firstNew == 0) return rubble::send(m_viewTexture, m_views);
+    const auto bytes = std::as_bytes(std::span(m_views));
+    if (!m_viewTexture.reserve(bytes.size())) return false;
+    if (firstNew < m_views.size())
+        m_viewTexture.upload(firstNew * sizeof(BodyView), bytes.subspan(firstNew * sizeof(BodyView)));
+    return true;
 }
 
 bool BodyTiles::send(Lists& lists) {
@@ -107,37 +199,15 @@ bool BodyTiles::send(Lists& lists) {
            rubble::send(lists.tileTexture, lists.tiles);
 }
 
-void BodyTiles::sort(const Bodies& bodies, const FrameBlock& block) {
-    const auto& instances = bodies.instances();
-    const glm::vec3 camera(block.cameraPosition), forward(block.cameraForward);
-    const auto planes = sidePlanes(block);
-    m_sorted.clear();
-    for (size_t i = 0; i < instances.size(); ++i) {
-        const Bodies::Instance& body = instances[i];
-        if (body.empty()) continue;
-        const glm::vec3 low = glm::vec3(body.low) * body.voxelSize, high = glm::vec3(body.high) * body.voxelSize;
-        const glm::vec3 center = body.position + body.rotation * ((low + high) * 0.5f) - camera;
-        const float radius = glm::length(high - low) * 0.5f;
-        bool visible = glm::dot(center, forward) > -radius;
-        for (const glm::vec3& plane : planes) visible &= glm::dot(center, plane) > -radius;
-        if (!visible) continue;
-        const glm::vec3 half = (high - low) * 0.5f, axis = glm::abs(glm::conjugate(body.rotation) * forward);
-        m_sorted.emplace_back(std::max(glm::dot(center, forward) - glm::dot(axis, half), 0.0f), int(i));
-    }
-    std::sort(m_sorted.begin(), m_sorted.end());
-    m_order.clear();
-    for (const auto& [distance, body] : m_sorted) m_order.push_back(body);
-}
-
-void BodyTiles::cover(const Bodies::Instance& body, const FrameBlock& block, uint32_t view,
-                      std::vector<Span>& spans) const {
+/// Appends the tiles that a body's box covers, by any jitter.
+void BodyTiles::cover(const Bodies::Instance& body, const FrameBlock& block) {
     const glm::vec2 halfSize = glm::vec2(block.targetSize) * 0.5f;
     std::array<glm::vec4, 8> corners;
     for (int i = 0; i < 8; ++i) {
         const glm::vec3 cell(i & 1 ? body.high.x : body.low.x, i & 2 ? body.high.y : body.low.y,
                              i & 4 ? body.high.z : body.low.z);
         corners[size_t(i)] =
-            block.viewProjection * glm::vec4(body.position + body.rotation * (cell * body.voxelSize), 1.0f);
+            block.viewProjectionPlain * glm::vec4(body.position + body.rotation * (cell * body.voxelSize), 1.0f);
     }
     ScreenBox box;
     for (int i = 0; i < 8; ++i)
@@ -161,20 +231,21 @@ void BodyTiles::cover(const Bodies::Instance& body, const FrameBlock& block, uin
         glm::vec2 range(low.x, high.x);
         if (!box.cut) range = box.rangeX(float(row << m_tileShift) - 1.0f, float((row + 1) << m_tileShift) + 1.0f);
         if (range.x > float(width) || range.y < 0.0f || range.x > range.y) continue;
-        spans.push_back({view, row, tileOf(range.x - 1.0f, width), tileOf(range.y + 1.0f, width)});
+        m_spans.push_back({row, tileOf(range.x - 1.0f, width), tileOf(range.y + 1.0f, width)});
     }
 }
 
-/// Builds the lists by a counting sort: spans come in order of depth, so each tile's list is sorted.
-void BodyTiles::fill(Lists& lists, const std::vector<Span>& spans) const {
+/// Builds the lists by a counting sort: bodies come in order of depth, so each tile's list is sorted.
+void BodyTiles::fill(Lists& lists, Which which) const {
     lists.tiles.clear();
     lists.entries.clear();
-    if (spans.empty()) return;
     auto& offsets = lists.offsets;
     offsets.assign(size_t(m_tiles.x * m_tiles.y) + 1, 0);
     const auto forEachTile = [&](auto&& f) {
-        for (const Span& span : spans)
-            for (int x = span.first; x <= span.last; ++x) f(offsets[size_t(span.row * m_tiles.x + x)], span.body);
+        for (const Seen& seen : m_seen)
+            for (uint32_t i = seen.firstSpan; i < seen.endSpan && (which == Which::All || seen.isGlass); ++i)
+                for (int x = m_spans[i].first; x <= m_spans[i].last; ++x)
+                    f(offsets[size_t(m_spans[i].row * m_tiles.x + x)], seen.view);
     };
     forEachTile([](uint32_t& count, uint32_t) { ++count; });
     uint32_t sum = 0;
@@ -183,7 +254,7 @@ void BodyTiles::fill(Lists& lists, const std::vector<Span>& spans) const {
         sum += std::exchange(offsets[tile], sum);
     }
     lists.entries.resize(sum);
-    forEachTile([&](uint32_t& next, uint32_t body) { lists.entries[next++] = body; });
+    forEachTile([&](uint32_t& next, uint32_t view) { lists.entries[next++] = view; });
     // Filling moved each offset to the end of its tile's entries, where the next tile's begin.
     std::rotate(offsets.begin(), offsets.end() - 1, offsets.end());
     offsets[0] = 0;
@@ -200,6 +271,21 @@ void BodyTiles::drawTiles(const Program& program, Which which, const VertexArray
     program.set("uTileIds", list(which).tileTexture);
     glBindVertexArray(empty.get());
     glDrawArraysInstanced(GL_TRIANGLES, 0, 6, GLsizei(list(which).tiles.size()));
+}
+
+std::vector<int> BodyTiles::bodiesAt(glm::ivec2 pixel, Which which) const {
+    const Lists& lists = list(which);
+    const size_t tile = size_t((pixel.y >> m_tileShift) * m_tiles.x + (pixel.x >> m_tileShift));
+    std::vector<int> bodies;
+    for (uint32_t i = lists.offsets[tile]; i < lists.offsets[tile + 1] && !lists.entries.empty(); ++i)
+        bodies.push_back(m_views[lists.entries[i]].instance);
+    return bodies;
+}
+
+std::vector<int> BodyTiles::order() const {
+    std::vector<int> order;
+    for (const Seen& seen : m_seen) order.push_back(int(seen.instance));
+    return order;
 }
 
 }  // namespace rubble

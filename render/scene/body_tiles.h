@@ -1,4 +1,5 @@
 #pragma once
+#include <utility>
 #include <vector>
 
 #include "render/gl/program.h"
@@ -9,19 +10,28 @@ namespace rubble {
 struct FrameBlock;
 
 /// Tiled visibility: the bodies in view, nearest first, and for each tile of the screen the list of those whose box it
-/// shows. Read by lib/body_tiles.glsl. [render-thread]
+/// shows. Read by lib/body_tiles.glsl. Bodies out of view cost nothing; while the camera stands still, those in view
+/// that did not change are only copied, and where none changed nothing is done. [render-thread]
 class BodyTiles {
 public:
     enum class Which { All, Glass };
-    /// Rebuilds the lists for a camera.
+    /// Brings the lists up to date with a camera and with the last Bodies::beginFrame().
     void update(const Bodies& bodies, const FrameBlock& block);
+    /// Forgets all lists: needed before the first update() with other Bodies.
+    void clear() { *this = {}; }
     /// Sets the uniforms of lib/body_tiles.glsl: the lists of all bodies, or of those with glass. The program must be
     /// in use.
     void bind(const Program& program, Which which) const;
     /// Draws the tiles whose list is not empty with the program in use, whose vertex shader must be passes/tiles.vert.
     void drawTiles(const Program& program, Which which, const VertexArray& empty) const;
     /// Instances in view, nearest first.
-    const std::vector<int>& order() const { return m_order; }
+    std::vector<int> order() const;
+    /// Instances listed for a pixel, in the shader's order.
+    std::vector<int> bodiesAt(glm::ivec2 pixel, Which which) const;
+    /// How many bodies update() has projected so far.
+    uint64_t projected() const { return m_projected; }
+    /// How many boxes and bodies it has compared with the view.
+    uint64_t compared() const { return m_compared; }
     /// Whether no body is listed.
     bool empty(Which which) const { return list(which).entries.empty(); }
 
@@ -41,8 +51,23 @@ private:
     };
     /// Tiles first to last of a row that a body's box covers.
     struct Span {
-        uint32_t body;  ///< index into m_views
         int row, first, last;
+    };
+    /// A body in view.
+    struct Seen {
+        float minDepth;
+        uint32_t instance, view;      ///< view: index into m_views
+        uint32_t firstSpan, endSpan;  ///< in m_spans
+        bool isGlass;
+        /// Whether it is to be tested before another one.
+        bool operator<(const Seen& o) const {
+            return std::pair(minDepth, instance) < std::pair(o.minDepth, o.instance);
+        }
+    };
+    /// All of a camera that the lists depend on; jitter is no part of it.
+    struct Camera {
+        glm::vec4 position, right, up, forward, targetSize;
+        bool operator==(const Camera&) const = default;
     };
     /// A list of bodies for each tile.
     struct Lists {
@@ -50,18 +75,27 @@ private:
         std::vector<uint32_t> tiles;             ///< those with entries
         BufferTexture offsetTexture{GL_R32UI}, entryTexture{GL_R32UI}, tileTexture{GL_R32UI};
     };
+    struct Frustum;
+    using Found = std::vector<std::pair<float, uint32_t>>;  ///< least depths and instances
     const Lists& list(Which which) const { return which == Which::All ? m_all : m_glass; }
-    void sort(const Bodies& bodies, const FrameBlock& block);
-    void cover(const Bodies::Instance& body, const FrameBlock& block, uint32_t view, std::vector<Span>& spans) const;
-    void fill(Lists& lists, const std::vector<Span>& spans) const;
+    void resize();
+    Found startOver(const Bodies& bodies, const Frustum& frustum);
+    Found dropTouched(const Bodies& bodies, const Frustum& frustum);
+    bool addBodies(const Found& found, const Bodies& bodies, const FrameBlock& block);
+    void project(const Bodies& bodies, const FrameBlock& block, float minDepth, uint32_t instance);
+    void cover(const Bodies::Instance& body, const FrameBlock& block);
+    bool sendViews(size_t firstNew);
+    void fill(Lists& lists, Which which) const;
     static bool send(Lists& lists);
 
     int m_tileShift = 3;
     glm::ivec2 m_tiles{0};
-    std::vector<std::pair<float, int>> m_sorted;  ///< least depth and instance of the bodies in view
-    std::vector<int> m_order;
-    std::vector<BodyView> m_views;
-    std::vector<Span> m_spans, m_glassSpans;
+    Camera m_camera{};
+    uint64_t m_frame = 0;           ///< Bodies::touched().frame of the last update()
+    std::vector<Seen> m_seen;       ///< nearest first
+    std::vector<BodyView> m_views;  ///< of m_seen, and of bodies that were in it since the lists were started over
+    std::vector<Span> m_spans;      ///< the same
+    uint64_t m_projected = 0, m_compared = 0;
     Lists m_all, m_glass;
     BufferTexture m_viewTexture{GL_RGBA32UI};
     bool m_fullLogged = false;

@@ -1,7 +1,5 @@
 #include "render/scene/occupied_box.h"
 
-#include <algorithm>
-
 namespace rubble {
 namespace {
 
@@ -16,32 +14,6 @@ uint32_t layersOf(uint64_t words, size_t axis) {
 }
 
 }  // namespace
-
-/// The count of a layer; what is between it and the counted layers is counted too from now on.
-uint32_t& OccupiedBox::Axis::at(int layer) {
-    if (counts.empty()) first = layer;
-    if (layer < first) {
-        const int more = std::max(first - layer, int(counts.size()) / 4);  // so that many small growths move it seldom
-        counts.insert(counts.begin(), size_t(more), 0);
-        first -= more;
-    }
-    if (layer - first >= int(counts.size())) counts.resize(size_t(layer - first) + 1, 0);
-    return counts[size_t(layer - first)];
-}
-
-void OccupiedBox::Axis::add(int layer) {
-    if (at(layer)++) return;
-    const bool isFirst = low == high;
-    low = isFirst ? layer : std::min(low, layer);
-    high = isFirst ? layer + 1 : std::max(high, layer + 1);
-}
-
-void OccupiedBox::Axis::remove(int layer) {
-    if (--at(layer)) return;
-    while (low < high && !at(low)) ++low;
-    while (low < high && !at(high - 1)) --high;
-    if (low == high) *this = {};
-}
 
 void OccupiedBox::change(glm::ivec3 brick, uint64_t before, uint64_t after) {
     for (size_t axis = 0; axis < m_axes.size(); ++axis) {

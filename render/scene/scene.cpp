@@ -100,7 +100,7 @@ uint64_t Scene::updateGrid() {
     }
     const auto& instances = m_bodies.instances();
     if (m_grid) {
-        for (const uint32_t slot : m_bodies.touched()) m_grid->put(slot, instances[slot]);
+        for (const uint32_t slot : m_bodies.touched().slots) m_grid->put(slot, instances[slot]);
     } else {
         m_grid.emplace();
         for (uint32_t slot = 0; slot < instances.size(); ++slot) m_grid->put(slot, instances[slot]);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/core/world_box.h"
 #include "runtime/voxel/cell_box.h"
 #include "runtime/voxel/material.h"
 #include "runtime/voxel/paint_colors.h"
@@ -14,7 +15,6 @@
 #include "runtime/world/objects/lights.h"
 #include "runtime/world/objects/trigger.h"
 #include "runtime/world/objects/water.h"
-#include "runtime/world/objects/world_box.h"
 
 namespace rubble {
 

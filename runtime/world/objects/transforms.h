@@ -1,6 +1,6 @@
 #pragma once
 #include "runtime/core/pose.h"
-#include "runtime/world/objects/world_box.h"
+#include "runtime/core/world_box.h"
 #include "runtime/world/objects/world_objects.h"
 
 namespace rubble {

@@ -5,8 +5,8 @@
 
 #include "runtime/core/handle.h"
 #include "runtime/core/pose.h"
+#include "runtime/core/world_box.h"
 #include "runtime/world/objects/ground_polygon.h"
-#include "runtime/world/objects/world_box.h"
 
 namespace rubble {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/core/world_box.h"
 #include "runtime/world/objects/ground_polygon.h"
-#include "runtime/world/objects/world_box.h"
 
 namespace rubble {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "runtime/core/parallel_for.h"
+#include "runtime/core/world_box.h"
 #include "runtime/voxel/grid_cast.h"
-#include "runtime/world/objects/world_box.h"
 #include "runtime/world/state/world_data.h"
 
 namespace rubble {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/world/state/bounds_tree.h"
+#include "runtime/core/bounds_tree.h"
 #include "runtime/world/state/debris_queue.h"
 #include "runtime/world/state/joint_index.h"
 #include "runtime/world/state/world_state.h"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "runtime/core/pose.h"
+#include "runtime/core/world_box.h"
 #include "runtime/voxel/material.h"
-#include "runtime/world/objects/world_box.h"
 #include "runtime/world/objects/world_objects.h"
 #include "runtime/world/settings/world_settings.h"
 #include "runtime/world/state/fire_state.h"

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/world/objects/world_box.h"
+#include "runtime/core/world_box.h"
 
 namespace rubble {
 

@@ -1,4 +1,4 @@
-#include "runtime/world/state/bounds_tree.h"
+#include "runtime/core/bounds_tree.h"
 
 #include <gtest/gtest.h>
 
