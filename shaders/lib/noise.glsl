@@ -18,8 +18,10 @@ uint hashBits(uint x) {
 }
 
 /// Two numbers in [0, 1) for a pixel. `dimension` must differ between the uses in one frame; `index` counts the samples
-/// over time. White noise if the settings say so.
-vec2 blueNoise(ivec2 pixel, int dimension, int index) {
+/// over time. White noise if the settings say so. steps: from one index to the next. Numbers that a sample takes
+/// together need different ones: with the same their differences would stay, and each pixel would come to a wrong mean
+/// of its own.
+vec2 blueNoise(ivec2 pixel, int dimension, int index, vec2 steps) {
     if (frame.counters.w == 1) {
         uint seed =
             hashBits(uint(index) + hashBits(uint(dimension) + hashBits(uint(pixel.x) + hashBits(uint(pixel.y)))));
@@ -29,8 +31,11 @@ vec2 blueNoise(ivec2 pixel, int dimension, int index) {
     ivec2 second = (pixel + dimension * ivec2(23, 41) + ivec2(37, 11)) & 63;
     vec2 base = vec2(texelFetch(uBlueNoise, first, 0).r, texelFetch(uBlueNoise, second, 0).r);
     // The index wraps, so that the product keeps enough bits for its fraction.
-    return fract(base + float(index & 1023) * kR2Step);
+    return fract(base + float(index & 1023) * steps);
 }
+
+/// With the steps of R2: those for the two numbers that matter most.
+vec2 blueNoise(ivec2 pixel, int dimension, int index) { return blueNoise(pixel, dimension, index, kR2Step); }
 
 /// White noise in [0, 1) for a cell.
 float hash01(ivec2 p) { return float(hashBits(uint(p.x) + hashBits(uint(p.y))) >> 8) * (1.0 / 16777216.0); }

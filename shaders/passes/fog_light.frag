@@ -27,9 +27,7 @@ uniform float uMaxHistory;  // frames; fewer count where the image moves
 in vec2 uv;
 out vec4 light;
 
-// Roberts' R5 sequence: powers of 1 / g, where g^6 = g + 1.
-const vec4 kStepsOfFive = vec4(0.8812714616, 0.7766393890, 0.6844301295, 0.6031687406);
-const float kFifthStep = 0.5315553977, kGoldenStep = 0.6180339887;
+const float kGoldenStep = 0.6180339887;
 const float kMaxHistoryInMotion = 12.0;                      // frames
 const float kSunRayDistance = 80.0, kSkyRayDistance = 16.0;  // metres
 
@@ -135,13 +133,6 @@ vec3 otherInscatter(FogRay ray, ivec2 pixel, vec2 random, vec3 u) {
     return chosen.light * (reservoir.weightSum / reservoir.weight);
 }
 
-/// As blueNoise(), with a step of its own for each of the five numbers that a sample takes together. With the same
-/// steps their differences would stay, and each pixel would come to a wrong mean of its own.
-vec2 sampleOf(ivec2 halfPixel, int dimension, vec2 steps) {
-    if (frame.counters.w == 1) return blueNoise(halfPixel, dimension, frame.counters.x);
-    return fract(blueNoise(halfPixel, dimension, 0) + float(frame.counters.x & 1023) * steps);
-}
-
 void main() {
     ivec2 pixel = min(ivec2(gl_FragCoord.xy) * 2, ivec2(frame.targetSize.xy) - 1);
     vec3 toPixel = viewRay((vec2(pixel) + 0.5) * frame.targetSize.zw);
@@ -151,8 +142,9 @@ void main() {
     ray.end = min(texelFetch(uDepth, pixel, 0).r * stretch, kMaxFogDistance);
     ray.share = max(1.0 - exp(-fogOpticalDepth(ray.direction.y, ray.end)), 1e-5);
     ivec2 halfPixel = ivec2(gl_FragCoord.xy);
-    vec2 u = sampleOf(halfPixel, 30, kStepsOfFive.xy), v = sampleOf(halfPixel, 31, kStepsOfFive.zw),
-         w = sampleOf(halfPixel, 32, vec2(kFifthStep, kGoldenStep));
+    int n = frame.counters.x;
+    vec2 u = blueNoise(halfPixel, 30, n, kR5Steps.xy), v = blueNoise(halfPixel, 31, n, kR5Steps.zw),
+         w = blueNoise(halfPixel, 32, n, vec2(kR5LastStep, kGoldenStep));
     vec3 now = sunInscatter(ray, w.y) + otherInscatter(ray, pixel, v, vec3(u, w.x));
     light = vec4(min(now, vec3(1000.0)), 1.0);
 

@@ -92,9 +92,10 @@ void main() {
     vec3 position = worldFromDepth(uv, s.depth);
     int chosen;
     float sampleWeight =
-        sampleLight(lightsAt(pixel, s.depth), position, s.normal, blueNoise(pixel, 2, frame.counters.x), chosen);
+        sampleLight(lightsAt(pixel, s.depth), position, s.normal, blueNoise(pixel, 2, frame.counters.x, kR5Steps.xy),
+                    chosen);
     LocalLight localLight = readLight(chosen);
-    vec2 random = blueNoise(pixel, 3, frame.counters.x), more = blueNoise(pixel, 4, frame.counters.x);
+    vec2 random = blueNoise(pixel, 3, frame.counters.x), more = blueNoise(pixel, 4, frame.counters.x, kR5Steps.zw);
     vec3 view = normalize(frame.cameraPosition.xyz - position), toCentre = toLight(localLight, position, more.x);
     vec3 f0 = mix(vec3(s.reflectivity), s.albedo, s.metallic);
     float lobeChance = lobeProbability(localLight, toCentre, s, view, f0);

@@ -39,7 +39,8 @@ void main() {
     }
     vec3 direction = reflect(-m.view, halfVector);
     direction += m.normal * max(0.0, 0.02 - dot(direction, m.normal));
-    vec3 more = vec3(blueNoise(pixel, 21, frame.counters.x), blueNoise(pixel, 22, frame.counters.x).x);
+    vec3 more = vec3(blueNoise(pixel, 21, frame.counters.x, kR5Steps.xy),
+                     blueNoise(pixel, 22, frame.counters.x, kR5Steps.zw).x);
     PathStart start =
         startPath(texelFetch(uLight, pixel, 0).rgb, m.normal,
                   uBounceLights ? lightsAt(pixel, dot(m.position - frame.cameraPosition.xyz, frame.cameraForward.xyz))

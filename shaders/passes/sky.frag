@@ -37,10 +37,10 @@ void main() {
         start.light *= previousFrameCounts(origin, luminance(start.light)),
         start.hitProximity = fract(texelFetch(uSurfaceHistory, last, 0).z);
     for (int i = 0; i < uRayCount; ++i) {
-        vec3 direction = cosineDirection(s.normal, blueNoise(pixel, 1, frame.counters.x * uRayCount + i));
-        start.random = vec3(blueNoise(pixel, 5, frame.counters.x * uRayCount + i),
-                            blueNoise(pixel, 6, frame.counters.x * uRayCount + i).x);
-        start.directionSample = blueNoise(pixel, 7, frame.counters.x * uRayCount + i);
+        int n = frame.counters.x * uRayCount + i;
+        vec3 direction = cosineDirection(s.normal, blueNoise(pixel, 1, n));
+        start.directionSample = blueNoise(pixel, 7, n, kR5Steps.xy);
+        start.random = vec3(blueNoise(pixel, 5, n, kR5Steps.zw), blueNoise(pixel, 6, n, vec2(kR5LastStep)).x);
         float t;
         if (shadowTraceCoarse(origin, direction, uMaxDistance, uExactDistance, t)) {
             if (known) start.maxEmission = maxEmission(start.light, t);

@@ -36,6 +36,31 @@ LitScene nightScene() {
 
 class StillNoiseTest : public Drawing {
 protected:
+    /// The mean of a target over frames that know nothing of each other.
+    FloatImage meanOf(const LitScene& scene, const char* name, Noise noise, int frames, glm::ivec2 size = kSize) {
+        RenderSettings independent;
+        independent.temporal = false;
+        independent.noise = noise;
+        start(scene, size, independent);
+        FloatImage mean;
+        for (int i = 0; i < frames; ++i) {
+            draw(camera());
+            const FloatImage one = read(name);
+            if (i == 0) mean = FloatImage(one.size);
+            for (size_t p = 0; p < one.pixels.size(); ++p) mean.pixels[p] += one.pixels[p] / float(frames);
+        }
+        return mean;
+    }
+    /// Root of the mean squared difference of green, relative to that of `expected`.
+    static double relativeDifference(const FloatImage& found, const FloatImage& expected) {
+        double error = 0.0, light = 0.0;
+        for (size_t p = 0; p < found.pixels.size(); ++p) {
+            const double off = double(found.pixels[p].g - expected.pixels[p].g), there = double(expected.pixels[p].g);
+            error += off * off;
+            light += there * there;
+        }
+        return std::sqrt(error / light);
+    }
     static Camera camera() {
         Camera camera;
         camera.position = {0, 1.7, 6.0};
@@ -60,26 +85,29 @@ TEST_F(StillNoiseTest, FogByNightIsSmoothAfterFortyFrames) {
     start(scene, kSize);
     draw(camera(), 40);
     const FloatImage fog = read("fog");
-    RenderSettings independent;
-    independent.temporal = false;
-    independent.noise = Noise::White;
-    start(scene, kSize, independent);
-    FloatImage mean(fog.size);
-    constexpr int kFrames = 300;
-    for (int i = 0; i < kFrames; ++i) {
-        draw(camera());
-        const FloatImage one = read("fog");
-        for (size_t p = 0; p < one.pixels.size(); ++p) mean.pixels[p] += one.pixels[p] / float(kFrames);
-    }
-    double error = 0.0, light = 0.0;
-    for (size_t p = 0; p < fog.pixels.size(); ++p) {
-        const double off = double(fog.pixels[p].g - mean.pixels[p].g), there = double(mean.pixels[p].g);
-        error += off * off;
-        light += there * there;
-    }
-    const double noise = std::sqrt(error / light);
+    const double noise = relativeDifference(fog, meanOf(scene, "fog", Noise::White, 300));
     std::printf("noise %.4f\n", noise);
     EXPECT_LT(noise, 0.09);
+}
+
+TEST_F(StillNoiseTest, ManyFramesBringEachPixelToTheTrueLight) {
+    constexpr glm::ivec2 kSmall(64, 36);
+    LitScene scene = nightScene();
+    for (uint32_t i = 0; i < 4; ++i)
+        scene.addLight({.kind = LightKind::Sphere,
+                        .position = {-3.0 + 2.0 * i, 1.6, -1.0 + 0.7 * i},
+                        .direction = {0, -1, 0},
+                        .color = glm::vec3(6.0f, 4.4f, 2.6f),
+                        .radius = 0.3f,
+                        .reach = 14.0f,
+                        .coneInner = 0.0f,
+                        .coneOuter = 0.0f,
+                        .light = LightHandle::make(1, 1, i)});
+    const FloatImage blue = meanOf(scene, "noisyLight", Noise::Blue, 400, kSmall),
+                     white = meanOf(scene, "noisyLight", Noise::White, 1600, kSmall);
+    const double difference = relativeDifference(blue, white);
+    std::printf("difference %.4f\n", difference);
+    EXPECT_LT(difference, 0.01);
 }
 
 TEST_F(StillNoiseTest, AVoxelThatGlowsWithoutALightLeavesNoSpeckles) {
