@@ -60,15 +60,27 @@ float previousFrameCounts(vec3 position, float meanRadiance) {
     return min(min(historyNearVoxels(position), historyNearLights(position, meanRadiance)) * uMaxHistory, 1.0);
 }
 
-/// Whether the view of a place passes through changed voxels, or beside them within `margin`, the sine of an angle.
-bool isSeenThroughChange(vec3 position, float margin) {
-    vec3 eye = frame.cameraPosition.xyz, ray = position - eye;
+/// Whether a line from `origin` to origin + ray passes through changed voxels, or beside them within `margin`, the sine
+/// of an angle.
+bool meetsChange(vec3 origin, vec3 ray, float margin) {
     vec3 inverse = 1.0 / (ray + vec3(equal(ray, vec3(0.0))) * 1e-6);
     for (int i = 0; i < uDirtyCornerCount; i += 2) {
-        vec3 low = uDirtyCorners[i].xyz - eye, high = uDirtyCorners[i + 1].xyz - eye;
+        vec3 low = uDirtyCorners[i].xyz - origin, high = uDirtyCorners[i + 1].xyz - origin;
         vec3 wider = vec3(margin * length(0.5 * (low + high)));
         vec3 a = (low - wider) * inverse, b = (high + wider) * inverse, enter = min(a, b), leave = max(a, b);
         if (max(max(enter.x, enter.y), max(enter.z, 0.0)) <= min(min(leave.x, leave.y), min(leave.z, 1.0))) return true;
     }
     return false;
+}
+
+/// Whether the view of a place passes through changed voxels, or beside them within `margin`.
+bool isSeenThroughChange(vec3 position, float margin) {
+    return meetsChange(frame.cameraPosition.xyz, position - frame.cameraPosition.xyz, margin);
+}
+
+const float kSunRay = 1e4;  // metres: beyond all voxels
+
+/// Whether voxels have changed that may hide a part of the sun from a place.
+bool isSunSeenThroughChange(vec3 position) {
+    return frame.sunDirection.y > 0.0 && meetsChange(position, frame.sunDirection.xyz * kSunRay, frame.sunDirection.w);
 }

@@ -7,6 +7,10 @@
 // uMaxHistory, by the history confidence (passes/light_change.frag) and by what is known to have changed
 // (lib/known_changes.glsl): there history is dropped, and the filter hides the noise. The second moment of luminance is
 // accumulated likewise, for the filter's variance.
+//
+// The sun's share changes far from the voxels that move: where their shadow falls. There it is kept between the least
+// and the most that the pixel and its neighbours see of the sun now (as Lottes clamps colours, "TSSAA", 2011): out of
+// penumbras they agree, and the shadow is where it is now.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
@@ -73,6 +77,18 @@ History reprojectHistory(Surface s, float packed_, vec3 position) {
     return history;
 }
 
+/// A past share of the sun, within what the neighbours see of it now.
+float clampToNeighbours(float sun, ivec2 pixel) {
+    float least = 1.0, most = 0.0;
+    for (int i = 0; i < 9; ++i) {
+        ivec2 p = clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), ivec2(frame.targetSize.xy) - 1);
+        float there = texelFetch(uLight, p, 0).a;
+        least = min(least, there);
+        most = max(most, there);
+    }
+    return clamp(sun, least, most);
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Surface s = readSurface(pixel);
@@ -85,6 +101,8 @@ void main() {
     History history = reprojectHistory(s, surface.y, position);
     if (history.weight == 0.0) return;
     float confidence = 1.0;
+    if (uHasConfidence && isSunSeenThroughChange(position))
+        history.light.a = clampToNeighbours(history.light.a, pixel);
     if (uHasConfidence)
         confidence = min(texture(uHistoryConfidence, uv).x,
                          min(historyNearVoxels(position), historyNearLights(position, luminance(history.light.rgb))));

@@ -40,7 +40,7 @@ float historyLeftIn(ivec2 tile, ivec2 high, float meanRadiance) {
         ivec2 p = min(tile + ivec2(i & 3, i >> 2), high);
         vec3 position = worldFromDepth((vec2(p) + 0.5) * frame.targetSize.zw, texelFetch(uDepth, p, 0).r);
         left = min(left, min(historyNearVoxels(position), historyNearLights(position, meanRadiance)));
-        if (isSeenThroughChange(position, margin)) left = 0.0;
+        if (isSeenThroughChange(position, margin) || isSunSeenThroughChange(position)) left = 0.0;
     }
     return left;
 }
