@@ -14,6 +14,14 @@ constexpr const char* kMissing = "fog is not drawn";
 /// Frames averaged while nothing changes, and while anything does: light through a new hole takes no longer to appear.
 constexpr int kMaxHistory = 128, kMaxHistoryAfterChange = 12;
 
+/// Height over the render origin of the water that the camera is in; far below everything if it is in none.
+float surfaceOverCamera(const FrameContext& frame) {
+    const glm::dvec3 camera = glm::dvec3(frame.block.cameraPosition) + frame.scene.origin();
+    for (const Water& water : frame.scene.waters())
+        if (water.contains(camera)) return float(water.surface - frame.scene.origin().y);
+    return -1e9f;
+}
+
 }  // namespace
 
 FogPass::FogPass(ShaderLibrary& shaders)
@@ -60,6 +68,7 @@ void FogPass::drawFilter(const FrameContext& frame) const {
 void FogPass::drawOver(const FrameContext& frame) const {
     drawFullscreen(frame, m_over, {{&frame.targets.at(Target::Radiance)}}, [&](const Program& program) {
         program.set("uLight", frame.targets.at(Target::Fog));
+        program.set("uWaterSurface", surfaceOverCamera(frame));
         program.set("uDepth", frame.targets.at(Target::Depth));
     });
 }

@@ -194,6 +194,19 @@ TEST_F(WaterTest, ShowsSnellsWindowFromBelow) {
 }
 
 /// A camera that dips into the water sees the pool before and after: neither an empty pool nor a smear.
+TEST_F(WaterTest, HasNoFogInIt) {
+    const Camera under = lookingAt({-3.0, 1.0, 0.5}, {4.0, 0.2, 0.0});
+    glm::dvec3 light[2];
+    for (const bool isFoggy : {false, true}) {
+        Environment environment = poolScene().environment;
+        environment.fogDensity = isFoggy ? 0.2f : 0.0f;
+        start({poolWater()}, {}, kSize, environment);
+        draw(under, 12);
+        light[isFoggy] = mean({60, 5}, {100, 35});
+    }
+    EXPECT_NEAR(light[1].g, light[0].g, 0.05 * light[0].g) << "looking down";
+}
+
 TEST_F(WaterTest, ChangesLittleWhileTheCameraDipsIn) {
     RenderSettings settings;
     settings.temporal = false;
