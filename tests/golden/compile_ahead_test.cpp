@@ -29,6 +29,9 @@ const Feature kFeatures[] = {
          s.particlesChanged = true;
          for (const ParticleKind kind : {ParticleKind::Dust, ParticleKind::Spark, ParticleKind::Crumb})
              s.particles.push_back({kind, {0, 1, 0}, glm::vec3(0.0f), glm::vec3(0.6f), 0.3f, 0.9f, 0.3f, 1});
+         s.lightsChanged = true;
+         s.lights.push_back({LightKind::Sphere, {0, 2, 0}, {0, -1, 0}, glm::vec3(90.0f), 0.1f, 20.0f, 0.3f, 0.5f});
+         s.lights.back().fleeting = true;
      },
      "particles"},
     {"fog",

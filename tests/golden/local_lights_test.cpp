@@ -192,6 +192,10 @@ TEST_F(LocalLightsTest, HundredsAreUnbiased) {
     };
     const double expected = withLights(300);
     EXPECT_NEAR(lightOn({0, 0, 0}, 32).g, expected, 0.02 * expected);
+    const int draws = renderer->stats().drawCalls;
+    withLights(8);
+    lightOn({0, 0, 0}, 1);
+    EXPECT_EQ(renderer->stats().drawCalls, draws) << "more lights take no more draws";
 }
 
 TEST_F(LocalLightsTest, SmoothFloorsShineBack) {

@@ -1,0 +1,78 @@
+// How long the frames take in which something is first seen, against the frames around them: a game must not stop
+// there.
+#include <fmt/format.h>
+
+#include "render/gl/offscreen.h"
+#include "tests/benchmark/render/benchmarks.h"
+#include "tests/benchmark/render/gbuffer_rig.h"
+#include "tests/benchmark/render/town_views.h"
+
+namespace rubble::bench {
+namespace {
+
+constexpr int kFramesAfter = 10;  ///< drawn after each event; the last half of them is what a frame takes
+
+/// Something that a game may show for the first time.
+struct Event {
+    const char* name;
+    void (*happen)(World& world, EditQueue& edits);
+};
+
+void change(World& world, EditQueue& edits, void (*set)(Environment&)) {
+    Environment environment = world.environment();
+    set(environment);
+    edits.push(Edit(SetEnvironmentEdit{environment}));
+}
+
+const Event kEvents[] = {
+    {"the level is loaded", [](World&, EditQueue&) {}},
+    {"first explosion",
+     [](World&, EditQueue& edits) {
+         edits.push(Edit(ExplodeEdit{{30.0, 2.0, 32.0}, 2.0}));
+     }},
+    {"fog", [](World& w, EditQueue& edits) { change(w, edits, [](Environment& e) { e.fogDensity = 0.05f; }); }},
+    {"rain", [](World& w, EditQueue& edits) { change(w, edits, [](Environment& e) { e.wetness = 1.0f; }); }},
+    {"night",
+     [](World& w, EditQueue& edits) {
+         change(w, edits, [](Environment& e) { e.sunDirection = {0.3f, -0.4f, 0.2f}; });
+     }},
+};
+
+}  // namespace
+
+int benchFirstFrames(const Options& options, GlContext& context) {
+    FrameLoopSettings loopSettings;
+    loopSettings.shadow = ShadowWorker::Mode::Inline;
+    loopSettings.waitForShadow = true;
+    FrameLoop loop(loopSettings);
+    loop.load(makeTown(1));
+    loop.step();
+    RenderSettings settings = RenderSettings::preset(options.preset);
+    settings.compileAhead = true;
+    const double before = processMs();
+    auto renderer = Renderer::create(context.loader(), options.shaders, settings);
+    if (!renderer) {
+        fmt::print(stderr, "{}\n", renderer.error());
+        return 1;
+    }
+    fmt::print("programs of all features, before the first frame: {:.0f} ms of processor time\n", processMs() - before);
+    const Offscreen target(options.size);
+    const View view = townViews()[0].view(options.size, target.framebuffer());
+    for (const Event& event : kEvents) {
+        event.happen(loop.world(), loop.edits());
+        std::vector<double> ms;
+        for (int i = 0; i < kFramesAfter; ++i) {
+            loop.step();
+            const double start = processMs();
+            loop.draw(*renderer.value(), view, 1.0f);
+            glFinish();
+            ms.push_back(processMs() - start);
+        }
+        const double usual = median({ms.begin() + kFramesAfter / 2, ms.end()});
+        fmt::print("{:<20} first frame {:7.0f} ms, then {:6.0f} ms: {:.1f}x (wanted 3)\n", event.name, ms[0], usual,
+                   ms[0] / usual);
+    }
+    return 0;
+}
+
+}  // namespace rubble::bench
