@@ -118,7 +118,7 @@ void Scene::describeShadow(FrameBlock& block) const {
     const ShadowDirectory& directory = m_shadow.directory();
     block.shadowSectorLow =
         glm::ivec4(directory.low() - glm::ivec3(glm::round(m_origin / kSector)), directory.size().x > 0);
-    block.shadowSectorCount = glm::ivec4(directory.size(), 0);
+    block.shadowSectorBits = glm::ivec4(directory.bits(), 0);
     block.shadowLow = glm::vec4(m_shadow.occupiedLow(), 0.0f);
     block.shadowHigh = glm::vec4(m_shadow.occupiedHigh(), 0.0f);
 }

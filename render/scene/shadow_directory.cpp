@@ -13,6 +13,15 @@ int64_t volume(glm::ivec3 size) {
     return int64_t(size.x) * size.y * size.z;
 }
 
+int ceilLog2(int n) {
+    return std::bit_width(unsigned(n) - 1u);
+}
+
+/// A table's size that holds so many sectors.
+glm::ivec3 tableSize(glm::ivec3 sectors) {
+    return {1 << ceilLog2(sectors.x), 1 << ceilLog2(sectors.y), sectors.z};
+}
+
 int brickInSector(glm::ivec3 brick) {
     return (brick.x & 1) + 2 * (brick.y & 1) + 4 * (brick.z & 1);
 }
@@ -27,6 +36,10 @@ glm::ivec3 sectorOf(glm::ivec3 brick) {
 }
 
 }  // namespace
+
+glm::ivec3 ShadowDirectory::bits() const {
+    return m_size.x ? glm::ivec3(ceilLog2(m_size.x), ceilLog2(m_size.y), ceilLog2(m_size.z)) : glm::ivec3(0);
+}
 
 void ShadowDirectory::clear() {
     m_low = m_size = glm::ivec3(0);
@@ -200,7 +213,7 @@ void ShadowDirectory::reach(const std::vector<ShadowPatch>& patches) {
         const glm::ivec3 sector = sectorOf(patch.brick);
         const glm::ivec3 nextLow = isNew ? sector : glm::min(low, sector),
                          nextHigh = isNew ? sector + 1 : glm::max(high, sector + 1);
-        if (volume(nextHigh - nextLow) > kMaxSectors) continue;
+        if (volume(tableSize(nextHigh - nextLow)) > kMaxSectors) continue;
         low = nextLow;
         high = nextHigh;
         isNew = false;
@@ -210,17 +223,18 @@ void ShadowDirectory::reach(const std::vector<ShadowPatch>& patches) {
         const glm::ivec3 margin = (m_size + 3) / 4;
         const glm::ivec3 wideLow = low - margin * glm::ivec3(glm::lessThan(low, m_low));
         const glm::ivec3 wideHigh = high + margin * glm::ivec3(glm::greaterThan(high, m_low + m_size));
-        if (volume(wideHigh - wideLow) <= kMaxSectors) low = wideLow, high = wideHigh;
+        if (volume(tableSize(wideHigh - wideLow)) <= kMaxSectors) low = wideLow, high = wideHigh;
     }
-    makeTable(low, high - low);
+    makeTable(low, tableSize(high - low));
 }
 
 /// Replaces a table that is several times as large as what is occupied.
 void ShadowDirectory::shrink() {
     constexpr int64_t kRatio = 4, kSmall = 512;  // sectors
     const glm::ivec3 low = m_occupied.low() >> 3, high = (m_occupied.high() + (kSectorWords - 1)) >> 3;
-    if (m_occupied.low() == m_occupied.high() || volume(m_size) <= kRatio * volume(high - low) + kSmall) return;
-    makeTable(low, high - low);
+    if (m_occupied.low() == m_occupied.high() || volume(m_size) <= kRatio * volume(tableSize(high - low)) + kSmall)
+        return;
+    makeTable(low, tableSize(high - low));
 }
 
 }  // namespace rubble

@@ -59,8 +59,10 @@ public:
     uint64_t bytes() const { return table().bytes() + pages().bytes(); }
     /// Low corner of the table's box, in sectors of the world.
     glm::ivec3 low() const { return m_low; }
-    /// Its size, in sectors.
+    /// Its size, in sectors. Those of x and y are powers of two, so that a sector's texel is found without a product.
     glm::ivec3 size() const { return m_size; }
+    /// The binary logarithm of its size, of z that of the next power of two.
+    glm::ivec3 bits() const;
     /// The box of all occupied words.
     const OccupiedBox& occupied() const { return m_occupied; }
     /// How many texels of table and pages were written since it was made: work that tests count.

@@ -90,17 +90,15 @@ bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exact
     t = tMax;
     bool coarse = exactDistance < kAlwaysExact;  // known at compile time
     exactDistance *= kShadowCellsPerMetre;
-    ivec3 sectors = frame.shadowSectorCount.xyz;
+    ivec3 bits = frame.shadowSectorBits.xyz, sectors = ivec3(1) << bits;
     ShadowRay ray;
     if (!startShadowRay(originWorld, direction, tMax, sectors, ray)) return false;
-    ivec3 pitch = ivec3(1, sectors.x, sectors.x * sectors.y);
-    ivec3 farthest = pitch * (sectors - 1);
-    int first = (ray.isDown.x ? farthest.x : 0) + (ray.isDown.y ? farthest.y : 0) + (ray.isDown.z ? farthest.z : 0);
-    pitch =
-        ivec3(ray.isDown.x ? -pitch.x : pitch.x, ray.isDown.y ? -pitch.y : pitch.y, ray.isDown.z ? -pitch.z : pitch.z);
     ivec3 down = ivec3(ray.isDown);
     int turned =
         3 * (down.x + 4 * down.y + 16 * down.z);  // mirrors the number of a word in its brick or a cell in its word
+    int slice = bits.x + bits.y;  // the bits of a sector's number below its z
+    ivec3 last = (sectors - 1) * down;
+    int sectorTurned = last.x | last.y << bits.x | last.z << slice;
     int octant = down.x + 2 * down.y + 4 * down.z;
     uint cubeShift = uint(octant * 4), boxShift = uint(octant * 2);
     AheadMasks ahead = aheadMasks(ray.isDown);
@@ -110,7 +108,7 @@ bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exact
     do {
         t = current;
         ivec3 sector = cell >> 5;
-        uvec4 entry = fetchShadowSector(first + sector.x * pitch.x + sector.y * pitch.y + sector.z * pitch.z);
+        uvec4 entry = fetchShadowSector((sector.x | sector.y << bits.x | sector.z << slice) ^ sectorTurned);
         bool emptySector = (entry.x & 15u) != 0u;
         int brick = ((cell.x >> 4 & 1) | (cell.y >> 3 & 2) | (cell.z >> 2 & 4)) ^ octant;
         int word = ((cell.x >> 2 & 3) | (cell.y & 12) | (cell.z & 12) << 2) ^ turned;
