@@ -21,8 +21,8 @@ class ShadowDirectory {
 public:
     static constexpr int kSectorBricks = 2;                                 ///< side of a sector
     static constexpr int kSectorCells = kSectorBricks * kShadowBrickCells;  ///< the same in cells
-    /// What the table can span: 1.6 x 1.6 km, 26 m high, or as many sectors in another shape.
-    static constexpr int64_t kMaxSectors = int64_t(1) << 21;
+    /// What the table can span: 1 x 1 km, 50 m high, or as many sectors in another shape.
+    static constexpr int64_t kMaxSectors = int64_t(1) << 22;
 
     /// A brick whose texels must be sent to a slot: 64 texels.
     struct Placed {
