@@ -1,8 +1,11 @@
 #include "render/scene/skip_distances.h"
 
 #include <algorithm>
+#include <cassert>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <tuple>
+#include <utility>
 
 namespace rubble {
 namespace {
@@ -24,6 +27,41 @@ void SkipDistances::reset(glm::ivec3 size) {
     m_skips.assign(size_t(volume(size)), ~0u);
     m_isChanged.assign(m_skips.size(), 0);
     m_touched.clear();
+}
+
+/// The distances of sectors that stay do not change, as what is outside the box is empty. Of the new ones, those ahead
+/// of them see nothing but emptiness; those behind are solved axis by axis, so that what is ahead of each is known.
+void SkipDistances::move(glm::ivec3 low, glm::ivec3 size) {
+    assert(m_touched.empty() && "update() has not run");
+    SkipDistances next;
+    next.reset(size);
+    const Box kept{glm::max(-low, 0), glm::min(m_size - low, size)};
+    if (glm::all(glm::lessThan(kept.low, kept.high))) {
+        next.copyRows(*this, low, kept);
+        for (int octant = 0; octant < 8; ++octant)
+            for (int a = 0; a < 3; ++a) {
+                Box behind{glm::ivec3(0), size};
+                for (int b = a + 1; b < 3; ++b) behind.low[b] = kept.low[b], behind.high[b] = kept.high[b];
+                (octant >> a & 1 ? behind.low : behind.high)[a] = (octant >> a & 1 ? kept.high : kept.low)[a];
+                next.solve(behind, octant);
+            }
+        for (const size_t index : std::exchange(next.m_changed, {})) next.m_isChanged[index] = 0;
+    }
+    *this = std::move(next);
+}
+
+/// Copies what two boxes have in common: a box of this one, which begins at sector `low` of the other.
+void SkipDistances::copyRows(const SkipDistances& from, glm::ivec3 low, const Box& kept) {
+    const auto count = size_t(kept.high.x - kept.low.x);
+    for (int z = kept.low.z; z < kept.high.z; ++z)
+        for (int y = kept.low.y; y < kept.high.y; ++y) {
+            const glm::ivec3 row(kept.low.x, y, z);
+            const size_t to = paddedIndexOf(row), at = from.paddedIndexOf(row + low);
+            std::copy_n(&from.m_occupied[at], count, &m_occupied[to]);
+            for (size_t octant = 0; octant < 8; ++octant)
+                std::copy_n(&from.m_sides[octant][at], count, &m_sides[octant][to]);
+            std::copy_n(&from.m_skips[from.indexOf(row + low)], count, &m_skips[indexOf(row)]);
+        }
 }
 
 void SkipDistances::set(glm::ivec3 sector, bool occupied) {
@@ -57,16 +95,20 @@ std::vector<SkipDistances::Box> SkipDistances::dirtyBoxes() {
     return swept < volume(all.high - all.low + (kMaxDistance - 1)) ? boxes : std::vector<Box>{all};
 }
 
-/// Solves the recurrence around a box of changed sectors for one octant, from far sectors to near ones.
-void SkipDistances::sweep(const Box& dirty, int octant) {
-    glm::ivec3 low = dirty.low, high = dirty.high, step;
+/// A box of changed sectors and those behind it, whose distances may change with it.
+SkipDistances::Box SkipDistances::boxBehind(Box dirty, int octant) const {
     for (int a = 0; a < 3; ++a) {
-        step[a] = octant >> a & 1 ? -1 : 1;
-        if (step[a] > 0)
-            low[a] = std::max(0, low[a] - (kMaxDistance - 1));
+        if (octant >> a & 1)
+            dirty.high[a] = std::min(m_size[a], dirty.high[a] + (kMaxDistance - 1));
         else
-            high[a] = std::min(m_size[a], high[a] + (kMaxDistance - 1));
+            dirty.low[a] = std::max(0, dirty.low[a] - (kMaxDistance - 1));
     }
+    return dirty;
+}
+
+/// Solves the recurrence in a box for one octant, from far sectors to near ones. Those ahead of the box are up to date.
+void SkipDistances::solve(const Box& box, int octant) {
+    const glm::ivec3 low = box.low, high = box.high, step = 1 - 2 * (glm::ivec3(octant, octant >> 1, octant >> 2) & 1);
     const glm::ivec3 first(step.x > 0 ? high.x - 1 : low.x, step.y > 0 ? high.y - 1 : low.y,
                            step.z > 0 ? high.z - 1 : low.z);
     const glm::ivec3 count = high - low;
@@ -102,7 +144,7 @@ void SkipDistances::sweep(const Box& dirty, int octant) {
 const std::vector<size_t>& SkipDistances::update() {
     m_changed.clear();
     for (const Box& box : dirtyBoxes())
-        for (int octant = 0; octant < 8; ++octant) sweep(box, octant);
+        for (int octant = 0; octant < 8; ++octant) solve(boxBehind(box, octant), octant);
     m_touched.clear();
     for (const size_t index : m_changed) m_isChanged[index] = 0;
     return m_changed;

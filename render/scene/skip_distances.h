@@ -21,6 +21,9 @@ public:
 
     /// A box of this size with all sectors empty. Sectors outside the box are always empty.
     void reset(glm::ivec3 size);
+    /// Gives the box another size and place: what was its sector `low` becomes sector 0. Only the sectors that are new
+    /// are computed. Call it after update(); what is no longer in the box must be empty.
+    void move(glm::ivec3 low, glm::ivec3 size);
     /// Marks a sector; the distances follow with update().
     void set(glm::ivec3 sector, bool occupied);
     /// Brings the distances up to date. Returns the indices of the sectors whose distances changed, each once.
@@ -38,7 +41,9 @@ private:
         glm::ivec3 low, high;
     };
     std::vector<Box> dirtyBoxes();
-    void sweep(const Box& dirty, int octant);
+    void copyRows(const SkipDistances& from, glm::ivec3 low, const Box& kept);
+    Box boxBehind(Box dirty, int octant) const;
+    void solve(const Box& box, int octant);
     size_t paddedIndexOf(glm::ivec3 sector) const {
         return (size_t(sector.z + 1) * size_t(m_size.y + 2) + size_t(sector.y + 1)) * size_t(m_size.x + 2) +
                size_t(sector.x + 1);

@@ -54,6 +54,40 @@ TEST(SkipDistances, AreMaximalAfterEveryUpdate) {
     }
 }
 
+TEST(SkipDistances, OfABoxThatMovesGrowsAndShrinksAreThoseOfANewOne) {
+    Random random(4);
+    const auto below = [&](int limit) {
+        return glm::ivec3(random.below(uint32_t(limit)), random.below(uint32_t(limit)), random.below(uint32_t(limit)));
+    };
+    for (int round = 0; round < 40; ++round) {
+        const glm::ivec3 core = 1 + below(8), low = -below(20), size = core - low + below(20), nextLow = -below(20),
+                         nextSize = core - nextLow + below(20);
+        SkipDistances moved, fresh;  // sectors 0 to `core` of the world are in both boxes
+        moved.reset(size);
+        fresh.reset(nextSize);
+        for (int i = 0; i < 6; ++i) {
+            const glm::ivec3 sector = below(8) % core;
+            moved.set(sector - low, true);
+            fresh.set(sector - nextLow, true);
+        }
+        moved.update();
+        fresh.update();
+        moved.move(nextLow - low, nextSize);
+        size_t wrong = 0;
+        const auto expectEqual = [&] {
+            for (size_t i = 0; i < size_t(nextSize.x * nextSize.y * nextSize.z); ++i)
+                wrong += moved.at(i) != fresh.at(i);
+        };
+        expectEqual();
+        moved.set(nextSize / 2, true);  // and it goes on from there
+        fresh.set(nextSize / 2, true);
+        moved.update();
+        fresh.update();
+        expectEqual();
+        EXPECT_EQ(wrong, 0u) << "round " << round;
+    }
+}
+
 TEST(SkipDistances, CostFollowsTheChange) {
     SkipDistances cubes;
     cubes.reset({600, 10, 600});
