@@ -171,9 +171,9 @@ void ShadowDirectory::removeBeyond(uint32_t slots) {
 
 void ShadowDirectory::update() {
     removeEmptySectors();
-    shrink();
     for (const size_t at : m_skips.update())
         if (m_skips.at(at)) write(m_table, at, glm::uvec4(m_skips.at(at), 0, 0, 0));
+    shrink();
     for (const uint32_t index : m_changedSectors) {
         Sector& sector = m_sectors[index];
         if (!sector.isPlaced) place(sector);
@@ -186,18 +186,14 @@ void ShadowDirectory::update() {
 
 /// Replaces the table by one of another box. Pages and blocks stay where they are.
 void ShadowDirectory::makeTable(glm::ivec3 low, glm::ivec3 size) {
+    m_skips.move(low - m_low, size);
     m_low = low;
     m_size = size;
     const size_t count = size_t(volume(size));
     m_table.resize(count);
-    m_skips.reset(size);
     m_sectorOf.assign(count, kNone);
-    for (uint32_t i = 0; i < m_sectors.size(); ++i) {
-        if (!m_sectors[i].occupied) continue;
-        m_sectorOf[tableIndex(m_sectors[i].place)] = i;
-        m_skips.set(m_sectors[i].place - m_low, true);
-    }
-    m_skips.update();
+    for (uint32_t i = 0; i < m_sectors.size(); ++i)
+        if (m_sectors[i].occupied) m_sectorOf[tableIndex(m_sectors[i].place)] = i;
     for (size_t i = 0; i < count; ++i)
         m_table.change(i) = m_sectorOf[i] == kNone ? glm::uvec4(m_skips.at(i), 0, 0, 0) : tableTexel(m_sectorOf[i]);
     m_writtenTexels += count;
