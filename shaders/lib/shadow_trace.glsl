@@ -123,7 +123,8 @@ bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exact
         bool emptyEight = (nearHalf >> uint(inWord & 10) & 0x00330033u) == 0u;  // the aligned 2x2x2 cells around it
         ivec3 box = ivec3(uvec3(texel.x >> boxShift, texel.x >> (boxShift + 16u), texel.y >> boxShift) & 3u) + 1;
         // The block is `skip` units a side, of 2^unit cells each.
-        ivec3 skip = emptyBrick ? ivec3((emptySector ? entry.x : page.x) >> cubeShift & 15u) : emptyWord ? box : ivec3(1);
+        uint cube = (emptySector ? entry.x : page.x) >> cubeShift & 15u;
+        ivec3 skip = emptyBrick ? ivec3(cube) : emptyWord ? box : ivec3(1);
         int unit = emptySector ? 5 : emptyBrick ? 4 : nothingAhead ? 2 : emptyEight ? 1 : 0;
         ivec3 plane = ((cell >> unit) + skip) << unit;
         vec3 leave = (vec3(plane) - ray.origin) * ray.inverse;
