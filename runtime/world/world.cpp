@@ -3,11 +3,24 @@
 #include <utility>
 
 #include "runtime/core/log.h"
+#include "runtime/world/edits/edit_error.h"
 #include "runtime/world/history/net_changes.h"
 #include "runtime/world/history/undo_history.h"
 #include "runtime/world/stages/edit_step.h"
 
 namespace rubble {
+
+namespace {
+
+/// Keeps a history if there are to be marks; a new one begins with the World as it is now.
+void limitUndo(std::vector<UndoHistory>& undo, const WorldData& world, size_t marks) {
+    if (marks == 0)
+        undo.clear();
+    else if (undo.empty())
+        undo.emplace_back(world);
+}
+
+}  // namespace
 
 World::World(uint8_t id, uint32_t firstGeneration) : m_data(id, firstGeneration) {}
 World::~World() = default;
@@ -40,10 +53,7 @@ FrameChanges World::beginStep() {
 
 FrameChanges World::applyEdits(const Edits& edits) {
     FrameChanges changes = beginStep();
-    if (m_data.settings.undoMarks == 0)
-        m_undo.clear();
-    else if (m_undo.empty())
-        m_undo.emplace_back(m_data);
+    limitUndo(m_undo, m_data, m_data.settings.undoMarks);
     const bool wasUndoOrRedo = runHistory(edits, changes);
     const bool hasLostStress = m_data.settings.stress.on && !m_data.stress;  // in applyDelta()
     if (wasUndoOrRedo || hasLostStress) m_data.restartStress();
@@ -64,10 +74,14 @@ FrameChanges World::applyDelta(std::optional<WorldDelta> delta) {
     return changes;
 }
 
-/// Marks, undo and redo, before all other edits of the step. True if there was an undo or a redo.
+/// Marks, undo, redo and how many marks are kept, before all other edits of the step. True if there was an undo or a
+/// redo.
 bool World::runHistory(const Edits& edits, FrameChanges& changes) {
     bool wasUndoOrRedo = false;
+    size_t marks = m_data.settings.undoMarks;
     for (const Edit& edit : edits) {
+        if (const auto* to = std::get_if<SettingsEdit>(&edit); to && editError(edit).empty())
+            limitUndo(m_undo, m_data, marks = to->settings.undoMarks);
         const auto* history = std::get_if<HistoryEdit>(&edit);
         if (!history) continue;
         if (m_undo.empty())
@@ -75,7 +89,7 @@ bool World::runHistory(const Edits& edits, FrameChanges& changes) {
         else if (wasUndoOrRedo)
             logWarning("undo: expected one undo or redo in a step, found more; this one is left out");
         else if (history->action == HistoryAction::Mark)
-            m_undo[0].mark(m_data.settings.undoMarks);
+            m_undo[0].mark(marks);
         else
             wasUndoOrRedo = history->action == HistoryAction::Undo ? m_undo[0].undo(m_data, changes)
                                                                    : m_undo[0].redo(m_data, changes);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "runtime/core/log.h"
 #include "runtime/world/edits/resolve_brush.h"
 #include "runtime/world/objects/transforms.h"
 #include "runtime/world/queries/query.h"
@@ -70,7 +69,7 @@ void apply(EditContext& context, const CarveEdit& edit) {
     if (context.world.shapes.find(edit.shape))
         carveShape(context, edit.shape, edit);
     else
-        logWarning("carve: the handle of its shape is stale; nothing was carved");
+        context.warnStale(edit.shape, "carve: the handle of its shape is stale; nothing was carved");
 }
 
 void apply(EditContext& context, const BreakEdit& edit) {
@@ -83,7 +82,7 @@ void apply(EditContext& context, const BreakEdit& edit) {
     if (context.world.shapes.find(edit.shape))
         breakShape(context, edit.shape, edit);
     else
-        logWarning("break_voxels: the handle of its shape is stale; nothing was broken");
+        context.warnStale(edit.shape, "break_voxels: the handle of its shape is stale; nothing was broken");
 }
 
 void apply(EditContext& context, const ExplodeEdit& edit) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "runtime/core/log.h"
 #include "runtime/world/objects/body_mass.h"
 #include "runtime/world/objects/transforms.h"
 
@@ -14,7 +15,7 @@ EditContext::EditContext(WorldData& data, FrameChanges& journal)
 
 ShapeEditState& EditContext::editState(ShapeHandle shape) {
     ShapeEditState& out = editStates[shape.slot()];
-    out.shape = shape;
+    if (out.shape != shape) out = {.shape = shape};  // the slot may have been another shape's in this step
     return out;
 }
 
@@ -67,6 +68,18 @@ void EditContext::wakeBody(BodyHandle handle) {
     body.restingSince = 0;
     if (std::exchange(body.settled, false)) changes.unsettled.push_back(handle);
     world.updateDebris(handle);
+}
+
+void EditContext::warnStale(ShapeHandle shape, const char* warning) const {
+    if (std::find(changes.shapesDestroyed.begin(), changes.shapesDestroyed.end(), shape) ==
+        changes.shapesDestroyed.end())
+        logWarning(warning);
+}
+
+void EditContext::warnStale(BodyHandle body, const char* warning) const {
+    if (std::find(changes.bodiesDestroyed.begin(), changes.bodiesDestroyed.end(), body) ==
+        changes.bodiesDestroyed.end())
+        logWarning(warning);
 }
 
 void EditContext::markBroken(BodyHandle handle) {

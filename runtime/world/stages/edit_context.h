@@ -29,7 +29,7 @@ struct ShapeEditState {
     ShapeHandle shape;
     BrickSet carved;
     CellBox lost;     ///< cells that held all voxels that are gone
-    BrickSet filled;  ///< bricks that got the voxels of another shape
+    BrickSet filled;  ///< bricks that got voxels of another shape, or other voxels by undo
     BrickSet painted;
     std::vector<DetachedFragment> fragments;  ///< no longer in the grid; bodies of their own after the edits
     bool lostVoxels = false;  ///< before its frame of cells changed: all of it is tested for connectivity
@@ -79,6 +79,11 @@ struct EditContext {
     void listPalette(ShapeHandle shape);
     /// Wakes a body. Physics will wake its own too: by an impulse, or because its shape changed.
     void wakeBody(BodyHandle body);
+    /// Logs that the object of an edit is not there, unless this step has destroyed it before the edit's turn: that is
+    /// no mistake of who made the edit, which may be an impact.
+    void warnStale(ShapeHandle shape, const char* warning) const;
+    /// The same for a body.
+    void warnStale(BodyHandle body, const char* warning) const;
     /// Sets Body::broken; the journal lists the first time.
     void markBroken(BodyHandle body);
 };

@@ -1,5 +1,6 @@
 #include "runtime/world/stages/edit_step.h"
 
+#include <algorithm>
 #include <bit>
 #include <string>
 #include <utility>
@@ -39,6 +40,7 @@ Overloaded(F...) -> Overloaded<F...>;  // clang 14 does not deduce aggregates
 
 void EditStep::run(const Edits& edits) {
     m_context.changes.unsettled = std::exchange(m_context.world.unsettled, {});
+    takeRestoredBricks();
     if (m_context.world.stress) openCracks(m_context);
     for (const Edit& edit : edits) applyEdit(edit);
     updateWinches(m_context);
@@ -71,9 +73,20 @@ void EditStep::applyEdit(const Edit& edit) {
                edit);
 }
 
+/// Takes the bricks that undo or redo has changed over from the journal: they are listed in the end, each once, as the
+/// step leaves them, or not at all if their shape gets another grid.
+void EditStep::takeRestoredBricks() {
+    const std::vector<ShapeHandle> refilled = std::exchange(m_context.changes.carved, {});
+    for (const BrickChange& each : std::exchange(m_context.changes.bricks, {})) {
+        ShapeEditState& state = m_context.editState(each.shape);
+        const bool isRefilled = std::find(refilled.begin(), refilled.end(), each.shape) != refilled.end();
+        (isRefilled ? state.filled : state.painted).insert(each.brick);
+    }
+}
+
 /// Adds to the journal what the edit states hold: bricks, carved shapes, broken bodies.
 void EditStep::listChangedBricks() {
-    size_t count = m_context.changes.bricks.size();
+    size_t count = 0;
     for (auto& [slot, each] : m_context.editStates) {
         const Shape* shape = m_context.world.shapes.find(each.shape);
         if (!shape) continue;

@@ -18,6 +18,7 @@ public:
 
 private:
     void applyEdit(const Edit& edit);
+    void takeRestoredBricks();
     void listChangedBricks();
 
     EditContext m_context;

@@ -4,7 +4,6 @@
 #include <glm/common.hpp>
 #include <optional>
 
-#include "runtime/core/log.h"
 #include "runtime/core/random.h"
 #include "runtime/voxel/nearest_voxel.h"
 #include "runtime/world/objects/transforms.h"
@@ -27,7 +26,8 @@ std::optional<glm::ivec3> findStruckCell(const VoxelGrid& grid, glm::dvec3 point
 
 void ImpactLoadStage::apply(const ImpactLoadEdit& edit) {
     const Shape* shape = m_context.world.shapes.find(edit.shape);
-    if (!shape) return logWarning("impact load: the handle of its shape is stale; nothing was struck");
+    if (!shape)
+        return m_context.warnStale(edit.shape, "impact load: the handle of its shape is stale; nothing was struck");
     const StressSettings& settings = m_context.world.settings.stress;
     if (!m_context.world.stress || !shape->loadBearing || !(settings.contactTime > 0.0)) return;
     const Pose pose = shapeToWorld(m_context.world, edit.shape);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/core/log.h"
 #include "runtime/core/random.h"
 #include "runtime/world/objects/body_mass.h"
 #include "runtime/world/queries/query.h"
@@ -33,7 +32,7 @@ void applyImpulseTo(EditContext& context, const ImpulseApplied& impulse) {
 void applyImpulse(EditContext& context, const ImpulseEdit& edit) {
     const Body* body = context.world.bodies.find(edit.body);
     if (!body)
-        logWarning("apply_impulse: the handle of its body is stale; nothing was pushed");
+        context.warnStale(edit.body, "apply_impulse: the handle of its body is stale; nothing was pushed");
     else if (!body->isStatic)
         applyImpulseTo(context, {edit.body, edit.position, edit.impulse});
 }

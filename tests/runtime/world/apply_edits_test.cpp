@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/core/log.h"
 #include "tests/runtime/world/worlds.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/grids.h"
@@ -32,6 +33,28 @@ TEST(ApplyEdits, AStepWithoutEditsAllocatesNothing) {
     EXPECT_TRUE(changes.empty());
     EXPECT_EQ(changes.step, 2u);
     EXPECT_EQ(world.step(), 2u);
+}
+
+TEST(ApplyEdits, AnEditOfWhatItsStepHasDestroyedBeforeItsTurnSaysNothing) {
+    std::vector<std::string> lines;
+    setLogSink([](void* user, LogLevel,
+                  std::string_view line) { static_cast<std::vector<std::string>*>(user)->emplace_back(line); },
+               &lines);
+    World world;
+    world.load(oneShapeLevel(solidGrid({4, 4, 4}, 1), false));
+    world.applyEdits({});
+    const ShapeHandle shape = firstShape(world);
+    const BodyHandle body = world.shapes().at(shape).body;
+    const Edits edits = {BreakEdit{.position = glm::dvec3(0.2), .radii = {0.2, 0.2, 0.2}, .shape = shape},
+                         ImpulseEdit{.body = body}, ImpactLoadEdit{shape, glm::dvec3(0.2), glm::dvec3(1.0)}};
+    Edits all = {ResizeShapeEdit{shape, {{8, 8, 8}, {9, 9, 9}}}};
+    all.insert(all.end(), edits.begin(), edits.end());
+    world.applyEdits(all);
+    EXPECT_FALSE(world.bodies().find(body));
+    EXPECT_TRUE(lines.empty()) << lines.front();
+    world.applyEdits(edits);
+    EXPECT_EQ(lines.size(), 3u);
+    setLogSink(nullptr, nullptr);
 }
 
 TEST(ApplyEdits, DetachedPiecesBecomeBodies) {

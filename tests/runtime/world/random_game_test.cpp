@@ -10,6 +10,7 @@
 #include "runtime/core/log.h"
 #include "runtime/world/history/undo_history.h"
 #include "runtime/world/history/world_baseline.h"
+#include "tests/runtime/world/journal_check.h"
 
 namespace rubble {
 namespace {
@@ -88,6 +89,7 @@ public:
         m_follower.setState(world.state());
     }
     void step(const World& world, const FrameChanges& changes) {
+        expectTrueJournal(changes, world);
         const std::vector<uint8_t> bytes =
             stepDeltaToBytes(m_baseline.update(world, changes), changes, world, m_palettes);
         const Result<FrameChanges> applied = applyStepDelta(bytes, "t", m_follower, m_known);

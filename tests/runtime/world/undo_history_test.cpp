@@ -4,6 +4,7 @@
 
 #include "runtime/core/log.h"
 #include "runtime/core/random.h"
+#include "tests/runtime/world/journal_check.h"
 #include "tests/runtime/world/worlds.h"
 #include "tests/support/grids.h"
 
@@ -120,6 +121,7 @@ TEST(UndoHistory, UndoAndRedoReachEveryMark) {
         const auto step = [&](Edits edits) {
             const FrameChanges changes = world.applyEdits(edits);
             baseline.update(world, changes);
+            expectTrueJournal(changes, world);
             ASSERT_EQ(baselineHash(baseline), resolvedHash(world))
                 << "seed " << seed << ": the journal misses something";
         };
@@ -248,6 +250,61 @@ TEST(UndoHistory, NewChangesEndTheRedo) {
     EXPECT_EQ(resolvedHash(world), before);
 }
 
+/// Two blocks side by side on one body, on a floor, with undo.
+World twoBlocks(std::array<ShapeHandle, 2>& blocks) {
+    Level level = oneShapeLevel(solidGrid({24, 16, 16}, 1), true);
+    level.bodies[0].shapes.push_back(levelShape("second", solidGrid({16, 16, 16}, 2)));
+    level.bodies[0].shapes.back().local.position = {2.4, 0.0, 0.0};
+    World world;
+    world.load(level);
+    WorldSettings settings;
+    settings.undoMarks = 9;
+    world.setSettings(settings);
+    world.applyEdits({});
+    for (uint32_t i = 0; i < 2; ++i) blocks[i] = world.shapes().handleAt(i);
+    return world;
+}
+
+TEST(UndoHistory, TheJournalOfAnUndoAndOtherEditsOfItsShapesInOneStepDescribesTheWorldAfterIt) {
+    std::array<ShapeHandle, 2> blocks;
+    const World start = twoBlocks(blocks);
+    const auto [first, second] = blocks;
+    const Edit cut = CarveEdit{.kind = BrushKind::Box, .position = {2.1, 0.8, 0.8}, .halfSize = {0.1, 2.0, 2.0}};
+    const Edit paint = PaintEdit{.position = {2.3, 1.6, 1.6}, .radius = 1.0, .seed = 5};
+    const std::vector<Edits> cases = {
+        {ResizeShapeEdit{first, {{0, 0, 0}, {8, 8, 8}}}},
+        {ResizeShapeEdit{first, {{-8, -8, -8}, {40, 40, 40}}}},
+        {ResizeShapeEdit{second, {{3, 0, 0}, {9, 8, 8}}}, paint},
+        {cut, TrimShapeEdit{first}},
+        {MergeShapeEdit{first, second}},
+        {MergeShapeEdit{second, first}},
+        {ResizeShapeEdit{first, {{20, 0, 0}, {24, 8, 8}}}, MergeShapeEdit{first, second}},
+        {cut, SplitShapeEdit{first}},
+        {cut, SplitShapeEdit{first, true, 5000}},
+        {CarveEdit{.kind = BrushKind::Box, .position = {2.0, 0.8, 0.8}, .halfSize = {9.0, 9.0, 9.0}}},
+        {paint, cut, spawnFire({2.0, 1.0, 1.0}, 2.0), ExplodeEdit{.position = {2.3, 1.6, 1.6}, .size = 1.0}},
+    };
+    for (size_t i = 0; i < cases.size(); ++i)
+        for (const bool isRedo : {false, true}) {
+            SCOPED_TRACE(std::to_string(i) + (isRedo ? ", redo" : ", undo"));
+            World world = start;
+            WorldBaseline baseline(world);
+            const auto step = [&](Edits edits) {
+                const FrameChanges changes = world.applyEdits(edits);
+                expectTrueJournal(changes, world);
+                baseline.update(world, changes);
+                EXPECT_EQ(baselineHash(baseline), resolvedHash(world));
+                expectSound(world);
+            };
+            step({kMark, PaintEdit{.position = {2.3, 1.6, 1.6}, .radius = 1.0}, sphereCarve({2.3, 1.6, 1.6}, 0.4)});
+            if (isRedo) step({kUndo});
+            Edits edits = cases[i];
+            edits.insert(edits.begin(), isRedo ? kRedo : kUndo);
+            step(edits);
+            step({});
+        }
+}
+
 TEST(UndoHistory, UndoneHandlesAreStaleUntilRedo) {
     World world = smallWorld();
     const FrameChanges cut = world.applyEdits({kMark, sphereCarve({6.15, 1.5, 0.15}, 0.4)});
@@ -259,6 +316,32 @@ TEST(UndoHistory, UndoneHandlesAreStaleUntilRedo) {
     const FrameChanges forth = world.applyEdits({kRedo});
     EXPECT_TRUE(world.shapes().find(piece));
     EXPECT_EQ(std::count(forth.shapesCreated.begin(), forth.shapesCreated.end(), piece), 1);
+}
+
+TEST(UndoHistory, MarksAndTheirLimitComeBeforeTheOtherEditsOfAStepInTheirOrder) {
+    World world = smallWorld();
+    WorldSettings settings = world.settings();
+    settings.undoMarks = 0;
+    world.applyEdits({SettingsEdit{settings}});
+    world.applyEdits({});
+    std::vector<std::string> lines;
+    setLogSink([](void* user, LogLevel,
+                  std::string_view line) { static_cast<std::vector<std::string>*>(user)->emplace_back(line); },
+               &lines);
+    const uint64_t before = voxelHash(world);
+    settings.undoMarks = 5;
+    world.applyEdits({sphereCarve({1.0, 1.2, 0.3}, 0.3), SettingsEdit{settings}, kMark});
+    EXPECT_NE(voxelHash(world), before);
+    world.applyEdits({kUndo});
+    EXPECT_EQ(voxelHash(world), before) << "the mark was set before the cut of its step";
+    world.applyEdits({kMark, sphereCarve({1.0, 1.2, 0.3}, 0.3)});
+    world.applyEdits({sphereCarve({3.0, 1.2, 0.3}, 0.3), kUndo});
+    EXPECT_NE(voxelHash(world), before) << "the cut of its step came after the undo";
+    EXPECT_TRUE(lines.empty()) << lines.front();
+    settings.undoMarks = 0;
+    world.applyEdits({SettingsEdit{settings}, kMark});
+    EXPECT_EQ(lines.size(), 1u) << "no marks are kept any more";
+    setLogSink(nullptr, nullptr);
 }
 
 TEST(UndoHistory, DropsTheOldestMarksAndCostsNothingWhenOff) {

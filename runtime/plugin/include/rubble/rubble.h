@@ -44,8 +44,9 @@
  *    was found. Numbers that are not finite or out of range are RUBBLE_ERROR_ARGUMENT; the errors named at a function
  *    come on top of RUBBLE_ERROR_NULL, _STRUCT_SIZE, _STALE, _ARGUMENT and _MEMORY, which most functions can give.
  *  - Edits are commands: the call checks them and puts them into the world's queue. The next step() carries them out
- *    in the order of the calls. An edit whose object is destroyed before its turn does nothing, and what only
- *    step() can find out (a joint without a voxel to hold on to, an undo where no marks are kept) is logged.
+ *    in the order of the calls, those of undo before all others. An edit whose object is destroyed before its turn does
+ * nothing, and what only step() can find out (a joint without a voxel to hold on to, an undo where no marks are kept)
+ * is logged.
  *  - Reads copy into the host's memory, except get_events(): its arrays live until the next step(), load_level(),
  *    load_game(), play_recording() or destroy_world() of that world.
  *  - Lists are read with an array, its capacity and a count: the function writes the first `capacity` rows and
@@ -743,7 +744,9 @@ typedef struct rubble_api {
     rubble_result (*destroy_world)(rubble_world world);
     /* [main-thread] Replaces the whole world by a level: a .rubble, .vdb or .vox file, told apart by the ending
      * of the UTF-8 path. vdb_tool: path of the program rubble-vdb, which is run as a child process for .vdb
-     * files; may be null for others. Drops the edits that wait in the queue, and stops a recording.
+     * files; may be null for others. Drops the edits that wait in the queue, and stops a recording. Bodies begin
+     * asleep where the level has them, in the air too, until something wakes them: a hit, an impulse (one of length 0
+     * is enough), or an edit that changes what they touch. Those to which the level gives a velocity begin awake.
      * RUBBLE_ERROR_FILE says what is wrong with the file and where; the world is then unchanged. */
     rubble_result (*load_level)(rubble_world world, const char* path, const char* vdb_tool);
     /* [main-thread] Advances the world by exactly 1/60 s: queued edits, then physics. The host decides how many
@@ -815,9 +818,12 @@ typedef struct rubble_api {
 
     /* ---- edits: undo ---- */
 
+    /* A step carries out these four before its other edits, in the order of their calls: a mark is the world as the
+     * last step left it, and a call of undo() takes back nothing that waits for the same step. */
+
     /* [main-thread] How many undo marks are kept. 0, the default: none, at no cost. */
     rubble_result (*set_undo_limit)(rubble_world world, uint32_t marks);
-    /* [main-thread] Sets a mark to which undo() returns. */
+    /* [main-thread] Sets a mark to which undo() returns: the world as the last step left it. */
     rubble_result (*add_undo_mark)(rubble_world world);
     /* [main-thread] Returns to the last mark, motion included. At most one undo or redo in a step. */
     rubble_result (*undo)(rubble_world world);
