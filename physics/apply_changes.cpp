@@ -8,20 +8,24 @@
 namespace rubble {
 namespace {
 
-void destroyRemoved(PhysicsBodies& bodies, const FrameChanges& changes) {
-    for (const ShapeHandle handle : changes.shapesDestroyed) bodies.destroyStatic(handle.slot());
+bool isStatic(const World& world, ShapeHandle handle) {
+    const Shape* shape = world.shapes().find(handle);
+    return shape && world.bodies().at(shape->body).isStatic;
+}
+
+/// A static shape whose grid got another box stays until createStatic() compares the two.
+void destroyRemoved(PhysicsBodies& bodies, const FrameChanges& changes, const World& world) {
+    for (const ShapeHandle handle : changes.shapesDestroyed)
+        if (!isStatic(world, handle)) bodies.removeStatic(handle.slot());
     for (const BodyHandle handle : changes.bodiesDestroyed) bodies.destroyDynamic(handle);
 }
 
+/// Also takes over the cuts of shapes that stand no longer, for what touched them there.
 void updateStatics(PhysicsBodies& bodies, const FrameChanges& changes, const World& world) {
-    const auto isStatic = [&](ShapeHandle handle) {
-        const Shape* shape = world.shapes().find(handle);
-        return shape && world.bodies().at(shape->body).isStatic;
-    };
-    for (const ShapeHandle handle : changes.carved)
-        if (isStatic(handle)) bodies.updateStatic(world, handle, changes);
     for (const ShapeHandle handle : changes.shapesCreated)
-        if (isStatic(handle)) bodies.createStatic(world, handle);
+        if (isStatic(world, handle)) bodies.createStatic(world, handle);
+    for (const ShapeHandle handle : changes.carved)
+        if (world.shapes().find(handle)) bodies.updateStatic(world, handle, changes);
 }
 
 /// Updates each changed body once, in slot order. One that was not only carved is created from World again.
@@ -82,6 +86,7 @@ void PhysicsWorld::Impl::load(const World& world) {
         first = false;
     });
     bodies.broadphase().setOrigin(glm::round((low + high) * 0.5));
+    bodies.limits().setOrigin(bodies.broadphase().origin());
     setGravity(world);
     characters.load(world);
     world.waters().forEach([&](WaterHandle handle, const Water& water) { waters.set(handle.slot(), &water); });
@@ -95,7 +100,7 @@ void PhysicsWorld::Impl::load(const World& world) {
 void PhysicsWorld::Impl::applyChanges(const FrameChanges& changes, const World& world) {
     setGravity(world);
     if (!changes.empty()) {
-        destroyRemoved(bodies, changes);
+        destroyRemoved(bodies, changes, world);
         updateStatics(bodies, changes, world);
         updateDynamics(bodies, changes, world);
         for (const ShapeHandle handle : changes.filters)

@@ -9,21 +9,20 @@ namespace rubble {
 PhysicsWorld::PhysicsWorld(const PhysicsSettings& settings) : m_impl(std::make_unique<Impl>(settings)) {}
 PhysicsWorld::~PhysicsWorld() = default;
 
-void PhysicsWorld::apply(const FrameChanges& changes, const World& world, bool rebuild) {
-    rebuild = rebuild || changes.levelReplaced;
-    if (rebuild) {  // not cleared: the shape of broadphase's trees depends on the past
-        const LimitCounts counts = m_impl->bodies.limits().counts();
-        m_impl = std::make_unique<Impl>(PhysicsSettings(m_impl->settings));
-        m_impl->bodies.limits().setCounts(counts);
-    }
+void PhysicsWorld::load(const World& world) {
+    const LimitCounts counts = m_impl->bodies.limits().counts();
+    m_impl = std::make_unique<Impl>(PhysicsSettings(m_impl->settings));
+    m_impl->bodies.limits().setCounts(counts);
+    m_impl->load(world);
+    m_impl->ground.update(world, m_impl->bodies, false);
+}
+
+void PhysicsWorld::apply(const FrameChanges& changes, const World& world) {
     Impl& impl = *m_impl;
     // What World says is awake comes first. Other debris waits for the step.
     impl.bodies.budget().setDebrisLimit(0);
-    if (rebuild)
-        impl.load(world);
-    else
-        impl.applyChanges(changes, world);
-    impl.ground.update(world, impl.bodies, !rebuild);
+    impl.applyChanges(changes, world);
+    impl.ground.update(world, impl.bodies, true);
     impl.applyImpulses(changes);
     for (const BodyHandle handle : changes.settled)
         if (DynamicBody* body = impl.bodies.find(handle)) body->settled = body->asleep();

@@ -16,22 +16,25 @@ struct PhysicsStats {
     LimitCounts clamped{};        ///< how often each limit was exceeded, since the beginning
 };
 
-/// Rigid bodies made of voxels, with joints, ropes, water and characters. It follows a World: apply() takes over its
-/// changes, step() moves the bodies, and copyMotion() writes the result back. Positions are double; each pair is
-/// computed in float about one of its bodies. The same changes and steps give the same bits, with the same build and
-/// any number of threads. [main-thread]
+/// Rigid bodies made of voxels, with joints, ropes, water and characters. It follows a World: load() begins, apply()
+/// takes over its changes, step() moves the bodies, and copyMotion() writes the result back. Positions are double; each
+/// pair is computed in float about one of its bodies. The same changes and steps give the same bits, with the same
+/// build and any number of threads. [main-thread]
 class PhysicsWorld {
 public:
-    /// Empty until the first apply().
+    /// Empty until load().
     explicit PhysicsWorld(const PhysicsSettings& settings = {});
     ~PhysicsWorld();
     PhysicsWorld(const PhysicsWorld&) = delete;
     PhysicsWorld& operator=(const PhysicsWorld&) = delete;
 
+    /// Creates everything from World as it is between two steps, in slot order; nothing of the past remains but the
+    /// counts of stats(). A World whose level was replaced is loaded before its next applyEdits(), so that the edits of
+    /// that step wake what they wake in any other.
+    void load(const World& world);
     /// Takes over what World changed: bodies, shapes, joints, waters, characters, gravity, then impulses. A new piece
-    /// starts with the motion that World gave it. rebuild: everything is created from World in slot order, and nothing
-    /// of the past remains, as after levelReplaced.
-    void apply(const FrameChanges& changes, const World& world, bool rebuild = false);
+    /// starts with the motion that World gave it.
+    void apply(const FrameChanges& changes, const World& world);
     /// Moves everything by settings.stepSeconds. What the functions below return is valid until the next step().
     void step();
     /// Bodies that moved, fell asleep or woke in the last step, in slot order.

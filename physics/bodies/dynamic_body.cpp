@@ -106,9 +106,9 @@ void DynamicBody::setAsleep(bool asleep) {
 
 bool DynamicBody::finite() const {
     const glm::dquat& q = motion.rotation;
-    return finiteBelow(motion.position, 1e300) && finiteBelow(motion.velocity, limits::kInvalidSpeed) &&
-           finiteBelow(motion.angularVelocity, limits::kInvalidSpeed) && finiteBelow({q.x, q.y, q.z}, 2.0) &&
-           std::abs(q.w) < 2.0;
+    constexpr double kLargest = 1e150;  // its square is a number too
+    return finiteBelow(motion.position, kLargest) && finiteBelow(motion.velocity, kLargest) &&
+           finiteBelow(motion.angularVelocity, kLargest) && finiteBelow({q.x, q.y, q.z}, 2.0) && std::abs(q.w) < 2.0;
 }
 
 bool DynamicBody::isFartherThan(double distance, glm::dvec3 origin) const {

@@ -33,7 +33,7 @@ public:
     void quarantine() { m_quarantined = true; }
     /// Whether it is not simulated, because its numbers were invalid.
     bool quarantined() const { return m_quarantined; }
-    /// Whether pose and velocities can be computed with: no NaN, no infinity, no speed beyond limits::kInvalidSpeed.
+    /// Whether pose and velocities can be computed with: no NaN and no infinity.
     bool finite() const;
     /// Whether a coordinate of its centre of mass is more than `distance` metres from that of a world position.
     bool isFartherThan(double distance, glm::dvec3 origin) const;

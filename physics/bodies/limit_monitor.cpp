@@ -6,8 +6,8 @@
 
 namespace rubble {
 
-bool LimitMonitor::isOutOfRange(const DynamicBody& body, glm::dvec3 origin) {
-    if (!body.isFartherThan(limits::kMaxDistance, origin)) return false;
+bool LimitMonitor::isOutOfRange(const DynamicBody& body) {
+    if (!body.isFartherThan(limits::kMaxDistance, m_origin)) return false;
     const LimitCounts before = m_counts;
     ++m_counts[size_t(LimitKind::Distance)];
     warn(before);

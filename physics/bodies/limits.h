@@ -5,16 +5,15 @@
 
 namespace rubble {
 
-/// The numbers that physics computes with. Speeds, spins and masses beyond are clamped; a body that gets farther than
-/// kMaxDistance is frozen there. Each clamp is counted, and the first of a kind is warned of. OPERATING_ENVELOPE.md
-/// reports how accurate the simulation is within these limits.
+/// The numbers that physics computes with. Speeds, spins and masses beyond are clamped, however large; a body that gets
+/// farther than kMaxDistance is frozen there. Each clamp is counted, and the first of a kind is warned of.
+/// OPERATING_ENVELOPE.md reports how accurate the simulation is within these limits.
 namespace limits {
 inline constexpr double kMaxSpeed = 5e3;         ///< m/s
 inline constexpr double kMaxAngularSpeed = 1e3;  ///< rad/s
 inline constexpr double kMinMass = 1e-9;         ///< kg
 inline constexpr double kMaxMass = 1e12;         ///< kg
 inline constexpr double kMaxDistance = 1e6;      ///< m from the level's middle, where floats are 6 cm apart
-inline constexpr double kInvalidSpeed = 1e9;     ///< m/s and rad/s: like NaN, it freezes the body
 }  // namespace limits
 
 /// What can exceed a limit.

@@ -17,45 +17,80 @@ T& slotOf(std::vector<T>& table, uint32_t slot) {
     return table[slot];
 }
 
+/// Whether the brick has a voxel where the grid, in which it begins at cell `at`, has none.
+bool hasLost(const Brick& brick, glm::ivec3 at, const VoxelGrid& grid) {
+    if (const Brick* there = at % kBrickSize == glm::ivec3(0) ? grid.brickAt(at / kBrickSize) : nullptr;
+        there && there->occupancy == brick.occupancy)
+        return false;
+    bool any = false;
+    forEachVoxel(brick.occupancy, [&](int i) { any = any || grid.at(at + voxelInBrick(i)) == 0; });
+    return any;
+}
+
 }  // namespace
 
 void PhysicsBodies::createStatic(const World& world, ShapeHandle handle) {
     const Shape& shape = world.shapes().at(handle);
-    destroyStatic(handle.slot());
+    const std::unique_ptr<CollisionObject> before = takeStatic(handle.slot());
     slotOf(m_handles, shape.body.slot()) = shape.body;
     slotOf(m_owners, handle.slot()) = shape.body;
     auto object = std::make_unique<CollisionObject>();
     object->collider.parts.push_back(std::make_unique<ColliderPart>(shape, Pose{}, world.materials()));
-    if (object->collider.empty()) return;
     object->setPose(shapeToWorld(world, handle));
     object->body = shape.body.slot();
     object->number = kStaticObject | handle.slot();
-    m_broadphase.add(*object, false);
+    if (!object->collider.empty()) m_broadphase.add(*object, false);
+    if (before) wakeAtLostCells(*before, *object);
     slotOf(m_statics, handle.slot()) = std::move(object);
 }
 
-void PhysicsBodies::destroyStatic(uint32_t shapeSlot) {
-    if (shapeSlot >= m_statics.size() || !m_statics[shapeSlot]) return;
+/// Takes an object out of the broadphase; null: there is none.
+std::unique_ptr<CollisionObject> PhysicsBodies::takeStatic(uint32_t shapeSlot) {
+    if (shapeSlot >= m_statics.size() || !m_statics[shapeSlot]) return nullptr;
     m_broadphase.remove(*m_statics[shapeSlot]);
-    m_statics[shapeSlot].reset();
+    return std::move(m_statics[shapeSlot]);
 }
 
+void PhysicsBodies::removeStatic(uint32_t shapeSlot) {
+    const std::unique_ptr<CollisionObject> object = takeStatic(shapeSlot);
+    if (object && !object->collider.empty()) wakeTouching(object->low, object->high);
+}
+
+/// Adds it to the broadphase again, because it may be larger after an undo or a merge.
 void PhysicsBodies::updateStatic(const World& world, ShapeHandle handle, const FrameChanges& changes) {
-    const Shape& shape = world.shapes().at(handle);
     if (handle.slot() >= m_statics.size() || !m_statics[handle.slot()]) return;
     std::vector<glm::ivec3> bricks;
     changedBricks(changes, handle, bricks);
     CollisionObject& object = *m_statics[handle.slot()];
-    object.collider.parts[0]->update(shape, bricks, world.materials());
-    m_broadphase.touch(object);
-    const glm::dmat3 axes = glm::mat3_cast(object.pose.rotation);
-    const double half = 0.5 * kBrickSize * shape.voxelSize;
-    const glm::dvec3 extent = (glm::abs(axes[0]) + glm::abs(axes[1]) + glm::abs(axes[2])) * half;
+    m_broadphase.remove(object);
+    object.collider.parts[0]->update(world.shapes().at(handle), bricks, world.materials());
+    if (!object.collider.empty()) m_broadphase.add(object, false);
+    wakeAtBricks(object, bricks);
+}
+
+void PhysicsBodies::wakeAtBricks(const CollisionObject& object, const std::vector<glm::ivec3>& bricks) {
+    const glm::dvec3 half(0.5 * kBrickSize * object.collider.parts[0]->voxelSize());
     for (const glm::ivec3& brick : bricks) {
         const glm::dvec3 center = object.pose.transformPoint((glm::dvec3(brick) * 2.0 + 1.0) * half);
-        wakeTouching(center - extent, center + extent);
+        const WorldBox box = boundsOfBox(center, half, object.pose.rotation);
+        wakeTouching(box.low, box.high);
     }
-    if (object.collider.empty()) destroyStatic(handle.slot());
+}
+
+/// Of two objects of one static shape. If their cells do not line up, all of the old one counts as gone.
+void PhysicsBodies::wakeAtLostCells(const CollisionObject& before, const CollisionObject& now) {
+    if (before.collider.empty()) return;
+    const ColliderPart &was = *before.collider.parts[0], &is = *now.collider.parts[0];
+    const glm::dvec3 cells = before.pose.inversePoint(now.pose.position) / was.voxelSize();
+    const glm::dvec3 offset = glm::round(cells);
+    if (before.pose.rotation != now.pose.rotation || was.voxelSize() != is.voxelSize() ||
+        glm::length(cells - offset) > 1e-3 || glm::length(offset) > 3.0 * kMaxGridSize)
+        return wakeTouching(before.low, before.high);
+    std::vector<glm::ivec3> bricks;
+    was.grid().forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
+        if (hasLost(*content, brick * kBrickSize - glm::ivec3(offset), is.grid())) bricks.push_back(brick);
+    });
+    wakeAtBricks(before, bricks);
 }
 
 void PhysicsBodies::createDynamic(const World& world, BodyHandle handle, bool asleep) {
@@ -75,8 +110,7 @@ void PhysicsBodies::createDynamic(const World& world, BodyHandle handle, bool as
 
 /// Puts a body into the broadphase and among the awake; false if its numbers are invalid or it has no voxels.
 bool PhysicsBodies::insert(const World& world, DynamicBody& body, bool asleep) {
-    if (body.object.collider.empty() || !body.finite() || m_limits.isOutOfRange(body, m_broadphase.origin()))
-        return false;
+    if (body.object.collider.empty() || !body.finite() || m_limits.isOutOfRange(body)) return false;
     m_limits.clamp(body);
     body.setAsleep(asleep);
     body.isDebris = world.data().debris.contains(body.handle());
@@ -111,7 +145,7 @@ void PhysicsBodies::updateDynamic(const World& world, BodyHandle handle, const F
         if (onlyCarved && known->updateShape(world, changes) && insert(world, *known, false)) return;
         m_dynamics[handle.slot()].reset();
     }
-    for (const ShapeHandle shape : body.shapes) destroyStatic(shape.slot());  // it may have been static until now
+    for (const ShapeHandle shape : body.shapes) takeStatic(shape.slot());  // it may have been static until now
     const bool isTeleported =
         std::find(changes.teleported.begin(), changes.teleported.end(), handle) != changes.teleported.end();
     createDynamic(world, handle, body.asleep && (!known || isTeleported));
@@ -124,7 +158,7 @@ void PhysicsBodies::updateFilter(const World& world, ShapeHandle handle) {
     const CollisionFilter filter{shape.collisionLayer, shape.collisionMask};
     if (object) object->collider.parts[0]->setFilter(filter);
     if (!object && dynamic) dynamic->setFilter(handle, filter), object = &dynamic->object;
-    if (!object) return;
+    if (!object || object->collider.empty()) return;
     object->setPose(object->pose);
     m_broadphase.touch(*object);
     wakeTouching(object->low, object->high);
@@ -183,9 +217,10 @@ void PhysicsBodies::removeEnded() {
 }
 
 void PhysicsBodies::quarantineInvalid() {
+    std::vector<WorldBox> left;  // by bodies that are no longer there
     for (const uint32_t slot : awake()) {
         DynamicBody& body = at(slot);
-        if (body.finite() && !m_limits.isOutOfRange(body, m_broadphase.origin())) {
+        if (body.finite() && !m_limits.isOutOfRange(body)) {
             m_limits.clamp(body);
             continue;
         }
@@ -195,12 +230,14 @@ void PhysicsBodies::quarantineInvalid() {
                             "last was. Look for an impulse, velocity or force that is NaN or infinite",
                             slot));
         m_broadphase.remove(body.object);
+        left.push_back({body.object.low, body.object.high});
         body.restore();
         body.setAsleep(true);
         body.quarantine();
         m_ended.push_back(slot);
     }
     removeEnded();
+    for (const WorldBox& box : left) wakeTouching(box.low, box.high);
 }
 
 void PhysicsBodies::reportPoses(std::vector<BodyPose>& out) {

@@ -14,11 +14,12 @@ namespace rubble {
 /// is awake; and the broadphase. [main-thread]
 class PhysicsBodies {
 public:
-    /// Creates the object of a static body's shape, or replaces it.
+    /// Creates the object of a static body's shape. If it replaces one, wakes what touched the cells that are gone.
     void createStatic(const World& world, ShapeHandle handle);
-    /// Removes the object of a static body's shape; does nothing if there is none.
-    void destroyStatic(uint32_t shapeSlot);
-    /// Takes over a cut of a static shape, and wakes what touched the changed bricks.
+    /// Removes the object of a static body's shape and wakes what touched it. Does nothing if there is none.
+    void removeStatic(uint32_t shapeSlot);
+    /// Takes over a cut of a static shape, and wakes what touched the changed bricks. Does nothing if it was not
+    /// static.
     void updateStatic(const World& world, ShapeHandle handle, const FrameChanges& changes);
     /// Creates a dynamic body, or replaces it. One whose numbers are invalid is quarantined, with a warning.
     void createDynamic(const World& world, BodyHandle handle, bool asleep);
@@ -67,11 +68,14 @@ public:
     AwakeBodies& budget() { return m_awake; }
     /// What was beyond the limits.
     LimitMonitor& limits() { return m_limits; }
-    /// For its origin and for finding pairs.
+    /// For finding pairs.
     Broadphase& broadphase() { return m_broadphase; }
 
 private:
     bool insert(const World& world, DynamicBody& body, bool asleep);
+    std::unique_ptr<CollisionObject> takeStatic(uint32_t shapeSlot);
+    void wakeAtBricks(const CollisionObject& object, const std::vector<glm::ivec3>& bricks);
+    void wakeAtLostCells(const CollisionObject& before, const CollisionObject& now);
 
     Broadphase m_broadphase;
     LimitMonitor m_limits;

@@ -85,6 +85,7 @@ void FrameLoop::replay(const RecordedStep& step) {
 
 void FrameLoop::stepWith(Edits hostEdits) {
     std::fill_n(m_times.ms.begin(), size_t(Stage::Apply), 0.0);  // the stages from Apply on are the render thread's
+    loadPhysics();
     applyEdits(hostEdits);
     stepPhysics();
     collectDamage();
@@ -96,18 +97,26 @@ void FrameLoop::stepWith(Edits hostEdits) {
     publish();
 }
 
+/// Before the edits, so that physics can tell what they change.
+void FrameLoop::loadPhysics() {
+    if (!m_rebuildPhysics && !m_world.data().levelReplaced) return;
+    const ScopedTimer timer(m_times[Stage::Physics]);
+    m_physics.load(m_world);
+}
+
 void FrameLoop::applyEdits(const Edits& hostEdits) {
     const ScopedTimer timer(m_times[Stage::ApplyEdits]);
     Edits edits = std::exchange(m_pending, {});
     edits.insert(edits.end(), hostEdits.begin(), hostEdits.end());
     m_changes = m_world.applyEdits(edits);
     if (m_recorder) m_recorder->recordEdits(hostEdits, m_changes, m_world, m_rebuildPhysics);
+    m_rebuildPhysics = false;
 }
 
 void FrameLoop::stepPhysics() {
     {
         const ScopedTimer timer(m_times[Stage::Physics]);
-        m_physics.apply(m_changes, m_world, std::exchange(m_rebuildPhysics, false));
+        m_physics.apply(m_changes, m_world);
         m_physics.step();
     }
     const ScopedTimer timer(m_times[Stage::Poses]);

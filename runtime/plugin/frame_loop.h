@@ -76,6 +76,7 @@ private:
     SavedGame savedGame(const Edits& waiting) const;
     void goOnAsLoaded(bool dropMarks);
     void stepWith(Edits hostEdits);
+    void loadPhysics();
     void applyEdits(const Edits& hostEdits);
     void stepPhysics();
     void collectDamage();

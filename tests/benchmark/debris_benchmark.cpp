@@ -34,6 +34,7 @@ LevelBody blockBody(glm::ivec3 size, glm::dvec3 corner, bool isStatic, const Pal
 struct Loop {
     explicit Loop(const Level& level) {
         world.load(level);
+        physics.load(world);
         step();
     }
     FrameChanges step(const Edits& edits = {}) {
@@ -140,9 +141,7 @@ void blastAndCuts(benchmark::State& state) {
     for (auto _ : state) {
         World world = fresh;
         PhysicsWorld physics;
-        FrameChanges loaded;
-        loaded.levelReplaced = true;
-        physics.apply(loaded, world);
+        physics.load(world);
         double editsMs = 0.0;
         FrameChanges changes;
         {

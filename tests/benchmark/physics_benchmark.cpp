@@ -60,9 +60,7 @@ struct Pile {
     Pile(const Level& level, const PhysicsSettings& settings, size_t woken = ~size_t(0)) : physics(settings) {
         world.load(level);
         world.applyEdits({});
-        FrameChanges changes;
-        changes.levelReplaced = true;
-        physics.apply(changes, world);
+        physics.load(world);
         FrameChanges nudge;
         world.bodies().forEach([&](BodyHandle handle, const Body& body) {
             handles.push_back(handle);

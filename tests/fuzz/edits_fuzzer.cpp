@@ -19,8 +19,9 @@ void fuzz(Decisions& decisions) {
     for (uint32_t step = 2 + decisions.below(10); step-- > 0;) {
         Edits edits = std::exchange(damage, {});
         for (uint32_t i = decisions.below(4); i-- > 0;) edits.push_back(randomEdit(decisions, world, wildness));
+        if (world.data().levelReplaced || decisions.oneIn(20)) physics.load(world);
         const FrameChanges changes = world.applyEdits(edits);
-        physics.apply(changes, world, decisions.oneIn(20));
+        physics.apply(changes, world);
         physics.step();
         copyMotion(physics, world);
         damage = impactDamage(world, physics.impacts());

@@ -306,10 +306,8 @@ TEST(Character, IsTheSameAfterASave) {
     scene.walk(100);
     Walk other;
     other.world.setState(scene.world.state());
-    FrameChanges rebuild;
-    rebuild.levelReplaced = true;
-    other.physics.apply(rebuild, other.world);
-    scene.physics.apply({}, scene.world, true);
+    other.physics.load(other.world);
+    scene.physics.load(scene.world);
     for (Walk* each : {&scene, &other}) {
         each->wish({-1.0, 0.0, 2.0}, true);
         each->walk(120);

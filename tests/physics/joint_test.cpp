@@ -113,8 +113,8 @@ TEST(Joint, ARebuildFromTheWorldContinuesWithTheSameBits) {
     first.seconds(1.0);
     World copy = first.world;
     PhysicsWorld rebuilt;
-    rebuilt.apply({}, copy, true);
-    first.physics.apply({}, first.world, true);
+    rebuilt.load(copy);
+    first.physics.load(first.world);
     for (int i = 0; i < 60; ++i) {
         first.step();
         rebuilt.step();

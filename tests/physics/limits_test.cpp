@@ -47,6 +47,50 @@ TEST(PhysicsLimits, SpeedAndSpinAreClampedCountedAndWarnedOfOnce) {
     EXPECT_EQ(warnings.list.size(), 2u);
 }
 
+TEST(PhysicsLimits, AnyImpulseInRangeIsClampedAndFreezesNobody) {
+    for (const double voxelSize : {0.1, 1e-3})
+        for (const double arm : {0.0, 0.1, 300.0, 1e6, 1e9})
+            for (const double impulse : {1.0, 2000.0, 1e12, 1e16}) {
+                SCOPED_TRACE(testing::Message() << voxelSize << " m, arm " << arm << ", impulse " << impulse);
+                Warnings warnings;
+                PhysicsScene scene(sleepless({}));
+                scene.level.environment.gravity = {0, 0, 0};
+                scene.add(solidGrid({3, 3, 3}, 7), {0, 0, 0}, false).shapes[0].voxelSize = float(voxelSize);
+                scene.load();
+                FrameChanges push;
+                push.impulses.push_back({scene.handle(0), scene.center(0) + glm::dvec3(arm, 0, 0), {0, impulse, 0}});
+                scene.physics.apply(push, scene.world);
+                scene.step(3);
+                EXPECT_GT(glm::length(scene.body(0).velocity), 0.0);
+                EXPECT_LE(glm::length(scene.body(0).velocity), limits::kMaxSpeed * 1.001);
+                EXPECT_LE(glm::length(scene.body(0).angularVelocity), limits::kMaxAngularSpeed * 1.001);
+                EXPECT_FALSE(scene.body(0).asleep);
+                for (const std::string& warning : warnings.list)
+                    EXPECT_NE(warning.find("clamped"), std::string::npos) << warning;
+            }
+}
+
+TEST(PhysicsLimits, AMotorAndAGrabBeyondTheLimitsFreezeNobody) {
+    Joint motor{.kind = JointKind::Hinge};
+    motor.motor = {MotorMode::Speed, 1e12, 1e12};
+    PhysicsScene scene(sleepless({}));
+    scene.add(solidGrid({3, 3, 3}, 7), {0, 0, 0}, false);
+    scene.load();
+    motor.ends[0].shape = scene.body(0).shapes[0];
+    motor.ends[0].frame.position = glm::dvec3(0.15);
+    motor.ends[1].frame.position = glm::dvec3(0.15);
+    scene.stepWith({AddJointEdit{motor}, GrabEdit{.body = scene.handle(0),
+                                                  .point = glm::dvec3(0.3),
+                                                  .target = glm::dvec3(1e9, 0, 0),
+                                                  .maxForce = 1e9,
+                                                  .hertz = 60.0}});
+    scene.step(60);
+    EXPECT_FALSE(scene.body(0).asleep);
+    EXPECT_GT(countOf(scene, LimitKind::Spin), 0u);
+    EXPECT_EQ(countOf(scene, LimitKind::Distance), 0u);
+    EXPECT_LT(glm::length(scene.center(0) - glm::dvec3(0.15)), 100.0);
+}
+
 TEST(PhysicsLimits, AMassBeyondTheLimitIsClamped) {
     PhysicsScene scene(sleepless({}));
     LevelBody& speck = scene.add(solidGrid({1, 1, 1}, setMaterial(scene, 7, 0.5f, 0.0f, 1)), {0, 0, 0}, false);
@@ -72,6 +116,20 @@ TEST(PhysicsLimits, ABodyThatGetsTooFarIsFrozen) {
     EXPECT_EQ(warnings.list.size(), 1u);
     EXPECT_LE(scene.body(1).pose.position.x, limits::kMaxDistance);
     EXPECT_TRUE(scene.body(1).asleep);
+}
+
+TEST(PhysicsLimits, WhatRestsOnABodyThatIsFrozenFalls) {
+    Warnings warnings;
+    PhysicsScene scene;
+    scene.addFloor();
+    for (int i = 0; i < 2; ++i) scene.add(solidGrid({5, 5, 5}, 7), {0, 0.5 * i, 0}, false);
+    scene.load(false);
+    FrameChanges push;
+    push.impulses.push_back({scene.handle(1), scene.center(1), glm::dvec3(std::nan(""))});
+    scene.physics.apply(push, scene.world);
+    scene.seconds(2.0);
+    EXPECT_NEAR(scene.center(2).y, 0.25, 0.01);
+    EXPECT_EQ(warnings.list.size(), 1u);
 }
 
 TEST(PhysicsLimits, NothingIsCountedWithinTheLimits) {

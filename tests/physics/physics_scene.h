@@ -45,9 +45,7 @@ struct PhysicsScene {
     /// Loads the level into World and physics. wakeAll: dynamic bodies of a level start asleep; wake them.
     void load(bool wakeAll = true) {
         world.load(level);
-        FrameChanges changes;
-        changes.levelReplaced = true;
-        physics.apply(changes, world);
+        physics.load(world);
         if (!wakeAll) return;
         FrameChanges nudge;
         world.bodies().forEach([&](BodyHandle handle, const Body& body) {
