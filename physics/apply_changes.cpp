@@ -85,8 +85,7 @@ void PhysicsWorld::Impl::load(const World& world) {
         high = first ? p : glm::max(high, p);
         first = false;
     });
-    bodies.broadphase().setOrigin(glm::round((low + high) * 0.5));
-    bodies.limits().setOrigin(bodies.broadphase().origin());
+    bodies.limits().setOrigin(glm::round((low + high) * 0.5));
     setGravity(world);
     characters.load(world);
     world.waters().forEach([&](WaterHandle handle, const Water& water) { waters.set(handle.slot(), &water); });

@@ -7,8 +7,6 @@
 #include "physics/shapes/cell_transform.h"
 #include "physics/shapes/voxel_collider.h"
 
-struct btDbvtNode;
-
 namespace rubble {
 
 class DynamicBody;
@@ -36,8 +34,9 @@ struct CollisionObject {
 
 private:
     friend class Broadphase;
+    static constexpr uint32_t kNoItem = ~0u;
     std::vector<CellTransform> m_cellTransforms;
-    btDbvtNode* m_leaf = nullptr;
+    uint32_t m_item = kNoItem;  ///< in the broadphase; kNoItem: it is not there
     bool m_moves = false;
 };
 

@@ -91,7 +91,8 @@ struct SetBoundsEdit {
 };
 
 enum class HistoryAction : uint8_t { Mark, Undo, Redo };
-/// Undo and redo; see UndoHistory. They happen before the other edits of their step.
+/// Undo and redo; see UndoHistory. They happen before the other edits of their step, in their order; of a SettingsEdit
+/// the number of marks counts for those behind it.
 struct HistoryEdit {
     HistoryAction action = HistoryAction::Mark;
 };
