@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 
 namespace rubble {
@@ -41,17 +42,36 @@ Result<std::vector<uint8_t>> readFileBytes(const std::string& path, uint64_t lim
     return Error{fmt::format("{}: expected {} bytes, found {}: it was changed meanwhile", path, bytes.size(), got)};
 }
 
+Result<std::string> fileToWrite(const std::string& path) {
+    constexpr int kMaxLinks = 40;  // in a chain, as on Linux
+    std::filesystem::path file = path;
+    if (path.empty() || !file.has_filename()) return Error{fmt::format("\"{}\": expected the name of a file", path)};
+    std::error_code ignored;
+    auto kind = std::filesystem::symlink_status(file, ignored).type();
+    for (int i = 0; kind == std::filesystem::file_type::symlink; ++i) {
+        if (i == kMaxLinks) return fileError(path, "cannot write", ELOOP);
+        file = file.parent_path() / std::filesystem::read_symlink(file, ignored);
+        kind = std::filesystem::symlink_status(file, ignored).type();
+    }
+    const bool isFree = kind == std::filesystem::file_type::not_found || kind == std::filesystem::file_type::none;
+    if (!isFree && kind != std::filesystem::file_type::regular)
+        return Error{path + ": cannot write: expected a file, found something else"};
+    return file.string();
+}
+
 Result<Done> writeFileAtomically(const std::string& path, std::span<const uint8_t> bytes, uint64_t limit) {
     if (bytes.size() > limit)
         return Error{fmt::format("{}: expected at most {} bytes to write, found {}", path, limit, bytes.size())};
+    const Result<std::string> target = fileToWrite(path);
+    if (!target) return Error{target.error()};
     static std::atomic<unsigned> calls{0};  // worlds of other threads may write the same file
-    const std::string temporaryPath = fmt::format("{}.{}.{}.part", path, getpid(), ++calls);
+    const std::string temporaryPath = fmt::format("{}.{}.{}.part", *target, getpid(), ++calls);
     File file(std::fopen(temporaryPath.c_str(), "wb"));
     if (!file) return fileError(temporaryPath, "cannot write", errno);
     errno = 0;
     bool good = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
     good = good && std::fflush(file.get()) == 0 && fsync(fileno(file.get())) == 0;
-    good = good && std::rename(temporaryPath.c_str(), path.c_str()) == 0;
+    good = good && std::rename(temporaryPath.c_str(), target->c_str()) == 0;
     if (good) return Done{};
     const Error error = fileError(path, "cannot write", errno);
     std::remove(temporaryPath.c_str());

@@ -44,10 +44,14 @@ inline constexpr auto kFields<RecordedStep> = std::tuple{
 };
 
 Result<RecordingWriter> RecordingWriter::open(const std::string& path, const SavedGame& start) {
+    const Result<std::string> target = fileToWrite(path);
+    if (!target) return Error{target.error()};
     RecordingWriter writer;
-    writer.m_path = path;
-    writer.m_file.reset(std::fopen((path + ".part").c_str(), "wb"));
-    if (!writer.m_file) return fileError(path + ".part", "cannot write", errno);
+    writer.m_path = *target;
+    const Result<std::string> part = fileToWrite(writer.partPath());
+    if (!part) return Error{part.error()};
+    writer.m_file.reset(std::fopen(part->c_str(), "wb"));
+    if (!writer.m_file) return fileError(*part, "cannot write", errno);
     ChunkWriter chunks;
     uint64_t memory = 0;
     const std::vector<uint8_t> game = gameToBytes(start, &memory);
@@ -56,7 +60,15 @@ Result<RecordingWriter> RecordingWriter::open(const std::string& path, const Sav
     const auto* bytes = reinterpret_cast<const uint8_t*>(&header);
     writer.write({bytes, sizeof header});
     writer.write(chunks);
-    return writer;
+    writer.flush();
+    if (!writer.m_failure) return writer;
+    std::remove(part->c_str());
+    return fileError(path, "cannot write", writer.m_failure);
+}
+
+void RecordingWriter::flush() {
+    errno = 0;
+    if (!m_failure && std::fflush(m_file.get()) != 0) m_failure = errno ? errno : EIO;
 }
 
 void RecordingWriter::write(std::span<const uint8_t> bytes) {
@@ -98,11 +110,11 @@ Result<Done> RecordingWriter::close() {
     errno = 0;
     const bool isWritten = !m_failure && std::fseek(file, 0, SEEK_SET) == 0 &&
                            std::fwrite(&header, sizeof header, 1, file) == 1 && std::fflush(file) == 0 &&
-                           fsync(fileno(file)) == 0 && std::rename((m_path + ".part").c_str(), m_path.c_str()) == 0;
+                           fsync(fileno(file)) == 0 && std::rename(partPath().c_str(), m_path.c_str()) == 0;
     const int reason = m_failure ? m_failure : errno;
     m_file.reset();
     if (isWritten) return Done{};
-    std::remove((m_path + ".part").c_str());
+    std::remove(partPath().c_str());
     return fileError(m_path, "cannot write", reason);
 }
 

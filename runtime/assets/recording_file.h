@@ -30,7 +30,8 @@ struct RecordedStep {
 /// name ends in ".part".
 class RecordingWriter {
 public:
-    /// Opens the file and writes the saved game.
+    /// Opens the file and writes the saved game. An error if that cannot be written, or the file could not get its
+    /// name.
     static Result<RecordingWriter> open(const std::string& path, const SavedGame& start);
     /// Appends a step. close() reports what could not be written. A file that is as long as one may get gets no more.
     void add(const RecordedStep& step);
@@ -43,6 +44,8 @@ private:
     };
     void write(std::span<const uint8_t> bytes);
     void write(const ChunkWriter& chunks);
+    void flush();
+    std::string partPath() const { return m_path + ".part"; }
 
     std::string m_path;
     std::unique_ptr<std::FILE, Closer> m_file;

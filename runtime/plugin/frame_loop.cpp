@@ -21,13 +21,13 @@ FrameLoop::FrameLoop(const FrameLoopSettings& settings)
 void FrameLoop::load(const Level& level) {
     m_edits.take();
     m_pending.clear();
-    if (const Result<Done> stopped = stopRecording(); !stopped) logError(stopped.error());
+    endRecording();
     m_world.load(level);
 }
 
 void FrameLoop::load(SavedGame game) {
     m_edits.take();
-    if (const Result<Done> stopped = stopRecording(); !stopped) logError(stopped.error());
+    endRecording();
     m_world.setState(std::move(game.world));
     m_pending = std::move(game.pending);
 }
@@ -59,7 +59,7 @@ void FrameLoop::goOnAsLoaded(bool dropMarks) {
 
 /// The queue of edits is not in the saved game that it begins with, because the first step records it.
 Result<Done> FrameLoop::startRecording(const std::string& path) {
-    if (Result<Done> stopped = stopRecording(); !stopped) return stopped;
+    endRecording();
     Result<RecordingWriter> writer = RecordingWriter::open(path, savedGame({}));
     if (!writer) return Error{writer.error()};
     goOnAsLoaded(true);
@@ -71,6 +71,11 @@ Result<Done> FrameLoop::stopRecording() {
     if (!m_recorder) return Done{};
     const std::unique_ptr<Recorder> recorder = std::move(m_recorder);
     return recorder->close();
+}
+
+/// Stops a recording that nobody waits for.
+void FrameLoop::endRecording() {
+    if (const Result<Done> stopped = stopRecording(); !stopped) logError(stopped.error());
 }
 
 void FrameLoop::step() {

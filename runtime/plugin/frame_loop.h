@@ -42,9 +42,9 @@ public:
     SavedGame save();
     /// [main-thread] The same into a file, whole or not at all. If it cannot be written, nothing changes.
     Result<Done> save(const std::string& path);
-    /// [main-thread] Records every step from here on, beginning with a saved game. Stops a recording that is running.
-    /// Undo reaches back to here only. The file gets its name in stopRecording(). If it cannot be written, nothing
-    /// changes.
+    /// [main-thread] Records every step from here on, beginning with a saved game. Stops a recording that is running;
+    /// the log says what of that one could not be written. Undo reaches back to here only. The file gets its name in
+    /// stopRecording(). If it cannot be written, nothing else changes.
     Result<Done> startRecording(const std::string& path);
     /// [main-thread] Completes the file; without a recording it does nothing.
     Result<Done> stopRecording();
@@ -81,6 +81,7 @@ private:
     void stepPhysics();
     void collectDamage();
     void publish();
+    void endRecording();
     /// The poses that physics has just handed over, and those of bodies that edits teleported.
     std::span<const BodyPose> changedPoses();
 

@@ -459,11 +459,13 @@ Result<Done> writeVdbFile(const std::string& path, const Level& level) try {
     metadata.insertMeta(kPrefix + "content_hash", openvdb::StringMetadata(fmt::format("{:016x}", hashLevel(level))));
     for (const auto& [topic, text] : levelToJson(level, prefixes))
         metadata.insertMeta(kPrefix + topic, openvdb::StringMetadata(text));
-    const std::string temporaryPath = fmt::format("{}.{}.part", path, getpid());
+    const Result<std::string> target = fileToWrite(path);
+    if (!target) return Error{target.error()};
+    const std::string temporaryPath = fmt::format("{}.{}.part", *target, getpid());
     openvdb::io::File file(temporaryPath);
     file.write(grids, metadata);
     file.close();
-    std::filesystem::rename(temporaryPath, path);
+    std::filesystem::rename(temporaryPath, *target);
     return Done{};
 } catch (const std::exception& error) {
     return Error{path + ": " + error.what()};

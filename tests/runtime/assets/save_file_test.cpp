@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <atomic>
@@ -12,6 +13,7 @@
 
 #include "runtime/assets/assets.h"
 #include "runtime/assets/chunk_file.h"
+#include "runtime/assets/file_bytes.h"
 #include "runtime/assets/recording_file.h"
 #include "runtime/world/history/world_baseline.h"
 #include "tests/runtime/assets/broken_world.h"
@@ -351,6 +353,57 @@ TEST(RecordingFile, TheFirstReasonWhyItCannotBeWrittenIsReported) {
     std::signal(SIGXFSZ, oldHandler);
     ASSERT_FALSE(closed);
     EXPECT_NE(closed.error().find("cannot write: File too large"), std::string::npos) << closed.error();
+}
+
+TEST(RecordingFile, AFullDiskIsKnownAtOnce) {
+    const TempFolder folder;
+    const World world = brokenWorld();
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const rlimit small{1000, before.rlim_max};
+    const auto oldHandler = std::signal(SIGXFSZ, SIG_IGN);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    const Result<RecordingWriter> writer = RecordingWriter::open(folder / "full.rubblelog", gameOf(world));
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, oldHandler);
+    ASSERT_FALSE(writer);
+    EXPECT_NE(writer.error().find("full.rubblelog: cannot write: File too large"), std::string::npos) << writer.error();
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+/// What is written replaces regular files alone: never a folder, a pipe or a device.
+TEST(FileBytes, WritingFollowsLinksAndReplacesFilesOnly) {
+    namespace fs = std::filesystem;
+    const TempFolder folder;
+    const std::vector<uint8_t> bytes = {1, 2, 3};
+    const auto write = [&](const std::string& path) { return writeFileAtomically(path, bytes, 100); };
+    ASSERT_TRUE(write(folder / "file"));
+    fs::create_directory(folder.path() / "folder");
+    ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+    fs::create_symlink("folder/new", folder.path() / "link");
+    fs::create_symlink("link", folder.path() / "chain");
+    fs::create_symlink("pipe", folder.path() / "to_pipe");
+    fs::create_symlink("loop", folder.path() / "loop");
+    for (const char* name : {"link", "chain"}) {
+        ASSERT_TRUE(write(folder / name)) << name;
+        EXPECT_TRUE(fs::is_symlink(folder.path() / name)) << name;
+    }
+    EXPECT_EQ(fs::file_size(folder.path() / "folder/new"), 3u);
+    const World world = brokenWorld();
+    for (const char* name : {"folder", "folder/", "pipe", "to_pipe", "loop"}) {
+        const auto written = write(folder / name);
+        const auto opened = RecordingWriter::open(folder / name, gameOf(world));
+        ASSERT_FALSE(written || opened) << name;
+        EXPECT_EQ(written.error(), opened.error());
+        EXPECT_EQ(written.error().find("expected ") == std::string::npos, std::string(name) == "loop")
+            << written.error();
+    }
+    EXPECT_TRUE(fs::is_fifo(folder.path() / "pipe"));
+    EXPECT_TRUE(fs::is_symlink(folder.path() / "to_pipe"));
+    for (const std::string& error : {write("").error(), RecordingWriter::open("", gameOf(world)).error()})
+        EXPECT_EQ(error, "\"\": expected the name of a file");
+    ASSERT_EQ(mkfifo((folder / "r.part").c_str(), 0600), 0);
+    EXPECT_FALSE(RecordingWriter::open(folder / "r", gameOf(world))) << "it would wait for a reader of the pipe";
 }
 
 TEST(StepDelta, DamagedStepsAreRefusedAndChangeNothing) {

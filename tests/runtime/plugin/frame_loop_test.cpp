@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "runtime/core/log.h"
 #include "tests/runtime/world/worlds.h"
 #include "tests/support/temp_folder.h"
 
@@ -163,6 +164,25 @@ TEST(FrameLoop, ARecordingThatCannotBeWrittenIsAnError) {
     ASSERT_FALSE(started);
     EXPECT_NE(started.error().find("/no/such/folder"), std::string::npos);
     EXPECT_TRUE(loop.stopRecording());
+}
+
+TEST(FrameLoop, ARecordingThatFailedDoesNotStopTheNext) {
+    const TempFolder folder;
+    FrameLoop loop(headlessSettings());
+    loop.load(tower());
+    std::filesystem::create_directory(folder.path() / "first");
+    ASSERT_TRUE(loop.startRecording(folder / "first/game.rubblelog"));
+    loop.step();
+    std::filesystem::remove_all(folder.path() / "first");  // it cannot get its name
+    int lines = 0;
+    setLogSink([](void* count, LogLevel, std::string_view) { ++*static_cast<int*>(count); }, &lines);
+    const Result<Done> second = loop.startRecording(folder / "second.rubblelog");
+    setLogSink(nullptr, nullptr);
+    ASSERT_TRUE(second) << second.error();
+    EXPECT_EQ(lines, 1) << "the log says that the first is lost";
+    loop.step();
+    EXPECT_TRUE(loop.stopRecording());
+    EXPECT_TRUE(readRecording(folder / "second.rubblelog", loop.world().id()));
 }
 
 /// A loop with the tower, sliced splits and undo.

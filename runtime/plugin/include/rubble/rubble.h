@@ -913,7 +913,8 @@ typedef struct rubble_api {
     /* ---- saved games and recordings ---- */
 
     /* [main-thread] Writes the game between two steps to a file, whole or not at all, with the edits that wait in
-     * the queue. The next step of the running game begins with physics rebuilt from the world, as a loaded game
+     * the queue. Symbolic links are followed; what is no regular file, such as a folder or a device, is not replaced.
+     * The next step of the running game begins with physics rebuilt from the world, as a loaded game
      * does, so that playing on and loading give the same result. Undo marks are not in the file: a loaded game has
      * none. RUBBLE_ERROR_FILE: the file cannot be written; nothing has changed. */
     rubble_result (*save_game)(rubble_world world, const char* path);
@@ -922,8 +923,9 @@ typedef struct rubble_api {
      * world is unchanged. */
     rubble_result (*load_game)(rubble_world world, const char* path);
     /* [main-thread] Records every step from here on, beginning with a saved game. The file has its name after
-     * stop_recording(); a recording that is running is stopped first. Undo marks from before are dropped.
-     * RUBBLE_ERROR_FILE: the file cannot be written; the world and its marks are unchanged. */
+     * stop_recording(); a recording that is running is stopped first, and the log says what of it could not be
+     * written. Undo marks from before are dropped. RUBBLE_ERROR_FILE: the file cannot be written, with the saved
+     * game in it; the world and its marks are unchanged. */
     rubble_result (*start_recording)(rubble_world world, const char* path);
     /* [main-thread] Completes the file; without a recording it does nothing. RUBBLE_ERROR_FILE: some of it could
      * not be written. */
