@@ -34,6 +34,14 @@ BrickKey keyOf(const ShadowPatch& v) {
     return {{}, v.brick};
 }
 
+template <class T>
+void replace(T& earlier, T&& later) {
+    earlier = std::move(later);
+}
+void replace(ShadowPatch& earlier, ShadowPatch&& later) {
+    earlier.content = std::move(later.content);  // what was there before the earlier one stays known
+}
+
 /// The later value of a key takes the earlier one's place; new keys follow in their order.
 template <class Hash, class T>
 void mergeByKey(std::vector<T>& into, std::vector<T>&& later) {
@@ -50,7 +58,7 @@ void mergeByKey(std::vector<T>& into, std::vector<T>&& later) {
         if (place == places.end())
             into.push_back(std::move(value));
         else
-            into[place->second] = std::move(value);
+            replace(into[place->second], std::move(value));
     }
 }
 
@@ -150,6 +158,10 @@ void merge(FrameSnapshot& into, FrameSnapshot&& later) {
     } else {
         mergeByKey<BrickKeyHash>(into.shadow, std::move(later.shadow));
     }
+    // The receiver has never seen these. They would grow with the way that bodies move, not with what is there.
+    std::erase_if(into.shadow, [&](const ShadowPatch& patch) {
+        return !patch.content && (patch.wasEmpty || into.shadowReplacesAll);
+    });
 }
 
 }  // namespace rubble

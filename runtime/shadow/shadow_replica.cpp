@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "runtime/core/log.h"
 #include "runtime/shadow/surface_bricks.h"
@@ -51,12 +52,6 @@ void listBricks(const VoxelGrid& grid, const Pose& pose, double voxelSize, std::
     const auto add = [&](glm::ivec3 brick) { bricks.push_back(brick); };
     bricks.clear();
     if (grid.brickCount() == 0) return;
-    if (voxelSize >= kSurfaceVoxelSize) {
-        if (!listSurfaceBricks(grid, pose, voxelSize, bricks))
-            logWarning("shadow volume: a shape with voxels of " + std::to_string(voxelSize) +
-                       " m is too large and casts no shadow; use smaller pieces, or fewer or smaller voxels");
-        return sortUnique(bricks);
-    }
     if (grid.brickCount() <= kFewBricks) {
         CellBox used{grid.size(), glm::ivec3(0)};
         grid.forEachBrick([&](glm::ivec3 position, const BrickRef&) {
@@ -137,6 +132,7 @@ void ShadowReplica::setBrick(Shape& shape, const BrickChange& change) {
     const Brick* after = shape.casterGrid().brickAt(change.brick);
     const bool same = before && after ? before->occupancy == after->occupancy : !before && !after;
     if (same) return;
+    shape.isSurfaceKnown = false;
     shape.source.clear();
     if (!shape.placed || shape.isQueued) return;
     if (shape.voxelSize >= kSurfaceVoxelSize) {  // its surface is elsewhere now
@@ -152,6 +148,7 @@ void ShadowReplica::setPalette(Shape& shape, const Palette& palette) {
     if (entries == shape.entries) return;
     shape.entries = entries;
     shape.hasTranslucent = std::find(entries.begin(), entries.end(), false) != entries.end();
+    shape.isSurfaceKnown = false;
     shape.source.clear();
     shape.opaque = shape.hasTranslucent ? withoutTranslucent(shape.grid, entries) : VoxelGrid();
     queuePlacement(shape);
@@ -181,7 +178,21 @@ void ShadowReplica::rasterizeMoving(Shape& shape) {
     m_bricks.clear();
     if (made) return m_nextRaster.forEach([&](glm::ivec3 brick, const ShadowWords&) { m_bricks.push_back(brick); });
     m_nextRaster = ShapeRaster();
-    listBricks(grid, shape.pose, shape.voxelSize, m_bricks);
+    shape.voxelSize >= kSurfaceVoxelSize ? listSurface(shape) : listBricks(grid, shape.pose, shape.voxelSize, m_bricks);
+}
+
+/// Lists in m_bricks the bricks in which the surface of a shape of large voxels is.
+void ShadowReplica::listSurface(Shape& shape) {
+    if (!shape.isSurfaceKnown)
+        shape.isSurfaceTooLarge = surfaceTiles(shape.casterGrid(), shape.voxelSize) > kMaxSurfaceTiles;
+    shape.isSurfaceKnown = true;
+    if (!shape.isSurfaceTooLarge) {
+        listSurfaceBricks(shape.casterGrid(), shape.pose, shape.voxelSize, m_bricks);
+        return sortUnique(m_bricks);
+    }
+    if (!std::exchange(shape.isLargeLogged, true))
+        logWarning("shadow volume: a shape with voxels of " + std::to_string(shape.voxelSize) +
+                   " m is too large and casts no shadow; use smaller pieces, or fewer or smaller voxels");
 }
 
 void ShadowReplica::place(Shape& shape) {
@@ -290,8 +301,9 @@ void ShadowReplica::rebuildBrick(BrickEntry& entry, ShadowPatches& out) {
     ShadowBrickRef content = currentContent(state, brick);
     state.isTransient = !state.moving.empty();
     if (content == state.published) return;
+    const bool wasEmpty = !state.published;
     state.published = std::move(content);
-    out.patches.push_back({brick, state.published});
+    out.patches.push_back({brick, state.published, wasEmpty});
 }
 
 bool ShadowReplica::update(ShadowPatches& out, const MustStop& mustStop) {

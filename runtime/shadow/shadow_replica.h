@@ -59,6 +59,8 @@ private:
         ShapeRaster raster;   ///< of a small shape that moves
         bool placed = false;  ///< false if its pose is unusable
         bool moving = false;
+        /// Of a shape of large voxels: whether its surface has too many pieces, and whether that is known and logged.
+        bool isSurfaceTooLarge = false, isSurfaceKnown = false, isLargeLogged = false;
         bool isQueued = false;             ///< the next update() places it
         std::vector<BrickEntry*> covered;  ///< the bricks whose lists it is in, in the order of isBefore
         /// The voxels that cast a shadow: all of them, or the opaque ones.
@@ -78,6 +80,7 @@ private:
     void touch(const Shape& shape, BrickEntry& entry);
     void touchVoxelBrick(Shape& shape, glm::ivec3 voxelBrick);
     void rasterizeMoving(Shape& shape);
+    void listSurface(Shape& shape);
     ShadowBrickRef buildResting(const BrickState& state, glm::ivec3 brick) const;
     ShadowWords cellsOf(const BrickState& state, glm::ivec3 brick) const;
     ShadowBrickRef currentContent(BrickState& state, glm::ivec3 brick) const;

@@ -42,6 +42,7 @@ inline constexpr int kShadowBrickCells = 16;
 struct ShadowPatch {
     glm::ivec3 brick;
     ShadowBrickRef content;
+    bool wasEmpty = false;  ///< there was nothing before: if it is empty again, nobody needs to hear of it
 };
 
 /// A publication of the worker: the bricks that differ from the one before.

@@ -23,15 +23,23 @@ void forEachOpenFace(const VoxelGrid& grid, F&& f) {
     });
 }
 
+/// Pieces across a face.
+double tilesPerSide(double voxelSize) {
+    return std::ceil(voxelSize / (double(kShadowCell) * kShadowBrickCells));
+}
+
 }  // namespace
 
-bool listSurfaceBricks(const VoxelGrid& grid, const Pose& shapeToWorld, double voxelSize,
-                       std::vector<glm::ivec3>& bricks) {
-    const double tilesPerSide = std::ceil(voxelSize / (double(kShadowCell) * kShadowBrickCells));
-    int64_t faces = 0;
+double surfaceTiles(const VoxelGrid& grid, double voxelSize) {
+    const double perSide = tilesPerSide(voxelSize);
+    double faces = 0.0;
     forEachOpenFace(grid, [&](glm::ivec3, int, bool) { ++faces; });
-    if (double(faces) * tilesPerSide * tilesPerSide > double(kMaxSurfaceTiles)) return false;
-    const int tiles = int(tilesPerSide);
+    return faces * perSide * perSide;
+}
+
+void listSurfaceBricks(const VoxelGrid& grid, const Pose& shapeToWorld, double voxelSize,
+                       std::vector<glm::ivec3>& bricks) {
+    const int tiles = int(tilesPerSide(voxelSize));
     const double side = 1.0 / tiles;  // voxels
     forEachOpenFace(grid, [&](glm::ivec3 cell, int axis, bool isHigh) {
         const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -48,7 +56,6 @@ bool listSurfaceBricks(const VoxelGrid& grid, const Pose& shapeToWorld, double v
                         for (int x = box.low.x; x < box.high.x; ++x) bricks.emplace_back(x, y, z);
             }
     });
-    return true;
 }
 
 }  // namespace rubble

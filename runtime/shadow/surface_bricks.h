@@ -1,5 +1,4 @@
 #pragma once
-#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -13,11 +12,13 @@ namespace rubble {
 inline constexpr double kSurfaceVoxelSize = 0.8;
 /// The most pieces of faces, of at most a shadow brick's side, that a shape's surface may have: 512 voxels of 20 m have
 /// 65,000. A larger one casts no shadow.
-inline constexpr int64_t kMaxSurfaceTiles = int64_t(1) << 19;
+inline constexpr double kMaxSurfaceTiles = 1 << 19;
 
-/// Adds the shadow bricks that the surface of a shape's solid voxels can touch, some of them often. False, and nothing
-/// is added, if it has more than kMaxSurfaceTiles. ShadowCellTransform::place() must have accepted the pose.
-bool listSurfaceBricks(const VoxelGrid& grid, const Pose& shapeToWorld, double voxelSize,
+/// Number of pieces of faces of at most a shadow brick's side that the surface of a shape's solid voxels has.
+double surfaceTiles(const VoxelGrid& grid, double voxelSize);
+/// Adds the shadow bricks that the surface of a shape's solid voxels can touch, some of them often. There are no more
+/// than kMaxSurfaceTiles pieces of it, and ShadowCellTransform::place() has accepted the pose.
+void listSurfaceBricks(const VoxelGrid& grid, const Pose& shapeToWorld, double voxelSize,
                        std::vector<glm::ivec3>& bricks);
 
 }  // namespace rubble

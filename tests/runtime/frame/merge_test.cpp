@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 #include <tuple>
 
 #include "runtime/core/random.h"
 #include "runtime/frame/frame_snapshot.h"
+#include "tests/runtime/shadow/received_volume.h"
 
 namespace rubble {
 namespace {
@@ -88,9 +90,14 @@ public:
             if (!m_random.below(3)) s.palettes.push_back({shape, std::make_shared<const Palette>()});
             if (m_random.below(2)) s.poses.push_back({shape, drawPose(), drawPose()});
         }
-        for (int i = 0; i < 3; ++i)
-            if (m_random.below(2))
-                s.shadow.push_back({{i, 0, -1}, m_random.below(3) ? std::make_shared<const ShadowBrick>() : nullptr});
+        if (s.shadowReplacesAll) m_hasShadow = {};
+        for (int i = 0; i < 3; ++i) {
+            if (!m_random.below(2)) continue;
+            const bool isThere = m_random.below(3);
+            s.shadow.push_back(
+                {{i, 0, -1}, isThere ? std::make_shared<const ShadowBrick>() : nullptr, !m_hasShadow[size_t(i)]});
+            m_hasShadow[size_t(i)] = isThere;
+        }
         if (!m_random.below(4)) s.lightsChanged = true, s.lights.resize(m_random.below(5));
         if (!m_random.below(4)) s.environmentChanged = true, s.environment.exposure = m_random.unit();
         return s;
@@ -116,6 +123,7 @@ private:
     Random m_random;
     uint64_t m_step = 0;
     std::vector<ShapeHandle> m_living;
+    std::array<bool, 3> m_hasShadow{};
 };
 
 /// Copies of snapshots: each is applied on its own and merged.
@@ -187,6 +195,45 @@ TEST(MergeSnapshots, ACreatedShapeTakesLaterBricksAndTheNewestPose) {
     ASSERT_EQ(first.poses.size(), 1u);
     EXPECT_EQ(first.poses[0].previous.position.x, 1.0);
     EXPECT_EQ(first.poses[0].current.position.x, 2.0);
+}
+
+/// What a body leaves behind while nobody draws.
+TEST(MergeSnapshots, ShadowThatCameAndWentLeavesNothing) {
+    const auto content = std::make_shared<const ShadowBrick>();
+    FrameSnapshot all;
+    all.shadow = {{{-1, 0, 0}, content, false}, {{0, 0, 0}, content, true}};
+    for (int x = 0; x < 100; ++x) {
+        FrameSnapshot step;
+        step.shadow = {{{x, 0, 0}, nullptr}, {{x + 1, 0, 0}, content, true}};
+        if (x == 50) step.shadow.push_back({{-1, 0, 0}, nullptr});
+        merge(all, std::move(step));
+        EXPECT_EQ(all.shadow.size(), 2u) << "the brick that the receiver had, and the one that is there now";
+    }
+    EXPECT_EQ(all.shadow[0].brick, glm::ivec3(-1, 0, 0));
+    EXPECT_FALSE(all.shadow[0].content);
+    EXPECT_EQ(all.shadow[1].brick, glm::ivec3(100, 0, 0));
+}
+
+/// A body without gravity that passes through many bricks of the volume.
+TEST(MergeSnapshots, ShadowPatchesOfMovingBodiesMergeToWhatIsThere) {
+    World world = worldOf({makeBody(solidGrid({4, 4, 4}), {}, false)});
+    ShadowWorker worker(ShadowWorker::Mode::Inline);
+    FrameSnapshot all;
+    BodyHandle body;
+    world.bodies().forEach([&](BodyHandle handle, const Body&) { body = handle; });
+    for (int step = 0; step < 60; ++step) {
+        const FrameChanges changes = world.applyEdits({});
+        const std::vector<BodyPose> moved = {{body, {{0.5 * step, 0.1, 0.1}}, {}, {}, false}};
+        world.setPoses(moved);
+        worker.submit(changes, moved, world);
+        for (ShadowPatches& publication : worker.takePatches()) {
+            FrameSnapshot later;
+            later.shadow = std::move(publication.patches);
+            merge(all, std::move(later));
+        }
+        EXPECT_LE(all.shadow.size(), 8u) << "as many bricks as the body can be in, in step " << step;
+    }
+    EXPECT_FALSE(all.shadow.empty());
 }
 
 }  // namespace

@@ -258,5 +258,22 @@ TEST(ShadowWorker, AShapeBeyondItsBudgetIsLeftOut) {
     for (const ShadowPatches& publication : worker.takePatches()) EXPECT_TRUE(publication.patches.empty());
 }
 
+TEST(ShadowWorker, AShapeBeyondItsBudgetIsLoggedOnce) {
+    World world = worldOf({makeBody(solidGrid({64, 8, 64}), {}, false, 1000.0f)});
+    ShadowWorker worker(ShadowWorker::Mode::Inline);
+    BodyHandle body;
+    world.bodies().forEach([&](BodyHandle handle, const Body&) { body = handle; });
+    const int before = g_lines;
+    setLogSink([](void* lines, LogLevel, std::string_view) { ++*static_cast<std::atomic<int>*>(lines); }, &g_lines);
+    for (int step = 0; step < 10; ++step) {
+        const FrameChanges changes = world.applyEdits({});
+        const std::vector<BodyPose> moved = {{body, {{100.0 * step, 0.0, 0.0}}, {}, {}, false}};
+        world.setPoses(moved);
+        worker.submit(changes, moved, world);
+    }
+    setLogSink(nullptr, nullptr);
+    EXPECT_EQ(g_lines - before, 1);
+}
+
 }  // namespace
 }  // namespace rubble
