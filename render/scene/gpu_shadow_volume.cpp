@@ -19,7 +19,9 @@ constexpr uint64_t kSlotBytes = sizeof(ShadowWords);
 void GpuShadowVolume::apply(const std::vector<ShadowPatch>& patches, bool replacesAll) {
     if (replacesAll) {
         m_directory.clear();
+        m_slots = {};
         m_maxSlots = ~0u;
+        m_waiting.clear();
         m_isSpanLogged = m_isMemoryLogged = false;
     }
     m_directory.reach(patches);
@@ -27,23 +29,39 @@ void GpuShadowVolume::apply(const std::vector<ShadowPatch>& patches, bool replac
     m_directory.update();
 }
 
-void GpuShadowVolume::put(const ShadowPatch& patch) {
-    if (m_directory.holds(patch.brick)) return m_directory.set(patch.brick, patch.content);
-    if (patch.content && !std::exchange(m_isSpanLogged, true))
-        logError("shadow directory: full at " + std::to_string(ShadowDirectory::kMaxSectors) +
-                 " sectors of 3.2 m, the most it can span; what lies beyond casts no shadow");
+void GpuShadowVolume::remove(glm::ivec3 brick) {
+    const ShadowDirectory::Brick old = m_directory.find(brick);
+    if (!old.occupied) return;
+    m_slots.free(old.slot);
+    m_directory.set(brick, {});
 }
 
-/// Makes room for all texels, and for those that rays read behind the last block, whatever they are. Bricks that find
-/// none, as the GL's buffer textures end, are removed.
-void GpuShadowVolume::reserveTexels() {
-    uint64_t bytes = (m_directory.slots() + uint64_t(1)) * kSlotBytes;
-    if (m_directory.slots() <= m_maxSlots) {
-        if (m_texels.reserve(bytes)) return;
-        while (!m_texels.reserve(bytes)) bytes = std::max(m_texels.bytes(), bytes - bytes / 16);
-        m_maxSlots = uint32_t(m_texels.bytes() / kSlotBytes) - 1;
+void GpuShadowVolume::put(const ShadowPatch& patch) {
+    if (!m_directory.holds(patch.brick)) {
+        if (patch.content && !std::exchange(m_isSpanLogged, true))
+            logError("shadow directory: full at " + std::to_string(ShadowDirectory::kMaxSectors) +
+                     " sectors of 6.4 m, the most it can span; what lies beyond casts no shadow");
+        return;
     }
-    m_directory.removeBeyond(m_maxSlots);
+    if (!patch.content) return remove(patch.brick);
+    const ShadowDirectory::Brick old = m_directory.find(patch.brick);
+    const uint32_t slot = old.occupied ? old.slot : m_slots.allocate();
+    if (slot >= m_maxSlots) return m_slots.free(slot);
+    m_waiting.push_back({slot, patch.content});
+    m_directory.set(patch.brick, {slot, patch.content->occupied});
+}
+
+/// Makes room for all texels. Bricks that find none, as the GL's buffer textures end, are removed.
+void GpuShadowVolume::reserveTexels() {
+    uint64_t bytes = std::min(m_slots.end(), m_maxSlots) * kSlotBytes;
+    if (m_texels.reserve(bytes)) return;
+    while (!m_texels.reserve(bytes)) bytes = std::max(m_texels.bytes(), bytes - bytes / 16);
+    m_maxSlots = uint32_t(m_texels.bytes() / kSlotBytes);
+    std::vector<glm::ivec3> beyond;
+    m_directory.forEach([&](glm::ivec3 brick, const ShadowDirectory::Brick& content) {
+        if (content.slot >= m_maxSlots) beyond.push_back(brick);
+    });
+    for (const glm::ivec3 brick : beyond) remove(brick);
     m_directory.update();
     if (!std::exchange(m_isMemoryLogged, true))
         logError("shadow bricks: full at " + std::to_string(m_texels.bytes()) +
@@ -51,33 +69,33 @@ void GpuShadowVolume::reserveTexels() {
 }
 
 uint64_t GpuShadowVolume::upload() {
-    if (m_directory.hasPlaced()) reserveTexels();
+    reserveTexels();
     return m_directory.upload() + uploadTexels();
 }
 
-/// Sends texels of bricks, neighbours in one call.
+/// Sends waiting texels, neighbours in one call. Of several for one slot the last one counts.
 uint64_t GpuShadowVolume::uploadTexels() {
-    std::vector<ShadowDirectory::Placed> placed = m_directory.takePlaced();
-    std::erase_if(placed, [&](const ShadowDirectory::Placed& brick) { return brick.slot >= m_maxSlots; });
-    std::stable_sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) { return a.slot < b.slot; });
+    std::erase_if(m_waiting, [&](const Waiting& waiting) { return waiting.slot >= m_maxSlots; });
+    std::stable_sort(m_waiting.begin(), m_waiting.end(),
+                     [](const Waiting& a, const Waiting& b) { return a.slot < b.slot; });
     std::vector<ShadowWords> run;
     uint64_t sent = 0;
-    for (size_t i = 0; i < placed.size(); ++i) {
-        const uint32_t slot = placed[i].slot;
-        const uint32_t next = i + 1 < placed.size() ? placed[i + 1].slot : ~0u;
+    for (size_t i = 0; i < m_waiting.size(); ++i) {
+        const uint32_t slot = m_waiting[i].slot;
+        const uint32_t next = i + 1 < m_waiting.size() ? m_waiting[i + 1].slot : ~0u;
         if (next == slot) continue;
-        run.push_back(placed[i].content->texels);
+        run.push_back(m_waiting[i].content->texels);
         if (next == slot + 1) continue;
         m_texels.upload((slot + 1 - run.size()) * kSlotBytes, std::as_bytes(std::span(run)));
         sent += run.size() * kSlotBytes;
         run.clear();
     }
+    m_waiting.clear();
     return sent;
 }
 
 void GpuShadowVolume::bind(const Program& program) const {
-    program.set("uShadowSectors", m_directory.table());
-    program.set("uShadowPages", m_directory.pages());
+    program.set("uShadowDirectory", m_directory.texture());
     program.set("uShadowTexels", m_texels);
 }
 

@@ -3,6 +3,7 @@
 
 #include "render/gl/program.h"
 #include "render/scene/shadow_directory.h"
+#include "runtime/core/index_allocator.h"
 #include "runtime/shadow/shadow_volume.h"
 
 namespace rubble {
@@ -26,18 +27,25 @@ public:
     /// Its high corner, excluded.
     glm::ivec3 occupiedHigh() const { return m_directory.occupied().high() * kWordCells - lowCell(); }
     /// GPU memory.
-    uint64_t bytes() const { return m_directory.bytes() + m_texels.bytes(); }
+    uint64_t bytes() const { return m_directory.texture().bytes() + m_texels.bytes(); }
 
 private:
     static constexpr int kWordCells = 4;
-    glm::ivec3 lowCell() const { return m_directory.low() * ShadowDirectory::kSectorCells; }
+    glm::ivec3 lowCell() const { return m_directory.low() * ShadowDirectory::kSectorBricks * kShadowBrickCells; }
     void put(const ShadowPatch& patch);
+    void remove(glm::ivec3 brick);
     void reserveTexels();
     uint64_t uploadTexels();
 
     ShadowDirectory m_directory;
     BufferTexture m_texels{GL_RG32UI};
+    IndexAllocator m_slots;
     uint32_t m_maxSlots = ~0u;  ///< as many have room in m_texels; known once they have not
+    struct Waiting {
+        uint32_t slot;
+        ShadowBrickRef content;
+    };
+    std::vector<Waiting> m_waiting;  ///< texels to upload; they are not kept afterwards
     bool m_isSpanLogged = false, m_isMemoryLogged = false;
 };
 

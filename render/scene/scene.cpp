@@ -10,7 +10,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kSector = 3.2;             ///< metres: side of a sector of the shadow directory
+constexpr double kSector = 6.4;             ///< metres: side of a sector, 64 shadow cells
 constexpr double kRebaseDistance = 1024.0;  ///< metres of the camera from the origin: a float is exact to 0.06 mm there
 
 }  // namespace
@@ -118,7 +118,7 @@ void Scene::describeShadow(FrameBlock& block) const {
     const ShadowDirectory& directory = m_shadow.directory();
     block.shadowSectorLow =
         glm::ivec4(directory.low() - glm::ivec3(glm::round(m_origin / kSector)), directory.size().x > 0);
-    block.shadowSectorBits = glm::ivec4(directory.bits(), 0);
+    block.shadowSectorCount = glm::ivec4(directory.size(), directory.tableAt());
     block.shadowLow = glm::vec4(m_shadow.occupiedLow(), 0.0f);
     block.shadowHigh = glm::vec4(m_shadow.occupiedHigh(), 0.0f);
 }

@@ -1,55 +1,32 @@
 #include "render/scene/shadow_directory.h"
 
-#include <bit>
 #include <glm/common.hpp>
 #include <utility>
 
 namespace rubble {
 namespace {
 
-constexpr int kSectorWords = ShadowDirectory::kSectorCells / 4;
+constexpr int kSectorWords = 16;
 
 int64_t volume(glm::ivec3 size) {
     return int64_t(size.x) * size.y * size.z;
 }
 
-int ceilLog2(int n) {
-    return std::bit_width(unsigned(n) - 1u);
-}
-
-/// A table's size that holds so many sectors.
-glm::ivec3 tableSize(glm::ivec3 sectors) {
-    return {1 << ceilLog2(sectors.x), 1 << ceilLog2(sectors.y), sectors.z};
-}
-
 int brickInSector(glm::ivec3 brick) {
-    return (brick.x & 1) + 2 * (brick.y & 1) + 4 * (brick.z & 1);
-}
-
-/// How many bricks of a set come before one.
-uint32_t bricksBefore(SectorBricks set, int brick) {
-    return uint32_t(std::popcount(uint32_t(set) & ((1u << brick) - 1)));
-}
-
-glm::ivec3 sectorOf(glm::ivec3 brick) {
-    return brick >> 1;
+    return (brick.x & 3) + 4 * (brick.y & 3) + 16 * (brick.z & 3);
 }
 
 }  // namespace
 
-glm::ivec3 ShadowDirectory::bits() const {
-    return m_size.x ? glm::ivec3(ceilLog2(m_size.x), ceilLog2(m_size.y), ceilLog2(m_size.z)) : glm::ivec3(0);
-}
-
 void ShadowDirectory::clear() {
     m_low = m_size = glm::ivec3(0);
     m_skips.reset(glm::ivec3(0));
-    m_sectorOf.clear();
-    m_sectors.clear();
-    m_freeSectors = {};
-    m_blocks = {};
-    m_changedSectors.clear();
-    m_placed.clear();
+    m_pageOf.clear();
+    m_pages.clear();
+    m_freePages = {};
+    m_places = {};
+    m_table = m_tablePages = 0;
+    m_changedPages.clear();
     m_occupied.clear();
 }
 
@@ -59,178 +36,166 @@ bool ShadowDirectory::holdsSector(glm::ivec3 sector) const {
 }
 
 bool ShadowDirectory::holds(glm::ivec3 brick) const {
-    return holdsSector(sectorOf(brick));
+    return holdsSector(brick >> 2);
 }
 
-template <class Texel>
-void ShadowDirectory::write(StagedBuffer<Texel>& texels, size_t at, Texel texel) {
-    if (texels[at] == texel) return;
-    texels.change(at) = texel;
+uint32_t ShadowDirectory::texelOf(glm::ivec3 brick) const {
+    return m_pages[pageAt(brick >> 2)].place * kPageTexels + uint32_t(brickInSector(brick));
+}
+
+ShadowDirectory::Brick ShadowDirectory::find(glm::ivec3 brick) const {
+    const uint32_t page = pageAt(brick >> 2);
+    if (page == kNone || !(m_pages[page].occupied >> brickInSector(brick) & 1)) return {};
+    const size_t at = texelOf(brick);
+    return {m_texels[at] / 64, m_texels[at + kLowerWords] | uint64_t(m_texels[at + kUpperWords]) << 32};
+}
+
+void ShadowDirectory::write(size_t at, uint32_t texel) {
+    if (m_texels[at] == texel) return;
+    m_texels.change(at) = texel;
     ++m_writtenTexels;
 }
 
-glm::uvec4 ShadowDirectory::tableTexel(uint32_t index) const {
-    const Sector& sector = m_sectors[index];
-    uint32_t before = 0;
-    for (int i = 0; i < 8; ++i) before |= bricksBefore(sector.occupied, i) << 3 * i;
-    return {uint32_t(sector.occupied) << 4, sector.block * 64, before, index * kPageTexels};
+/// Gives m_texels room for all places; what is new there is sent, whatever it holds.
+void ShadowDirectory::growTexels() {
+    const size_t before = m_texels.size(), size = size_t(m_places.end()) * kPageTexels;
+    if (size <= before) return;
+    m_texels.resize(size);
+    for (size_t i = before; i < size; ++i) m_texels.change(i) = 0;
 }
 
-uint32_t ShadowDirectory::addSector(glm::ivec3 place) {
-    const uint32_t index = m_freeSectors.allocate();
-    if (index == m_sectors.size()) {
-        m_sectors.emplace_back();
-        m_pages.resize(m_sectors.size() * kPageTexels);
-    }
-    m_sectors[index].place = place;
-    m_sectorOf[tableIndex(place)] = index;
-    m_skips.set(place - m_low, true);
-    return index;
+uint32_t ShadowDirectory::addPage(glm::ivec3 sector) {
+    const uint32_t page = m_freePages.allocate();
+    if (page == m_pages.size()) m_pages.emplace_back();
+    m_pages[page].sector = sector;
+    m_pages[page].place = m_places.allocate(1);
+    growTexels();
+    const size_t index = sectorIndex(sector);
+    m_pageOf[index] = page;
+    m_skips.set(sector - m_low, true);
+    write(tableAt() + index, m_pages[page].place * kPageTexels);
+    return page;
 }
 
-void ShadowDirectory::set(glm::ivec3 brick, const ShadowBrickRef& content) {
-    uint32_t index = sectorAt(sectorOf(brick));
-    if (index == kNone) {
-        if (!content) return;
-        index = addSector(sectorOf(brick));
+void ShadowDirectory::set(glm::ivec3 brick, const Brick& content) {
+    const Brick before = find(brick);
+    const glm::ivec3 sector = brick >> 2;
+    uint32_t page = pageAt(sector);
+    if (page == kNone) {
+        if (!content.occupied) return;
+        page = addPage(sector);
     }
-    Sector& sector = m_sectors[index];
-    const int number = brickInSector(brick);
-    ShadowBrickRef& old = sector.bricks[size_t(number)];
-    m_occupied.change(brick, old ? old->occupied : 0, content ? content->occupied : 0);
-    if (!old != !content) {
-        sector.occupied ^= SectorBricks(1 << number);
-        sector.isPlaced = false;
-        queueAround(sector.place);
+    m_occupied.change(brick, before.occupied, content.occupied);
+    if (!before.occupied != !content.occupied) {
+        m_pages[page].occupied ^= SectorBricks(1) << brickInSector(brick);
+        queueAround(sector);
     }
-    old = content;
-    if (!content || !sector.isPlaced) return;  // the rest follows with update()
-    m_placed.push_back({sector.block + bricksBefore(sector.occupied, number), content});
-    write(m_pages, index * kPageTexels + size_t(number), glm::uvec2(content->occupied, content->occupied >> 32));
+    if (!content.occupied) return;  // its texels follow with update()
+    const uint32_t at = texelOf(brick);
+    write(at, content.slot * 64);
+    write(at + kLowerWords, uint32_t(content.occupied));
+    write(at + kUpperWords, uint32_t(content.occupied >> 32));
 }
 
-void ShadowDirectory::queueAround(glm::ivec3 place) {
+void ShadowDirectory::queueAround(glm::ivec3 sector) {
     for (int i = 0; i < 27; ++i) {
-        const uint32_t index = sectorAt(place + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1);
-        if (index == kNone || std::exchange(m_sectors[index].isQueued, true)) continue;
-        m_changedSectors.push_back(index);
+        const uint32_t page = pageAt(sector + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1);
+        if (page == kNone || std::exchange(m_pages[page].isQueued, true)) continue;
+        m_changedPages.push_back(page);
     }
 }
 
-void ShadowDirectory::removeEmptySectors() {
-    for (const uint32_t index : m_changedSectors) {
-        Sector& sector = m_sectors[index];
-        if (sector.occupied) continue;
-        const size_t at = tableIndex(sector.place);
-        m_sectorOf[at] = kNone;
-        m_skips.set(sector.place - m_low, false);
-        if (m_skips.at(at))
-            write(m_table, at, glm::uvec4(m_skips.at(at), 0, 0, 0));  // it came and went since the last update
-        if (sector.blockSlots) m_blocks.free(sector.block, sector.blockSlots);
-        sector = {};
-        m_freeSectors.free(index);
+void ShadowDirectory::removeEmptyPages() {
+    for (const uint32_t index : m_changedPages) {
+        Page& page = m_pages[index];
+        if (page.occupied) continue;
+        const size_t at = sectorIndex(page.sector);
+        m_pageOf[at] = kNone;
+        m_skips.set(page.sector - m_low, false);
+        if (m_skips.at(at)) write(tableAt() + at, m_skips.at(at));  // it came and went since the last update
+        m_places.free(page.place, 1);
+        m_freePages.free(index);
+        page.isQueued = false;
     }
-    std::erase_if(m_changedSectors, [&](uint32_t index) { return !m_sectors[index].occupied; });
+    std::erase_if(m_changedPages, [&](uint32_t page) { return !m_pages[page].occupied; });
 }
 
-/// Gives a sector's bricks a block.
-void ShadowDirectory::place(Sector& sector) {
-    const auto count = uint32_t(std::popcount(sector.occupied));
-    if (count != sector.blockSlots) {
-        if (sector.blockSlots) m_blocks.free(sector.block, sector.blockSlots);
-        sector.block = m_blocks.allocate(count);
-        sector.blockSlots = count;
-    }
-    uint32_t slot = sector.block;
-    for (const ShadowBrickRef& brick : sector.bricks)
-        if (brick) m_placed.push_back({slot++, brick});
-    sector.isPlaced = true;
-}
-
-void ShadowDirectory::writePage(uint32_t index) {
-    const Sector& sector = m_sectors[index];
+void ShadowDirectory::writeSkips(const Page& page) {
     SectorSurroundings occupied;
     for (int i = 0; i < 27; ++i) {
-        const uint32_t at = sectorAt(sector.place + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1);
-        occupied[size_t(i)] = at == kNone ? SectorBricks(0) : m_sectors[at].occupied;
+        const uint32_t at = pageAt(page.sector + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1);
+        occupied[size_t(i)] = at == kNone ? 0 : m_pages[at].occupied;
     }
-    const std::array<uint32_t, 8> skips = pageSkips(occupied);
-    for (size_t i = 0; i < 8; ++i) {
-        const uint64_t words = sector.bricks[i] ? sector.bricks[i]->occupied : skips[i];
-        write(m_pages, index * kPageTexels + i, glm::uvec2(words, words >> 32));
-    }
-}
-
-void ShadowDirectory::removeBeyond(uint32_t slots) {
-    for (size_t index = 0; index < m_sectors.size(); ++index) {
-        const glm::ivec3 low = m_sectors[index].place * kSectorBricks;
-        if (m_sectors[index].block + m_sectors[index].blockSlots <= slots) continue;
-        for (int i = 0; i < 8; ++i) set(low + glm::ivec3(i & 1, i >> 1 & 1, i >> 2), nullptr);
+    const std::array<uint32_t, 64> skips = pageSkips(occupied);
+    for (int i = 0; i < 64; ++i) {
+        if (page.occupied >> i & 1) continue;
+        const size_t at = page.place * kPageTexels + size_t(i);
+        write(at, skips[size_t(i)]);
+        write(at + kLowerWords, 0);
+        write(at + kUpperWords, 0);
     }
 }
 
 void ShadowDirectory::update() {
-    removeEmptySectors();
-    for (const size_t at : m_skips.update())
-        if (m_skips.at(at)) write(m_table, at, glm::uvec4(m_skips.at(at), 0, 0, 0));
+    removeEmptyPages();
+    for (const size_t index : m_skips.update())
+        if (m_skips.at(index)) write(tableAt() + index, m_skips.at(index));
     shrink();
-    for (const uint32_t index : m_changedSectors) {
-        Sector& sector = m_sectors[index];
-        if (!sector.isPlaced) place(sector);
-        write(m_table, tableIndex(sector.place), tableTexel(index));
-        writePage(index);
-        sector.isQueued = false;
+    for (const uint32_t page : m_changedPages) {
+        writeSkips(m_pages[page]);
+        m_pages[page].isQueued = false;
     }
-    m_changedSectors.clear();
+    m_changedPages.clear();
 }
 
-/// Replaces the table by one of another box. Pages and blocks stay where they are.
+/// Replaces the table by one of another box. The pages stay where they are.
 void ShadowDirectory::makeTable(glm::ivec3 low, glm::ivec3 size) {
+    if (m_tablePages) m_places.free(m_table, m_tablePages);
     m_skips.move(low - m_low, size);
     m_low = low;
     m_size = size;
     const size_t count = size_t(volume(size));
-    m_table.resize(count);
-    m_sectorOf.assign(count, kNone);
-    for (uint32_t i = 0; i < m_sectors.size(); ++i)
-        if (m_sectors[i].occupied) m_sectorOf[tableIndex(m_sectors[i].place)] = i;
+    m_tablePages = uint32_t((count + kPageTexels - 1) / kPageTexels);
+    m_table = m_places.allocate(m_tablePages);
+    growTexels();
+    m_pageOf.assign(count, kNone);
+    for (uint32_t i = 0; i < m_pages.size(); ++i)
+        if (m_pages[i].occupied) m_pageOf[sectorIndex(m_pages[i].sector)] = i;
     for (size_t i = 0; i < count; ++i)
-        m_table.change(i) = m_sectorOf[i] == kNone ? glm::uvec4(m_skips.at(i), 0, 0, 0) : tableTexel(m_sectorOf[i]);
-    m_writtenTexels += count;
+        write(tableAt() + i, m_pageOf[i] == kNone ? m_skips.at(i) : m_pages[m_pageOf[i]].place * kPageTexels);
 }
 
-/// A table that grows does so by at least a quarter, so that a body that flies away does not need another one at each
+/// A long table grows by a little more than it must, so that a body that flies away does not need another one at each
 /// sector.
 void ShadowDirectory::reach(const std::vector<ShadowPatch>& patches) {
     glm::ivec3 low = m_low, high = m_low + m_size;
     bool isNew = m_size.x == 0;
     for (const ShadowPatch& patch : patches) {
         if (!patch.content) continue;
-        const glm::ivec3 sector = sectorOf(patch.brick);
+        const glm::ivec3 sector = patch.brick >> 2;
         const glm::ivec3 nextLow = isNew ? sector : glm::min(low, sector),
                          nextHigh = isNew ? sector + 1 : glm::max(high, sector + 1);
-        if (volume(tableSize(nextHigh - nextLow)) > kMaxSectors) continue;
+        if (volume(nextHigh - nextLow) > kMaxSectors) continue;
         low = nextLow;
         high = nextHigh;
         isNew = false;
     }
     if (low == m_low && high == m_low + m_size) return;
     if (m_size.x) {
-        const glm::ivec3 margin = (m_size + 3) / 4;
+        const glm::ivec3 margin = m_size / 8;
         const glm::ivec3 wideLow = low - margin * glm::ivec3(glm::lessThan(low, m_low));
         const glm::ivec3 wideHigh = high + margin * glm::ivec3(glm::greaterThan(high, m_low + m_size));
-        if (volume(tableSize(wideHigh - wideLow)) <= kMaxSectors) low = wideLow, high = wideHigh;
+        if (volume(wideHigh - wideLow) <= kMaxSectors) low = wideLow, high = wideHigh;
     }
-    makeTable(low, tableSize(high - low));
+    makeTable(low, high - low);
 }
 
 /// Replaces a table that is several times as large as what is occupied.
 void ShadowDirectory::shrink() {
-    constexpr int64_t kRatio = 4, kSmall = 512;  // sectors
-    const glm::ivec3 low = m_occupied.low() >> 3, high = (m_occupied.high() + (kSectorWords - 1)) >> 3;
-    if (m_occupied.low() == m_occupied.high() || volume(m_size) <= kRatio * volume(tableSize(high - low)) + kSmall)
-        return;
-    makeTable(low, tableSize(high - low));
+    constexpr int64_t kRatio = 4, kSmall = 64;  // sectors
+    const glm::ivec3 low = m_occupied.low() >> 4, high = (m_occupied.high() + (kSectorWords - 1)) >> 4;
+    if (m_occupied.low() == m_occupied.high() || volume(m_size) <= kRatio * volume(high - low) + kSmall) return;
+    makeTable(low, high - low);
 }
 
 }  // namespace rubble

@@ -23,7 +23,6 @@ public:
     void resize(size_t count) {
         m_data.resize(count);
         m_pageDirty.resize((count + kPage - 1) / kPage, 0);
-        std::erase_if(m_dirty, [&](size_t page) { return page >= m_pageDirty.size(); });
     }
     const T& operator[](size_t i) const { return m_data[i]; }
     /// Element i for writing; the next upload() sends it.

@@ -1,8 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <map>
-#include <set>
-#include <utility>
 #include <vector>
 
 namespace rubble {
@@ -29,52 +27,44 @@ private:
     uint32_t m_end = 0;
 };
 
-/// Allocates ranges of indices: the shortest free range that is long enough (best fit), the lowest of these, or else
-/// one at the end. Freed neighbours merge. Both take the logarithm of the number of free ranges.
+/// Allocates ranges of indices: the first free range that is long enough, or else one at the end. Freed neighbours
+/// merge.
 class RangeAllocator {
 public:
     /// The first index of `count` that are not in use.
     uint32_t allocate(uint32_t count) {
-        const auto fit = m_byLength.lower_bound({count, 0});
-        if (fit == m_byLength.end()) return std::exchange(m_end, m_end + count);
-        const auto [length, start] = *fit;
-        removeGap(start, length);
-        if (length > count) addGap(start + count, length - count);
+        for (auto gap = m_gaps.begin(); gap != m_gaps.end(); ++gap) {
+            if (gap->second < count) continue;
+            const auto [start, length] = *gap;
+            m_gaps.erase(gap);
+            if (length > count) m_gaps[start + count] = length - count;
+            return start;
+        }
+        const uint32_t start = m_end;
+        m_end += count;
         return start;
     }
     /// Gives an allocated range back.
     void free(uint32_t start, uint32_t count) {
-        const auto after = m_gaps.lower_bound(start);
+        auto after = m_gaps.upper_bound(start);
+        if (after != m_gaps.end() && after->first == start + count) {
+            count += after->second;
+            after = m_gaps.erase(after);
+        }
         if (after != m_gaps.begin()) {
-            const auto [first, length] = *std::prev(after);
-            if (first + length == start) {
-                removeGap(first, length);
-                start = first;
-                count += length;
+            const auto before = std::prev(after);
+            if (before->first + before->second == start) {
+                before->second += count;
+                return;
             }
         }
-        if (after != m_gaps.end() && after->first == start + count) {
-            const uint32_t length = after->second;
-            removeGap(after->first, length);
-            count += length;
-        }
-        addGap(start, count);
+        m_gaps[start] = count;
     }
     /// One more than the highest index ever allocated.
     uint32_t end() const { return m_end; }
 
 private:
-    void addGap(uint32_t start, uint32_t length) {
-        m_gaps[start] = length;
-        m_byLength.insert({length, start});
-    }
-    void removeGap(uint32_t start, uint32_t length) {
-        m_gaps.erase(start);
-        m_byLength.erase({length, start});
-    }
-
-    std::map<uint32_t, uint32_t> m_gaps;                 ///< start -> length
-    std::set<std::pair<uint32_t, uint32_t>> m_byLength;  ///< the same: length, start
+    std::map<uint32_t, uint32_t> m_gaps;  ///< start -> length
     uint32_t m_end = 0;
 };
 

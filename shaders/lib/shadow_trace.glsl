@@ -1,9 +1,9 @@
 // Exact rays through the world's shadow volume (filled by render/scene/gpu_shadow_volume.cpp): bricks of 16^3 cells of
 // 0.1 m, each of 4^3 words of 4^3 cells (one bit a cell). It is a grid walk as in lib/cell_walk.glsl, with empty space
 // skipped. Each step leaves the largest block around the present cell that is known to be empty ahead of the ray:
-//   - a cube of empty sectors (2^3 bricks): for each octant of directions a sector stores the side of the empty cube
+//   - a cube of empty sectors (4^3 bricks): for each octant of directions a sector stores the side of the empty cube
 //     that begins with it (like the distance to the nearest obstacle in Cohen and Sheffer 1994, but by octant);
-//   - in an occupied sector, a cube of up to 4^3 empty bricks, stored by octant in the same way;
+//   - in an occupied sector, a cube of up to 8^3 empty bricks, stored by octant in the same way;
 //   - in an occupied brick, a box of empty words, stored by octant in the empty word itself;
 //   - the rest of a word, if none of its cells ahead of the ray is occupied;
 //   - an aligned 2x2x2 of empty cells, or one cell.
@@ -14,23 +14,22 @@
 #include "lib/constants.glsl"
 #include "lib/texels.glsl"
 
-// The directory (render/scene/shadow_directory.h). A texel a sector. Empty sector: x the empty cubes' sides, 4 bits an
-// octant. Occupied sector: x 4 zeros, then 8 bits that say which of its bricks are occupied; y the first texel of its
-// bricks, which follow one another; z how many of them lie before each brick, 3 bits a brick; w its page's first texel.
-uniform texels4 uShadowSectors;
-// 8 texels a page, one a brick. Empty brick: x the empty cubes' sides. Occupied brick: which of its words are occupied.
-uniform texels2 uShadowPages;
+// The directory (render/scene/shadow_directory.h). Its table, from texel frame.shadowSectorCount.w on: a texel a
+// sector. Empty sector: the empty cubes' sides, 4 bits an octant. Occupied sector: the first texel of its page. A page:
+// a texel a brick, then one for the lower half of the words of each brick, then one for the upper half. Empty brick:
+// the empty cubes' sides. Occupied brick: its first texel in uShadowTexels; its words' texels say which of them are
+// occupied. Addresses are multiples of 16.
+uniform texels1 uShadowDirectory;
 // 64 texels a brick: the cells of an occupied word, or the empty boxes of an empty one
 // (runtime/shadow/shadow_volume.h).
 uniform texels2 uShadowTexels;
 
-uvec4 fetchShadowSector(int i) { return fetch4(uShadowSectors, i); }
-uvec2 fetchShadowPage(int i) { return fetch2(uShadowPages, i); }
+uint fetchShadowDirectory(int i) { return fetch1(uShadowDirectory, i); }
 uvec2 fetchShadowTexel(int i) { return fetch2(uShadowTexels, i); }
 
 /// A world position in the directory's cells.
 vec3 shadowCells(vec3 positionWorld) {
-    return positionWorld * kShadowCellsPerMetre - vec3(frame.shadowSectorLow.xyz * 32);
+    return positionWorld * kShadowCellsPerMetre - vec3(frame.shadowSectorLow.xyz * 64);
 }
 
 const float kAlwaysExact = 1.0e30;
@@ -46,7 +45,7 @@ struct ShadowRay {
 /// False if the ray misses all occupied cells, or is NaN.
 bool startShadowRay(vec3 originWorld, vec3 direction, float tMax, ivec3 sectors, out ShadowRay ray) {
     ray.isDown = lessThan(direction, vec3(0.0));
-    vec3 size = vec3(sectors * 32);
+    vec3 size = vec3(sectors * 64);
     ray.direction = max(abs(direction), vec3(1.0e-20));
     vec3 origin = shadowCells(originWorld);
     ray.origin = mix(origin, size - origin, ray.isDown);
@@ -90,15 +89,18 @@ bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exact
     t = tMax;
     bool coarse = exactDistance < kAlwaysExact;  // known at compile time
     exactDistance *= kShadowCellsPerMetre;
-    ivec3 bits = frame.shadowSectorBits.xyz, sectors = ivec3(1) << bits;
+    ivec3 sectors = frame.shadowSectorCount.xyz;
     ShadowRay ray;
     if (!startShadowRay(originWorld, direction, tMax, sectors, ray)) return false;
+    ivec3 pitch = ivec3(1, sectors.x, sectors.x * sectors.y);
+    ivec3 farthest = pitch * (sectors - 1);
+    int first = frame.shadowSectorCount.w + (ray.isDown.x ? farthest.x : 0) + (ray.isDown.y ? farthest.y : 0) +
+                (ray.isDown.z ? farthest.z : 0);
+    pitch =
+        ivec3(ray.isDown.x ? -pitch.x : pitch.x, ray.isDown.y ? -pitch.y : pitch.y, ray.isDown.z ? -pitch.z : pitch.z);
     ivec3 down = ivec3(ray.isDown);
     int turned =
         3 * (down.x + 4 * down.y + 16 * down.z);  // mirrors the number of a word in its brick or a cell in its word
-    int slice = bits.x + bits.y;  // the bits of a sector's number below its z
-    ivec3 last = (sectors - 1) * down;
-    int sectorTurned = last.x | last.y << bits.x | last.z << slice;
     int octant = down.x + 2 * down.y + 4 * down.z;
     uint cubeShift = uint(octant * 4), boxShift = uint(octant * 2);
     AheadMasks ahead = aheadMasks(ray.isDown);
@@ -107,15 +109,18 @@ bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exact
     bool stopped = false;
     do {
         t = current;
-        ivec3 sector = cell >> 5;
-        uvec4 entry = fetchShadowSector((sector.x | sector.y << bits.x | sector.z << slice) ^ sectorTurned);
-        bool emptySector = (entry.x & 15u) != 0u;
-        int brick = ((cell.x >> 4 & 1) | (cell.y >> 3 & 2) | (cell.z >> 2 & 4)) ^ octant;
+        ivec3 sector = cell >> 6;
+        int inTable = first + sector.x * pitch.x + sector.y * pitch.y + sector.z * pitch.z;
+        uint page = fetchShadowDirectory(inTable);
+        bool emptySector = (page & 15u) != 0u;
         int word = ((cell.x >> 2 & 3) | (cell.y & 12) | (cell.z & 12) << 2) ^ turned;
-        bool emptyBrick = emptySector || (entry.x >> uint(brick + 4) & 1u) == 0u;
-        uvec2 page = fetchShadowPage(int(entry.w) + brick);
-        bool emptyWord = emptyBrick || ((word < 32 ? page.x : page.y) >> uint(word & 31) & 1u) == 0u;
-        uvec2 texel = fetchShadowTexel(int(entry.y) + int(entry.z >> uint(3 * brick) & 7u) * 64 + word);
+        int inPage = ((cell.x >> 4 & 3) | (cell.y >> 2 & 12) | (cell.z & 48)) ^ turned;
+        int inDirectory = emptySector ? inTable : int(page) + inPage;
+        uint entry = fetchShadowDirectory(inDirectory);
+        bool emptyBrick = (entry & 15u) != 0u;  // or sector
+        uint words = fetchShadowDirectory(emptySector ? inTable : inDirectory + 64 + ((word & 32) << 1));
+        bool emptyWord = emptyBrick || (words >> uint(word & 31) & 1u) == 0u;
+        uvec2 texel = fetchShadowTexel(emptyBrick ? 0 : int(entry) + word);
         int inWord = ((cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4) ^ turned;
         uint nearHalf = inWord < 32 ? texel.x : texel.y, farHalf = inWord < 32 ? texel.y : texel.x;
         stopped = !emptyWord && ((nearHalf >> uint(inWord & 31) & 1u) != 0u || (coarse && current > exactDistance));
@@ -123,9 +128,8 @@ bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exact
         bool emptyEight = (nearHalf >> uint(inWord & 10) & 0x00330033u) == 0u;  // the aligned 2x2x2 cells around it
         ivec3 box = ivec3(uvec3(texel.x >> boxShift, texel.x >> (boxShift + 16u), texel.y >> boxShift) & 3u) + 1;
         // The block is `skip` units a side, of 2^unit cells each.
-        uint cube = (emptySector ? entry.x : page.x) >> cubeShift & 15u;
-        ivec3 skip = emptyBrick ? ivec3(cube) : emptyWord ? box : ivec3(1);
-        int unit = emptySector ? 5 : emptyBrick ? 4 : nothingAhead ? 2 : emptyEight ? 1 : 0;
+        ivec3 skip = emptyBrick ? ivec3(entry >> cubeShift & 15u) : emptyWord ? box : ivec3(1);
+        int unit = emptySector ? 6 : emptyBrick ? 4 : nothingAhead ? 2 : emptyEight ? 1 : 0;
         ivec3 plane = ((cell >> unit) + skip) << unit;
         vec3 leave = (vec3(plane) - ray.origin) * ray.inverse;
         float next = leave.y < leave.z ? leave.y : leave.z;

@@ -11,8 +11,8 @@ namespace {
 
 /// A brick by its place from the low corner of the sector in the middle.
 bool isOccupied(const SectorSurroundings& occupied, glm::ivec3 brick) {
-    const glm::ivec3 sector = (brick >> 1) + 1, in = brick & 1;
-    return occupied[size_t(sector.x + 3 * sector.y + 9 * sector.z)] >> (in.x + 2 * in.y + 4 * in.z) & 1;
+    const glm::ivec3 sector = (brick >> 2) + 1, in = brick & 3;
+    return occupied[size_t(sector.x + 3 * sector.y + 9 * sector.z)] >> (in.x + 4 * in.y + 16 * in.z) & 1;
 }
 
 /// The definition: the side of the largest cube without an occupied brick that ends with the next sector.
@@ -21,7 +21,7 @@ int sideAt(const SectorSurroundings& occupied, glm::ivec3 brick, int octant) {
         for (int a = 0; a < 3; ++a) {
             const bool isDown = octant >> a & 1;
             at[a] = isDown ? brick[a] - at[a] : brick[a] + at[a];
-            if (isDown ? at[a] < -2 : at[a] > 3) return false;
+            if (isDown ? at[a] < -4 : at[a] > 7) return false;
         }
         return !isOccupied(occupied, at);
     };
@@ -39,12 +39,12 @@ TEST(PageSkips, AreTheLargestEmptyCubesUpToTheNextSector) {
     Random random(4);
     for (int round = 0; round < 60; ++round) {
         SectorSurroundings occupied{};
-        for (int i = 0; i < round; ++i) occupied[random.below(27)] |= SectorBricks(1 << random.below(8));
-        const std::array<uint32_t, 8> skips = pageSkips(occupied);
-        for (int i = 0; i < 8; ++i)
+        for (int i = 0; i < round; ++i) occupied[random.below(27)] |= SectorBricks(1) << random.below(64);
+        const std::array<uint32_t, 64> skips = pageSkips(occupied);
+        for (int i = 0; i < 64; ++i)
             for (int octant = 0; octant < 8; ++octant)
                 EXPECT_EQ(int(skips[size_t(i)] >> (4 * octant) & 15),
-                          sideAt(occupied, {i & 1, i >> 1 & 1, i >> 2}, octant))
+                          sideAt(occupied, {i & 3, i >> 2 & 3, i >> 4}, octant))
                     << "round " << round << ", brick " << i << ", octant " << octant;
     }
 }
