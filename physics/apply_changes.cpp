@@ -85,7 +85,8 @@ void PhysicsWorld::Impl::load(const World& world) {
         high = first ? p : glm::max(high, p);
         first = false;
     });
-    bodies.limits().setOrigin(glm::round((low + high) * 0.5));
+    bodies.broadphase().setOrigin(glm::round((low + high) * 0.5));
+    bodies.limits().setOrigin(bodies.broadphase().origin());
     setGravity(world);
     characters.load(world);
     world.waters().forEach([&](WaterHandle handle, const Water& water) { waters.set(handle.slot(), &water); });

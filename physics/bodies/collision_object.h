@@ -7,6 +7,8 @@
 #include "physics/shapes/cell_transform.h"
 #include "physics/shapes/voxel_collider.h"
 
+struct btDbvtNode;
+
 namespace rubble {
 
 class DynamicBody;
@@ -34,9 +36,8 @@ struct CollisionObject {
 
 private:
     friend class Broadphase;
-    static constexpr uint32_t kNoItem = ~0u;
     std::vector<CellTransform> m_cellTransforms;
-    uint32_t m_item = kNoItem;  ///< in the broadphase; kNoItem: it is not there
+    btDbvtNode* m_leaf = nullptr;
     bool m_moves = false;
 };
 

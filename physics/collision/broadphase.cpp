@@ -1,14 +1,23 @@
 #include "physics/collision/broadphase.h"
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
+
+#include "physics/math/bullet_math.h"
 
 namespace rubble {
 namespace {
 
+/// Metres by which the leaf of a moving object is larger than its bounds, so that small moves do not change the tree.
+constexpr btScalar kFatMargin = 0.05f;
 constexpr double kRounding = 1e-4;  ///< metres added to bounds against the rounding of their floats
 
 }  // namespace
+
+bool Broadphase::overlap(const CollisionObject& a, const CollisionObject& b) {
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+           a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
 
 void Broadphase::sortPairs(std::vector<ObjectPair>& pairs, size_t from) {
     std::sort(pairs.begin() + std::ptrdiff_t(from), pairs.end(), [](const ObjectPair& a, const ObjectPair& b) {
@@ -36,39 +45,37 @@ void Broadphase::setBounds(CollisionObject& object, glm::dvec3 displacement, dou
     object.high = object.pose.position + high + margin + kRounding + glm::max(displacement, 0.0);
 }
 
+btDbvtVolume Broadphase::volumeOf(glm::dvec3 low, glm::dvec3 high) const {
+    return btDbvtVolume::FromMM(toBullet(low - m_origin), toBullet(high - m_origin));
+}
+
 void Broadphase::add(CollisionObject& object, bool moves) {
     object.m_moves = moves;
     setBounds(object, glm::dvec3(0.0), 0.0);
     touch(object);
-    if (m_freeItems.empty()) {
-        object.m_item = uint32_t(m_objects.size());
-        m_objects.push_back(&object);
-    } else {
-        object.m_item = m_freeItems.back();
-        m_freeItems.pop_back();
-        m_objects[object.m_item] = &object;
-    }
-    m_tree.update(object.m_item, {object.low, object.high});
+    object.m_leaf = (moves ? m_moving : m_resting).insert(volumeOf(object.low, object.high), &object);
 }
 
 void Broadphase::remove(CollisionObject& object) {
-    if (object.m_item == CollisionObject::kNoItem) return;
-    m_tree.remove(object.m_item);
-    m_freeItems.push_back(std::exchange(object.m_item, CollisionObject::kNoItem));
+    if (!object.m_leaf) return;
+    (object.m_moves ? m_moving : m_resting).remove(object.m_leaf);
+    object.m_leaf = nullptr;
 }
 
 void Broadphase::move(CollisionObject& object, glm::dvec3 displacement, double margin) {
     setBounds(object, displacement, margin);
-    m_tree.update(object.m_item, {object.low, object.high});
+    btDbvtVolume volume = volumeOf(object.low, object.high);
+    m_moving.update(object.m_leaf, volume, btVector3(0, 0, 0), kFatMargin);
 }
 
 void Broadphase::find(glm::dvec3 low, glm::dvec3 high, std::vector<CollisionObject*>& out) {
-    const WorldBox around{low, high};
-    const auto add = [&](uint32_t item) {
-        CollisionObject* object = m_objects[item];
-        if (around.overlaps({object->low, object->high})) out.push_back(object);
-    };
-    m_tree.find([&](const WorldBox& box) { return box.overlaps(around); }, add, m_open);
+    struct Collect : btDbvt::ICollide {
+        explicit Collect(std::vector<CollisionObject*>& found) : objects(found) {}
+        void Process(const btDbvtNode* leaf) override { objects.push_back(static_cast<CollisionObject*>(leaf->data)); }
+        std::vector<CollisionObject*>& objects;
+    } collect(out);
+    const btDbvtVolume volume = volumeOf(low, high);
+    for (btDbvt* tree : {&m_resting, &m_moving}) tree->collideTVNoStackAlloc(tree->m_root, volume, m_stack, collect);
 }
 
 }  // namespace rubble

@@ -1,19 +1,27 @@
 #pragma once
+#include <BulletCollision/BroadphaseCollision/btDbvt.h>
+
 #include <span>
 #include <vector>
 
 #include "physics/bodies/collision_object.h"
-#include "runtime/core/bounds_tree.h"
 
 namespace rubble {
 
-/// Finds which objects are near each other with a tree of their bounds. No pairs are kept from step to step, so what
-/// rests costs nothing, and adding or removing it costs the depth of the tree. [main-thread]
+/// Finds which objects are near each other with two of Bullet's dynamic bounding volume trees: one of objects that
+/// move, one of objects at rest. No pairs are kept from step to step, so what rests costs nothing, and removing it
+/// costs the depth of a tree. [main-thread]
 class Broadphase {
 public:
+    /// The world position of Bullet's origin. Bullet's bounds are floats, so choose it near the level's middle; before
+    /// the first add().
+    void setOrigin(glm::dvec3 origin) { m_origin = origin; }
+    /// See setOrigin().
+    glm::dvec3 origin() const { return m_origin; }
+
     /// Adds an object at its pose; it must stay at its address until it is removed. moves: it is awake.
     void add(CollisionObject& object, bool moves);
-    /// Removes an object; does nothing if it is not there.
+    /// Removes an object; does nothing if it is in no tree.
     void remove(CollisionObject& object);
     /// Notes that the object's voxels or filter have changed: cached contacts are dropped.
     void touch(CollisionObject& object) { object.version = ++m_versions; }
@@ -21,9 +29,7 @@ public:
     /// the step (metres, world axes).
     void move(CollisionObject& object, glm::dvec3 displacement, double margin);
 
-    /// Nodes on the longest path of the tree.
-    int depth() const { return m_tree.depth(); }
-    /// Appends the objects whose bounds overlap a box (world, metres), in no particular order.
+    /// Appends the objects whose bounds may overlap a box (world, metres), in no particular order.
     void find(glm::dvec3 low, glm::dvec3 high, std::vector<CollisionObject*>& out);
     /// Appends the overlapping pairs of the `moving` objects with each other and with all others: each pair once,
     /// sorted by numbers. isKnown: called for other moving objects; pairs with those for which it is true are left out.
@@ -34,7 +40,7 @@ public:
             m_found.clear();
             find(object->low, object->high, m_found);
             for (CollisionObject* other : m_found) {
-                if (other == object || !object->filter.meets(other->filter)) continue;
+                if (other == object || !object->filter.meets(other->filter) || !overlap(*object, *other)) continue;
                 if (other->m_moves && (isKnown(*other) || other->number < object->number)) continue;
                 out.emplace_back(object->number < other->number ? ObjectPair(object, other)
                                                                 : ObjectPair(other, object));
@@ -44,13 +50,14 @@ public:
     }
 
 private:
-    static constexpr double kMargin = 0.05;  ///< metres by which a leaf is larger: small moves do not change the tree
+    static bool overlap(const CollisionObject& a, const CollisionObject& b);
     static void sortPairs(std::vector<ObjectPair>& pairs, size_t from);
     void setBounds(CollisionObject& object, glm::dvec3 displacement, double margin) const;
+    btDbvtVolume volumeOf(glm::dvec3 low, glm::dvec3 high) const;
 
-    BoundsTree m_tree{kMargin};
-    std::vector<CollisionObject*> m_objects;  ///< by item of the tree
-    std::vector<uint32_t> m_freeItems, m_open;
+    glm::dvec3 m_origin{0.0};
+    btDbvt m_moving, m_resting;
+    btAlignedObjectArray<const btDbvtNode*> m_stack;
     std::vector<CollisionObject*> m_found;
     uint32_t m_versions = 0;
 };

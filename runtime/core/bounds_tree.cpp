@@ -7,6 +7,7 @@ namespace rubble {
 namespace {
 
 constexpr int kMaxImbalance = 4;  ///< difference of height of two children that rotations leave
+constexpr double kMargin = 0.2;   ///< metres: a falling body changes the tree every few steps only
 
 bool isNumber(const WorldBox& box) {
     return box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z;
@@ -24,7 +25,7 @@ void BoundsTree::update(uint32_t item, const WorldBox& box) {
     else
         removeLeaf(leaf);
     m_nodes[leaf].item = item;
-    m_nodes[leaf].box = {box.low - m_margin, box.high + m_margin};
+    m_nodes[leaf].box = {box.low - kMargin, box.high + kMargin};
     insertLeaf(leaf);
 }
 

@@ -16,28 +16,19 @@ namespace rubble {
 /// kept with a margin, so that a small move costs a comparison: what is found is near, not exact, in no order.
 class BoundsTree {
 public:
-    /// margin: metres by which a box is kept larger on each side. With that of World a falling body changes the tree
-    /// every few steps only.
-    explicit BoundsTree(double margin = 0.2) : m_margin(margin) {}
     /// Inserts an item or moves it. An item whose box has a NaN is removed.
     void update(uint32_t item, const WorldBox& box);
     /// Removes an item, if it is there.
     void remove(uint32_t item);
     /// Removes all items.
-    void clear() { *this = BoundsTree(m_margin); }
+    void clear() { *this = {}; }
 
     /// Calls f(item) for every item whose box, margin included, satisfies isNear(box). isNear must be true for a box if
     /// it is true for a part of it.
     template <class IsNear, class F>
     void find(IsNear&& isNear, F&& f) const {
-        std::vector<uint32_t> open;
-        find(isNear, f, open);
-    }
-    /// The same with a vector to work in, so that many searches allocate once.
-    template <class IsNear, class F>
-    void find(IsNear&& isNear, F&& f, std::vector<uint32_t>& open) const {
         if (m_root == kNone) return;
-        open.assign(1, m_root);
+        std::vector<uint32_t> open{m_root};
         while (!open.empty()) {
             const Node& node = m_nodes[open.back()];
             open.pop_back();
@@ -78,7 +69,6 @@ private:
     /// that leave the tree balanced. If `child` is too high, one of them is made in any case.
     void tryRotations(uint32_t child, uint32_t& sibling, Rotation& best);
 
-    double m_margin;
     std::vector<Node> m_nodes;
     std::vector<uint32_t> m_free;
     std::vector<uint32_t> m_leafOf;  ///< by item

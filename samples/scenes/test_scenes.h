@@ -4,8 +4,7 @@
 /// Small levels with known results, for tests and benchmarks. Static bodies stand at y = 0 on a flat floor.
 namespace rubble {
 
-/// One dynamic cube of `size` cells, `height` metres above a floor of 8 x 8 m. It begins asleep, as bodies of levels
-/// do.
+/// One dynamic cube of `size` cells, `height` metres above a floor of 8 x 8 m.
 Level makeSingleCube(int size, double height);
 /// A closed room with walls one cell thick and `inner` cells of space inside, and nothing else. The low corner of the
 /// space is at (0.1, 0.1, 0.1) m.

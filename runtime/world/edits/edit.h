@@ -91,8 +91,7 @@ struct SetBoundsEdit {
 };
 
 enum class HistoryAction : uint8_t { Mark, Undo, Redo };
-/// Undo and redo; see UndoHistory. They happen before the other edits of their step, in their order; of a SettingsEdit
-/// the number of marks counts for those behind it.
+/// Undo and redo; see UndoHistory. They happen before the other edits of their step.
 struct HistoryEdit {
     HistoryAction action = HistoryAction::Mark;
 };

@@ -107,7 +107,7 @@ struct FrameChanges {
     bool levelReplaced = false;  ///< everything before is gone: read all from the World
     std::vector<BodyHandle> bodiesCreated;
     std::vector<BodyHandle> bodiesDestroyed;
-    std::vector<ShapeHandle> shapesCreated;    ///< read their whole grid from the World
+    std::vector<ShapeHandle> shapesCreated;    ///< read their grid from the World: their bricks are not in `bricks`
     std::vector<ShapeHandle> shapesDestroyed;  ///< before shapesCreated: a shape whose grid got another box is in both
     std::vector<ShapeSplit> splits;
     std::vector<BrickChange> bricks;    ///< carved or painted, each brick once, of shapes that existed before

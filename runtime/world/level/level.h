@@ -35,14 +35,12 @@ struct LevelShape {
     uint8_t collisionMask = 255;
 };
 
-/// A body as data, with its shapes. A free body begins asleep where it is, in the air too, and wakes like any other;
-/// one with a velocity begins awake. So what was built at rest stays at rest, and a large level costs nothing until
-/// something moves.
+/// A body as data, with its shapes.
 struct LevelBody {
     std::string name;
     Pose pose;
     bool isStatic = true;
-    glm::vec3 velocity{0.0f};         ///< m/s; what is to fall from its place begins with a small one
+    glm::vec3 velocity{0.0f};         ///< m/s
     glm::vec3 angularVelocity{0.0f};  ///< rad/s
     std::vector<LevelShape> shapes;
     std::vector<std::string> tags;
