@@ -71,7 +71,8 @@ constexpr double kGreenSeconds = 1.0;  ///< for which a dot tells of reloaded sh
 
 struct Renderer::Impl {
     Impl(const std::string& shaderFolder, const RenderSettings& given)
-        : settings(given), shaders(shaderFolder, libraryMode(fullscreen), texels.shaderDefines(), &programCache) {
+        : settings(given.inRange()),
+          shaders(shaderFolder, libraryMode(fullscreen), texels.shaderDefines(), &programCache) {
         startScene();
         blueNoise = Texture(GL_R8, glm::ivec2(kBlueNoiseSize), Filter::Nearest, Wrap::Repeat);
         blueNoise.upload(makeBlueNoise().data());
@@ -234,11 +235,15 @@ void Renderer::Impl::drawImage(const FrameContext& frame) {
     using enum Target;
     run("composite", kGBuffer | GlassSurface | DenoisedLight | Specular | Surface | Reflection,
         Radiance | DiffuseFraction, [&] { composite.draw(frame, isGlassSunlit() ? &*glassShadow : nullptr); });
+    bool hasPaneLight = false;
+    if (scene.hasGlass() && !scene.waters().empty())
+        run("pane light", kPanes, PaneLight, [&] { hasPaneLight = glass.drawLight(frame, gbuffer.tiles()); });
     if (!scene.waters().empty())
-        run("water", Depth | kBounceHistory, Radiance | BehindWater, [&] { drawLazily(water, frame); });
+        run("water", kPanes | kBounceHistory, Radiance | BehindWater | PaneLight | PaneLightBehind,
+            [&] { drawLazily(water, frame, hasPaneLight); });
     if (scene.hasGlass())
-        run("glass composite", Depth | GlassTint | GlassSurface | GlassDepth | Reflection, Radiance | BehindGlass,
-            [&] { glass.drawOver(frame, gbuffer.tiles()); });
+        run("glass composite", kPanes | PaneLight, Radiance | BehindGlass,
+            [&] { glass.drawOver(frame, gbuffer.tiles(), hasPaneLight); });
     if (FogPass::needed(frame))
         run("fog", Depth | previous(FogLight), FogLight | Fog | Radiance, [&] { drawLazily(fog, frame); });
     if (!scene.particles().empty())
@@ -375,12 +380,6 @@ glm::vec4 Renderer::Impl::statusDot() const {
     return settings.seconds() < greenUntil ? glm::vec4(0.1f, 0.8f, 0.2f, 1.0f) : glm::vec4(0.0f);
 }
 
-/// A scale outside [0.1, 1) counts as 1.
-glm::ivec2 scaledSize(glm::ivec2 view, float scale) {
-    if (!(scale >= 0.1f && scale < 1.0f)) return view;
-    return glm::max(glm::ivec2(glm::round(glm::vec2(view) * scale)), glm::ivec2(1));
-}
-
 /// Gives the times that have become known to the choice between fragments and compute.
 void Renderer::Impl::takeTimes() {
     const PassTimer::Times times = timer.take();
@@ -408,7 +407,8 @@ void Renderer::Impl::drawOnce(const View& wanted) {
     stats.waterPixels = 0;
     stats.computePasses.clear();
     stats.passes.clear();
-    const glm::ivec2 renderSize = scaledSize(view.size, settings.resolutionScale);
+    const glm::ivec2 renderSize =
+        glm::max(glm::ivec2(glm::round(glm::vec2(view.size) * settings.resolutionScale)), glm::ivec2(1));
     history->targets.beginFrame(renderSize, view.size, view.cut);
     fillBlock(view, renderSize);
     uploadBlock();

@@ -2,10 +2,22 @@
 
 #include <chrono>
 
+#include "runtime/core/log.h"
+
 namespace rubble {
 
 double steadySeconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+RenderSettings RenderSettings::inRange() const {
+    RenderSettings settings = *this;
+    if (!(resolutionScale < 1.0f)) settings.resolutionScale = 1.0f;  // NaN too
+    if (resolutionScale < kMinScale) settings.resolutionScale = kMinScale;
+    if (settings.resolutionScale != resolutionScale)
+        logWarning("render settings: expected a resolution scale from " + std::to_string(kMinScale) + " to 1, found " +
+                   std::to_string(resolutionScale) + "; it counts as the nearest end");
+    return settings;
 }
 
 RenderSettings RenderSettings::preset(std::string_view name) {

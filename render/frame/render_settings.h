@@ -52,8 +52,10 @@ struct RenderSettings {
     /// less to trace, no false light, some false shadow. All other rays are exact.
     float skyExactDistance = 1e30f;
     /// Share of each side of the view that is traced, lit and filtered. Below 1 the temporal pass upsamples; a still
-    /// image is as sharp after some frames, a moving one less so. 0.5 takes about a quarter of the time.
+    /// image is as sharp after some frames, a moving one less so. 0.5 takes about a quarter of the time. From
+    /// kMinScale to 1; others count as the nearest, with a warning.
     float resolutionScale = 1.0f;
+    static constexpr float kMinScale = 0.2f;
     int filterPasses = 4;            ///< iterations of the spatial filter
     bool temporal = true;            ///< temporal accumulation and anti-aliasing
     int historyFrames = 32;          ///< longest history of the accumulation, frames
@@ -82,6 +84,8 @@ struct RenderSettings {
     std::optional<GlLimits> limits;   ///< the GL counts as having no more than these; none: as much as it has
     Seconds seconds = steadySeconds;  ///< the clock of what is shown for a time
 
+    /// These settings, with what is out of its range moved to the nearest end. The log says so.
+    RenderSettings inRange() const;
     /// "fast", "balanced" or "accurate"; any other name gives the defaults, which are "balanced".
     static RenderSettings preset(std::string_view name);
     /// "fragment", "compute" or "fastest"; Auto for any other text.

@@ -38,6 +38,8 @@ enum class Target {
     Radiance,
     DiffuseFraction,
     BehindWater,
+    PaneLight,
+    PaneLightBehind,
     BehindGlass,
     FogLight,
     Fog,
@@ -113,6 +115,8 @@ inline constexpr std::array<TargetDeclaration, kTargetCount> kTargets = [] {
         {Radiance, "radiance", GL_RGBA16F, Render, 1, kLinear, kHistory},
         {DiffuseFraction, "diffuseFraction", GL_R8, Render, 1, kLinear, kHistory},
         {BehindWater, "behindWater", GL_RGBA16F},
+        {PaneLight, "paneLight", GL_RGBA16F},  // lib/pane_light.glsl; where there are waters
+        {PaneLightBehind, "paneLightBehind", GL_RGBA16F},
         {BehindGlass, "behindGlass", GL_RGBA16F},
         {FogLight, "fogLight", GL_RGBA16F, Render, 2, kLinear, kHistory},
         {Fog, "fog", GL_RGBA16F, Render, 2, kLinear},
@@ -168,6 +172,9 @@ constexpr TargetSet previous(TargetSet set) {
 /// The targets that the G-buffer pass fills and that lighting passes read.
 inline constexpr TargetSet kGBuffer =
     Target::Albedo | Target::Normal | Target::Material | Target::Motion | Target::Depth | Target::DepthBuffer;
+/// What is known of the panes of a pixel.
+inline constexpr TargetSet kPanes =
+    Target::Depth | Target::GlassTint | Target::GlassSurface | Target::GlassDepth | Target::Reflection;
 /// What indirect light looks up of the frame before (lib/bounce.glsl).
 inline constexpr TargetSet kBounceHistory = previous(Target::Radiance | Target::DiffuseFraction | Target::Surface);
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "render/frame/render_settings.h"
@@ -19,7 +20,7 @@ private:
 
     bool m_isLost = false;
     int m_draws = 0;
-    unsigned m_checked = 0;  ///< the last framebuffer that was complete
+    std::optional<unsigned> m_checked;  ///< the last framebuffer that was complete
 };
 
 }  // namespace rubble

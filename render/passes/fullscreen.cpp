@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "render/gl/draw_state.h"
+#include "render/gl/state_guard.h"
 #include "render/passes/depth_limit.h"
 #include "render/shader_library/fullscreen_choice.h"
 
@@ -95,6 +96,9 @@ void FullscreenDraw::dispatch() const {
         glBindImageTexture(GLuint(i), target.name(), 0, GL_FALSE, 0,
                            merge == Merge::Replace ? GL_WRITE_ONLY : GL_READ_WRITE, target.internalFormat());
     }
+    // A shader may have one more output than there are targets: what it stores there is ignored.
+    if (const GLuint unused = GLuint(m_into.colors.size()); unused < GlState::kImages)
+        glBindImageTexture(unused, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
     // The first barrier: no image is overwritten that an earlier pass still reads. The second: later passes see it.
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     glDispatchCompute(GLuint(size.x + kGroupWidth - 1) / kGroupWidth, GLuint(size.y + kGroupHeight - 1) / kGroupHeight,

@@ -13,6 +13,7 @@ constexpr GLuint kColors = 2;  ///< that the pass fills: tint and surface
 GlassPass::GlassPass(ShaderLibrary& shaders)
     : m_mask(shaders.load("passes/glass_mask.frag", "passes/tiles.vert")),
       m_program(shaders.load("passes/glass.frag", "passes/tiles.vert")),
+      m_light(shaders.load("passes/pane_light.frag", "passes/tiles.vert")),
       m_over(shaders.load("passes/glass_composite.frag", "passes/tiles.vert")) {}
 
 void GlassPass::draw(const FrameContext& frame, const BodyTiles& tiles) const {
@@ -50,26 +51,44 @@ void GlassPass::drawMask(const FrameContext& frame, const BodyTiles& tiles) cons
     for (GLuint i = 0; i < kColors; ++i) glColorMaski(i, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void GlassPass::drawOver(const FrameContext& frame, const BodyTiles& tiles) const {
-    if (!m_over || tiles.empty(BodyTiles::Which::Glass)) return;
-    const Texture& behind = frame.targets.copy(Target::Radiance, Target::BehindGlass);
-    frame.targets.framebuffer({&frame.targets.at(Target::Radiance)}, &frame.targets.at(Target::GlassDepth)).begin();
+/// Draws the pixels with panes by a program that includes lib/pane_light.glsl.
+template <class SetUniforms>
+void GlassPass::drawPanes(const FrameContext& frame, const BodyTiles& tiles, const Program& program, Target into,
+                          SetUniforms&& setUniforms) const {
+    frame.targets.framebuffer({&frame.targets.at(into)}, &frame.targets.at(Target::GlassDepth)).begin();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_EQUAL);
-    m_over.use();
-    tiles.bind(m_over, BodyTiles::Which::Glass);
+    program.use();
+    tiles.bind(program, BodyTiles::Which::Glass);
     const bool reflections = ReflectionsPass::needed(frame);
-    m_over.set("uHasReflections", int(reflections));
-    if (reflections) m_over.set("uReflection", frame.targets.at(Target::Reflection));
-    m_over.set("uRefraction", int(frame.settings.refraction));
-    m_over.set("uBackground", behind);
-    m_over.set("uDepth", frame.targets.at(Target::Depth));
-    m_over.set("uGlassTint", frame.targets.at(Target::GlassTint));
-    m_over.set("uGlassSurface", frame.targets.at(Target::GlassSurface));
-    tiles.drawTiles(m_over, BodyTiles::Which::Glass, frame.emptyVertexArray);
+    program.set("uHasReflections", int(reflections));
+    if (reflections) program.set("uReflection", frame.targets.at(Target::Reflection));
+    program.set("uDepth", frame.targets.at(Target::Depth));
+    program.set("uGlassTint", frame.targets.at(Target::GlassTint));
+    program.set("uGlassSurface", frame.targets.at(Target::GlassSurface));
+    setUniforms();
+    tiles.drawTiles(program, BodyTiles::Which::Glass, frame.emptyVertexArray);
     ++frame.stats.drawCalls;
     glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);
+}
+
+bool GlassPass::drawLight(const FrameContext& frame, const BodyTiles& tiles) const {
+    if (!m_light || tiles.empty(BodyTiles::Which::Glass)) return false;
+    frame.targets.target(Target::PaneLight);
+    drawPanes(frame, tiles, m_light, Target::PaneLight, [] {});
+    return true;
+}
+
+void GlassPass::drawOver(const FrameContext& frame, const BodyTiles& tiles, bool hasLight) const {
+    if (!m_over || tiles.empty(BodyTiles::Which::Glass)) return;
+    const Texture& behind = frame.targets.copy(Target::Radiance, Target::BehindGlass);
+    drawPanes(frame, tiles, m_over, Target::Radiance, [&] {
+        m_over.set("uHasPaneLight", int(hasLight));
+        if (hasLight) m_over.set("uPaneLight", frame.targets.at(Target::PaneLight));
+        m_over.set("uRefraction", int(frame.settings.refraction));
+        m_over.set("uBackground", behind);
+    });
 }
 
 }  // namespace rubble

@@ -12,14 +12,21 @@ public:
     explicit GlassPass(ShaderLibrary& shaders);
     /// Fills GlassTint, GlassSurface and GlassDepth. tiles: of this frame's G-buffer.
     void draw(const FrameContext& frame, const BodyTiles& tiles) const;
-    /// Blends the panes over Radiance: refraction, tint and reflections. tiles: of this frame's G-buffer.
-    void drawOver(const FrameContext& frame, const BodyTiles& tiles) const;
+    /// Fills PaneLight, which the water pass goes on with. False: there are no panes in view, and nothing is drawn.
+    bool drawLight(const FrameContext& frame, const BodyTiles& tiles) const;
+    /// Blends the panes over Radiance: refraction, tint and reflections. tiles: of this frame's G-buffer. hasLight:
+    /// PaneLight holds their light.
+    void drawOver(const FrameContext& frame, const BodyTiles& tiles, bool hasLight) const;
 
 private:
     void drawMask(const FrameContext& frame, const BodyTiles& tiles) const;
+    template <class SetUniforms>
+    void drawPanes(const FrameContext& frame, const BodyTiles& tiles, const Program& program, Target into,
+                   SetUniforms&& setUniforms) const;
 
     const Program& m_mask;
     const Program& m_program;
+    const Program& m_light;
     const Program& m_over;
 };
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
-#include <glm/mat4x4.hpp>
 
 #include "render/frame/shader_constants.h"
 #include "render/passes/bounce.h"
@@ -16,30 +15,21 @@
 namespace rubble {
 namespace {
 
-constexpr size_t kMaxCorners = 32;
-constexpr float kRingSpeed = 0.9f;   // m/s
-constexpr float kRingDecay = 1.2f;   // 1/s
-constexpr float kRingAttack = 8.0f;  // 1/s: a ring has its full height after 1/8 s
-constexpr float kRingCore = 0.3f;    // metres added to radii, so that the height of a small ring stays finite
-constexpr std::array kOutlines = {"uOutline0", "uOutline1", "uOutline2", "uOutline3"};  // 8 corners each
+constexpr float kRingSpeed = 0.9f;      // m/s
+constexpr float kRingDecay = 1.2f;      // 1/s
+constexpr float kRingAttack = 8.0f;     // 1/s: a ring has its full height after 1/8 s
+constexpr float kRingCore = 0.3f;       // metres added to radii, so that the height of a small ring stays finite
+constexpr float kShortestWave = 1e-3f;  // metres: shorter ones are drawn so
 
 void setWater(const Program& program, const Scene& scene, const Water& water) {
     const glm::dvec3 origin = scene.origin();
-    std::array<glm::mat4, kOutlines.size()> corners{};
-    const size_t count = std::min(water.outline.size(), kMaxCorners);
-    for (size_t i = 0; i < count; ++i) {
-        glm::vec4& pair = corners[i / 8][int(i % 8 / 2)];
-        (i % 2 ? pair.z : pair.x) = float(water.outline[i].x - origin.x);
-        (i % 2 ? pair.w : pair.y) = float(water.outline[i].z - origin.z);
-    }
-    for (size_t i = 0; i < kOutlines.size(); ++i) program.set(kOutlines[i], corners[i]);
-    program.set("uCornerCount", int(count));
     program.set("uSurface", float(water.surface - origin.y));
     program.set("uBottom", float(water.surface - water.depth - origin.y));
     program.set("uColor", water.color);
     const glm::vec3 transmittance = glm::clamp(water.color, glm::vec3(1e-4f), glm::vec3(1.0f));
     program.set("uExtinction", -glm::log(transmittance) / std::max(water.clarity, 1e-3f));
-    program.set("uWaves", glm::vec4(water.waves.height, water.waves.length, water.waves.speed, water.waves.direction));
+    program.set("uWaves", glm::vec4(water.waves.height, std::max(water.waves.length, kShortestWave), water.waves.speed,
+                                    water.waves.direction));
     program.set("uSeconds", float(scene.seconds()));
 }
 
@@ -87,7 +77,7 @@ std::vector<VisibleWater> visibleWaters(const FrameContext& frame) {
 WaterPass::WaterPass(ShaderLibrary& shaders)
     : m_program(shaders.loadFullscreen("passes/water.frag", {}, "water is not drawn")) {}
 
-void WaterPass::draw(const FrameContext& frame) const {
+void WaterPass::draw(const FrameContext& frame, bool hasPanes) const {
     if (!m_program) return;
     const std::vector<VisibleWater> visible = visibleWaters(frame);
     PixelRect copied;
@@ -97,27 +87,37 @@ void WaterPass::draw(const FrameContext& frame) const {
         const bool isOverAnother = std::any_of(visible.begin(), visible.begin() + ptrdiff_t(i),
                                                [&](const auto& other) { return other.area.overlaps(visible[i].area); });
         if (i == 0 || isOverAnother) {
-            frame.targets.copy(Target::Radiance, Target::BehindWater, i == 0 ? copied : visible[i].area);
+            const PixelRect& part = i == 0 ? copied : visible[i].area;
+            frame.targets.copy(Target::Radiance, Target::BehindWater, part);
+            if (hasPanes) frame.targets.copy(Target::PaneLight, Target::PaneLightBehind, part);
             ++frame.stats.imageCopies;
         }
-        drawOne(frame, *visible[i].water, visible[i].area, copied);
+        drawOne(frame, *visible[i].water, visible[i].area, copied, hasPanes);
     }
 }
 
-void WaterPass::drawOne(const FrameContext& frame, const Water& water, const PixelRect& area,
-                        const PixelRect& copied) const {
-    const FullscreenTargets into{.colors = {&frame.targets.at(Target::Radiance)}, .area = area};
+void WaterPass::drawOne(const FrameContext& frame, const Water& water, const PixelRect& area, const PixelRect& copied,
+                        bool hasPanes) const {
+    FullscreenTargets into{.colors = {&frame.targets.at(Target::Radiance)}, .area = area};
+    if (hasPanes) into.colors.push_back(&frame.targets.at(Target::PaneLight));
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
         program.set("uDepth", frame.targets.at(Target::Depth));
         program.set("uBackground", frame.targets.at(Target::BehindWater));
         program.set("uBackgroundLow", copied.low);
         program.set("uBackgroundHigh", copied.high - 1);
+        program.set("uHasPanes", int(hasPanes));
+        if (hasPanes) {
+            program.set("uGlassTint", frame.targets.at(Target::GlassTint));
+            program.set("uGlassSurface", frame.targets.at(Target::GlassSurface));
+            program.set("uPaneLightBehind", frame.targets.at(Target::PaneLightBehind));
+        }
         program.set("uBlueNoise", frame.blueNoise);
         frame.scene.bindShadow(program);
         bindBounce(program, frame, BounceRays::Mirrored);
         // From below the last frame shows everything through water: rays must not meet it there.
         if (double(frame.block.cameraPosition.y) + frame.scene.origin().y < water.surface)
             program.set("uHistoryValid", 0);
+        frame.scene.waterOutlines().bind(program, size_t(&water - frame.scene.waters().data()));
         setWater(program, frame.scene, water);
         setRipples(program, frame.scene, water);
     });

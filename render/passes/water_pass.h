@@ -7,17 +7,18 @@ struct Water;
 
 /// Draws the waters in view over the radiance: what is seen through them is absorbed along its path. From above it is
 /// refracted by the waves, what is around is reflected by rays, and foam lies where the water ends. From below the
-/// surface shows Snell's window and mirrors around it. Of an outline the first 32 corners count.
+/// surface shows Snell's window and mirrors around it.
 class WaterPass {
 public:
     /// Builds its program. If that fails, shaders.errors() says why and draw() does nothing.
     explicit WaterPass(ShaderLibrary& shaders);
-    /// Draws over Radiance.
-    void draw(const FrameContext& frame) const;
+    /// Draws over Radiance. hasPanes: over PaneLight too.
+    void draw(const FrameContext& frame, bool hasPanes) const;
 
 private:
     /// copied: the part of BehindWater that holds the image.
-    void drawOne(const FrameContext& frame, const Water& water, const PixelRect& area, const PixelRect& copied) const;
+    void drawOne(const FrameContext& frame, const Water& water, const PixelRect& area, const PixelRect& copied,
+                 bool hasPanes) const;
 
     FullscreenProgram& m_program;
 };

@@ -55,6 +55,7 @@ void Scene::applyNow(FrameSnapshot& snapshot) {
     m_shadow.apply(snapshot.shadow, snapshot.shadowReplacesAll);
     if (!snapshot.shadowReplacesAll) m_dirtyRegions.add(snapshot.shadow);
     if (snapshot.watersChanged) m_waters = std::move(snapshot.waters);
+    m_watersChanged |= snapshot.watersChanged;
     if (snapshot.replacesAll) m_ripples.clear();
     if (snapshot.ripplesChanged) m_ripples = std::move(snapshot.ripples);
     m_seconds = double(snapshot.version) / kStepsPerSecond;
@@ -87,10 +88,11 @@ uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld, bool isSameMomen
     const bool rebased = glm::distance(cameraWorld, m_origin) > kRebaseDistance;
     if (rebased) m_origin = glm::round(cameraWorld / kSector) * kSector;
     if (m_smokeChanged || rebased) m_smoke.update(m_particles, m_environment.sunDirection, m_origin);
-    m_smokeChanged = false;
+    const uint64_t outlines = m_watersChanged || rebased ? m_outlines.update(m_waters, m_origin) : 0;
+    m_smokeChanged = m_watersChanged = false;
     if (!isSameMoment) m_shownDirtyRegions = std::exchange(m_dirtyRegions, {});
     const uint64_t bodies = m_bodies.beginFrame(alpha, m_origin, isSameMoment);
-    return bricks + bodies + updateGrid() + m_shadow.upload();
+    return bricks + outlines + bodies + updateGrid() + m_shadow.upload();
 }
 
 uint64_t Scene::updateGrid() {

@@ -9,6 +9,7 @@
 #include "render/scene/dirty_regions.h"
 #include "render/scene/gpu_shadow_volume.h"
 #include "render/scene/smoke_shadow.h"
+#include "render/scene/water_outlines.h"
 #include "runtime/frame/frame_snapshot.h"
 
 namespace rubble {
@@ -43,6 +44,8 @@ public:
     const Environment& environment() const { return m_environment; }
     /// All waters.
     const std::vector<Water>& waters() const { return m_waters; }
+    /// Their outlines, by the same index.
+    const WaterOutlines& waterOutlines() const { return m_outlines; }
     /// Rings on all waters.
     const std::vector<SnapshotRipple>& ripples() const { return m_ripples; }
     /// Game time of the step that is drawn, in seconds.
@@ -70,7 +73,8 @@ public:
     glm::dvec3 origin() const { return m_origin; }
     /// GPU memory.
     uint64_t bytes() const {
-        return m_bodies.bytes() + m_shadow.bytes() + m_smoke.bytes() + (m_grid ? m_grid->bytes() : 0);
+        return m_bodies.bytes() + m_shadow.bytes() + m_smoke.bytes() + m_outlines.bytes() +
+               (m_grid ? m_grid->bytes() : 0);
     }
 
 private:
@@ -99,10 +103,11 @@ private:
     std::vector<SnapshotParticle> m_particles;
     std::vector<SnapshotRope> m_ropes;
     std::vector<Water> m_waters;
+    WaterOutlines m_outlines;
     std::vector<SnapshotRipple> m_ripples;
     double m_seconds = 0.0;
     uint64_t m_glassChanges = 0;
-    bool m_smokeChanged = false;
+    bool m_smokeChanged = false, m_watersChanged = false;
     Environment m_environment;
     glm::dvec3 m_origin{0.0};
 };

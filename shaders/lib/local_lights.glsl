@@ -7,13 +7,14 @@
 //   2. A reservoir keeps one candidate with the probability w_i / sum w, in one pass (Chao 1982; resampled importance
 //      sampling: Talbot, Cline, Egbert 2005). Where there are more than 24, the first 12 are always candidates and 12
 //      of the others are taken at a stride, each standing for `stride` of them.
-//   3. A direction to that light is drawn with density p over solid angle, uniform over the cone of a sphere, or by
-//      area over a rectangle.
+//   3. A direction to that light is drawn with density p over solid angle, uniform over the cone of a sphere, or over a
+//      rectangle: by solid angle where that is large, else by area, which loses fewer digits.
 // The estimate L cos / (pi p) * (sum w / w_i) has the right mean if w_i > 0 wherever light i sends anything. Its noise
 // is small where w_i is nearly proportional to the light's true contribution. Needs lib/frame, lib/sampling.
 #include "lib/constants.glsl"
 #include "lib/color.glsl"
 #include "lib/texels.glsl"
+#include "lib/rectangle_sampling.glsl"
 
 uniform texels4f uLights;      // kTexelsPerLight a light: see readLight()
 uniform texels2 uLightCells;   // a cell of the grid: first entry in the list, number of lights
@@ -22,6 +23,7 @@ uniform texels4f uLightImages;  // texels of screens, linear colour
 uniform ivec3 uLightGrid;         // tiles across and up, slices of depth; one more slice lists lights of all depths
 
 const int kOthersWeighed = 12;  // beside the kAlwaysWeighed first ones of a cell
+const float kWideAngle = 0.3;   // solid angle from which on a rectangle is sampled by solid angle, sr
 
 struct LocalLight {
     vec3 position;
@@ -142,15 +144,27 @@ float hemisphereFraction(float radius, float range2) {
     return sine2 / (1.0 + sqrt(1.0 - sine2));
 }
 
-/// A direction to a random point of a light: of a sphere uniform over its cone, of a rectangle uniform over its area.
+/// A light's rectangle as seen from a point.
+SphericalRectangle rectangleOf(LocalLight light, vec3 toCentre) {
+    vec3 centre = vec3(dot(toCentre, light.right), dot(toCentre, cross(light.right, light.axis)),
+                       dot(toCentre, light.axis));
+    return sphericalRectangle(centre, max(light.halfSize, vec2(1e-3)));
+}
+
+/// A direction to a random point of a light: of a sphere uniform over its cone, of a rectangle uniform over its solid
+/// angle or area.
 vec3 sampleLightDirection(LocalLight light, vec3 toCentre, vec2 u) {
     float range2 = max(dot(toCentre, toCentre), 1e-6);
     float fall = u.y * hemisphereFraction(light.radius, range2), angle = 2.0 * kPi * u.x;
     vec3 local = vec3(sqrt(fall * (2.0 - fall)) * vec2(cos(angle), sin(angle)), 1.0 - fall);
     vec3 ball = orthonormalBasis(toCentre * inversesqrt(range2)) * local;
+    if (light.kind < kArea) return ball;
+    vec3 up = cross(light.right, light.axis);
     vec2 place = (2.0 * u - 1.0) * light.halfSize;
-    vec3 area = normalize(toCentre + light.right * place.x + cross(light.right, light.axis) * place.y);
-    return light.kind >= kArea ? area : ball;
+    SphericalRectangle wide = rectangleOf(light, toCentre);
+    if (wide.solidAngle > kWideAngle)
+        place = sampleRectangle(wide, u) - vec2(dot(toCentre, light.right), dot(toCentre, up));
+    return normalize(toCentre + light.right * place.x + up * place.y);
 }
 
 /// What a light sends to a position along a direction.
@@ -175,7 +189,7 @@ LightSample evaluateSphere(LocalLight light, vec3 toCentre, vec3 direction, bool
                        1.0 / (2.0 * kPi * hemisphereFraction(light.radius, range2)));
 }
 
-/// A rectangle of radiance intensity / area. Its density by area becomes one over solid angle: range^2 / (cosine area).
+/// A rectangle of radiance intensity / area. Density by area becomes one over solid angle: range^2 / (cosine area).
 LightSample evaluateArea(LocalLight light, vec3 toCentre, vec3 direction, bool isHit) {
     float turned = -dot(direction, light.axis), cosine = max(light.twoSided ? abs(turned) : turned, 1e-5);
     float range = -dot(toCentre, light.axis) / (turned < 0.0 ? -cosine : cosine);
@@ -185,13 +199,13 @@ LightSample evaluateArea(LocalLight light, vec3 toCentre, vec3 direction, bool i
     float area = 4.0 * halfSize.x * halfSize.y;
     bool isVisible = cosine > 1e-5 && range > 0.0 && (isHit || max(abs(place.x), abs(place.y)) <= 1.0);
     vec3 color = light.kind == kScreen ? light.color * screenImageAt(light, place) : light.color;
+    float solidAngle = rectangleOf(light, toCentre).solidAngle;
     return LightSample(range, max(light.radius, 0.12) / max(cosine, 0.1),
                        isVisible ? color * (lightWindow(range, light.reach) / area) : vec3(0.0),
-                       max(range * range, 1e-4) / (cosine * area));
+                       solidAngle > kWideAngle ? 1.0 / solidAngle : max(range * range, 1e-4) / (cosine * area));
 }
 
 LightSample evaluateLight(LocalLight light, vec3 toCentre, vec3 direction, bool isHit) {
-    LightSample ball = evaluateSphere(light, toCentre, direction, isHit);
-    LightSample area = evaluateArea(light, toCentre, direction, isHit);
-    return light.kind >= kArea ? area : ball;
+    return light.kind >= kArea ? evaluateArea(light, toCentre, direction, isHit)
+                               : evaluateSphere(light, toCentre, direction, isHit);
 }

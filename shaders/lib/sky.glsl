@@ -36,6 +36,12 @@ float hazeAmount(float distanceMetres) {
     return 1.0 - exp2(-ratio * sqrt(ratio));
 }
 
+/// A view out of the level through the haze. Ordinary haze is a part of the colours of hills and fields, and the sky is
+/// clear; one that hides things within some ten metres hides the background too.
+vec3 throughHaze(vec3 background, vec3 direction) {
+    return mix(hazeRadiance(direction), background, smoothstep(5.0, 40.0, frame.fogColor.w));
+}
+
 /// Adds clouds: fractal noise on a plane overhead, lit by the difference of thickness toward the sun.
 vec3 withClouds(vec3 sky, vec3 direction) {
     float height = direction.y + 0.06;
@@ -92,7 +98,7 @@ vec3 fieldsBelow(vec3 origin, vec3 direction) {
         mix(vec3(0.115, 0.155, 0.055), vec3(0.22, 0.20, 0.085), smoothstep(0.35, 0.7, patches)) * (0.75 + 0.5 * tufts);
     vec3 light = frame.sunColor.rgb * max(frame.sunDirection.y, 0.0) * kInversePi + skyRadiance(vec3(0, 1, 0)) * 0.8;
     // Haze is limited, as a white band below the hills would look like water.
-    return mix(albedo * light, hazeRadiance(direction), min(hazeAmount(distanceMetres), 0.72));
+    return throughHaze(mix(albedo * light, hazeRadiance(direction), min(hazeAmount(distanceMetres), 0.72)), direction);
 }
 
 const float kStarRadius = 0.111, kMaxStarRadius = 0.2;  // in cells, in which stars are at least 0.2 off the border
@@ -138,12 +144,12 @@ bool meetsFields(vec3 origin, vec3 direction) { return direction.y < 0.0 && orig
 vec3 backgroundRadiance(vec3 direction) {
     vec3 origin = frame.cameraPosition.xyz;
     if (meetsFields(origin, direction)) return fieldsBelow(origin, direction);
-    return withHills(skyBehind(direction), direction);
+    return throughHaze(withHills(skyBehind(direction), direction), direction);
 }
 
 /// All that lies behind the level as a mirror shows it: without the sun's disc and stars, which highlights stand for.
 vec3 mirroredBackground(vec3 origin, vec3 direction) {
     if (meetsFields(origin, direction)) return fieldsBelow(origin, direction);
     vec3 sky = skyRadiance(direction);
-    return direction.y > 0.0 ? withHills(withClouds(sky, direction), direction) : sky;
+    return throughHaze(direction.y > 0.0 ? withHills(withClouds(sky, direction), direction) : sky, direction);
 }

@@ -9,6 +9,6 @@ out vec4 radiance;
 
 void main() {
     vec3 direction = normalize(viewRay(uv));
-    vec3 color = skyBehind(direction);
+    vec3 color = throughHaze(skyBehind(direction), direction);
     radiance = vec4(halfRange(color), 1.0);
 }

@@ -4,19 +4,17 @@
 // sin a = n sin b (Snell) and leaves parallel to itself, displaced along the plate by d (tan b - tan a). With the
 // tangential part of the direction (length sin a) that is
 //   offset = tangential * d (1 / sqrt(n^2 - 1 + cos^2 a) - 1 / cos a)
-// The background is read where the displaced point lies on the screen.
+// The background is read where the displaced point lies on the screen. lib/pane_light.glsl adds the rest.
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
 #include "lib/brdf.glsl"
 #include "lib/sky.glsl"
 #include "lib/color.glsl"
+#include "lib/pane_light.glsl"
 
 uniform sampler2D uBackground;
-uniform sampler2D uDepth;
-uniform sampler2D uGlassTint;
-uniform sampler2D uGlassSurface;
-uniform bool uHasReflections;
-uniform sampler2D uReflection;
+uniform bool uHasPaneLight;  // else it is computed here
+uniform sampler2D uPaneLight;
 uniform bool uRefraction;
 
 const float kThickness = 0.06;               // metres: thinner than a voxel, or windows would look like blocks
@@ -50,12 +48,10 @@ void main() {
     vec4 pane = texelFetch(uGlassSurface, pixel, 0);
     if (pane.w <= 0.0) discard;
     vec3 ray = viewRay(gl_FragCoord.xy * frame.targetSize.zw);
-    vec3 direction = normalize(ray), normal = normalize(pane.xyz);
-    vec4 seen = texelFetch(uBackground, uRefraction ? refractedPixel(pixel, ray, pane, normal) : pixel, 0);
-    vec3 behind = seen.rgb;
-    float share = min(kPaneScale * fresnel(vec3(kPaneReflectance), abs(dot(normal, direction))).x, 1.0);
-    vec3 mirrored = uHasReflections ? texelFetch(uReflection, pixel, 0).rgb : skyRadiance(reflect(direction, normal));
-    vec3 color = mix(behind * texelFetch(uGlassTint, pixel, 0).rgb, mirrored, share);
+    vec4 seen = texelFetch(
+        uBackground, uRefraction ? refractedPixel(pixel, ray, pane, normalize(pane.xyz)) : pixel, 0);
+    vec4 light = uHasPaneLight ? texelFetch(uPaneLight, pixel, 0) : paneLightAt(pixel, ray);
+    vec3 passing = texelFetch(uGlassTint, pixel, 0).rgb * light.a;
     // The reflection does not move with what is behind: the larger its share, the less TAA relies on history.
-    radiance = vec4(halfRange(color), seen.a * (1.0 - share));
+    radiance = vec4(halfRange(seen.rgb * passing + light.rgb), seen.a * light.a);
 }

@@ -8,21 +8,23 @@
 //   From above    what is below is displaced by the waves' refraction; one mirror ray; the sun's glint; foam
 //   From below    Snell's window: one ray refracted into the air where the surface lets light through, or reflected
 //                 where it mirrors, which it does totally from the critical angle on
+// What the water does to panes of glass in it is a part of their light: lib/pane_light.glsl.
 // Fresnel's reflectance is Schlick's with f0 = 0.02, by the angle in air (which is right on both sides).
 #include "lib/constants.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
+#include "lib/texels.glsl"
 #include "lib/sampling.glsl"
 #include "lib/brdf.glsl"
 #include "lib/sky.glsl"
 #include "lib/shadow_trace.glsl"
 #include "lib/bounce.glsl"
 
-uniform sampler2D uBackground;                            // the image without this water
-uniform ivec2 uBackgroundLow, uBackgroundHigh;            // its first and last pixel
-uniform mat4 uOutline0, uOutline1, uOutline2, uOutline3;  // corners x, z, x, z ...
-uniform int uCornerCount;
+uniform sampler2D uBackground;                  // the image without this water
+uniform ivec2 uBackgroundLow, uBackgroundHigh;  // its first and last pixel
+uniform texels4f uOutline;            // sides of all waters, and boxes around runs of them: outlineCrossings()
+uniform int uOutlineFirst, uOutlineEnd;  // of this water
 uniform float uSurface, uBottom;  // y, metres from the render origin
 uniform vec3 uColor;              // transmittance of uClarity metres
 uniform vec3 uExtinction;         // s, 1 / m
@@ -30,6 +32,10 @@ uniform vec4 uWaves;              // height and length of the longest, metres; s
 uniform float uSeconds;
 uniform vec4 uRipples[kMaxRipples];  // xy centre (world x, z), z radius of the crest now, w height; metres
 uniform int uRippleCount;
+uniform bool uHasPanes;
+uniform sampler2D uGlassTint;
+uniform sampler2D uGlassSurface;
+uniform sampler2D uPaneLightBehind;  // lib/pane_light.glsl, without this water
 
 const float kRingWidth = 0.45;  // metres to each side of a crest
 const float kRingPhase = 9.42;  // 3 pi: radians of the wave to each side of a crest
@@ -43,32 +49,58 @@ const float kMaxRayDistance = 1e5;   // metres
 const float kMeniscus = 0.003;       // metres of height at the port that the water line covers
 
 in vec2 uv;
-out vec4 color;
+layout(location = 0) out vec4 color;
+layout(location = 1) out vec4 paneLight;  // if uHasPanes
 
-/// Corner i of the outline: x, z.
-vec2 cornerAt(int i) {
-    mat4 part = i < 8 ? uOutline0 : i < 16 ? uOutline1 : i < 24 ? uOutline2 : uOutline3;
-    vec4 pair = part[(i & 7) >> 1];
-    return (i & 1) == 0 ? pair.xy : pair.zw;
+/// Whether a ray in the plane may meet a box of the outline (xy centre, zw half its size) beyond `begin`.
+bool meetsBox(vec4 box, vec2 origin, vec2 direction, float begin) {
+    vec2 middle = box.xy - origin, reach = abs(direction);
+    return abs(direction.x * middle.y - direction.y * middle.x) <= dot(reach, box.wz) &&
+           dot(direction, middle) + dot(reach, box.zw) > begin * dot(direction, direction);
+}
+
+/// Where a ray in the plane crosses the outline beyond `begin`.
+struct Crossings {
+    float first, second;  // in lengths of the direction
+    bool isOdd;           // their number
+};
+
+/// Adds a side, of its two corners.
+void addSide(inout Crossings found, vec4 side, vec2 origin, vec2 direction, float begin) {
+    vec2 a = side.xy - origin, b = side.zw - origin;
+    float asideA = direction.x * a.y - direction.y * a.x, asideB = direction.x * b.y - direction.y * b.x;
+    if ((asideA > 0.0) == (asideB > 0.0)) return;
+    vec2 crossing = a + (b - a) * (asideA / (asideA - asideB));
+    float t = dot(crossing, direction) / dot(direction, direction);
+    if (t <= begin) return;
+    found.isOdd = !found.isOdd;
+    found.second = min(max(t, found.first), found.second);
+    found.first = min(t, found.first);
+}
+
+/// Visits the sides in boxes that the ray meets. Texels: a group is its box and kOutlineRuns runs, a run is its box and
+/// kOutlineSides sides; the last ones may be shorter.
+Crossings outlineCrossings(vec2 origin, vec2 direction, float begin) {
+    const int kRun = 1 + kOutlineSides, kGroup = 1 + kOutlineRuns * kRun;
+    Crossings found = Crossings(kSkyDepth, kSkyDepth, false);
+    for (int group = uOutlineFirst; group < uOutlineEnd; group += kGroup) {
+        if (!meetsBox(fetch4f(uOutline, group), origin, direction, begin)) continue;
+        int groupEnd = min(group + kGroup, uOutlineEnd);
+        for (int run = group + 1; run < groupEnd; run += kRun) {
+            if (!meetsBox(fetch4f(uOutline, run), origin, direction, begin)) continue;
+            int runEnd = min(run + kRun, groupEnd);
+            for (int side = run + 1; side < runEnd; ++side)
+                addSide(found, fetch4f(uOutline, side), origin, direction, begin);
+        }
+    }
+    return found;
 }
 
 /// The first stretch of a ray in the plane, beyond `begin`, that lies inside the outline: x from, y to, in lengths of
-/// the direction. By the even-odd rule a point is inside if the ray crosses an odd number of edges beyond it.
+/// the direction. By the even-odd rule a point is inside if the ray crosses an odd number of sides beyond it.
 vec2 insideOutline(vec2 origin, vec2 direction, float begin) {
-    float first = kSkyDepth, second = kSkyDepth;
-    bool inside = false;
-    for (int i = 0, j = uCornerCount - 1; i < uCornerCount; j = i++) {
-        vec2 a = cornerAt(i) - origin, b = cornerAt(j) - origin;
-        float asideA = direction.x * a.y - direction.y * a.x, asideB = direction.x * b.y - direction.y * b.x;
-        if ((asideA > 0.0) == (asideB > 0.0)) continue;
-        vec2 crossing = a + (b - a) * (asideA / (asideA - asideB));
-        float t = dot(crossing, direction) / dot(direction, direction);
-        if (t <= begin) continue;
-        inside = !inside;
-        second = min(max(t, first), second);
-        first = min(t, first);
-    }
-    return inside ? vec2(begin, first) : vec2(first, second);
+    Crossings found = outlineCrossings(origin, direction, begin);
+    return found.isOdd ? vec2(begin, found.first) : vec2(found.first, found.second);
 }
 
 /// xy: slope of the rings on the water; z: height of their crests here.
@@ -141,9 +173,16 @@ vec3 inscattered(float metres, float depth, float upward) {
            (1.0 - exp(-uExtinction * metres * slant)) / slant;
 }
 
-/// What water that is seen through shows of a radiance behind it.
-vec3 throughWater(vec3 radiance, float metres, float depth, float upward) {
-    return radiance * exp(-uExtinction * metres) + inscattered(metres, depth, upward);
+/// What something before a radiance does to it: `left` is the share that passes, `added` comes on top.
+struct Layer {
+    vec3 left, added;
+};
+
+vec3 through(Layer layer, vec3 radiance) { return radiance * layer.left + layer.added; }
+
+/// A path of `metres` in the water, if it begins at a depth.
+Layer waterLayer(float metres, float depth, float upward) {
+    return Layer(exp(-uExtinction * metres), inscattered(metres, depth, upward));
 }
 
 /// What is seen through the surface from above: rgb colour, w its linear depth. bend: by how much the waves turn the
@@ -205,29 +244,39 @@ Crossing crossingAt(vec3 place, vec3 direction, float far) {
     return Crossing(place, normal, direction, passed, fresnel(vec3(kReflectance), inAir).r, rings.z);
 }
 
-vec3 surfaceFromAbove(Crossing c, vec3 ray, float stretch, WaterPath path) {
-    vec3 level = refract(c.direction, vec3(0, 1, 0), 1.0 / kRefractiveIndex);
-    vec4 below = seenBelow(ray, (c.passed - level) * stretch, path);
-    vec3 seen = throughWater(below.rgb, (below.w - path.begin) * stretch, 0.0, c.passed.y);
+/// What the surface shows from above beside what passes it.
+struct Sheen {
+    vec3 reflected, glint;
+    float foam;
+};
+
+Sheen sheenAt(Crossing c, float below) {
     vec3 mirror = atLeast(reflect(c.direction, c.normal), 1.0);
     float t;
     vec3 reflected = c.mirrored < kMinMirrorShare ? skyRadiance(mirror) : radianceAlong(c.place, mirror, t);
     vec3 toSun = frame.sunDirection.xyz;
     vec3 glint = frame.sunColor.rgb * min(specularLobe(c.normal, -c.direction, toSun, 0.12), 30.0) *
                  max(dot(c.normal, toSun), 0.0) * c.mirrored;
-    float foam = foamAt(c.place.xz, (path.end - path.begin) * -ray.y, c.crest);
-    return mix(mix(seen, reflected, c.mirrored) + min(glint, vec3(20.0)), 0.75 * lightFromAbove(), foam);
+    return Sheen(reflected, min(glint, vec3(20.0)), foamAt(c.place.xz, below, c.crest));
 }
 
-/// Snell's window and, outside of it, the mirrored pool. The lesser of both is not worth a ray.
-vec3 surfaceFromBelow(Crossing c) {
+/// Water and the surface above it.
+Layer underSurface(Layer water, Crossing c, Sheen sheen) {
+    return Layer(
+        water.left * ((1.0 - c.mirrored) * (1.0 - sheen.foam)),
+        mix(mix(water.added, sheen.reflected, c.mirrored) + sheen.glint, 0.75 * lightFromAbove(), sheen.foam));
+}
+
+/// Snell's window and, outside of it, the mirrored pool, of which `passed` is what is seen. The lesser of both is not
+/// worth a ray.
+Layer surfaceFromBelow(Crossing c, out vec3 passed) {
     bool isMirror = c.mirrored > 0.5;
     vec3 direction = isMirror ? atLeast(reflect(c.direction, -c.normal), -1.0) : atLeast(c.passed, 1.0);
     float t;
-    vec3 radiance = radianceAlong(c.place, direction, t);
-    if (isMirror)
-        return mix(skyRadiance(atLeast(c.direction, 1.0)), throughWater(radiance, t, 0.0, direction.y), c.mirrored);
-    return mix(radiance, inscattered(kMaxRayDistance, 0.0, -1.0), c.mirrored);
+    passed = radianceAlong(c.place, direction, t);
+    if (!isMirror) return Layer(vec3(1.0 - c.mirrored), inscattered(kMaxRayDistance, 0.0, -1.0) * c.mirrored);
+    vec3 mirrored = through(waterLayer(t, 0.0, direction.y), passed);
+    return Layer(vec3(0.0), mix(skyRadiance(atLeast(c.direction, 1.0)), mirrored, c.mirrored));
 }
 
 void main() {
@@ -238,17 +287,38 @@ void main() {
     WaterPath path = pathThrough(ray, behind, isUnder);
     if (path.end <= path.begin) discard;
 
-    float stretch = length(ray), metres = (path.end - path.begin) * stretch;
+    float pane = uHasPanes ? texelFetch(uGlassSurface, pixel, 0).w : 0.0;
+    float stretch = length(ray), metres = (path.end - path.begin) * stretch,
+          toPane = max(min(pane, path.end) - path.begin, 0.0) * stretch;
     vec3 direction = ray / stretch, origin = frame.cameraPosition.xyz;
-    color = texelFetch(uBackground, pixel, 0);
-    if (path.isThroughTop) {
-        float depth = isUnder ? path.end : path.begin;
-        Crossing c = crossingAt(origin + ray * depth, direction, depth);
-        color = vec4(halfRange(isUnder ? surfaceFromBelow(c) : surfaceFromAbove(c, ray, stretch, path)),
-                     min(kHistoryWeight, color.a));
+    vec4 seen = texelFetch(uBackground, pixel, 0);
+    Layer water, beforePane;
+    if (path.isThroughTop && !isUnder) {
+        Crossing c = crossingAt(origin + ray * path.begin, direction, path.begin);
+        Sheen sheen = sheenAt(c, (path.end - path.begin) * -ray.y);
+        vec3 level = refract(direction, vec3(0, 1, 0), 1.0 / kRefractiveIndex);
+        vec4 below = seenBelow(ray, (c.passed - level) * stretch, path);
+        water = underSurface(waterLayer((below.w - path.begin) * stretch, 0.0, c.passed.y), c, sheen);
+        beforePane = underSurface(waterLayer(toPane, 0.0, c.passed.y), c, sheen);
+        seen = vec4(below.rgb, min(kHistoryWeight, seen.a));
+    } else {
+        float depth = uSurface - origin.y - ray.y * path.begin;
+        water = waterLayer(metres, depth, direction.y);
+        beforePane = waterLayer(toPane, depth, direction.y);
+        if (path.isThroughTop) {
+            vec3 passed;
+            Layer surface = surfaceFromBelow(crossingAt(origin + ray * path.end, direction, path.end), passed);
+            if (pane > path.end) beforePane = Layer(water.left * surface.left, through(water, surface.added));
+            seen = vec4(halfRange(through(surface, passed)), min(kHistoryWeight, seen.a));
+        }
+        float line = path.begin <= 0.0 ? 0.5 + 0.5 * smoothstep(0.0, kMeniscus, -over) : 1.0;
+        water = Layer(water.left * line, water.added * line);
+        beforePane = Layer(beforePane.left * line, beforePane.added * line);
     }
-    if (path.isThroughTop && !isUnder) return;
-    color.rgb = throughWater(color.rgb, metres, uSurface - origin.y - ray.y * path.begin, direction.y);
-    if (path.begin <= 0.0) color.rgb *= 0.5 + 0.5 * smoothstep(0.0, kMeniscus, -over);
-    color.rgb = halfRange(color.rgb);
+    color = vec4(halfRange(through(water, seen.rgb)), seen.a);
+    if (!uHasPanes) return;
+    paneLight = texelFetch(uPaneLightBehind, pixel, 0);
+    if (pane <= path.begin) return;
+    vec3 passing = texelFetch(uGlassTint, pixel, 0).rgb * paneLight.a;
+    paneLight.rgb = halfRange(beforePane.added * (1.0 - passing) + beforePane.left * paneLight.rgb);
 }

@@ -24,6 +24,10 @@ SHARED_CONSTANT int kCapsule = 1;
 SHARED_CONSTANT int kArea = 2;
 SHARED_CONSTANT int kScreen = 3;
 
+// Outlines of waters (passes/water.frag).
+SHARED_CONSTANT int kOutlineSides = 16;  // sides in a box
+SHARED_CONSTANT int kOutlineRuns = 16;   // such boxes in a larger one
+
 // Lengths of uniform arrays, and the size of a texel of the history confidence in pixels.
 SHARED_CONSTANT int kMaxDirtyRegions = 8;
 SHARED_CONSTANT int kMaxLightChanges = 16;

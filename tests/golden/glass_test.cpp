@@ -143,5 +143,36 @@ TEST_F(GlassTest, DoesNotSmearWhatStandsInFront) {
     EXPECT_GT(panes, 60);
 }
 
+/// A pane shows  t (T B' + F M) + a  of what is behind it, B', and what it mirrors, M, if the haze before it leaves the
+/// share t and adds a. The wall behind it is far beyond it, in thicker haze.
+TEST_F(GlassTest, HazeCoversPanesAsItCoversWhatIsBesideThem) {
+    const auto drawn = [&](float fogDistance, bool isPane) {
+        LitScene scene(wallAndPanes());
+        scene.environment.fogDistance = fogDistance;
+        scene.environment.fogColor = {0.3f, 0.4f, 0.6f};
+        scene.environment.sunDirection = {0.1f, -1.0f, 0.0f};
+        scene.environment.sunColor = glm::vec3(0.0f);
+        scene.add({20, 20, 1}, {{-2, -1, 0}, kLevel}, [](glm::ivec3) { return kWall; });
+        if (isPane) scene.add({20, 20, 1}, {{0, -1, 0}, kLevel}, [](glm::ivec3) { return uint8_t(kFirstPane); });
+        scene.add({160, 60, 2}, {{-8, -3, -4}, kLevel}, [](glm::ivec3) { return kWall; });
+        RenderSettings settings;
+        settings.temporal = settings.fog = settings.refraction = settings.reflections = false;
+        start(scene, kSize, settings);
+        draw(camera());
+        return read("radiance");
+    };
+    const glm::ivec2 pane(60, 32);
+    const auto at = [&](const FloatImage& image) { return glm::vec3(image.at(pane.x, pane.y)); };
+    const FloatImage clear = drawn(1e6f, true), dense = drawn(0.5f, true);
+    const glm::vec3 haze(dense.at(20, 32));  // of the wall beside it
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(at(dense)[c], haze[c], 0.01f) << "channel " << c;
+    const float fogDistance = 5.0f, ratio = 3.9f / fogDistance, hidden = 1.0f - std::exp2(-ratio * std::sqrt(ratio));
+    const glm::vec3 behind = at(drawn(fogDistance, false)), tint = paneTransmittance(0);
+    const glm::vec3 mirrored = at(clear) - 0.92f * tint * at(drawn(1e6f, false));
+    const glm::vec3 expected = 0.92f * tint * (behind - hidden * haze) + (1.0f - hidden) * mirrored + hidden * haze;
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(at(drawn(fogDistance, true))[c], expected[c], 0.02f * expected[c]) << "channel " << c;
+}
+
 }  // namespace
 }  // namespace rubble

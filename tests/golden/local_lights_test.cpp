@@ -110,6 +110,20 @@ TEST_F(LocalLightsTest, AreaHasTheFormFactorOfAParallelRectangle) {
     }
 }
 
+/// Under a ceiling that shines and goes far beyond what is seen, all samples of a point are about alike.
+TEST_F(LocalLightsTest, AHugeAreaNearAFloorIsSmooth) {
+    for (const float side : {10.0f, 100.0f, 1000.0f}) {
+        SnapshotLight light = lightAt(LightKind::Area, {0, 3, 0}, side * side);
+        light.width = light.height = side;
+        light.reach = 1e6f;
+        const double x = 0.5 * side / 3.0, r = std::sqrt(1 + x * x), expected = 4.0 / kPi * x / r * std::atan(x / r);
+        EXPECT_NEAR(lightOf(light), expected, 0.02 * expected) << side;
+        float most = 0.0f;
+        for (const glm::vec4& pixel : read("noisyLight").pixels) most = std::max(most, pixel.g);
+        EXPECT_LT(most, 4.0 * expected) << side << ": a speck";
+    }
+}
+
 TEST_F(LocalLightsTest, CapsuleIsALineOfBalls) {
     SnapshotLight light = lightAt(LightKind::Capsule, {0, 1, 0}, 4.0f);
     light.width = 3.0f;

@@ -26,6 +26,11 @@ GLenum refuseSome(GLenum) {
     return GLuint(bound) != g_viewFramebuffer && g_refusals-- > 0 ? GL_FRAMEBUFFER_UNSUPPORTED
                                                                   : GL_FRAMEBUFFER_COMPLETE;
 }
+GLenum statusWithoutWindow(GLenum) {
+    GLint bound = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    return bound == 0 ? GL_FRAMEBUFFER_UNDEFINED : GL_FRAMEBUFFER_COMPLETE;
+}
 GLenum g_resetStatus = GL_NO_ERROR;
 bool g_resetIsToldOnce = false;
 GLenum resetStatus() {
@@ -173,6 +178,21 @@ TEST_F(ResilienceTest, AViewThatCannotBeDrawnSaysWhyAndTheNextOneIsDrawn) {
     const Image after = draw(streetCamera(0));
     EXPECT_EQ(renderer->lastError(), "");
     EXPECT_EQ(colors(before) > 50, colors(after) > 50);
+}
+
+TEST_F(ResilienceTest, AContextWithoutAWindowHasNothingToDrawInto) {
+    for (const HostState host : {HostState::Restored, HostState::Reset}) {
+        RenderSettings settings;
+        settings.hostState = host;
+        start(streetScene(), kSize, settings);
+        const GlReplaced status(glad_glCheckFramebufferStatus,
+                                decltype(glad_glCheckFramebufferStatus)(statusWithoutWindow));
+        for (int i = 0; i < 2; ++i) renderer->draw(streetCamera(0).view(kSize, 0), 1.0f);
+        EXPECT_NE(renderer->lastError().find("without a window"), std::string::npos) << renderer->lastError();
+        EXPECT_FALSE(renderer->readTarget("radiance")) << "it was drawn all the same";
+        draw(streetCamera(0));
+        EXPECT_EQ(renderer->lastError(), "");
+    }
 }
 
 TEST_F(ResilienceTest, ABrokenShaderKeepsTheImageAndShowsARedDot) {

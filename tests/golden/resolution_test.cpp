@@ -1,5 +1,6 @@
 // Fewer pixels traced than displayed: TAA reconstructs the image.
 #include "render/frame/view_histories.h"
+#include "runtime/core/log.h"
 #include "tests/golden/compare.h"
 #include "tests/golden/drawing.h"
 #include "tests/render/gl_calls.h"
@@ -41,11 +42,25 @@ TEST_F(ResolutionTest, FractionalScalesKeepPositions) {
     for (const float scale : {0.9f, 0.67f, 0.34f}) EXPECT_LT(compare(street(scale, 48), whole).mean, 7.0) << scale;
 }
 
-TEST_F(ResolutionTest, AnInvalidScaleTracesEveryPixel) {
-    for (const float scale : {0.0f, -1.0f, 3.0f, std::numeric_limits<float>::quiet_NaN()}) {
+TEST_F(ResolutionTest, AScaleOutOfItsRangeCountsAsTheNearestAndIsLogged) {
+    int lines = 0;
+    setLogSink([](void* count, LogLevel, std::string_view) { ++*static_cast<int*>(count); }, &lines);
+    const glm::ivec2 least(glm::round(glm::vec2(kSize) * RenderSettings::kMinScale));
+    for (const auto& [scale, size] :
+         {std::pair(0.15f, least), std::pair(0.0f, least), std::pair(-1.0f, least), std::pair(3.0f, kSize),
+          std::pair(std::numeric_limits<float>::quiet_NaN(), kSize), std::pair(1.0f, kSize)}) {
+        const int before = lines;
         street(scale, 1);
-        EXPECT_EQ(traced(), kSize.x * kSize.y) << scale;
+        EXPECT_EQ(renderer->readTarget("depth")->size, size) << scale;
+        EXPECT_EQ(lines - before, scale == 1.0f ? 0 : 1) << scale;
     }
+    setLogSink(nullptr, nullptr);
+}
+
+/// At 0.15 and below the image was white.
+TEST_F(ResolutionTest, TheLeastScaleShowsTheSameLight) {
+    const Image whole = street(1.0f, 32);
+    EXPECT_LT(compare(street(RenderSettings::kMinScale, 32), whole).mean, 20.0) << "of 255";
 }
 
 /// A GL with textures of 128 x 128 pixels.

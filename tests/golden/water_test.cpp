@@ -1,6 +1,8 @@
 // Water from above, from below and half under, and what water out of view costs.
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
 #include "tests/golden/drawing.h"
@@ -10,9 +12,9 @@ namespace {
 
 constexpr glm::ivec2 kSize(160, 90);
 constexpr double kSurface = 1.8, kRim = 2.0, kHalfLength = 5.0, kHalfWidth = 3.0;  // of the pool, metres
-constexpr uint8_t kTile = 1, kLine = 2, kRed = 3, kStone = 4;
+constexpr uint8_t kTile = 1, kLine = 2, kRed = 3, kStone = 4, kPane = 5;
 
-PaletteRef poolPalette() {
+PaletteRef poolPalette(bool withGlass) {
     auto palette = std::make_shared<Palette>();
     const auto entry = [&](int index, glm::ivec3 color) -> PaletteEntry& {
         PaletteEntry& e = (*palette)[size_t(index)];
@@ -24,13 +26,14 @@ PaletteRef poolPalette() {
     entry(kLine, {60, 90, 150});
     entry(kRed, {190, 60, 45});
     entry(kStone, {150, 145, 135});
+    if (withGlass) entry(kPane, {200, 40, 30}).opacity = 100;
     return palette;
 }
 
 /// A pool of 10 x 6 m, 1.8 m deep, whose floor lies at height 0; a red post stands in it and reaches into the air, and
 /// a tower stands beside it.
-LitScene poolScene() {
-    LitScene scene(poolPalette());
+LitScene poolScene(bool withGlass = false) {
+    LitScene scene(poolPalette(withGlass));
     scene.environment.sunDirection = {0.5f, 0.9f, 0.4f};
     scene.add({140, 24, 100}, {{-7, -0.4, -5}, {1, 0, 0, 0}}, [](glm::ivec3 c) {
         const bool isInside = c.x >= 20 && c.x < 120 && c.z >= 20 && c.z < 80 && c.y >= 4;
@@ -223,6 +226,94 @@ TEST_F(WaterTest, ChangesLittleWhileTheCameraDipsIn) {
             sum += double(below.at(x, y).g);
         }
     EXPECT_LT(difference, 0.03 * sum);
+}
+
+/// Water that nothing can be seen through hides panes in it, from inside and from above, and none before it.
+TEST_F(WaterTest, CoversPanesAsItCoversWhatIsBesideThem) {
+    RenderSettings settings;
+    settings.temporal = settings.fog = false;
+    const auto drawn = [&](const Camera& camera, double paneHeight, float clarity) {
+        LitScene scene = poolScene(true);
+        if (paneHeight >= 0.0)
+            scene.add({20, 8, 2}, {{-1, paneHeight, 1.0}, {1, 0, 0, 0}}, [](glm::ivec3) { return kPane; });
+        Drawing::start(scene, kSize, settings);
+        FrameSnapshot step;
+        step.version = step.newestStep = 60;
+        Water water = poolWater();
+        water.clarity = clarity;
+        water.waves.height = 0.0f;
+        step.waters = {water};
+        step.watersChanged = true;
+        renderer->apply(std::move(step));
+        draw(camera);
+        return read("radiance");
+    };
+    const auto changed = [&](const FloatImage& a, const FloatImage& b) {
+        int count = 0;
+        for (size_t i = 0; i < a.pixels.size(); ++i)
+            count += glm::distance(glm::vec3(a.pixels[i]), glm::vec3(b.pixels[i])) >
+                     0.02f * glm::length(glm::vec3(b.pixels[i])) + 1e-4f;
+        return count;
+    };
+    const Camera under = lookingAt({0.2, 0.5, 2.8}, {0, 0.4, 0}, 0.6f), above = lookingAt({0, 4.5, 4.5}, {0, 1.2, 0.5});
+    for (const Camera& camera : {under, above}) {
+        EXPECT_EQ(changed(drawn(camera, 0.2, 0.01f), drawn(camera, -1.0, 0.01f)), 0) << "water like ink";
+        EXPECT_GT(changed(drawn(camera, 0.2, 8.0f), drawn(camera, -1.0, 8.0f)), 100) << "clear water";
+    }
+    EXPECT_GT(changed(drawn(above, 1.9, 0.01f), drawn(above, -1.0, 0.01f)), 100) << "a pane over the water";
+}
+
+/// From above, each pixel shows water where its point of the surface is inside the outline.
+TEST_F(WaterTest, ReachesToItsOutlineHoweverManyCornersThatHas) {
+    RenderSettings settings;
+    settings.temporal = false;
+    const Camera above = lookingAt({0.0, 12.0, 0.01}, {0.0, 0.0, 0.0}, 0.5f);
+    start(std::vector<Water>{}, settings);
+    draw(above);
+    const FloatImage dry = read("radiance"), depth = read("depth");
+    for (const int corners : {5, 16, 17, 65, 257, 1001, 10000}) {
+        Water water = poolWater();
+        water.outline.clear();
+        for (int i = 0; i < corners; ++i) {
+            const double angle = glm::two_pi<double>() * i / corners, spikes = corners % 2 ? 0.0 : 0.7 * (i % 2);
+            const double radius = 2.7 - spikes + 0.2 * std::sin(9.0 * angle);
+            water.outline.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+        }
+        start({water}, settings);
+        draw(above);
+        const FloatImage wet = read("radiance");
+        const double perPixel = 2.0 * std::tan(0.25) * (12.0 - kSurface) / kSize.y;
+        int inside = 0, wrong = 0;
+        for (int y = 0; y < kSize.y; ++y)
+            for (int x = 0; x < kSize.x; ++x) {
+                const auto isIn = [&](double dx, double dy) {
+                    return contains(water.outline, (x + 0.5 + dx - 0.5 * kSize.x) * perPixel,
+                                    -(y + 0.5 + dy - 0.5 * kSize.y) * perPixel);
+                };
+                const bool isInside = isIn(0, 0);
+                bool isBorder = false;
+                for (int i = 0; i < 25; ++i) isBorder |= isIn(0.5 * (i % 5 - 2), 0.5 * (i / 5 - 2)) != isInside;
+                if (isBorder || depth.at(x, y).r < 12.0 - kSurface) continue;  // the post stands out of the water
+                inside += isInside;
+                wrong += (glm::vec3(wet.at(x, y)) != glm::vec3(dry.at(x, y))) != isInside;
+            }
+        EXPECT_EQ(wrong, 0) << corners << " corners";
+        EXPECT_GT(inside, corners == 10000 ? 1500 : 3000) << corners << " corners";
+    }
+}
+
+TEST_F(WaterTest, WavesOfNoLengthAreDrawn) {
+    for (const auto& [length, height] : {std::pair(0.0f, 0.03f), std::pair(1e-30f, 0.03f), std::pair(0.0f, 0.0f)}) {
+        Water water = poolWater();
+        water.waves.length = length;
+        water.waves.height = height;
+        start({water});
+        draw(kFromTheRim, 2);
+        const FloatImage image = read("radiance");
+        int lit = 0;
+        for (const glm::vec4& pixel : image.pixels) lit += pixel.r + pixel.g + pixel.b > 0.01f;
+        EXPECT_EQ(lit, kSize.x * kSize.y) << length << " m long, " << height << " m high";
+    }
 }
 
 /// Writes the pool from many places to the folder RUBBLE_SHEETS, to look at.

@@ -100,6 +100,11 @@ vec3 withHills(const Environment& air, vec3 sky, vec3 direction) {
     return mix(sky, mix(vec3(0.13f, 0.18f, 0.08f) * light * shading, haze, 0.60f), smooth(edge(woods)));
 }
 
+/// As in lib/sky.glsl.
+vec3 throughHaze(const Environment& air, vec3 background, vec3 direction) {
+    return mix(hazeRadiance(air, direction), background, smoothstep(5.0f, 40.0f, air.fogDistance));
+}
+
 vec3 fieldsBelow(const Environment& air, vec3 direction, vec3 eye, float eyeHeight) {
     const float distanceMetres = eyeHeight / std::max(-direction.y, 1e-4f);
     const vec2 place = horizontal(direction) * distanceMetres + horizontal(eye);
@@ -110,7 +115,8 @@ vec3 fieldsBelow(const Environment& air, vec3 direction, vec3 eye, float eyeHeig
         mix(vec3(0.115f, 0.155f, 0.055f), vec3(0.22f, 0.20f, 0.085f), smoothstep(0.35f, 0.7f, patches)) *
         (0.75f + 0.5f * tufts);
     const vec3 light = air.sunColor * std::max(toSun(air).y, 0.0f) * 0.3183f + skyRadiance(air, vec3(0, 1, 0)) * 0.8f;
-    return mix(albedo * light, hazeRadiance(air, direction), std::min(hazeAmount(air, distanceMetres), 0.72f));
+    const vec3 haze = hazeRadiance(air, direction);
+    return throughHaze(air, mix(albedo * light, haze, std::min(hazeAmount(air, distanceMetres), 0.72f)), direction);
 }
 
 }  // namespace
@@ -126,7 +132,8 @@ vec3 skyRadiance(const Environment& air, vec3 direction) {
 vec3 mirroredBackground(const Environment& air, vec3 direction, vec3 eye, float eyeHeight) {
     if (direction.y < 0.0f && eyeHeight > 0.0f) return fieldsBelow(air, direction, eye, eyeHeight);
     const vec3 sky = skyRadiance(air, direction);
-    return direction.y > 0.0f ? withHills(air, withClouds(air, sky, direction), direction) : sky;
+    return throughHaze(air, direction.y > 0.0f ? withHills(air, withClouds(air, sky, direction), direction) : sky,
+                       direction);
 }
 
 vec3 hazeRadiance(const Environment& air, vec3 direction) {
@@ -146,7 +153,7 @@ vec3 backgroundRadiance(const Environment& air, vec3 direction, vec3 eye, float 
     const float edge = 1.0f - 0.5f * air.sunAngle * air.sunAngle * 4.0f;
     sky += air.sunColor * 12.0f * smoothstep(edge, 1.0f - (1.0f - edge) * 0.6f, mu) *
            (1.0f - smoothstep(0.6f, 0.95f, air.clouds));
-    return withHills(air, sky, direction);
+    return throughHaze(air, withHills(air, sky, direction), direction);
 }
 
 }  // namespace rubble::reference
