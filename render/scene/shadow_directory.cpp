@@ -165,7 +165,7 @@ void ShadowDirectory::makeTable(glm::ivec3 low, glm::ivec3 size) {
         write(tableAt() + i, m_pageOf[i] == kNone ? m_skips.at(i) : m_pages[m_pageOf[i]].place * kPageTexels);
 }
 
-/// A long table grows by a little more than it must, so that a body that flies away does not need another one at each
+/// A table grows by an eighth more than it must, so that a body that flies away does not need another one at each
 /// sector.
 void ShadowDirectory::reach(const std::vector<ShadowPatch>& patches) {
     glm::ivec3 low = m_low, high = m_low + m_size;

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "runtime/core/log.h"
+#include "tests/runtime/plugin/headless_loop.h"
 #include "tests/runtime/world/worlds.h"
 #include "tests/support/temp_folder.h"
 
@@ -13,12 +14,6 @@ namespace rubble {
 namespace {
 
 using namespace test;
-
-FrameLoopSettings headlessSettings() {
-    FrameLoopSettings settings;
-    settings.shadowVolume = settings.publish = false;
-    return settings;
-}
 
 Level tower() {
     Level level = oneShapeLevel(towerGrid({40, 60, 40}), true);
@@ -223,13 +218,8 @@ TEST(FrameLoop, ASplitThatWaitsSurvivesSavesAndRecordings) {
     }
     EXPECT_GT(loop.world().bodies().size(), before) << "the upper part came off";
     ASSERT_TRUE(loop.stopRecording());
-    Result<Recording> recording = readRecording(folder / "game.rubblelog", replayed.world().id());
-    ASSERT_TRUE(recording) << recording.error();
-    replayed.load(recording->start);
-    for (const RecordedStep& step : recording->steps) {
-        replayed.replay(step);
-        ASSERT_EQ(replayed.world().hash(), step.hash) << step.step;
-    }
+    expectReplay(replayed, folder / "game.rubblelog");
+    if (HasFatalFailure()) return;
 }
 
 TEST(FrameLoop, WhatLeavesTheLevelIsSavedAndReplayedUnderEveryRule) {
@@ -263,13 +253,8 @@ TEST(FrameLoop, WhatLeavesTheLevelIsSavedAndReplayedUnderEveryRule) {
             ASSERT_EQ(loaded.world().hash(), loop.world().hash()) << step;
         }
         ASSERT_TRUE(loop.stopRecording());
-        Result<Recording> recording = readRecording(folder / "game.rubblelog", replayed.world().id());
-        ASSERT_TRUE(recording) << recording.error();
-        replayed.load(recording->start);
-        for (const RecordedStep& step : recording->steps) {
-            replayed.replay(step);
-            ASSERT_EQ(replayed.world().hash(), step.hash) << step.step;
-        }
+        expectReplay(replayed, folder / "game.rubblelog");
+        if (HasFatalFailure()) return;
         const size_t left = loop.world().bodies().size();
         EXPECT_EQ(left < 7, rule != BoundsRule::Keep) << "some are dust";
         EXPECT_TRUE(rule != BoundsRule::Ground || left > 1) << "and some rest on the ground";

@@ -3,19 +3,13 @@
 
 #include <functional>
 
-#include "runtime/plugin/frame_loop.h"
+#include "tests/runtime/plugin/headless_loop.h"
 #include "tests/runtime/world/worlds.h"
 
 namespace rubble {
 namespace {
 
 using namespace test;
-
-FrameLoopSettings headlessSettings() {
-    FrameLoopSettings settings;
-    settings.shadowVolume = settings.publish = false;
-    return settings;
-}
 
 void addShape(Level& level, const char* name, glm::ivec3 size, glm::dvec3 corner, uint8_t entry, bool isStatic) {
     LevelBody body{.name = name, .pose = {corner}, .isStatic = isStatic};
