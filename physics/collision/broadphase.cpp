@@ -1,23 +1,34 @@
 #include "physics/collision/broadphase.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "physics/math/bullet_math.h"
+#include "runtime/core/random.h"
+#include "runtime/core/world_box.h"
 
 namespace rubble {
 namespace {
 
 /// Metres by which the leaf of a moving object is larger than its bounds, so that small moves do not change the tree.
 constexpr btScalar kFatMargin = 0.05f;
-constexpr double kRounding = 1e-4;  ///< metres added to bounds against the rounding of their floats
+constexpr double kRounding = 1e-4;    ///< metres added to bounds against the rounding of their floats
+constexpr double kScatter = 0x1p-17;  ///< share of a coordinate by which a leaf is shifted: 64 steps of a float
+constexpr int kSlack = 16;          ///< nodes by which a shallow tree is deeper than twice the logarithm of its leaves
+constexpr int kRebuildVisits = 16;  ///< visits of nodes that cost as much as a leaf of a tree built from top down
+
+int depthOf(const btDbvtNode* node) {
+    int depth = 0;
+    for (; node; node = node->parent) ++depth;
+    return depth;
+}
+
+int depthBelow(const btDbvtNode* node) {
+    return !node ? 0 : node->isleaf() ? 1 : 1 + std::max(depthBelow(node->childs[0]), depthBelow(node->childs[1]));
+}
 
 }  // namespace
-
-bool Broadphase::overlap(const CollisionObject& a, const CollisionObject& b) {
-    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-           a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
 
 void Broadphase::sortPairs(std::vector<ObjectPair>& pairs, size_t from) {
     std::sort(pairs.begin() + std::ptrdiff_t(from), pairs.end(), [](const ObjectPair& a, const ObjectPair& b) {
@@ -49,33 +60,66 @@ btDbvtVolume Broadphase::volumeOf(glm::dvec3 low, glm::dvec3 high) const {
     return btDbvtVolume::FromMM(toBullet(low - m_origin), toBullet(high - m_origin));
 }
 
+/// The bounds, a little larger and shifted at random by the object's number. An insertion descends to the child whose
+/// centre is nearer, so objects whose boxes have the same centre would make a list.
+btDbvtVolume Broadphase::scatteredVolumeOf(const CollisionObject& object) const {
+    Random random(object.number);
+    const float x = random.unit(), y = random.unit(), z = random.unit();
+    const glm::dvec3 below(x, y, z), low = object.low - m_origin, high = object.high - m_origin;
+    const glm::dvec3 margin = kScatter * glm::max(glm::abs(low), glm::abs(high));
+    return btDbvtVolume::FromMM(toBullet(low - below * margin), toBullet(high + (1.0 - below) * margin));
+}
+
+/// An insertion never balances one of Bullet's trees: objects that are added in the order of a row make a list, too. So
+/// the visits that insertions have cost beyond a shallow tree's are counted, and as soon as they reach what a rebuild
+/// costs, the tree is rebuilt. All insertions together then take at most a multiple of n^1.5 visits.
+void Broadphase::Tree::keepShallow(const btDbvtNode* inserted) {
+    const int shallow = 2 * int(std::bit_width(unsigned(nodes.m_leaves))) + kSlack;
+    excess += std::max(0, depthOf(inserted) - shallow);
+    if (excess < int64_t(kRebuildVisits) * nodes.m_leaves) return;
+    nodes.optimizeTopDown(4);
+    excess = 0;
+}
+
+int Broadphase::depth() const {
+    return std::max(depthBelow(m_moving.nodes.m_root), depthBelow(m_resting.nodes.m_root));
+}
+
 void Broadphase::add(CollisionObject& object, bool moves) {
     object.m_moves = moves;
     setBounds(object, glm::dvec3(0.0), 0.0);
     touch(object);
-    object.m_leaf = (moves ? m_moving : m_resting).insert(volumeOf(object.low, object.high), &object);
+    Tree& tree = treeOf(object);
+    object.m_leaf = tree.nodes.insert(scatteredVolumeOf(object), &object);
+    tree.keepShallow(object.m_leaf);
 }
 
 void Broadphase::remove(CollisionObject& object) {
     if (!object.m_leaf) return;
-    (object.m_moves ? m_moving : m_resting).remove(object.m_leaf);
+    treeOf(object).nodes.remove(object.m_leaf);
     object.m_leaf = nullptr;
 }
 
 void Broadphase::move(CollisionObject& object, glm::dvec3 displacement, double margin) {
     setBounds(object, displacement, margin);
-    btDbvtVolume volume = volumeOf(object.low, object.high);
-    m_moving.update(object.m_leaf, volume, btVector3(0, 0, 0), kFatMargin);
+    btDbvtVolume volume = scatteredVolumeOf(object);
+    if (m_moving.nodes.update(object.m_leaf, volume, btVector3(0, 0, 0), kFatMargin))
+        m_moving.keepShallow(object.m_leaf);
 }
 
 void Broadphase::find(glm::dvec3 low, glm::dvec3 high, std::vector<CollisionObject*>& out) {
     struct Collect : btDbvt::ICollide {
-        explicit Collect(std::vector<CollisionObject*>& found) : objects(found) {}
-        void Process(const btDbvtNode* leaf) override { objects.push_back(static_cast<CollisionObject*>(leaf->data)); }
+        Collect(const WorldBox& b, std::vector<CollisionObject*>& found) : box(b), objects(found) {}
+        void Process(const btDbvtNode* leaf) override {
+            auto* object = static_cast<CollisionObject*>(leaf->data);
+            if (box.overlaps({object->low, object->high})) objects.push_back(object);
+        }
+        const WorldBox box;
         std::vector<CollisionObject*>& objects;
-    } collect(out);
+    } collect({low, high}, out);
     const btDbvtVolume volume = volumeOf(low, high);
-    for (btDbvt* tree : {&m_resting, &m_moving}) tree->collideTVNoStackAlloc(tree->m_root, volume, m_stack, collect);
+    for (const Tree* tree : {&m_resting, &m_moving})
+        tree->nodes.collideTVNoStackAlloc(tree->nodes.m_root, volume, m_stack, collect);
 }
 
 }  // namespace rubble

@@ -29,7 +29,10 @@ public:
     /// the step (metres, world axes).
     void move(CollisionObject& object, glm::dvec3 displacement, double margin);
 
-    /// Appends the objects whose bounds may overlap a box (world, metres), in no particular order.
+    /// Nodes on the longest path from the root of either tree.
+    int depth() const;
+
+    /// Appends the objects whose bounds overlap a box (world, metres), in no particular order.
     void find(glm::dvec3 low, glm::dvec3 high, std::vector<CollisionObject*>& out);
     /// Appends the overlapping pairs of the `moving` objects with each other and with all others: each pair once,
     /// sorted by numbers. isKnown: called for other moving objects; pairs with those for which it is true are left out.
@@ -40,7 +43,7 @@ public:
             m_found.clear();
             find(object->low, object->high, m_found);
             for (CollisionObject* other : m_found) {
-                if (other == object || !object->filter.meets(other->filter) || !overlap(*object, *other)) continue;
+                if (other == object || !object->filter.meets(other->filter)) continue;
                 if (other->m_moves && (isKnown(*other) || other->number < object->number)) continue;
                 out.emplace_back(object->number < other->number ? ObjectPair(object, other)
                                                                 : ObjectPair(other, object));
@@ -50,13 +53,22 @@ public:
     }
 
 private:
-    static bool overlap(const CollisionObject& a, const CollisionObject& b);
+    /// One of Bullet's trees, kept shallow.
+    struct Tree {
+        btDbvt nodes;
+        int64_t excess = 0;  ///< visits of insertions beyond those of a shallow tree, since the tree was built
+
+        /// Rebuilds the tree from top down if the leaf and those before it were inserted too deep: see the .cpp.
+        void keepShallow(const btDbvtNode* inserted);
+    };
     static void sortPairs(std::vector<ObjectPair>& pairs, size_t from);
     void setBounds(CollisionObject& object, glm::dvec3 displacement, double margin) const;
     btDbvtVolume volumeOf(glm::dvec3 low, glm::dvec3 high) const;
+    btDbvtVolume scatteredVolumeOf(const CollisionObject& object) const;
+    Tree& treeOf(const CollisionObject& object) { return object.m_moves ? m_moving : m_resting; }
 
     glm::dvec3 m_origin{0.0};
-    btDbvt m_moving, m_resting;
+    Tree m_moving, m_resting;
     btAlignedObjectArray<const btDbvtNode*> m_stack;
     std::vector<CollisionObject*> m_found;
     uint32_t m_versions = 0;
