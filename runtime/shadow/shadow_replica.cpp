@@ -132,14 +132,12 @@ void ShadowReplica::setBrick(Shape& shape, const BrickChange& change) {
     const Brick* after = shape.casterGrid().brickAt(change.brick);
     const bool same = before && after ? before->occupancy == after->occupancy : !before && !after;
     if (same) return;
-    shape.isSurfaceKnown = false;
+    shape.tiles = -1.0;
     shape.source.clear();
-    if (!shape.placed || shape.isQueued) return;
-    if (shape.voxelSize >= kSurfaceVoxelSize) {  // its surface is elsewhere now
-        leaveAll(shape);
-        return queuePlacement(shape);
-    }
-    shape.raster.isMade() ? queuePlacement(shape) : touchVoxelBrick(shape, change.brick);
+    if (!shape.placed) return;
+    if (shape.raster.isMade()) return queuePlacement(shape);
+    if (shape.voxelSize >= kSurfaceVoxelSize) return touchSurface(shape, change.brick);
+    if (!shape.isQueued) touchVoxelBrick(shape, change.brick);
 }
 
 void ShadowReplica::setPalette(Shape& shape, const Palette& palette) {
@@ -148,8 +146,9 @@ void ShadowReplica::setPalette(Shape& shape, const Palette& palette) {
     if (entries == shape.entries) return;
     shape.entries = entries;
     shape.hasTranslucent = std::find(entries.begin(), entries.end(), false) != entries.end();
-    shape.isSurfaceKnown = false;
+    shape.tiles = -1.0;
     shape.source.clear();
+    shape.keepsCells = false;
     shape.opaque = shape.hasTranslucent ? withoutTranslucent(shape.grid, entries) : VoxelGrid();
     queuePlacement(shape);
 }
@@ -159,6 +158,7 @@ void ShadowReplica::setPose(Shape& shape, const Pose& pose, bool asleep) {
     if (shape.moving == asleep) leaveAll(shape);
     shape.pose = pose;
     shape.moving = !asleep;
+    shape.keepsCells = false;
     queuePlacement(shape);
 }
 
@@ -183,16 +183,15 @@ void ShadowReplica::rasterizeMoving(Shape& shape) {
 
 /// Lists in m_bricks the bricks in which the surface of a shape of large voxels is.
 void ShadowReplica::listSurface(Shape& shape) {
-    if (!shape.isSurfaceKnown)
-        shape.isSurfaceTooLarge = surfaceTiles(shape.casterGrid(), shape.voxelSize) > kMaxSurfaceTiles;
-    shape.isSurfaceKnown = true;
-    if (!shape.isSurfaceTooLarge) {
+    if (shape.tiles < 0.0) shape.tiles = surfaceTiles(shape.casterGrid(), shape.voxelSize);
+    if (shape.tiles <= (shape.moving ? kMaxMovingTiles : kMaxSurfaceTiles)) {
         listSurfaceBricks(shape.casterGrid(), shape.pose, shape.voxelSize, m_bricks);
         return sortUnique(m_bricks);
     }
     if (!std::exchange(shape.isLargeLogged, true))
         logWarning("shadow volume: a shape with voxels of " + std::to_string(shape.voxelSize) +
-                   " m is too large and casts no shadow; use smaller pieces, or fewer or smaller voxels");
+                   " m is too large and casts no shadow" + (shape.tiles > kMaxSurfaceTiles ? "" : " while it moves") +
+                   "; use smaller pieces, or fewer or smaller voxels");
 }
 
 void ShadowReplica::place(Shape& shape) {
@@ -201,7 +200,9 @@ void ShadowReplica::place(Shape& shape) {
     if (!shape.placed) return leaveAll(shape);
     shape.bounds = shadowBounds(shape.pose, shape.voxelSize, {glm::ivec3(0), shape.grid.size()});
     rasterizeMoving(shape);
+    const bool keepsCells = std::exchange(shape.keepsCells, false);
     const auto changed = [&](glm::ivec3 brick) {
+        if (keepsCells) return false;
         const ShadowWords *before = shape.raster.find(brick), *after = m_nextRaster.find(brick);
         return !before || !after || *before != *after;
     };
@@ -252,6 +253,17 @@ void ShadowReplica::touchVoxelBrick(Shape& shape, glm::ivec3 voxelBrick) {
         if (at == shape.covered.end() || (*at)->first != brick) at = shape.covered.insert(at, enter(shape, brick));
         touch(shape, **at);
     });
+}
+
+/// Of a shape of large voxels. Its surface is elsewhere now, so that it is placed again; of the bricks that it stays
+/// in, only those beside the voxels change.
+void ShadowReplica::touchSurface(Shape& shape, glm::ivec3 voxelBrick) {
+    const CellBox box{voxelBrick * kBrickSize, voxelBrick * kBrickSize + kBrickSize};
+    const CellBox near = shadowBricksOf(shadowBounds(shape.pose, shape.voxelSize, box));
+    for (BrickEntry* entry : shape.covered)
+        if (near.contains(entry->first)) touch(shape, *entry);
+    if (!shape.isQueued) shape.keepsCells = true;
+    queuePlacement(shape);
 }
 
 ShadowBrickRef ShadowReplica::buildResting(const BrickState& state, glm::ivec3 brick) const {

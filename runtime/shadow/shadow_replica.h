@@ -59,9 +59,10 @@ private:
         ShapeRaster raster;   ///< of a small shape that moves
         bool placed = false;  ///< false if its pose is unusable
         bool moving = false;
-        /// Of a shape of large voxels: whether its surface has too many pieces, and whether that is known and logged.
-        bool isSurfaceTooLarge = false, isSurfaceKnown = false, isLargeLogged = false;
+        double tiles = -1.0;  ///< surfaceTiles() of a shape of large voxels; negative: not known
+        bool isLargeLogged = false;
         bool isQueued = false;             ///< the next update() places it
+        bool keepsCells = false;           ///< then the bricks that it stays in have the same cells, if not touched
         std::vector<BrickEntry*> covered;  ///< the bricks whose lists it is in, in the order of isBefore
         /// The voxels that cast a shadow: all of them, or the opaque ones.
         const VoxelGrid& casterGrid() const { return hasTranslucent ? opaque : grid; }
@@ -79,6 +80,7 @@ private:
     void leaveAll(Shape& shape);
     void touch(const Shape& shape, BrickEntry& entry);
     void touchVoxelBrick(Shape& shape, glm::ivec3 voxelBrick);
+    void touchSurface(Shape& shape, glm::ivec3 voxelBrick);
     void rasterizeMoving(Shape& shape);
     void listSurface(Shape& shape);
     ShadowBrickRef buildResting(const BrickState& state, glm::ivec3 brick) const;

@@ -12,14 +12,14 @@ ShadowStep makeShadowStep(const FrameChanges& changes, std::span<const BodyPose>
     };
     if (changes.levelReplaced) {
         world.shapes().forEach(create);
-        return out;
+    } else {
+        out.destroyed = changes.shapesDestroyed;
+        for (const ShapeHandle handle : changes.shapesCreated)
+            if (const Shape* shape = world.shapes().find(handle)) create(handle, *shape);
+        out.bricks = changes.bricks;
+        for (const ShapeHandle handle : changes.palettes)
+            if (const Shape* shape = world.shapes().find(handle)) out.palettes.push_back({handle, shape->palette});
     }
-    out.destroyed = changes.shapesDestroyed;
-    for (const ShapeHandle handle : changes.shapesCreated)
-        if (const Shape* shape = world.shapes().find(handle)) create(handle, *shape);
-    out.bricks = changes.bricks;
-    for (const ShapeHandle handle : changes.palettes)
-        if (const Shape* shape = world.shapes().find(handle)) out.palettes.push_back({handle, shape->palette});
     for (const BodyPose& pose : moved)
         if (const Body* body = world.bodies().find(pose.body))
             for (const ShapeHandle shape : body->shapes)

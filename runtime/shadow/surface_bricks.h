@@ -13,6 +13,9 @@ inline constexpr double kSurfaceVoxelSize = 0.8;
 /// The most pieces of faces, of at most a shadow brick's side, that a shape's surface may have: 512 voxels of 20 m have
 /// 65,000. A larger one casts no shadow.
 inline constexpr double kMaxSurfaceTiles = 1 << 19;
+/// The same while it moves, when all of them are built again in each step: a cube of 42 m. A larger one casts no shadow
+/// until it rests.
+inline constexpr double kMaxMovingTiles = 1 << 12;
 
 /// Number of pieces of faces of at most a shadow brick's side that the surface of a shape's solid voxels has.
 double surfaceTiles(const VoxelGrid& grid, double voxelSize);

@@ -275,5 +275,58 @@ TEST(ShadowWorker, AShapeBeyondItsBudgetIsLoggedOnce) {
     EXPECT_EQ(g_lines - before, 1);
 }
 
+TEST(ShadowWorker, AnEditOfLargeVoxelsBuildsTheBricksBesideIt) {
+    World world = worldOf({makeBody(solidGrid({32, 8, 32}), {{1.0, 2.0, 3.0}}, true, 2.0f)});
+    size_t work = 0;
+    ShadowWorker worker(ShadowWorker::Mode::Inline, [&] { ++work; });
+    Volume volume;
+    const auto submit = [&](const Edits& edits) {
+        work = 0;
+        worker.submit(world.applyEdits(edits), {}, world);
+        for (const ShadowPatches& publication : worker.takePatches()) volume.apply(publication);
+        return work;
+    };
+    const size_t all = submit({});
+    EXPECT_GT(all, 4000u) << "bricks and shapes";
+    CarveEdit carve;
+    carve.position = {2.0, 17.0, 4.0};
+    carve.radii = {1.5, 1.5, 1.5};
+    EXPECT_LT(submit({carve}), all / 8) << "8x8x8 voxels of 32x8x32 are beside the change";
+    EXPECT_TRUE(volume == rebuild(world));
+    carve.position += glm::dvec3(2.0, 0.0, 0.0);  // beside the hole, so that open faces vanish and come
+    CarveEdit other = carve;
+    other.position = {50.0, 17.0, 30.0};
+    EXPECT_LT(submit({carve, other}), all / 4);
+    EXPECT_TRUE(volume == rebuild(world));
+}
+
+TEST(ShadowWorker, ALargeShapeCastsNoShadowWhileItMovesAndCostsNothingThen) {
+    World world = worldOf({makeBody(solidGrid({3, 3, 3}), {}, false, 30.0f),
+                           makeBody(solidGrid({2, 2, 2}), {{500.0, 0.0, 0.0}}, false, 8.0f)});
+    size_t work = 0;
+    ShadowWorker worker(ShadowWorker::Mode::Inline, [&] { ++work; });
+    std::vector<BodyHandle> bodies;
+    world.bodies().forEach([&](BodyHandle handle, const Body&) { bodies.push_back(handle); });
+    Volume volume;
+    const auto move = [&](double y, bool asleep) {
+        const std::vector<BodyPose> moved = {{bodies[0], {{0.0, y, 0.0}}, {}, {}, asleep},
+                                             {bodies[1], {{500.0, y, 0.0}}, {}, {}, asleep}};
+        world.setPoses(moved);
+        worker.submit(world.applyEdits({}), moved, world);
+        for (const ShadowPatches& publication : worker.takePatches()) volume.apply(publication);
+    };
+    const auto isDark = [&](double x) { return volume.occluded({x, 110.0, 5.0}, {0.0, -1.0, 0.0}, 150.0); };
+    for (const double y : {10.0, 9.0, 8.0}) {
+        work = 0;
+        move(y, false);
+        EXPECT_LT(work, 2000u) << "bricks and shapes";
+        EXPECT_FALSE(isDark(45.0)) << "a cube of 90 m";
+        EXPECT_TRUE(isDark(505.0)) << "one of 16 m";
+    }
+    move(8.0, true);
+    EXPECT_TRUE(isDark(45.0));
+    EXPECT_TRUE(volume == rebuild(world));
+}
+
 }  // namespace
 }  // namespace rubble
