@@ -27,6 +27,7 @@ struct CollisionObject {
     bool isNew = true;               ///< no warm start: its mass or shape has changed since the last step
     CollisionFilter filter;          ///< of all parts together, as of the last setPose()
     glm::dvec3 low{0.0}, high{0.0};  ///< world bounds, with what it sweeps in the step
+    glm::dvec3 displacement{0.0};    ///< in the step, metres
     uint32_t version = 0;            ///< changes when it is added again or its voxels change
 
     /// Sets the pose, and computes the filter and the cell transforms from it. Leaves the bounds to Broadphase::move().

@@ -30,6 +30,29 @@ int depthBelow(const btDbvtNode* node) {
 
 }  // namespace
 
+/// Whether the bounds of two objects, which move on straight lines, overlap at some time of the step. The boxes that
+/// they sweep may overlap although one has passed long before the other comes. Those boxes are taken for what moves
+/// less than its size.
+bool Broadphase::meet(const CollisionObject& a, const CollisionObject& b) {
+    const glm::dvec3 path = a.displacement - b.displacement;
+    const double size = 2.0 * std::min(a.radius, b.radius);
+    if (glm::dot(path, path) <= size * size) return true;
+    // Of b's corners from a's, at the beginning.
+    const glm::dvec3 low = b.low - glm::min(b.displacement, 0.0) - (a.high - glm::max(a.displacement, 0.0)),
+                     high = b.high - glm::max(b.displacement, 0.0) - (a.low - glm::min(a.displacement, 0.0));
+    double from = 0.0, to = 1.0;  // of the step
+    for (int axis = 0; axis < 3; ++axis) {
+        if (path[axis] == 0.0) {
+            if (low[axis] > 0.0 || high[axis] < 0.0) return false;
+            continue;
+        }
+        const double enter = low[axis] / path[axis], leave = high[axis] / path[axis];
+        from = std::max(from, std::min(enter, leave));
+        to = std::min(to, std::max(enter, leave));
+    }
+    return from <= to;
+}
+
 void Broadphase::sortPairs(std::vector<ObjectPair>& pairs, size_t from) {
     std::sort(pairs.begin() + std::ptrdiff_t(from), pairs.end(), [](const ObjectPair& a, const ObjectPair& b) {
         return a.first->number != b.first->number ? a.first->number < b.first->number
@@ -52,6 +75,7 @@ void Broadphase::setBounds(CollisionObject& object, glm::dvec3 displacement, dou
         low = glm::min(low, object.m_cellTransforms[i].corner + glm::dvec3(partLow));
         high = glm::max(high, object.m_cellTransforms[i].corner + glm::dvec3(partHigh));
     }
+    object.displacement = displacement;
     object.low = object.pose.position + low - margin - kRounding + glm::min(displacement, 0.0);
     object.high = object.pose.position + high + margin + kRounding + glm::max(displacement, 0.0);
 }

@@ -34,8 +34,9 @@ public:
 
     /// Appends the objects whose bounds overlap a box (world, metres), in no particular order.
     void find(glm::dvec3 low, glm::dvec3 high, std::vector<CollisionObject*>& out);
-    /// Appends the overlapping pairs of the `moving` objects with each other and with all others: each pair once,
-    /// sorted by numbers. isKnown: called for other moving objects; pairs with those for which it is true are left out.
+    /// Appends the pairs of the `moving` objects with each other and with all others whose bounds overlap at some time
+    /// of the step: each pair once, sorted by numbers. isKnown: called for other moving objects; pairs with those for
+    /// which it is true are left out.
     template <class IsKnown>
     void findPairs(std::span<CollisionObject* const> moving, IsKnown&& isKnown, std::vector<ObjectPair>& out) {
         const size_t from = out.size();
@@ -43,7 +44,7 @@ public:
             m_found.clear();
             find(object->low, object->high, m_found);
             for (CollisionObject* other : m_found) {
-                if (other == object || !object->filter.meets(other->filter)) continue;
+                if (other == object || !object->filter.meets(other->filter) || !meet(*object, *other)) continue;
                 if (other->m_moves && (isKnown(*other) || other->number < object->number)) continue;
                 out.emplace_back(object->number < other->number ? ObjectPair(object, other)
                                                                 : ObjectPair(other, object));
@@ -61,6 +62,7 @@ private:
         /// Rebuilds the tree from top down if the leaf and those before it were inserted too deep: see the .cpp.
         void keepShallow(const btDbvtNode* inserted);
     };
+    static bool meet(const CollisionObject& a, const CollisionObject& b);
     static void sortPairs(std::vector<ObjectPair>& pairs, size_t from);
     void setBounds(CollisionObject& object, glm::dvec3 displacement, double margin) const;
     btDbvtVolume volumeOf(glm::dvec3 low, glm::dvec3 high) const;

@@ -56,7 +56,7 @@ bool FeatureCollider::collide(bool isFirst, uint64_t partKey, std::vector<Contac
     if (!findOverlap(near)) return false;
     setSearchExtents();
     if (m_sweeps) boundSweep();
-    if (!boxMayTouchSolid(glm::vec3(near.low), glm::vec3(near.high))) return false;
+    if (!mayTouchSolid(near)) return false;
     if (const PartSurface* surface = m_from.whole()) {
         collideFeatures(surface->features, surface->rows.box().low, near, out);
         return true;
@@ -74,12 +74,44 @@ bool FeatureCollider::collide(bool isFirst, uint64_t partKey, std::vector<Contac
     return true;
 }
 
+/// Conservative: whether the shapes may touch within the step where `from` has these cells. The features of `into` too,
+/// whose displacements are others.
+bool FeatureCollider::mayTouchSolid(const CellBox& near) {
+    const glm::vec3 c = m_corner + m_axes * (glm::vec3(near.low + near.high) * 0.5f);
+    const glm::vec3 r = rotatedHalfExtent(m_axes, glm::vec3(near.high - near.low) * 0.5f) + m_maxSearchExtent;
+    return m_occupancy.mayContainBrick(floorOf(float4(c - r + m_displacementLow)),
+                                       floorOf(float4(c + r + m_displacementHigh)));
+}
+
 /// Conservative: whether features in a box of cells of `from` may touch a solid cell of `into` within the step.
 bool FeatureCollider::boxMayTouchSolid(const glm::vec3& low, const glm::vec3& high) {
     const glm::vec3 c = m_corner + m_axes * ((low + high) * 0.5f), h = (high - low) * 0.5f;
     const glm::vec3 r = rotatedHalfExtent(m_axes, h) + m_maxSearchExtent;
-    return m_occupancy.mayContainBrick(floorOf(float4(c - r + m_displacementLow)),
-                                       floorOf(float4(c + r + m_displacementHigh)));
+    if (!m_sweeps) return m_occupancy.mayContainBrick(floorOf(float4(c - r)), floorOf(float4(c + r)));
+    // The features' displacements differ by at most `around` from that of the box's centre.
+    const glm::vec3 displacement = m_velocity + glm::cross(m_spin, c - m_about), s = glm::abs(m_spin),
+                    around = glm::vec3(s.y * r.z + s.z * r.y, s.z * r.x + s.x * r.z, s.x * r.y + s.y * r.x) + kRounding;
+    if (!pathMeetsBounds(c, r + around, displacement)) return false;
+    return m_occupancy.mayContainBrick(floorOf(float4(c - r + glm::min(displacement - around, 0.0f))),
+                                       floorOf(float4(c + r + glm::max(displacement + around, 0.0f))));
+}
+
+/// Whether a box (centre and half size) that moves on a straight line overlaps the box around the cells of `into`.
+bool FeatureCollider::pathMeetsBounds(const glm::vec3& center, const glm::vec3& half,
+                                      const glm::vec3& displacement) const {
+    const glm::vec3 low = glm::vec3(m_into.bounds().low) - half - center,
+                    high = glm::vec3(m_into.bounds().high) + half - center;
+    float from = 0.0f, to = 1.0f;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(displacement[axis]) < kRounding) {
+            if (low[axis] > kRounding || high[axis] < -kRounding) return false;
+            continue;
+        }
+        const float enter = low[axis] / displacement[axis], leave = high[axis] / displacement[axis];
+        from = std::max(from, std::min(enter, leave));
+        to = std::min(to, std::max(enter, leave));
+    }
+    return from <= to;
 }
 
 /// The cells of `from` within the search box of `into`; false: none.

@@ -33,7 +33,9 @@ public:
     float stuckDepth() const { return m_stuckDepth; }
 
 private:
+    bool mayTouchSolid(const CellBox& near);
     bool boxMayTouchSolid(const glm::vec3& low, const glm::vec3& high);
+    bool pathMeetsBounds(const glm::vec3& center, const glm::vec3& half, const glm::vec3& displacement) const;
     bool findOverlap(CellBox& near) const;
     void setSearchExtents();
     void boundSweep();

@@ -76,6 +76,13 @@ struct CellWalk {
     static constexpr int kMaxApproach = 64;  ///< cells that are walked one by one
 };
 
+/// Whether a feature accepts any of the faces that it can meet along a displacement.
+bool acceptsAhead(const FeatureQuery& query, const glm::vec3& displacement) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (displacement[axis] != 0.0f && query.accepts(axis, displacement[axis] > 0.0f ? -1.0f : 1.0f)) return true;
+    return false;
+}
+
 }  // namespace
 
 Face nearestExitFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const FeatureQuery& query) {
@@ -130,6 +137,7 @@ Face closestFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, float marg
 
 Face sweepToFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const glm::vec3& displacement,
                  const FeatureQuery& query) {
+    if (!acceptsAhead(query, displacement)) return {};
     bool wasInside = occupancy.solid(cell);
     CellWalk walk(cell, p, displacement);
     if (!wasInside) walk.approach(occupancy.bounds());

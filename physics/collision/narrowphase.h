@@ -25,6 +25,8 @@ public:
     void collideAgain(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings);
     /// Of this step, sorted by first and second; valid until the next begin().
     std::span<Manifold* const> manifolds() const { return m_sets[m_now].list; }
+    /// How many pairs it was given in this step.
+    size_t candidates() const { return m_sets[m_now].pairs.size(); }
 
 private:
     /// What is remembered of a pair whose bounds overlap.

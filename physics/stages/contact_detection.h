@@ -18,6 +18,8 @@ public:
     void recordTouching(PhysicsBodies& bodies) const;
     /// The manifolds of this step, sorted by the numbers of their objects.
     std::span<Manifold* const> manifolds() const { return m_narrowphase.manifolds(); }
+    /// How many pairs were tested in the last step.
+    size_t candidates() const { return m_narrowphase.candidates(); }
 
 private:
     bool wakeHit(PhysicsBodies& bodies, double stepSeconds) const;
