@@ -13,6 +13,8 @@ namespace {
 constexpr int kBlock = 32;              ///< sectors: changes within a block of this side are swept as one box
 constexpr int64_t kSmallBox = 1 << 18;  ///< sectors: all changes within a box of this volume are swept as one box
 
+constexpr uint32_t kAllEmpty = ~0u;  ///< the greatest distance in all octants
+
 int64_t volume(glm::ivec3 size) {
     return int64_t(size.x) * size.y * size.z;
 }
@@ -21,11 +23,8 @@ int64_t volume(glm::ivec3 size) {
 
 void SkipDistances::reset(glm::ivec3 size) {
     m_size = size;
-    const size_t padded = size_t(volume(size + 2));
-    m_occupied.assign(padded, 0);
-    for (auto& sides : m_sides) sides.assign(padded, uint8_t(kMaxDistance));
-    m_skips.assign(size_t(volume(size)), ~0u);
-    m_isChanged.assign(m_skips.size(), 0);
+    m_skips.assign(size_t(volume(size + 2)), kAllEmpty);
+    m_isChanged.assign(size_t(volume(size)), false);
     m_touched.clear();
 }
 
@@ -45,7 +44,7 @@ void SkipDistances::move(glm::ivec3 low, glm::ivec3 size) {
                 (octant >> a & 1 ? behind.low : behind.high)[a] = (octant >> a & 1 ? kept.high : kept.low)[a];
                 next.solve(behind, octant);
             }
-        for (const size_t index : std::exchange(next.m_changed, {})) next.m_isChanged[index] = 0;
+        for (const size_t index : std::exchange(next.m_changed, {})) next.m_isChanged[index] = false;
     }
     *this = std::move(next);
 }
@@ -56,18 +55,14 @@ void SkipDistances::copyRows(const SkipDistances& from, glm::ivec3 low, const Bo
     for (int z = kept.low.z; z < kept.high.z; ++z)
         for (int y = kept.low.y; y < kept.high.y; ++y) {
             const glm::ivec3 row(kept.low.x, y, z);
-            const size_t to = paddedIndexOf(row), at = from.paddedIndexOf(row + low);
-            std::copy_n(&from.m_occupied[at], count, &m_occupied[to]);
-            for (size_t octant = 0; octant < 8; ++octant)
-                std::copy_n(&from.m_sides[octant][at], count, &m_sides[octant][to]);
-            std::copy_n(&from.m_skips[from.indexOf(row + low)], count, &m_skips[indexOf(row)]);
+            std::copy_n(&from.m_skips[from.paddedIndexOf(row + low)], count, &m_skips[paddedIndexOf(row)]);
         }
 }
 
 void SkipDistances::set(glm::ivec3 sector, bool occupied) {
-    uint8_t& known = m_occupied[paddedIndexOf(sector)];
-    if (known == uint8_t(occupied)) return;
-    known = occupied;
+    uint32_t& skips = m_skips[paddedIndexOf(sector)];
+    if ((skips == 0) == occupied) return;
+    skips = occupied ? 0 : kAllEmpty;
     m_touched.push_back(sector);
 }
 
@@ -112,41 +107,45 @@ void SkipDistances::solve(const Box& box, int octant) {
     const glm::ivec3 first(step.x > 0 ? high.x - 1 : low.x, step.y > 0 ? high.y - 1 : low.y,
                            step.z > 0 ? high.z - 1 : low.z);
     const glm::ivec3 count = high - low;
-    std::vector<uint8_t>& sides = m_sides[size_t(octant)];
     const ptrdiff_t x = step.x, y = step.y * ptrdiff_t(m_size.x + 2),
                     z = step.z * ptrdiff_t(m_size.x + 2) * (m_size.y + 2);
+    const int shift = 4 * octant;
+    const auto sideOf = [&](const uint32_t* at) { return *at >> shift & 15u; };
     for (int k = 0; k < count.z; ++k)
         for (int j = 0; j < count.y; ++j) {
             const glm::ivec3 sector = first - step * glm::ivec3(0, j, k);
-            const size_t row = paddedIndexOf(sector);
-            uint8_t* side = &sides[row];
-            const uint8_t* occupied = &m_occupied[row];
+            uint32_t* at = &m_skips[paddedIndexOf(sector)];
             size_t index = indexOf(sector);
             // Of the seven cubes one on, three begin beside this sector and four one step along x: their minimum is the
             // last step's, because this row is walked along x.
-            const auto beside = [&](const uint8_t* at) { return std::min(std::min(at[y], at[z]), at[y + z]); };
-            uint8_t behind = std::min(side[x], beside(side + x));
-            for (int i = 0; i < count.x; ++i, side -= x, occupied -= x, index -= size_t(x)) {
-                const uint8_t columns = beside(side);
-                const uint8_t value =
-                    *occupied ? uint8_t(0) : uint8_t(std::min(int(std::min(behind, columns)) + 1, kMaxDistance));
+            const auto beside = [&](const uint32_t* from) {
+                return std::min(std::min(sideOf(from + y), sideOf(from + z)), sideOf(from + y + z));
+            };
+            uint32_t behind = std::min(sideOf(at + x), beside(at + x));
+            for (int i = 0; i < count.x; ++i, at -= x, index -= size_t(x)) {
+                const uint32_t columns = beside(at),
+                               value = *at ? std::min(std::min(behind, columns) + 1, uint32_t(kMaxDistance)) : 0;
                 behind = std::min(value, columns);
-                if (*side == value) continue;
-                *side = value;
-                uint32_t& packed = m_skips[index];
-                packed = (packed & ~(15u << (4 * octant))) | uint32_t(value) << (4 * octant);
-                if (!m_isChanged[index]) m_changed.push_back(index);
-                m_isChanged[index] = 1;
+                if (sideOf(at) == value) continue;
+                *at = (*at & ~(15u << shift)) | value << shift;
+                markChanged(index);
             }
         }
 }
 
+void SkipDistances::markChanged(size_t index) {
+    if (m_isChanged[index]) return;
+    m_isChanged[index] = true;
+    m_changed.push_back(index);
+}
+
 const std::vector<size_t>& SkipDistances::update() {
     m_changed.clear();
+    for (const glm::ivec3 sector : m_touched) markChanged(indexOf(sector));
     for (const Box& box : dirtyBoxes())
         for (int octant = 0; octant < 8; ++octant) solve(boxBehind(box, octant), octant);
     m_touched.clear();
-    for (const size_t index : m_changed) m_isChanged[index] = 0;
+    for (const size_t index : m_changed) m_isChanged[index] = false;
     return m_changed;
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -24,9 +23,10 @@ public:
     /// Gives the box another size and place: what was its sector `low` becomes sector 0. Only the sectors that are new
     /// are computed. Call it after update(); what is no longer in the box must be empty.
     void move(glm::ivec3 low, glm::ivec3 size);
-    /// Marks a sector; the distances follow with update().
+    /// Marks a sector; the distances follow with update(). Until then its own say nothing else.
     void set(glm::ivec3 sector, bool occupied);
-    /// Brings the distances up to date. Returns the indices of the sectors whose distances changed, each once.
+    /// Brings the distances up to date. Returns the indices of the sectors that were marked or whose distances changed,
+    /// each once.
     const std::vector<size_t>& update();
 
     /// The index of a sector, x fastest.
@@ -34,7 +34,10 @@ public:
         return (size_t(sector.z) * size_t(m_size.y) + size_t(sector.y)) * size_t(m_size.x) + size_t(sector.x);
     }
     /// The distances of a sector: 4 bits for each octant, the first one lowest; 0 if the sector is occupied.
-    uint32_t at(size_t index) const { return m_skips[index]; }
+    uint32_t at(size_t index) const {
+        const auto row = size_t(m_size.x), layer = row * size_t(m_size.y);
+        return m_skips[paddedIndexOf({int(index % row), int(index % layer / row), int(index / layer)})];
+    }
 
 private:
     struct Box {
@@ -44,18 +47,17 @@ private:
     void copyRows(const SkipDistances& from, glm::ivec3 low, const Box& kept);
     Box boxBehind(Box dirty, int octant) const;
     void solve(const Box& box, int octant);
+    void markChanged(size_t index);
     size_t paddedIndexOf(glm::ivec3 sector) const {
         return (size_t(sector.z + 1) * size_t(m_size.y + 2) + size_t(sector.y + 1)) * size_t(m_size.x + 2) +
                size_t(sector.x + 1);
     }
 
     glm::ivec3 m_size{0};
-    std::vector<uint8_t> m_occupied;              ///< with a border of one sector, as m_sides
-    std::array<std::vector<uint8_t>, 8> m_sides;  ///< distances by octant
-    std::vector<uint32_t> m_skips;                ///< the same, packed, without the border
-    std::vector<glm::ivec3> m_touched;            ///< sectors changed by set() since the last update()
-    std::vector<size_t> m_changed;                ///< by the last update()
-    std::vector<uint8_t> m_isChanged;             ///< scratch of update(): which are in m_changed
+    std::vector<uint32_t> m_skips;      ///< as at(), with a border of one sector
+    std::vector<glm::ivec3> m_touched;  ///< sectors changed by set() since the last update()
+    std::vector<size_t> m_changed;      ///< by the last update()
+    std::vector<bool> m_isChanged;      ///< scratch of update(): which are in m_changed
 };
 
 }  // namespace rubble

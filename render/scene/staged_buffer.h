@@ -19,8 +19,9 @@ public:
 
     /// Number of elements.
     size_t size() const { return m_data.size(); }
-    /// New elements are sent only when they are changed.
+    /// New elements are sent only when they are changed. It has room for a sixteenth more, as the GL's copy.
     void resize(size_t count) {
+        if (count > m_data.capacity()) m_data.reserve(count + count / 16);
         m_data.resize(count);
         m_pageDirty.resize((count + kPage - 1) / kPage, 0);
     }

@@ -112,6 +112,7 @@ protected:
         };
         expectTenth("gpu_bytes", cost.gpu, calm.gpu);
         expectTenth("gpu_bytes_at_end", cost.gpuAtEnd, calm.gpuAtEnd);
+        expectTenth("cpu_bytes", cost.cpu, calm.cpu);
         expectTenth("cpu_bytes_at_end", cost.cpuAtEnd, calm.cpuAtEnd);
         expectTenth("sent", cost.worst.sent, calm.worst.sent);
         expectTenth("written", cost.worst.written, calm.worst.written);
