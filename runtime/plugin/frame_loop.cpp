@@ -111,9 +111,7 @@ void FrameLoop::loadPhysics() {
 
 void FrameLoop::applyEdits(const Edits& hostEdits) {
     const ScopedTimer timer(m_times[Stage::ApplyEdits]);
-    Edits edits = std::exchange(m_pending, {});
-    edits.insert(edits.end(), hostEdits.begin(), hostEdits.end());
-    m_changes = m_world.applyEdits(edits);
+    m_changes = m_world.applyEdits(hostEdits, std::exchange(m_pending, {}));
     if (m_recorder) m_recorder->recordEdits(hostEdits, m_changes, m_world, m_rebuildPhysics);
     m_rebuildPhysics = false;
 }

@@ -1,5 +1,6 @@
 #include "runtime/world/world.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "runtime/core/log.h"
@@ -18,6 +19,11 @@ void limitUndo(std::vector<UndoHistory>& undo, const WorldData& world, size_t ma
         undo.clear();
     else if (undo.empty())
         undo.emplace_back(world);
+}
+
+bool hasOtherEdits(const Edits& edits) {
+    return std::any_of(edits.begin(), edits.end(),
+                       [](const Edit& edit) { return !std::holds_alternative<HistoryEdit>(edit); });
 }
 
 }  // namespace
@@ -51,14 +57,19 @@ FrameChanges World::beginStep() {
     return changes;
 }
 
-FrameChanges World::applyEdits(const Edits& edits) {
+FrameChanges World::applyEdits(const Edits& edits, const Edits& damage) {
     FrameChanges changes = beginStep();
     limitUndo(m_undo, m_data, m_data.settings.undoMarks);
-    const bool wasUndoOrRedo = runHistory(edits, changes);
+    // The first step after a load has edits that waited in the save among the damage.
+    const bool wasUndoOrRedo = runHistory(edits, changes, runHistory(damage, changes, false));
     const bool hasLostStress = m_data.settings.stress.on && !m_data.stress;  // in applyDelta()
     if (wasUndoOrRedo || hasLostStress) m_data.restartStress();
-    if (!edits.empty() || m_data.isBusy()) EditStep(m_data, changes).run(edits);
-    for (UndoHistory& undo : m_undo) undo.recordStep(m_data, changes, wasUndoOrRedo);
+    Edits all = wasUndoOrRedo ? Edits{} : damage;
+    all.insert(all.end(), edits.begin(), edits.end());
+    const size_t restored = changes.entries();
+    if (!all.empty() || m_data.isBusy()) EditStep(m_data, changes).run(all);
+    const bool isOnlyHistory = wasUndoOrRedo && (changes.entries() == restored || !hasOtherEdits(all));
+    for (UndoHistory& undo : m_undo) undo.recordStep(m_data, changes, isOnlyHistory);
     keepNetChanges(changes, m_data);
     return changes;
 }
@@ -75,9 +86,8 @@ FrameChanges World::applyDelta(std::optional<WorldDelta> delta) {
 }
 
 /// Marks, undo, redo and how many marks are kept, before all other edits of the step. True if there was an undo or a
-/// redo.
-bool World::runHistory(const Edits& edits, FrameChanges& changes) {
-    bool wasUndoOrRedo = false;
+/// redo; wasUndoOrRedo: there was one before.
+bool World::runHistory(const Edits& edits, FrameChanges& changes, bool wasUndoOrRedo) {
     size_t marks = m_data.settings.undoMarks;
     for (const Edit& edit : edits) {
         if (const auto* to = std::get_if<SettingsEdit>(&edit); to && editError(edit).empty())

@@ -42,8 +42,9 @@ public:
     /// levelReplaced. Undo starts again.
     void load(const Level& level);
     /// One step: undo or redo, then the edits in their order, then all that follows from them and from time. Counts the
-    /// step. Invalid edits are logged and do nothing.
-    FrameChanges applyEdits(const Edits& edits);
+    /// step. Invalid edits are logged and do nothing. damage: what impacts of the step before do; it comes before the
+    /// edits, and an undo or redo drops it, because its impacts are undone.
+    FrameChanges applyEdits(const Edits& edits, const Edits& damage = {});
     /// A step whose outcome is known, instead of applyEdits(): nothing is decided here, undo and the analyses of stress
     /// start again. Null: nothing happened in it.
     FrameChanges applyDelta(std::optional<WorldDelta> delta);
@@ -102,7 +103,7 @@ public:
     operator const WorldData&() const { return m_data; }
 
 private:
-    bool runHistory(const Edits& edits, FrameChanges& changes);
+    bool runHistory(const Edits& edits, FrameChanges& changes, bool wasUndoOrRedo);
     void resetSearches(const FrameChanges& changes);
     FrameChanges beginStep();
 

@@ -146,6 +146,15 @@ struct FrameChanges {
     std::vector<LightHandle> lightsAdded;    ///< one for each AddLightEdit; an empty handle: refused
     bool environmentChanged = false;         ///< read it from the World
 
+    /// How much the lists and counts hold, but for the bricks and shapes that edits of voxels share with an undo: what
+    /// they remove, paint or make is counted. Grows with all that happens but heat.
+    uint64_t entries() const {
+        return bodiesCreated.size() + bodiesDestroyed.size() + shapesCreated.size() + shapesDestroyed.size() +
+               splits.size() + palettes.size() + unanchored.size() + removed.size() + lights.size() + groupsOut.size() +
+               impulses.size() + paintedVoxels + firesLit.size() + filters.size() + waters.size() + triggers.size() +
+               characters.size() + jointsCreated.size() + jointsMoved.size() + jointsBroken.size() +
+               jointsChanged.size() + environmentChanged;
+    }
     /// Whether nothing changed that physics, renderer, undo or recordings have to follow.
     bool empty() const {
         return !levelReplaced && !environmentChanged && bodiesCreated.empty() && bodiesDestroyed.empty() &&

@@ -30,12 +30,17 @@ SlotValues<Handle, T> selectSlots(const SlotValues<Handle, T>& slots, const Slot
 
 UndoHistory::UndoHistory(const WorldData& world) : m_baseline(world), m_current(m_baseline.emptyDelta()) {}
 
+/// Whether anything has since the last mark, undo or redo: objects, or heat, which no journal lists.
+bool UndoHistory::hasChanged() const {
+    return !m_current.empty() || m_current.fire.hash() != m_baseline.last().fire.hash();
+}
+
 void UndoHistory::mark(size_t limit) {
     if (m_onlyMotionSinceUndo) {  // what moved since the undo belongs to the mark before it
         if (!m_marks.empty()) addMissing(m_marks.back(), std::move(m_current));
         m_onlyMotionSinceUndo = false;
         m_redo.clear();
-    } else if (!m_current.empty()) {
+    } else if (hasChanged()) {
         m_marks.push_back(std::move(m_current));
     }
     m_current = m_baseline.emptyDelta();
@@ -67,7 +72,7 @@ WorldDelta UndoHistory::swapEntry(WorldData& world, WorldDelta entry, FrameChang
 }
 
 bool UndoHistory::undo(WorldData& world, FrameChanges& changes) {
-    if (!m_onlyMotionSinceUndo && !m_current.empty())
+    if (!m_onlyMotionSinceUndo && hasChanged())
         m_marks.push_back(std::move(m_current)), m_current = m_baseline.emptyDelta();
     if (m_marks.empty()) {
         logWarning("undo: there is no mark to go back to; nothing was undone");
@@ -90,9 +95,9 @@ bool UndoHistory::redo(WorldData& world, FrameChanges& changes) {
     return true;
 }
 
-void UndoHistory::recordStep(const WorldData& world, const FrameChanges& changes, bool wasUndoOrRedo) {
+void UndoHistory::recordStep(const WorldData& world, const FrameChanges& changes, bool isOnlyHistory) {
     addMissing(m_current, m_baseline.update(world, changes));
-    if (wasUndoOrRedo || changes.empty()) return;
+    if (isOnlyHistory || changes.empty()) return;
     m_onlyMotionSinceUndo = false;
     m_redo.clear();
 }

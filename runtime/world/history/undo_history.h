@@ -23,8 +23,9 @@ public:
     /// Restores the World as it was before the last undo; false if there is nothing to redo.
     bool redo(WorldData& world, FrameChanges& changes);
 
-    /// Takes over what a step changed. Unless the step was an undo or redo itself, redo is no longer possible.
-    void recordStep(const WorldData& world, const FrameChanges& changes, bool wasUndoOrRedo);
+    /// Takes over what a step changed. Unless the step was an undo or redo and nothing else, redo is no longer
+    /// possible.
+    void recordStep(const WorldData& world, const FrameChanges& changes, bool isOnlyHistory);
     /// Takes over that World::setRopes() moved these.
     void recordMoves(const WorldData& world, std::span<const RopeMotion> ropes);
     /// Takes over that World::setPoses() moved these.
@@ -33,6 +34,7 @@ public:
     void recordMoves(const WorldData& world, std::span<const CharacterMove> moves);
 
 private:
+    bool hasChanged() const;
     WorldDelta swapEntry(WorldData& world, WorldDelta entry, FrameChanges& changes);
 
     WorldBaseline m_baseline;

@@ -4,6 +4,7 @@
 
 #include "runtime/core/log.h"
 #include "runtime/core/random.h"
+#include "runtime/world/edits/edit_error.h"
 #include "tests/runtime/world/journal_check.h"
 #include "tests/runtime/world/worlds.h"
 #include "tests/support/grids.h"
@@ -422,22 +423,36 @@ TEST(UndoHistory, AShapeThatWaitedForItsSplitAtTheMarkIsSplitAfterAnUndo) {
     finish();
 }
 
-TEST(UndoHistory, HeatIsAsItWasAtTheMarkIfNothingElseChangedBefore) {
-    World world;
-    world.load(oneShapeLevel(solidGrid({16, 16, 16}, 1), true));
-    world.applyEdits({});
-    UndoHistory history(world);
-    const auto step = [&](const Edits& edits) { history.recordStep(world, world.applyEdits(edits), false); };
-    step({HeatEdit{.position = {0.8, 0.8, 0.0}, .radius = 0.5, .joules = 1e5}});
-    step({ExtinguishEdit{{0.8, 0.8, 0.0}, 0.5, 10.0}});
-    ASSERT_TRUE(world.data().fire.isActive());
-    const uint64_t atMark = world.data().fire.hash();
-    history.mark(4);
-    step({sphereCarve({0.8, 0.8, 0.0}, 0.3)});
-    WorldData data = world;
-    FrameChanges changes;
-    ASSERT_TRUE(history.undo(data, changes));
-    EXPECT_EQ(data.fire.hash(), atMark);
+TEST(UndoHistory, EditsInTheStepOfAnUndoEndTheRedo) {
+    const std::vector<Edit> edits = {sphereCarve({1.0, 1.2, 0.3}, 0.2), sphereCarve({2.0, 1.2, 0.3}, 0.5),
+                                     PaintEdit{.position = {2.0, 1.2, 0.3}, .radius = 0.5}, AddLightEdit{}};
+    for (const Edit& edit : edits) {
+        World world = smallWorld();
+        world.applyEdits({kMark, sphereCarve({2.0, 1.2, 0.3}, 0.5)});
+        world.applyEdits({kUndo, edit});
+        const uint64_t after = resolvedHash(world);
+        EXPECT_TRUE(world.applyEdits({kRedo}).empty());
+        EXPECT_EQ(resolvedHash(world), after) << editName(edit);
+    }
+    World world = smallWorld();
+    world.applyEdits({kMark, sphereCarve({2.0, 1.2, 0.3}, 0.5)});
+    const uint64_t cut = voxelHash(world);
+    world.applyEdits({kUndo, sphereCarve({90.0, 90.0, 90.0}, 0.5)});
+    world.applyEdits({kRedo});
+    EXPECT_EQ(voxelHash(world), cut) << "a cut of the air changes nothing";
+}
+
+TEST(UndoHistory, DropsTheDamageOfImpactsThatItUndoes) {
+    World world = smallWorld();
+    const uint64_t whole = voxelHash(world);
+    const Edits damage = {sphereCarve({2.0, 1.2, 0.3}, 0.5)};
+    world.applyEdits({kMark}, damage);
+    EXPECT_NE(voxelHash(world), whole);
+    world.applyEdits({kUndo}, damage);
+    EXPECT_EQ(voxelHash(world), whole);
+    const uint64_t before = voxelHash(world);
+    world.applyEdits({kUndo}, damage);
+    EXPECT_NE(voxelHash(world), before) << "there is no mark to go back to, so the impacts happened";
 }
 
 TEST(UndoHistory, DoesNotReachBackBeyondADelta) {

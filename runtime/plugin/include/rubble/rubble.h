@@ -825,9 +825,10 @@ typedef struct rubble_api {
     rubble_result (*set_undo_limit)(rubble_world world, uint32_t marks);
     /* [main-thread] Sets a mark to which undo() returns: the world as the last step left it. */
     rubble_result (*add_undo_mark)(rubble_world world);
-    /* [main-thread] Returns to the last mark, motion included. At most one undo or redo in a step. */
+    /* [main-thread] Returns to the last mark, motion included. At most one undo or redo in a step. What impacts of the
+     * step before would break in this one is dropped. */
     rubble_result (*undo)(rubble_world world);
-    /* [main-thread] Takes the last undo back, unless something has changed since. */
+    /* [main-thread] Takes the last undo back, unless something has changed since, in the step of the undo too. */
     rubble_result (*redo)(rubble_world world);
 
     /* ---- state: the world as the last step left it ---- */
