@@ -3,6 +3,7 @@
 
 #include "physics/physics_world.h"
 #include "physics/stages/contact_detection.h"
+#include "physics/stages/continuous_collision.h"
 #include "physics/stages/ground.h"
 #include "physics/stages/physics_bodies.h"
 #include "physics/stages/physics_characters.h"
@@ -37,6 +38,7 @@ struct PhysicsWorld::Impl {
     PhysicsCharacters characters;
     ContactDetection contacts;
     StepSolver solver;
+    ContinuousCollision continuous;
     std::vector<BodyPose> poses;  ///< of the last step
     std::vector<Impact> impacts;  ///< of the last step
 };

@@ -48,6 +48,7 @@ void PhysicsWorld::step() {
         impl.contacts.find(impl.bodies, impl.joints.table(), settings);
         impl.contacts.recordTouching(impl.bodies);
         impl.solver.solve(impl.bodies, impl.contacts.manifolds(), impl.joints, impl.gravity, settings);
+        impl.continuous.stop(impl.bodies, impl.joints.table(), settings, impl.gravity);
         impl.joints.findBroken();
         impl.bodies.quarantineInvalid();
         putToSleep(impl.bodies, impl.joints, settings, impl.gravity, impl.solver.bodyCount());

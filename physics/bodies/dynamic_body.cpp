@@ -69,7 +69,6 @@ void DynamicBody::takeState(const World& world) {
     glm::dvec3 low, high;
     object.collider.bounds(low, high);
     m_minHalfExtent = 0.5 * std::min({high.x - low.x, high.y - low.y, high.z - low.z});
-    motion.minHalfExtent = m_minHalfExtent;
 }
 
 bool DynamicBody::updateShape(const World& world, const FrameChanges& changes) {

@@ -69,7 +69,9 @@ public:
     SleepTimer sleepTimer;
     double slowSeconds = 0.0;               ///< how long it has been slow: the longer, the more drift counts as rest
     bool newlyAwake = true;                 ///< has not moved noticeably since it woke
-    glm::dvec3 secondaryVelocity{0.0};      ///< m/s that fast hits may add within this step
+    SolverBody stepStart;                   ///< its motion before the last solve
+    std::vector<Pose> stepPath;             ///< its poses in the last solve: at equal times, two or more
+    bool isPenetrating = false;             ///< the last solve left one of its contacts deep
     std::vector<uint32_t> sleepersTouched;  ///< slots of sleeping bodies touched since it last moved noticeably
     bool touching = false;                  ///< had a contact in the last step
     bool inWater = false;                   ///< was in water in the last step

@@ -11,14 +11,13 @@ struct SolverBody {
     glm::dvec3 velocity{0.0}, angularVelocity{0.0};  ///< world, m/s and rad/s
     glm::dvec3 inertia{1.0};                         ///< principal moments, kg m2
     double inverseMass = 0.0;                        ///< 1/kg; 0: it does not move
-    double minHalfExtent = 0.0;                      ///< half its smallest side, metres
     bool conservesMomentum = false;                  ///< free rotation keeps angular momentum: see rotateBody()
 };
 
 /// A body within the step, in float: movements since the step began are small.
 struct SolverState {
     glm::vec3 v{0.0f}, w{0.0f};  ///< linear and angular velocity, world
-    float inverseMass = 0.0f, minHalfExtent = 0.0f;
+    float inverseMass = 0.0f;
     glm::vec3 deltaPosition{0.0f};   ///< since the step began
     glm::mat3 deltaRotation{0.0f};   ///< rotation since the step began, less the identity
     glm::mat3 inverseInertia{0.0f};  ///< world
@@ -26,7 +25,7 @@ struct SolverState {
     bool isLoadBearing = false;      ///< something much heavier lies on it
     bool inertiaRotates = false;     ///< inverseInertia changes within the step
     bool isJointed = false;
-    bool isHitByFast = false;  ///< by a body that moves by more than its own thickness in the step
+    bool isHit = false;  ///< by something that closes fast
 };
 
 /// Rotates a body through one substep without torque. With conservesMomentum its angular momentum is constant, else its

@@ -254,23 +254,31 @@ void FeatureCollider::collideCluster(std::span<const FeatureList::Pack> packs, C
 /// One feature. own: the cell of `from` that it belongs to.
 void FeatureCollider::collideFeature(const FeatureQuery& query, uint8_t kind, Cell own,
                                      std::vector<ContactPoint>& out) {
-    if (query.isEdge()) {
-        float from, to;
-        if (findSolidInterval(m_occupancy, query, from, to) && collideEdgeCrossing(query, from, to, kind, own, out))
-            return;
-    }
     const glm::vec3 inset = query.point + m_insets[kind];
     const Cell cell = cellOf(inset);
-    Face face = m_occupancy.solid(cell) ? nearestExitFace(m_occupancy, cell, inset, query)
-                                        : closestFace(m_occupancy, cell, inset, m_margin + kInset * m_scale, query);
-    if (face.axis < 0) {
-        if (m_occupancy.solid(cell)) m_stuckDepth = std::max(m_stuckDepth, depthBelowSurface(m_occupancy, cell, inset));
-        if (!m_sweeps) return;
-        const glm::vec3 displacement = m_velocity + glm::cross(m_spin, inset - m_about);
-        if (glm::dot(displacement, displacement) > m_margin * m_margin)
-            face = sweepToFace(m_occupancy, cell, inset, displacement, query);
-        if (face.axis < 0) return;
+    const bool isInside = m_occupancy.solid(cell);
+    float from, to;
+    const bool crosses = query.isEdge() && findSolidInterval(m_occupancy, query, from, to) &&
+                         collideEdgeCrossing(query, from, to, kind, own, out);
+    Face face;
+    if (!crosses) {
+        face = isInside ? nearestExitFace(m_occupancy, cell, inset, query)
+                        : closestFace(m_occupancy, cell, inset, m_margin + kInset * m_scale, query);
+        if (face.axis >= 0)
+            addFace(query, face, kind, own, out);
+        else if (isInside)
+            m_stuckDepth = std::max(m_stuckDepth, depthBelowSurface(m_occupancy, cell, inset));
     }
+    if (!m_sweeps) return;
+    // What it touches is not all that is on its way: it may slide along a wall towards another.
+    const glm::vec3 displacement = m_velocity + glm::cross(m_spin, inset - m_about);
+    if (glm::dot(displacement, displacement) <= m_margin * m_margin) return;
+    const Face ahead = sweepToFace(m_occupancy, cell, inset, displacement, query);
+    if (ahead.axis >= 0 && (ahead.axis != face.axis || ahead.sign != face.sign)) addFace(query, ahead, kind, own, out);
+}
+
+void FeatureCollider::addFace(const FeatureQuery& query, const Face& face, uint8_t kind, Cell own,
+                              std::vector<ContactPoint>& out) {
     float extra = 0.0f;  // insets by which the feature itself is deeper than the point that was looked up
     for (int i = 0; i < query.sideCount; ++i) extra += std::max(0.0f, -query.sides[i][face.axis] * face.sign);
     glm::vec3 normal(0.0f);

@@ -45,6 +45,7 @@ private:
     void collideCluster(std::span<const FeatureList::Pack> packs, Cell corner, const glm::vec3& base, float limit,
                         std::vector<ContactPoint>& out);
     void collideFeature(const FeatureQuery& query, uint8_t kind, Cell own, std::vector<ContactPoint>& out);
+    void addFace(const FeatureQuery& query, const Face& face, uint8_t kind, Cell own, std::vector<ContactPoint>& out);
     bool collideEdgeCrossing(const FeatureQuery& query, float from, float to, uint8_t kind, Cell own,
                              std::vector<ContactPoint>& out);
     void add(const glm::vec3& point, const glm::vec3& normal, float separation, uint8_t kind, Cell own, Cell other,

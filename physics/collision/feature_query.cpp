@@ -156,6 +156,19 @@ Face sweepToFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const glm:
     }
 }
 
+float timeOfEntry(Occupancy& occupancy, const glm::vec3& p, const glm::vec3& displacement) {
+    CellWalk walk(cellOf(p), p, displacement);
+    walk.approach(occupancy.bounds());
+    for (;;) {
+        const int axis = walk.axis();
+        const float t = walk.next[axis];
+        if (!(t <= 1.0f)) return 2.0f;
+        walk.cross(axis);
+        if (walk.isPast(occupancy.bounds(), axis)) return 2.0f;
+        if (occupancy.solid(walk.cell)) return t;
+    }
+}
+
 bool findSolidInterval(Occupancy& occupancy, const FeatureQuery& query, float& from, float& to) {
     const glm::vec3 displacement = query.along * query.length, start = query.point - displacement * 0.5f;
     CellWalk walk(cellOf(start), start, displacement);

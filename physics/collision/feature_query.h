@@ -60,6 +60,9 @@ Face closestFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, float marg
 /// solid one. None if it meets none, or one that the feature does not accept.
 Face sweepToFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const glm::vec3& displacement,
                  const FeatureQuery& query);
+/// The fraction of the displacement (cells) at which a point that moves from p, in an empty cell, enters a solid one;
+/// above 1: it enters none.
+float timeOfEntry(Occupancy& occupancy, const glm::vec3& p, const glm::vec3& displacement);
 /// The first interval of an edge that is inside the solid, in fractions of its length from its middle, -0.5 to 0.5.
 /// False: the edge is all outside or all inside.
 bool findSolidInterval(Occupancy& occupancy, const FeatureQuery& query, float& from, float& to);

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec2.hpp>
 
 namespace rubble {
 namespace {
 
 constexpr float kSameDirection = 0.8f;  ///< cosine between normals that count as one direction
-constexpr int kMaxPointsPerDirection = 4;
 /// Distance from a line, in units of its length, below which a point adds nothing to the line's ends.
 constexpr float kMinLineDistance = 0.02f;
 // Points that were kept in the last step are preferred, so that the choice does not flicker:
@@ -23,10 +23,48 @@ bool wasKept(const Manifold* before, uint64_t feature) {
     return false;
 }
 
-/// Moves up to four of contacts[from, to) to the front: the deepest, which is there already, the one farthest from it,
-/// the one farthest from their line, and the one farthest from the line on the other side. Returns how many.
-size_t chooseWidestPoints(std::vector<ContactPoint>& contacts, size_t from, size_t to, const Manifold* before) {
-    if (to - from <= kMaxPointsPerDirection) return to - from;
+/// Moves points of contacts[from + count, to) behind the first `count`, as long as one lies outside of their polygon
+/// and there are fewer than `most`. Returns how many are chosen then. normal: of the polygon.
+size_t widenPolygon(std::vector<ContactPoint>& contacts, size_t from, size_t count, size_t to, size_t most,
+                    const glm::vec3& normal) {
+    for (; count < most && from + count < to; ++count) {
+        glm::vec3 middle(0.0f);
+        for (size_t i = from; i < from + count; ++i) middle += contacts[i].position / float(count);
+        std::array<glm::vec3, kMaxManifoldPoints> corners;
+        for (size_t i = 0; i < count; ++i) corners[i] = contacts[from + i].position - middle;
+        const glm::vec3 x = corners[0], y = glm::cross(normal, x);
+        std::sort(corners.begin(), corners.begin() + std::ptrdiff_t(count),
+                  [&](const glm::vec3& a, const glm::vec3& b) {
+                      const glm::vec2 p(glm::dot(a, x), glm::dot(a, y)), q(glm::dot(b, x), glm::dot(b, y));
+                      const bool isLowP = p.y < 0.0f, isLowQ = q.y < 0.0f;
+                      return isLowP != isLowQ ? isLowQ : p.x * q.y - p.y * q.x > 0.0f;
+                  });
+        float farthest = 0.0f, size = 0.0f;
+        size_t best = to;
+        for (size_t i = from + count; i < to; ++i) {
+            const glm::vec3 p = contacts[i].position - middle;
+            float outside = 0.0f;
+            for (size_t k = 0; k < count; ++k) {
+                const glm::vec3 edge = corners[(k + 1) % count] - corners[k];
+                const float length = std::sqrt(glm::dot(edge, edge));
+                size = std::max(size, length);
+                if (length > 0.0f)
+                    outside = std::max(outside, glm::dot(glm::cross(edge, normal), p - corners[k]) / length);
+            }
+            if (outside > farthest) farthest = outside, best = i;
+        }
+        if (!(farthest > kMinLineDistance * size)) break;
+        std::swap(contacts[from + count], contacts[best]);
+    }
+    return count;
+}
+
+/// Moves up to `most` of contacts[from, to) to the front: the deepest, which is there already, the one farthest from
+/// it, the one farthest from their line, the one farthest from the line on the other side, and those outside of the
+/// polygon of these. Returns how many.
+size_t chooseWidestPoints(std::vector<ContactPoint>& contacts, size_t from, size_t to, size_t most,
+                          const Manifold* before) {
+    if (to - from <= 4) return to - from;
     const auto best = [&](size_t first, auto&& score) {
         size_t found = first;
         float highest = -1e30f;
@@ -46,7 +84,8 @@ size_t chooseWidestPoints(std::vector<ContactPoint>& contacts, size_t from, size
     const float inLine = kMinLineDistance * glm::dot(side, side);
     if (best(from + 2, [&](const ContactPoint& c) { return std::abs(across(c)); }) < inLine) return 2;
     const float sign = across(contacts[from + 2]) > 0 ? -1.0f : 1.0f;
-    return best(from + 3, [&](const ContactPoint& c) { return sign * across(c); }) < inLine ? 3 : 4;
+    if (best(from + 3, [&](const ContactPoint& c) { return sign * across(c); }) < inLine) return 3;
+    return most > 4 ? widenPolygon(contacts, from, 4, to, most, normal) : 4;
 }
 
 /// Warm start: points that were there before get the impulses they had. The impulses of points that are gone are shared
@@ -78,6 +117,24 @@ void inheritImpulses(const Manifold& before, Manifold& now) {
     }
 }
 
+/// Groups contacts by direction: moves those of the direction of the deepest one of contacts[from, ...) to its front,
+/// the deepest first, and returns where they end.
+size_t groupDirection(std::vector<ContactPoint>& contacts, size_t from, const Manifold* before) {
+    size_t deepest = from;
+    float lowest = 1e9f;
+    for (size_t i = from; i < contacts.size(); ++i) {
+        const float separation =
+            contacts[i].separation - (wasKept(before, contacts[i].feature) ? kKeptDepthBonus : 0.0f);
+        if (separation < lowest) lowest = separation, deepest = i;
+    }
+    std::swap(contacts[from], contacts[deepest]);
+    const glm::vec3 normal = contacts[from].normal;
+    size_t to = from + 1;
+    for (size_t i = to; i < contacts.size(); ++i)
+        if (glm::dot(contacts[i].normal, normal) > kSameDirection) std::swap(contacts[to++], contacts[i]);
+    return to;
+}
+
 }  // namespace
 
 void updateAllowedPenetration(Manifold& manifold, float before) {
@@ -91,26 +148,26 @@ float effectiveSeparation(const Manifold& manifold, const ManifoldPoint& point, 
     return isLifted ? std::min(point.separation + manifold.allowedPenetration, 0.0f) : point.separation;
 }
 
-void reduceContacts(std::vector<ContactPoint>& contacts, const Manifold* before, Manifold& out) {
-    out.count = 0;
-    size_t from = 0;
-    while (from < contacts.size() && out.count < kMaxManifoldPoints) {
-        size_t deepest = from;
-        float lowest = 1e9f;
-        for (size_t i = from; i < contacts.size(); ++i) {
-            const float separation =
-                contacts[i].separation - (wasKept(before, contacts[i].feature) ? kKeptDepthBonus : 0.0f);
-            if (separation < lowest) lowest = separation, deepest = i;
-        }
-        std::swap(contacts[from], contacts[deepest]);
-        const glm::vec3 normal = contacts[from].normal;
-        size_t to = from + 1;
-        for (size_t i = to; i < contacts.size(); ++i)
-            if (glm::dot(contacts[i].normal, normal) > kSameDirection) std::swap(contacts[to++], contacts[i]);
-        const size_t kept = chooseWidestPoints(contacts, from, to, before);
-        for (size_t i = from; i < from + kept && out.count < kMaxManifoldPoints; ++i)
-            out.points[size_t(out.count++)] = {contacts[i]};
+/// Each direction keeps a point at least: without it, what two near walls touch would pass a third one.
+void reduceContacts(std::vector<ContactPoint>& contacts, const Manifold* before, const ManifoldLimits& limits,
+                    Manifold& out) {
+    struct Direction {
+        size_t from, kept;
+    };
+    std::array<Direction, kMaxManifoldPoints> directions;
+    int count = 0;
+    for (size_t from = 0; from < contacts.size() && count < limits.total;) {
+        const size_t to = groupDirection(contacts, from, before);
+        directions[size_t(count++)] = {from,
+                                       chooseWidestPoints(contacts, from, to, size_t(limits.perDirection), before)};
         from = to;
+    }
+    out.count = 0;
+    for (int i = 0; i < count; ++i) {
+        const Direction& direction = directions[size_t(i)];
+        const size_t share = size_t(limits.total / count);
+        for (size_t k = 0; k < std::min(direction.kept, share); ++k)
+            out.points[size_t(out.count++)] = {contacts[direction.from + k]};
     }
     if (before) inheritImpulses(*before, out);
 }

@@ -22,16 +22,24 @@ struct ManifoldPoint : ContactPoint {
     float cachedSeparation = 0.0f;
 };
 
-inline constexpr int kMaxManifoldPoints = 8;
+inline constexpr int kMaxManifoldPoints = 12;
+/// How many points a manifold may have.
+struct ManifoldLimits {
+    int total;         ///< at most kMaxManifoldPoints, shared equally by the directions of their normals
+    int perDirection;  ///< at least 4
+};
+/// Four points hold what rests. What hits with a corner of a wider polygon turns about the wrong point without it.
+inline constexpr ManifoldLimits kRestingLimits{8, 4}, kHitLimits{kMaxManifoldPoints, 8};
 
-/// The contacts of two objects that are solved. For each direction of normals, these are the deepest point and the
-/// points that span the widest area with it.
+/// The contacts of two objects that are solved. For each direction of normals, these are the deepest point and up to
+/// three that span the widest area with it.
 struct Manifold {
     uint32_t first = 0, second = 0;  ///< numbers of the collision objects
     std::pair<CollisionObject*, CollisionObject*> objects;
     glm::dvec3 origin{0.0};           ///< positions of points are relative to it: the first's frame origin, world
     float allowedPenetration = 0.0f;  ///< metres: see updateAllowedPenetration()
     int count = 0;
+    bool isPenetrating = false;  ///< the last solve left a hit deep: see ContactSolver::solve()
     std::array<ManifoldPoint, kMaxManifoldPoints> points;
 
     /// The points in use.
@@ -49,8 +57,9 @@ void updateAllowedPenetration(Manifold& manifold, float before);
 /// against gravity; zero: the allowance has no effect.
 float effectiveSeparation(const Manifold& manifold, const ManifoldPoint& point, const glm::vec3& up);
 
-/// Fills the manifold with at most kMaxManifoldPoints of the contacts, whose order it changes. Points that `before`
-/// (may be null) had too inherit its impulses.
-void reduceContacts(std::vector<ContactPoint>& contacts, const Manifold* before, Manifold& out);
+/// Fills the manifold with as many of the contacts as the limits allow; changes their order. Points that `before` (may
+/// be null) had too inherit its impulses.
+void reduceContacts(std::vector<ContactPoint>& contacts, const Manifold* before, const ManifoldLimits& limits,
+                    Manifold& out);
 
 }  // namespace rubble

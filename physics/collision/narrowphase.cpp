@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "physics/bodies/dynamic_body.h"
+#include "physics/collision/impact_contacts.h"
 
 namespace rubble {
 namespace {
@@ -25,7 +26,7 @@ bool isPointedBefore(const Manifold* a, const Manifold* b) {
 Motion motionOf(const CollisionObject& object) {
     Motion motion{.pose = object.pose, .cellTransforms = object.cellTransforms(), .radius = object.radius};
     if (!object.dynamic || object.dynamic->asleep()) return motion;
-    motion.velocity = object.dynamic->motion.velocity + object.dynamic->secondaryVelocity;
+    motion.velocity = object.dynamic->motion.velocity;
     motion.angularVelocity = object.dynamic->motion.angularVelocity;
     return motion;
 }
@@ -46,7 +47,8 @@ void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettin
     const auto [first, second] = objects;
     const Motion firstMotion = motionOf(*first), secondMotion = motionOf(*second);
     const bool isKnown = before && before->firstVersion == first->version && before->secondVersion == second->version;
-    const bool isSlow = maxRelativeDisplacement(firstMotion, secondMotion, settings.seconds) <= settings.margin;
+    const double displacement = maxRelativeDisplacement(firstMotion, secondMotion, settings.seconds);
+    const bool isSlow = displacement <= settings.margin;
     const RelativePose pose = relativePose(first->pose, second->pose);
     const auto makeManifold = [&]() -> Manifold& {
         Manifold& manifold = batch.manifolds[batch.used++];
@@ -63,9 +65,12 @@ void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettin
     pair = {first->number, second->number, first->version, second->version};
     if (before) pair.axis = before->axis;
     batch.contacts.clear();
-    pair.isCacheable = findContacts(first->collider, firstMotion, second->collider, secondMotion, settings, pair.axis,
-                                    batch.contacts) &&
-                       isSlow;
+    const bool isNear =
+        findContacts(first->collider, firstMotion, second->collider, secondMotion, settings, pair.axis, batch.contacts);
+    pair.isCacheable = isNear && isSlow;
+    if (isNear && batch.contacts.empty() && displacement > settings.sweepThreshold &&
+        displacement > std::min(first->collider.smallestVoxel(), second->collider.smallestVoxel()))
+        findImpactContacts(*first, *second, settings, pair.axis, batch.contacts);
     pair.pose = pose;
     if (batch.contacts.empty()) return;
     Manifold& manifold = makeManifold();
@@ -74,7 +79,8 @@ void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettin
     manifold.origin = first->pose.position;
     manifold.objects = {first, second};
     const bool inherits = before && !first->isNew && !second->isNew;
-    reduceContacts(batch.contacts, inherits ? before->manifold : nullptr, manifold);
+    reduceContacts(batch.contacts, inherits ? before->manifold : nullptr,
+                   2.0 * displacement <= settings.margin ? kRestingLimits : kHitLimits, manifold);
     cacheContacts(manifold, first->pose, second->pose);
     manifold.allowedPenetration = 0.0f;
     if (!second->dynamic)
@@ -116,31 +122,6 @@ void Narrowphase::collide(std::span<const ObjectPair> pairs, const NarrowphaseSe
     for (size_t i = firstBatch; i < set.usedBatches; ++i)
         for (size_t m = 0; m < set.batches[i]->used; ++m) set.list.push_back(&set.batches[i]->manifolds[m]);
     if (!firstBatch) return;
-    std::sort(set.list.begin(), set.list.end(), isPointedBefore);
-    std::sort(set.pairs.begin(), set.pairs.end(), isBefore<Pair>);
-}
-
-void Narrowphase::collideAgain(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings) {
-    Set& set = m_sets[m_now];
-    if (set.batches.size() == set.usedBatches) set.batches.push_back(std::make_unique<Batch>());
-    Batch& batch = *set.batches[set.usedBatches++];
-    batch.used = 0;
-    if (batch.manifolds.size() < pairs.size()) batch.manifolds.resize(pairs.size());
-    const size_t known = set.pairs.size();
-    for (const ObjectPair& objects : pairs) {
-        Pair pair;
-        pair.first = objects.first->number, pair.second = objects.second->number;
-        const auto end = set.pairs.begin() + std::ptrdiff_t(known),
-                   at = std::lower_bound(set.pairs.begin(), end, pair, isBefore<Pair>);
-        const bool isKnown = at != end && !isBefore(pair, *at);
-        if (isKnown && at->manifold) continue;
-        collidePair(objects, settings, isKnown ? &*at : nullptr, batch, pair);
-        if (isKnown)
-            *at = pair;
-        else
-            set.pairs.push_back(pair);
-    }
-    for (size_t m = 0; m < batch.used; ++m) set.list.push_back(&batch.manifolds[m]);
     std::sort(set.list.begin(), set.list.end(), isPointedBefore);
     std::sort(set.pairs.begin(), set.pairs.end(), isBefore<Pair>);
 }

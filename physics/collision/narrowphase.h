@@ -20,9 +20,6 @@ public:
     /// Adds the manifolds of these pairs, which must be sorted.
     void collide(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings,
                  const ParallelFor& parallelFor);
-    /// Adds the manifolds of pairs of which some may have been tested in this step: those without contacts are tested
-    /// again. Serial.
-    void collideAgain(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings);
     /// Of this step, sorted by first and second; valid until the next begin().
     std::span<Manifold* const> manifolds() const { return m_sets[m_now].list; }
     /// How many pairs it was given in this step.

@@ -179,4 +179,10 @@ double VoxelCollider::radius() const {
     return farthest;
 }
 
+double VoxelCollider::smallestVoxel() const {
+    double size = 1e30;
+    for (const auto& part : parts) size = std::min(size, part->voxelSize());
+    return size;
+}
+
 }  // namespace rubble

@@ -115,6 +115,8 @@ struct VoxelCollider {
     void bounds(glm::dvec3& low, glm::dvec3& high) const;
     /// The largest distance of a part's bounds from the frame's origin, metres.
     double radius() const;
+    /// The side of the smallest voxels of its parts, metres.
+    double smallestVoxel() const;
 };
 
 }  // namespace rubble

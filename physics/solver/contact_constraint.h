@@ -10,9 +10,11 @@ namespace rubble {
 
 /// One contact point between the bodies A and B as the solver iterates it. Vectors are in world axes.
 struct ContactConstraint {
-    Float4 normal;              ///< from B to A
+    Float4 normal;              ///< from B to A; that of the face, with which it turns
+    Float4 startNormal;         ///< at the start of the step
     Float4 tangent1, tangent2;  ///< the directions of friction
-    Float4 rA, rB;              ///< from the centre of mass to the point, at the start of the step
+    Float4 anchorA, anchorB;    ///< from the centre of mass to the touched point, at the start of the step
+    Float4 rA, rB;              ///< from the centre of mass to the point at which both get their impulses
     Float4 angularA, angularB;  ///< r x normal: the angular part of the Jacobian
     Float4 angularChangeA;      ///< of A's angular velocity for an impulse of 1 along the normal
     Float4 angularChangeB;
@@ -21,24 +23,24 @@ struct ContactConstraint {
     float friction, restitution;
     float initialNormalVelocity;  ///< before the solve, m/s; negative: closing
     float normalImpulse, tangentImpulse1, tangentImpulse2;
-    float totalImpulse, maxImpulse;  ///< of the substeps so far, along the normal
-    float bounceImpulse;
-    bool isStatic;  ///< one body does not move
-    bool isStiff;   ///< a body is load-bearing
-    bool isInscribedSphere;
-    ManifoldPoint* point;  ///< that gets the result; of an inscribed sphere, the one that its impulse is added to
+    float totalImpulse, maxImpulse;                       ///< of the substeps so far, along the normal
+    float bounceImpulse, bounceTangent1, bounceTangent2;  ///< N s
+    bool isStatic;                                        ///< one body does not move
+    bool isStiff;                                         ///< a body is load-bearing
+    bool isOfB;            ///< the touched point is a feature of B on a face of A; else one of A on a face of B
+    ManifoldPoint* point;  ///< that gets the result
 };
 
 /// The constraints of a manifold.
 struct PairConstraints {
     int a, b;         ///< the bodies, as indices of states; 0: the world
     size_t from, to;  ///< in the list of constraints
-    int passes;       ///< over the normals in each iteration
+    int passes;       ///< over the normals in each iteration, at most
+    bool isHit;       ///< closing fast
+    bool isFollowed;  ///< its points are followed within the step: see updateJacobian()
     Manifold* manifold;
     /// The manifold's points.
     std::span<ManifoldPoint> points() const { return manifold->all(); }
-    /// Whether there is one constraint more than points.
-    bool hasInscribedSphere() const { return to - from > points().size(); }
 };
 
 /// The velocities of two bodies while their contacts are solved, in registers.

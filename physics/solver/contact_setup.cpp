@@ -6,10 +6,9 @@
 namespace rubble {
 namespace {
 
-/// Closing speeds, m/s, from which a pair's normals are solved in several passes, and how many.
-constexpr float kHitSpeed = 1.0f, kFastSpeed = 20.0f;
-constexpr int kHitPasses = 2, kFastPasses = 8;
-constexpr float kSameFace = 0.9f;         ///< cosine between normals that belong to one face
+constexpr float kHitSpeed = 0.5f;  ///< closing speed, m/s, from which a pair's normals are solved in several passes
+constexpr float kFollowedSpeed = 0.5f;    ///< m/s between two bodies from which their points are followed
+constexpr int kHitPasses = 16;            ///< at most
 constexpr float kMinSupportSlope = 0.3f;  ///< vertical part of a normal above which one body lies on the other
 /// m/s that the warm start may give a body. Balanced impulses cancel.
 constexpr float kMaxWarmStartSpeed = 4.0f;
@@ -23,61 +22,50 @@ void tangentsOf(const glm::vec3& n, glm::vec3& t1, glm::vec3& t2) {
     t2 = glm::cross(n, t1);
 }
 
-/// Against tunnelling by rotation. Two bodies that meet fast could turn around the few points that touch, past each
-/// other. So their inscribed spheres, of the radius minHalfExtent about the centres of mass, may not pass the plane in
-/// which the bodies meet, however they tumble. This is one more constraint, without leverage.
-void addInscribedSphere(ContactSet& set, PairConstraints& pair, const ContactConstraint& fastest) {
-    const SolverState &A = set.stateA(pair), &B = set.stateB(pair);
-    ContactConstraint sphere = fastest;
-    // The smallest separation of all points of the face: the fastest may be a point that a spin brings in from above.
-    sphere.separation = 1e9f;
-    for (const ContactConstraint& c : set.of(pair)) {
-        if (dot(c.normal, sphere.normal) < kSameFace) continue;
-        const float overA = pair.a ? std::max(0.0f, -dot(c.rA, c.normal) - A.minHalfExtent) : 0.0f;
-        const float overB = pair.b ? std::max(0.0f, dot(c.rB, c.normal) - B.minHalfExtent) : 0.0f;
-        sphere.separation = std::min(sphere.separation, c.separation + overA + overB);
-    }
-    sphere.rA = sphere.rB = sphere.angularA = sphere.angularB = sphere.angularChangeA = sphere.angularChangeB =
-        float4(0.0f);
-    sphere.normalMass = 1.0f / (A.inverseMass + B.inverseMass);
-    sphere.friction = sphere.restitution = 0.0f;
-    sphere.normalImpulse = sphere.tangentImpulse1 = sphere.tangentImpulse2 = 0.0f;
-    sphere.isInscribedSphere = true;
-    set.constraints[pair.to++] = sphere;
-}
-
-/// All but the separation. rA, rB: from the centres of mass to where each body is touched.
+/// anchorA, anchorB: from the centres of mass to where each body is touched.
 void fillConstraint(ContactConstraint& c, ManifoldPoint& point, const SolverState& A, const SolverState& B,
-                    const glm::vec3& rA, const glm::vec3& rB) {
+                    const glm::vec3& anchorA, const glm::vec3& anchorB) {
     glm::vec3 tangent1, tangent2;
     tangentsOf(point.normal, tangent1, tangent2);
-    const auto effectiveMass = [&](const glm::vec3& d) {
-        const glm::vec3 xa = glm::cross(rA, d), xb = glm::cross(rB, d);
-        const float k =
-            A.inverseMass + B.inverseMass + glm::dot(xa, A.inverseInertia * xa) + glm::dot(xb, B.inverseInertia * xb);
-        return k > 0.0f ? 1.0f / k : 0.0f;
-    };
-    c.normal = float4(point.normal), c.tangent1 = float4(tangent1), c.tangent2 = float4(tangent2);
-    c.rA = float4(rA), c.rB = float4(rB);
-    c.angularA = cross(c.rA, c.normal), c.angularB = cross(c.rB, c.normal);
-    c.angularChangeA = float4(A.inverseInertia * vec3(c.angularA));
-    c.angularChangeB = float4(B.inverseInertia * vec3(c.angularB));
-    c.normalMass = effectiveMass(point.normal);
-    c.tangentMass1 = effectiveMass(tangent1);
-    c.tangentMass2 = effectiveMass(tangent2);
+    c.startNormal = float4(point.normal), c.tangent1 = float4(tangent1), c.tangent2 = float4(tangent2);
+    c.anchorA = float4(anchorA), c.anchorB = float4(anchorB);
+    c.isOfB = point.feature & 1;
+    c.separation = point.separation;
+    updateJacobian(c, A, B);
     c.friction = point.friction;
     c.restitution = point.restitution;
     c.initialNormalVelocity = VelocityPair(A, B).normalVelocity(c);
     c.normalImpulse = point.normalImpulse;
     c.tangentImpulse1 = glm::dot(point.frictionImpulse, tangent1);
     c.tangentImpulse2 = glm::dot(point.frictionImpulse, tangent2);
-    c.totalImpulse = c.maxImpulse = c.bounceImpulse = 0.0f;
-    c.isStiff = c.isInscribedSphere = false;
+    c.totalImpulse = c.maxImpulse = c.bounceImpulse = c.bounceTangent1 = c.bounceTangent2 = 0.0f;
+    c.isStiff = false;
     c.isStatic = A.inverseMass == 0.0f || B.inverseMass == 0.0f;
     c.point = &point;
 }
 
 }  // namespace
+
+void updateJacobian(ContactConstraint& c, const SolverState& A, const SolverState& B) {
+    const Float4 turnA = SimdMat3(A.deltaRotation) * c.anchorA, turnB = SimdMat3(B.deltaRotation) * c.anchorB;
+    const SimdMat3 turn(c.isOfB ? A.deltaRotation : B.deltaRotation);
+    c.normal = c.startNormal + turn * c.startNormal;
+    const Float4 apart =
+        c.startNormal * float4(c.separation) + float4(A.deltaPosition - B.deltaPosition) + turnA - turnB;
+    const Float4 half = c.normal * float4(0.5f * dot(apart, c.normal));
+    c.rA = c.anchorA + turnA - (c.isOfB ? apart - half : half);
+    c.rB = c.anchorB + turnB + (c.isOfB ? half : apart - half);
+    const SimdMat3 inverseInertiaA(A.inverseInertia), inverseInertiaB(B.inverseInertia);
+    const float inverseMass = A.inverseMass + B.inverseMass;
+    c.angularA = cross(c.rA, c.normal), c.angularB = cross(c.rB, c.normal);
+    c.angularChangeA = inverseInertiaA * c.angularA, c.angularChangeB = inverseInertiaB * c.angularB;
+    c.normalMass = 1.0f / (inverseMass + dot(c.angularA, c.angularChangeA) + dot(c.angularB, c.angularChangeB));
+    const auto effectiveMass = [&](const Float4& d) {
+        const Float4 xa = cross(c.rA, d), xb = cross(c.rB, d);
+        return 1.0f / (inverseMass + dot(xa, inverseInertiaA * xa) + dot(xb, inverseInertiaB * xb));
+    };
+    c.tangentMass1 = effectiveMass(c.tangent1), c.tangentMass2 = effectiveMass(c.tangent2);
+}
 
 void prepareStates(ContactSet& set, std::span<const SolverBody> bodies) {
     set.states.assign(bodies.size(), {});
@@ -86,20 +74,17 @@ void prepareStates(ContactSet& set, std::span<const SolverBody> bodies) {
         state.v = glm::vec3(bodies[i].velocity);
         state.w = glm::vec3(bodies[i].angularVelocity);
         state.inverseMass = float(bodies[i].inverseMass);
-        state.minHalfExtent = float(bodies[i].minHalfExtent);
         state.inverseInertia = glm::mat3(worldInverseInertia(bodies[i]));
     }
 }
 
-void preparePair(ContactSet& set, PairConstraints& pair, std::span<const SolverBody> bodies, const glm::vec3& up,
-                 float seconds) {
+void preparePair(ContactSet& set, PairConstraints& pair, std::span<const SolverBody> bodies, const glm::vec3& up) {
     const int a = pair.a, b = pair.b;
     const SolverState &A = set.stateA(pair), &B = set.stateB(pair);
     const glm::vec3 originA = glm::vec3(pair.manifold->origin - bodies[size_t(a)].position);
     const glm::vec3 originB = glm::vec3(pair.manifold->origin - bodies[size_t(b)].position);
-    size_t fastest = pair.from, at = pair.from;
-    // m/s, of a point or of the bodies as a whole: a spinning body may come while the points that touch recede.
-    float closing = 0.0f;
+    float closing = 0.0f, moving2 = 0.0f;
+    size_t at = pair.from;
     for (ManifoldPoint& point : pair.points()) {
         // Before a fast hit the two touched points are far apart.
         const glm::vec3 half = point.normal * (0.5f * point.separation);
@@ -108,30 +93,13 @@ void preparePair(ContactSet& set, PairConstraints& pair, std::span<const SolverB
         ContactConstraint& c = set.constraints[at++];
         fillConstraint(c, point, A, B, rA, rB);
         c.separation = effectiveSeparation(*pair.manifold, point, up);
-        if (c.initialNormalVelocity < set.constraints[fastest].initialNormalVelocity) fastest = at - 1;
-        closing = std::max({closing, -c.initialNormalVelocity, -glm::dot(A.v - B.v, point.normal)});
+        closing = std::max(closing, -c.initialNormalVelocity);
+        const Float4 relative = VelocityPair(A, B).relativeVelocity(c);
+        moving2 = std::max(moving2, dot(relative, relative));
     }
-    const float speed = -set.constraints[fastest].initialNormalVelocity;
-    pair.passes = speed > kFastSpeed ? kFastPasses : speed > kHitSpeed ? kHitPasses : 1;
-    const float thinnest = std::min(a ? A.minHalfExtent : 1e9f, b ? B.minHalfExtent : 1e9f);
-    if (closing * seconds > thinnest) addInscribedSphere(set, pair, set.constraints[fastest]);
-}
-
-void addInscribedSpheresOfHit(ContactSet& set) {
-    bool any = false;
-    for (const PairConstraints& pair : set.pairs)
-        if (pair.hasInscribedSphere()) set.stateA(pair).isHitByFast = set.stateB(pair).isHitByFast = any = true;
-    if (!any) return;
-    for (PairConstraints& pair : set.pairs) {
-        const bool isWithWorld = !pair.a || !pair.b;
-        if (!isWithWorld || !set.states[size_t(pair.a + pair.b)].isHitByFast || pair.hasInscribedSphere()) continue;
-        const std::span<ContactConstraint> points = set.of(pair);
-        const ContactConstraint fastest =
-            *std::min_element(points.begin(), points.end(), [](const ContactConstraint& c, const ContactConstraint& d) {
-                return c.initialNormalVelocity < d.initialNormalVelocity;
-            });
-        addInscribedSphere(set, pair, fastest);
-    }
+    pair.isHit = closing > kHitSpeed;
+    pair.isFollowed = pair.isHit || (a && b && moving2 > kFollowedSpeed * kFollowedSpeed);
+    pair.passes = pair.isHit ? kHitPasses : 1;
 }
 
 void WarmStartFilter::reject(ContactSet& set) {

@@ -10,14 +10,13 @@ namespace rubble {
 
 /// The states of the bodies at the start of the step.
 void prepareStates(ContactSet& set, std::span<const SolverBody> bodies);
-/// Fills in the constraints of a pair, whose range must hold its points and one inscribed sphere. Reads bodies and
-/// states, writes only what belongs to the pair. up: unit vector against gravity, or 0. seconds: of the step.
-/// [any thread]
-void preparePair(ContactSet& set, PairConstraints& pair, std::span<const SolverBody> bodies, const glm::vec3& up,
-                 float seconds);
-/// Bodies hit by something fast are pushed against the world within the step and may tunnel too: gives their contacts
-/// with the world inscribed spheres.
-void addInscribedSpheresOfHit(ContactSet& set);
+/// Moves the point at which two bodies get a contact's impulses to where they meet now, and computes what follows from
+/// it. The touched points of the two are apart before a hit and move on within the step; impulses at one point, that of
+/// the feature, halfway to the face that it touches, keep the angular momentum. [any thread]
+void updateJacobian(ContactConstraint& c, const SolverState& A, const SolverState& B);
+/// Fills in the constraints of a pair. Reads bodies and states, writes only what belongs to the pair. up: unit vector
+/// against gravity, or 0. [any thread]
+void preparePair(ContactSet& set, PairConstraints& pair, std::span<const SolverBody> bodies, const glm::vec3& up);
 
 /// Sets the impulses of contacts to 0 that would throw a body. No warm start after the loss of a support: what a
 /// contact that is gone held back is missing in the balance of impulses.

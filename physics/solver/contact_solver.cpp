@@ -27,6 +27,9 @@ namespace rubble {
 namespace {
 
 constexpr int kBouncePasses = 8;
+constexpr float kDeep = 0.03f;        ///< metres by which a hit may end deeper than it began
+constexpr double kMaxRotation = 0.3;  ///< radians by which a free body rotates in one go
+constexpr float kConverged = 1e-3f;   ///< share of a pair's largest impulse by which none of them changes any more
 constexpr double kLoadBearingStiffness = 4.0;  ///< times contactHertz, for contacts of load-bearing bodies
 
 }  // namespace
@@ -65,10 +68,12 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
     for (size_t i = 1; i < bodies.size(); ++i)
         if (const SolverState& state = m_set.states[i]; state.isConstrained)
             bodies[i].velocity = state.v, bodies[i].angularVelocity = state.w;
+        else
+            moveFreely(bodies[i], gravity, settings.seconds);
     forEachBlockwise(m_parallelFor, m_set.pairs.size(), [&](size_t i) { storeImpulses(m_set.pairs[i]); });
 }
 
-void ContactSolver::prepare(std::span<const SolverBody> bodies, std::span<Manifold* const> manifolds,
+void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds,
                             std::span<const std::pair<int, int>> bodyOf, const SolverSettings& settings) {
     prepareStates(m_set, bodies);
     m_coloring.build(bodies, bodyOf);
@@ -77,13 +82,20 @@ void ContactSolver::prepare(std::span<const SolverBody> bodies, std::span<Manifo
     for (const uint32_t m : m_coloring.order()) {
         const auto [a, b] = bodyOf[m];
         m_set.states[size_t(a)].isConstrained = m_set.states[size_t(b)].isConstrained = true;
-        m_set.pairs.push_back({a, b, count, count + manifolds[m]->all().size(), 1, manifolds[m]});
-        count = m_set.pairs.back().to + 1;  // one more for an inscribed sphere
+        m_set.pairs.push_back({a, b, count, count + manifolds[m]->all().size(), 1, false, false, manifolds[m]});
+        count = m_set.pairs.back().to;
     }
     m_set.constraints.resize(count);
     forEachBlockwise(m_parallelFor, m_set.pairs.size(),
-                     [&](size_t i) { preparePair(m_set, m_set.pairs[i], bodies, m_up, float(settings.seconds)); });
-    addInscribedSpheresOfHit(m_set);
+                     [&](size_t i) { preparePair(m_set, m_set.pairs[i], bodies, m_up); });
+    if (m_paths.size() < bodies.size()) m_paths.resize(bodies.size());
+    for (size_t i = 0; i < bodies.size(); ++i) m_paths[i].clear();
+    for (const PairConstraints& pair : m_set.pairs) {
+        if (!pair.isHit) continue;
+        m_set.stateA(pair).isHit = m_set.stateB(pair).isHit = true;
+        if (settings.hitsConserve)
+            bodies[size_t(pair.a)].conservesMomentum = bodies[size_t(pair.b)].conservesMomentum = true;
+    }
 }
 
 void ContactSolver::substep(std::span<SolverBody> bodies, glm::dvec3 gravity, const SolverSettings& settings,
@@ -94,7 +106,7 @@ void ContactSolver::substep(std::span<SolverBody> bodies, glm::dvec3 gravity, co
     if (!m_joints.empty()) m_joints.prepare(bodies, m_set.states, h);
     forEachPair([&](const PairConstraints& pair) { warmStart(pair, isFirst); });
     iterate(bodies, settings.iterations, h, true);
-    move(bodies, gravity, h);
+    move(bodies, h);
     iterate(bodies, settings.iterations, h, false);
     if (!m_joints.empty()) m_joints.accumulateForces(settings.seconds);
 }
@@ -131,85 +143,98 @@ void ContactSolver::solvePair(const PairConstraints& pair, float inverseSeconds,
     SolverState &A = m_set.stateA(pair), &B = m_set.stateB(pair);
     const std::span<ContactConstraint> points = m_set.of(pair);
     const DeltaPair deltas(A, B);
-    std::array<ContactBias, kMaxManifoldPoints + 1> biases;  // one more for an inscribed sphere
+    std::array<ContactBias, kMaxManifoldPoints> biases;
     for (size_t i = 0; i < points.size(); ++i) {
         biases[i] = biasOf(points[i], deltas, inverseSeconds, useBias);
-        if (!useBias && (A.inertiaRotates || B.inertiaRotates)) rotateInertia(points[i], A, B);  // they have just moved
+        // They have just moved. With the old effective masses, the impulses on a spinning rod would be larger than it
+        // takes to stop it, again and again.
+        if (!useBias && (pair.isFollowed || A.inertiaRotates || B.inertiaRotates)) updateJacobian(points[i], A, B);
     }
     VelocityPair bodies(A, B);
-    for (int pass = 0; pass < pair.passes; ++pass)
-        for (size_t i = 0; i < points.size(); ++i) solveNormal(points[i], biases[i], bodies);
+    for (int pass = 0; pass < pair.passes; ++pass) {
+        float changed = 0.0f, largest = 0.0f;  // N s
+        for (size_t i = 0; i < points.size(); ++i) {
+            changed = std::max(changed, solveNormal(points[i], biases[i], bodies));
+            largest = std::max(largest, points[i].normalImpulse);
+        }
+        if (changed <= kConverged * largest) break;
+    }
     for (ContactConstraint& c : points) solveFriction(c, bodies);
     bodies.store(A, B);
+}
+
+/// Whether the end of the step has a point of the pair deeper than contacts are left.
+bool ContactSolver::isDeep(const PairConstraints& pair) {
+    const DeltaPair deltas(m_set.stateA(pair), m_set.stateB(pair));
+    for (const ContactConstraint& c : m_set.of(pair))
+        if (c.totalImpulse > 0.0f && separationOf(c, deltas) < std::min(c.separation, 0.0f) - kDeep) return true;
+    return false;
+}
+
+float ContactSolver::separationOf(const ContactConstraint& c, const DeltaPair& deltas) {
+    const Float4 movement = deltas.position + deltas.rotationA * c.anchorA - deltas.rotationB * c.anchorB;
+    return dot(c.startNormal * float4(c.separation) + movement, c.normal);
 }
 
 /// A point that is still apart may close by its separation within the substep (speculative contact). A penetration is
 /// corrected by a soft constraint, at most at maxPushSpeed.
 ContactSolver::ContactBias ContactSolver::biasOf(const ContactConstraint& c, const DeltaPair& deltas,
                                                  float inverseSeconds, bool useBias) const {
-    const Float4 movement = deltas.position + deltas.rotationA * c.rA - deltas.rotationB * c.rB;
-    const float s = c.separation + dot(movement, c.normal);
+    const float s = separationOf(c, deltas);
     if (s > 0.0f) return {s * inverseSeconds};
     if (!useBias) return {};
     const Softness<float>& soft = c.isStiff ? m_stiff : c.isStatic ? m_softStatic : m_soft;
     return {std::max(soft.biasRate * std::min(s + m_slop, 0.0f), -m_maxPushSpeed), soft.massScale, soft.impulseScale};
 }
 
-/// Recomputes effective masses after a body has rotated. With the old ones, the impulses on a spinning rod would be
-/// larger than it takes to stop it, again and again.
-void ContactSolver::rotateInertia(ContactConstraint& c, const SolverState& A, const SolverState& B) {
-    const SimdMat3 inverseInertiaA(A.inverseInertia), inverseInertiaB(B.inverseInertia);
-    c.angularChangeA = inverseInertiaA * c.angularA, c.angularChangeB = inverseInertiaB * c.angularB;
-    const float inverseMass = A.inverseMass + B.inverseMass;
-    c.normalMass = 1.0f / (inverseMass + dot(c.angularA, c.angularChangeA) + dot(c.angularB, c.angularChangeB));
-    const auto effectiveMass = [&](const Float4& d) {
-        const Float4 xa = cross(c.rA, d), xb = cross(c.rB, d);
-        return 1.0f / (inverseMass + dot(xa, inverseInertiaA * xa) + dot(xb, inverseInertiaB * xb));
-    };
-    c.tangentMass1 = effectiveMass(c.tangent1), c.tangentMass2 = effectiveMass(c.tangent2);
-}
-
-void ContactSolver::solveNormal(ContactConstraint& c, const ContactBias& bias, VelocityPair& bodies) {
+/// Returns by how much the impulse changed, N s.
+float ContactSolver::solveNormal(ContactConstraint& c, const ContactBias& bias, VelocityPair& bodies) {
     const float old = c.normalImpulse;
     const float velocity = bodies.normalVelocity(c) + bias.velocity;
     c.normalImpulse = std::max(old - c.normalMass * bias.massScale * velocity - bias.impulseScale * old, 0.0f);
     c.maxImpulse = std::max(c.maxImpulse, c.normalImpulse);
     bodies.applyNormalImpulse(c, c.normalImpulse - old);
+    return std::abs(c.normalImpulse - old);
 }
 
 void ContactSolver::solveFriction(ContactConstraint& c, VelocityPair& bodies) {
+    solveFriction(c, c.friction * c.normalImpulse, c.tangentImpulse1, c.tangentImpulse2, bodies);
+}
+
+/// limit: of the two impulses together, N s.
+void ContactSolver::solveFriction(const ContactConstraint& c, float limit, float& impulse1, float& impulse2,
+                                  VelocityPair& bodies) {
     const Float4 relative = bodies.relativeVelocity(c);
-    const float limit = c.friction * c.normalImpulse;
-    float t1 = c.tangentImpulse1 - c.tangentMass1 * dot(relative, c.tangent1);
-    float t2 = c.tangentImpulse2 - c.tangentMass2 * dot(relative, c.tangent2);
+    float t1 = impulse1 - c.tangentMass1 * dot(relative, c.tangent1);
+    float t2 = impulse2 - c.tangentMass2 * dot(relative, c.tangent2);
     const float size2 = t1 * t1 + t2 * t2;
     if (size2 > limit * limit) {
         const float scale = limit / std::sqrt(size2);
         t1 *= scale;
         t2 *= scale;
     }
-    bodies.applyFrictionImpulse(c, t1 - c.tangentImpulse1, t2 - c.tangentImpulse2);
-    c.tangentImpulse1 = t1;
-    c.tangentImpulse2 = t2;
+    bodies.applyFrictionImpulse(c, t1 - impulse1, t2 - impulse2);
+    impulse1 = t1;
+    impulse2 = t2;
 }
 
-void ContactSolver::move(std::span<SolverBody> bodies, glm::dvec3 gravity, double h) {
-    forEachBlockwise(m_parallelFor, bodies.size() - 1,
-                     [&](size_t i) { moveBody(bodies[i + 1], m_set.states[i + 1], m_start[i + 1], gravity, h); });
+void ContactSolver::move(std::span<SolverBody> bodies, double h) {
+    forEachBlockwise(m_parallelFor, bodies.size() - 1, [&](size_t i) {
+        SolverBody& body = bodies[i + 1];
+        SolverState& state = m_set.states[i + 1];
+        if (!state.isConstrained) return;
+        moveConstrained(body, state, m_start[i + 1], h);
+        if (state.isHit) m_paths[i + 1].push_back({body.position, body.rotation});
+    });
 }
 
-/// Integrates the pose. A body without constraints stays in double: free flight is not rounded to float.
-void ContactSolver::moveBody(SolverBody& body, SolverState& state, const glm::dquat& start, glm::dvec3 gravity,
-                             double h) {
-    if (state.isConstrained) {
-        body.velocity = state.v;
-        body.angularVelocity = state.w;
-    } else
-        body.velocity += gravity * h;
+/// Integrates the pose of a body whose velocity the constraints have set.
+void ContactSolver::moveConstrained(SolverBody& body, SolverState& state, const glm::dquat& start, double h) {
+    body.velocity = state.v;
+    body.angularVelocity = state.w;
     const glm::dvec3 displacement = body.velocity * h;
     body.position += displacement;
     rotateBody(body, h);
-    if (!state.isConstrained) return;
     state.deltaPosition += glm::vec3(displacement);
     state.deltaRotation = glm::mat3(glm::mat3_cast(body.rotation * glm::conjugate(start)) - glm::dmat3(1.0));
     if (body.conservesMomentum) {
@@ -219,8 +244,18 @@ void ContactSolver::moveBody(SolverBody& body, SolverState& state, const glm::dq
     }
 }
 
+/// Integrates the pose of a body without constraints through the whole step: exactly, in constant gravity, and in
+/// double, so that free flight is not rounded to float.
+void ContactSolver::moveFreely(SolverBody& body, const glm::dvec3& gravity, double seconds) {
+    body.position += (body.velocity + gravity * (0.5 * seconds)) * seconds;
+    body.velocity += gravity * seconds;
+    const double angle = glm::length(body.angularVelocity) * seconds;
+    const int parts = std::max(1, int(std::ceil(angle / kMaxRotation)));
+    for (int i = 0; i < parts; ++i) rotateBody(body, seconds / parts);
+}
+
 /// Restitution: points that were approached faster than the threshold, and took an impulse, shall recede at
-/// restitution * approach.
+/// restitution * approach. The impulse of the bounce has friction too.
 void ContactSolver::bounce(float threshold) {
     for (const PairConstraints& pair : m_set.pairs) {
         const std::span<ContactConstraint> points = m_set.of(pair);
@@ -230,7 +265,7 @@ void ContactSolver::bounce(float threshold) {
         if (std::none_of(points.begin(), points.end(), bounces)) continue;
         SolverState &A = m_set.stateA(pair), &B = m_set.stateB(pair);
         VelocityPair bodies(A, B);
-        for (int pass = 0; pass < kBouncePasses; ++pass)
+        for (int pass = 0; pass < kBouncePasses; ++pass) {
             for (ContactConstraint& c : points) {
                 if (!bounces(c)) continue;
                 // Kept apart from the normal impulse, with which the next step starts.
@@ -239,18 +274,19 @@ void ContactSolver::bounce(float threshold) {
                     old - c.normalMass * (bodies.normalVelocity(c) + c.restitution * c.initialNormalVelocity), 0.0f);
                 bodies.applyNormalImpulse(c, c.bounceImpulse - old);
             }
+            for (ContactConstraint& c : points)
+                if (bounces(c))
+                    solveFriction(c, c.friction * c.bounceImpulse, c.bounceTangent1, c.bounceTangent2, bodies);
+        }
         bodies.store(A, B);
     }
 }
 
 void ContactSolver::storeImpulses(const PairConstraints& pair) {
+    pair.manifold->isPenetrating = pair.isHit && isDeep(pair);
     for (ContactConstraint& c : m_set.of(pair)) {
         c.totalImpulse += c.normalImpulse;
         c.totalImpulse += c.bounceImpulse;
-        if (c.isInscribedSphere) {
-            c.point->totalImpulse += c.totalImpulse;
-            continue;
-        }
         c.point->normalImpulse = c.normalImpulse;
         c.point->frictionImpulse =
             vec3(c.tangent1 * float4(c.tangentImpulse1) + c.tangent2 * float4(c.tangentImpulse2));

@@ -6,6 +6,7 @@
 #include "physics/solver/constraint_coloring.h"
 #include "physics/solver/contact_setup.h"
 #include "physics/solver/joint_solver.h"
+#include "runtime/core/pose.h"
 
 namespace rubble {
 
@@ -19,6 +20,7 @@ struct SolverSettings {
     int loadBearingPasses = 8;          ///< more over the contacts of such bodies; 0: none is stiffer
     double maxPushSpeed = 1.5;          ///< m/s at which overlaps are pushed apart
     double slop = 0.0002;               ///< metres that contacts may overlap, so that they last
+    bool hitsConserve = true;           ///< what is hit in the step keeps its angular momentum as it rotates
     double restitutionThreshold = 1.0;  ///< closing speed, m/s, below which nothing bounces
     const ParallelFor* parallelFor = nullptr;  ///< null: one thread; results do not depend on it
 };
@@ -34,25 +36,31 @@ public:
                std::span<const std::pair<int, int>> bodyOf, glm::dvec3 gravity, const SolverSettings& settings,
                std::span<JointConstraint* const> joints = {});
 
+    /// The poses of a body after each substep of the last solve, if it was hit in it; else none.
+    std::span<const Pose> pathOf(int body) const { return m_paths[size_t(body)]; }
+
 private:
     /// What a constraint adds to the normal velocity (m/s), and how soft it is: see Softness.
     struct ContactBias {
         float velocity = 0.0f, massScale = 1.0f, impulseScale = 0.0f;
     };
-    void prepare(std::span<const SolverBody> bodies, std::span<Manifold* const> manifolds,
+    void prepare(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds,
                  std::span<const std::pair<int, int>> bodyOf, const SolverSettings& settings);
     void substep(std::span<SolverBody> bodies, glm::dvec3 gravity, const SolverSettings& settings, bool isFirst);
     void warmStart(const PairConstraints& pair, bool isFirst);
     void iterate(std::span<const SolverBody> bodies, int iterations, double seconds, bool useBias);
     void solveContacts(float inverseSeconds, bool useBias);
     void solvePair(const PairConstraints& pair, float inverseSeconds, bool useBias);
+    bool isDeep(const PairConstraints& pair);
+    static float separationOf(const ContactConstraint& c, const DeltaPair& deltas);
     ContactBias biasOf(const ContactConstraint& c, const DeltaPair& deltas, float inverseSeconds, bool useBias) const;
-    static void rotateInertia(ContactConstraint& c, const SolverState& A, const SolverState& B);
-    static void solveNormal(ContactConstraint& c, const ContactBias& bias, VelocityPair& bodies);
+    static float solveNormal(ContactConstraint& c, const ContactBias& bias, VelocityPair& bodies);
     static void solveFriction(ContactConstraint& c, VelocityPair& bodies);
-    void move(std::span<SolverBody> bodies, glm::dvec3 gravity, double seconds);
-    static void moveBody(SolverBody& body, SolverState& state, const glm::dquat& start, glm::dvec3 gravity,
-                         double seconds);
+    static void solveFriction(const ContactConstraint& c, float limit, float& impulse1, float& impulse2,
+                              VelocityPair& bodies);
+    void move(std::span<SolverBody> bodies, double seconds);
+    static void moveConstrained(SolverBody& body, SolverState& state, const glm::dquat& start, double seconds);
+    static void moveFreely(SolverBody& body, const glm::dvec3& gravity, double seconds);
     void bounce(float threshold);
     void storeImpulses(const PairConstraints& pair);
     /// Calls f(pair) for all pairs, those that share no body in parallel.
@@ -66,6 +74,7 @@ private:
     const ParallelFor* m_parallelFor = nullptr;
     std::vector<size_t> m_loadBearingPairs;  ///< in m_set.pairs
     std::vector<glm::dquat> m_start;         ///< rotations at the start of the step
+    std::vector<std::vector<Pose>> m_paths;  ///< by body; see pathOf()
     Softness<float> m_soft, m_softStatic, m_stiff;
     glm::vec3 m_up{0.0f};  ///< unit vector against gravity; zero: there is none
     int m_loadBearingPasses = 0;

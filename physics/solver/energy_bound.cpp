@@ -12,6 +12,17 @@ double kineticEnergy(const SolverBody& body) {
     return 0.5 * (glm::dot(body.velocity, body.velocity) / body.inverseMass + glm::dot(w, body.inertia * w));
 }
 
+constexpr double kMaxLift = 0.0005;  ///< metres by which an overlap may lift a body in a step
+
+/// Takes back height that a body gained from nothing, as far as it rose in the step. gain: joules.
+void lower(SolverBody& body, const glm::dvec3& before, double gain, const glm::dvec3& gravity) {
+    const double weight = glm::length(gravity) / body.inverseMass;
+    if (!(weight > 0.0)) return;
+    const glm::dvec3 up = gravity / -glm::length(gravity);
+    const double lift = std::min(gain / weight, glm::dot(body.position - before, up));
+    if (lift > kMaxLift) body.position -= up * (lift - kMaxLift);
+}
+
 }  // namespace
 
 void EnergyBound::record(std::span<const SolverBody> bodies) {
@@ -46,6 +57,7 @@ void EnergyBound::enforce(std::span<SolverBody> bodies, std::span<const std::pai
         const double scale = left > 0.0 ? std::sqrt(left / kinetic) : 0.0;
         bodies[i].velocity *= scale;
         bodies[i].angularVelocity *= scale;
+        if (left < 0.0) lower(bodies[i], m_before[i].position, -left, gravity);
     }
 }
 

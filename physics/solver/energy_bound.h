@@ -12,8 +12,9 @@ namespace rubble {
 /// Keeps contacts from creating energy. Contacts may dissipate energy or pass it on, so an island of bodies in contact
 /// must not end a step with more kinetic and potential energy than it had before. Where a cut has left bodies inside
 /// each other the solver adds energy all the same; it is taken from the speeds of the bodies that gained, in proportion
-/// to their gains. Height that was gained stays. Two kinds of islands are exempt: those with joints, which may be
-/// driven, and those that do not touch the world, whose momentum would change.
+/// to their gains, and then from their heights, but for half a millimetre a step: overlaps are pushed apart in the end.
+/// Two kinds of islands are exempt: those with joints, which may be driven, and those that do not touch the world,
+/// whose momentum would change.
 class EnergyBound {
 public:
     /// Call before the solve. bodies[0] is the world.

@@ -23,8 +23,6 @@ public:
 
 private:
     bool wakeHit(PhysicsBodies& bodies, double stepSeconds) const;
-    void sweepSecondary(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings,
-                        const NarrowphaseSettings& narrow);
 
     Narrowphase m_narrowphase;
     std::vector<CollisionObject*> m_moving;  ///< whose pairs are searched

@@ -5,15 +5,15 @@
 namespace rubble {
 namespace {
 
-// Bodies below these keep their angular velocity in free rotation, with RotationRule::WhereNeeded:
+// With RotationRule::WhereNeeded, bodies below these keep their angular velocity:
 constexpr double kMinInertiaRatio = 1.1;  ///< of the largest to the smallest principal moment
-constexpr double kMinSpin = 0.3;          ///< rad/s
+constexpr double kMinSpin = 0.3;          ///< rad/s, of a body that touches something
 
-bool conservesMomentum(const SolverBody& body, RotationRule rule) {
+bool conservesMomentum(const SolverBody& body, bool touches, RotationRule rule) {
     const glm::dvec3& i = body.inertia;
     const double inertiaRatio = std::max({i.x, i.y, i.z}) / std::min({i.x, i.y, i.z});
     return rule == RotationRule::Always || (rule == RotationRule::WhereNeeded && inertiaRatio > kMinInertiaRatio &&
-                                            glm::length(body.angularVelocity) > kMinSpin);
+                                            (!touches || glm::length(body.angularVelocity) > kMinSpin));
 }
 
 int solverIndexOf(const CollisionObject& object) {
@@ -28,7 +28,8 @@ void StepSolver::solve(PhysicsBodies& bodies, std::span<Manifold* const> manifol
     for (const uint32_t slot : bodies.awake()) {
         DynamicBody& body = bodies.at(slot);
         body.solverIndex = int(m_bodies.size());
-        body.motion.conservesMomentum = conservesMomentum(body.motion, settings.rotation);
+        body.isPenetrating = false;
+        body.motion.conservesMomentum = conservesMomentum(body.motion, body.touching, settings.rotation);
         m_bodies.push_back(body.motion);
     }
     m_bodyOf.clear();
@@ -43,12 +44,23 @@ void StepSolver::solve(PhysicsBodies& bodies, std::span<Manifold* const> manifol
                     .contactHertz = settings.contactHertz,
                     .loadBearingRatio = settings.loadBearingRatio,
                     .loadBearingPasses = settings.loadBearingPasses,
+                    .hitsConserve = settings.rotation != RotationRule::Never,
                     .parallelFor = settings.parallelFor ? &settings.parallelFor : nullptr},
                    activeJoints);
+    for (const Manifold* manifold : manifolds) {
+        if (!manifold->isPenetrating) continue;
+        for (const CollisionObject* object : {manifold->objects.first, manifold->objects.second})
+            if (object->dynamic) object->dynamic->isPenetrating = true;
+    }
     m_energy.enforce(m_bodies, m_bodyOf, activeJoints, gravity);
     for (const uint32_t slot : bodies.awake()) {
         DynamicBody& body = bodies.at(slot);
+        const std::span<const Pose> path = m_solver.pathOf(body.solverIndex);
+        body.stepPath.assign(1, body.pose());
+        body.stepPath.insert(body.stepPath.end(), path.begin(), path.end());
+        body.stepStart = body.motion;
         body.motion = m_bodies[size_t(body.solverIndex)];
+        if (path.empty()) body.stepPath.push_back(body.pose());
         body.setPose();
     }
 }

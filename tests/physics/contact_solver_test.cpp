@@ -9,7 +9,6 @@ SolverBody body(double mass, glm::dvec3 inertia) {
     SolverBody body;
     body.inverseMass = 1.0 / mass;
     body.inertia = inertia;
-    body.minHalfExtent = 0.05;
     return body;
 }
 
@@ -68,7 +67,7 @@ TEST(ContactSolver, EachImpulseIsInheritedOnce) {
                                           contact({0, 0, 0}, {1, 0, 0})};
     for (ContactPoint& each : contacts) each.feature = 7;
     Manifold now;
-    reduceContacts(contacts, &before, now);
+    reduceContacts(contacts, &before, kRestingLimits, now);
     float up = 0.0f, aside = 0.0f;
     for (const ManifoldPoint& point : now.all()) (point.normal.y > 0.5f ? up : aside) += point.normalImpulse;
     EXPECT_EQ(up, 10.0f);

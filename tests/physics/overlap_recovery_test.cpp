@@ -53,9 +53,9 @@ TEST(OverlapRecovery, ABodyInTheGroundIsNotLiftedOut) {
     EXPECT_GT(scene.center(1).y, height + 0.49);
 }
 
-/// A plate of 133 tonnes on posts that overlap the walls of its holes a little on all sides. After the deepest overlap
-/// is gone, no step gives it more energy than a millimetre of height is worth.
-TEST(OverlapRecovery, AWedgedBodyGainsNoEnergy) {
+/// How much energy a step gives to a plate of 133 tonnes on posts that overlap the walls of its holes a little on all
+/// sides, at most, after the deepest overlap is gone: in metres of its height. turn: of the plate, radians.
+double wedgedGain(double turn) {
     PhysicsSettings settings;
     settings.sleepTime = 1e9;
     PhysicsScene scene(settings);
@@ -70,7 +70,7 @@ TEST(OverlapRecovery, AWedgedBodyGainsNoEnergy) {
                 }
     post.flush(), hole.flush();
     scene.add(posts, {0, 0, 0}, true);
-    scene.add(plate, {0.2, 0.8, 0.04}, false, glm::angleAxis(0.05, glm::normalize(glm::dvec3(0.3, 1.0, 0.2))));
+    scene.add(plate, {0.2, 0.8, 0.04}, false, glm::angleAxis(turn, glm::normalize(glm::dvec3(0.3, 1.0, 0.2))));
     scene.load();
     const MassProperties mass = bodyMass(scene.world, scene.handle(1));
     const auto energy = [&] {
@@ -86,7 +86,14 @@ TEST(OverlapRecovery, AWedgedBodyGainsNoEnergy) {
         scene.step();
         most = std::max(most, energy() - before);
     }
-    EXPECT_LT(most, mass.mass * 9.81 * 1e-3) << "joules";
+    return most / (mass.mass * 9.81);
+}
+
+/// The scene is chaotic, so many of its kind are tried.
+TEST(OverlapRecovery, AWedgedBodyGainsNoEnergy) {
+    double worst = 0.0;
+    for (int i = 0; i < 24; ++i) worst = std::max(worst, wedgedGain(0.04 + 0.001 * i));
+    EXPECT_LT(worst, 0.001);
 }
 
 /// The impact of a very fast body has all of its impulse, including that of the inscribed sphere.

@@ -1,0 +1,163 @@
+#include "physics/stages/continuous_collision.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "physics/collision/time_of_impact.h"
+#include "runtime/core/rotated_box.h"
+
+// The solver keeps bodies apart along the path that they were about to take: contacts are searched along it, before the
+// solve. A hit sends a body elsewhere, where nothing was searched, and many hits at once are not solved to the end. So
+// what has moved far, and not as it was about to, is swept once more, from where it was to where it is now (Catto,
+// "Continuous Collision", GDC 2013). A body that entered something is put back to that moment and loses the rest of the
+// step.
+
+namespace rubble {
+namespace {
+
+constexpr double kMinDisplacement = 1.0;  ///< voxels that a body moves in a step in which it may be swept
+constexpr double kFarDisplacement = 2.0;  ///< voxels that a body moves in a step in which it is always swept
+constexpr double kMaxDeviation = 1.0;     ///< voxels from its expected path from which it is swept
+constexpr double kMaxBend = 0.1;          ///< voxels from the line between its ends that a path counts as straight
+/// Voxels by which a body that is stopped overlaps what it met: the next step sees the overlap as a contact, and does
+/// not stop the body there again.
+constexpr double kOverlap = 0.02;
+
+/// An upper bound of how far a point of the body moves between two poses, metres.
+double displacement(const Pose& from, const Pose& to, double radius) {
+    return glm::length(to.position - from.position) + radius * largestAngle(from.rotation, to.rotation);
+}
+/// The ends of the body's path if it is almost straight, else all of it.
+SweptPose simplified(const DynamicBody& body, std::array<Pose, 2>& ends) {
+    const SweptPose whole{body.stepPath};
+    ends = {body.stepPath.front(), body.stepPath.back()};
+    const double tolerance = kMaxBend * body.object.collider.smallestVoxel();
+    for (size_t i = 1; i + 1 < body.stepPath.size(); ++i) {
+        const Pose straight = SweptPose{ends}.at(double(i) / double(body.stepPath.size() - 1));
+        if (displacement(straight, body.stepPath[i], body.object.radius) > tolerance) return whole;
+    }
+    return {ends};
+}
+/// The path of an object in this step.
+SweptPose pathOf(const CollisionObject& object, std::array<Pose, 2>& ends) {
+    if (object.dynamic && !object.dynamic->asleep()) return simplified(*object.dynamic, ends);
+    ends.fill(object.pose);
+    return {ends};
+}
+double displacementOf(const DynamicBody& body) {
+    double sum = 0.0;
+    for (size_t i = 0; i + 1 < body.stepPath.size(); ++i)
+        sum += displacement(body.stepPath[i], body.stepPath[i + 1], body.object.radius);
+    return sum;
+}
+
+/// An upper bound of how far a point of the body is from where the search for contacts expected it in the step, metres:
+/// on a straight line, of which it may have gone a part.
+double deviationOf(const DynamicBody& body, double seconds) {
+    const SolverBody& start = body.stepStart;
+    const Pose &from = body.stepPath.front(), &to = body.stepPath.back();
+    const double radius = body.object.radius;
+    const glm::dvec3 expected = start.velocity * seconds, went = to.position - from.position,
+                     expectedTurn = start.angularVelocity * seconds;
+    const glm::dquat turn = to.rotation * glm::conjugate(from.rotation);
+    const glm::dvec3 turned = 2.0 * (turn.w < 0.0 ? -1.0 : 1.0) * glm::dvec3(turn.x, turn.y, turn.z);
+    const double length2 = glm::dot(expected, expected) + radius * radius * glm::dot(expectedTurn, expectedTurn);
+    const double part =
+        length2 > 0.0
+            ? std::clamp((glm::dot(went, expected) + radius * radius * glm::dot(turned, expectedTurn)) / length2, 0.0,
+                         1.0)
+            : 0.0;
+    // A chord is not the arc.
+    const double sagitta = 0.5 * radius * glm::dot(expectedTurn, expectedTurn);
+    return glm::length(went - expected * part) + radius * glm::length(turned - expectedTurn * part) + sagitta;
+}
+
+/// Whether the body may have met what the search for contacts did not see, or has passed what it saw.
+bool needsSweep(const DynamicBody& body, double seconds) {
+    const double voxel = body.object.collider.smallestVoxel(), moved = displacementOf(body);
+    if (moved <= kMinDisplacement * voxel) return false;
+    return moved > kFarDisplacement * voxel || body.isPenetrating || deviationOf(body, seconds) > kMaxDeviation * voxel;
+}
+
+}  // namespace
+
+double ContinuousCollision::fractionOf(DynamicBody& body, PhysicsBodies& bodies, const JointTable& joints) {
+    std::array<Pose, 2> ends, still;
+    const SweptPose path = simplified(body, ends);
+    glm::dvec3 low(1e300), high(-1e300), ownLow, ownHigh;
+    body.object.collider.bounds(ownLow, ownHigh);
+    for (const Pose& pose : path.poses) {
+        const glm::dvec3 middle = pose.transformPoint((ownLow + ownHigh) * 0.5),
+                         extent = rotatedHalfExtent(glm::mat3_cast(pose.rotation), (ownHigh - ownLow) * 0.5);
+        low = glm::min(low, middle - extent), high = glm::max(high, middle + extent);
+    }
+    m_found.clear();
+    bodies.broadphase().find(low, high, m_found);
+    m_pairs.clear();
+    for (CollisionObject* other : m_found)
+        if (other != &body.object && other->filter.meets(body.object.filter))
+            m_pairs.push_back(body.object.number < other->number ? ObjectPair(&body.object, other)
+                                                                 : ObjectPair(other, &body.object));
+    if (!joints.empty()) joints.removeNonColliding(m_pairs);
+    double fraction = 2.0;
+    for (const auto& [first, second] : m_pairs) {
+        const CollisionObject& other = first == &body.object ? *second : *first;
+        fraction = std::min(fraction, timeOfImpact(body.object.collider, path, other.collider, pathOf(other, still)));
+    }
+    return fraction;
+}
+
+/// Stops a body no later than at a fraction of the step; false if it stops before already.
+bool ContinuousCollision::stopAt(uint32_t slot, double fraction) {
+    for (Stop& stop : m_stops) {
+        if (stop.slot != slot) continue;
+        if (stop.fraction <= fraction) return false;
+        stop.fraction = fraction;
+        return true;
+    }
+    m_stops.push_back({slot, fraction});
+    return true;
+}
+
+/// Bodies that are joined stop together, or their joints would pull them through.
+void ContinuousCollision::stopJointed(const PhysicsBodies& bodies, const JointTable& joints) {
+    for (bool more = true; more;) {
+        more = false;
+        for (size_t i = 0; i < m_stops.size(); ++i) {  // the list grows
+            const Stop stop = m_stops[i];
+            for (const uint32_t joint : joints.of(stop.slot))
+                for (const BodyHandle handle : joints.at(joint)->bodies)
+                    if (const DynamicBody* body = handle ? bodies.find(handle) : nullptr; body && !body->asleep())
+                        more = stopAt(handle.slot(), stop.fraction) || more;
+        }
+    }
+}
+
+void ContinuousCollision::stop(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings,
+                               const glm::dvec3& gravity) {
+    if (!settings.continuous) return;
+    m_stops.clear();
+    for (const uint32_t slot : bodies.awake()) {
+        DynamicBody& body = bodies.at(slot);
+        if (!body.finite() || !needsSweep(body, settings.stepSeconds)) continue;
+        const double fraction =
+            fractionOf(body, bodies, joints) + kOverlap * body.object.collider.smallestVoxel() / displacementOf(body);
+        if (fraction < 1.0) m_stops.push_back({slot, fraction});
+    }
+    if (!joints.empty()) stopJointed(bodies, joints);
+    for (const Stop& stop : m_stops) {
+        DynamicBody& body = bodies.at(stop.slot);
+        const Pose pose = SweptPose{body.stepPath}.at(stop.fraction);
+        SolverBody& motion = body.motion;
+        // The height that it did not fall is not in its speed.
+        const double speed2 = glm::dot(motion.velocity, motion.velocity),
+                     fallen = 2.0 * glm::dot(gravity, motion.position - pose.position);
+        if (fallen > 0.0 && speed2 > 0.0) motion.velocity *= std::sqrt(std::max(0.0, speed2 - fallen) / speed2);
+        motion.position = pose.position;
+        motion.rotation = pose.rotation;
+        body.setPose();
+    }
+}
+
+}  // namespace rubble

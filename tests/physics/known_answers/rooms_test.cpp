@@ -1,0 +1,79 @@
+#include "tests/physics/scenes/rooms.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace rubble {
+namespace {
+
+/// The long run throws a million.
+TEST(Rooms, NothingLeavesAClosedRoom) {
+    const bool isLong = std::getenv("RUBBLE_LONG") != nullptr;
+    int thrown = 0, outside = 0;
+    for (uint64_t seed = 1; thrown < (isLong ? 1'000'000 : 10'000); ++seed) {
+        const known::RoomShots shots = known::throwIntoRoom({}, {.seed = seed});
+        thrown += shots.thrown;
+        outside += shots.outside;
+        EXPECT_EQ(shots.outside, 0) << "of " << shots.thrown << " left the room of seed " << seed;
+    }
+    EXPECT_EQ(outside, 0) << "of " << thrown;
+}
+
+/// A crate slides along two or four walls of a shaft of one shape towards its end.
+TEST(Rooms, NothingPassesTheEndOfAShaft) {
+    for (const bool isSnug : {false, true})
+        for (const int thickness : {1, 2, 5, 10})
+            for (const int size : {1, 6})
+                for (const double speed : {5.0, 10.0, 20.0, 60.0, 150.0, 300.0}) {
+                    PhysicsScene scene;
+                    const int inside = isSnug ? size : size + 3, length = 40;
+                    const glm::ivec3 all(inside + 4, length + thickness, inside + 4);
+                    scene.add(gridOf(all,
+                                     [&](glm::ivec3 c) {
+                                         const bool isOpen = c.y >= thickness && c.x >= 2 && c.x < inside + 2 &&
+                                                             c.z >= 2 && c.z < inside + 2;
+                                         return uint8_t(isOpen ? 0 : 7);
+                                     }),
+                              {0, 0, 0}, true);
+                    LevelBody& crate =
+                        scene.add(solidGrid(glm::ivec3(size), 7), {0.2, 0.1 * thickness + 2.0, 0.2}, false);
+                    crate.velocity = {0.0f, -float(speed), 0.0f};
+                    scene.load();
+                    scene.step(40);
+                    EXPECT_GT(scene.center(1).y, 0.1 * thickness)
+                        << size << " voxels at " << speed << " m/s, an end of " << thickness
+                        << (isSnug ? ", snug" : "");
+                }
+}
+
+/// A hundred cubes in a room whose gravity turns about them.
+TEST(Rooms, NothingLeavesARoomThatTurns) {
+    const int inside = 40;
+    PhysicsScene scene;
+    scene.add(gridOf(glm::ivec3(inside + 4),
+                     [&](glm::ivec3 c) {
+                         const bool isOpen = glm::all(glm::greaterThanEqual(c, glm::ivec3(2))) &&
+                                             glm::all(glm::lessThan(c, glm::ivec3(inside + 2)));
+                         return uint8_t(isOpen ? 0 : 7);
+                     }),
+              {0, 0, 0}, true);
+    for (int i = 0; i < 108; ++i)
+        scene.add(solidGrid(glm::ivec3(5), 7), glm::dvec3(i % 6, i / 36, i / 6 % 6) * 0.62 + 0.4, false);
+    scene.load();
+    for (int step = 0; step < 600; ++step) {
+        Environment environment = scene.world.environment();
+        environment.gravity =
+            glm::vec3(glm::angleAxis(0.02 * step, glm::normalize(glm::dvec3(0.3, 0.1, 1.0))) * glm::dvec3(0, -20, 0));
+        scene.stepWith({SetEnvironmentEdit{environment}});
+        for (int i = 1; i <= 108; ++i) {
+            const glm::dvec3 at = scene.center(i);
+            ASSERT_TRUE(glm::all(glm::greaterThan(at, glm::dvec3(0.2))) &&
+                        glm::all(glm::lessThan(at, glm::dvec3(0.1 * inside + 0.2))))
+                << "cube " << i << " in step " << step;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace rubble
