@@ -70,7 +70,7 @@ double Particles::floorBelow(glm::dvec3 position, const World& world) {
     for (int i = 0; i < kMaxStackedBodies; ++i) {
         const WorldHit hit = castRay(world, {from, {0, -1, 0}, kFloorSearchDepth});
         if (!hit.hit) break;
-        if (world.bodies().at(world.shapes().at(hit.shape).body).isStatic) {
+        if (!hit.shape || world.bodies().at(world.shapes().at(hit.shape).body).isStatic) {
             m_floorFound = hit.position.y;
             break;
         }

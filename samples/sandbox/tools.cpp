@@ -25,6 +25,7 @@ Edits useTool(HandTool tool, const World& world, glm::dvec3 originWorld, glm::dv
             CarveEdit carve;
             carve.position = hit.position;
             carve.radii = {0.45, 0.25, 0.0};
+            if (!hit.shape) return {};  // the ground around the level
             ImpulseEdit push{world.shapes().at(hit.shape).body, hit.position,
                              glm::normalize(directionWorld) * kHammerImpulse};
             return {carve, push};

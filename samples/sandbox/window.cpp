@@ -124,7 +124,7 @@ private:
         }
         if (!m_held) {
             const WorldHit hit = castRay(m_loop.world(), {eye, ahead, kGrabDistance});
-            if (!hit.hit) return;
+            if (!hit.shape) return;  // nothing, or the ground around the level
             m_held = m_loop.world().shapes().at(hit.shape).body;
             m_heldDistance = hit.distance;
         }

@@ -56,6 +56,7 @@ rubble_hit hitRow(const World& world, const WorldHit& hit) {
     row.distance = hit.distance;
     writeVector(row.position, hit.position);
     writeVector(row.normal, hit.normal);
+    if (!hit.shape) return row;  // the ground around the level
     row.shape = hit.shape.bits;
     row.body = world.shapes().at(hit.shape).body.bits;
     writeCell(row.cell, hit.cell);

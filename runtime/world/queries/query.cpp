@@ -5,6 +5,7 @@
 
 #include "runtime/voxel/ray_walk.h"
 #include "runtime/world/objects/transforms.h"
+#include "runtime/world/state/level_ground.h"
 
 namespace rubble {
 namespace {
@@ -32,7 +33,12 @@ bool intersects(const WorldBox& box, glm::dvec3 halfExtent, glm::dvec3 origin, g
 class ShapeFilter {
 public:
     ShapeFilter(const WorldData& world, const QueryFilter& filter)
-        : m_world(world), m_filter(filter), m_filtersEntries(filter.rejectTransparent || filter.rejectUnphysical) {}
+        : m_world(world), m_filter(filter), m_filtersEntries(filter.rejectTransparent || filter.rejectUnphysical) {
+        if (!filter.rejectStatic && filter.layerMask & Shape{}.collisionLayer) m_ground = groundSlabs(world);
+    }
+
+    /// The solid ground, as far as the query sees it.
+    const std::vector<GroundSlab>& ground() const { return m_ground; }
 
     bool accepts(ShapeHandle handle, const Shape& shape) const {
         if (!(shape.collisionLayer & m_filter.layerMask)) return false;
@@ -64,6 +70,7 @@ private:
     }
     const WorldData& m_world;
     const QueryFilter& m_filter;
+    std::vector<GroundSlab> m_ground;
     bool m_filtersEntries, m_all = true;
     const Palette* m_palette = nullptr;
     std::array<bool, 256> m_entries{};
@@ -77,6 +84,37 @@ void forEachShape(const WorldData& world, const ShapeFilter& filter, IsNear&& is
         const Shape& shape = world.shapes.at(handle);
         if (filter.accepts(handle, shape)) f(handle, shape);
     });
+}
+
+WorldBox boxOf(const GroundSlab& slab) {
+    return {slab.low, slab.low + slab.side * glm::dvec3(slab.cubes.x, 1, slab.cubes.y)};
+}
+
+VoxelGrid gridOf(const GroundSlab& slab) {
+    VoxelGrid grid({slab.cubes.x, 1, slab.cubes.y});
+    GridWriter cubes(grid);
+    for (int z = 0; z < slab.cubes.y; ++z)
+        for (int x = 0; x < slab.cubes.x; ++x) cubes.set({x, 0, z}, 1);
+    cubes.flush();
+    return grid;
+}
+
+/// Where a ray enters a box that it does not begin in; false: nowhere nearer than `best`.
+bool enterBox(const WorldBox& box, glm::dvec3 origin, glm::dvec3 direction, WorldHit& best) {
+    if (!intersects(box, glm::dvec3(0.0), origin, direction, best.distance)) return false;
+    double distance = 0.0;
+    int side = -1;
+    for (int a = 0; a < 3; ++a) {
+        if (direction[a] == 0.0) continue;
+        const double enter = ((direction[a] > 0.0 ? box.low[a] : box.high[a]) - origin[a]) / direction[a];
+        if (enter > distance) distance = enter, side = a;
+    }
+    if (best.hit && distance >= best.distance) return false;
+    best = {.hit = true, .distance = distance, .position = origin + direction * distance, .normal = -direction};
+    if (side < 0) return true;
+    best.normal = glm::dvec3(0.0);
+    best.normal[side] = direction[side] > 0.0 ? -1.0 : 1.0;
+    return true;
 }
 
 /// Whether a hit at a distance is better than the best so far: nearer, or as near in a lower slot.
@@ -113,6 +151,7 @@ WorldHit castRayWith(const WorldData& world, const RayQuery& ray, ShapeFilter& f
         world, filter,
         [&](const WorldBox& box) { return intersects(box, glm::dvec3(0.0), ray.origin, direction, best.distance); },
         visit);
+    for (const GroundSlab& slab : filter.ground()) enterBox(boxOf(slab), ray.origin, direction, best);
     return best;
 }
 
@@ -142,6 +181,15 @@ WorldHit castShapeWith(const WorldData& world, const CastQuery& cast, ShapeFilte
     forEachShape(
         world, filter,
         [&](const WorldBox& box) { return intersects(box, halfExtent, middle, direction, best.distance); }, visit);
+    for (const GroundSlab& slab : filter.ground()) {
+        if (!intersects(boxOf(slab), halfExtent, middle, direction, best.distance)) continue;
+        const Pose pose{slab.low};
+        const CellContact touch =
+            castShape(gridOf(slab), cast.shape.inCells(pose, slab.side), direction, best.distance / slab.side, nullptr);
+        const double distance = touch.t * slab.side;
+        if (touch.hit && (!best.hit || distance < best.distance))
+            best = {true, distance, pose.transformPoint(touch.point * slab.side), touch.normal};
+    }
     return best;
 }
 
@@ -325,6 +373,13 @@ WorldHit closestPoint(const WorldData& world, glm::dvec3 point, double maxDistan
                 closest.cell,
                 shape.grid.at(closest.cell)};
     });
+    for (const GroundSlab& slab : shapes.ground()) {
+        const WorldBox box = boxOf(slab);
+        const glm::dvec3 at = glm::clamp(point, box.low, box.high);
+        const double distance = glm::length(point - at);
+        if (best.hit ? distance < best.distance : distance <= best.distance)
+            best = {true, distance, at, distance > 0.0 ? (point - at) / distance : glm::dvec3(0.0)};
+    }
     return best;
 }
 

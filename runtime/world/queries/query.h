@@ -16,7 +16,8 @@ namespace rubble {
 // from the voxels themselves. A NaN finds nothing. Answers do not depend on the order in which shapes are visited: of
 // equal ones the lowest slot counts.
 
-/// What a ray or a moved shape meets first.
+/// What a ray or a moved shape meets first. Of the solid ground around a level (BoundsRule::Ground) `shape` is empty
+/// and `entry` 0: filters see it as a static shape of layer 1.
 struct WorldHit {
     bool hit = false;
     double distance = 0.0;     ///< metres; without a hit: how far was searched

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/world/history/world_baseline.h"
+#include "runtime/world/queries/query.h"
 #include "tests/runtime/world/worlds.h"
 #include "tests/support/grids.h"
 
@@ -99,6 +100,36 @@ TEST(Bounds, OfALevelStayWithIt) {
     World other;
     other.setState(world.state());
     EXPECT_EQ(other.data().boundsInUse().high, level.bounds.high);
+}
+
+TEST(Bounds, CastsFindTheGroundWhereItIsSolid) {
+    BoundsWorld world;
+    const auto ray = [&](glm::dvec3 origin, glm::dvec3 direction, const QueryFilter& filter = {}) {
+        return castRay(world, {origin, direction}, filter);
+    };
+    const glm::dvec3 beside(20.0, 5.0, 2.0), down(0.0, -1.0, 0.0);
+    EXPECT_FALSE(ray(beside, down).hit) << "bodies fall through";
+    world.applyEdits({SetBoundsEdit{{.rule = BoundsRule::Ground}}});
+    const WorldHit hit = ray(beside, down);
+    ASSERT_TRUE(hit.hit);
+    EXPECT_FALSE(hit.shape);
+    EXPECT_NEAR(hit.distance, 5.0 - kFieldsHeight, 1e-9);
+    EXPECT_EQ(hit.normal, -down);
+    EXPECT_NEAR(hit.position.y, kFieldsHeight, 1e-9);
+    EXPECT_TRUE(ray({2.0, 2.0, 2.0}, down).shape) << "the level is nearer";
+    EXPECT_FALSE(ray({20.0, 0.1, 2.0}, {1.0, 0.0, 0.0}).hit) << "above it";
+    EXPECT_EQ(ray({20.0, -0.2, 2.0}, down).distance, 0.0) << "begins in it";
+    EXPECT_FALSE(ray(beside, down, {.rejectStatic = true}).hit);
+    EXPECT_FALSE(ray(beside, down, {.layerMask = 2}).hit);
+    EXPECT_NEAR(castRay(world, {beside, down, 100.0, 0.5}).distance, 4.5 - kFieldsHeight, 1e-6) << "a sphere";
+    const QueryShape box{.kind = QueryShapeKind::Box, .position = beside, .halfSize = {1.0, 2.0, 1.0}};
+    const WorldHit cast = castShape(world, {box, down, 100.0});
+    EXPECT_NEAR(cast.distance, 3.0 - kFieldsHeight, 1e-6);
+    EXPECT_FALSE(cast.shape);
+    const WorldHit closest = closestPoint(world, beside, 100.0);
+    EXPECT_NEAR(closest.distance, 5.0 - kFieldsHeight, 1e-9);
+    EXPECT_EQ(closest.normal, -down);
+    EXPECT_TRUE(overlappingShapes(world, {.position = {20.0, 0.0, 2.0}}).empty());
 }
 
 }  // namespace

@@ -146,7 +146,9 @@ typedef struct rubble_world_settings {
 /* Where the world ends. A free body that has left the box with all of its voxels is removed in the next step, and its
  * voxels become dust (RUBBLE_BOUNDS_DUST), or it goes on (RUBBLE_BOUNDS_KEEP). RUBBLE_BOUNDS_GROUND is as DUST, and the
  * fields that are drawn around a level, at a height of -0.05 m, are solid within the box: bodies, ropes and characters
- * rest on them. Below the level the ground lies at its lowest point. Ray casts and other queries do not find it. */
+ * rest on them. Below the level the ground lies at its lowest point. Casts of rays and shapes, and closest points, find
+ * it as a static shape of layer 1, but with shape, body and palette index 0; queries of overlaps have no shape to name.
+ */
 enum { RUBBLE_BOUNDS_DUST = 0, RUBBLE_BOUNDS_KEEP = 1, RUBBLE_BOUNDS_GROUND = 2 };
 typedef struct rubble_bounds {
     uint32_t struct_size;
@@ -605,7 +607,7 @@ typedef struct rubble_hit {
     double distance;        /* metres; of a cast sphere or shape: how far it moves */
     double position[3];     /* world: the point of the voxel that is met */
     double normal[3];       /* unit, away from the voxel */
-    rubble_shape shape;
+    rubble_shape shape;     /* 0: the ground around the level, see rubble_bounds */
     rubble_body body;
     int32_t cell[3]; /* of the shape's grid */
     uint32_t reserved;
