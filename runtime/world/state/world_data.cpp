@@ -36,10 +36,7 @@ void WorldData::rebuildIndexes() {
     wire = materials.find("wire");
     joints.forEach([&](JointHandle handle, const Joint& joint) { jointIndex.add(handle, joint); });
     shapes.forEach([&](ShapeHandle handle, const Shape&) { updateShapeBounds(handle); });
-    bodies.forEach([&](BodyHandle handle, const Body&) {
-        updateDebris(handle);
-        checkBounds(handle);
-    });
+    bodies.forEach([&](BodyHandle handle, const Body&) { updateDebris(handle); });
     groups.forEach([&](LightGroupHandle, const LightGroup& group) { flickeringGroups += group.failingSince != 0; });
     indexTriggers();
     restartStress();
@@ -59,10 +56,7 @@ void WorldData::setSettings(const WorldSettings& to) {
     const bool stressChanged = !(to.stress == settings.stress);
     settings = to;
     if (stressChanged) restartStress();
-    bodies.forEach([&](BodyHandle handle, const Body&) {
-        updateDebris(handle);
-        checkBounds(handle);
-    });
+    bodies.forEach([&](BodyHandle handle, const Body&) { updateDebris(handle); });
 }
 
 void WorldData::setEnvironment(Environment to) {
@@ -81,6 +75,7 @@ void WorldData::updateShapeBounds(ShapeHandle handle) {
 }
 
 void WorldData::updateDebris(BodyHandle handle) {
+    checkBounds(handle);
     const Body* body = bodies.find(handle);
     const Shape* shape = body && !body->isStatic && body->shapes.size() == 1 ? shapes.find(body->shapes[0]) : nullptr;
     if (!shape || !shape->isPiece || shape->grid.voxelCount() > settings.debris.largestPiece)

@@ -48,7 +48,7 @@ struct WorldData : WorldState {
     void updateShapeBounds(ShapeHandle shape);
     /// To be called before a shape is erased.
     void removeShapeBounds(ShapeHandle shape) { shapeBounds.remove(shape.slot()); }
-    /// To be called when a body or its shapes changed; the body may be gone or be no debris.
+    /// To be called when a body or its shapes changed; the body may be gone or be no debris. Checks the bounds too.
     void updateDebris(BodyHandle body);
     /// Takes over where the world ends.
     void setBounds(const BoundsSettings& to);

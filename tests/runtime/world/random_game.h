@@ -221,7 +221,7 @@ private:
     }
     void addRegionEdit(const World& world, Edits& out) {
         const GroundPolygon square = {{-2.0, -2.0}, {3.0, -2.0}, {3.0, 3.0}, {-2.0, 3.0}};
-        switch (m_random.below(12)) {
+        switch (m_random.below(13)) {
             case 0:
                 return out.push_back(AddWaterEdit{{.outline = square, .surface = 2.0 * unit()}});
             case 1:
@@ -247,6 +247,11 @@ private:
                 weather.wetness = m_random.unit();
                 weather.gravity.y = m_random.below(2) ? -9.81f : -3.0f;
                 return out.push_back(SetEnvironmentEdit{weather});
+            }
+            case 11: {
+                const glm::dvec3 middle = place(world);
+                const double reach = 4.0 * unit();  // metres: some bodies are outside
+                return out.push_back(SetBoundsEdit{{BoundsRule(m_random.below(3)), middle - reach, middle + reach}});
             }
             default:
                 return out.push_back(SettingsEdit{settings(world)});
