@@ -55,9 +55,10 @@ float historyNearLights(vec3 position, float meanRadiance) {
     return historyLeft(max(change.r, max(change.g, change.b)) / (kPi * max(meanRadiance, 1e-4)));
 }
 
-/// Share by which the previous frame's light of a place counts, if all of it counts or none.
+/// Share by which the previous frame's light of a place counts as light of this one. It brings its whole error with it,
+/// which no later frame averages out: ten frames of history must be left for it to count in full.
 float previousFrameCounts(vec3 position, float meanRadiance) {
-    return min(min(historyNearVoxels(position), historyNearLights(position, meanRadiance)) * uMaxHistory, 1.0);
+    return min(min(historyNearVoxels(position), historyNearLights(position, meanRadiance)) * uMaxHistory * 0.1, 1.0);
 }
 
 /// Whether a line from `origin` to origin + ray passes through changed voxels, or beside them within `margin`, the sine

@@ -1,9 +1,10 @@
 // Temporal accumulation of mirror rays. A mirror's image lies behind its plane, as far as the ray goes before it. So
 // history is fetched where the previous camera saw that virtual image in the same plane; the rougher the surface, the
 // more the image sticks to it, by the dominance of the specular peak (Lagarde and de Rousiers 2014, 4.9.3). A tap
-// counts if it lies in that plane. History is clamped to the mean of the neighbours +- 3 deviations, so that what moves
-// in the mirror is followed, and shortened where the mirror shows a place whose light has changed. Ideal mirrors have
-// no noise and keep no history.
+// counts if it lies in that plane. History is clamped to the mean of the neighbours +- their deviation, so that what
+// moves in the mirror is followed: the mean of nine samples is uncertain by a third of it. It is shortened where the
+// mirror shows a place whose light has changed, and dropped where it shows one through voxels that have changed. Ideal
+// mirrors have no noise and keep no history.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
@@ -26,10 +27,11 @@ layout(location = 1) out vec4 moments;      // x mean squared luminance, y radiu
 
 const float kMaxFrames = 24.0;
 const vec2 kGlossy = vec2(0.03, 0.12);  // roughness between which histories grow from none to kMaxFrames
-const float kDeviations = 3.0;          // of the neighbours, beyond which history is clamped
-const float kTolerance = 0.2;           // relative, of the same
+const float kDeviations = 1.0;          // of the neighbours, beyond which history is clamped
+const float kTolerance = 0.05;          // relative, of the same
 
-/// Mean and deviation of the radiance of the 3x3 pixels around, and their mean hit distance.
+/// Mean and deviation of the radiance of the 3x3 pixels around, and the harmonic mean of their hit distances, by which
+/// an image's parallax is a mean: the sky beside something near hardly counts.
 struct Around {
     vec3 mean, deviation;
     float metres;
@@ -38,17 +40,17 @@ struct Around {
 Around gatherAround(ivec2 pixel) {
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
     vec3 sum = vec3(0.0), squares = vec3(0.0);
-    float metres = 0.0, count = 0.0;
+    float inverses = 0.0, count = 0.0;
     for (int i = 0; i < 9; ++i) {
         vec4 there = texelFetch(uNoisyReflection, clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), high), 0);
         float counts = step(1e-6, there.a);
         sum += counts * there.rgb;
         squares += counts * there.rgb * there.rgb;
-        metres += there.a;
+        inverses += counts / max(there.a, 1e-3);
         count += counts;
     }
     vec3 mean = sum / max(count, 1.0);
-    return Around(mean, sqrt(max(squares / max(count, 1.0) - mean * mean, vec3(0.0))), metres / max(count, 1.0));
+    return Around(mean, sqrt(max(squares / max(count, 1.0) - mean * mean, vec3(0.0))), count / max(inverses, 1e-6));
 }
 
 /// Where the previous frame shows what this mirror shows: xy uv, z linear depth of the mirror there; z below 0:
@@ -58,7 +60,7 @@ vec3 lastPlace(Mirror m, Surface s, float metres) {
         vec4 clip = frame.previousViewProjection * vec4(m.position, 1.0);
         return vec3(uv - texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg, clip.w);
     }
-    float smoothness = 1.0 - m.roughness, dominance = smoothness * (sqrt(smoothness) + m.roughness);
+    float alpha = ggxAlpha(m.roughness), smoothness = 1.0 - alpha, dominance = smoothness * (sqrt(smoothness) + alpha);
     vec3 eye = frame.previousCameraPosition.xyz, toImage = m.position - m.view * (metres * dominance) - eye;
     float toPlane = dot(m.normal, m.position - eye), along = dot(m.normal, toImage);
     if (toPlane >= 0.0 || along >= 0.0) return vec3(-1.0);
@@ -114,6 +116,7 @@ void main() {
     float limit = mix(1.0, kMaxFrames, smoothstep(kGlossy.x, kGlossy.y, m.roughness));
     vec3 seen = m.position + reflect(-m.view, m.normal) * around.metres;
     float left = min(historyNearVoxels(seen), historyNearLights(seen, luminance(history.rgb)));
+    if (meetsChange(m.position, seen - m.position, ggxAlpha(m.roughness))) left = 0.0;
     float frames = min(min(history.a, left * uMaxHistory) + 1.0, limit);
     accumulated = stochasticRoundToHalf(vec4(mix(history.rgb, now.rgb, 1.0 / frames), 0.0), pixel, 8);
     accumulated.a = frames;
