@@ -404,7 +404,7 @@ void Renderer::Impl::drawOnce(const View& wanted) {
     view.size = glm::max(wanted.size >> history->downscale, glm::ivec2(1));
     beginTimes();
     stats.drawCalls = stats.bodyDraws = stats.waters = stats.imageCopies = 0;
-    stats.waterPixels = 0;
+    stats.copiedPixels = stats.waterPixels = 0;
     stats.computePasses.clear();
     stats.passes.clear();
     const glm::ivec2 renderSize =

@@ -11,7 +11,8 @@ struct RenderStats {
     int bodyDraws = 0;          ///< of those, the ones that draw voxel bodies
     int waters = 0;             ///< of the draws, the ones that draw a water
     int imageCopies = 0;        ///< copies of the image, for what is seen through water
-    uint64_t waterPixels = 0;   ///< of the rectangles that they were drawn in
+    uint64_t copiedPixels = 0;  ///< by them
+    uint64_t waterPixels = 0;   ///< that waters were drawn over
     uint64_t uploadBytes = 0;   ///< sent to the GL for this frame
     uint64_t waitingBytes = 0;  ///< changed bricks over the upload budget: their changes are not drawn yet
     uint64_t textureBytes = 0;  ///< held now

@@ -1,5 +1,6 @@
 #include "render/passes/fullscreen.h"
 
+#include <algorithm>
 #include <cassert>
 #include <glm/gtc/type_ptr.hpp>
 #include <optional>
@@ -78,7 +79,10 @@ void FullscreenDraw::rasterize() const {
         setScissor(m_into.area->low, m_into.area->size());
     }
     glBindVertexArray(m_frame.emptyVertexArray.get());
-    m_into.tiles ? glDrawArraysInstanced(GL_TRIANGLES, 0, 6, m_into.tiles) : glDrawArrays(GL_TRIANGLES, 0, 3);
+    if (m_into.tiles > 0)
+        glDrawArraysInstanced(GL_TRIANGLES, 0, 6, m_into.tiles);
+    else
+        glDrawArrays(GL_TRIANGLES, 0, 3 * std::max(m_into.corners - 2, 1));
     if (m_into.area) setScissorTest(false);
 }
 

@@ -10,8 +10,9 @@ namespace rubble {
 struct FullscreenTargets {
     std::vector<const Texture*> colors;  ///< by output of the shader
     const Texture* depth = nullptr;  ///< for FullscreenKind::surfacesOnly: the G-buffer's depth buffer, or another mask
-    std::vector<glm::vec4> clear = {};   ///< values of the colours before the draw; empty: they are not cleared
-    int tiles = 0;                       ///< squares that the pass's own vertex shader draws, instead of the triangle
+    std::vector<glm::vec4> clear = {};  ///< values of the colours before the draw; empty: they are not cleared
+    int tiles = 0;                      ///< squares that the pass's own vertex shader draws, instead of the triangle
+    int corners = 0;  ///< of a convex polygon that it draws as a fan; by compute all of `area` is drawn
     std::optional<PixelRect> area = {};  ///< only these pixels are drawn; `clear` must be empty
 };
 

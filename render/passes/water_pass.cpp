@@ -51,56 +51,88 @@ void setRipples(const Program& program, const Scene& scene, const Water& water) 
     if (count > 0) program.set("uRipples[0]", std::span<const glm::vec4>(rings.data(), size_t(count)));
 }
 
+}  // namespace
+
 /// A water in view.
 struct VisibleWater {
     double distance;  ///< of the camera from its box, metres
     const Water* water;
-    PixelRect area;
+    WaterArea area;
+    int firstCorner = 0;  ///< of its area in the texture
 };
+
+namespace {
 
 /// The waters in view, the farthest first: of two that cover a pixel the nearer one is seen.
 std::vector<VisibleWater> visibleWaters(const FrameContext& frame) {
     const glm::dvec3 origin = frame.scene.origin(), eye = origin + glm::dvec3(frame.block.cameraPosition);
     std::vector<VisibleWater> visible;
     for (const Water& water : frame.scene.waters()) {
-        const PixelRect area = waterArea(water, frame.block, origin);
+        WaterArea area = waterArea(water, frame.block, origin);
         const WorldBox box = water.bounds();
-        if (!area.empty()) visible.push_back({glm::distance(glm::clamp(eye, box.low, box.high), eye), &water, area});
+        if (area.covered.empty()) continue;
+        visible.push_back({glm::distance(glm::clamp(eye, box.low, box.high), eye), &water, std::move(area)});
     }
     std::stable_sort(visible.begin(), visible.end(),
                      [](const VisibleWater& a, const VisibleWater& b) { return a.distance > b.distance; });
     return visible;
 }
 
+/// How many waters from `first` on can be drawn one after the other over one copy of the image, as no pixel shows two.
+size_t countApart(const std::vector<VisibleWater>& waters, size_t first) {
+    size_t end = first + 1;
+    const auto isApart = [&](size_t i) { return !waters[i].area.overlaps(waters[end].area); };
+    for (; end < waters.size(); ++end)
+        for (size_t i = first; i < end; ++i)
+            if (!isApart(i)) return end - first;
+    return end - first;
+}
+
 }  // namespace
 
 WaterPass::WaterPass(ShaderLibrary& shaders)
-    : m_program(shaders.loadFullscreen("passes/water.frag", {}, "water is not drawn")) {}
+    : m_program(
+          shaders.loadFullscreen("passes/water.frag", {.vertexFile = "passes/water.vert"}, "water is not drawn")) {}
 
-void WaterPass::draw(const FrameContext& frame, bool hasPanes) const {
+void WaterPass::copy(const FrameContext& frame, const PixelRect& part, bool hasPanes) {
+    frame.targets.copy(Target::Radiance, Target::BehindWater, part);
+    if (hasPanes) frame.targets.copy(Target::PaneLight, Target::PaneLightBehind, part);
+    ++frame.stats.imageCopies;
+    frame.stats.copiedPixels += part.pixels();
+}
+
+void WaterPass::draw(const FrameContext& frame, bool hasPanes) {
     if (!m_program) return;
-    const std::vector<VisibleWater> visible = visibleWaters(frame);
+    std::vector<VisibleWater> visible = visibleWaters(frame);
     PixelRect copied;
-    for (const VisibleWater& each : visible) copied = copied.merged(each.area);
-    for (size_t i = 0; i < visible.size(); ++i) {
-        // One copy of the image is enough, unless a water lies behind another one on the screen.
-        const bool isOverAnother = std::any_of(visible.begin(), visible.begin() + ptrdiff_t(i),
-                                               [&](const auto& other) { return other.area.overlaps(visible[i].area); });
-        if (i == 0 || isOverAnother) {
-            const PixelRect& part = i == 0 ? copied : visible[i].area;
-            frame.targets.copy(Target::Radiance, Target::BehindWater, part);
-            if (hasPanes) frame.targets.copy(Target::PaneLight, Target::PaneLightBehind, part);
-            ++frame.stats.imageCopies;
-        }
-        drawOne(frame, *visible[i].water, visible[i].area, copied, hasPanes);
+    std::vector<glm::vec4> corners;
+    for (VisibleWater& each : visible) {
+        copied = copied.merged(each.area.bounds);
+        each.firstCorner = int(corners.size());
+        for (const glm::dvec2 corner : each.area.covered.corners())
+            corners.emplace_back(glm::vec2(corner / glm::dvec2(frame.block.targetSize)), 0.0f, 0.0f);
+    }
+    if (!m_corners.refill(std::as_bytes(std::span(corners)))) return;
+    for (size_t i = 0; i < visible.size();) {
+        const size_t end = i + countApart(visible, i);
+        PixelRect part = copied;  // the first copy is all that any water refracts
+        if (i > 0) part = {};
+        for (size_t k = i; k < end; ++k) part = part.merged(visible[k].area.bounds);
+        copy(frame, part, hasPanes);
+        for (; i < end; ++i) drawOne(frame, visible[i], copied, hasPanes);
     }
 }
 
-void WaterPass::drawOne(const FrameContext& frame, const Water& water, const PixelRect& area, const PixelRect& copied,
+void WaterPass::drawOne(const FrameContext& frame, const VisibleWater& visible, const PixelRect& copied,
                         bool hasPanes) const {
-    FullscreenTargets into{.colors = {&frame.targets.at(Target::Radiance)}, .area = area};
+    const Water& water = *visible.water;
+    FullscreenTargets into{.colors = {&frame.targets.at(Target::Radiance)},
+                           .corners = int(visible.area.covered.corners().size()),
+                           .area = visible.area.bounds};
     if (hasPanes) into.colors.push_back(&frame.targets.at(Target::PaneLight));
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
+        program.set("uAreaCorners", m_corners);
+        program.set("uAreaFirst", visible.firstCorner);
         program.set("uDepth", frame.targets.at(Target::Depth));
         program.set("uBackground", frame.targets.at(Target::BehindWater));
         program.set("uBackgroundLow", copied.low);
@@ -122,7 +154,7 @@ void WaterPass::drawOne(const FrameContext& frame, const Water& water, const Pix
         setRipples(program, frame.scene, water);
     });
     ++frame.stats.waters;
-    frame.stats.waterPixels += area.pixels();
+    frame.stats.waterPixels += uint64_t(std::llround(visible.area.covered.area()));
 }
 
 }  // namespace rubble

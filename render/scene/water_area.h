@@ -1,13 +1,24 @@
 #pragma once
 #include "render/frame/pixel_rect.h"
+#include "render/scene/convex_polygon.h"
 #include "runtime/frame/frame_snapshot.h"
 
 namespace rubble {
 
 struct FrameBlock;
 
-/// The pixels that a water may cover: a rectangle around its prism as the camera sees it, larger by what waves add to
-/// it. Empty where it is out of view; the whole view where the camera may be in it. origin: of the renderer, world.
-PixelRect waterArea(const Water& water, const FrameBlock& block, glm::dvec3 origin);
+/// The pixels that a water may cover: the hull of its prism as the camera sees it, larger by what waves add to it.
+/// Empty where it is out of view; the whole view where the camera may be in it.
+struct WaterArea {
+    ConvexPolygon prism;    ///< in the view, pixels
+    ConvexPolygon covered;  ///< the same with room for the jitter of the samples
+    PixelRect bounds;       ///< whole pixels around `covered`
+
+    /// Whether a pixel may show both.
+    bool overlaps(const WaterArea& other) const;
+};
+
+/// origin: of the renderer, world.
+WaterArea waterArea(const Water& water, const FrameBlock& block, glm::dvec3 origin);
 
 }  // namespace rubble

@@ -30,8 +30,19 @@ const Event kEvents[] = {
      [](World&, EditQueue& edits) {
          edits.push(Edit(ExplodeEdit{{30.0, 2.0, 32.0}, 2.0}));
      }},
+    {"second explosion",
+     [](World&, EditQueue& edits) {
+         edits.push(Edit(ExplodeEdit{{27.0, 2.0, 33.0}, 2.0}));
+     }},
     {"fog", [](World& w, EditQueue& edits) { change(w, edits, [](Environment& e) { e.fogDensity = 0.05f; }); }},
     {"rain", [](World& w, EditQueue& edits) { change(w, edits, [](Environment& e) { e.wetness = 1.0f; }); }},
+    {"water",
+     [](World&, EditQueue& edits) {
+         Water flood;
+         flood.outline = {{18, 20}, {46, 20}, {46, 46}, {18, 46}};
+         flood.surface = 0.4;
+         edits.push(Edit(AddWaterEdit{flood}));
+     }},
     {"night",
      [](World& w, EditQueue& edits) {
          change(w, edits, [](Environment& e) { e.sunDirection = {0.3f, -0.4f, 0.2f}; });
