@@ -95,7 +95,8 @@ uint64_t GpuShadowVolume::uploadTexels() {
 }
 
 void GpuShadowVolume::bind(const Program& program) const {
-    program.set("uShadowDirectory", m_directory.texture());
+    program.set("uShadowTable", m_directory.table());
+    program.set("uShadowPages", m_directory.pages());
     program.set("uShadowTexels", m_texels);
 }
 

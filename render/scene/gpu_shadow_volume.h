@@ -27,7 +27,7 @@ public:
     /// Its high corner, excluded.
     glm::ivec3 occupiedHigh() const { return m_directory.occupied().high() * kWordCells - lowCell(); }
     /// GPU memory.
-    uint64_t bytes() const { return m_directory.texture().bytes() + m_texels.bytes(); }
+    uint64_t bytes() const { return m_directory.bytes() + m_texels.bytes(); }
 
 private:
     static constexpr int kWordCells = 4;

@@ -1,11 +1,21 @@
 #include "render/scene/page_skips.h"
 
+#include <algorithm>
+#include <bit>
+
 namespace rubble {
 namespace {
 
 /// A sector and the next one along each axis, as an octant sees them: 8x8x8 bricks in layers along z, from near to far;
 /// bit x + 8 y of a layer.
 using Window = std::array<uint64_t, 8>;
+
+/// A set of the near sector's bricks, as an octant sees them: bit x + 4 (z & 1) + 8 y + 32 (z >> 1).
+using NearSet = uint64_t;
+
+/// The sides that a box may have. Each is at most twice the one before.
+constexpr std::array<int, 6> kSides = {1, 2, 3, 4, 6, 8};
+constexpr size_t kSizes = kSides.size() * kSides.size() * kSides.size();
 
 constexpr std::array<uint8_t, 16> kReversed = {0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
 
@@ -32,51 +42,85 @@ Window emptyBricks(const SectorSurroundings& occupied, int octant) {
     return out;
 }
 
-/// From the bricks where an empty cube of some side begins, those where one of one more does: it is eight of the
-/// former, which begin at the corners of a cube of two bricks (as in SkipDistances). Nothing begins beyond the window.
-void growCubes(Window& begins) {
-    constexpr uint64_t kNotLast = 0x7f7f7f7f7f7f7f7f;  // x
-    for (uint64_t& layer : begins) {
-        layer &= layer >> 1 & kNotLast;
-        layer &= layer >> 8;
-    }
-    for (size_t z = 0; z < 7; ++z) begins[z] &= begins[z + 1];
-    begins[7] = 0;
+/// A box's size from its number: 1 for x, 6 for y and 36 for z, each times the index of its side.
+std::array<int, 3> sizeOf(size_t number) {
+    return {kSides[number % 6], kSides[number / 6 % 6], kSides[number / 36]};
 }
 
-/// For four bits the same number in four places: bit i is 1 at place i.
-constexpr std::array<std::array<uint32_t, 4>, 16> kSpread = [] {
-    std::array<std::array<uint32_t, 4>, 16> out{};
-    for (size_t bits = 0; bits < 16; ++bits)
-        for (size_t i = 0; i < 4; ++i) out[bits][i] = uint32_t(bits >> i & 1);
+/// The numbers of all sizes in order of preference.
+std::array<size_t, kSizes> sizesInOrder() {
+    std::array<size_t, kSizes> out{};
+    for (size_t i = 0; i < out.size(); ++i) out[i] = i;
+    std::stable_sort(out.begin(), out.end(), [&](size_t a, size_t b) {
+        const auto [ax, ay, az] = sizeOf(a);
+        const auto [bx, by, bz] = sizeOf(b);
+        return ax * ay * az * (bx * by + by * bz + bz * bx) > bx * by * bz * (ax * ay + ay * az + az * ax);
+    });
     return out;
-}();
+}
 
-/// Adds one to the side of every brick of the near sector where a cube begins.
-void countCubes(const Window& begins, int octant, std::array<uint32_t, 64>& sides) {
-    for (int z = 0; z < 4; ++z) {
-        if (!begins[size_t(z)]) continue;
-        for (int y = 0; y < 4; ++y) {
-            const uint64_t row = begins[size_t(z)] >> (8 * y) & 15;
-            const auto& ones = kSpread[octant & 1 ? kReversed[row] : row];
-            uint32_t* to = &sides[size_t(4 * (octant & 2 ? 3 - y : y) + 16 * (octant & 4 ? 3 - z : z))];
-            for (size_t x = 0; x < 4; ++x) to[x] += ones[x] << (4 * octant);
+/// Of layers the near sector's bricks, with those of the next layers behind: element k begins with layer k.
+std::array<NearSet, 8> packNear(const Window& layers) {
+    constexpr uint64_t kNear = 0x0f0f0f0f;
+    std::array<NearSet, 11> pairs{};  // a layer and the next one
+    for (size_t z = 0; z < 8; ++z) pairs[z] = (layers[z] & kNear) | (z < 7 ? (layers[z + 1] & kNear) << 4 : 0);
+    std::array<NearSet, 8> out;
+    for (size_t z = 0; z < 8; ++z) out[z] = pairs[z] | pairs[z + 2] << 32;
+    return out;
+}
+
+/// For each size the bricks of the near sector that begin an empty box of it. Along an axis a longer box is two of the
+/// side before, which may overlap. Nothing begins beyond the window.
+std::array<NearSet, kSizes> listBoxes(const Window& empty) {
+    std::array<NearSet, kSizes> boxes{};
+    Window rows = empty;
+    for (size_t i = 0; i < 6; ++i) {
+        const int dx = i ? kSides[i] - kSides[i - 1] : 0;
+        const uint64_t within = (0xffu >> dx) * 0x0101010101010101u;
+        for (uint64_t& layer : rows) layer &= layer >> dx & within;
+        Window planes = rows;
+        for (size_t j = 0; j < 6; ++j) {
+            const int dy = j ? kSides[j] - kSides[j - 1] : 0;
+            for (uint64_t& layer : planes) layer &= layer >> (8 * dy);
+            const std::array<NearSet, 8> near = packNear(planes);
+            NearSet begins = near[0];
+            for (size_t k = 0, z = 0; k < 6; ++k) {
+                for (; z < size_t(kSides[k]); ++z) begins &= near[z];
+                boxes[i + 6 * j + 36 * k] = begins;
+            }
+        }
+    }
+    return boxes;
+}
+
+void chooseBoxes(const SectorSurroundings& occupied, int octant, std::array<BrickSkips, 64>& skips) {
+    static const std::array<size_t, kSizes> kInOrder = sizesInOrder();
+    const std::array<NearSet, kSizes> boxes = listBoxes(emptyBricks(occupied, octant));
+    const int mirror = 3 * ((octant & 1) + (octant & 2) * 2 + (octant & 4) * 4);
+    NearSet rest = boxes[0];
+    for (size_t i = 0; rest; ++i) {
+        NearSet taken = boxes[kInOrder[i]] & rest;
+        rest ^= taken;
+        if (!taken) continue;
+        const std::array<int, 3> size = sizeOf(kInOrder[i]);
+        for (; taken; taken &= taken - 1) {
+            const int bit = std::countr_zero(taken);
+            const int x = bit & 3, y = bit >> 3 & 3, z = (bit >> 2 & 1) + (bit >> 5) * 2;
+            BrickSkips& of = skips[size_t((x + 4 * y + 16 * z) ^ mirror)];
+            for (size_t a = 0; a < 3; ++a) of[a] |= uint32_t(size[a]) << (4 * octant);
         }
     }
 }
 
 }  // namespace
 
-std::array<uint32_t, 64> pageSkips(const SectorSurroundings& occupied) {
-    std::array<uint32_t, 64> sides{};
-    for (int octant = 0; octant < 8; ++octant) {
-        Window begins = emptyBricks(occupied, octant);
-        for (int side = 0; side < 8; ++side) {
-            countCubes(begins, octant, sides);
-            growCubes(begins);
-        }
-    }
-    return sides;
+void updatePageSkips(const SectorSurroundings& occupied, uint8_t octants, std::array<BrickSkips, 64>& skips) {
+    uint32_t kept = 0;
+    for (int octant = 0; octant < 8; ++octant) kept |= octants >> octant & 1 ? 0 : 15u << (4 * octant);
+    for (BrickSkips& of : skips)
+        for (uint32_t& sides : of) sides &= kept;
+    for (int octant = 0; octant < 8; ++octant)
+        if (octants >> octant & 1) chooseBoxes(occupied, octant, skips);
 }
 
 }  // namespace rubble

@@ -120,7 +120,7 @@ void Scene::describeShadow(FrameBlock& block) const {
     const ShadowDirectory& directory = m_shadow.directory();
     block.shadowSectorLow =
         glm::ivec4(directory.low() - glm::ivec3(glm::round(m_origin / kSector)), directory.size().x > 0);
-    block.shadowSectorCount = glm::ivec4(directory.size(), directory.tableAt());
+    block.shadowSectorCount = glm::ivec4(directory.size(), 0);
     block.shadowLow = glm::vec4(m_shadow.occupiedLow(), 0.0f);
     block.shadowHigh = glm::vec4(m_shadow.occupiedHigh(), 0.0f);
 }

@@ -16,6 +16,16 @@ int brickInSector(glm::ivec3 brick) {
     return (brick.x & 3) + 4 * (brick.y & 3) + 16 * (brick.z & 3);
 }
 
+/// The octants of directions that lead from a sector to one beside it, each a bit.
+uint8_t octantsTowards(glm::ivec3 away) {
+    uint8_t out = 0;
+    for (int octant = 0; octant < 8; ++octant) {
+        const glm::ivec3 ahead = 1 - 2 * (glm::ivec3(octant, octant >> 1, octant >> 2) & 1);
+        out |= uint8_t(glm::all(glm::greaterThanEqual(ahead * away, glm::ivec3(0)))) << octant;
+    }
+    return out;
+}
+
 }  // namespace
 
 void ShadowDirectory::clear() {
@@ -24,8 +34,6 @@ void ShadowDirectory::clear() {
     m_pageOf.clear();
     m_pages.clear();
     m_freePages = {};
-    m_places = {};
-    m_table = m_tablePages = 0;
     m_changedPages.clear();
     m_occupied.clear();
 }
@@ -40,40 +48,34 @@ bool ShadowDirectory::holds(glm::ivec3 brick) const {
 }
 
 uint32_t ShadowDirectory::texelOf(glm::ivec3 brick) const {
-    return m_pages[pageAt(brick >> 2)].place * kPageTexels + uint32_t(brickInSector(brick));
+    return pageAt(brick >> 2) * kPageTexels + uint32_t(brickInSector(brick));
 }
 
 ShadowDirectory::Brick ShadowDirectory::find(glm::ivec3 brick) const {
     const uint32_t page = pageAt(brick >> 2);
     if (page == kNone || !(m_pages[page].occupied >> brickInSector(brick) & 1)) return {};
-    const size_t at = texelOf(brick);
-    return {m_texels[at] / 64, m_texels[at + kLowerWords] | uint64_t(m_texels[at + kUpperWords]) << 32};
+    const glm::uvec4 texel = m_pageTexels[texelOf(brick)];
+    return {texel.x / 64, texel.y | uint64_t(texel.z) << 32};
 }
 
-void ShadowDirectory::write(size_t at, uint32_t texel) {
-    if (m_texels[at] == texel) return;
-    m_texels.change(at) = texel;
+template <class Texel>
+void ShadowDirectory::write(StagedBuffer<Texel>& texels, size_t at, Texel texel) {
+    if (texels[at] == texel) return;
+    texels.change(at) = texel;
     ++m_writtenTexels;
-}
-
-/// Gives m_texels room for all places; what is new there is sent, whatever it holds.
-void ShadowDirectory::growTexels() {
-    const size_t before = m_texels.size(), size = size_t(m_places.end()) * kPageTexels;
-    if (size <= before) return;
-    m_texels.resize(size);
-    for (size_t i = before; i < size; ++i) m_texels.change(i) = 0;
 }
 
 uint32_t ShadowDirectory::addPage(glm::ivec3 sector) {
     const uint32_t page = m_freePages.allocate();
-    if (page == m_pages.size()) m_pages.emplace_back();
+    if (page == m_pages.size()) {
+        m_pages.emplace_back();
+        m_pageTexels.resize(m_pages.size() * kPageTexels);
+    }
     m_pages[page].sector = sector;
-    m_pages[page].place = m_places.allocate(1);
-    growTexels();
     const size_t index = sectorIndex(sector);
     m_pageOf[index] = page;
     m_skips.set(sector - m_low, true);
-    write(tableAt() + index, m_pages[page].place * kPageTexels);
+    write(m_table, index, page * kPageTexels);
     return page;
 }
 
@@ -91,17 +93,16 @@ void ShadowDirectory::set(glm::ivec3 brick, const Brick& content) {
         queueAround(sector);
     }
     if (!content.occupied) return;  // its texels follow with update()
-    const uint32_t at = texelOf(brick);
-    write(at, content.slot * 64);
-    write(at + kLowerWords, uint32_t(content.occupied));
-    write(at + kUpperWords, uint32_t(content.occupied >> 32));
+    write(m_pageTexels, texelOf(brick), glm::uvec4(content.slot * 64, content.occupied, content.occupied >> 32, 0));
 }
 
 void ShadowDirectory::queueAround(glm::ivec3 sector) {
     for (int i = 0; i < 27; ++i) {
-        const uint32_t page = pageAt(sector + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1);
-        if (page == kNone || std::exchange(m_pages[page].isQueued, true)) continue;
-        m_changedPages.push_back(page);
+        const glm::ivec3 away(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        const uint32_t page = pageAt(sector + away);
+        if (page == kNone) continue;
+        if (!m_pages[page].stale) m_changedPages.push_back(page);
+        m_pages[page].stale |= octantsTowards(-away);
     }
 }
 
@@ -112,57 +113,55 @@ void ShadowDirectory::removeEmptyPages() {
         const size_t at = sectorIndex(page.sector);
         m_pageOf[at] = kNone;
         m_skips.set(page.sector - m_low, false);
-        if (m_skips.at(at)) write(tableAt() + at, m_skips.at(at));  // it came and went since the last update
-        m_places.free(page.place, 1);
+        if (m_skips.at(at)) write(m_table, at, m_skips.at(at));  // it came and went since the last update
         m_freePages.free(index);
-        page.isQueued = false;
+        page.stale = 0;
     }
     std::erase_if(m_changedPages, [&](uint32_t page) { return !m_pages[page].occupied; });
 }
 
-void ShadowDirectory::writeSkips(const Page& page) {
+void ShadowDirectory::writeSkips(Page& page) {
     SectorSurroundings occupied;
     for (int i = 0; i < 27; ++i) {
         const uint32_t at = pageAt(page.sector + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1);
         occupied[size_t(i)] = at == kNone ? 0 : m_pages[at].occupied;
     }
-    const std::array<uint32_t, 64> skips = pageSkips(occupied);
-    for (int i = 0; i < 64; ++i) {
-        if (page.occupied >> i & 1) continue;
-        const size_t at = page.place * kPageTexels + size_t(i);
-        write(at, skips[size_t(i)]);
-        write(at + kLowerWords, 0);
-        write(at + kUpperWords, 0);
+    const size_t first = pageAt(page.sector) * kPageTexels;
+    std::array<BrickSkips, kPageTexels> skips;
+    for (size_t i = 0; i < kPageTexels; ++i) {
+        const glm::uvec4 texel = m_pageTexels[first + i];
+        skips[i] = {texel.y, texel.z, texel.w};
     }
+    updatePageSkips(occupied, std::exchange(page.stale, uint8_t(0)), skips);
+    for (size_t i = 0; i < kPageTexels; ++i)
+        if (!(page.occupied >> i & 1))
+            write(m_pageTexels, first + i, glm::uvec4(1, skips[i][0], skips[i][1], skips[i][2]));
 }
 
 void ShadowDirectory::update() {
     removeEmptyPages();
     for (const size_t index : m_skips.update())
-        if (m_skips.at(index)) write(tableAt() + index, m_skips.at(index));
+        if (m_skips.at(index)) write(m_table, index, m_skips.at(index));
     shrink();
     for (const uint32_t page : m_changedPages) {
         writeSkips(m_pages[page]);
-        m_pages[page].isQueued = false;
     }
     m_changedPages.clear();
 }
 
 /// Replaces the table by one of another box. The pages stay where they are.
 void ShadowDirectory::makeTable(glm::ivec3 low, glm::ivec3 size) {
-    if (m_tablePages) m_places.free(m_table, m_tablePages);
     m_skips.move(low - m_low, size);
     m_low = low;
     m_size = size;
     const size_t count = size_t(volume(size));
-    m_tablePages = uint32_t((count + kPageTexels - 1) / kPageTexels);
-    m_table = m_places.allocate(m_tablePages);
-    growTexels();
+    m_table.resize(count);
     m_pageOf.assign(count, kNone);
     for (uint32_t i = 0; i < m_pages.size(); ++i)
         if (m_pages[i].occupied) m_pageOf[sectorIndex(m_pages[i].sector)] = i;
-    for (size_t i = 0; i < count; ++i)
-        write(tableAt() + i, m_pageOf[i] == kNone ? m_skips.at(i) : m_pages[m_pageOf[i]].place * kPageTexels);
+    for (size_t i = 0; i < count; ++i)  // all of it: what is new holds nothing yet
+        m_table.change(i) = m_pageOf[i] == kNone ? m_skips.at(i) : m_pageOf[i] * kPageTexels;
+    m_writtenTexels += count;
 }
 
 /// A table grows by an eighth more than it must, so that a body that flies away does not need another one at each

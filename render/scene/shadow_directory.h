@@ -11,10 +11,10 @@
 namespace rubble {
 
 /// Finds the shadow volume's bricks for rays. A table has a texel for each sector (4x4x4 bricks) of a box. An empty
-/// sector's texel says how far rays may skip, in sectors; an occupied one's where its page is. A page says for each of
-/// its bricks how far rays may skip, in bricks, or where the brick is and which of its words are occupied. Pages come
-/// and go with the bricks, and the box follows what is occupied, so memory and work follow the bricks that change.
-/// Layout: lib/shadow_trace.glsl. [render-thread]
+/// sector's texel says how far rays may skip, in sectors; an occupied one's where its page is. A page has a texel for
+/// each of its bricks: how far rays may skip, in bricks, or where the brick is and which of its words are occupied.
+/// Pages come and go with the bricks, and the box follows what is occupied, so memory and work follow the bricks that
+/// change. Layout: lib/shadow_trace.glsl. [render-thread]
 class ShadowDirectory {
 public:
     static constexpr int kSectorBricks = 4;  ///< side of a sector
@@ -40,7 +40,7 @@ public:
     /// Brings table and pages up to date. Call it after changes, before rays.
     void update();
     /// Sends what changed. Returns the bytes sent.
-    uint64_t upload() { return m_texels.upload(); }
+    uint64_t upload() { return m_table.upload() + m_pageTexels.upload(); }
     /// Calls f(brick, Brick) for all bricks.
     template <class F>
     void forEach(F&& f) const {
@@ -52,10 +52,12 @@ public:
                 }
     }
 
-    /// Table and pages.
-    const BufferTexture& texture() const { return m_texels.texture(); }
-    /// The table's first texel.
-    uint32_t tableAt() const { return m_table * kPageTexels; }
+    /// A texel a sector, x fastest.
+    const BufferTexture& table() const { return m_table.texture(); }
+    /// 64 texels a page.
+    const BufferTexture& pages() const { return m_pageTexels.texture(); }
+    /// GPU memory of both.
+    uint64_t bytes() const { return table().bytes() + pages().bytes(); }
     /// Low corner of the table's box, in sectors of the world.
     glm::ivec3 low() const { return m_low; }
     /// Its size, in sectors.
@@ -66,35 +68,32 @@ public:
     uint64_t writtenTexels() const { return m_writtenTexels; }
 
 private:
-    static constexpr uint32_t kPageTexels = 192, kNone = ~0u;
-    static constexpr uint32_t kLowerWords = 64, kUpperWords = 128;  ///< from a brick's texel to those of its words
+    static constexpr uint32_t kPageTexels = 64, kNone = ~0u;
     struct Page {
         glm::ivec3 sector{0};
         SectorBricks occupied = 0;
-        uint32_t place = 0;     ///< in m_texels, in pages
-        bool isQueued = false;  ///< in m_changedPages
+        uint8_t stale = 0;  ///< the octants whose skips must be computed: then it is in m_changedPages
     };
     size_t sectorIndex(glm::ivec3 sector) const { return m_skips.indexOf(sector - m_low); }
     bool holdsSector(glm::ivec3 sector) const;
     uint32_t texelOf(glm::ivec3 brick) const;
     uint32_t pageAt(glm::ivec3 sector) const { return holdsSector(sector) ? m_pageOf[sectorIndex(sector)] : kNone; }
-    void write(size_t at, uint32_t texel);
+    template <class Texel>
+    void write(StagedBuffer<Texel>& texels, size_t at, Texel texel);
     void makeTable(glm::ivec3 low, glm::ivec3 size);
     void shrink();
-    void growTexels();
     uint32_t addPage(glm::ivec3 sector);
     void removeEmptyPages();
     void queueAround(glm::ivec3 sector);
-    void writeSkips(const Page& page);
+    void writeSkips(Page& page);
 
     glm::ivec3 m_low{0}, m_size{0};  ///< in sectors
     SkipDistances m_skips;           ///< of sectors
     std::vector<uint32_t> m_pageOf;  ///< for each sector of the table its page, or kNone
-    std::vector<Page> m_pages;       ///< those in use and free ones
+    std::vector<Page> m_pages;       ///< those in use and free ones; page i has the texels from 64 i on
     IndexAllocator m_freePages;
-    RangeAllocator m_places;  ///< in m_texels, in pages
-    uint32_t m_table = 0, m_tablePages = 0;
-    StagedBuffer<uint32_t> m_texels{GL_R32UI, "shadow directory"};
+    StagedBuffer<uint32_t> m_table{GL_R32UI, "shadow directory"};
+    StagedBuffer<glm::uvec4> m_pageTexels{GL_RGBA32UI, "shadow directory's pages"};
     std::vector<uint32_t> m_changedPages;
     OccupiedBox m_occupied;
     uint64_t m_writtenTexels = 0;

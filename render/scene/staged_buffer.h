@@ -19,11 +19,13 @@ public:
 
     /// Number of elements.
     size_t size() const { return m_data.size(); }
-    /// New elements are sent only when they are changed. It has room for a sixteenth more, as the GL's copy.
+    /// New elements are sent only when they are changed, removed ones never. It has room for a sixteenth more, as the
+    /// GL's copy.
     void resize(size_t count) {
         if (count > m_data.capacity()) m_data.reserve(count + count / 16);
         m_data.resize(count);
         m_pageDirty.resize((count + kPage - 1) / kPage, 0);
+        std::erase_if(m_dirty, [&](size_t page) { return page >= m_pageDirty.size(); });
     }
     const T& operator[](size_t i) const { return m_data[i]; }
     /// Element i for writing; the next upload() sends it.

@@ -3,7 +3,7 @@
 // skipped. Each step leaves the largest block around the present cell that is known to be empty ahead of the ray:
 //   - a cube of empty sectors (4^3 bricks): for each octant of directions a sector stores the side of the empty cube
 //     that begins with it (like the distance to the nearest obstacle in Cohen and Sheffer 1994, but by octant);
-//   - in an occupied sector, a cube of up to 8^3 empty bricks, stored by octant in the same way;
+//   - in an occupied sector, a box of up to 8^3 empty bricks, stored by octant in the empty brick;
 //   - in an occupied brick, a box of empty words, stored by octant in the empty word itself;
 //   - the rest of a word, if none of its cells ahead of the ray is occupied;
 //   - an aligned 2x2x2 of empty cells, or one cell.
@@ -14,17 +14,18 @@
 #include "lib/constants.glsl"
 #include "lib/texels.glsl"
 
-// The directory (render/scene/shadow_directory.h). Its table, from texel frame.shadowSectorCount.w on: a texel a
-// sector. Empty sector: the empty cubes' sides, 4 bits an octant. Occupied sector: the first texel of its page. A page:
-// a texel a brick, then one for the lower half of the words of each brick, then one for the upper half. Empty brick:
-// the empty cubes' sides. Occupied brick: its first texel in uShadowTexels; its words' texels say which of them are
-// occupied. Addresses are multiples of 16.
-uniform texels1 uShadowDirectory;
+// The directory (render/scene/shadow_directory.h). Its table has a texel a sector. Empty sector: the sides of the empty
+// cubes, 4 bits an octant. Occupied sector: the first texel of its page, a multiple of 16.
+uniform texels1 uShadowTable;
+// 64 texels a page, one a brick. Empty brick: x 1; yzw the sides of the empty boxes, 4 bits an octant.
+// Occupied brick: x its first texel in uShadowTexels, a multiple of 16; y and z which of its words are occupied.
+uniform texels4 uShadowPages;
 // 64 texels a brick: the cells of an occupied word, or the empty boxes of an empty one
 // (runtime/shadow/shadow_volume.h).
 uniform texels2 uShadowTexels;
 
-uint fetchShadowDirectory(int i) { return fetch1(uShadowDirectory, i); }
+uint fetchShadowTable(int i) { return fetch1(uShadowTable, i); }
+uvec4 fetchShadowPage(int i) { return fetch4(uShadowPages, i); }
 uvec2 fetchShadowTexel(int i) { return fetch2(uShadowTexels, i); }
 
 /// A world position in the directory's cells.
@@ -94,15 +95,15 @@ bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exact
     if (!startShadowRay(originWorld, direction, tMax, sectors, ray)) return false;
     ivec3 pitch = ivec3(1, sectors.x, sectors.x * sectors.y);
     ivec3 farthest = pitch * (sectors - 1);
-    int first = frame.shadowSectorCount.w + (ray.isDown.x ? farthest.x : 0) + (ray.isDown.y ? farthest.y : 0) +
-                (ray.isDown.z ? farthest.z : 0);
+    int first =
+        (ray.isDown.x ? farthest.x : 0) + (ray.isDown.y ? farthest.y : 0) + (ray.isDown.z ? farthest.z : 0);
     pitch =
         ivec3(ray.isDown.x ? -pitch.x : pitch.x, ray.isDown.y ? -pitch.y : pitch.y, ray.isDown.z ? -pitch.z : pitch.z);
     ivec3 down = ivec3(ray.isDown);
     int turned =
         3 * (down.x + 4 * down.y + 16 * down.z);  // mirrors the number of a word in its brick or a cell in its word
     int octant = down.x + 2 * down.y + 4 * down.z;
-    uint cubeShift = uint(octant * 4), boxShift = uint(octant * 2);
+    uint sideShift = uint(octant * 4), boxShift = uint(octant * 2);
     AheadMasks ahead = aheadMasks(ray.isDown);
     ivec3 cell = ray.cell;
     float current = ray.begin;
@@ -111,16 +112,14 @@ bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exact
         t = current;
         ivec3 sector = cell >> 6;
         int inTable = first + sector.x * pitch.x + sector.y * pitch.y + sector.z * pitch.z;
-        uint page = fetchShadowDirectory(inTable);
+        uint page = fetchShadowTable(inTable);
         bool emptySector = (page & 15u) != 0u;
         int word = ((cell.x >> 2 & 3) | (cell.y & 12) | (cell.z & 12) << 2) ^ turned;
         int inPage = ((cell.x >> 4 & 3) | (cell.y >> 2 & 12) | (cell.z & 48)) ^ turned;
-        int inDirectory = emptySector ? inTable : int(page) + inPage;
-        uint entry = fetchShadowDirectory(inDirectory);
-        bool emptyBrick = (entry & 15u) != 0u;  // or sector
-        uint words = fetchShadowDirectory(emptySector ? inTable : inDirectory + 64 + ((word & 32) << 1));
-        bool emptyWord = emptyBrick || (words >> uint(word & 31) & 1u) == 0u;
-        uvec2 texel = fetchShadowTexel(emptyBrick ? 0 : int(entry) + word);
+        uvec4 brick = fetchShadowPage(emptySector ? 0 : int(page) + inPage);
+        bool emptyBrick = emptySector || (brick.x & 15u) != 0u;  // or sector
+        bool emptyWord = emptyBrick || ((word < 32 ? brick.y : brick.z) >> uint(word & 31) & 1u) == 0u;
+        uvec2 texel = fetchShadowTexel(emptyBrick ? 0 : int(brick.x) + word);
         int inWord = ((cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4) ^ turned;
         uint nearHalf = inWord < 32 ? texel.x : texel.y, farHalf = inWord < 32 ? texel.y : texel.x;
         stopped = !emptyWord && ((nearHalf >> uint(inWord & 31) & 1u) != 0u || (coarse && current > exactDistance));
@@ -128,7 +127,8 @@ bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exact
         bool emptyEight = (nearHalf >> uint(inWord & 10) & 0x00330033u) == 0u;  // the aligned 2x2x2 cells around it
         ivec3 box = ivec3(uvec3(texel.x >> boxShift, texel.x >> (boxShift + 16u), texel.y >> boxShift) & 3u) + 1;
         // The block is `skip` units a side, of 2^unit cells each.
-        ivec3 skip = emptyBrick ? ivec3(entry >> cubeShift & 15u) : emptyWord ? box : ivec3(1);
+        uvec3 sides = (emptySector ? uvec3(page) : brick.yzw) >> sideShift & 15u;
+        ivec3 skip = emptyBrick ? ivec3(sides) : emptyWord ? box : ivec3(1);
         int unit = emptySector ? 6 : emptyBrick ? 4 : nothingAhead ? 2 : emptyEight ? 1 : 0;
         ivec3 plane = ((cell >> unit) + skip) << unit;
         vec3 leave = (vec3(plane) - ray.origin) * ray.inverse;

@@ -25,6 +25,6 @@ vec4 fogTint;                 // rgb single-scattering albedo
 vec4 skyCover;                // x clouds: 0.5 some, 1 overcast; y brightness of the stars; z height of the fields
 vec4 exposure;                // x exposure of the level
 ivec4 shadowSectorLow;        // xyz first sector of the shadow directory, from the render origin; w 1 if there is one
-ivec4 shadowSectorCount;      // xyz sectors of the shadow directory; w first texel of its table
+ivec4 shadowSectorCount;      // xyz sectors of the shadow directory
 vec4 shadowLow;               // xyz low corner of the box of all occupied cells, in cells of the directory
 vec4 shadowHigh;              // xyz its high corner

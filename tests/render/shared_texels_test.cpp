@@ -91,5 +91,17 @@ TEST_F(SharedTexelsTest, AStagedArrayBeyondTheRoomKeepsItsElements) {
     EXPECT_GE(buffer.held(), 100u);
 }
 
+TEST_F(SharedTexelsTest, AStagedArrayThatShrinksSendsOnlyWhatIsLeft) {
+    StagedBuffer<uint32_t> buffer(GL_R32UI, "numbers");
+    buffer.resize(5000);
+    buffer.change(4999) = 1;
+    buffer.resize(10);
+    EXPECT_EQ(buffer.upload(), 0u);
+    buffer.change(3) = 3;
+    buffer.resize(5000);
+    buffer.change(4999) = 2;
+    EXPECT_EQ(buffer.upload(), 64 * sizeof(uint32_t) + 8 * sizeof(uint32_t)) << "a page, and the last one's 8 elements";
+}
+
 }  // namespace
 }  // namespace rubble
