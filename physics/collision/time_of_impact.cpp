@@ -21,7 +21,8 @@ constexpr float kInset = 0.15f;        ///< own cells by which a feature is insi
 constexpr double kMaxSagitta = 0.1;    ///< voxels between an arc and its chord
 constexpr double kMinInterval = 16.0;  ///< voxels of an interval, so that the box around it is not all of the level
 constexpr int kMaxIntervals = 64;
-constexpr float kRounding = 1e-3f;  ///< cells
+constexpr double kLongestPath = 1e4;  ///< metres of a segment: no valid speed reaches as far
+constexpr float kRounding = 1e-3f;    ///< cells
 /// Voxels by which hulls may overlap before a feature can be inside by kInset.
 constexpr float kMaxOverlap = 0.1f;
 constexpr int kAxisIterations = 4;  ///< of the search for a separating axis
@@ -112,7 +113,8 @@ private:
         }
         const CellBox& own = m_from.bounds();
         const glm::vec3 rotation(1.0f);  // cells by which a point leaves the box of the two ends within the interval
-        low = glm::max(low - rotation, glm::vec3(own.low)), high = glm::min(high + rotation, glm::vec3(own.high));
+        low = glm::clamp(low - rotation, glm::vec3(own.low), glm::vec3(own.high));
+        high = glm::clamp(high + rotation, glm::vec3(own.low), glm::vec3(own.high));
         return {Cell(glm::floor(low)), Cell(glm::ceil(high))};
     }
     /// corner: of the region that the features belong to.
@@ -265,6 +267,7 @@ double timeOfImpact(const VoxelCollider& first, const SweptPose& firstPath, cons
     const auto intervalOf = [&](double from, double to) {
         return Interval{firstPath.at(from), firstPath.at(to), secondPath.at(from), secondPath.at(to)};
     };
+    if (!(intervalOf(0.0, 1.0).length() < kLongestPath)) return 2.0;
     if (first.parts.size() == 1 && second.parts.size() == 1) {
         double turn = 0.0;
         for (size_t i = 0; i < segments; ++i)
@@ -278,8 +281,9 @@ double timeOfImpact(const VoxelCollider& first, const SweptPose& firstPath, cons
     for (size_t segment = 0; segment < segments; ++segment) {
         const double begin = double(segment) / double(segments), length = 1.0 / double(segments);
         const Interval whole = intervalOf(begin, begin + length);
+        if (!(whole.length() < kLongestPath)) return 2.0;
         const double parts = std::max(whole.relativeAngle() / straight, whole.length() / shortest);
-        const int intervals = std::clamp(int(std::ceil(parts)), 1, kMaxIntervals);
+        const int intervals = int(std::clamp(std::ceil(parts), 1.0, double(kMaxIntervals)));
         for (int i = 0; i < intervals; ++i) {
             const double from = begin + length * i / intervals, to = begin + length * (i + 1) / intervals;
             const float entry = firstEntry(first, second, intervalOf(from, to));

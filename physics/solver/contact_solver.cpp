@@ -27,9 +27,10 @@ namespace rubble {
 namespace {
 
 constexpr int kBouncePasses = 8;
-constexpr float kDeep = 0.03f;        ///< metres by which a hit may end deeper than it began
-constexpr double kMaxRotation = 0.3;  ///< radians by which a free body rotates in one go
-constexpr float kConverged = 1e-3f;   ///< share of a pair's largest impulse by which none of them changes any more
+constexpr float kDeep = 0.03f;         ///< metres by which a hit may end deeper than it began
+constexpr double kMaxRotations = 1e3;  ///< in a step
+constexpr double kMaxRotation = 0.3;   ///< radians by which a free body rotates in one go
+constexpr float kConverged = 1e-3f;    ///< share of a pair's largest impulse by which none of them changes any more
 constexpr double kLoadBearingStiffness = 4.0;  ///< times contactHertz, for contacts of load-bearing bodies
 
 }  // namespace
@@ -250,7 +251,7 @@ void ContactSolver::moveFreely(SolverBody& body, const glm::dvec3& gravity, doub
     body.position += (body.velocity + gravity * (0.5 * seconds)) * seconds;
     body.velocity += gravity * seconds;
     const double angle = glm::length(body.angularVelocity) * seconds;
-    const int parts = std::max(1, int(std::ceil(angle / kMaxRotation)));
+    const int parts = angle > kMaxRotation ? int(std::ceil(std::min(angle / kMaxRotation, kMaxRotations))) : 1;
     for (int i = 0; i < parts; ++i) rotateBody(body, seconds / parts);
 }
 
