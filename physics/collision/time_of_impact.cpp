@@ -180,6 +180,14 @@ struct Interval {
         return largestAngle(glm::conjugate(firstFrom.rotation) * secondFrom.rotation,
                             glm::conjugate(firstTo.rotation) * secondTo.rotation);
     }
+    /// The least distance of the colliders' origins, metres.
+    double nearest() const {
+        const glm::dvec3 from = firstFrom.position - secondFrom.position,
+                         way = firstTo.position - secondTo.position - from;
+        const double length2 = glm::dot(way, way);
+        const double share = length2 > 0.0 ? std::clamp(-glm::dot(from, way) / length2, 0.0, 1.0) : 0.0;
+        return glm::length(from + way * share);
+    }
     /// How far the colliders' origins move relative to each other, metres.
     double length() const {
         return glm::length((firstTo.position - secondTo.position) - (firstFrom.position - secondFrom.position));
@@ -259,7 +267,8 @@ Pose SweptPose::at(double fraction) const {
 
 double timeOfImpact(const VoxelCollider& first, const SweptPose& firstPath, const VoxelCollider& second,
                     const SweptPose& secondPath, const glm::vec3& axis) {
-    const double radius = std::min(first.radius(), second.radius()),
+    const double firstRadius = first.radius(), secondRadius = second.radius(), reach = firstRadius + secondRadius,
+                 radius = std::min(firstRadius, secondRadius),
                  voxel = std::min(first.smallestVoxel(), second.smallestVoxel()),
                  straight = std::sqrt(8.0 * kMaxSagitta * voxel / std::max(radius, voxel)),  // radians
         shortest = std::max(2.0 * radius, kMinInterval * voxel);
@@ -281,12 +290,14 @@ double timeOfImpact(const VoxelCollider& first, const SweptPose& firstPath, cons
     for (size_t segment = 0; segment < segments; ++segment) {
         const double begin = double(segment) / double(segments), length = 1.0 / double(segments);
         const Interval whole = intervalOf(begin, begin + length);
-        if (!(whole.length() < kLongestPath)) return 2.0;
+        if (whole.nearest() > reach) continue;
         const double parts = std::max(whole.relativeAngle() / straight, whole.length() / shortest);
         const int intervals = int(std::clamp(std::ceil(parts), 1.0, double(kMaxIntervals)));
         for (int i = 0; i < intervals; ++i) {
             const double from = begin + length * i / intervals, to = begin + length * (i + 1) / intervals;
-            const float entry = firstEntry(first, second, intervalOf(from, to));
+            const Interval interval = intervalOf(from, to);
+            if (interval.nearest() > reach) continue;
+            const float entry = firstEntry(first, second, interval);
             if (entry <= 1.0f) return from + double(entry) * (to - from);
         }
     }
