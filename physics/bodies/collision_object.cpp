@@ -7,10 +7,9 @@ void CollisionObject::setPose(const Pose& newPose) {
     m_cellTransforms.clear();
     filter = {0, 0};
     for (const auto& part : collider.parts) {
-        const glm::dmat3 axes = glm::mat3_cast(pose.rotation * part->frame().rotation) * part->voxelSize();
         filter.layer |= part->filter().layer;
         filter.mask |= part->filter().mask;
-        m_cellTransforms.push_back({axes, pose.rotation * part->frame().position});
+        m_cellTransforms.push_back(part->cellsAt(pose.rotation));
     }
 }
 

@@ -18,13 +18,11 @@ Pose endPose(const CollisionObject& object, double seconds) {
 
 /// The object as it is when the two meet.
 struct Placed {
-    CollisionObject const& object;
+    const CollisionObject& object;
     Pose pose;
     std::vector<CellTransform> cells;
     Placed(const CollisionObject& from, const Pose& at) : object(from), pose(at) {
-        for (const auto& part : from.collider.parts)
-            cells.push_back({glm::mat3_cast(pose.rotation * part->frame().rotation) * part->voxelSize(),
-                             pose.rotation * part->frame().position});
+        for (const auto& part : from.collider.parts) cells.push_back(part->cellsAt(pose.rotation));
     }
     Motion motion() const { return {.pose = pose, .cellTransforms = cells}; }
     /// Where a point of it is now, if it is at `point` then.

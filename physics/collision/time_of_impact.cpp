@@ -1,6 +1,7 @@
 #include "physics/collision/time_of_impact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "physics/collision/feature_query.h"
@@ -33,8 +34,9 @@ glm::vec3 direction(const glm::dvec3& v) {
 }
 
 CellTransform cellsOf(const ColliderPart& part, const Pose& pose) {
-    return {glm::mat3_cast(pose.rotation * part.frame().rotation) * part.voxelSize(),
-            pose.rotation * part.frame().position + pose.position};
+    CellTransform cells = part.cellsAt(pose.rotation);
+    cells.corner += pose.position;
+    return cells;
 }
 
 /// The cells of one part in those of another.
@@ -174,23 +176,23 @@ private:
 
 /// The poses of the two colliders at the ends of an interval.
 struct Interval {
-    Pose firstFrom, firstTo, secondFrom, secondTo;
+    std::array<Pose, 2> first, second;
     /// The angle by which the second collider turns in the first's frame, radians.
     double relativeAngle() const {
-        return largestAngle(glm::conjugate(firstFrom.rotation) * secondFrom.rotation,
-                            glm::conjugate(firstTo.rotation) * secondTo.rotation);
+        return largestAngle(glm::conjugate(first[0].rotation) * second[0].rotation,
+                            glm::conjugate(first[1].rotation) * second[1].rotation);
     }
     /// The least distance of the colliders' origins, metres.
     double nearest() const {
-        const glm::dvec3 from = firstFrom.position - secondFrom.position,
-                         way = firstTo.position - secondTo.position - from;
+        const glm::dvec3 from = first[0].position - second[0].position,
+                         way = first[1].position - second[1].position - from;
         const double length2 = glm::dot(way, way);
         const double share = length2 > 0.0 ? std::clamp(-glm::dot(from, way) / length2, 0.0, 1.0) : 0.0;
         return glm::length(from + way * share);
     }
     /// How far the colliders' origins move relative to each other, metres.
     double length() const {
-        return glm::length((firstTo.position - secondTo.position) - (firstFrom.position - secondFrom.position));
+        return glm::length((first[1].position - second[1].position) - (first[0].position - second[0].position));
     }
 };
 
@@ -199,21 +201,10 @@ TransformedHull hullOf(const ColliderPart& part, const Pose& pose, const glm::dv
     return {part.hull(), glm::mat3(cells.axes), glm::vec3(cells.corner - origin)};
 }
 
-/// Whether one plane separates the hulls of two parts at both ends of an interval, but for what contacts may overlap.
-/// axis: a unit vector to start from, replaced by a better one.
-bool areSeparated(const ColliderPart& a, const ColliderPart& b, const Interval& interval, glm::vec3& axis) {
-    const glm::dvec3 origin = interval.firstFrom.position;
-    const float tolerance = kMaxOverlap * float(std::min(a.voxelSize(), b.voxelSize()));
-    const TransformedHull endA = hullOf(a, interval.firstTo, origin), endB = hullOf(b, interval.secondTo, origin),
-                          startA = hullOf(a, interval.firstFrom, origin),
-                          startB = hullOf(b, interval.secondFrom, origin);
-    const float gap = refineSeparatingAxis(endA, endB, tolerance, kAxisIterations, axis);
-    return gap > -tolerance && gapAlongAxis(startA, startB, axis) > -tolerance;
-}
-
-/// Whether one plane separates the hulls of two parts at the ends of all segments of the paths.
+/// Whether one plane separates the hulls of two parts at the ends of all segments of the paths, but for what contacts
+/// may overlap. axis: a unit vector to start from, replaced by a better one.
 bool areSeparated(const ColliderPart& a, const SweptPose& pathA, const ColliderPart& b, const SweptPose& pathB,
-                  size_t segments, glm::vec3 axis) {
+                  size_t segments, glm::vec3& axis) {
     const glm::dvec3 origin = pathA.poses.back().position;
     const float tolerance = kMaxOverlap * float(std::min(a.voxelSize(), b.voxelSize()));
     for (size_t i = segments + 1; i-- > 0;) {
@@ -233,15 +224,15 @@ float firstEntry(const VoxelCollider& first, const VoxelCollider& second, const 
     for (const auto& a : first.parts)
         for (const auto& b : second.parts) {
             if (a->grid().empty() || b->grid().empty() || !a->filter().meets(b->filter())) continue;
-            glm::vec3 axis = direction(interval.firstTo.position - interval.secondTo.position);
-            if (areSeparated(*a, *b, interval, axis)) continue;
-            const RelativeCells begin(*a, interval.firstFrom, *b, interval.secondFrom),
-                end(*a, interval.firstTo, *b, interval.secondTo),
-                backBegin(*b, interval.secondFrom, *a, interval.firstFrom),
-                backEnd(*b, interval.secondTo, *a, interval.firstTo);
-            const HullPlane beginPlane(*b, interval.secondFrom, begin, axis),
-                endPlane(*b, interval.secondTo, end, axis), backBeginPlane(*a, interval.firstFrom, backBegin, -axis),
-                backEndPlane(*a, interval.firstTo, backEnd, -axis);
+            glm::vec3 axis = direction(interval.first[1].position - interval.second[1].position);
+            if (areSeparated(*a, {interval.first}, *b, {interval.second}, 1, axis)) continue;
+            const RelativeCells begin(*a, interval.first[0], *b, interval.second[0]),
+                end(*a, interval.first[1], *b, interval.second[1]),
+                backBegin(*b, interval.second[0], *a, interval.first[0]),
+                backEnd(*b, interval.second[1], *a, interval.first[1]);
+            const HullPlane beginPlane(*b, interval.second[0], begin, axis),
+                endPlane(*b, interval.second[1], end, axis), backBeginPlane(*a, interval.first[0], backBegin, -axis),
+                backEndPlane(*a, interval.first[1], backEnd, -axis);
             earliest = std::min({earliest, FeatureSweep(*a, *b, begin, end, beginPlane, endPlane).firstEntry(),
                                  FeatureSweep(*b, *a, backBegin, backEnd, backBeginPlane, backEndPlane).firstEntry()});
         }
@@ -274,7 +265,7 @@ double timeOfImpact(const VoxelCollider& first, const SweptPose& firstPath, cons
         shortest = std::max(2.0 * radius, kMinInterval * voxel);
     const size_t segments = std::max(firstPath.poses.size(), secondPath.poses.size()) - 1;
     const auto intervalOf = [&](double from, double to) {
-        return Interval{firstPath.at(from), firstPath.at(to), secondPath.at(from), secondPath.at(to)};
+        return Interval{{firstPath.at(from), firstPath.at(to)}, {secondPath.at(from), secondPath.at(to)}};
     };
     if (!(intervalOf(0.0, 1.0).length() < kLongestPath)) return 2.0;
     if (first.parts.size() == 1 && second.parts.size() == 1) {
@@ -282,9 +273,11 @@ double timeOfImpact(const VoxelCollider& first, const SweptPose& firstPath, cons
         for (size_t i = 0; i < segments; ++i)
             turn = std::max(turn,
                             intervalOf(double(i) / double(segments), double(i + 1) / double(segments)).relativeAngle());
-        const glm::vec3 toFirst = direction(firstPath.poses.back().position - secondPath.poses.back().position);
-        if (turn <= straight && areSeparated(*first.parts[0], firstPath, *second.parts[0], secondPath, segments,
-                                             axis == glm::vec3(0.0f) ? toFirst : axis))
+        glm::vec3 toFirst = axis;
+        if (axis == glm::vec3(0.0f))
+            toFirst = direction(firstPath.poses.back().position - secondPath.poses.back().position);
+        if (turn <= straight &&
+            areSeparated(*first.parts[0], firstPath, *second.parts[0], secondPath, segments, toFirst))
             return 2.0;
     }
     for (size_t segment = 0; segment < segments; ++segment) {

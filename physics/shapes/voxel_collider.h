@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "physics/shapes/cell_transform.h"
 #include "physics/shapes/hull_points.h"
 #include "physics/shapes/surface_features.h"
 #include "runtime/core/lazy.h"
@@ -51,6 +52,10 @@ public:
     const VoxelGrid& grid() const { return m_grid; }
     /// The pose of the grid's corner in the collider's frame, metres.
     const Pose& frame() const { return m_frame; }
+    /// Takes the part's cells to the world, about the collider's origin, for a collider of this rotation.
+    CellTransform cellsAt(const glm::dquat& rotation) const {
+        return {glm::mat3_cast(rotation * m_frame.rotation) * m_voxelSize, rotation * m_frame.position};
+    }
     /// Moves the part within the collider.
     void setFrame(const Pose& frame) { m_frame = frame; }
     /// The side of a voxel, metres.

@@ -12,7 +12,7 @@ TEST(Rooms, NothingLeavesAClosedRoom) {
     const bool isLong = std::getenv("RUBBLE_LONG") != nullptr;
     int thrown = 0, outside = 0;
     for (uint64_t seed = 1; thrown < (isLong ? 1'000'000 : 10'000); ++seed) {
-        const known::RoomShots shots = known::throwIntoRoom({}, {.seed = seed});
+        const known::RoomShots shots = known::throwIntoRoom({}, seed);
         thrown += shots.thrown;
         outside += shots.outside;
         EXPECT_EQ(shots.outside, 0) << "of " << shots.thrown << " left the room of seed " << seed;

@@ -7,6 +7,9 @@
 namespace rubble::known {
 namespace {
 
+constexpr int kMostBodies = 40, kSteps = 40;
+constexpr double kFastest = 300.0;  ///< m/s
+
 /// Random numbers of a room.
 struct Dice {
     Random random;
@@ -87,8 +90,8 @@ VoxelGrid randomBody(Dice& dice) {
 
 }  // namespace
 
-RoomShots throwIntoRoom(const PhysicsSettings& settings, const RoomSettings& given) {
-    Dice dice{Random(given.seed)};
+RoomShots throwIntoRoom(const PhysicsSettings& settings, uint64_t seed) {
+    Dice dice{Random(seed)};
     const Room room = randomRoom(dice);
     const bool isTurned = dice.whole(0, 1) == 1;
     const Pose pose{glm::dvec3(0.0), isTurned ? dice.rotation() : glm::dquat(1, 0, 0, 0)};
@@ -111,14 +114,14 @@ RoomShots throwIntoRoom(const PhysicsSettings& settings, const RoomSettings& giv
             }
     RoomShots result;
     for (const glm::dvec3& place : places) {
-        if (result.thrown == given.bodies) break;
+        if (result.thrown == kMostBodies) break;
         const glm::dquat turn = dice.rotation();
         VoxelGrid grid = randomBody(dice);
         if (grid.empty()) continue;
         const glm::dvec3 half = glm::dvec3(grid.size()) * 0.05;
         LevelBody& body = scene.add(std::move(grid), pose.transformPoint(place * 0.1) - turn * half, false, turn);
         const double power = dice.uniform(0.0, 1.0);
-        const double speed = given.fastest > 1.0 ? std::pow(given.fastest, power) : given.fastest;
+        const double speed = std::pow(kFastest, power);
         body.velocity = glm::vec3(dice.direction() * speed);
         body.angularVelocity = glm::vec3(dice.direction() * dice.uniform(0.0, 30.0));
         ++result.thrown;
@@ -127,9 +130,9 @@ RoomShots throwIntoRoom(const PhysicsSettings& settings, const RoomSettings& giv
     const int all = walls + result.thrown;
     std::vector<bool> isOutside(size_t(all), false);
     glm::dvec3 spin = dice.direction();
-    for (int step = 0; step < given.steps; ++step) {
+    for (int step = 0; step < kSteps; ++step) {
         Edits edits;
-        if (given.turns && step % 4 == 0) {
+        if (step % 4 == 0) {
             Environment environment = scene.world.environment();
             environment.gravity = glm::vec3(glm::angleAxis(0.05 * step, spin) * glm::dvec3(0.0, -9.81, 0.0));
             edits.push_back(SetEnvironmentEdit{environment});
