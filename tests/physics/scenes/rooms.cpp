@@ -7,8 +7,8 @@
 namespace rubble::known {
 namespace {
 
-constexpr int kMostBodies = 40, kSteps = 40;
-constexpr double kFastest = 300.0;  ///< m/s
+constexpr int kMaxBodies = 40, kSteps = 40;
+constexpr double kMaxSpeed = 300.0;  ///< m/s
 
 /// Random numbers of a room.
 struct Dice {
@@ -114,14 +114,14 @@ RoomShots throwIntoRoom(const PhysicsSettings& settings, uint64_t seed) {
             }
     RoomShots result;
     for (const glm::dvec3& place : places) {
-        if (result.thrown == kMostBodies) break;
+        if (result.thrown == kMaxBodies) break;
         const glm::dquat turn = dice.rotation();
         VoxelGrid grid = randomBody(dice);
         if (grid.empty()) continue;
         const glm::dvec3 half = glm::dvec3(grid.size()) * 0.05;
         LevelBody& body = scene.add(std::move(grid), pose.transformPoint(place * 0.1) - turn * half, false, turn);
         const double power = dice.uniform(0.0, 1.0);
-        const double speed = std::pow(kFastest, power);
+        const double speed = std::pow(kMaxSpeed, power);
         body.velocity = glm::vec3(dice.direction() * speed);
         body.angularVelocity = glm::vec3(dice.direction() * dice.uniform(0.0, 30.0));
         ++result.thrown;
