@@ -88,7 +88,7 @@ void PhysicsWorld::Impl::load(const World& world) {
     bodies.broadphase().setOrigin(glm::round((low + high) * 0.5));
     bodies.limits().setOrigin(bodies.broadphase().origin());
     setGravity(world);
-    characters.load(world);
+    characters.load(world, bodies);
     world.waters().forEach([&](WaterHandle handle, const Water& water) { waters.set(handle.slot(), &water); });
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
         if (!body.isStatic) return bodies.createDynamic(world, handle, body.asleep);
@@ -106,7 +106,7 @@ void PhysicsWorld::Impl::applyChanges(const FrameChanges& changes, const World& 
         for (const ShapeHandle handle : changes.filters)
             if (world.shapes().find(handle)) bodies.updateFilter(world, handle);
         updateWaters(bodies, waters, changes, world);
-        if (!changes.characters.empty()) characters.load(world);
+        if (!changes.characters.empty()) characters.load(world, bodies);
     }
     joints.apply(changes, world, bodies);
 }

@@ -103,6 +103,12 @@ void DynamicBody::setAsleep(bool asleep) {
     motion.velocity = motion.angularVelocity = glm::dvec3(0.0);
 }
 
+void DynamicBody::restartRest() {
+    sleepTimer.restartRest(pose());
+    slowSeconds = 0.0;
+    wantsSleep = false;
+}
+
 bool DynamicBody::finite() const {
     const glm::dquat& q = motion.rotation;
     constexpr double kLargest = 1e150;  // its square is a number too

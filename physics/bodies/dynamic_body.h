@@ -27,6 +27,8 @@ public:
     void setFilter(ShapeHandle shape, CollisionFilter filter);
     /// Puts it to sleep, with velocities of 0, or wakes it, with a new sleep timer. The broadphase is not told.
     void setAsleep(bool asleep);
+    /// Makes it rest again before it may sleep: what acts on it has changed.
+    void restartRest();
     /// See setAsleep().
     bool asleep() const { return m_asleep; }
     /// Takes it out of the simulation for good; see quarantined().

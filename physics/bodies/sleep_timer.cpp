@@ -17,7 +17,12 @@ bool within(const Pose& a, const Pose& b, double radius, double angle) {
 }  // namespace
 
 void SleepTimer::restart(const Pose& now) {
-    m_restPose = m_movedPose = now;
+    m_movedPose = now;
+    restartRest(now);
+}
+
+void SleepTimer::restartRest(const Pose& now) {
+    m_restPose = now;
     m_restTime = 0.0;
 }
 

@@ -9,6 +9,8 @@ class SleepTimer {
 public:
     /// Starts both measurements from here.
     void restart(const Pose& now);
+    /// Counts the rest from here again.
+    void restartRest(const Pose& now);
     /// Adds `seconds` to the rest time if the body is still within `radius` metres and `angle` radians of where the
     /// rest began; else the rest begins here. Returns the rest time, s.
     double restTime(const Pose& now, double radius, double angle, double seconds);

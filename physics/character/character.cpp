@@ -22,6 +22,9 @@
 // static ones last; choose the velocity from the wish (ground, air or water); move; look for ground. Since every sweep
 // ends a skin's width short, the capsule is never inside something static. Bodies get impulses, as from a mass that
 // pushes with a limited force.
+//
+// What it stands on bears its weight. A sleeping body came to rest under the load that it had; it wakes when that load
+// comes, goes, or moves into another cell of the body's frame. So it can tip, and who stands still lets it sleep.
 
 namespace rubble {
 namespace {
@@ -37,6 +40,7 @@ constexpr double kLookAhead = 0.25;       ///< metres of free ground that a step
 constexpr double kJumpOutHeight = 1.2;    ///< fraction of its height: it jumps out of water whose surface is lower
 constexpr double kMaxLandingRise = 0.1;   ///< m/s away from the ground, above which it does not land
 constexpr double kMinWakeImpulse = 1e-3;  ///< N s: a weaker push wakes no body
+constexpr double kLoadCell = 0.1;         ///< metres; a body bears another load when the feet are in another such cell
 constexpr double kQueryMargin = 1.0;      ///< metres, for what ground, gravity and pushes add to its own motion
 
 glm::dvec3 horizontal(glm::dvec3 v) {
@@ -80,7 +84,9 @@ public:
             m_c.velocity = horizontal(m_c.position - start) / m_around.seconds;
         } else
             slide(m_c.velocity * m_around.seconds, false, true);
-        probeGround(walks, wasGrounded ? stoodOn : BodyHandle{}, handles);
+        probeGround(walks, wasGrounded ? stoodOn : BodyHandle{}, start, handles);
+        if (ground && m_c.ground != stoodOn && !ground->dynamic->quarantined())
+            m_pushes.push_back({ground->dynamic, glm::dvec3(0.0), start, false, true});
         m_c.velocity = clampedLength(m_c.velocity, ranges::kMaxCharacterSpeed);  // it may have taken on a body's
     }
 
@@ -265,7 +271,8 @@ private:
     }
 
     /// Finds what it stands on: within a step's height below while it walks, else what it has landed on.
-    void probeGround(bool walks, BodyHandle stoodOn, const std::vector<BodyHandle>& handles) {
+    /// start: where this step's motion began.
+    void probeGround(bool walks, BodyHandle stoodOn, glm::dvec3 start, const std::vector<BodyHandle>& handles) {
         m_c.grounded = false;
         m_c.ground = {};
         const double queryDistance = walks ? m_c.stepHeight + 2.0 * kSkin : 2.0 * kSkin;
@@ -281,9 +288,13 @@ private:
         DynamicBody* body = hit.object->dynamic;
         if (!body || body->quarantined()) return;
         const glm::dvec3 fall = kUp * std::min(0.0, rising) * m_c.mass / (1.0 + m_c.mass * body->motion.inverseMass);
-        const bool isNew = stoodOn != m_c.ground;
-        if (isNew || !body->asleep())
-            m_pushes.push_back({body, m_around.gravity * (m_c.mass * m_around.seconds) + fall, hit.point, isNew});
+        const bool changes = stoodOn != m_c.ground || loadCell(*body, start) != loadCell(*body, m_c.position);
+        if (changes || !body->asleep())
+            m_pushes.push_back(
+                {body, m_around.gravity * (m_c.mass * m_around.seconds) + fall, hit.point, false, changes});
+    }
+    static glm::dvec3 loadCell(const DynamicBody& body, glm::dvec3 feet) {
+        return glm::floor(body.bodyPose().inversePoint(feet) / kLoadCell);
     }
 
     Character& m_c;

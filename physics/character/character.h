@@ -20,6 +20,7 @@ struct CharacterPush {
     DynamicBody* body = nullptr;
     glm::dvec3 impulse{0.0}, position{0.0};  ///< N s, and where it acts, world
     bool wakes = false;
+    bool isNewLoad = false;  ///< the weight on the body has come, gone or moved: it may no longer be in balance
 };
 
 /// How far around its capsule a character may touch something in a step, metres.

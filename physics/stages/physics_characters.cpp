@@ -1,8 +1,37 @@
 #include "physics/stages/physics_characters.h"
 
 namespace rubble {
+namespace {
 
-void PhysicsCharacters::load(const World& world) {
+constexpr double kTouchDistance = 0.02;  ///< metres between bounds that count as touching
+
+/// Wakes a body whose load has changed, and what bears it. Settled bodies bear what comes.
+void wakeLoaded(DynamicBody& body, PhysicsBodies& bodies) {
+    std::vector<DynamicBody*> open{&body};
+    while (!open.empty()) {
+        DynamicBody& loaded = *open.back();
+        open.pop_back();
+        bodies.wakeOrWait(loaded);
+        if (loaded.asleep()) continue;  // it waits for its turn
+        loaded.restartRest();
+        const CollisionObject& above = loaded.object;
+        for (const CollisionObject* object :
+             bodies.objectsIn(above.low - kTouchDistance, above.high + kTouchDistance)) {
+            DynamicBody* below = object->dynamic;
+            if (below && below->asleep() && !below->settled && !below->quarantined() && object->low.y < above.low.y)
+                open.push_back(below);
+        }
+    }
+}
+
+}  // namespace
+
+void PhysicsCharacters::load(const World& world, PhysicsBodies& bodies) {
+    for (const auto& [handle, character] : m_characters) {
+        const Character* now = world.characters().find(handle);
+        DynamicBody* ground = bodies.find(character.ground);
+        if (ground && !(now && now->ground == character.ground)) wakeLoaded(*ground, bodies);
+    }
     m_characters.clear();
     world.characters().forEach(
         [&](CharacterHandle handle, const Character& character) { m_characters.emplace_back(handle, character); });
@@ -21,6 +50,7 @@ void PhysicsCharacters::move(PhysicsBodies& bodies, const WaterVolumes* waters, 
         m_pushes.clear();
         moveCharacter(character, around, bodies.handles(), m_pushes);
         for (const CharacterPush& push : m_pushes) {
+            if (push.isNewLoad) wakeLoaded(*push.body, bodies);
             if (push.wakes) bodies.wakeOrWait(*push.body);
             if (!push.body->asleep()) push.body->applyImpulse(push.impulse, push.position);
         }

@@ -11,8 +11,8 @@ namespace rubble {
 /// The characters of a World as physics moves them, after the bodies. [main-thread]
 class PhysicsCharacters {
 public:
-    /// Replaces all characters by those of World.
-    void load(const World& world);
+    /// Replaces all characters by those of World, and wakes what one no longer stands on.
+    void load(const World& world, PhysicsBodies& bodies);
     /// Begins a step: clears what the last one reported.
     void begin() { m_moves.clear(); }
     /// Moves all characters, in the order of slots, and applies their pushes to the bodies. waters: null: none.
