@@ -25,7 +25,7 @@ struct SolverState {
     bool isLoadBearing = false;      ///< something much heavier lies on it
     bool inertiaRotates = false;     ///< inverseInertia changes within the step
     bool isJointed = false;
-    bool isHit = false;  ///< by something that closes fast
+    bool keepsPath = false;  ///< it is hit by something that closes fast, or rotates far
 };
 
 /// Rotates a body through one substep without torque. With conservesMomentum its angular momentum is constant, else its

@@ -1,6 +1,7 @@
 #include "physics/collision/narrowphase.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "physics/bodies/dynamic_body.h"
@@ -13,6 +14,7 @@ constexpr size_t kPairsPerBatch = 32;
 constexpr float kUnlimited = 1e9f;  ///< metres
 /// Relative motion of two bodies, as a fraction of the contact margin, up to which their cached contacts are used.
 constexpr double kMaxCachedMotion = 0.05;
+constexpr double kMaxStraightError = 1.0;  ///< voxels by which a point may leave the line along which it is searched
 
 template <class T>
 bool isBefore(const T& a, const T& b) {
@@ -20,6 +22,14 @@ bool isBefore(const T& a, const T& b) {
 }
 bool isPointedBefore(const Manifold* a, const Manifold* b) {
     return isBefore(*a, *b);
+}
+
+/// The share of the step in which an object of this motion and radius turns along an almost straight path. Contacts are
+/// searched along straight lines, so that beyond it they are of no use: continuous_collision.h does the rest.
+double straightShare(const Motion& motion, double voxel, double seconds) {
+    const double angle = glm::length(motion.angularVelocity) * seconds,
+                 straight = std::sqrt(2.0 * kMaxStraightError * voxel / std::max(motion.radius, voxel));
+    return angle > straight ? straight / angle : 1.0;
 }
 
 /// The motion of an object in this step; a sleeping body does not move.
@@ -65,12 +75,15 @@ void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettin
     pair = {first->number, second->number, first->version, second->version};
     if (before) pair.axis = before->axis;
     batch.contacts.clear();
+    const double voxel = std::min(first->collider.smallestVoxel(), second->collider.smallestVoxel());
+    NarrowphaseSettings straight = settings;
+    straight.seconds *= std::min(straightShare(firstMotion, voxel, settings.seconds),
+                                 straightShare(secondMotion, voxel, settings.seconds));
     const bool isNear =
-        findContacts(first->collider, firstMotion, second->collider, secondMotion, settings, pair.axis, batch.contacts);
+        findContacts(first->collider, firstMotion, second->collider, secondMotion, straight, pair.axis, batch.contacts);
     pair.isCacheable = isNear && isSlow;
-    if (isNear && batch.contacts.empty() && displacement > settings.sweepThreshold &&
-        displacement > std::min(first->collider.smallestVoxel(), second->collider.smallestVoxel()))
-        findImpactContacts(*first, *second, settings, pair.axis, batch.contacts);
+    if (isNear && batch.contacts.empty() && displacement > settings.sweepThreshold && displacement > voxel)
+        findImpactContacts(*first, *second, straight, pair.axis, batch.contacts);
     pair.pose = pose;
     if (batch.contacts.empty()) return;
     Manifold& manifold = makeManifold();

@@ -177,10 +177,10 @@ private:
 /// The poses of the two colliders at the ends of an interval.
 struct Interval {
     std::array<Pose, 2> first, second;
-    /// The angle by which the second collider turns in the first's frame, radians.
-    double relativeAngle() const {
-        return largestAngle(glm::conjugate(first[0].rotation) * second[0].rotation,
-                            glm::conjugate(first[1].rotation) * second[1].rotation);
+    /// Into how many parts of almost straight paths it is to be cut. straight: radians by which each may turn.
+    double arcs(const std::array<double, 2>& straight) const {
+        return std::max(largestAngle(first[0].rotation, first[1].rotation) / straight[0],
+                        largestAngle(second[0].rotation, second[1].rotation) / straight[1]);
     }
     /// The least distance of the colliders' origins, metres.
     double nearest() const {
@@ -259,32 +259,34 @@ Pose SweptPose::at(double fraction) const {
 double timeOfImpact(const VoxelCollider& first, const SweptPose& firstPath, const VoxelCollider& second,
                     const SweptPose& secondPath, const glm::vec3& axis) {
     const double firstRadius = first.radius(), secondRadius = second.radius(), reach = firstRadius + secondRadius,
-                 radius = std::min(firstRadius, secondRadius),
                  voxel = std::min(first.smallestVoxel(), second.smallestVoxel()),
-                 straight = std::sqrt(8.0 * kMaxSagitta * voxel / std::max(radius, voxel)),  // radians
-        shortest = std::max(2.0 * radius, kMinInterval * voxel);
+                 shortest = std::max(2.0 * std::min(firstRadius, secondRadius), kMinInterval * voxel);
+    // What a body touches is within its radius of what it turns about.
+    const auto straightAngle = [&](double radius) {
+        return std::sqrt(8.0 * kMaxSagitta * voxel / std::max(radius, voxel));
+    };
+    const std::array<double, 2> straight{straightAngle(firstRadius), straightAngle(secondRadius)};
     const size_t segments = std::max(firstPath.poses.size(), secondPath.poses.size()) - 1;
     const auto intervalOf = [&](double from, double to) {
         return Interval{{firstPath.at(from), firstPath.at(to)}, {secondPath.at(from), secondPath.at(to)}};
     };
     if (!(intervalOf(0.0, 1.0).length() < kLongestPath)) return 2.0;
     if (first.parts.size() == 1 && second.parts.size() == 1) {
-        double turn = 0.0;
+        double arcs = 0.0;
         for (size_t i = 0; i < segments; ++i)
-            turn = std::max(turn,
-                            intervalOf(double(i) / double(segments), double(i + 1) / double(segments)).relativeAngle());
+            arcs = std::max(arcs,
+                            intervalOf(double(i) / double(segments), double(i + 1) / double(segments)).arcs(straight));
         glm::vec3 toFirst = axis;
         if (axis == glm::vec3(0.0f))
             toFirst = direction(firstPath.poses.back().position - secondPath.poses.back().position);
-        if (turn <= straight &&
-            areSeparated(*first.parts[0], firstPath, *second.parts[0], secondPath, segments, toFirst))
+        if (arcs <= 1.0 && areSeparated(*first.parts[0], firstPath, *second.parts[0], secondPath, segments, toFirst))
             return 2.0;
     }
     for (size_t segment = 0; segment < segments; ++segment) {
         const double begin = double(segment) / double(segments), length = 1.0 / double(segments);
         const Interval whole = intervalOf(begin, begin + length);
         if (whole.nearest() > reach) continue;
-        const double parts = std::max(whole.relativeAngle() / straight, whole.length() / shortest);
+        const double parts = std::max(whole.arcs(straight), whole.length() / shortest);
         const int intervals = int(std::clamp(std::ceil(parts), 1.0, double(kMaxIntervals)));
         for (int i = 0; i < intervals; ++i) {
             const double from = begin + length * i / intervals, to = begin + length * (i + 1) / intervals;

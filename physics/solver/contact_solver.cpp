@@ -30,6 +30,7 @@ constexpr int kBouncePasses = 8;
 constexpr float kDeep = 0.03f;         ///< metres by which a hit may end deeper than it began
 constexpr double kMaxRotations = 1e3;  ///< in a step
 constexpr double kMaxRotation = 0.3;   ///< radians by which a free body rotates in one go
+constexpr double kArcRotation = 0.1;   ///< radians in a step from which a path is an arc, so that its poses are kept
 constexpr float kConverged = 1e-3f;    ///< share of a pair's largest impulse by which none of them changes any more
 constexpr double kLoadBearingStiffness = 4.0;  ///< times contactHertz, for contacts of load-bearing bodies
 
@@ -70,7 +71,7 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
         if (const SolverState& state = m_set.states[i]; state.isConstrained)
             bodies[i].velocity = state.v, bodies[i].angularVelocity = state.w;
         else
-            moveFreely(bodies[i], gravity, settings.seconds);
+            moveFreely(bodies[i], gravity, settings.seconds, m_paths[i]);
     forEachBlockwise(m_parallelFor, m_set.pairs.size(), [&](size_t i) { storeImpulses(m_set.pairs[i]); });
 }
 
@@ -90,10 +91,13 @@ void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* co
     forEachBlockwise(m_parallelFor, m_set.pairs.size(),
                      [&](size_t i) { preparePair(m_set, m_set.pairs[i], bodies, m_up); });
     if (m_paths.size() < bodies.size()) m_paths.resize(bodies.size());
-    for (size_t i = 0; i < bodies.size(); ++i) m_paths[i].clear();
+    for (size_t i = 0; i < bodies.size(); ++i) {
+        m_paths[i].clear();
+        m_set.states[i].keepsPath = glm::length(bodies[i].angularVelocity) * settings.seconds > kArcRotation;
+    }
     for (const PairConstraints& pair : m_set.pairs) {
         if (!pair.isHit) continue;
-        m_set.stateA(pair).isHit = m_set.stateB(pair).isHit = true;
+        m_set.stateA(pair).keepsPath = m_set.stateB(pair).keepsPath = true;
         if (settings.hitsConserve)
             bodies[size_t(pair.a)].conservesMomentum = bodies[size_t(pair.b)].conservesMomentum = true;
     }
@@ -225,7 +229,7 @@ void ContactSolver::move(std::span<SolverBody> bodies, double h) {
         SolverState& state = m_set.states[i + 1];
         if (!state.isConstrained) return;
         moveConstrained(body, state, m_start[i + 1], h);
-        if (state.isHit) m_paths[i + 1].push_back({body.position, body.rotation});
+        if (state.keepsPath) m_paths[i + 1].push_back({body.position, body.rotation});
     });
 }
 
@@ -247,12 +251,16 @@ void ContactSolver::moveConstrained(SolverBody& body, SolverState& state, const 
 
 /// Integrates the pose of a body without constraints through the whole step: exactly, in constant gravity, and in
 /// double, so that free flight is not rounded to float.
-void ContactSolver::moveFreely(SolverBody& body, const glm::dvec3& gravity, double seconds) {
-    body.position += (body.velocity + gravity * (0.5 * seconds)) * seconds;
+void ContactSolver::moveFreely(SolverBody& body, const glm::dvec3& gravity, double seconds, std::vector<Pose>& path) {
+    const glm::dvec3 from = body.position, displacement = (body.velocity + gravity * (0.5 * seconds)) * seconds;
     body.velocity += gravity * seconds;
     const double angle = glm::length(body.angularVelocity) * seconds;
     const int parts = angle > kMaxRotation ? int(std::ceil(std::min(angle / kMaxRotation, kMaxRotations))) : 1;
-    for (int i = 0; i < parts; ++i) rotateBody(body, seconds / parts);
+    for (int i = 1; i <= parts; ++i) {
+        rotateBody(body, seconds / parts);
+        body.position = i < parts ? from + displacement * (double(i) / parts) : from + displacement;
+        if (parts > 1) path.push_back({body.position, body.rotation});
+    }
 }
 
 /// Restitution: points that were approached faster than the threshold, and took an impulse, shall recede at

@@ -36,7 +36,7 @@ public:
                std::span<const std::pair<int, int>> bodyOf, glm::dvec3 gravity, const SolverSettings& settings,
                std::span<JointConstraint* const> joints = {});
 
-    /// The poses of a body after each substep of the last solve, if it was hit in it; else none.
+    /// The poses of a body through the last solve, at equal times, without the first; none: on a straight line.
     std::span<const Pose> pathOf(int body) const { return m_paths[size_t(body)]; }
 
 private:
@@ -60,7 +60,7 @@ private:
                               VelocityPair& bodies);
     void move(std::span<SolverBody> bodies, double seconds);
     static void moveConstrained(SolverBody& body, SolverState& state, const glm::dquat& start, double seconds);
-    static void moveFreely(SolverBody& body, const glm::dvec3& gravity, double seconds);
+    static void moveFreely(SolverBody& body, const glm::dvec3& gravity, double seconds, std::vector<Pose>& path);
     void bounce(float threshold);
     void storeImpulses(const PairConstraints& pair);
     /// Calls f(pair) for all pairs, those that share no body in parallel.

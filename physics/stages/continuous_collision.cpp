@@ -20,6 +20,7 @@ constexpr double kMinDisplacement = 1.0;  ///< voxels that a body moves in a ste
 constexpr double kFarDisplacement = 2.0;  ///< voxels that a body moves in a step in which it is always swept
 constexpr double kMaxDeviation = 1.0;     ///< voxels from its expected path from which it is swept
 constexpr double kMaxBend = 0.1;          ///< voxels from the line between its ends that a path counts as straight
+constexpr double kMaxEnergyError = 1e-3;  ///< share of the energy up to which a body counts as turning freely
 /// Voxels by which a body that is stopped overlaps what it met: the next step sees the overlap as a contact, and does
 /// not stop the body there again.
 constexpr double kOverlap = 0.02;
@@ -38,6 +39,13 @@ SweptPose simplified(const DynamicBody& body, std::array<Pose, 2>& ends) {
         if (displacement(straight, body.stepPath[i], body.object.radius) > tolerance) return whole;
     }
     return {ends};
+}
+/// An upper bound of how far a point of the body leaves the lines between the poses of a path, metres.
+double sagittaOf(const SweptPose& path, double radius) {
+    double angle = 0.0;
+    for (size_t i = 0; i + 1 < path.poses.size(); ++i)
+        angle = std::max(angle, largestAngle(path.poses[i].rotation, path.poses[i + 1].rotation));
+    return radius * std::min(0.125 * angle * angle, 1.0);
 }
 /// The path of an object in this step.
 SweptPose pathOf(const CollisionObject& object, std::array<Pose, 2>& ends) {
@@ -73,6 +81,23 @@ double deviationOf(const DynamicBody& body, double seconds) {
     return glm::length(went - expected * part) + radius * glm::length(turned - expectedTurn * part) + sagitta;
 }
 
+glm::dvec3 angularMomentum(const SolverBody& body) {
+    return body.rotation * (body.inertia * (glm::conjugate(body.rotation) * body.angularVelocity));
+}
+/// Puts a body's rotation back. What has turned freely since had the same angular momentum and the same energy. If
+/// these two do not agree, something has hit it since: then the angular velocity turns with the body, which keeps the
+/// energy.
+void turnBack(SolverBody& body, const glm::dquat& rotation) {
+    const glm::dvec3 momentum = angularMomentum(body),
+                     turned = rotation * glm::conjugate(body.rotation) * body.angularVelocity;
+    const double energy = glm::dot(momentum, body.angularVelocity);
+    body.rotation = rotation;
+    if (!body.conservesMomentum) return;
+    body.angularVelocity = worldInverseInertia(body) * momentum;
+    const double now = glm::dot(momentum, body.angularVelocity);
+    if (std::abs(now - energy) > kMaxEnergyError * energy) body.angularVelocity = turned;
+}
+
 /// Whether the body may have met what the search for contacts did not see, or has passed what it saw.
 bool needsSweep(const DynamicBody& body, double seconds) {
     const double voxel = body.object.collider.smallestVoxel(), moved = displacementOf(body);
@@ -92,6 +117,8 @@ double ContinuousCollision::fractionOf(DynamicBody& body, PhysicsBodies& bodies,
                          extent = rotatedHalfExtent(glm::mat3_cast(pose.rotation), (ownHigh - ownLow) * 0.5);
         low = glm::min(low, middle - extent), high = glm::max(high, middle + extent);
     }
+    const double arc = sagittaOf(path, body.object.radius);
+    low -= arc, high += arc;
     m_found.clear();
     bodies.broadphase().find(low, high, m_found);
     m_pairs.clear();
@@ -155,7 +182,7 @@ void ContinuousCollision::stop(PhysicsBodies& bodies, const JointTable& joints, 
                      fallen = 2.0 * glm::dot(gravity, motion.position - pose.position);
         if (fallen > 0.0 && speed2 > 0.0) motion.velocity *= std::sqrt(std::max(0.0, speed2 - fallen) / speed2);
         motion.position = pose.position;
-        motion.rotation = pose.rotation;
+        turnBack(motion, pose.rotation);
         body.setPose();
     }
 }
