@@ -157,4 +157,9 @@ glm::dvec3 velocityAt(const CollisionObject& object, const glm::dvec3& point) {
     return motion.velocity + glm::cross(motion.angularVelocity, point - motion.position);
 }
 
+bool mayPass(const CollisionObject& a, const CollisionObject& b, double displacement) {
+    if (!a.dynamic || a.dynamic->asleep() || !b.dynamic || b.dynamic->asleep()) return true;
+    return displacement > a.dynamic->minHalfExtent() + b.dynamic->minHalfExtent();
+}
+
 }  // namespace rubble

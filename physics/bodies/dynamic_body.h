@@ -101,4 +101,8 @@ private:
 /// The velocity of an object at a point, world, m/s; 0 for what is static or asleep.
 glm::dvec3 velocityAt(const CollisionObject& object, const glm::dvec3& point);
 
+/// Whether two objects may be past each other after a relative displacement (metres). Always if one is static or
+/// asleep. Two moving bodies that still overlap are not: their contacts part them.
+bool mayPass(const CollisionObject& a, const CollisionObject& b, double displacement);
+
 }  // namespace rubble

@@ -82,7 +82,8 @@ void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettin
     const bool isNear =
         findContacts(first->collider, firstMotion, second->collider, secondMotion, straight, pair.axis, batch.contacts);
     pair.isCacheable = isNear && isSlow;
-    if (isNear && batch.contacts.empty() && displacement > settings.sweepThreshold && displacement > voxel)
+    if (isNear && batch.contacts.empty() && displacement > settings.sweepThreshold && displacement > voxel &&
+        mayPass(*first, *second, displacement))
         findImpactContacts(*first, *second, straight, pair.axis, batch.contacts);
     pair.pose = pose;
     if (batch.contacts.empty()) return;

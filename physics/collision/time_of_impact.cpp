@@ -86,6 +86,7 @@ public:
 
     /// The fraction of the interval at which the first feature enters; above 1: none.
     float firstEntry() {
+        if (!mayMeetBrick()) return 2.0f;
         const CellBox near = nearCells();
         if (glm::any(glm::greaterThanEqual(near.low, near.high))) return 2.0f;
         if (const PartSurface* surface = m_from.whole()) {
@@ -143,17 +144,28 @@ private:
             sweepPoint(at - featureKinds()[pack.kind[k]].outward * kInset);
         }
     }
-    /// Conservative: whether a point in a box of cells of `from` may meet a solid cell in the interval.
-    bool mayMeet(const glm::vec3& low, const glm::vec3& high) {
-        const glm::vec3 middle = (low + high) * 0.5f, half = (high - low) * 0.5f;
-        const glm::vec3 around = half + kInset;
-        if (m_beginPlane.nearest(middle, around) > 0.0f && m_endPlane.nearest(middle, around) > 0.0f) return false;
+    /// The cells of `into` that a box of cells of `from` sweeps.
+    std::pair<Int4, Int4> sweptCells(const glm::vec3& middle, const glm::vec3& half) const {
         glm::vec3 from(1e30f), to(-1e30f);
         for (const RelativeCells* cells : {&m_begin, &m_end}) {
             const glm::vec3 center = (*cells)(middle), extent = rotatedHalfExtent(cells->axes, half);
             from = glm::min(from, center - extent), to = glm::max(to, center + extent);
         }
-        return m_occupancy.mayContainSolid(floorOf(float4(from - kRounding)), floorOf(float4(to + kRounding)));
+        return {floorOf(float4(from - kRounding)), floorOf(float4(to + kRounding))};
+    }
+    /// Conservative: whether `from` may meet a brick of `into` in the interval.
+    bool mayMeetBrick() const {
+        const glm::vec3 low(m_from.bounds().low), high(m_from.bounds().high);
+        const auto [from, to] = sweptCells((low + high) * 0.5f, (high - low) * 0.5f);
+        return m_occupancy.mayContainBrick(from, to);
+    }
+    /// Conservative: whether a point in a box of cells of `from` may meet a solid cell in the interval.
+    bool mayMeet(const glm::vec3& low, const glm::vec3& high) {
+        const glm::vec3 middle = (low + high) * 0.5f, half = (high - low) * 0.5f;
+        const glm::vec3 around = half + kInset;
+        if (m_beginPlane.nearest(middle, around) > 0.0f && m_endPlane.nearest(middle, around) > 0.0f) return false;
+        const auto [from, to] = sweptCells(middle, half);
+        return m_occupancy.mayContainSolid(from, to);
     }
     void sweepPoint(const glm::vec3& own) {
         if (m_beginPlane.distance(own) > 0.0f && m_endPlane.distance(own) > 0.0f) return;

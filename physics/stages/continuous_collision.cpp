@@ -105,6 +105,16 @@ bool needsSweep(const DynamicBody& body, double seconds) {
     return moved > kFarDisplacement * voxel || body.isPenetrating || deviationOf(body, seconds) > kMaxDeviation * voxel;
 }
 
+/// An upper bound of how far a point of one has moved relative to the other in the step, metres.
+double relativeDisplacement(const DynamicBody& body, const CollisionObject& other) {
+    const Pose &from = body.stepPath.front(), &to = body.stepPath.back();
+    const double turned = body.object.radius * largestAngle(from.rotation, to.rotation);
+    if (!other.dynamic || other.dynamic->asleep()) return glm::length(to.position - from.position) + turned;
+    const Pose &otherFrom = other.dynamic->stepPath.front(), &otherTo = other.dynamic->stepPath.back();
+    return glm::length(to.position - from.position - (otherTo.position - otherFrom.position)) + turned +
+           other.radius * largestAngle(otherFrom.rotation, otherTo.rotation);
+}
+
 }  // namespace
 
 double ContinuousCollision::fractionOf(DynamicBody& body, PhysicsBodies& bodies, const JointTable& joints) {
@@ -130,6 +140,8 @@ double ContinuousCollision::fractionOf(DynamicBody& body, PhysicsBodies& bodies,
     double fraction = 2.0;
     for (const auto& [first, second] : m_pairs) {
         const CollisionObject& other = first == &body.object ? *second : *first;
+        // A body that is put back is in the way of what follows it, which would then be deep in it.
+        if (!mayPass(body.object, other, relativeDisplacement(body, other))) continue;
         fraction = std::min(fraction, timeOfImpact(body.object.collider, path, other.collider, pathOf(other, still)));
     }
     return fraction;

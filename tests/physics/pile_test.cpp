@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "physics/solver/constraint_coloring.h"
+#include "tests/physics/baseline/overlap.h"
 #include "tests/physics/baseline/pile_support.h"
 #include "tests/physics/baseline/voronoi_pit.h"
 #include "tests/physics/physics_scene.h"
@@ -42,6 +43,18 @@ TEST(Pile, SleepsSoonAndNothingFloatsBeforeOrAfterItsFloorGoes) {
     for (const BodyHandle body : held) EXPECT_FALSE(scene.world.bodies().at(body).asleep) << body.slot();
     for (int i = 0; i < limit && scene.awake(); ++i) scene.step();  // a body on something awake may still fall
     EXPECT_TRUE(findUnsupported(scene.world).empty());
+}
+
+TEST(Pile, FastPiecesDoNotEndDeepInEachOther) {
+    PitScene scene(1000);
+    for (int step = 1; step <= 90; ++step) {
+        scene.physics.step();
+        scene.world.setPoses(scene.physics.poses());
+        if (step % 45) continue;
+        std::vector<Pose> poses;
+        scene.world.bodies().forEach([&](BodyHandle, const Body& body) { poses.push_back(body.pose); });
+        EXPECT_LT(measureOverlaps(scene.level, poses).worst, 0.1) << "metres, after " << step << " steps";
+    }
 }
 
 TEST(Pile, TheCheckKnowsWhatFloats) {
