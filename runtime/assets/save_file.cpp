@@ -128,7 +128,8 @@ SavedGame stateFromBytes(ByteReader& reader, const std::vector<PaletteRef>& pale
 }
 
 /// Checks what a World takes for granted: every shape is on one body that lists it once, joints and heat name shapes
-/// that exist, ropes have points, each hot brick is listed once, inside its shape and in order.
+/// that exist, ropes have points, each hot brick is listed once, inside its shape and in order,
+/// and its heat is in range.
 Result<Done> validateHandles(const WorldState& world) {
     std::string error;
     const auto fail = [&](const char* what, uint32_t slot) {
@@ -173,6 +174,11 @@ Result<Done> validateHandles(const WorldState& world) {
         if (!shape || field.shape.slot() < next || std::any_of(field.bricks.begin(), field.bricks.end(), isOutside) ||
             std::adjacent_find(field.bricks.begin(), field.bricks.end(), isNotBefore) != field.bricks.end())
             fail("heat of shape", field.shape.slot());
+        for (const HotBrick& hot : field.bricks)
+            if (error.empty() && (hot.heat < 0 || hot.heat > kMaxHeat || hot.charred > kCharRounds))
+                error =
+                    fmt::format("heat of shape {}: expected 0 to {} mJ and 0 to {} rounds of charring, found {} and {}",
+                                field.shape.slot(), kMaxHeat, kCharRounds, hot.heat, hot.charred);
         next = field.shape.slot() + 1;
     }
     if (!error.empty()) return Error{error};

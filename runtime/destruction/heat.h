@@ -13,13 +13,14 @@ namespace rubble {
 inline constexpr int kHeatInterval = 6;                                        ///< steps between two updates of a brick
 inline constexpr int kHeatUpdatesPerSecond = kStepsPerSecond / kHeatInterval;  ///< of a brick
 inline constexpr int kAmbientKelvin = 293;                                     ///< temperature of the surroundings
-inline constexpr int kCharRounds = 16;     ///< rounds of charring from unburnt to black
-inline constexpr int kWholeVoxel = 65536;  ///< HotBrick::burned of a voxel that is gone
+inline constexpr int kCharRounds = 16;                 ///< rounds of charring from unburnt to black
+inline constexpr int kWholeVoxel = 65536;              ///< HotBrick::burned of a voxel that is gone
+inline constexpr int64_t kMaxHeat = int64_t(1) << 56;  ///< mJ of a brick
 
 /// A brick that is hot, burning or wet. Plain data: it may be copied, compared and saved.
 struct HotBrick {
     glm::ivec3 brick{0};
-    int64_t heat = 0;         ///< mJ above ambient, in the skin of its exposed voxels
+    int64_t heat = 0;         ///< mJ above ambient, in the skin of its exposed voxels: 0 to kMaxHeat
     uint32_t burned = 0;      ///< how much of the next voxel has burned, in 1/65536
     uint16_t burningFor = 0;  ///< updates since it was ignited, at most 65535; 0: it does not burn
     uint16_t wet = 0;         ///< updates during which nothing can ignite it

@@ -18,13 +18,12 @@ namespace rubble {
 namespace {
 
 constexpr Srgb kCharColor = {22, 19, 17};
-constexpr uint8_t kCharStrength = 44;           ///< of 255, for each update that chars
-constexpr int kRadiationInterval = 5;           ///< updates of a brick between two radiations to other shapes
-constexpr double kRadiationRadius = 1.1;        ///< metres
-constexpr double kRadiatedShare = 0.12;         ///< of the heat that a fire emits
-constexpr uint32_t kWetSeconds = 20;            ///< that bricks stay wet after they were under water
-constexpr int64_t kMaxHeat = int64_t(1) << 56;  ///< mJ of a brick
-constexpr double kFlameHeight = 0.3;            ///< metres above a fire, around which it radiates
+constexpr uint8_t kCharStrength = 44;     ///< of 255, for each update that chars
+constexpr int kRadiationInterval = 5;     ///< updates of a brick between two radiations to other shapes
+constexpr double kRadiationRadius = 1.1;  ///< metres
+constexpr double kRadiatedShare = 0.12;   ///< of the heat that a fire emits
+constexpr uint32_t kWetSeconds = 20;      ///< that bricks stay wet after they were under water
+constexpr double kFlameHeight = 0.3;      ///< metres above a fire, around which it radiates
 
 /// Calls f(brick) for the non-empty bricks of a grid that may have a cell within `radiusCells` of a point in cells.
 template <class F>

@@ -127,6 +127,12 @@ TEST(SaveFile, StatesThatNoWorldCanHaveAreRefused) {
               }).find("heat of shape"),
               std::string::npos)
         << "a hot brick that is listed twice";
+    for (const HotBrick& wrong : {HotBrick{.heat = -1}, HotBrick{.heat = kMaxHeat + 1}, HotBrick{.charred = 255}})
+        EXPECT_NE(error([&](WorldState& world) {
+                      world.fire.fields = {{world.shapes.handleAt(0), {wrong}}};
+                  }).find("rounds of charring, found"),
+                  std::string::npos)
+            << wrong.heat << " mJ, " << int(wrong.charred);
     EXPECT_NE(error([](WorldState& world) {
                   world.joints.forEach([](JointHandle, Joint& joint) { joint.rope.points = 0, joint.points.clear(); });
               }).find("points of joint"),
