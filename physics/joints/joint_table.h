@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "physics/bodies/collision_object.h"
+#include "physics/joints/rope_path.h"
 #include "physics/solver/joint_rows.h"
 
 namespace rubble {
@@ -18,6 +19,7 @@ struct JointProxy {
     std::array<Pose, 2> frames;                           ///< in the bodies' frames, or in the world
     std::array<uint32_t, 2> objects{kNothing, kNothing};  ///< numbers of the collision objects that it joins
     int restSteps = 0;                                    ///< steps in which a rope has hardly moved
+    std::vector<RopeBend> bends;                          ///< of a rope, as of its last motion
     JointConstraint constraint;                           ///< with the impulses of the last step
 
     /// Whether a speed motor drives it: then nothing that it joins may sleep.

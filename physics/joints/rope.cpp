@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "physics/bodies/dynamic_body.h"
 #include "physics/shapes/cell_transform.h"
 
 // Ropes by position-based dynamics (Mueller et al., "Position Based Dynamics", 2007).
@@ -25,8 +26,9 @@ constexpr double kDrag = 0.4;           ///< fraction of a free point's speed th
 constexpr double kSampling = 0.12;      ///< metres between the places that are kept out of voxels
 constexpr double kNoContactEnds = 0.3;  ///< metres from a held end within which the rope touches nothing
 constexpr double kFriction = 0.6;
-constexpr int kMaxDepth = 3;         ///< cells from which a place is pushed out at most
-constexpr double kMaxSpeed = 200.0;  ///< m/s, above which a point is stopped
+constexpr int kMaxDepth = 3;             ///< cells from which a place is pushed out at most
+constexpr double kTouchDistance = 0.02;  ///< metres from a rope at which something bends it
+constexpr double kMaxSpeed = 200.0;      ///< m/s, above which a point is stopped
 
 const std::array<glm::ivec3, 6> kSides = {{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
 
@@ -91,10 +93,10 @@ glm::dvec3 exitDisplacement(const CollisionObject& object, glm::dvec3 center, do
 
 class RopeSolver {
 public:
-    RopeSolver(std::span<RopePoint> points, const RopeStep& step, std::vector<glm::dvec3>& bendPoints)
+    RopeSolver(std::span<RopePoint> points, const RopeStep& step, std::vector<RopeBend>& bends)
         : m_points(points),
           m_step(step),
-          m_bendPoints(bendPoints),
+          m_bends(bends),
           m_last(points.size() - 1),
           m_spacing(step.length / double(m_last)) {
         for (const RopePoint& point : points) m_before.push_back(point.position);
@@ -110,7 +112,6 @@ public:
             for (size_t end = 0; end < 2; ++end)
                 if (m_step.ends[end])
                     m_points[end ? m_last : 0].position = from[end] + (*m_step.ends[end] - from[end]) * share;
-            m_bendPoints.clear();
             for (int pass = 0; pass < kPasses; ++pass) limitLengths(pass % 2 == 0, pass + 2 >= kPasses);
             collide();
             updateVelocities(h);
@@ -118,6 +119,16 @@ public:
         double fastest = 0.0;
         for (const RopePoint& point : m_points) fastest = std::max(fastest, glm::length(point.velocity));
         return fastest;
+    }
+
+    /// Pushes the points out of what is nearby, and notes where.
+    void collide() {
+        m_bends.clear();
+        if (m_step.nearby.empty()) return;
+        for (size_t i = 0; i < m_last; ++i) {
+            const int samples = int(std::clamp(std::ceil(m_spacing / kSampling), 1.0, 16.0));
+            for (int k = i == 0 ? 0 : 1; k <= samples; ++k) collideAt(i, double(k) / samples);
+        }
     }
 
 private:
@@ -158,13 +169,6 @@ private:
         }
     }
 
-    void collide() {
-        if (m_step.nearby.empty()) return;
-        for (size_t i = 0; i < m_last; ++i) {
-            const int samples = int(std::clamp(std::ceil(m_spacing / kSampling), 1.0, 16.0));
-            for (int k = i == 0 ? 0 : 1; k <= samples; ++k) collideAt(i, double(k) / samples);
-        }
-    }
     /// Pushes the place at a fraction of segment i out of what is nearby, by moving the segment's two points.
     void collideAt(size_t i, double fraction) {
         const double along = (double(i) + fraction) * m_spacing;
@@ -172,32 +176,41 @@ private:
             return;
         RopePoint &a = m_points[i], &b = m_points[i + 1];
         const glm::dvec3 place = a.position + (b.position - a.position) * fraction;
+        const glm::dvec3 before = m_before[i] + (m_before[i + 1] - m_before[i]) * fraction;
         glm::dvec3 out(0.0);
+        const CollisionObject* touched = nullptr;
         for (const CollisionObject* object : m_step.nearby) {
-            const glm::dvec3 radius(m_step.radius);
+            const glm::dvec3 radius(m_step.radius + kTouchDistance);
             const glm::dvec3 now = place + out;
             if (glm::any(glm::lessThan(now, object->low - radius)) ||
                 glm::any(glm::greaterThan(now, object->high + radius)))
                 continue;
-            out += exitDisplacement(*object, now, m_step.radius);
+            const glm::dvec3 exit = exitDisplacement(*object, now, m_step.radius + kTouchDistance);
+            if (exit != glm::dvec3(0.0)) out += exit, touched = object;
         }
-        const double depth = glm::length(out);
-        if (depth == 0.0) return;
-        const glm::dvec3 normal = out / depth, before = m_before[i] + (m_before[i + 1] - m_before[i]) * fraction;
+        const double depth = glm::length(out) - kTouchDistance;
+        if (!touched) return;
+        if (!(depth > 0.0)) return m_bends.push_back(bendOn(*touched, place));
+        out *= depth / (depth + kTouchDistance);
+        const glm::dvec3 normal = glm::normalize(out);
         const glm::dvec3 slid = place - before - normal * glm::dot(place - before, normal);
         const double slide = glm::length(slid);
         if (slide > 0.0) out -= slid * std::min(1.0, kFriction * depth / slide);
         const double wa = weight(i) * (1.0 - fraction), wb = weight(i + 1) * fraction,
                      sum = wa * (1.0 - fraction) + wb * fraction;
-        if (sum < 1e-6) return;
+        if (sum < 1e-6) return m_bends.push_back(bendOn(*touched, place));
         a.position += out * (wa / sum);
         b.position += out * (wb / sum);
-        m_bendPoints.push_back(a.position + (b.position - a.position) * fraction);
+        m_bends.push_back(bendOn(*touched, a.position + (b.position - a.position) * fraction));
+    }
+    static RopeBend bendOn(const CollisionObject& object, glm::dvec3 place) {
+        if (!object.dynamic) return {place, {}, {}};
+        return {place, object.dynamic->handle(), object.dynamic->pose().inversePoint(place)};
     }
 
     std::span<RopePoint> m_points;
     const RopeStep& m_step;
-    std::vector<glm::dvec3>& m_bendPoints;
+    std::vector<RopeBend>& m_bends;
     size_t m_last;                     ///< index of the last point
     double m_spacing;                  ///< rest length of a segment, metres
     std::vector<glm::dvec3> m_before;  ///< positions before the substep
@@ -205,8 +218,13 @@ private:
 
 }  // namespace
 
-double moveRope(std::span<RopePoint> points, const RopeStep& step, std::vector<glm::dvec3>& bendPoints) {
-    return RopeSolver(points, step, bendPoints).run();
+double moveRope(std::span<RopePoint> points, const RopeStep& step, std::vector<RopeBend>& bends) {
+    return RopeSolver(points, step, bends).run();
+}
+
+void findBends(std::span<const RopePoint> points, const RopeStep& step, std::vector<RopeBend>& bends) {
+    std::vector<RopePoint> copy(points.begin(), points.end());
+    RopeSolver(copy, step, bends).collide();
 }
 
 }  // namespace rubble

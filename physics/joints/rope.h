@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/bodies/collision_object.h"
+#include "physics/joints/rope_path.h"
 #include "runtime/world/objects/joint.h"
 
 namespace rubble {
@@ -19,9 +20,11 @@ struct RopeStep {
 };
 
 /// Moves the points of a rope through a step; see rope.cpp for the method. The points follow the bodies at the rope's
-/// ends and do not pull them: that is JointSolver's, with one constraint along the path from end to end. bendPoints:
-/// replaced by the places at which the rope lies on something, from end 0 to end 1, world. Returns the largest speed of
-/// a point, m/s.
-double moveRope(std::span<RopePoint> points, const RopeStep& step, std::vector<glm::dvec3>& bendPoints);
+/// ends and do not pull them: that is JointSolver's, with one constraint along the path from end to end. bends:
+/// replaced by the places at which the rope lies on something, from end 0 to end 1. Returns the largest speed of a
+/// point, m/s.
+double moveRope(std::span<RopePoint> points, const RopeStep& step, std::vector<RopeBend>& bends);
+/// The places at which a rope that does not move lies on something; `step` needs no time.
+void findBends(std::span<const RopePoint> points, const RopeStep& step, std::vector<RopeBend>& bends);
 
 }  // namespace rubble

@@ -9,33 +9,44 @@
 
 namespace rubble {
 
-/// Keeps contacts from creating energy. Contacts may dissipate energy or pass it on, so an island of bodies in contact
-/// must not end a step with more kinetic and potential energy than it had before. Where a cut has left bodies inside
-/// each other the solver adds energy all the same; it is taken from the speeds of the bodies that gained, in proportion
-/// to their gains, and then from their heights, but for half a millimetre a step: overlaps are pushed apart in the end.
-/// Two kinds of islands are exempt: those with joints, which may be driven, and those that do not touch the world,
-/// whose momentum would change.
+/// Keeps contacts and joints from creating energy. Contacts may dissipate energy or pass it on, and joints add what
+/// their motors and springs do (JointConstraint::work). So an island of bodies that touch or are joined must not end a
+/// step with more kinetic and potential energy than it had before, and was given. Where a cut has left bodies inside
+/// each other, or a rope is too long for its path, the solver adds energy all the same. What is taken back, and from
+/// what, says energy_bound.cpp.
 class EnergyBound {
 public:
-    /// Call before the solve. bodies[0] is the world.
-    void record(std::span<const SolverBody> bodies);
-    /// Call after the solve. pairs: indices of bodies in contact. gravity: m/s2.
+    /// Call before the solve. bodies[0] is the world. gravity: m/s2. substep: seconds.
+    void record(std::span<const SolverBody> bodies, const glm::dvec3& gravity, double substep);
+    /// Call after the solve. pairs: indices of bodies in contact.
     void enforce(std::span<SolverBody> bodies, std::span<const std::pair<int, int>> pairs,
-                 std::span<JointConstraint* const> joints, const glm::dvec3& gravity);
+                 std::span<JointConstraint* const> joints);
 
 private:
     struct Island {
-        double gain = 0.0;           ///< joules, of all its bodies
+        double gain = 0.0;           ///< joules, of all its bodies, less the work of its joints
         double positiveGains = 0.0;  ///< joules, of the bodies that gained
-        bool touchesWorld = false, hasJoints = false;
+        double kinetic = 0.0;        ///< joules, of all its bodies
+        double regainable = 0.0;     ///< joules: JointConstraint::regainable of its joints
+        int joints = 0;
+        bool touchesWorld = false;
     };
+    void findIslands(std::span<const SolverBody> bodies, std::span<const std::pair<int, int>> pairs,
+                     std::span<JointConstraint* const> joints);
+    void updateRegainable(std::span<JointConstraint* const> joints);
+    void takeFromGainers(std::span<SolverBody> bodies);
+    void takeFromInnerMotion(std::span<SolverBody> bodies, uint32_t root);
     struct Before {
-        double kinetic = 0.0;      ///< joules
-        glm::dvec3 position{0.0};  ///< world, metres
+        double kinetic = 0.0;                     ///< joules
+        glm::dvec3 position{0.0}, velocity{0.0};  ///< world
     };
+
+    glm::dvec3 m_gravity{0.0};      ///< m/s2
+    double m_lag = 0.0;             ///< s, half a substep
     std::vector<Before> m_before;   ///< by body
     std::vector<double> m_gains;    ///< joules, by body
     std::vector<Island> m_islands;  ///< by the island's root body
+    UnionFind<> m_sets;
 };
 
 }  // namespace rubble

@@ -154,6 +154,12 @@ void JointRow::apply(SolverState& A, SolverState& B, double impulse) const {
     B.w += B.inverseInertia * glm::vec3(angularB * impulse);
 }
 
+void applyCounted(const JointRow& row, SolverState& A, SolverState& B, double impulse, double& work) {
+    const double before = row.velocity(A, B);
+    row.apply(A, B, impulse);
+    work += impulse * 0.5 * (before + row.velocity(A, B));
+}
+
 double JointRow::effectiveMass(const SolverState& A, const SolverState& B) const {
     const double k = double(A.inverseMass) * glm::dot(linearA, linearA) +
                      double(B.inverseMass) * glm::dot(linearB, linearB) +
@@ -164,6 +170,7 @@ double JointRow::effectiveMass(const SolverState& A, const SolverState& B) const
 
 void computeRows(JointRows& rows, std::span<const SolverBody> bodies) {
     RowBuilder(rows, bodies).build();
+    if (rows.c->joint->kind != JointKind::Wheel) rows.motorAxis = rows.freeAxis;
 }
 
 void factorize(JointRows& e, const SolverState& A, const SolverState& B) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -23,9 +24,13 @@ struct JointConstraint {
     double springImpulse = 0.0, motorImpulse = 0.0, frictionImpulse = 0.0;
     glm::dvec3 ballFriction{0.0};        ///< friction impulse of a ball or cone
     std::vector<glm::dvec3> bendPoints;  ///< where a rope lies on something, from end 0 to end 1, world
-    /// N and N m on the second body, mean of the last step: of the locked rows and the limits. Spring, motor and
-    /// friction are not in it.
-    glm::dvec3 force{0.0}, torque{0.0};
+    /// Of a rope: the longest path that it allows. Infinite until its path is known.
+    double ropeLength = std::numeric_limits<double>::infinity();
+    glm::dvec3 force{0.0}, torque{0.0};  ///< N and N m on the second body, mean of the last step
+    /// Joules that motors, winches, springs and soft rows gave the bodies in the last step: all that a joint may add.
+    /// Infinite for a grab, as a hand may do any work.
+    double work = 0.0;
+    double regainable = 0.0;  ///< joules that its bodies lost lately and may gain back: see energy_bound.cpp
 };
 
 /// A row of the Jacobian of a joint. Its velocity is
@@ -40,6 +45,10 @@ struct JointRow {
     /// 1 / (J M^-1 J^T); 0 if neither body can move along the row.
     double effectiveMass(const SolverState& A, const SolverState& B) const;
 };
+
+/// As JointRow::apply(), and adds the energy that the impulse gives the bodies, joules: the impulse times the mean of
+/// the row's velocities before and after it.
+void applyCounted(const JointRow& row, SolverState& A, SolverState& B, double impulse, double& work);
 
 /// The axis along or about which a joint is free but for limits, spring, motor and friction.
 struct FreeAxis {
@@ -58,6 +67,7 @@ struct JointRows {
     std::array<double, 6> diagonal{};              ///< D; 0: nothing can move along the row
     Softness<double> locked, limit, spring;
     FreeAxis freeAxis;
+    double startValue = 0.0;           ///< of the free axis, before the bodies moved in this substep
     FreeAxis motorAxis;                ///< the free axis; of a wheel its spin, where the free axis is its suspension
     glm::dmat3 ballFrictionMass{0.0};  ///< effective mass of a ball's rotation
     bool isInSystem = false;           ///< its locked rows are solved by JointSystem
@@ -77,7 +87,7 @@ inline bool hasOnlyUpperLimit(const Joint& joint) {
            (joint.kind == JointKind::Ball && joint.limits.on);
 }
 
-/// Computes rows, errors and the free axis where the bodies are now.
+/// Computes rows, errors and the free axes where the bodies are now.
 void computeRows(JointRows& rows, std::span<const SolverBody> bodies);
 /// Factorizes J M^-1 J^T of the joint's own locked rows into lower and diagonal.
 void factorize(JointRows& rows, const SolverState& A, const SolverState& B);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "runtime/core/constants.h"
 
@@ -42,11 +43,28 @@ glm::dvec3 clampedLength(const glm::dvec3& v, double maxLength) {
     return length2 > maxLength * maxLength ? v * (maxLength / std::sqrt(length2)) : v;
 }
 
-/// Adds to an accumulated impulse within bounds, and applies what was added.
-void addClamped(const JointRow& row, SolverState& A, SolverState& B, double& sum, double impulse, double bound) {
+/// Adds to an accumulated impulse within bounds, and calls apply with what was added.
+template <class F>
+void addClamped(double& sum, double impulse, double bound, F&& apply) {
     const double before = sum;
     sum = std::max(-bound, std::min(before + impulse, bound));
-    row.apply(A, B, sum - before);
+    apply(sum - before);
+}
+
+/// Applies an impulse of a limit. A rope that stretches may add energy.
+void applyLimit(const JointRows& e, SolverState& A, SolverState& B, double impulse) {
+    if (e.isSoft)
+        applyCounted(e.freeAxis.row, A, B, impulse, e.c->work);
+    else
+        e.freeAxis.row.apply(A, B, impulse);
+}
+
+/// Applies an impulse along a locked row. Soft rows may add energy.
+void applyLocked(const JointRows& e, size_t row, SolverState& A, SolverState& B, double impulse) {
+    if (e.isSoft)
+        applyCounted(e.row[row], A, B, impulse, e.c->work);
+    else
+        e.row[row].apply(A, B, impulse);
 }
 
 }  // namespace
@@ -60,6 +78,7 @@ void JointSolver::begin(std::span<JointConstraint* const> joints, std::span<Solv
         e.isInSystem = c->joint->kind != JointKind::Rope && c->joint->maxForce == 0.0 &&
                        (c->joint->spring.hertz == 0.0 || hasFreeAxisSpring(*c->joint));
         c->force = c->torque = glm::dvec3(0.0);
+        c->work = c->joint->hand ? std::numeric_limits<double>::infinity() : 0.0;
         for (const int body : c->bodies) states[size_t(body)].isConstrained = states[size_t(body)].isJointed = true;
     }
 }
@@ -73,6 +92,8 @@ void JointSolver::prepare(std::span<const SolverBody> bodies, std::span<SolverSt
     for (JointRows& e : m_joints) {
         SolverState &A = e.stateA(states), &B = e.stateB(states);
         if (isSolvedAlone(e)) factorize(e, A, B);
+        e.startValue = e.freeAxis.value;
+        updateMasses(e, A, B);
         prepareJoint(e, A, B);
         warmStart(e, A, B);
     }
@@ -85,7 +106,7 @@ void JointSolver::prepareJoint(JointRows& e, SolverState& A, SolverState& B) con
     e.isSoft = !isRigid;
     e.limit = {kErrorReduction / m_seconds, 1.0, 0.0};
     e.locked = isRigid ? e.limit : makeSoft<double>(joint.spring.hertz, joint.spring.dampingRatio, m_seconds);
-    prepareFreeAxis(e, A, B);
+    prepareFreeAxis(e);
     e.hasBallFriction = joint.friction > 0.0 && (joint.kind == JointKind::Ball || joint.kind == JointKind::Cone);
     if (e.hasBallFriction) {
         const glm::dmat3 k = glm::dmat3(A.inverseInertia) + glm::dmat3(B.inverseInertia);
@@ -93,29 +114,32 @@ void JointSolver::prepareJoint(JointRows& e, SolverState& A, SolverState& B) con
     }
 }
 
-void JointSolver::prepareFreeAxis(JointRows& e, SolverState& A, SolverState& B) const {
+void JointSolver::prepareFreeAxis(JointRows& e) const {
     const Joint& joint = *e.c->joint;
     e.hasSpring = hasFreeAxisSpring(joint) && (joint.spring.hertz > 0.0 || hasPositionMotor(joint));
     if (e.hasSpring)
         e.spring = joint.spring.hertz > 0.0 ? makeSoft<double>(joint.spring.hertz, joint.spring.dampingRatio, m_seconds)
                                             : makeSoft<double>(kMotorHertz, 1.0, m_seconds);
-    e.freeAxis.mass = e.freeAxis.row.effectiveMass(A, B);
     if (joint.kind == JointKind::Rope) {
         e.isSoft = joint.rope.stretch > 0.0;
         const double stiffness = e.isSoft ? kRopeStretchForce / (joint.rope.stretch * joint.rope.length) : 0.0;
         if (e.isSoft) e.limit = makeSoft<double>(std::sqrt(stiffness * e.freeAxis.mass) / kSoftTwoPi, 1.0, m_seconds);
     }
-    if (joint.kind == JointKind::Wheel)
-        e.motorAxis.mass = e.motorAxis.row.effectiveMass(A, B);
-    else
-        e.motorAxis = e.freeAxis;
+}
+
+/// Effective masses along the free axes of now.
+void JointSolver::updateMasses(JointRows& e, const SolverState& A, const SolverState& B) {
+    e.freeAxis.mass = e.freeAxis.row.effectiveMass(A, B);
+    e.motorAxis.mass = e.c->joint->kind == JointKind::Wheel ? e.motorAxis.row.effectiveMass(A, B) : e.freeAxis.mass;
 }
 
 void JointSolver::warmStart(const JointRows& e, SolverState& A, SolverState& B) {
-    const JointConstraint& c = *e.c;
-    for (size_t i = 0; i < size_t(e.rows); ++i) e.row[i].apply(A, B, c.lockedImpulse[i]);
-    e.freeAxis.row.apply(A, B, c.limitImpulse[0] - c.limitImpulse[1] + c.springImpulse);
-    e.motorAxis.row.apply(A, B, c.motorImpulse + c.frictionImpulse);
+    JointConstraint& c = *e.c;
+    for (size_t i = 0; i < size_t(e.rows); ++i) applyLocked(e, i, A, B, c.lockedImpulse[i]);
+    applyLimit(e, A, B, c.limitImpulse[0] - c.limitImpulse[1]);
+    if (c.springImpulse != 0.0) applyCounted(e.freeAxis.row, A, B, c.springImpulse, c.work);
+    if (c.motorImpulse != 0.0) applyCounted(e.motorAxis.row, A, B, c.motorImpulse, c.work);
+    e.motorAxis.row.apply(A, B, c.frictionImpulse);
     if (e.hasBallFriction) JointRow{{}, c.ballFriction, {}, c.ballFriction}.apply(A, B, 1.0);
 }
 
@@ -123,6 +147,7 @@ void JointSolver::solve(std::span<const SolverBody> bodies, std::span<SolverStat
     if (!useBias) {  // the bodies have moved: velocities must be right along the rows of now
         for (JointRows& e : m_joints) {
             computeRows(e, bodies);
+            updateMasses(e, e.stateA(states), e.stateB(states));
             if (isSolvedAlone(e)) factorize(e, e.stateA(states), e.stateB(states));
         }
         m_system.factorize(m_joints, states);
@@ -151,10 +176,12 @@ void JointSolver::solveFreeAxis(JointRows& e, SolverState& A, SolverState& B, bo
     if (e.hasSpring && useBias) solveSpring(e, A, B);
     if (joint.motor.mode == MotorMode::Speed) {
         const double speed = axis.row.velocity(A, B) - joint.motor.target;
-        addClamped(axis.row, A, B, c.motorImpulse, -axis.mass * speed, joint.motor.maxForce * m_seconds);
+        addClamped(c.motorImpulse, -axis.mass * speed, joint.motor.maxForce * m_seconds,
+                   [&](double impulse) { applyCounted(axis.row, A, B, impulse, c.work); });
     }
     if (joint.friction > 0.0 && !e.hasBallFriction)
-        addClamped(axis.row, A, B, c.frictionImpulse, -axis.mass * axis.row.velocity(A, B), joint.friction * m_seconds);
+        addClamped(c.frictionImpulse, -axis.mass * axis.row.velocity(A, B), joint.friction * m_seconds,
+                   [&](double impulse) { axis.row.apply(A, B, impulse); });
     if (!joint.limits.on && !hasOnlyUpperLimit(joint)) return;
     if (e.isSoft && joint.kind == JointKind::Rope && !useBias) return;
     if (!hasOnlyUpperLimit(joint)) solveLimit(e, A, B, false, useBias);
@@ -172,14 +199,15 @@ void JointSolver::solveSpring(JointRows& e, SolverState& A, SolverState& B) cons
     const double maxImpulse = hasTarget && joint.motor.maxForce > 0.0 ? joint.motor.maxForce * m_seconds : 1e30;
     const double speed = e.freeAxis.row.velocity(A, B) + e.spring.biasRate * error;
     const double impulse = -e.freeAxis.mass * e.spring.massScale * speed - e.spring.impulseScale * c.springImpulse;
-    addClamped(e.freeAxis.row, A, B, c.springImpulse, impulse, maxImpulse);
+    addClamped(c.springImpulse, impulse, maxImpulse,
+               [&](double change) { applyCounted(e.freeAxis.row, A, B, change, c.work); });
 }
 
 /// One limit of the free coordinate. Short of the limit, the coordinate may move up to it within the substep (as a
 /// speculative contact); beyond, it is pushed back.
 void JointSolver::solveLimit(JointRows& e, SolverState& A, SolverState& B, bool isHigh, bool useBias) const {
     const Joint& joint = *e.c->joint;
-    const double high = joint.kind == JointKind::Rope ? joint.rope.length : joint.limits.high;
+    const double high = joint.kind == JointKind::Rope ? e.c->ropeLength : joint.limits.high;
     const double distance = isHigh ? high - e.freeAxis.value : e.freeAxis.value - joint.limits.low;
     const double sign = isHigh ? -1.0 : 1.0;
     double bias = 0.0, massScale = 1.0, impulseScale = 0.0;
@@ -193,7 +221,7 @@ void JointSolver::solveLimit(JointRows& e, SolverState& A, SolverState& B, bool 
     double& impulse = e.c->limitImpulse[isHigh ? 1 : 0];
     const double before = impulse, speed = sign * e.freeAxis.row.velocity(A, B);
     impulse = std::max(before - e.freeAxis.mass * massScale * (speed + bias) - impulseScale * before, 0.0);
-    e.freeAxis.row.apply(A, B, sign * (impulse - before));
+    applyLimit(e, A, B, sign * (impulse - before));
 }
 
 /// Friction against the relative rotation of a ball about any axis; the impulse is clamped by its length.
@@ -218,21 +246,23 @@ void JointSolver::solveLockedRows(JointRows& e, SolverState& A, SolverState& B, 
         const glm::dvec3 pull = clampedLength({sum[0], sum[1], sum[2]}, c.joint->maxForce * m_seconds);
         sum[0] = pull.x, sum[1] = pull.y, sum[2] = pull.z;
     }
-    for (size_t i = 0; i < size_t(e.rows); ++i) e.row[i].apply(A, B, sum[i] - c.lockedImpulse[i]);
+    for (size_t i = 0; i < size_t(e.rows); ++i) applyLocked(e, i, A, B, sum[i] - c.lockedImpulse[i]);
     c.lockedImpulse = sum;
 }
 
 void JointSolver::accumulateForces(double stepSeconds) {
     for (JointRows& e : m_joints) {
         JointConstraint& c = *e.c;
-        for (size_t i = 0; i < size_t(e.rows); ++i) {
-            const bool isRotation = e.row[i].linearB == glm::dvec3(0.0);
-            (isRotation ? c.torque : c.force) +=
-                (isRotation ? e.row[i].angularB : e.row[i].linearB) * (c.lockedImpulse[i] / stepSeconds);
-        }
-        const double limitForce = (c.limitImpulse[0] - c.limitImpulse[1]) / stepSeconds;
-        c.force += e.freeAxis.row.linearB * limitForce;
-        if (e.freeAxis.row.linearB == glm::dvec3(0.0)) c.torque += e.freeAxis.row.angularB * limitForce;
+        const auto add = [&](const JointRow& row, double impulse) {
+            const bool isRotation = row.linearB == glm::dvec3(0.0);
+            (isRotation ? c.torque : c.force) += (isRotation ? row.angularB : row.linearB) * (impulse / stepSeconds);
+        };
+        for (size_t i = 0; i < size_t(e.rows); ++i) add(e.row[i], c.lockedImpulse[i]);
+        add(e.freeAxis.row, c.limitImpulse[0] - c.limitImpulse[1] + c.springImpulse);
+        add(e.motorAxis.row, c.motorImpulse + c.frictionImpulse);
+        if (e.hasBallFriction) c.torque += c.ballFriction / stepSeconds;
+        if (c.joint->kind == JointKind::Rope && c.joint->motor.mode != MotorMode::Off)  // a winch winds
+            c.work += c.limitImpulse[1] / m_seconds * std::max(e.startValue - e.freeAxis.value, 0.0);
     }
 }
 

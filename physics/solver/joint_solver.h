@@ -17,14 +17,16 @@ public:
     /// A few iterations over all joints. useBias: before the bodies move, with correction of position errors; false:
     /// after they have moved, for velocities alone.
     void solve(std::span<const SolverBody> bodies, std::span<SolverState> states, bool useBias);
-    /// Ends a substep: adds its impulses to the joints' mean force and torque over a step of stepSeconds.
+    /// Ends a substep: adds its impulses to the joints' mean force and torque over a step of stepSeconds, and what
+    /// winches did to their work.
     void accumulateForces(double stepSeconds);
     /// Whether there are no joints in this step.
     bool empty() const { return m_joints.empty(); }
 
 private:
     void prepareJoint(JointRows& e, SolverState& A, SolverState& B) const;
-    void prepareFreeAxis(JointRows& e, SolverState& A, SolverState& B) const;
+    void prepareFreeAxis(JointRows& e) const;
+    static void updateMasses(JointRows& e, const SolverState& A, const SolverState& B);
     static void warmStart(const JointRows& e, SolverState& A, SolverState& B);
     void solveFreeAxis(JointRows& e, SolverState& A, SolverState& B, bool useBias) const;
     void solveSpring(JointRows& e, SolverState& A, SolverState& B) const;

@@ -1,6 +1,7 @@
 #include "physics/stages/physics_joints.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "physics/joints/rope.h"
 #include "runtime/core/union_find.h"
@@ -22,13 +23,50 @@ void boundsOf(std::span<const RopePoint> points, double seconds, glm::dvec3& low
     }
 }
 
+/// Where the ends of a rope are, world; none: it hangs free.
+std::array<std::optional<glm::dvec3>, 2> endsOf(const JointProxy& rope, const PhysicsBodies& bodies) {
+    std::array<std::optional<glm::dvec3>, 2> ends;
+    for (size_t i = 0; i < 2; ++i) {
+        if (rope.joint.ends[i].isFree) continue;
+        const DynamicBody* body = rope.bodies[i] ? bodies.dynamicAt(rope.bodies[i].slot()) : nullptr;
+        ends[i] = (body ? body->pose() * body->bodyInCenter() * rope.frames[i] : rope.frames[i]).position;
+    }
+    return ends;
+}
+
+/// Moves bends along with the bodies that a rope lies on.
+void carryBends(std::vector<RopeBend>& bends, const PhysicsBodies& bodies) {
+    for (RopeBend& bend : bends)
+        if (const DynamicBody* body = bodies.find(bend.body)) bend.position = body->pose().transformPoint(bend.inBody);
+}
+
+/// Hands the path over bends to the solver.
+void setPath(JointProxy& rope, const std::array<glm::dvec3, 2>& ends, double slack) {
+    rope.constraint.bendPoints.clear();
+    for (const RopeBend& bend : rope.bends) rope.constraint.bendPoints.push_back(bend.position);
+    rope.constraint.ropeLength = pathLength(ends, rope.bends) + slack;
+}
+
+/// Keeps what a joint's old form knew: the impulses with which the next step starts, and the path of a rope.
+void takeOver(JointProxy& joint, const JointProxy& old) {
+    if (joint.joint.kind != old.joint.kind) return;
+    const Joint* const now = joint.constraint.joint;
+    joint.constraint = old.constraint;
+    joint.constraint.joint = now;
+    if (joint.joint.kind != JointKind::Rope) return;
+    if (joint.joint.points.size() != old.joint.points.size()) joint.constraint = {now, joint.handle};
+    joint.bends = old.bends;
+    joint.constraint.ropeLength += joint.joint.rope.length - old.joint.rope.length;
+}
+
 }  // namespace
 
-void PhysicsJoints::destroy(uint32_t slot, PhysicsBodies& bodies) {
-    const std::unique_ptr<JointProxy> proxy = m_table.remove(slot);
-    if (!proxy) return;
+std::unique_ptr<JointProxy> PhysicsJoints::destroy(uint32_t slot, PhysicsBodies& bodies) {
+    std::unique_ptr<JointProxy> proxy = m_table.remove(slot);
+    if (!proxy) return nullptr;
     for (const BodyHandle handle : proxy->bodies)
         if (DynamicBody* body = bodies.find(handle)) bodies.wake(*body);
+    return proxy;
 }
 
 void PhysicsJoints::create(const World& world, JointHandle handle, PhysicsBodies& bodies) {
@@ -59,10 +97,11 @@ void PhysicsJoints::create(const World& world, JointHandle handle, PhysicsBodies
 }
 
 void PhysicsJoints::recreate(const World& world, JointHandle handle, PhysicsBodies& bodies) {
-    destroy(handle.slot(), bodies);
+    const std::unique_ptr<JointProxy> old = destroy(handle.slot(), bodies);
     create(world, handle, bodies);
-    const JointProxy* proxy = m_table.at(handle.slot());
+    JointProxy* proxy = m_table.at(handle.slot());
     if (!proxy) return;
+    if (old && old->handle == handle) takeOver(*proxy, *old);
     for (const BodyHandle body : proxy->bodies)
         if (DynamicBody* dynamic = body ? bodies.dynamicAt(body.slot()) : nullptr) bodies.wake(*dynamic);
 }
@@ -97,7 +136,7 @@ void PhysicsJoints::wakeJointed(PhysicsBodies& bodies) const {
     }
 }
 
-std::span<JointConstraint* const> PhysicsJoints::gather(const PhysicsBodies& bodies) {
+std::span<JointConstraint* const> PhysicsJoints::gather(PhysicsBodies& bodies) {
     m_active.clear();
     if (m_table.empty()) return m_active;
     std::vector<uint32_t> slots;
@@ -123,7 +162,9 @@ std::span<JointConstraint* const> PhysicsJoints::gather(const PhysicsBodies& bod
             c.bodies[i] = body->solverIndex;
             c.frames[i] = body->bodyInCenter() * proxy.frames[i];
         }
-        if (isValid) m_active.push_back(&c);
+        if (!isValid) continue;
+        if (proxy.joint.kind == JointKind::Rope && std::isinf(c.ropeLength)) findPath(proxy, bodies);
+        m_active.push_back(&c);
     }
     return m_active;
 }
@@ -160,28 +201,44 @@ void PhysicsJoints::putToSleep(PhysicsBodies& bodies, size_t solverBodies) const
     }
 }
 
+RopeStep PhysicsJoints::ropeStep(const JointProxy& rope, PhysicsBodies& bodies, double seconds) {
+    RopeStep step{.length = rope.joint.rope.length,
+                  .radius = rope.joint.rope.radius,
+                  .ends = endsOf(rope, bodies),
+                  .seconds = seconds};
+    glm::dvec3 low, high;
+    boundsOf(rope.joint.points, seconds, low, high);
+    step.nearby = bodies.objectsIn(low - kRopeMargin, high + kRopeMargin);
+    return step;
+}
+
+void PhysicsJoints::findPath(JointProxy& rope, PhysicsBodies& bodies) {
+    const RopeStep step = ropeStep(rope, bodies, 0.0);
+    findBends(rope.joint.points, step, rope.bends);
+    const std::array<glm::dvec3, 2> ends = {*step.ends[0], *step.ends[1]};
+    setPath(rope, ends, slackAfter(rope.constraint.ropeLength, step.length - pathLength(ends, rope.bends), 0.0));
+}
+
 void PhysicsJoints::moveRopes(PhysicsBodies& bodies, glm::dvec3 gravity, double seconds) {
     for (const uint32_t slot : m_table.ropes()) {
-        JointProxy& proxy = *m_table.at(slot);
-        RopeStep step{.length = proxy.joint.rope.length,
-                      .radius = proxy.joint.rope.radius,
-                      .gravity = gravity,
-                      .seconds = seconds};
+        JointProxy& rope = *m_table.at(slot);
         bool isCarried = false;
-        for (size_t i = 0; i < 2; ++i) {
-            const DynamicBody* body = proxy.bodies[i] ? bodies.dynamicAt(proxy.bodies[i].slot()) : nullptr;
+        for (const BodyHandle handle : rope.bodies) {
+            const DynamicBody* body = handle ? bodies.dynamicAt(handle.slot()) : nullptr;
             isCarried = isCarried || (body && !body->asleep());
-            if (proxy.joint.ends[i].isFree) continue;
-            const Pose end = body ? body->pose() * body->bodyInCenter() * proxy.frames[i] : proxy.frames[i];
-            step.ends[i] = end.position;
         }
-        if (!isCarried && proxy.restSteps >= kRopeRestSteps) continue;
-        glm::dvec3 low, high;
-        boundsOf(proxy.joint.points, seconds, low, high);
-        step.nearby = bodies.objectsIn(low - kRopeMargin, high + kRopeMargin);
-        const double fastest = moveRope(proxy.joint.points, step, proxy.constraint.bendPoints);
-        proxy.restSteps = fastest < kRopeSlow ? proxy.restSteps + 1 : 0;
-        m_ropeMotions.push_back({proxy.handle, proxy.joint.points});
+        if (!isCarried && rope.restSteps >= kRopeRestSteps) continue;
+        RopeStep step = ropeStep(rope, bodies, seconds);
+        step.gravity = gravity;
+        carryBends(rope.bends, bodies);
+        const bool isHeld = step.ends[0] && step.ends[1];
+        const std::array<glm::dvec3, 2> ends = {step.ends[0].value_or(glm::dvec3(0.0)),
+                                                step.ends[1].value_or(glm::dvec3(0.0))};
+        const double slack = isHeld ? rope.constraint.ropeLength - pathLength(ends, rope.bends) : 0.0;
+        const double fastest = moveRope(rope.joint.points, step, rope.bends);
+        if (isHeld) setPath(rope, ends, slackAfter(slack, step.length - pathLength(ends, rope.bends), seconds));
+        rope.restSteps = fastest < kRopeSlow ? rope.restSteps + 1 : 0;
+        m_ropeMotions.push_back({rope.handle, rope.joint.points});
     }
 }
 

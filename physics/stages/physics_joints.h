@@ -1,8 +1,10 @@
 #pragma once
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "physics/joints/joint_table.h"
+#include "physics/joints/rope.h"
 #include "physics/stages/physics_bodies.h"
 
 namespace rubble {
@@ -22,7 +24,7 @@ public:
     void wakeJointed(PhysicsBodies& bodies) const;
     /// The constraints of awake bodies, in the order of slots; valid until the next call. Bodies must know their solver
     /// index.
-    std::span<JointConstraint* const> gather(const PhysicsBodies& bodies);
+    std::span<JointConstraint* const> gather(PhysicsBodies& bodies);
     /// Notes the joints whose force or torque in the last solve was more than they can stand.
     void findBroken();
     /// Puts groups of jointed bodies to sleep, each when all its bodies want to sleep and no motor runs. solverBodies:
@@ -36,8 +38,10 @@ public:
     std::span<const RopeMotion> ropeMotions() const { return m_ropeMotions; }
 
 private:
-    void destroy(uint32_t slot, PhysicsBodies& bodies);
+    std::unique_ptr<JointProxy> destroy(uint32_t slot, PhysicsBodies& bodies);
     void recreate(const World& world, JointHandle handle, PhysicsBodies& bodies);
+    static RopeStep ropeStep(const JointProxy& rope, PhysicsBodies& bodies, double seconds);
+    static void findPath(JointProxy& rope, PhysicsBodies& bodies);
 
     JointTable m_table;
     std::vector<JointConstraint*> m_active;  ///< of the last gather()

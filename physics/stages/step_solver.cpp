@@ -36,7 +36,7 @@ void StepSolver::solve(PhysicsBodies& bodies, std::span<Manifold* const> manifol
     for (const Manifold* manifold : manifolds)
         m_bodyOf.emplace_back(solverIndexOf(*manifold->objects.first), solverIndexOf(*manifold->objects.second));
     const std::span<JointConstraint* const> activeJoints = joints.gather(bodies);
-    m_energy.record(m_bodies);
+    m_energy.record(m_bodies, gravity, settings.stepSeconds / settings.substeps);
     m_solver.solve(m_bodies, manifolds, m_bodyOf, gravity,
                    {.substeps = settings.substeps,
                     .iterations = settings.iterations,
@@ -52,7 +52,7 @@ void StepSolver::solve(PhysicsBodies& bodies, std::span<Manifold* const> manifol
         for (const CollisionObject* object : {manifold->objects.first, manifold->objects.second})
             if (object->dynamic) object->dynamic->isPenetrating = true;
     }
-    m_energy.enforce(m_bodies, m_bodyOf, activeJoints, gravity);
+    m_energy.enforce(m_bodies, m_bodyOf, activeJoints);
     for (const uint32_t slot : bodies.awake()) {
         DynamicBody& body = bodies.at(slot);
         const std::span<const Pose> path = m_solver.pathOf(body.solverIndex);

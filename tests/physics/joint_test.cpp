@@ -6,6 +6,7 @@
 #include "physics/math/angles.h"
 #include "runtime/core/constants.h"
 #include "tests/physics/scenes/joint_scenes.h"
+#include "tests/physics/scenes/known_scenes.h"
 
 namespace rubble {
 namespace {
@@ -152,6 +153,108 @@ TEST(Joint, JointedBodiesDoNotCollideUnlessToldTo) {
         scene.seconds(1.0);
         EXPECT_EQ(std::abs(scene.body(1).pose.position.x - 0.35) > 0.01, collides);
     }
+}
+
+/// Whether a joint of a block of 64 kg breaks within a second. prepare: gets the joint and the block.
+template <class F>
+bool breaks(JointKind kind, double breakForce, double breakTorque, F&& prepare) {
+    PhysicsScene scene;
+    const uint8_t entry = setMaterial(scene, 8, 0.5f, 0.0f, 1000);
+    LevelBody& block = scene.add(solidGrid({4, 4, 4}, entry), {-0.2, -0.2, -0.2}, false);
+    LevelJoint joint{{.kind = kind}, {"", "body 0"}};
+    joint.joint.ends[1].frame.position = {0.2, 0.2, 0.2};
+    joint.joint.breakForce = breakForce;
+    joint.joint.breakTorque = breakTorque;
+    prepare(joint.joint, block);
+    scene.level.joints.push_back(joint);
+    scene.load();
+    bool isBroken = false;
+    for (int i = 0; i < 60; ++i) {
+        scene.step();
+        isBroken = isBroken || !scene.physics.jointBreaks().empty();
+    }
+    return isBroken;
+}
+
+TEST(Joint, BreaksByTheForceOfItsMotorSpringAndFriction) {
+    for (const bool isWeak : {true, false}) {
+        const double share = isWeak ? 0.7 : 1.5;
+        EXPECT_EQ(breaks(JointKind::Hinge, 0.0, 100.0 * share,
+                         [](Joint& joint, LevelBody&) {
+                             joint.motor = {MotorMode::Speed, 1e3, 100.0};
+                         }),
+                  isWeak);
+        EXPECT_EQ(breaks(JointKind::Hinge, 0.0, 100.0 * share,
+                         [](Joint& joint, LevelBody& block) {
+                             joint.friction = 100.0;
+                             block.angularVelocity = {1000.0f, 0.0f, 0.0f};
+                         }),
+                  isWeak);
+        EXPECT_EQ(breaks(JointKind::Ball, 0.0, 100.0 * share,
+                         [](Joint& joint, LevelBody& block) {
+                             joint.friction = 100.0;
+                             block.angularVelocity = {1000.0f, 0.0f, 0.0f};
+                         }),
+                  isWeak);
+        EXPECT_EQ(breaks(JointKind::Prismatic, 64.0 * 9.81 * share, 0.0,
+                         [](Joint& joint, LevelBody&) {
+                             const glm::dquat down = glm::angleAxis(-0.5 * kPi, glm::dvec3(0, 0, 1));
+                             joint.ends[0].frame.rotation = joint.ends[1].frame.rotation = down;
+                             joint.spring = {4.0, 1.0};
+                         }),
+                  isWeak);
+    }
+}
+
+/// A motor's axis turns with the bodies: at the end of a step the speed about the axis of then is the target.
+TEST(Joint, AMotorTurnsAboutTheAxisOfNow) {
+    PhysicsScene scene;
+    scene.level.environment.gravity = {0, 0, 0};
+    scene.add(solidGrid({10, 2, 2}, 7), {-1.0, -0.1, -0.1}, false);
+    scene.add(solidGrid({10, 2, 6}, 7), {0.0, -0.1, -0.3}, false);
+    LevelJoint hinge{{.kind = JointKind::Hinge}, {"body 0", "body 1"}};
+    hinge.joint.ends[0].frame.position = {1.0, 0.1, 0.1};
+    hinge.joint.ends[1].frame.position = {0.0, 0.1, 0.3};
+    hinge.joint.motor = {MotorMode::Speed, 5.0, 1e6};
+    scene.level.joints.push_back(hinge);
+    for (LevelBody& body : scene.level.bodies) {
+        body.angularVelocity = {0.0f, 0.0f, 30.0f};
+        body.velocity = {0.0f, body.name == "body 0" ? -15.0f : 15.0f, 0.0f};
+    }
+    scene.load();
+    double worst = 0.0;
+    for (int i = 0; i < 60; ++i) {
+        scene.step();
+        const glm::dvec3 axis = scene.body(0).pose.rotation * glm::dvec3(1, 0, 0);
+        if (i > 10)
+            worst = std::max(worst, std::abs(glm::dot(axis, glm::dvec3(scene.body(1).angularVelocity) -
+                                                                glm::dvec3(scene.body(0).angularVelocity)) -
+                                             5.0));
+    }
+    EXPECT_LT(worst, 0.01) << "rad/s";
+}
+
+/// A joint that is changed in every step, as a grab that a host moves, holds as one that is left alone.
+TEST(Joint, AChangedJointKeepsItsImpulses) {
+    std::vector<double> heights;
+    for (const bool isChanged : {false, true}) {
+        PhysicsScene scene(sleepless({}));
+        scene.add(solidGrid({5, 5, 5}, 7), {-0.25, -0.25, -0.25}, false);
+        LevelJoint grab{{.kind = JointKind::Ball}, {"", "body 0"}};
+        grab.joint.ends[1].frame.position = {0.25, 0.5, 0.25};
+        grab.joint.spring = {4.0, 1.0};
+        grab.joint.maxForce = 1e5;
+        scene.level.joints.push_back(grab);
+        scene.load();
+        FrameChanges changes;
+        if (isChanged) changes.jointsChanged.push_back(scene.world.joints().handleAt(0));
+        for (int i = 0; i < 300; ++i) {
+            scene.physics.apply(changes, scene.world);
+            scene.step();
+        }
+        heights.push_back(scene.center(0).y);
+    }
+    EXPECT_NEAR(heights[0], heights[1], 1e-6);
 }
 
 }  // namespace

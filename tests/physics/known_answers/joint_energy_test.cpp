@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "runtime/core/constants.h"
+#include "tests/physics/scenes/energy.h"
+#include "tests/physics/scenes/known_scenes.h"
+
+namespace rubble {
+namespace {
+
+constexpr double kMaxGain = 1e-3;  ///< joules from nothing for each joule lost
+
+/// A solid disc of voxels with its axis along y.
+VoxelGrid pole(int diameter, int height) {
+    return gridOf({diameter, height, diameter}, [&](glm::ivec3 cell) {
+        const double x = cell.x + 0.5 - 0.5 * diameter, z = cell.z + 0.5 - 0.5 * diameter;
+        return uint8_t(x * x + z * z <= 0.25 * diameter * diameter ? 7 : 0);
+    });
+}
+
+/// An entry of a palette whose voxels make a body of this many voxels as heavy as `mass`.
+uint8_t massOf(PhysicsScene& scene, double mass, int voxels, uint8_t entry = 8) {
+    return known::setMaterial(scene, entry, 0.5f, 0.0f, uint32_t(std::max(1L, std::lround(mass / (voxels * 1e-3)))));
+}
+
+LevelJoint& join(PhysicsScene& scene, JointKind kind, std::string first, std::string second, glm::dvec3 in,
+                 glm::dvec3 at) {
+    LevelJoint joint{{.kind = kind}, {std::move(first), std::move(second)}};
+    joint.joint.ends[0].frame.position = in;
+    joint.joint.ends[1].frame.position = at;
+    scene.level.joints.push_back(joint);
+    return scene.level.joints.back();
+}
+
+/// Steps a scene without motors and expects that it gains nothing.
+known::EnergyRecord expectNoGain(PhysicsScene& scene, int steps, const std::string& what) {
+    known::EnergyRecord energy(scene.world, {});
+    for (int i = 0; i < steps; ++i) {
+        scene.step();
+        energy.update(scene.world);
+    }
+    const double rounding = 1e-6 * (std::abs(known::mechanicalEnergy(scene.world, 0.0)) + energy.lost() + 1.0);
+    EXPECT_LT(energy.excess(), kMaxGain * energy.lost() + rounding) << what << ", joules more than at the start";
+    return energy;
+}
+
+/// A cube on a rope of 6 m flies round a pole, on which the rope winds itself.
+TEST(JointEnergy, ARopeThatWindsRoundAPoleGainsNothing) {
+    for (const float gravity : {0.0f, 9.81f})
+        for (const int diameter : {2, 4, 8, 16})
+            for (const double mass : {1.0, 122.0, 1000.0})
+                for (const double speed : {1.0, 3.0, 10.0, 30.0}) {
+                    PhysicsScene scene(known::sleepless({}));
+                    scene.level.environment.gravity = {0.0f, -gravity, 0.0f};
+                    const double radius = 0.05 * diameter;
+                    scene.add(pole(diameter, 80), {-radius, -4.0, -radius}, true);
+                    scene.add(solidGrid({4, 4, 4}, massOf(scene, mass, 64)), {5.8, -0.2, radius}, false).velocity = {
+                        0.0f, 0.0f, float(speed)};
+                    join(scene, JointKind::Rope, "body 0", "body 1", {radius, 4.0, 2.0 * radius}, {0.0, 0.2, 0.2})
+                        .joint.rope.points = 25;
+                    scene.load();
+                    expectNoGain(scene, 600,
+                                 "gravity " + std::to_string(gravity) + ", " + std::to_string(diameter) + " voxels, " +
+                                     std::to_string(mass) + " kg, " + std::to_string(speed) + " m/s");
+                }
+}
+
+TEST(JointEnergy, APendulumOnARopeGainsNothing) {
+    for (const double mass : {1.0, 122.0, 1000.0})
+        for (const double degrees : {20.0, 80.0, 150.0}) {
+            PhysicsScene scene(known::sleepless({}));
+            const double a = degrees * kPi / 180.0;
+            const glm::dvec3 end(4.0 * std::sin(a), -4.0 * std::cos(a), 0.0);
+            scene.add(solidGrid({5, 5, 5}, massOf(scene, mass, 125)), end - glm::dvec3(0.25), false);
+            join(scene, JointKind::Rope, "", "body 0", {}, {0.25, 0.5, 0.25});
+            scene.load();
+            expectNoGain(scene, 1200, std::to_string(mass) + " kg, " + std::to_string(degrees) + " degrees");
+        }
+}
+
+TEST(JointEnergy, AChainOfBodiesGainsNothing) {
+    for (const bool isFree : {false, true})
+        for (const JointKind kind : {JointKind::Ball, JointKind::Hinge})
+            for (const double ratio : {1.0, 100.0}) {
+                PhysicsScene scene(known::sleepless({}));
+                if (isFree) scene.level.environment.gravity = {0, 0, 0};
+                const uint8_t heavy = massOf(scene, 8.0 * ratio, 8);
+                for (int i = 0; i < 6; ++i) {
+                    LevelBody& link = scene.add(
+                        solidGrid(i == 5 ? glm::ivec3(2, 2, 2) : glm::ivec3(4, 2, 2), i == 5 ? heavy : uint8_t(7)),
+                        {0.4 * i, -0.1, -0.1}, false);
+                    if (isFree) link.velocity = {0.0f, float(i % 2 ? 4 : -6), float(i)};
+                    if (i == 0 && isFree) continue;
+                    join(scene, kind, i ? "body " + std::to_string(i - 1) : "", "body " + std::to_string(i),
+                         i ? glm::dvec3(0.4, 0.1, 0.1) : glm::dvec3(0.0), {0.0, 0.1, 0.1});
+                }
+                scene.load();
+                expectNoGain(scene, 1200,
+                             (isFree ? "free" : "hanging") + std::string(" chain, ratio ") + std::to_string(ratio));
+            }
+}
+
+/// Free bodies keep their momentum when energy is taken from them.
+TEST(JointEnergy, AFreeChainKeepsItsMomentum) {
+    PhysicsScene scene(known::sleepless({}));
+    scene.level.environment.gravity = {0, 0, 0};
+    for (int i = 0; i < 6; ++i) {
+        scene.add(solidGrid({4, 2, 2}, 7), {0.4 * i, -0.1, -0.1}, false).velocity = {0.0f, float(i % 2 ? 9 : -6),
+                                                                                     float(i)};
+        if (i)
+            join(scene, JointKind::Ball, "body " + std::to_string(i - 1), "body " + std::to_string(i), {0.4, 0.1, 0.1},
+                 {0.0, 0.1, 0.1});
+    }
+    scene.load();
+    const auto momenta = [&] {
+        glm::dvec3 linear(0.0), angular(0.0);
+        for (int i = 0; i < 6; ++i) {
+            const MassProperties mass = bodyMass(scene.world, scene.handle(i));
+            const glm::dmat3 axes = glm::mat3_cast(scene.body(i).pose.rotation * mass.principalAxes);
+            const glm::dvec3 p = glm::dvec3(scene.body(i).velocity) * mass.mass;
+            linear += p;
+            angular += glm::cross(scene.center(i), p) +
+                       axes * (mass.principalInertia * (glm::transpose(axes) * scene.body(i).angularVelocity));
+        }
+        return std::pair(linear, angular);
+    };
+    scene.step();  // the first step makes the links move together
+    const auto before = momenta();
+    scene.step(600);
+    const auto after = momenta();
+    EXPECT_LT(glm::length(after.first - before.first) / glm::length(before.first), 1e-4);
+    EXPECT_LT(glm::length(after.second - before.second) / glm::length(before.second), 1e-2)
+        << "links are apart by little";
+}
+
+/// A winch lifts a load over a beam: its work is the load's height.
+TEST(JointEnergy, AWinchGivesALoadItsHeight) {
+    PhysicsScene scene(known::sleepless({}));
+    scene.add(solidGrid({6, 6, 20}, 7), {-0.3, 5.0, -1.0}, true);
+    scene.add(solidGrid({4, 4, 4}, 7), {-0.7, 0.0, -0.2}, true);
+    scene.add(solidGrid({4, 4, 4}, massOf(scene, 122.0, 64)), {0.2, 1.0, -0.2}, false);
+    LevelJoint& rope = join(scene, JointKind::Rope, "body 1", "body 2", {0.2, 0.4, 0.2}, {0.2, 0.4, 0.2});
+    rope.joint.rope.points = 49;
+    rope.joint.rope.length = 10.1;
+    rope.joint.motor = {MotorMode::Speed, -0.5, 1.0};
+    for (int i = 0; i <= 48; ++i) {  // up, over the beam, and down
+        const double along = 10.1 * i / 48.0;
+        const glm::dvec3 place = along < 5.25   ? glm::dvec3(-0.5 + 0.1 * along / 5.25, 0.4 + along, 0.0)
+                                 : along < 6.05 ? glm::dvec3(-0.4 + (along - 5.25), 5.65, 0.0)
+                                                : glm::dvec3(0.4, 5.65 - (along - 6.05), 0.0);
+        rope.joint.points.push_back({place});
+    }
+    scene.load();
+    scene.stepWith({});
+    const double before = scene.center(2).y;
+    double fastest = 0.0;
+    for (int i = 0; i < 300; ++i) {
+        scene.stepWith({});
+        fastest = std::max(fastest, glm::length(scene.body(2).velocity));
+    }
+    EXPECT_NEAR(scene.center(2).y - before, 2.5, 0.3);
+    EXPECT_LT(fastest, 1.5) << "m/s: it is lifted, not thrown";
+}
+
+}  // namespace
+}  // namespace rubble
