@@ -1,15 +1,11 @@
 // Steps of PhysicsWorld with piles of pieces, compared with Bullet where the name says so.
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <functional>
 #include <string>
 
-#include "physics/physics_world.h"
-#include "runtime/world/world.h"
+#include "tests/benchmark/pile.h"
 #include "tests/physics/baseline/box_merge.h"
 #include "tests/physics/baseline/bullet_compounds.h"
 #include "tests/physics/baseline/overlap.h"
@@ -22,73 +18,6 @@
 namespace rubble {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-/// Milliseconds of this thread's processor time in f().
-double cpuMs(const std::function<void()>& f) {
-    const auto now = [] {
-        timespec t{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-        return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
-    };
-    const double start = now();
-    f();
-    return now() - start;
-}
-double wallMs(const std::function<void()>& f) {
-    const auto start = Clock::now();
-    f();
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-double percentile(std::vector<double> values, size_t percent) {
-    std::sort(values.begin(), values.end());
-    return values[std::min(values.size() - 1, values.size() * percent / 100)];
-}
-double median(const std::vector<double>& values) {
-    return percentile(values, 50);
-}
-
-PhysicsSettings sleepless() {
-    PhysicsSettings settings;
-    settings.sleepTime = 1e9;
-    return settings;
-}
-
-/// A level in our physics; the first `woken` bodies are awake from the start.
-struct Pile {
-    Pile(const Level& level, const PhysicsSettings& settings, size_t woken = ~size_t(0)) : physics(settings) {
-        world.load(level);
-        world.applyEdits({});
-        physics.load(world);
-        FrameChanges nudge;
-        world.bodies().forEach([&](BodyHandle handle, const Body& body) {
-            handles.push_back(handle);
-            if (!body.isStatic && handles.size() <= woken)
-                nudge.impulses.push_back({handle, body.pose.position, glm::dvec3(0.0)});
-        });
-        physics.apply(nudge, world);
-    }
-    void step() {
-        physics.step();
-        world.setPoses(physics.poses());
-    }
-    std::vector<Pose> poses() const {
-        std::vector<Pose> all;
-        for (const BodyHandle handle : handles) all.push_back(world.bodies().at(handle).pose);
-        return all;
-    }
-    World world;
-    PhysicsWorld physics;
-    std::vector<BodyHandle> handles;
-};
-
-std::vector<Pose> posesOf(const BulletCompounds& bullet, const Level& level) {
-    std::vector<Pose> poses;
-    for (size_t i = 0; i < level.bodies.size(); ++i) poses.push_back(bullet.pose(i));
-    return poses;
-}
-
 void reportPile(benchmark::State& state, const std::string& who, const std::vector<double>& ms, const Level& level,
                 const std::vector<Pose>& poses) {
     const Overlaps overlaps = measureOverlaps(level, poses);
@@ -99,39 +28,6 @@ void reportPile(benchmark::State& state, const std::string& who, const std::vect
     state.counters[who + "_deep_worst_voxels"] = overlaps.worst * 10;
     state.counters[who + "_height_m"] = overlaps.middle;
 }
-
-/// Awake Voronoi pieces in a pit: ours, and Bullet's compounds of merged boxes with one and with two friction
-/// directions. Steps alternate, in processor time; the first two seconds, before the first pieces lie, do not count.
-void voronoiPieces(benchmark::State& state) {
-    const Level level = voronoiPit(int(state.range(0)));
-    Pile ours(level, sleepless());
-    BulletCompounds one(level, {.frictionDirections = 1}), two(level, {.frictionDirections = 2});
-    std::vector<double> oursMs, oneMs, twoMs;
-    for (auto _ : state) {
-        double sum = 0.0;
-        for (int i = 0; i < int(state.range(1)); ++i) {
-            const double a = cpuMs([&] { ours.step(); }), b = cpuMs([&] { one.step(); }),
-                         c = cpuMs([&] { two.step(); });
-            sum += a;
-            if (i >= 120) oursMs.push_back(a), oneMs.push_back(b), twoMs.push_back(c);
-        }
-        state.SetIterationTime(sum * 1e-3);
-    }
-    reportPile(state, "ours", oursMs, level, ours.poses());
-    reportPile(state, "bullet1", oneMs, level, posesOf(one, level));
-    reportPile(state, "bullet2", twoMs, level, posesOf(two, level));
-    state.counters["times_faster_than_1"] = median(oneMs) / median(oursMs);
-    state.counters["times_faster_than_2"] = median(twoMs) / median(oursMs);
-    state.counters["contacts"] = ours.physics.stats().contacts;
-    state.counters["boxes"] = double(one.boxes());
-}
-BENCHMARK(voronoiPieces)
-    ->Name("physics/voronoiPieces")
-    ->Args({144, 480})
-    ->Args({1000, 480})
-    ->Unit(benchmark::kMillisecond)
-    ->Iterations(1)
-    ->UseManualTime();
 
 /// Height and overlap of a pile compared with a nearly converged one: Bullet with 8 substeps of 30 iterations.
 void convergedPile(benchmark::State& state) {

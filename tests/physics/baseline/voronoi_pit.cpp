@@ -11,6 +11,16 @@ namespace {
 
 constexpr uint8_t kMasonry = 7;
 
+/// Entry i has material i.
+const PaletteRef& palette() {
+    static const PaletteRef shared = [] {
+        auto entries = std::make_shared<Palette>();
+        for (size_t i = 1; i < defaultMaterials().materials.size(); ++i) (*entries)[i].material = uint8_t(i);
+        return entries;
+    }();
+    return shared;
+}
+
 /// Pieces of a block of n^3 cells of a jittered lattice, 7 voxels apart.
 std::vector<VoxelGrid> voronoiPieces(int count, Random& random) {
     int n = 1;
@@ -76,35 +86,54 @@ LevelBody makeBody(std::string name, VoxelGrid grid, const PaletteRef& palette, 
     return body;
 }
 
-}  // namespace
-
-Level voronoiPit(int pieces, uint64_t seed, int pit) {
+/// An open box, inside `inner` metres wide, with its inner low corner at the origin: body 0 of the level.
+Level emptyPit(int inner) {
     Level level;
-    auto palette = std::make_shared<Palette>();
-    for (size_t i = 1; i < defaultMaterials().materials.size(); ++i) (*palette)[i].material = uint8_t(i);
-    const int inner = pit * 10, wall = 8, height = 400;
-    VoxelGrid hole({inner + 2 * wall, height, inner + 2 * wall});
-    const int outer = inner + 2 * wall;
+    const int side = inner * 10, wall = 8, height = 400, outer = side + 2 * wall;
+    VoxelGrid hole({outer, height, outer});
     fill(hole, {0, 0, 0}, {outer, wall, outer});
     fill(hole, {0, wall, 0}, {wall, height, outer});
     fill(hole, {outer - wall, wall, 0}, {outer, height, outer});
     fill(hole, {wall, wall, 0}, {outer - wall, height, wall});
     fill(hole, {wall, wall, outer - wall}, {outer - wall, height, outer});
     const double w = wall * 0.1;
-    level.bodies.push_back(makeBody("pit", std::move(hole), palette, true, {{-w, -w, -w}, {1, 0, 0, 0}}));
+    level.bodies.push_back(makeBody("pit", std::move(hole), palette(), true, {{-w, -w, -w}, {1, 0, 0, 0}}));
+    return level;
+}
 
+/// Adds a body turned at random with its centre of mass at `center`.
+void addTurned(Level& level, VoxelGrid grid, const glm::dvec3& center, Random& random) {
+    glm::dvec3 axis;
+    for (int k = 0; k < 3; ++k) axis[k] = random.unit() - 0.5;
+    const glm::dquat turn = glm::normalize(glm::dquat(random.unit(), axis.x, axis.y, axis.z));
+    const MassProperties mass = massProperties(gridMoments(grid, *palette(), level.materials), 0.1);
+    level.bodies.push_back(makeBody("piece", std::move(grid), palette(), false, {center - turn * mass.center, turn}));
+}
+
+}  // namespace
+
+Level voronoiPit(int pieces, uint64_t seed, int pit) {
+    Level level = emptyPit(pit);
     Random random(seed);
     std::vector<VoxelGrid> grids = voronoiPieces(pieces, random);
-    for (int i = 0; i < pieces; ++i) {
-        glm::dvec3 axis;
-        for (int k = 0; k < 3; ++k) axis[k] = random.unit() - 0.5;
-        const glm::dquat turn = glm::normalize(glm::dquat(random.unit(), axis.x, axis.y, axis.z));
-        const MassProperties mass = massProperties(gridMoments(grids[size_t(i)], *palette, level.materials), 0.1);
-        const double pitch = double(pit) / 6.0;
-        const glm::dvec3 center((i % 6 + 0.5) * pitch, 0.9 + (i / 36) * 1.35, (i / 6 % 6 + 0.5) * pitch);
-        level.bodies.push_back(
-            makeBody("piece", std::move(grids[size_t(i)]), palette, false, {center - turn * mass.center, turn}));
-    }
+    const double pitch = double(pit) / 6.0;
+    for (int i = 0; i < pieces; ++i)
+        addTurned(level, std::move(grids[size_t(i)]),
+                  {(i % 6 + 0.5) * pitch, 0.9 + (i / 36) * 1.35, (i / 6 % 6 + 0.5) * pitch}, random);
+    return level;
+}
+
+Level boxPit(int boxes) {
+    constexpr int kPit = 8, kSide = 10;  // metres; boxes along a side of a layer
+    Level level = emptyPit(kPit);
+    VoxelGrid box(glm::ivec3(5));
+    fill(box, {0, 0, 0}, {5, 5, 5});
+    Random random(1);
+    for (int i = 0; i < boxes; ++i)
+        addTurned(level, box,
+                  {(i % kSide + 0.5) * kPit / kSide, 0.6 + (i / (kSide * kSide)) * 0.9,
+                   (i / kSide % kSide + 0.5) * kPit / kSide},
+                  random);
     return level;
 }
 

@@ -7,4 +7,7 @@ namespace rubble {
 /// 0.1 m each, turned at random. pit: metres on a side.
 Level voronoiPit(int pieces, uint64_t seed = 1, int pit = 8);
 
+/// The same pit, and above it, in layers of 10 x 10, this many boxes of 5 x 5 x 5 voxels of 0.1 m, turned at random.
+Level boxPit(int boxes);
+
 }  // namespace rubble
