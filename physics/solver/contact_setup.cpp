@@ -136,36 +136,32 @@ void WarmStartFilter::reject(ContactSet& set) {
 }
 
 /// Gauss-Seidel converges slowly where a heavy body lies on a light one, and the light one would be pressed into what
-/// is under it. Stiffer contacts and more passes over just these pairs help.
-void findLoadBearing(ContactSet& set, const glm::vec3& up, float ratio, std::vector<size_t>& pairs) {
-    const auto lower = [&](const PairConstraints& pair) -> SolverState* {
-        const float rise = pair.to > pair.from ? glm::dot(vec3(set.constraints[pair.from].normal), up) : 0.0f;
-        return rise > kMinSupportSlope ? &set.stateB(pair) : rise < -kMinSupportSlope ? &set.stateA(pair) : nullptr;
-    };
-    const auto upper = [&](const PairConstraints& pair, const SolverState* under) {
-        return under == &set.stateB(pair) ? &set.stateA(pair) : &set.stateB(pair);
-    };
+/// is under it. Stiffer contacts and more passes over just these pairs help. The load is what the last step found: it
+/// goes down from body to body, and where it is spread over many they bear little.
+void LoadBearing::find(ContactSet& set, const glm::vec3& up, float fall, float ratio) {
+    m_pairs.clear();
+    m_loads.assign(set.states.size(), 0.0f);
     bool any = false;
     for (const PairConstraints& pair : set.pairs) {
-        if (!pair.a || !pair.b) continue;
-        const float a = set.stateA(pair).inverseMass, b = set.stateB(pair).inverseMass;
-        if (a <= ratio * b && b <= ratio * a) continue;
-        SolverState* under = lower(pair);
-        if (under && under->inverseMass > ratio * upper(pair, under)->inverseMass) under->isLoadBearing = any = true;
+        if (!pair.a || !pair.b || pair.from == pair.to) continue;
+        const float rise = glm::dot(vec3(set.constraints[pair.from].normal), up);
+        if (std::abs(rise) <= kMinSupportSlope) continue;
+        const size_t under = size_t(rise > 0.0f ? pair.b : pair.a), upper = size_t(rise > 0.0f ? pair.a : pair.b);
+        float load = 0.0f;
+        for (const ContactConstraint& c : set.of(pair))
+            load += c.normalImpulse * std::abs(glm::dot(vec3(c.normal), up));
+        m_loads[under] += load;
+        const bool isNew = load == 0.0f;
+        if (isNew && set.states[under].inverseMass > ratio * set.states[upper].inverseMass)
+            set.states[under].isLoadBearing = any = true;
     }
-    for (bool more = any; more;) {  // down to the ground
-        more = false;
-        for (const PairConstraints& pair : set.pairs) {
-            SolverState* under = lower(pair);
-            if (under && under->inverseMass > 0.0f && !under->isLoadBearing && upper(pair, under)->isLoadBearing)
-                under->isLoadBearing = more = true;
-        }
-    }
+    for (size_t i = 1; i < set.states.size(); ++i)
+        if (m_loads[i] * set.states[i].inverseMass > ratio * fall) set.states[i].isLoadBearing = any = true;
     if (!any) return;
     for (size_t i = 0; i < set.pairs.size(); ++i) {
         const PairConstraints& pair = set.pairs[i];
         if (!set.stateA(pair).isLoadBearing && !set.stateB(pair).isLoadBearing) continue;
-        pairs.push_back(i);
+        m_pairs.push_back(i);
         for (ContactConstraint& c : set.of(pair)) c.isStiff = true;
     }
 }

@@ -34,8 +34,20 @@ private:
     std::vector<Sum> m_sums;  ///< by body
 };
 
-/// Marks the load-bearing bodies, those under something `ratio` times as heavy and those under these in turn, and makes
-/// their contacts stiff. pairs: indices of the pairs of such bodies.
-void findLoadBearing(ContactSet& set, const glm::vec3& up, float ratio, std::vector<size_t>& pairs);
+/// Bodies that bear much more than their own weight.
+class LoadBearing {
+public:
+    /// Marks the bodies that bore `ratio` times their weight in the last step, or have just got something `ratio` times
+    /// as heavy on them, and makes their contacts stiff. fall: speed that gravity adds in a substep, m/s.
+    void find(ContactSet& set, const glm::vec3& up, float fall, float ratio);
+    /// Forgets the pairs.
+    void clear() { m_pairs.clear(); }
+    /// Indices of the pairs of such bodies.
+    const std::vector<size_t>& pairs() const { return m_pairs; }
+
+private:
+    std::vector<float> m_loads;  ///< impulses from above by body, N s a substep
+    std::vector<size_t> m_pairs;
+};
 
 }  // namespace rubble

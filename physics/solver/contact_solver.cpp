@@ -60,9 +60,9 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
     m_joints.begin(joints, m_set.states);
     m_warmStartFilter.reject(m_set);
     m_loadBearingPasses = settings.loadBearingPasses;
-    m_loadBearingPairs.clear();
+    m_loadBearing.clear();
     if (settings.loadBearingPasses > 0 && weight > 0.0)
-        findLoadBearing(m_set, m_up, float(settings.loadBearingRatio), m_loadBearingPairs);
+        m_loadBearing.find(m_set, m_up, float(weight * h), float(settings.loadBearingRatio));
     m_start.resize(bodies.size());
     for (size_t i = 0; i < bodies.size(); ++i) m_start[i] = bodies[i].rotation;
     for (int i = 0; i < settings.substeps; ++i) substep(bodies, gravity, settings, i == 0);
@@ -137,9 +137,8 @@ void ContactSolver::iterate(std::span<const SolverBody> bodies, int iterations, 
 
 void ContactSolver::solveContacts(float inverseSeconds, bool useBias) {
     forEachPair([&](const PairConstraints& pair) { solvePair(pair, inverseSeconds, useBias); });
-    if (m_loadBearingPairs.empty()) return;
     for (int pass = 0; pass < m_loadBearingPasses; ++pass)
-        for (const size_t i : m_loadBearingPairs) solvePair(m_set.pairs[i], inverseSeconds, useBias);
+        for (const size_t i : m_loadBearing.pairs()) solvePair(m_set.pairs[i], inverseSeconds, useBias);
 }
 
 /// All normals of two bodies first, then their friction: an impulse that is too large is corrected by the next point's

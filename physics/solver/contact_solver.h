@@ -72,7 +72,7 @@ private:
     ConstraintColoring m_coloring;  ///< gives the order of m_set.pairs
     WarmStartFilter m_warmStartFilter;
     const ParallelFor* m_parallelFor = nullptr;
-    std::vector<size_t> m_loadBearingPairs;  ///< in m_set.pairs
+    LoadBearing m_loadBearing;
     std::vector<glm::dquat> m_start;         ///< rotations at the start of the step
     std::vector<std::vector<Pose>> m_paths;  ///< by body; see pathOf()
     Softness<float> m_soft, m_softStatic, m_stiff;

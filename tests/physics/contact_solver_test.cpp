@@ -43,6 +43,42 @@ TEST(ContactSolver, NoWarmStartWhenTheSupportOfASqueezedBodyIsGone) {
     EXPECT_LT(glm::length(bodies[2].angularVelocity), 5.0);
 }
 
+/// Which bodies of 1 kg are load-bearing under one of 100 kg that rests on `count` of them, which rest on one each.
+std::vector<bool> loadBearing(size_t count, bool isNew) {
+    constexpr float kFall = 10.0f / 360.0f;  // m/s in a substep
+    ContactSet set;
+    set.states.resize(2 + 2 * count);
+    Manifold manifold;
+    manifold.count = 1;
+    set.states[1].inverseMass = 0.01f;
+    const auto rest = [&](size_t upper, size_t under, float load) {
+        ContactConstraint c{};
+        c.normal = float4(glm::vec3(0, 1, 0));
+        c.normalImpulse = isNew ? 0.0f : load * kFall;
+        set.constraints.push_back(c);
+        const size_t at = set.constraints.size() - 1;
+        set.pairs.push_back({int(upper), int(under), at, at + 1, 1, false, false, &manifold});
+    };
+    for (size_t i = 0; i < count; ++i) {
+        const size_t top = 2 + i, bottom = 2 + count + i;
+        set.states[top].inverseMass = set.states[bottom].inverseMass = 1.0f;
+        rest(1, top, 100.0f / float(count));
+        rest(top, bottom, 100.0f / float(count) + 1.0f);
+        rest(bottom, 0, 100.0f / float(count) + 2.0f);
+    }
+    LoadBearing().find(set, {0, 1, 0}, kFall, 30.0f);
+    std::vector<bool> result;
+    for (size_t i = 2; i < set.states.size(); ++i) result.push_back(set.states[i].isLoadBearing);
+    return result;
+}
+
+TEST(ContactSolver, ALoadSpreadOverManyMakesNoneOfThemLoadBearing) {
+    EXPECT_EQ(loadBearing(1, false), (std::vector<bool>{true, true}));
+    EXPECT_EQ(loadBearing(2, false), (std::vector<bool>{true, true, true, true}));
+    EXPECT_EQ(loadBearing(4, false), std::vector<bool>(8, false));
+    EXPECT_EQ(loadBearing(2, true), (std::vector<bool>{true, true, false, false})) << "what has just been laid on them";
+}
+
 TEST(ContactSolver, ALoadedContactWarmStarts) {
     std::vector<SolverBody> bodies = {{}, body(1.5, glm::dvec3(0.01))};
     const double weight = 1.5 * 10.0 * SolverSettings{}.seconds / SolverSettings{}.substeps;
