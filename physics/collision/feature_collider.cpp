@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "runtime/core/rotated_box.h"
 
@@ -14,6 +15,16 @@ constexpr float kInset = 0.05f;
 constexpr float kMaxMargin = 0.4f;
 constexpr float kRounding = 1e-3f;     ///< cells added to bounds against rounding
 constexpr float kMinEdgeSine = 0.15f;  ///< between two edges below which they count as parallel
+/// Contacts of two parts after which no more bricks are searched: a manifold keeps twelve at most.
+constexpr size_t kEnoughContacts = 1024;
+
+/// A stride that visits all of `count` places, those of each prefix far from each other: the nearest to the golden
+/// section that has no common divisor with `count`.
+uint64_t spreadStride(uint64_t count) {
+    uint64_t stride = std::max<uint64_t>(1, uint64_t(double(count) * 0.6180339887));
+    while (std::gcd(stride, count) != 1) ++stride;
+    return stride;
+}
 
 }  // namespace
 
@@ -61,17 +72,23 @@ bool FeatureCollider::collide(bool isFirst, uint64_t partKey, std::vector<Contac
         collideFeatures(surface->features, surface->rows.box().low, near, out);
         return true;
     }
-    const Cell low = brickOfCell(near.low), high = brickOfCell(near.high - 1);
-    for (int z = low.z; z <= high.z; ++z)
-        for (int y = low.y; y <= high.y; ++y)
-            for (int x = low.x; x <= high.x; ++x) {
-                const Cell brick(x, y, z), corner = brick * kBrickSize;
-                if (m_from.grid().brickAt(brick) &&
-                    boxMayTouchSolid(glm::vec3(glm::max(near.low - 1, corner)),
-                                     glm::vec3(glm::min(near.high + 1, corner + kBrickSize))))
-                    collideFeatures(m_from.features(brick), corner, near, out);
-            }
+    collideBricks(near, out);
     return true;
+}
+
+/// The bricks of `from` in an order that is spread over them at any time, until there are enough contacts.
+void FeatureCollider::collideBricks(const CellBox& near, std::vector<ContactPoint>& out) {
+    const Cell low = brickOfCell(near.low), size = brickOfCell(near.high - 1) - low + 1;
+    const uint64_t count = uint64_t(size.x) * uint64_t(size.y) * uint64_t(size.z), stride = spreadStride(count);
+    const size_t enough = out.size() + kEnoughContacts;
+    for (uint64_t i = 0, at = 0; i < count && out.size() < enough; ++i, at = (at + stride) % count) {
+        const Cell brick = low + Cell(at % uint64_t(size.x), at / uint64_t(size.x) % uint64_t(size.y),
+                                      at / uint64_t(size.x) / uint64_t(size.y)),
+                   corner = brick * kBrickSize;
+        if (m_from.grid().brickAt(brick) && boxMayTouchSolid(glm::vec3(glm::max(near.low - 1, corner)),
+                                                             glm::vec3(glm::min(near.high + 1, corner + kBrickSize))))
+            collideFeatures(m_from.features(brick), corner, near, out);
+    }
 }
 
 /// Conservative: whether the shapes may touch within the step where `from` has these cells. The features of `into` too,

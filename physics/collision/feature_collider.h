@@ -41,6 +41,7 @@ private:
     void boundSweep();
     const FeatureQuery& queryFor(uint8_t kind, const glm::vec3& point);
     bool mayTouchSolid(Float4 point, uint8_t kind);
+    void collideBricks(const CellBox& near, std::vector<ContactPoint>& out);
     void collideFeatures(const FeatureList& features, Cell corner, const CellBox& near, std::vector<ContactPoint>& out);
     void collideCluster(std::span<const FeatureList::Pack> packs, Cell corner, const glm::vec3& base, float limit,
                         std::vector<ContactPoint>& out);

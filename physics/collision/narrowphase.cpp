@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "physics/bodies/dynamic_body.h"
+#include "physics/collision/crowd.h"
 #include "physics/collision/impact_contacts.h"
 
 namespace rubble {
@@ -51,6 +52,22 @@ void Narrowphase::begin() {
     set.usedBatches = 0;
 }
 
+/// The contacts of two objects, from their voxels.
+void Narrowphase::findPairContacts(const ObjectPair& objects, const Motion& firstMotion, const Motion& secondMotion,
+                                   const NarrowphaseSettings& settings, double displacement, Batch& batch, Pair& pair) {
+    const auto [first, second] = objects;
+    const double voxel = std::min(first->collider.smallestVoxel(), second->collider.smallestVoxel());
+    NarrowphaseSettings straight = settings;
+    straight.seconds *= std::min(straightShare(firstMotion, voxel, settings.seconds),
+                                 straightShare(secondMotion, voxel, settings.seconds));
+    const bool isNear =
+        findContacts(first->collider, firstMotion, second->collider, secondMotion, straight, pair.axis, batch.contacts);
+    pair.isCacheable = isNear && displacement <= settings.margin;
+    if (isNear && batch.contacts.empty() && displacement > settings.sweepThreshold && displacement > voxel &&
+        mayPass(*first, *second, displacement))
+        findImpactContacts(*first, *second, straight, pair.axis, batch.contacts);
+}
+
 /// before: the pair in the step before; null: it is new. pair: what is remembered of it.
 void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettings& settings, const Pair* before,
                               Batch& batch, Pair& pair) {
@@ -75,16 +92,10 @@ void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettin
     pair = {first->number, second->number, first->version, second->version};
     if (before) pair.axis = before->axis;
     batch.contacts.clear();
-    const double voxel = std::min(first->collider.smallestVoxel(), second->collider.smallestVoxel());
-    NarrowphaseSettings straight = settings;
-    straight.seconds *= std::min(straightShare(firstMotion, voxel, settings.seconds),
-                                 straightShare(secondMotion, voxel, settings.seconds));
-    const bool isNear =
-        findContacts(first->collider, firstMotion, second->collider, secondMotion, straight, pair.axis, batch.contacts);
-    pair.isCacheable = isNear && isSlow;
-    if (isNear && batch.contacts.empty() && displacement > settings.sweepThreshold && displacement > voxel &&
-        mayPass(*first, *second, displacement))
-        findImpactContacts(*first, *second, straight, pair.axis, batch.contacts);
+    if (areCrowded(*first, *second))
+        batch.contacts.push_back(crowdContact(*first, *second));
+    else
+        findPairContacts(objects, firstMotion, secondMotion, settings, displacement, batch, pair);
     pair.pose = pose;
     if (batch.contacts.empty()) return;
     Manifold& manifold = makeManifold();

@@ -47,6 +47,8 @@ private:
     };
     void collideBatch(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, Batch& batch,
                       std::span<Pair> out) const;
+    static void findPairContacts(const ObjectPair& objects, const Motion& firstMotion, const Motion& secondMotion,
+                                 const NarrowphaseSettings& settings, double displacement, Batch& batch, Pair& pair);
     static void collidePair(const ObjectPair& objects, const NarrowphaseSettings& settings, const Pair* before,
                             Batch& batch, Pair& pair);
 

@@ -37,6 +37,7 @@ void ContactDetection::find(PhysicsBodies& bodies, const JointTable& joints, con
         bodies.broadphase().findPairs(
             m_moving, [](const CollisionObject& o) { return o.dynamic->pairsFound; }, m_pairs);
         if (!joints.empty()) joints.removeNonColliding(m_pairs);
+        m_crowds.thin(m_pairs);
         for (CollisionObject* object : m_moving) object->dynamic->pairsFound = true;
         m_narrowphase.collide(m_pairs, narrow, settings.parallelFor ? settings.parallelFor : ParallelFor(serialFor));
     }

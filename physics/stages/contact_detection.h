@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "physics/collision/crowd.h"
 #include "physics/collision/narrowphase.h"
 #include "physics/joints/joint_table.h"
 #include "physics/stages/physics_bodies.h"
@@ -25,6 +26,7 @@ private:
     bool wakeHit(PhysicsBodies& bodies, double stepSeconds) const;
 
     Narrowphase m_narrowphase;
+    Crowds m_crowds;
     std::vector<CollisionObject*> m_moving;  ///< whose pairs are searched
     std::vector<ObjectPair> m_pairs;
 };

@@ -22,6 +22,7 @@ PhysicsSettings sleepless(PhysicsSettings settings = {});
 
 /// A level in our physics; the first `woken` bodies are awake from the start.
 struct Pile {
+    /// Loads it, and wakes them.
     Pile(const Level& level, const PhysicsSettings& settings, size_t woken = ~size_t(0));
     /// Moves everything by 1/60 s.
     void step();

@@ -159,5 +159,43 @@ TEST(VoxelContacts, DoNotDependOnTheInitialSeparatingAxis) {
     EXPECT_GT(touching, 100u);
 }
 
+/// A plate of 200 x 200 voxels with bumps on both sides.
+LevelBody roughPlate(uint64_t seed) {
+    constexpr int kSide = 200;
+    LevelBody body = voronoiPit(1).bodies[1];
+    VoxelGrid grid({kSide, 3, kSide});
+    {
+        GridWriter writer(grid);
+        Random random(seed);
+        for (int z = 0; z < kSide; ++z)
+            for (int x = 0; x < kSide; ++x) {
+                writer.set({x, 1, z}, 7);
+                for (const int y : {0, 2})
+                    if (random.below(3) == 0) writer.set({x, y, z}, 7);
+            }
+    }
+    body.shapes[0].grid = std::move(grid);
+    return body;
+}
+
+TEST(VoxelContacts, ARoughPlateIsSearchedUntilThereAreEnoughContactsAllOverIt) {
+    const MaterialTable materials = voronoiPit(1).materials;
+    CollisionObject low, high;
+    put(low, roughPlate(1), materials, {});
+    put(high, roughPlate(2), materials, {{0.03, 0.295, 0.03}, {1, 0, 0, 0}});
+    const auto motionOf = [](const CollisionObject& object) {
+        return Motion{.pose = object.pose, .cellTransforms = object.cellTransforms(), .radius = object.radius};
+    };
+    glm::vec3 axis(0.0f);
+    std::vector<ContactPoint> contacts;
+    ASSERT_TRUE(findContacts(high.collider, motionOf(high), low.collider, motionOf(low), {}, axis, contacts));
+    EXPECT_GT(contacts.size(), 1000u);
+    EXPECT_LT(contacts.size(), 4000u) << "of tens of thousands";
+    int quadrants[2][2] = {};
+    for (const ContactPoint& contact : contacts) ++quadrants[contact.position.x > 10.0f][contact.position.z > 10.0f];
+    for (const auto& row : quadrants)
+        for (const int count : row) EXPECT_GT(count, int(contacts.size() / 8));
+}
+
 }  // namespace
 }  // namespace rubble

@@ -1,0 +1,35 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "physics/bodies/collision_object.h"
+#include "physics/collision/voxel_contacts.h"
+
+namespace rubble {
+
+/// Things that were put into the same place, many deep in many others: n of them are n^2 pairs, and each pair of deep
+/// bodies has contacts all over. Such bodies push each other apart as if they were spheres, each those nearest to it
+/// only, until they are not so crowded any more.
+class Crowds {
+public:
+    /// Marks the crowded bodies of the pairs, and drops the pairs of two crowded bodies that are not among the nearest
+    /// of either. Keeps the order.
+    void thin(std::vector<ObjectPair>& pairs);
+
+private:
+    struct Deep {
+        double distance;  ///< of the centres, metres
+        uint32_t random;  ///< the order of those at the same distance, as of things in one place
+        size_t pair;
+    };
+    std::vector<size_t> m_from;  ///< by slot: where a body's deep pairs begin in m_deep
+    std::vector<Deep> m_deep;
+    std::vector<bool> m_isDropped;  ///< by pair
+};
+
+/// Whether the two are crowded, as marked by Crowds::thin().
+bool areCrowded(const CollisionObject& a, const CollisionObject& b);
+/// The contact of two bodies in a crowd.
+ContactPoint crowdContact(const CollisionObject& first, const CollisionObject& second);
+
+}  // namespace rubble
