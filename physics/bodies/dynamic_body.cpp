@@ -89,9 +89,9 @@ bool DynamicBody::updateShape(const World& world, const FrameChanges& changes) {
     return true;
 }
 
-void DynamicBody::setFilter(ShapeHandle shape, CollisionFilter filter) {
-    for (size_t i = 0; i < m_shapes.size(); ++i)
-        if (m_shapes[i] == shape) object.collider.parts[i]->setFilter(filter);
+ColliderPart* DynamicBody::partOf(ShapeHandle shape) const {
+    const auto found = std::find(m_shapes.begin(), m_shapes.end(), shape);
+    return found == m_shapes.end() ? nullptr : object.collider.parts[size_t(found - m_shapes.begin())].get();
 }
 
 void DynamicBody::setAsleep(bool asleep) {

@@ -23,8 +23,8 @@ public:
     /// it has other shapes now or shapes of other size.
     bool updateShape(const World& world, const FrameChanges& changes);
 
-    /// Sets the filter of one of its shapes. It takes effect with the collision object's next pose.
-    void setFilter(ShapeHandle shape, CollisionFilter filter);
+    /// The part of its collider that is one of its shapes; null: it is none of them.
+    ColliderPart* partOf(ShapeHandle shape) const;
     /// Puts it to sleep, with velocities of 0, or wakes it, with a new sleep timer. The broadphase is not told.
     void setAsleep(bool asleep);
     /// Makes it rest again before it may sleep: what acts on it has changed.

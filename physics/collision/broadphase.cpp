@@ -72,8 +72,9 @@ void Broadphase::setBounds(CollisionObject& object, glm::dvec3 displacement, dou
             part.hull().bounds(axes, partLow, partHigh);
         else
             HullPoints(part.bounds()).bounds(axes, partLow, partHigh);
-        low = glm::min(low, object.m_cellTransforms[i].corner + glm::dvec3(partLow));
-        high = glm::max(high, object.m_cellTransforms[i].corner + glm::dvec3(partHigh));
+        const double gap = part.round() ? kMaxRoundGap * part.voxelSize() : 0.0;
+        low = glm::min(low, object.m_cellTransforms[i].corner + glm::dvec3(partLow) - gap);
+        high = glm::max(high, object.m_cellTransforms[i].corner + glm::dvec3(partHigh) + gap);
     }
     object.displacement = displacement;
     object.low = object.pose.position + low - margin - kRounding + glm::min(displacement, 0.0);

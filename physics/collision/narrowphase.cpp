@@ -7,6 +7,7 @@
 #include "physics/bodies/dynamic_body.h"
 #include "physics/collision/crowd.h"
 #include "physics/collision/impact_contacts.h"
+#include "physics/collision/round_contacts.h"
 
 namespace rubble {
 namespace {
@@ -40,6 +41,11 @@ Motion motionOf(const CollisionObject& object) {
     motion.velocity = object.dynamic->motion.velocity;
     motion.angularVelocity = object.dynamic->motion.angularVelocity;
     return motion;
+}
+
+bool isTouchedAsRound(const Manifold& manifold) {
+    return std::ranges::any_of(manifold.all(),
+                               [](const ManifoldPoint& p) { return p.feature & (kFirstIsRound | kSecondIsRound); });
 }
 
 }  // namespace
@@ -106,6 +112,7 @@ void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettin
     const bool inherits = before && !first->isNew && !second->isNew;
     reduceContacts(batch.contacts, inherits ? before->manifold : nullptr,
                    2.0 * displacement <= settings.margin ? kRestingLimits : kHitLimits, manifold);
+    manifold.isRound = isTouchedAsRound(manifold);
     cacheContacts(manifold, first->pose, second->pose);
     manifold.allowedPenetration = 0.0f;
     if (!second->dynamic)

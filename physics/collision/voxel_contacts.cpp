@@ -6,6 +6,7 @@
 
 #include "physics/collision/feature_collider.h"
 #include "physics/collision/hull_separation.h"
+#include "physics/collision/round_contacts.h"
 
 // Narrowphase of two voxel shapes: features against occupancy.
 //
@@ -40,6 +41,8 @@ struct RelativeMotion {
         : seconds(settings.seconds) {
         offset = second.pose.position - first.pose.position;
         // v1 + w1 x r - (v2 + w2 x (r - offset))
+        firstVelocity = first.velocity, firstSpin = first.angularVelocity;
+        secondVelocity = second.velocity, secondSpin = second.angularVelocity;
         velocity = first.velocity - second.velocity + glm::cross(second.angularVelocity, offset);
         spin = first.angularVelocity - second.angularVelocity;
         maxDisplacement = maxRelativeDisplacement(first, second, seconds);
@@ -59,6 +62,7 @@ struct RelativeMotion {
     }
 
     double seconds;
+    glm::dvec3 firstVelocity{0.0}, firstSpin{0.0}, secondVelocity{0.0}, secondSpin{0.0};  ///< world axes
     glm::dvec3 offset{0.0};    ///< from the first's frame origin to the second's, world axes
     glm::dvec3 velocity{0.0};  ///< of the first at its origin relative to the second, world axes
     glm::dvec3 spin{0.0};
@@ -116,6 +120,10 @@ struct PartPair {
     const ColliderPart &a, &b;
     const CellTransform &aCells, &bCells;  ///< about the first body's frame origin
     uint64_t key;                          ///< bits of ContactPoint::feature
+    /// Metres by which a round surface may stick out of the hull of its voxels.
+    float roundness() const {
+        return kMaxRoundGap * float(std::max(a.round() ? a.voxelSize() : 0.0, b.round() ? b.voxelSize() : 0.0));
+    }
 };
 
 /// Appends the contacts of two parts. axis: a unit vector from b to a to start from, replaced by a better one; hasAxis:
@@ -126,12 +134,17 @@ bool collideParts(const PartPair& parts, const RelativeMotion& motion, const Nar
     const TransformedHull hullA = transformHull(a, aCells), hullB = transformHull(b, bCells);
     if (!hasAxis) axis = centerAxis(a, hullA, b, hullB);
     const float size = float(std::max(a.voxelSize(), b.voxelSize()));
-    const float searched = float(settings.margin) + kSearchDistance * size,
+    const float searched = float(settings.margin) + kSearchDistance * size + parts.roundness(),
                 closing = motion.sweeps ? float(motion.maxDisplacement) : 0.0f;
     const float gap = refineSeparatingAxis(hullA, hullB, searched + closing,
                                            hasAxis ? kKnownPairIterations : kNewPairIterations, axis);
     const float near = searched + motion.closingDistance(axis, double(searched));
     if (gap > near) return false;
+    if (a.round() || b.round()) {
+        collideRound({a, aCells, {}, motion.firstVelocity, motion.firstSpin},
+                     {b, bCells, motion.offset, motion.secondVelocity, motion.secondSpin}, settings, key, out);
+        return true;
+    }
     const size_t before = out.size();
     FeatureCollider forward(a, aCells, b, bCells);
     forward.setMotion(motion.velocity, motion.spin, settings, motion.maxDisplacement);

@@ -54,6 +54,7 @@ ColliderPart::ColliderPart(const Shape& shape, const Pose& frame, const Material
     : m_frame(frame),
       m_voxelSize(shape.voxelSize),
       m_filter{shape.collisionLayer, shape.collisionMask},
+      m_kind(shape.collisionShape),
       m_contactMaterials(std::make_shared<ContactMaterials>(*shape.palette, materials)) {
     takeGrid(shape.grid, nullptr);
     const glm::ivec3 nodes = m_grid.sizeInNodes();
@@ -88,6 +89,7 @@ void ColliderPart::findBounds() {
             m_bounds.low = glm::min(m_bounds.low, node * kNodeSize);
             m_bounds.high = glm::max(m_bounds.high, glm::min((node + 1) * kNodeSize, m_grid.size()));
         });
+    setCollisionShape(m_kind);
 }
 
 void ColliderPart::update(const Shape& shape, const std::vector<glm::ivec3>& bricks, const MaterialTable& materials) {

@@ -2,10 +2,12 @@
 #include <array>
 #include <glm/mat3x3.hpp>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "physics/shapes/cell_transform.h"
 #include "physics/shapes/hull_points.h"
+#include "physics/shapes/round_surface.h"
 #include "physics/shapes/surface_features.h"
 #include "runtime/core/lazy.h"
 #include "runtime/core/pose.h"
@@ -68,6 +70,13 @@ public:
     CollisionFilter filter() const { return m_filter; }
     /// Takes effect when the collision object gets its next pose.
     void setFilter(CollisionFilter filter) { m_filter = filter; }
+    /// The round surface that it is touched as; null: it is touched as voxels.
+    const RoundSurface* round() const { return m_round ? &*m_round : nullptr; }
+    /// What it is touched as from now on.
+    void setCollisionShape(CollisionShape kind) {
+        m_kind = kind;
+        m_round = fitRoundSurface(m_grid, m_bounds, m_kind);
+    }
     /// The surface of the whole part; null if its bounds are longer than kMaxWholeSize. [any thread]
     const PartSurface* whole() const;
     /// The hull of the cells, or of the bounds of a large part. [any thread]
@@ -99,6 +108,8 @@ private:
     Pose m_frame;
     double m_voxelSize;
     CollisionFilter m_filter;
+    CollisionShape m_kind;
+    std::optional<RoundSurface> m_round;
     CellBox m_bounds;
     bool m_hasUnphysical = false;  ///< the shape has voxels that are not in m_grid
     std::shared_ptr<const ContactMaterials> m_contactMaterials;

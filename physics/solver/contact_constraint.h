@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -7,6 +9,31 @@
 #include "physics/math/simd4.h"
 
 namespace rubble {
+
+/// A touched point of a round surface. It does not turn with the surface's spin about its axis: it stays where the
+/// surface is nearest to the other body.
+struct RoundAnchor {
+    Float4 axis{};        ///< at the start of the step; 0: a sphere
+    float radius = 0.0f;  ///< metres; 0: the surface is not round, and its points turn with it
+    float side = 0.0f;    ///< of the contact's normal: -1 for body A, 1 for B
+    /// How the point moves, with the anchor (from the centre of mass, at the start of the step), as the body turns.
+    Float4 turn(const SimdMat3& rotation, const Float4& anchor, const Float4& normal) const {
+        if (radius == 0.0f) return rotation * anchor;
+        const Float4 from = across(normal, axis) * float4(side * radius);
+        return rotation * (anchor - from) + across(normal, axis + rotation * axis) * float4(side * radius) - from;
+    }
+
+private:
+    /// The unit vector across an axis that is nearest to the normal.
+    static Float4 across(const Float4& normal, const Float4& axis) {
+        const Float4 v = normal - axis * float4(dot(normal, axis) / std::max(dot(axis, axis), 1e-12f));
+        return v * float4(1.0f / std::sqrt(std::max(dot(v, v), 1e-12f)));
+    }
+};
+/// Those of a contact.
+struct RoundAnchors {
+    RoundAnchor a, b;
+};
 
 /// One contact point between the bodies A and B as the solver iterates it. Vectors are in world axes.
 struct ContactConstraint {
@@ -27,8 +54,9 @@ struct ContactConstraint {
     float bounceImpulse, bounceTangent1, bounceTangent2;  ///< N s
     bool isStatic;                                        ///< one body does not move
     bool isStiff;                                         ///< a body is load-bearing
-    bool isOfB;            ///< the touched point is a feature of B on a face of A; else one of A on a face of B
-    ManifoldPoint* point;  ///< that gets the result
+    bool isOfB;                 ///< the touched point is a feature of B on a face of A; else one of A on a face of B
+    const RoundAnchors* round;  ///< null: neither is touched as what is round
+    ManifoldPoint* point;       ///< that gets the result
 };
 
 /// The constraints of a manifold.
@@ -96,6 +124,13 @@ struct DeltaPair {
         : position(float4(A.deltaPosition - B.deltaPosition)), rotationA(A.deltaRotation), rotationB(B.deltaRotation) {}
     Float4 position;  ///< of A relative to B
     SimdMat3 rotationA, rotationB;
+    /// How A's touched point moved relative to B's.
+    Float4 movement(const ContactConstraint& c) const {
+        if (c.round)
+            return position + c.round->a.turn(rotationA, c.anchorA, c.startNormal) -
+                   c.round->b.turn(rotationB, c.anchorB, c.startNormal);
+        return position + rotationA * c.anchorA - rotationB * c.anchorB;
+    }
 };
 
 /// What the contact solver iterates over.
@@ -103,6 +138,7 @@ struct ContactSet {
     std::vector<SolverState> states;     ///< by body; 0: the world
     std::vector<PairConstraints> pairs;  ///< in the order in which they are solved
     std::vector<ContactConstraint> constraints;
+    std::vector<RoundAnchors> rounds;  ///< by constraint; empty: nothing round is touched
 
     /// The constraints of a pair.
     std::span<ContactConstraint> of(const PairConstraints& pair) {

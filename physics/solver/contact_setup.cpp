@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/bodies/collision_object.h"
+#include "physics/collision/round_contacts.h"
+
 namespace rubble {
 namespace {
 
 constexpr float kHitSpeed = 0.5f;  ///< closing speed, m/s, from which a pair's normals are solved in several passes
-constexpr float kFollowedSpeed = 0.5f;    ///< m/s between two bodies from which their points are followed
-constexpr int kHitPasses = 16;            ///< at most
+constexpr float kFollowedSpeed = 0.5f;  ///< m/s between two bodies from which their points are followed
+constexpr int kHitPasses = 16;          ///< at most
+constexpr float kEndCosine = 0.7f;      ///< between a normal and a cylinder's axis above which it is touched on its end
 constexpr float kMinSupportSlope = 0.3f;  ///< vertical part of a normal above which one body lies on the other
 /// m/s that the warm start may give a body. Balanced impulses cancel.
 constexpr float kMaxWarmStartSpeed = 4.0f;
@@ -20,6 +24,24 @@ void tangentsOf(const glm::vec3& n, glm::vec3& t1, glm::vec3& t2) {
     t1 = std::abs(n.x) > 0.57f ? glm::vec3(n.y, -n.x, 0.0f) : glm::vec3(0.0f, n.z, -n.y);
     t1 /= std::sqrt(glm::dot(t1, t1));
     t2 = glm::cross(n, t1);
+}
+
+/// The round surface of a part of an object. side: of a normal that points away from it.
+RoundAnchor roundAnchor(const CollisionObject& object, size_t part, float side, const glm::vec3& normal) {
+    const ColliderPart& touched = *object.collider.parts[part];
+    const RoundSurface* round = touched.round();
+    if (!round) return {};
+    const glm::vec3 axis(object.pose.rotation * touched.frame().rotation * glm::dvec3(round->direction()));
+    if (std::abs(glm::dot(axis, normal)) > kEndCosine) return {};
+    return {float4(axis), round->radius * float(touched.voxelSize()), side};
+}
+/// Fills in which surfaces of a contact are round; null: none.
+const RoundAnchors* findRoundAnchors(const Manifold& manifold, const ManifoldPoint& point, RoundAnchors& out) {
+    if (point.feature & kFirstIsRound)
+        out.a = roundAnchor(*manifold.objects.first, point.feature >> 6 & 31, -1.0f, point.normal);
+    if (point.feature & kSecondIsRound)
+        out.b = roundAnchor(*manifold.objects.second, point.feature >> 1 & 31, 1.0f, point.normal);
+    return out.a.radius != 0.0f || out.b.radius != 0.0f ? &out : nullptr;
 }
 
 /// anchorA, anchorB: from the centres of mass to where each body is touched.
@@ -47,9 +69,14 @@ void fillConstraint(ContactConstraint& c, ManifoldPoint& point, const SolverStat
 }  // namespace
 
 void updateJacobian(ContactConstraint& c, const SolverState& A, const SolverState& B) {
-    const Float4 turnA = SimdMat3(A.deltaRotation) * c.anchorA, turnB = SimdMat3(B.deltaRotation) * c.anchorB;
-    const SimdMat3 turn(c.isOfB ? A.deltaRotation : B.deltaRotation);
-    c.normal = c.startNormal + turn * c.startNormal;
+    const SimdMat3 rotationA(A.deltaRotation), rotationB(B.deltaRotation);
+    Float4 turnA = rotationA * c.anchorA, turnB = rotationB * c.anchorB;
+    c.normal = c.startNormal + (c.isOfB ? rotationA : rotationB) * c.startNormal;
+    if (c.round) {
+        turnA = c.round->a.turn(rotationA, c.anchorA, c.startNormal);
+        turnB = c.round->b.turn(rotationB, c.anchorB, c.startNormal);
+        if ((c.isOfB ? c.round->a : c.round->b).radius != 0.0f) c.normal = c.startNormal;
+    }
     const Float4 apart =
         c.startNormal * float4(c.separation) + float4(A.deltaPosition - B.deltaPosition) + turnA - turnB;
     const Float4 half = c.normal * float4(0.5f * dot(apart, c.normal));
@@ -90,7 +117,9 @@ void preparePair(ContactSet& set, PairConstraints& pair, std::span<const SolverB
         const glm::vec3 half = point.normal * (0.5f * point.separation);
         const glm::vec3 rA = a ? originA + point.position + half : glm::vec3(0.0f),
                         rB = b ? originB + point.position - half : glm::vec3(0.0f);
-        ContactConstraint& c = set.constraints[at++];
+        ContactConstraint& c = set.constraints[at];
+        c.round = set.rounds.empty() ? nullptr : findRoundAnchors(*pair.manifold, point, set.rounds[at]);
+        ++at;
         fillConstraint(c, point, A, B, rA, rB);
         c.separation = effectiveSeparation(*pair.manifold, point, up);
         closing = std::max(closing, -c.initialNormalVelocity);

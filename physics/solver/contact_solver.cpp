@@ -88,6 +88,9 @@ void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* co
         count = m_set.pairs.back().to;
     }
     m_set.constraints.resize(count);
+    const bool anyRound =
+        std::any_of(manifolds.begin(), manifolds.end(), [](const Manifold* manifold) { return manifold->isRound; });
+    m_set.rounds.assign(anyRound ? count : 0, {});
     forEachBlockwise(m_parallelFor, m_set.pairs.size(),
                      [&](size_t i) { preparePair(m_set, m_set.pairs[i], bodies, m_up); });
     if (m_paths.size() < bodies.size()) m_paths.resize(bodies.size());
@@ -176,8 +179,7 @@ bool ContactSolver::isDeep(const PairConstraints& pair) {
 }
 
 float ContactSolver::separationOf(const ContactConstraint& c, const DeltaPair& deltas) {
-    const Float4 movement = deltas.position + deltas.rotationA * c.anchorA - deltas.rotationB * c.anchorB;
-    return dot(c.startNormal * float4(c.separation) + movement, c.normal);
+    return dot(c.startNormal * float4(c.separation) + deltas.movement(c), c.normal);
 }
 
 /// A point that is still apart may close by its separation within the substep (speculative contact). A penetration is

@@ -156,8 +156,9 @@ void PhysicsBodies::updateFilter(const World& world, ShapeHandle handle) {
     DynamicBody* dynamic = dynamicAt(shape.body.slot());
     CollisionObject* object = handle.slot() < m_statics.size() ? m_statics[handle.slot()].get() : nullptr;
     const CollisionFilter filter{shape.collisionLayer, shape.collisionMask};
-    if (object) object->collider.parts[0]->setFilter(filter);
-    if (!object && dynamic) dynamic->setFilter(handle, filter), object = &dynamic->object;
+    ColliderPart* part = object ? object->collider.parts[0].get() : dynamic ? dynamic->partOf(handle) : nullptr;
+    if (part) part->setFilter(filter), part->setCollisionShape(shape.collisionShape);
+    if (!object && dynamic) object = &dynamic->object;
     if (!object || object->collider.empty()) return;
     object->setPose(object->pose);
     m_broadphase.touch(*object);

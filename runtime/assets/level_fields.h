@@ -22,6 +22,9 @@ inline constexpr std::array<const char*, 7> kEnumNames<JointKind> = {"ball",  "h
 template <>
 inline constexpr std::array<const char*, 3> kEnumNames<MotorMode> = {"off", "speed", "position"};
 template <>
+inline constexpr std::array<const char*, 5> kEnumNames<CollisionShape> = {"voxels", "sphere", "cylinder_x",
+                                                                          "cylinder_y", "cylinder_z"};
+template <>
 inline constexpr std::array<const char*, 3> kEnumNames<TriggerKind> = {"sphere", "box", "polygon"};
 
 template <>
@@ -86,6 +89,7 @@ inline constexpr auto kFields<LevelShape> = std::tuple{
     Field{"bears_load", &LevelShape::loadBearing},
     Field{"collision_layer", &LevelShape::collisionLayer},
     Field{"collision_mask", &LevelShape::collisionMask},
+    Field{"collision_shape", &LevelShape::collisionShape},
 };
 template <>
 inline constexpr auto kFields<LevelBody> = std::tuple{

@@ -55,6 +55,7 @@ inline constexpr auto kFields<Shape> = std::tuple{
     Field{"strength", &Shape::strength},
     Field{"collision_layer", &Shape::collisionLayer},
     Field{"collision_mask", &Shape::collisionMask},
+    Field{"collision_shape", &Shape::collisionShape},
 };
 template <>
 inline constexpr auto kFields<Light> = lightTable([](auto member) { return member; }, &Light::shape, &Light::group);
@@ -227,6 +228,11 @@ inline constexpr auto kFields<SetCollisionFilterEdit> = std::tuple{
     Field{"shape", &SetCollisionFilterEdit::shape},
     Field{"layer", &SetCollisionFilterEdit::layer},
     Field{"mask", &SetCollisionFilterEdit::mask},
+};
+template <>
+inline constexpr auto kFields<SetCollisionShapeEdit> = std::tuple{
+    Field{"shape", &SetCollisionShapeEdit::shape},
+    Field{"kind", &SetCollisionShapeEdit::kind},
 };
 template <>
 inline constexpr auto kFields<AddWaterEdit> = std::tuple{

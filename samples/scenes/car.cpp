@@ -134,6 +134,7 @@ LevelShape makeWheel(std::string name) {
     c.ring(2, 0, kWide, {kAcross, kAcross, 0}, -1, 4, hub);
     LevelShape shape = c.finish(std::move(name));
     shape.voxelSize = float(0.5 * kVoxel);
+    shape.collisionShape = CollisionShape::CylinderZ;
     return shape;
 }
 

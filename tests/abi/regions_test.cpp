@@ -88,6 +88,10 @@ TEST_F(Abi, ACharacterWalksIntoWaterInATrigger) {
 
     auto collision = sized<rubble_collision_filter>();
     expectRefused(api()->set_collision_filter(m_world, &collision), RUBBLE_ERROR_STALE, "shape");
+    auto round = sized<rubble_collision_shape>();
+    expectRefused(api()->set_collision_shape(m_world, &round), RUBBLE_ERROR_STALE, "shape");
+    round.kind = 5;
+    expectRefused(api()->set_collision_shape(m_world, &round), RUBBLE_ERROR_ARGUMENT, "kind");
     EXPECT_EQ(api()->remove_character(m_world, state.character), RUBBLE_OK);
     EXPECT_EQ(api()->remove_trigger(m_world, events[0].trigger), RUBBLE_OK);
     uint64_t lake = 0;

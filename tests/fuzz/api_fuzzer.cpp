@@ -154,7 +154,7 @@ private:
         }
     }
     void callEdit() {
-        switch (m_decisions.below(6)) {
+        switch (m_decisions.below(7)) {
             case 0: {
                 auto carve = sized<rubble_carve>();
                 carve.brush = whole(3), carve.max_hardness = whole(4), carve.tool = whole(5);
@@ -189,6 +189,11 @@ private:
                 impulse.body = any(bodies());
                 place(impulse.position), fill(impulse.impulse, 1e4);
                 return void(api().apply_impulse(m_world, &impulse));
+            }
+            case 5: {
+                auto round = sized<rubble_collision_shape>();
+                round.kind = whole(6), round.shape = any(shapes());
+                return void(api().set_collision_shape(m_world, &round));
             }
             default: {
                 auto filter = sized<rubble_collision_filter>();

@@ -114,7 +114,7 @@ Edit usualEdit(Decisions& decisions, const World& world) {
     const auto character = world.characters().handleAt(decisions.below(uint32_t(world.characters().slotCount())));
     const double size = decisions.within({0.0, 1.5});
     const uint32_t seed = decisions.below(1000);
-    switch (decisions.below(37)) {
+    switch (decisions.below(38)) {
         case 0:
             return CarveEdit{.kind = BrushKind::Box, .position = at, .halfSize = {size, size, 0.3}, .shape = shape};
         case 1:
@@ -205,6 +205,8 @@ Edit usualEdit(Decisions& decisions, const World& world) {
             return RemoveLightEdit{light};
         case 35:
             return SetBoundsEdit{{BoundsRule(decisions.below(3)), at - 1.0, at - 1.0 + size * 2.0}};
+        case 36:
+            return SetCollisionShapeEdit{shape, CollisionShape(decisions.below(5))};
         default:
             return BreakEdit{.position = at, .radii = randomRadii(decisions), .seed = seed, .shape = shape};
     }

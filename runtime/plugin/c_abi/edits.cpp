@@ -103,6 +103,13 @@ SetCollisionFilterEdit readCollisionFilter(const World& world, const rubble_coll
     return edit;
 }
 
+SetCollisionShapeEdit readCollisionShape(const World& world, const rubble_collision_shape& given) {
+    SetCollisionShapeEdit edit;
+    edit.kind = CollisionShape(readEnum(given.kind, RUBBLE_COLLISION_CYLINDER_Z, "kind"));
+    edit.shape = readLiveHandle<HandleType::Shape>(world.shapes(), given.shape, "shape");
+    return edit;
+}
+
 rubble_result carve(rubble_world world, const rubble_carve* edit) {
     return pushEdit("carve", world, edit, readCarve);
 }
@@ -121,6 +128,9 @@ rubble_result applyImpulse(rubble_world world, const rubble_impulse* edit) {
 rubble_result setCollisionFilter(rubble_world world, const rubble_collision_filter* edit) {
     return pushEdit("set_collision_filter", world, edit, readCollisionFilter);
 }
+rubble_result setCollisionShape(rubble_world world, const rubble_collision_shape* edit) {
+    return pushEdit("set_collision_shape", world, edit, readCollisionShape);
+}
 
 }  // namespace
 
@@ -131,6 +141,7 @@ void setEditFunctions(rubble_api& api) {
     api.paint = paint;
     api.apply_impulse = applyImpulse;
     api.set_collision_filter = setCollisionFilter;
+    api.set_collision_shape = setCollisionShape;
 }
 
 }  // namespace rubble::abi

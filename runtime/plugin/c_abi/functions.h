@@ -8,7 +8,7 @@ namespace rubble::abi {
 void setHostFunctions(rubble_api& api);
 /// Sets the functions that create, destroy, load and step worlds, and those of undo.
 void setWorldFunctions(rubble_api& api);
-/// Sets the edits of voxels, apply_impulse() and set_collision_filter().
+/// Sets the edits of voxels, apply_impulse(), set_collision_filter() and set_collision_shape().
 void setEditFunctions(rubble_api& api);
 /// Sets the functions of joints, ropes, wheels and grabs.
 void setJointFunctions(rubble_api& api);

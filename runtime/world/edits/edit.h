@@ -13,6 +13,7 @@
 #include "runtime/world/edits/light_edits.h"
 #include "runtime/world/edits/shape_edits.h"
 #include "runtime/world/objects/character.h"
+#include "runtime/world/objects/collision_shape.h"
 #include "runtime/world/objects/trigger.h"
 #include "runtime/world/objects/water.h"
 #include "runtime/world/settings/paint_settings.h"
@@ -131,6 +132,12 @@ struct SetCollisionFilterEdit {
     uint8_t layer = 1, mask = 255;  ///< bits
 };
 
+/// Says what physics takes a shape for where it touches others: see CollisionShape.
+struct SetCollisionShapeEdit {
+    ShapeHandle shape;
+    CollisionShape kind = CollisionShape::Voxels;
+};
+
 /// Adds a body of water; FrameChanges::waters names it.
 struct AddWaterEdit {
     Water water;
@@ -176,7 +183,7 @@ using AnyEdit =
                  ImpactLoadEdit, SetCollisionFilterEdit, AddWaterEdit, RemoveWaterEdit, AddTriggerEdit,
                  RemoveTriggerEdit, AddCharacterEdit, RemoveCharacterEdit, MoveCharacterEdit, TeleportCharacterEdit,
                  AddJointEdit, RemoveJointEdit, SetJointMotorEdit, DetachJointEdit, GrabEdit, ReleaseEdit, DriveEdit,
-                 SetEnvironmentEdit, SetLightEdit, AddLightEdit, RemoveLightEdit, SetBoundsEdit>;
+                 SetEnvironmentEdit, SetLightEdit, AddLightEdit, RemoveLightEdit, SetBoundsEdit, SetCollisionShapeEdit>;
 /// One command for the World: any of the kinds above. It is a class of its own so that its copies, moves and
 /// destructor, which are long over so many kinds, are compiled once (edit.cpp) and not wherever a list of edits is
 /// held.

@@ -46,7 +46,8 @@ constexpr const char* kNames[] = {"carve",
                                   "set_light",
                                   "add_light",
                                   "remove_light",
-                                  "set_bounds"};
+                                  "set_bounds",
+                                  "set_collision_shape"};
 static_assert(std::size(kNames) == std::variant_size_v<AnyEdit>);
 
 /// About a number of an enum whose last is `last`.
@@ -114,6 +115,9 @@ std::string errorOf(const SettingsEdit& edit) {
 }
 std::string errorOf(const SetBoundsEdit& edit) {
     return boundsError(edit.bounds);
+}
+std::string errorOf(const SetCollisionShapeEdit& edit) {
+    return checkEnum("kind", edit.kind, CollisionShape::CylinderZ).error();
 }
 std::string errorOf(const HeatEdit& edit) {
     return RangeCheck()

@@ -134,7 +134,7 @@ struct FrameChanges {
     uint64_t firesRefused = 0;                ///< bricks that did not ignite because of FireSettings::maxFires
     uint64_t heatLost = 0;                    ///< deposits of heat that FireSettings::maxHot refused
     std::vector<CrackOpened> cracks;          ///< their voxels are in `removed` too
-    std::vector<ShapeHandle> filters;         ///< shapes with another collision layer or mask
+    std::vector<ShapeHandle> filters;         ///< shapes with another collision layer, mask or shape
     std::vector<WaterHandle> waters;          ///< created, changed or removed
     std::vector<TriggerHandle> triggers;      ///< created, removed, or with other bodies inside
     std::vector<CharacterHandle> characters;  ///< created, removed, placed, or with another wish

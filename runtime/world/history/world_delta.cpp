@@ -51,7 +51,8 @@ void journalBricks(ShapeHandle handle, const Shape& was, const Shape& is, FrameC
     });
     if (isCarved) changes.carved.push_back(handle);
     if (was.palette != is.palette || was.paintColors != is.paintColors) changes.palettes.push_back(handle);
-    if (was.collisionLayer != is.collisionLayer || was.collisionMask != is.collisionMask)
+    if (was.collisionLayer != is.collisionLayer || was.collisionMask != is.collisionMask ||
+        was.collisionShape != is.collisionShape)
         changes.filters.push_back(handle);
 }
 

@@ -11,6 +11,7 @@
 #include "runtime/voxel/palette.h"
 #include "runtime/voxel/voxel_grid.h"
 #include "runtime/world/objects/character.h"
+#include "runtime/world/objects/collision_shape.h"
 #include "runtime/world/objects/joint.h"
 #include "runtime/world/objects/lights.h"
 #include "runtime/world/objects/trigger.h"
@@ -33,6 +34,7 @@ struct LevelShape {
     bool loadBearing = true;     ///< false: left out of the stress analysis
     uint8_t collisionLayer = 1;  ///< bits; two shapes touch if each one's layer is in the other's mask
     uint8_t collisionMask = 255;
+    CollisionShape collisionShape = CollisionShape::Voxels;  ///< what it is touched as
 };
 
 /// A body as data, with its shapes.

@@ -10,6 +10,7 @@
 #include "runtime/voxel/paint_colors.h"
 #include "runtime/voxel/palette.h"
 #include "runtime/voxel/voxel_grid.h"
+#include "runtime/world/objects/collision_shape.h"
 
 namespace rubble {
 
@@ -31,6 +32,7 @@ struct Shape {
     float strength = 1.0f;        ///< multiple of its materials' strengths
     uint8_t collisionLayer = 1;   ///< bits; two shapes touch if each one's layer is in the other's mask
     uint8_t collisionMask = 255;
+    CollisionShape collisionShape = CollisionShape::Voxels;  ///< what it is touched as
 };
 
 }  // namespace rubble

@@ -69,7 +69,7 @@ uint64_t resolvedHash(const WorldState& world) {
         hasher.add(shape.local);
         hasher.add(shape.grid.contentHash());
         hasher.add(paletteHash);
-        hasher.add(uint64_t(shape.collisionLayer) << 8 | shape.collisionMask);
+        hasher.add(uint64_t(shape.collisionShape) << 16 | uint64_t(shape.collisionLayer) << 8 | shape.collisionMask);
         if (shape.paintColors) hasher.add(hashBytes(shape.paintColors.get(), sizeof(PaintColors)));
     });
     world.groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {

@@ -14,6 +14,14 @@ void apply(EditContext& context, const SetCollisionFilterEdit& edit) {
     context.wakeBody(shape->body);
 }
 
+void apply(EditContext& context, const SetCollisionShapeEdit& edit) {
+    Shape* shape = context.world.shapes.find(edit.shape);
+    if (!shape) return logWarning("set_collision_shape: the handle of its shape is stale; nothing was changed");
+    shape->collisionShape = edit.kind;
+    context.changes.filters.push_back(edit.shape);
+    context.wakeBody(shape->body);
+}
+
 void apply(EditContext& context, const AddWaterEdit& edit) {
     context.changes.waters.push_back(context.world.waters.insert(edit.water));
 }

@@ -5,6 +5,8 @@ namespace rubble {
 
 /// Gives a shape another collision layer and mask, and wakes its body.
 void apply(EditContext& context, const SetCollisionFilterEdit& edit);
+/// Sets what a shape is touched as, and wakes its body.
+void apply(EditContext& context, const SetCollisionShapeEdit& edit);
 /// Adds a body of water if its numbers are valid.
 void apply(EditContext& context, const AddWaterEdit& edit);
 /// Erases a body of water.

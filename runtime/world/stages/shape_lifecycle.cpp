@@ -36,6 +36,7 @@ ShapeHandle createPiece(EditContext& context, ShapeHandle parentHandle, Piece pi
     shape.strength = parent.strength;
     shape.collisionLayer = parent.collisionLayer;
     shape.collisionMask = parent.collisionMask;
+    shape.collisionShape = parent.collisionShape;
     shape.isPiece = true;
     shape.knownConnected = true;
     const BodyHandle bodyHandle = context.world.bodies.insert(std::move(body));

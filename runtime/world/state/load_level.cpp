@@ -45,6 +45,7 @@ ShapeHandle loadShape(WorldData& world, BodyHandle body, bool isStatic, const Le
     shape.loadBearing = from.loadBearing;
     shape.collisionLayer = from.collisionLayer;
     shape.collisionMask = from.collisionMask;
+    shape.collisionShape = from.collisionShape;
     const bool needsAnchor = isStatic && from.anchors.empty();
     shape.anchors = needsAnchor ? std::vector{bottomLayer(shape.grid)}
                                 : translatedBoxes(from.anchors, glm::ivec3(0), shape.grid.size());
@@ -213,7 +214,7 @@ Level toLevel(const WorldState& world) {
             const Shape& shape = world.shapes.at(handle);
             out.shapes.push_back({shape.name, shape.local, shape.voxelSize, shape.grid, shape.palette, shape.anchors,
                                   shape.tags, false, shape.paintColors, shape.strength, shape.loadBearing,
-                                  shape.collisionLayer, shape.collisionMask});
+                                  shape.collisionLayer, shape.collisionMask, shape.collisionShape});
             shapeNames[handle.slot()] = shape.name;
         }
         level.bodies.push_back(std::move(out));

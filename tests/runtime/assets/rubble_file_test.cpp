@@ -49,6 +49,7 @@ TEST(RubbleFile, TheHashSeesEveryField) {
         [](Level& l) { l.bodies[0].shapes[1].strength = 1.0f; },
         [](Level& l) { l.bodies[0].shapes[1].loadBearing = true; },
         [](Level& l) { l.bodies[0].shapes[1].collisionMask = 13; },
+        [](Level& l) { l.bodies[0].shapes[1].collisionShape = CollisionShape::Sphere; },
         [](Level& l) { l.waters[0].outline[1].z = 0.5; },
         [](Level& l) { l.waters[0].waves.speed = 2.0f; },
         [](Level& l) { l.triggers[0].kind = TriggerKind::Box; },

@@ -87,6 +87,7 @@ inline LevelShape sampleLantern() {
     lantern.loadBearing = false;
     lantern.collisionLayer = 4;
     lantern.collisionMask = 12;
+    lantern.collisionShape = CollisionShape::CylinderY;
     return lantern;
 }
 

@@ -180,7 +180,7 @@ private:
         const ShapeHandle target = shape(world);
         const Shape* at = world.shapes().find(target);
         const glm::ivec3 low = cell(glm::ivec3(12)) - 6, size = at ? at->grid.size() : glm::ivec3(9);
-        switch (m_random.below(6)) {
+        switch (m_random.below(7)) {
             case 0:
                 return out.push_back(SplitShapeEdit{target, m_random.below(2) == 0, m_random.below(40)});
             case 1:
@@ -189,6 +189,8 @@ private:
                 return out.push_back(ResizeShapeEdit{target, {low, low + size - 2 + cell(glm::ivec3(6))}});
             case 3:
                 return out.push_back(SetCollisionFilterEdit{target, 1, uint8_t(m_random.below(2) ? 255 : 2)});
+            case 4:
+                return out.push_back(SetCollisionShapeEdit{target, CollisionShape(m_random.below(5))});
             default: {
                 ShapeHandle into;
                 if (const Body* owner = at && m_random.below(2) ? world.bodies().find(at->body) : nullptr)

@@ -465,6 +465,24 @@ typedef struct rubble_collision_filter {
     rubble_shape shape;
 } rubble_collision_filter;
 
+enum {
+    RUBBLE_COLLISION_VOXELS = 0,
+    RUBBLE_COLLISION_SPHERE = 1,
+    RUBBLE_COLLISION_CYLINDER_X = 2, /* about the x axis of the shape's grid */
+    RUBBLE_COLLISION_CYLINDER_Y = 3,
+    RUBBLE_COLLISION_CYLINDER_Z = 4
+};
+
+/* What physics takes a shape for where it touches others. The round ones are the smallest that hold all its voxels,
+ * about the middle of its bounds: a wheel rolls on a cylinder and a ball on a sphere, not on the corners of voxels. A
+ * shape that leaves a voxel of it, as after a cut, is touched as voxels. Queries, water and characters always see
+ * voxels. */
+typedef struct rubble_collision_shape {
+    uint32_t struct_size;
+    uint32_t kind; /* RUBBLE_COLLISION_VOXELS ... RUBBLE_COLLISION_CYLINDER_Z */
+    rubble_shape shape;
+} rubble_collision_shape;
+
 /* A volume of water: bodies in it float or sink, characters swim, fires go out. */
 typedef struct rubble_water_settings {
     uint32_t struct_size;
@@ -963,6 +981,11 @@ typedef struct rubble_api {
     rubble_result (*set_bounds)(rubble_world world, const rubble_bounds* bounds);
     /* [main-thread] The bounds in use, as the last step() knew them. Low and high are equal if there are none. */
     rubble_result (*get_bounds)(rubble_world world, rubble_bounds* out);
+
+    /* ---- edits: collision shapes ---- */
+
+    /* [main-thread] Sets what a shape is touched as; see rubble_collision_shape. Pieces of it inherit it. */
+    rubble_result (*set_collision_shape)(rubble_world world, const rubble_collision_shape* shape);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

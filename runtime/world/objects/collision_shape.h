@@ -1,0 +1,11 @@
+#pragma once
+#include <cstdint>
+
+namespace rubble {
+
+/// What physics takes a shape for where it touches others. The round ones are the smallest that hold all its voxels,
+/// about the middle of its bounds: a wheel rolls on a cylinder and a ball on a sphere, not on the corners of voxels.
+/// A shape that its voxels no longer fill, because they were cut, is touched as voxels.
+enum class CollisionShape : uint8_t { Voxels, Sphere, CylinderX, CylinderY, CylinderZ };
+
+}  // namespace rubble

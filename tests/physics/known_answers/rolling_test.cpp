@@ -1,0 +1,250 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "physics/shapes/voxel_collider.h"
+#include "runtime/core/constants.h"
+#include "tests/physics/scenes/known_scenes.h"
+
+namespace rubble {
+namespace {
+
+/// A disc of voxels about z: `across` cells wide, `wide` cells long.
+VoxelGrid disc(int across, int wide, uint8_t entry) {
+    return gridOf({across, across, wide}, [&](glm::ivec3 c) {
+        const int x = 2 * c.x + 1 - across, y = 2 * c.y + 1 - across;
+        return uint8_t(x * x + y * y <= across * across ? entry : 0);
+    });
+}
+
+/// The radius of the smallest cylinder around the voxels of disc(), metres.
+double rollingRadius(int across, double voxel) {
+    double farthest = 0.0;
+    for (int x = 0; x < across; ++x)
+        for (int y = 0; y < across; ++y) {
+            const int dx = std::abs(2 * x + 1 - across), dy = std::abs(2 * y + 1 - across);
+            if (dx * dx + dy * dy > across * across) continue;
+            farthest = std::max(farthest, 0.5 * voxel * std::sqrt(double((dx + 1) * (dx + 1) + (dy + 1) * (dy + 1))));
+        }
+    return farthest;
+}
+
+/// A disc of voxels that rolls along x on a road, body 1; its middle is at x = 0.
+void addRollingDisc(PhysicsScene& scene, int across, double speed, double slope = 0.0) {
+    const uint8_t entry = known::setMaterial(scene, 7, 0.8f, 0.0f);
+    const double r = rollingRadius(across, 0.1);
+    const glm::dquat tilt = glm::angleAxis(-slope * kPi / 180.0, glm::dvec3(0, 0, 1));
+    scene.add(solidGrid({800, 4, 40}, entry), tilt * glm::dvec3(-5, -0.4, -2.0), true, tilt);
+    LevelBody& wheel =
+        scene.add(disc(across, 8, entry), tilt * glm::dvec3(-0.05 * across, r - 0.05 * across, -0.4), false, tilt);
+    wheel.velocity = glm::vec3(tilt * glm::dvec3(speed, 0, 0));
+    wheel.angularVelocity = {0.0f, 0.0f, -float(speed / r)};
+    wheel.shapes[0].collisionShape = CollisionShape::CylinderZ;
+}
+
+TEST(Rolling, AWheelOfVoxelsDoesNotHop) {
+    for (const int across : {8, 16, 64})
+        for (const double speed : {2.0, 20.0}) {
+            PhysicsScene scene(known::sleepless({}));
+            addRollingDisc(scene, across, speed);
+            scene.load();
+            const double start = scene.center(1).y;
+            for (int i = 0; i < 120; ++i) {
+                scene.step();
+                ASSERT_NEAR(scene.center(1).y, start, 0.001) << across << " across at " << speed << " m/s, step " << i;
+            }
+            EXPECT_NEAR(double(scene.body(1).velocity.x) / speed, 1.0, 0.001) << across << " across";
+        }
+}
+
+TEST(Rolling, ABallRollsDownASlopeByItsInertia) {
+    PhysicsScene scene(known::sleepless({}));
+    const uint8_t entry = known::setMaterial(scene, 7, 0.8f, 0.0f);
+    const glm::dquat tilt = glm::angleAxis(-10.0 * kPi / 180.0, glm::dvec3(0, 0, 1));
+    scene.add(solidGrid({400, 4, 40}, entry), tilt * glm::dvec3(-5, -0.4, -2.0), true, tilt);
+    LevelShape& ball = scene
+                           .add(gridOf(glm::ivec3(16),
+                                       [&](glm::ivec3 c) {
+                                           const glm::ivec3 d = 2 * c - 15;
+                                           return uint8_t(d.x * d.x + d.y * d.y + d.z * d.z <= 256 ? entry : 0);
+                                       }),
+                                tilt * glm::dvec3(-0.8, 0.1, -0.8), false, tilt)
+                           .shapes[0];
+    ball.collisionShape = CollisionShape::Sphere;
+    scene.load();
+    const ColliderPart part(scene.world.shapes().at(scene.body(1).shapes[0]), Pose{}, scene.world.materials());
+    ASSERT_TRUE(part.round());
+    const double r = 0.1 * double(part.round()->radius);
+    scene.seconds(1.0);
+    const double before = glm::length(scene.body(1).velocity);
+    scene.seconds(1.0);
+    const MassProperties mass = bodyMass(scene.world, scene.handle(1));
+    const double theory = 9.81 * std::sin(10.0 * kPi / 180.0) / (1.0 + mass.principalInertia.x / (mass.mass * r * r));
+    EXPECT_NEAR((glm::length(scene.body(1).velocity) - before) / theory, 1.0, 0.01);
+}
+
+TEST(Rolling, AWheelPassesAStepOfOneVoxelAndNoWall) {
+    for (const bool isWall : {false, true}) {
+        PhysicsScene scene(known::sleepless({}));
+        addRollingDisc(scene, 16, isWall ? 20.0 : 6.0);
+        scene.add(isWall ? solidGrid({1, 40, 40}, 7) : solidGrid({40, 1, 40}, 7), {5.0, 0.0, -2.0}, true);
+        scene.load();
+        double highest = 0.0;
+        for (int i = 0; i < 150; ++i) {
+            scene.step();
+            highest = std::max(highest, scene.center(1).y);
+        }
+        const double r = rollingRadius(16, 0.1);
+        if (isWall)
+            EXPECT_LT(scene.center(1).x, 5.0 - r + 0.02);
+        else
+            EXPECT_GT(scene.center(1).x, 9.5);
+        EXPECT_LT(highest, r + (isWall ? 2.5 : 0.5));
+    }
+}
+
+TEST(Rolling, ACoinLiesFlat) {
+    PhysicsScene scene;
+    const uint8_t entry = known::setMaterial(scene, 7, 0.8f, 0.0f);
+    scene.addFloor(entry);
+    scene.add(disc(16, 2, entry), {-0.8, 0.4, 0.8}, false, glm::angleAxis(-0.5 * kPi + 0.1, glm::dvec3(1, 0, 0)))
+        .shapes[0]
+        .collisionShape = CollisionShape::CylinderZ;
+    scene.load();
+    scene.seconds(4.0);
+    EXPECT_NEAR(scene.center(1).y, 0.1, 0.002);
+    EXPECT_TRUE(scene.body(1).asleep);
+}
+
+TEST(Rolling, AnEditMakesAWheelRoundAndWakesIt) {
+    PhysicsScene scene;
+    addRollingDisc(scene, 8, 0.0, 5.0);
+    scene.level.bodies[1].shapes[0].collisionShape = CollisionShape::Voxels;
+    scene.load();
+    scene.world.applyEdits({});
+    scene.seconds(3.0);
+    ASSERT_TRUE(scene.body(1).asleep) << "it stands on its lowest voxels";
+    const double before = scene.center(1).x;
+    const uint64_t hash = scene.world.hash();
+    scene.stepWith({SetCollisionShapeEdit{scene.body(1).shapes[0], CollisionShape::CylinderZ}});
+    EXPECT_NE(scene.world.hash(), hash);
+    scene.seconds(3.0);
+    EXPECT_GT(scene.center(1).x, before + 0.3);
+}
+
+TEST(Rolling, AWheelThatIsCutIsTouchedAsVoxels) {
+    const auto fit = [](const VoxelGrid& grid) {
+        return fitRoundSurface(grid, {glm::ivec3(0), grid.size()}, CollisionShape::CylinderZ);
+    };
+    VoxelGrid wheel = disc(16, 4, 7);
+    ASSERT_TRUE(fit(wheel));
+    EXPECT_NEAR(double(fit(wheel)->radius), 10.0 * rollingRadius(16, 0.1), 1e-5);
+    fillBox(wheel, {{0, 0, 0}, {16, 3, 4}}, 0);
+    EXPECT_FALSE(fit(wheel));
+    EXPECT_FALSE(fit(solidGrid({6, 6, 6}, 7)));
+}
+
+/// A car of a box on four wheels that drives along x.
+struct Car {
+    double drive = 0.0, drag = 0.0, brake = 0.0;  ///< torque of each wheel, N m
+    double steer = 0.0;                           ///< of the front wheels, radians
+    double speed = 0.0;                           ///< at the start, m/s
+    double slope = 0.0;                           ///< degrees, downward along x
+};
+constexpr double kWheelBase = 2.6;
+constexpr int kAcross = 16;  ///< voxels of half the usual size
+
+void addCar(PhysicsScene& scene, const Car& car) {
+    known::setMaterial(scene, 7, 0.9f, 0.0f);
+    const uint8_t body = known::setMaterial(scene, 8, 0.9f, 0.0f, 400);
+    const double r = rollingRadius(kAcross, 0.05), half = 0.025 * kAcross;
+    const glm::dquat tilt = glm::angleAxis(-car.slope * kPi / 180.0, glm::dvec3(0, 0, 1));
+    static const VoxelGrid ground = solidGrid({2000, 4, 1600}, 7);
+    scene.add(ground, tilt * glm::dvec3(-40, -0.4, -80), true, tilt);
+    const glm::vec3 velocity(tilt * glm::dvec3(car.speed, 0, 0));
+    scene.add(solidGrid({40, 6, 16}, body), tilt * glm::dvec3(-2, r + 0.1, -0.8), false, tilt).velocity = velocity;
+    const std::string name = scene.level.bodies.back().name;
+    const glm::dquat leftward(std::sqrt(0.5), 0.0, std::sqrt(0.5), 0.0);
+    for (const double x : {-0.5 * kWheelBase, 0.5 * kWheelBase})
+        for (const bool isLeft : {true, false}) {
+            const double z = isLeft ? -0.95 : 0.7;
+            LevelBody& wheel = scene.add(disc(kAcross, 5, 7), tilt * glm::dvec3(x - half, r - half, z), false, tilt);
+            wheel.shapes[0].voxelSize = 0.05f;
+            wheel.shapes[0].collisionShape = CollisionShape::CylinderZ;
+            wheel.angularVelocity = glm::vec3(tilt * glm::dvec3(0, 0, -car.speed / r));
+            wheel.velocity = velocity;
+            LevelJoint axle{{.name = wheel.name, .kind = JointKind::Wheel}, {name, wheel.name}};
+            const glm::dvec3 hub(x, r, z + 0.125);
+            axle.joint.ends[0] = {.frame = {hub - glm::dvec3(-2, r + 0.1, -0.8), leftward}, .radius = 1.0};
+            axle.joint.ends[1] = {.frame = {{half, half, 0.125}, leftward}};
+            axle.joint.limits = {true, -0.12, 0.12};
+            axle.joint.spring = {8.0, 0.6};
+            axle.joint.steer = x > 0.0 ? car.steer : 0.0;
+            axle.joint.friction = car.drag + car.brake;
+            if (car.drive > 0.0) axle.joint.motor = {MotorMode::Speed, 1000.0, car.drive};
+            scene.level.joints.push_back(axle);
+        }
+    scene.load();
+}
+/// Mass, and that with the wheels' inertia, kg.
+struct CarMass {
+    double mass = 0.0, effective = 0.0;
+};
+CarMass massOf(const PhysicsScene& scene) {
+    CarMass sum;
+    const double r = rollingRadius(kAcross, 0.05);
+    for (int i = 1; i < int(scene.level.bodies.size()); ++i) {
+        const MassProperties mass = bodyMass(scene.world, scene.handle(i));
+        sum.mass += mass.mass;
+        sum.effective += mass.mass + (i > 1 ? mass.inertia[2] / (r * r) : 0.0);
+    }
+    return sum;
+}
+double along(const PhysicsScene& scene, const Car& car) {
+    const glm::dquat tilt = glm::angleAxis(-car.slope * kPi / 180.0, glm::dvec3(0, 0, 1));
+    return glm::dot(glm::dvec3(scene.body(1).velocity), tilt * glm::dvec3(1, 0, 0));
+}
+double acceleration(const Car& car, double seconds) {
+    PhysicsScene scene(known::sleepless({}));
+    addCar(scene, car);
+    scene.seconds(0.5);
+    const double before = along(scene, car);
+    scene.seconds(seconds);
+    return (along(scene, car) - before) / seconds;
+}
+
+/// Expects an acceleration within 2 %.
+void expectAcceleration(const Car& car, double seconds, double theory) {
+    EXPECT_NEAR(acceleration(car, seconds) / theory, 1.0, 0.02) << "theory: " << theory << " m/s2";
+}
+
+TEST(Rolling, ACarCoastsDrivesAndBrakesByItsTorques) {
+    const double r = rollingRadius(kAcross, 0.05), g = 9.81, sine = std::sin(10.0 * kPi / 180.0), drag = 30.0;
+    PhysicsScene scene(known::sleepless({}));
+    addCar(scene, {});
+    const CarMass mass = massOf(scene);
+    const double drive = 4.2 * mass.effective * r / 4.0;
+    EXPECT_NEAR(acceleration({.speed = 20.0}, 2.0), 0.0, 0.001);
+    expectAcceleration({.drag = drag, .speed = 20.0}, 2.0, -4.0 * drag / r / mass.effective);
+    expectAcceleration({.slope = 10.0}, 2.0, g * sine * mass.mass / mass.effective);
+    expectAcceleration({.drag = drag, .slope = 10.0}, 2.0, (g * sine * mass.mass - 4.0 * drag / r) / mass.effective);
+    expectAcceleration({.drive = drive}, 2.0, 4.2);
+    expectAcceleration({.brake = drive, .speed = 20.0}, 2.0, -4.2);
+    expectAcceleration({.brake = 10.0 * drive, .speed = 20.0}, 1.0, -0.9 * g);
+}
+
+/// A car of front wheels that stand aslant goes on a circle about a point on its rear axle's line.
+TEST(Rolling, ACarTurnsByItsSteeringAngle) {
+    for (const double steer : {0.02, 0.05, 0.1}) {
+        const Car car{.steer = steer, .speed = 3.0};
+        PhysicsScene scene(known::sleepless({}));
+        addCar(scene, car);
+        scene.seconds(1.0);
+        const double speed = glm::length(scene.body(1).velocity), tangent = std::tan(steer);
+        const double theory = speed * tangent / kWheelBase / std::sqrt(1.0 + 0.25 * tangent * tangent);
+        EXPECT_NEAR(double(scene.body(1).angularVelocity.y) / theory, 1.0, 0.05) << steer;
+    }
+}
+
+}  // namespace
+}  // namespace rubble
