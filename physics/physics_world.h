@@ -14,6 +14,7 @@ struct PhysicsStats {
     int bodies = 0, awake = 0;    ///< dynamic bodies
     int candidates = 0;           ///< pairs of objects whose bounds met in the last step
     int pairs = 0, contacts = 0;  ///< pairs of objects in contact, and their points, in the last step
+    int crowded = 0;              ///< awake bodies that are in one place with many others: they have coarser contacts
     LimitCounts clamped{};        ///< how often each limit was exceeded, since the beginning
 };
 

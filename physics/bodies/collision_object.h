@@ -28,8 +28,8 @@ struct CollisionObject {
     CollisionFilter filter;          ///< of all parts together, as of the last setPose()
     glm::dvec3 low{0.0}, high{0.0};  ///< world bounds, with what it sweeps in the step
     glm::dvec3 displacement{0.0};    ///< in the step, metres
-    uint32_t deepPairs = 0;          ///< with bodies that it is deep in: see Crowds
-    bool isCrowded = false;          ///< there are many of these
+    uint32_t crowdPairs = 0;         ///< with bodies that it is deep in: see Crowds
+    bool isCrowded = false;          ///< there are many of these, or were
     uint32_t version = 0;            ///< changes when it is added again or its voxels change
 
     /// Sets the pose, and computes the filter and the cell transforms from it. Leaves the bounds to Broadphase::move().

@@ -11,15 +11,16 @@
 namespace rubble {
 namespace {
 
-constexpr uint32_t kMaxDeepPairs = 6;  ///< of a body that is not crowded: a block of cubes at rest has six neighbours
+constexpr uint32_t kMaxDeepPairs = 6;  ///< of a body that does not become crowded
+constexpr uint32_t kMaxNearPairs = 2;  ///< of a body that stops being crowded
 constexpr uint32_t kKeptPairs = 4;     ///< nearest to a crowded body
-constexpr double kDeepShare = 0.95;    ///< of the half extents of two bodies, at which their centres are deep
+constexpr double kNear = 0.7;          ///< half extents of two bodies together at which their centres are near
+constexpr double kApart = 0.95;        ///< the same, at which crowded bodies stop pushing each other
 constexpr double kMinDistance = 1e-6;  ///< metres between centres with a direction of their own
 constexpr float kFriction = 0.5f;
 
-/// The distance of the centres of two bodies at which they are not deep in each other, metres.
-double deepDistance(const DynamicBody& a, const DynamicBody& b) {
-    return kDeepShare * (a.minHalfExtent() + b.minHalfExtent());
+double halfExtents(const CollisionObject& a, const CollisionObject& b) {
+    return a.dynamic->minHalfExtent() + b.dynamic->minHalfExtent();
 }
 
 double distanceOf(const CollisionObject& a, const CollisionObject& b) {
@@ -27,8 +28,25 @@ double distanceOf(const CollisionObject& a, const CollisionObject& b) {
     return std::sqrt(glm::dot(apart, apart));
 }
 
+bool areNear(const CollisionObject& a, const CollisionObject& b) {
+    return a.dynamic && b.dynamic && distanceOf(a, b) < kNear * halfExtents(a, b);
+}
+
+/// Whether a point (world) is in a solid voxel of the object.
+bool isInside(const glm::dvec3& point, const CollisionObject& object) {
+    for (size_t i = 0; i < object.collider.parts.size(); ++i) {
+        const ColliderPart& part = *object.collider.parts[i];
+        const CellTransform& cells = object.cellTransforms()[i];
+        const glm::dvec3 cell = metresToCells(cells, part.voxelSize()) * (point - object.pose.position - cells.corner);
+        if (part.grid().at(glm::ivec3(glm::floor(cell)))) return true;
+    }
+    return false;
+}
+
+/// Whether each body has the other's centre of mass in a solid voxel: never true of bodies that hardly overlap, however
+/// they are shaped.
 bool areDeep(const CollisionObject& a, const CollisionObject& b) {
-    return a.dynamic && b.dynamic && distanceOf(a, b) < deepDistance(*a.dynamic, *b.dynamic);
+    return areNear(a, b) && isInside(a.pose.position, b) && isInside(b.pose.position, a);
 }
 
 uint64_t numbersOf(const CollisionObject& a, const CollisionObject& b) {
@@ -37,17 +55,28 @@ uint64_t numbersOf(const CollisionObject& a, const CollisionObject& b) {
 
 }  // namespace
 
-void Crowds::thin(std::vector<ObjectPair>& pairs) {
-    for (const auto& [a, b] : pairs) a->deepPairs = b->deepPairs = 0;
+/// Returns whether any body is crowded.
+bool Crowds::mark(const std::vector<ObjectPair>& pairs) {
+    for (const auto& [a, b] : pairs) a->crowdPairs = b->crowdPairs = 0;
+    for (const auto& [a, b] : pairs) {
+        const bool mayEnter =
+            (!a->isCrowded && a->crowdPairs <= kMaxDeepPairs) || (!b->isCrowded && b->crowdPairs <= kMaxDeepPairs);
+        const bool isNear = areNear(*a, *b), isDeep = isNear && mayEnter && areDeep(*a, *b);
+        for (CollisionObject* object : {a, b}) object->crowdPairs += object->isCrowded ? isNear : isDeep;
+    }
     bool any = false;
-    for (const ObjectPair& pair : pairs)
-        if (areDeep(*pair.first, *pair.second))
-            any |= ++pair.first->deepPairs > kMaxDeepPairs, any |= ++pair.second->deepPairs > kMaxDeepPairs;
     for (const auto& [a, b] : pairs)
-        for (CollisionObject* object : {a, b}) object->isCrowded = object->deepPairs > kMaxDeepPairs;
-    if (!any) return;
+        for (CollisionObject* object : {a, b}) {
+            object->isCrowded = object->crowdPairs > (object->isCrowded ? kMaxNearPairs : kMaxDeepPairs);
+            any |= object->isCrowded;
+        }
+    return any;
+}
 
-    // The deep pairs of each crowded body side by side.
+void Crowds::thin(std::vector<ObjectPair>& pairs) {
+    if (!mark(pairs)) return;
+
+    // The pairs of each crowded body side by side.
     uint32_t slots = 0;
     for (const auto& [a, b] : pairs)
         if (areCrowded(*a, *b)) slots = std::max({slots, a->number + 1, b->number + 1});
@@ -56,24 +85,24 @@ void Crowds::thin(std::vector<ObjectPair>& pairs) {
         if (areCrowded(*a, *b)) ++m_from[a->number], ++m_from[b->number];
     size_t sum = 0;
     for (size_t& from : m_from) sum += std::exchange(from, sum);
-    m_deep.resize(sum);
+    m_near.resize(sum);
     std::vector<size_t>& next = m_from;  // moves on to where the next body's begin
     for (size_t i = 0; i < pairs.size(); ++i) {
         const auto& [a, b] = pairs[i];
         if (!areCrowded(*a, *b)) continue;
-        const Deep deep{distanceOf(*a, *b), Random(numbersOf(*a, *b)).next(), i};
-        m_deep[next[a->number]++] = m_deep[next[b->number]++] = deep;
+        const Near near{distanceOf(*a, *b), Random(numbersOf(*a, *b)).next(), i};
+        m_near[next[a->number]++] = m_near[next[b->number]++] = near;
     }
 
     m_isDropped.assign(pairs.size(), false);
-    for (const Deep& deep : m_deep) m_isDropped[deep.pair] = true;
+    for (const Near& near : m_near) m_isDropped[near.pair] = true;
     for (size_t slot = 0, from = 0; slot < slots; ++slot) {
-        const auto begin = m_deep.begin() + ptrdiff_t(from), end = m_deep.begin() + ptrdiff_t(m_from[slot]);
+        const auto begin = m_near.begin() + ptrdiff_t(from), end = m_near.begin() + ptrdiff_t(m_from[slot]);
         const auto kept = begin + std::min<ptrdiff_t>(end - begin, kKeptPairs);
-        std::partial_sort(begin, kept, end, [](const Deep& a, const Deep& b) {
+        std::partial_sort(begin, kept, end, [](const Near& a, const Near& b) {
             return std::tie(a.distance, a.random, a.pair) < std::tie(b.distance, b.random, b.pair);
         });
-        for (auto deep = begin; deep != kept; ++deep) m_isDropped[deep->pair] = false;
+        for (auto near = begin; near != kept; ++near) m_isDropped[near->pair] = false;
         from = m_from[slot];
     }
     size_t count = 0;
@@ -96,7 +125,7 @@ ContactPoint crowdContact(const CollisionObject& first, const CollisionObject& s
     ContactPoint contact;
     contact.normal = glm::vec3(glm::normalize(apart));
     contact.position = glm::vec3((second.pose.position - first.pose.position) * 0.5);
-    contact.separation = float(distance - deepDistance(*first.dynamic, *second.dynamic));
+    contact.separation = float(distance - kApart * halfExtents(first, second));
     contact.friction = kFriction;
     return contact;
 }

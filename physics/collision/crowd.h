@@ -17,13 +17,15 @@ public:
     void thin(std::vector<ObjectPair>& pairs);
 
 private:
-    struct Deep {
+    static bool mark(const std::vector<ObjectPair>& pairs);
+
+    struct Near {
         double distance;  ///< of the centres, metres
         uint32_t random;  ///< the order of those at the same distance, as of things in one place
         size_t pair;
     };
-    std::vector<size_t> m_from;  ///< by slot: where a body's deep pairs begin in m_deep
-    std::vector<Deep> m_deep;
+    std::vector<size_t> m_from;  ///< by slot: where a crowded body's pairs begin in m_near
+    std::vector<Near> m_near;
     std::vector<bool> m_isDropped;  ///< by pair
 };
 

@@ -50,6 +50,7 @@ TEST(Pile, FastPiecesDoNotEndDeepInEachOther) {
     for (int step = 1; step <= 90; ++step) {
         scene.physics.step();
         scene.world.setPoses(scene.physics.poses());
+        EXPECT_EQ(scene.physics.stats().crowded, 0) << "these are not in one place";
         if (step % 45) continue;
         std::vector<Pose> poses;
         scene.world.bodies().forEach([&](BodyHandle, const Body& body) { poses.push_back(body.pose); });
