@@ -32,7 +32,7 @@ void PhysicsWorld::apply(const FrameChanges& changes, const World& world) {
 void PhysicsWorld::step() {
     Impl& impl = *m_impl;
     const PhysicsSettings& settings = impl.settings;
-    const WaterVolumes* waters = impl.waters.empty() ? nullptr : &impl.waters;
+    WaterVolumes* waters = impl.waters.empty() ? nullptr : &impl.waters;
     impl.poses.clear();
     impl.impacts.clear();
     impl.characters.begin();

@@ -3,21 +3,10 @@
 #include <optional>
 #include <vector>
 
-#include "physics/bodies/dynamic_body.h"
+#include "physics/water/submersion.h"
 #include "runtime/world/objects/water.h"
 
 namespace rubble {
-
-/// The part of some voxels that is under water.
-struct Submersion {
-    double volume = 0.0;     ///< m3 under water
-    double waterline = 0.0;  ///< m2 of the surface that the voxels cut
-    glm::dvec3 moment{0.0};  ///< volume times its centroid, from the collider's origin, world axes
-};
-
-/// Adds the part of a voxel part that is in a water. origin: of the collider, world.
-void addSubmersion(const ColliderPart& part, const CellTransform& cells, glm::dvec3 origin, const Water& water,
-                   Submersion& sum);
 
 /// The waters of a World, and their forces on bodies. [main-thread]
 class WaterVolumes {
@@ -29,13 +18,14 @@ public:
     bool empty() const { return m_count == 0; }
     /// Buoyancy and drag of a step, before gravity and contacts; see water.cpp for the formulas. gravity: m/s2. True if
     /// the body is in water.
-    bool applyForces(DynamicBody& body, glm::dvec3 gravity, double seconds) const;
+    bool applyForces(DynamicBody& body, glm::dvec3 gravity, double seconds);
     /// The water that a point is in, world; null: none.
     const Water* at(glm::dvec3 point) const;
 
 private:
     std::vector<std::optional<Water>> m_waters;  ///< by slot
     BoundsTree m_tree;
+    std::vector<uint32_t> m_near;  ///< slots; scratch of applyForces()
     size_t m_count = 0;
 };
 
