@@ -164,29 +164,45 @@ void WarmStartFilter::reject(ContactSet& set) {
     }
 }
 
-/// Gauss-Seidel converges slowly where a heavy body lies on a light one, and the light one would be pressed into what
-/// is under it. Stiffer contacts and more passes over just these pairs help. The load is what the last step found: it
-/// goes down from body to body, and where it is spread over many they bear little.
-void LoadBearing::find(ContactSet& set, const glm::vec3& up, float fall, float ratio) {
-    m_pairs.clear();
+/// Which bodies lie on which, and the impulses from above on each.
+void LoadBearing::findLoads(ContactSet& set, const glm::vec3& up) {
+    m_supports.clear();
     m_loads.assign(set.states.size(), 0.0f);
-    bool any = false;
     for (const PairConstraints& pair : set.pairs) {
         if (!pair.a || !pair.b || pair.from == pair.to) continue;
         const float rise = glm::dot(vec3(set.constraints[pair.from].normal), up);
         if (std::abs(rise) <= kMinSupportSlope) continue;
         const size_t under = size_t(rise > 0.0f ? pair.b : pair.a), upper = size_t(rise > 0.0f ? pair.a : pair.b);
-        float load = 0.0f;
+        m_supports.emplace_back(upper, under);
         for (const ContactConstraint& c : set.of(pair))
-            load += c.normalImpulse * std::abs(glm::dot(vec3(c.normal), up));
-        m_loads[under] += load;
-        const bool isNew = load == 0.0f;
-        if (isNew && set.states[under].inverseMass > ratio * set.states[upper].inverseMass)
-            set.states[under].isLoadBearing = any = true;
+            m_loads[under] += c.normalImpulse * std::abs(glm::dot(vec3(c.normal), up));
     }
-    for (size_t i = 1; i < set.states.size(); ++i)
-        if (m_loads[i] * set.states[i].inverseMass > ratio * fall) set.states[i].isLoadBearing = any = true;
+}
+
+/// Gauss-Seidel converges slowly where a heavy body lies on a light one, and the light one would be pressed into what
+/// is under it. Stiffer contacts and more passes over just these pairs help. The load is what the last step found: it
+/// goes down from body to body, and where it is spread over many they bear little.
+void LoadBearing::find(ContactSet& set, const glm::vec3& up, float fall, float ratio) {
+    m_pairs.clear();
+    const auto isHeavy = [&](size_t upper, size_t under) {
+        return set.states[under].inverseMass > ratio * set.states[upper].inverseMass;
+    };
+    bool any = false;
+    for (const PairConstraints& pair : set.pairs)
+        any |= pair.a && pair.b && (isHeavy(size_t(pair.a), size_t(pair.b)) || isHeavy(size_t(pair.b), size_t(pair.a)));
     if (!any) return;
+    findLoads(set, up);
+    const auto bearsMuch = [&](size_t body) {
+        return m_loads[body] == 0.0f || m_loads[body] * set.states[body].inverseMass > ratio * fall;
+    };
+    for (const auto& [upper, under] : m_supports)
+        if (isHeavy(upper, under) && bearsMuch(under)) set.states[under].isLoadBearing = true;
+    for (bool more = true; more;) {  // down to the ground
+        more = false;
+        for (const auto& [upper, under] : m_supports)
+            if (set.states[upper].isLoadBearing && !set.states[under].isLoadBearing && bearsMuch(under))
+                set.states[under].isLoadBearing = more = true;
+    }
     for (size_t i = 0; i < set.pairs.size(); ++i) {
         const PairConstraints& pair = set.pairs[i];
         if (!set.stateA(pair).isLoadBearing && !set.stateB(pair).isLoadBearing) continue;

@@ -37,8 +37,9 @@ private:
 /// Bodies that bear much more than their own weight.
 class LoadBearing {
 public:
-    /// Marks the bodies that bore `ratio` times their weight in the last step, or have just got something `ratio` times
-    /// as heavy on them, and makes their contacts stiff. fall: speed that gravity adds in a substep, m/s.
+    /// Marks the bodies under something `ratio` times as heavy, and those under these in turn, as far as they bore
+    /// `ratio` times their weight in the last step, or nothing yet. Makes their contacts stiff. fall: speed that
+    /// gravity adds in a substep, m/s.
     void find(ContactSet& set, const glm::vec3& up, float fall, float ratio);
     /// Forgets the pairs.
     void clear() { m_pairs.clear(); }
@@ -46,7 +47,10 @@ public:
     const std::vector<size_t>& pairs() const { return m_pairs; }
 
 private:
-    std::vector<float> m_loads;  ///< impulses from above by body, N s a substep
+    void findLoads(ContactSet& set, const glm::vec3& up);
+
+    std::vector<std::pair<size_t, size_t>> m_supports;  ///< the upper body, the one under it
+    std::vector<float> m_loads;                         ///< impulses from above by body, N s a substep
     std::vector<size_t> m_pairs;
 };
 
