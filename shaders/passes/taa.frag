@@ -6,7 +6,8 @@
 //          sharp over many frames
 //   clip   history is clipped to mean +- 1.25 deviations of the 3x3 neighbourhood in YCoCg (Salvi 2016), as a colour
 //          outside says that the surface was hidden or its light differed
-//   blend  1 / frames of history, at least 0.1; 1 where something nearer has gone, as its depth says (disocclusion)
+//   blend  1 / frames of history, at least 0.1; 1 where something nearer has gone, as its depth says (disocclusion),
+//          and where the light has changed and history lies far outside the clip box
 // Colours are compressed by 1 / (1 + k luminance) meanwhile, so that few bright samples do not flicker. Details finer
 // than a pixel (wires, stars) are outside the box of most frames. So where nothing has moved or changed for
 // kSteadyFrames, the box is widened by the deviation between jittered samples. Before that it is not, or what has gone
@@ -41,6 +42,9 @@ const float kBlendRamp = 1.6;      // above 1 the first frames, which know less 
 const float kMaxBlend = 0.5;       // for a short history
 const float kParticleBlend = 0.5;  // where particles cover everything: they have no motion vectors
 const vec2 kUncovered = vec2(0.1, 0.4);  // decrease of what particles cover, from which on history is dropped
+// Where the light has changed: how far outside the clip box history lies, from which on it is dropped. Clipped, it
+// would bring the darkest or brightest colour around.
+const vec2 kOutdated = vec2(1.0, 2.0);
 const float kSharpness = 2.3;            // of the Gaussian around a displayed pixel
 const float kSkyDistance = 4000.0;       // metres: the sky moves over the screen as what is that far away
 
@@ -202,6 +206,7 @@ void main() {
     // Details finer than a pixel change their surface with each jitter: the number of frames drawn counts for them.
     if (deviation > kSubpixelDetail * history.x) frames = max(frames, float(min(frame.counters.x, 64)));
     float blend = clamp(kBlendRamp / (frames + kBlendRamp - 1.0), kMinBlend, kMaxBlend);
+    if (confidence.y < 0.5) blend = mix(blend, 1.0, smoothstep(kOutdated.x, kOutdated.y, outside));
     blend = mix(kParticleBlend, blend, n.surfaceShare);
     blend = max(blend, smoothstep(kUncovered.x, kUncovered.y, last.covered - covered));
     if (!isTrusted && last.steady < 0.5 && isDisoccluded(n, before)) blend = 1.0;
