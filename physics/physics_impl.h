@@ -41,6 +41,7 @@ struct PhysicsWorld::Impl {
     ContinuousCollision continuous;
     std::vector<BodyPose> poses;  ///< of the last step
     std::vector<Impact> impacts;  ///< of the last step
+    double work = 0.0;            ///< joules: PhysicsStats::work
 };
 
 }  // namespace rubble

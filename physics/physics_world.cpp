@@ -35,6 +35,7 @@ void PhysicsWorld::step() {
     WaterVolumes* waters = impl.waters.empty() ? nullptr : &impl.waters;
     impl.poses.clear();
     impl.impacts.clear();
+    impl.work = 0.0;
     impl.characters.begin();
     impl.joints.begin();
     impl.bodies.wakeWaiting();
@@ -42,13 +43,16 @@ void PhysicsWorld::step() {
     if (!impl.bodies.awake().empty()) {
         for (const uint32_t slot : impl.bodies.awake()) {
             DynamicBody& body = impl.bodies.at(slot);
+            const double before = waters ? kineticEnergy(body.motion) : 0.0;
             body.inWater = waters && waters->applyForces(body, impl.gravity, settings.stepSeconds);
+            if (body.inWater) impl.work += kineticEnergy(body.motion) - before;
             impl.bodies.limits().clamp(body);  // contacts are searched along the motion
         }
         impl.contacts.find(impl.bodies, impl.joints.table(), settings);
         impl.contacts.recordTouching(impl.bodies);
         impl.solver.solve(impl.bodies, impl.contacts.manifolds(), impl.joints, impl.gravity, settings);
         impl.continuous.stop(impl.bodies, impl.joints.table(), settings, impl.gravity);
+        impl.work += impl.joints.work();
         impl.joints.findBroken();
         impl.bodies.quarantineInvalid();
         putToSleep(impl.bodies, impl.joints, settings, impl.gravity, impl.solver.bodyCount());
@@ -57,7 +61,7 @@ void PhysicsWorld::step() {
                     impl.impacts);
     }
     impl.joints.moveRopes(impl.bodies, impl.gravity, settings.stepSeconds);
-    impl.characters.move(impl.bodies, waters, impl.gravity, settings.stepSeconds);
+    impl.work += impl.characters.move(impl.bodies, waters, impl.gravity, settings.stepSeconds);
     impl.bodies.reportPoses(impl.poses);
 }
 
@@ -84,6 +88,7 @@ std::span<const RopeMotion> PhysicsWorld::ropes() const {
 PhysicsStats PhysicsWorld::stats() const {
     const PhysicsBodies& bodies = m_impl->bodies;
     PhysicsStats stats;
+    stats.work = m_impl->work;
     stats.clamped = m_impl->bodies.limits().counts();
     stats.awake = int(bodies.awake().size());
     for (uint32_t slot = 0; slot < bodies.handles().size(); ++slot) stats.bodies += bodies.dynamicAt(slot) != nullptr;

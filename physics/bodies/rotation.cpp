@@ -105,4 +105,9 @@ glm::dmat3 worldInverseInertia(const SolverBody& body) {
     return scaled * glm::transpose(axes);
 }
 
+double kineticEnergy(const SolverBody& body) {
+    const glm::dvec3 w = glm::conjugate(body.rotation) * body.angularVelocity;
+    return 0.5 * (glm::dot(body.velocity, body.velocity) / body.inverseMass + glm::dot(w, body.inertia * w));
+}
+
 }  // namespace rubble

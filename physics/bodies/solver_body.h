@@ -31,6 +31,8 @@ struct SolverState {
 /// Rotates a body through one substep without torque. With conservesMomentum its angular momentum is constant, else its
 /// angular velocity: cheaper, and accurate for slow bodies and for those with nearly equal principal moments.
 void rotateBody(SolverBody& body, double seconds);
+/// Joules of its motion.
+double kineticEnergy(const SolverBody& body);
 /// The inverse of the inertia tensor in world axes, 1/(kg m2).
 glm::dmat3 worldInverseInertia(const SolverBody& body);
 

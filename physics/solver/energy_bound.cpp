@@ -24,12 +24,6 @@
 namespace rubble {
 namespace {
 
-/// Joules.
-double kineticEnergy(const SolverBody& body) {
-    const glm::dvec3 w = glm::conjugate(body.rotation) * body.angularVelocity;
-    return 0.5 * (glm::dot(body.velocity, body.velocity) / body.inverseMass + glm::dot(w, body.inertia * w));
-}
-
 constexpr double kMaxLift = 0.0005;  ///< metres by which an overlap may lift a body in a step
 constexpr double kMaxRegain = 1e-3;  ///< of its kinetic energy, that an island with joints may gain back
 

@@ -37,7 +37,8 @@ void PhysicsCharacters::load(const World& world, PhysicsBodies& bodies) {
         [&](CharacterHandle handle, const Character& character) { m_characters.emplace_back(handle, character); });
 }
 
-void PhysicsCharacters::move(PhysicsBodies& bodies, const WaterVolumes* waters, glm::dvec3 gravity, double seconds) {
+double PhysicsCharacters::move(PhysicsBodies& bodies, const WaterVolumes* waters, glm::dvec3 gravity, double seconds) {
+    double work = 0.0;
     for (auto& [handle, character] : m_characters) {
         const Character before = character;
         const double radius = characterQueryRadius(character, seconds);
@@ -52,13 +53,17 @@ void PhysicsCharacters::move(PhysicsBodies& bodies, const WaterVolumes* waters, 
         for (const CharacterPush& push : m_pushes) {
             if (push.isNewLoad) wakeLoaded(*push.body, bodies);
             if (push.wakes) bodies.wakeOrWait(*push.body);
-            if (!push.body->asleep()) push.body->applyImpulse(push.impulse, push.position);
+            if (push.body->asleep()) continue;
+            work -= kineticEnergy(push.body->motion);
+            push.body->applyImpulse(push.impulse, push.position);
+            work += kineticEnergy(push.body->motion);
         }
         character.wantsJump = false;
         if (character == before) continue;
         m_moves.push_back({handle, character.position, character.velocity, character.grounded, character.crouched,
                            character.swimming, character.ground});
     }
+    return work;
 }
 
 }  // namespace rubble

@@ -16,8 +16,8 @@ public:
     /// Begins a step: clears what the last one reported.
     void begin() { m_moves.clear(); }
     /// Moves all characters, in the order of slots, and applies their pushes to the bodies. waters: null: none.
-    /// gravity: m/s2.
-    void move(PhysicsBodies& bodies, const WaterVolumes* waters, glm::dvec3 gravity, double seconds);
+    /// gravity: m/s2. Returns the joules that they gave the bodies.
+    double move(PhysicsBodies& bodies, const WaterVolumes* waters, glm::dvec3 gravity, double seconds);
     /// The characters that moved or changed in this step, in the order of slots.
     std::span<const CharacterMove> moves() const { return m_moves; }
 

@@ -169,6 +169,12 @@ std::span<JointConstraint* const> PhysicsJoints::gather(PhysicsBodies& bodies) {
     return m_active;
 }
 
+double PhysicsJoints::work() const {
+    double sum = 0.0;
+    for (const JointConstraint* c : m_active) sum += c->work;
+    return sum;
+}
+
 void PhysicsJoints::findBroken() {
     for (const JointConstraint* c : m_active) {
         const Joint& joint = *c->joint;

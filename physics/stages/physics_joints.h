@@ -25,6 +25,8 @@ public:
     /// The constraints of awake bodies, in the order of slots; valid until the next call. Bodies must know their solver
     /// index.
     std::span<JointConstraint* const> gather(PhysicsBodies& bodies);
+    /// Joules that the joints of the last gather() gave their bodies in the solve: see JointConstraint::work.
+    double work() const;
     /// Notes the joints whose force or torque in the last solve was more than they can stand.
     void findBroken();
     /// Puts groups of jointed bodies to sleep, each when all its bodies want to sleep and no motor runs. solverBodies:

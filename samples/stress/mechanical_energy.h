@@ -6,12 +6,14 @@
 
 namespace rubble {
 
-/// Kinetic and potential energy of all dynamic bodies, summed over steps. Contacts and friction can only lose energy,
-/// so each step without edits to bodies is compared with the step before it.
+/// Kinetic and potential energy of all dynamic bodies, summed over steps. But for the work of motors, springs, water
+/// and characters, a step can only lose energy, so each step without edits to bodies is compared with the step before
+/// it.
 class MechanicalEnergy {
 public:
-    /// Call after each step, with the step's journal. Edits to bodies or a new level start a new comparison.
-    void update(const World& world, const FrameChanges& changes);
+    /// Call after each step, with the step's journal and PhysicsStats::work. Edits to bodies or a new level start a new
+    /// comparison.
+    void update(const World& world, const FrameChanges& changes, double work);
 
     double lost() const { return m_lost; }                 ///< joules, summed over the steps that lost energy
     double gained() const { return m_gained; }             ///< joules, summed over the steps that gained energy
@@ -22,11 +24,11 @@ private:
         BodyHandle body;
         MassProperties mass;
         double energy = 0.0;
-        bool awake = false;
+        bool awake = false, jointed = false;
     };
     /// Takes the energies of all dynamic bodies as the new baseline.
     void reset(const World& world);
-    static double energyOf(const World& world, const Body& body, const MassProperties& mass);
+    static double energyOf(const World& world, const Body& body, const BodyEnergy& entry);
 
     std::vector<BodyEnergy> m_bodies;  ///< dynamic bodies, in slot order
     double m_lost = 0.0, m_gained = 0.0;

@@ -6,6 +6,7 @@
 #include "samples/scenes/placement.h"
 #include "samples/scenes/surface_styles.h"
 #include "samples/scenes/town.h"
+#include "samples/stress/machines.h"
 
 namespace rubble {
 namespace {
@@ -65,6 +66,7 @@ Edits pour(const World& world, int hopper) {
 Level makeStressLevel(uint64_t seed) {
     using namespace scenes;
     Level level = makeTown(seed);
+    addMachines(level);
     Random random(seed, 78);
     for (int hopper = 0; hopper < kHoppers; ++hopper) {
         const ivec3 corner(90 + hopper % 3 * 200, 250, 120 + hopper / 3 * 250);
@@ -94,7 +96,7 @@ Edits randomEdits(const World& world, Random& random) {
     if (!world.shapes().find(shape)) return {};
     const glm::dvec3 place = randomPosition(world, shape, random);
     const double radius = 0.2 + 1.3 * double(random.unit());
-    switch (random.below(16)) {
+    switch (random.below(20)) {
         case 0:
         case 1:
             return {ExplodeEdit{place, 0.5 + radius}};
@@ -119,6 +121,11 @@ Edits randomEdits(const World& world, Random& random) {
         }
         case 10:
             return pour(world, int(random.below(kHoppers)));
+        case 16:
+        case 17:
+        case 18:
+        case 19:
+            return randomCommand(world, random);
         default:
             return {randomCarve(place, radius, random)};
     }
