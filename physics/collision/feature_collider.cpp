@@ -15,8 +15,6 @@ constexpr float kInset = 0.05f;
 constexpr float kMaxMargin = 0.4f;
 constexpr float kRounding = 1e-3f;     ///< cells added to bounds against rounding
 constexpr float kMinEdgeSine = 0.15f;  ///< between two edges below which they count as parallel
-/// Contacts of two parts after which no more bricks are searched: a manifold keeps twelve at most.
-constexpr size_t kEnoughContacts = 1024;
 
 /// A stride that visits all of `count` places, those of each prefix far from each other: the nearest to the golden
 /// section that has no common divisor with `count`.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/vec2.hpp>
 
+#include "physics/collision/friction_patch.h"
+
 namespace rubble {
 namespace {
 
@@ -153,13 +155,16 @@ void reduceContacts(std::vector<ContactPoint>& contacts, const Manifold* before,
                     Manifold& out) {
     struct Direction {
         size_t from, kept;
+        float patchRadius;
     };
     std::array<Direction, kMaxManifoldPoints> directions;
+    const bool isWhole = contacts.size() < kEnoughContacts;
     int count = 0;
     for (size_t from = 0; from < contacts.size() && count < limits.total;) {
         const size_t to = groupDirection(contacts, from, before);
-        directions[size_t(count++)] = {from,
-                                       chooseWidestPoints(contacts, from, to, size_t(limits.perDirection), before)};
+        Direction& direction = directions[size_t(count++)];
+        direction = {from, 0, isWhole ? meanPatchRadius({contacts.data() + from, to - from}, out) : 0.0f};
+        direction.kept = chooseWidestPoints(contacts, from, to, size_t(limits.perDirection), before);
         from = to;
     }
     out.count = 0;
@@ -170,6 +175,11 @@ void reduceContacts(std::vector<ContactPoint>& contacts, const Manifold* before,
             out.points[size_t(out.count++)] = {contacts[direction.from + k]};
     }
     if (before) inheritImpulses(*before, out);
+    for (size_t from = 0, i = 0; i < size_t(count); ++i) {
+        const size_t kept = std::min(directions[i].kept, size_t(limits.total / count));
+        insetFriction({out.points.data() + from, kept}, directions[i].patchRadius);
+        from += kept;
+    }
 }
 
 }  // namespace rubble

@@ -14,6 +14,7 @@ struct CollisionObject;
 struct ManifoldPoint : ContactPoint {
     float normalImpulse = 0.0f;       ///< of the last substep, N s: the warm start
     glm::vec3 frictionImpulse{0.0f};  ///< of the last substep, N s, world axes
+    glm::vec3 frictionInset{0.0f};    ///< from the point to where it has friction, metres, world axes
     float totalImpulse = 0.0f;        ///< along the normal, summed over the last step, N s
     float approach = 0.0f;            ///< closing speed before the last solve, m/s
     // The contact as it was found, for contact_cache.h:

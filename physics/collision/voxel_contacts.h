@@ -30,6 +30,9 @@ struct ContactPoint {
 /// An upper bound of how far points of two bodies move against each other in a time, metres.
 double maxRelativeDisplacement(const Motion& first, const Motion& second, double seconds);
 
+/// Contacts of two parts after which no more bricks are searched: a manifold keeps twelve at most.
+inline constexpr size_t kEnoughContacts = 1024;
+
 struct NarrowphaseSettings {
     double margin = 0.02;  ///< metres apart up to which bodies have contacts, so that contacts do not come and go
     double seconds = 1.0 / 60.0;

@@ -42,6 +42,7 @@ struct ContactConstraint {
     Float4 tangent1, tangent2;  ///< the directions of friction
     Float4 anchorA, anchorB;    ///< from the centre of mass to the touched point, at the start of the step
     Float4 rA, rB;              ///< from the centre of mass to the point at which both get their impulses
+    Float4 frictionInset;       ///< from that point to where both have friction
     Float4 angularA, angularB;  ///< r x normal: the angular part of the Jacobian
     Float4 angularChangeA;      ///< of A's angular velocity for an impulse of 1 along the normal
     Float4 angularChangeB;
@@ -50,10 +51,10 @@ struct ContactConstraint {
     float friction, restitution;
     float initialNormalVelocity;  ///< before the solve, m/s; negative: closing
     float normalImpulse, tangentImpulse1, tangentImpulse2;
-    float totalImpulse, maxImpulse;                       ///< of the substeps so far, along the normal
-    float bounceImpulse, bounceTangent1, bounceTangent2;  ///< N s
-    bool isStatic;                                        ///< one body does not move
-    bool isStiff;                                         ///< a body is load-bearing
+    float totalImpulse;         ///< of the substeps so far, along the normal
+    float bounceImpulse;        ///< of impacts in the step so far, N s
+    bool isStatic;              ///< one body does not move
+    bool isStiff;               ///< a body is load-bearing
     bool isOfB;                 ///< the touched point is a feature of B on a face of A; else one of A on a face of B
     const RoundAnchors* round;  ///< null: neither is touched as what is round
     ManifoldPoint* point;       ///< that gets the result
@@ -94,8 +95,10 @@ struct VelocityPair {
         const Float4 parts = c.normal * (vA - vB) + c.angularA * wA - c.angularB * wB;
         return parts[0] + parts[1] + parts[2];
     }
-    /// The velocity of A at the point relative to B.
-    Float4 relativeVelocity(const ContactConstraint& c) const { return vA + cross(wA, c.rA) - vB - cross(wB, c.rB); }
+    /// The velocity of A relative to B where they have friction.
+    Float4 relativeVelocity(const ContactConstraint& c) const {
+        return vA + cross(wA, c.rA + c.frictionInset) - vB - cross(wB, c.rB + c.frictionInset);
+    }
     /// Applies an impulse (N s) along the normal to A, and its reaction to B.
     void applyNormalImpulse(const ContactConstraint& c, float impulse) {
         vA += c.normal * float4(impulse * inverseMassA);
@@ -107,9 +110,25 @@ struct VelocityPair {
     void applyFrictionImpulse(const ContactConstraint& c, float impulse1, float impulse2) {
         const Float4 impulse = c.tangent1 * float4(impulse1) + c.tangent2 * float4(impulse2);
         vA += impulse * float4(inverseMassA);
-        wA += inverseInertiaA * cross(c.rA, impulse);
+        wA += inverseInertiaA * cross(c.rA + c.frictionInset, impulse);
         vB -= impulse * float4(inverseMassB);
-        wB -= inverseInertiaB * cross(c.rB, impulse);
+        wB -= inverseInertiaB * cross(c.rB + c.frictionInset, impulse);
+    }
+
+    /// Reduces the sliding at a point. impulses: the sums along the two tangents, N s; limit: of both together.
+    void solveFriction(const ContactConstraint& c, float limit, float& impulse1, float& impulse2) {
+        const Float4 relative = relativeVelocity(c);
+        float t1 = impulse1 - c.tangentMass1 * dot(relative, c.tangent1);
+        float t2 = impulse2 - c.tangentMass2 * dot(relative, c.tangent2);
+        const float size2 = t1 * t1 + t2 * t2;
+        if (size2 > limit * limit) {
+            const float scale = limit / std::sqrt(size2);
+            t1 *= scale;
+            t2 *= scale;
+        }
+        applyFrictionImpulse(c, t1 - impulse1, t2 - impulse2);
+        impulse1 = t1;
+        impulse2 = t2;
     }
 
     Float4 vA, wA, vB, wB;  ///< world, m/s and rad/s
@@ -130,6 +149,10 @@ struct DeltaPair {
             return position + c.round->a.turn(rotationA, c.anchorA, c.startNormal) -
                    c.round->b.turn(rotationB, c.anchorB, c.startNormal);
         return position + rotationA * c.anchorA - rotationB * c.anchorB;
+    }
+    /// The separation of the touched points now, metres; negative: they overlap.
+    float separation(const ContactConstraint& c) const {
+        return dot(c.startNormal * float4(c.separation) + movement(c), c.normal);
     }
 };
 

@@ -51,6 +51,7 @@ void fillConstraint(ContactConstraint& c, ManifoldPoint& point, const SolverStat
     tangentsOf(point.normal, tangent1, tangent2);
     c.startNormal = float4(point.normal), c.tangent1 = float4(tangent1), c.tangent2 = float4(tangent2);
     c.anchorA = float4(anchorA), c.anchorB = float4(anchorB);
+    c.frictionInset = float4(point.frictionInset);
     c.isOfB = point.feature & 1;
     c.separation = point.separation;
     updateJacobian(c, A, B);
@@ -60,7 +61,7 @@ void fillConstraint(ContactConstraint& c, ManifoldPoint& point, const SolverStat
     c.normalImpulse = point.normalImpulse;
     c.tangentImpulse1 = glm::dot(point.frictionImpulse, tangent1);
     c.tangentImpulse2 = glm::dot(point.frictionImpulse, tangent2);
-    c.totalImpulse = c.maxImpulse = c.bounceImpulse = c.bounceTangent1 = c.bounceTangent2 = 0.0f;
+    c.totalImpulse = c.bounceImpulse = 0.0f;
     c.isStiff = false;
     c.isStatic = A.inverseMass == 0.0f || B.inverseMass == 0.0f;
     c.point = &point;
@@ -88,7 +89,7 @@ void updateJacobian(ContactConstraint& c, const SolverState& A, const SolverStat
     c.angularChangeA = inverseInertiaA * c.angularA, c.angularChangeB = inverseInertiaB * c.angularB;
     c.normalMass = 1.0f / (inverseMass + dot(c.angularA, c.angularChangeA) + dot(c.angularB, c.angularChangeB));
     const auto effectiveMass = [&](const Float4& d) {
-        const Float4 xa = cross(c.rA, d), xb = cross(c.rB, d);
+        const Float4 xa = cross(c.rA + c.frictionInset, d), xb = cross(c.rB + c.frictionInset, d);
         return 1.0f / (inverseMass + dot(xa, inverseInertiaA * xa) + dot(xb, inverseInertiaB * xb));
     };
     c.tangentMass1 = effectiveMass(c.tangent1), c.tangentMass2 = effectiveMass(c.tangent2);

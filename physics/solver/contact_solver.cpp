@@ -21,12 +21,11 @@
 // bias ("relax"), which takes out the velocity that pushed penetrations apart. Substeps with one iteration each
 // converge better than many iterations of a long step (Macklin et al., "Small Steps in Physics Simulation", 2019;
 // Catto, "Solver2D", 2024). Contacts are found once a step; within it, s follows the movements of the two anchors along
-// n. Restitution is one more solve at the end of the step, of the points that were approached fast enough.
+// n. What closes fast and is elastic bounces before each iteration: see restitution.cpp.
 
 namespace rubble {
 namespace {
 
-constexpr int kBouncePasses = 8;
 constexpr float kDeep = 0.03f;         ///< metres by which a hit may end deeper than it began
 constexpr double kMaxRotations = 1e3;  ///< in a step
 constexpr double kMaxRotation = 0.3;   ///< radians by which a free body rotates in one go
@@ -59,6 +58,7 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
     prepare(bodies, manifolds, bodyOf, settings);
     m_joints.begin(joints, m_set.states);
     m_warmStartFilter.reject(m_set);
+    m_restitution.begin(m_set, float(settings.restitutionThreshold));
     m_loadBearingPasses = settings.loadBearingPasses;
     m_loadBearing.clear();
     if (settings.loadBearingPasses > 0 && weight > 0.0)
@@ -66,7 +66,6 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
     m_start.resize(bodies.size());
     for (size_t i = 0; i < bodies.size(); ++i) m_start[i] = bodies[i].rotation;
     for (int i = 0; i < settings.substeps; ++i) substep(bodies, gravity, settings, i == 0);
-    bounce(float(settings.restitutionThreshold));
     for (size_t i = 1; i < bodies.size(); ++i)
         if (const SolverState& state = m_set.states[i]; state.isConstrained)
             bodies[i].velocity = state.v, bodies[i].angularVelocity = state.w;
@@ -113,8 +112,10 @@ void ContactSolver::substep(std::span<SolverBody> bodies, glm::dvec3 gravity, co
     for (size_t i = 1; i < bodies.size(); ++i) m_set.states[i].v += fall;
     if (!m_joints.empty()) m_joints.prepare(bodies, m_set.states, h);
     forEachPair([&](const PairConstraints& pair) { warmStart(pair, isFirst); });
+    m_restitution.solve(m_set, float(h), bodies, m_joints);
     iterate(bodies, settings.iterations, h, true);
     move(bodies, h);
+    m_restitution.solve(m_set, float(h), bodies, m_joints);
     iterate(bodies, settings.iterations, h, false);
     if (!m_joints.empty()) m_joints.accumulateForces(settings.seconds);
 }
@@ -166,7 +167,8 @@ void ContactSolver::solvePair(const PairConstraints& pair, float inverseSeconds,
         }
         if (changed <= kConverged * largest) break;
     }
-    for (ContactConstraint& c : points) solveFriction(c, bodies);
+    for (ContactConstraint& c : points)
+        bodies.solveFriction(c, c.friction * c.normalImpulse, c.tangentImpulse1, c.tangentImpulse2);
     bodies.store(A, B);
 }
 
@@ -174,19 +176,16 @@ void ContactSolver::solvePair(const PairConstraints& pair, float inverseSeconds,
 bool ContactSolver::isDeep(const PairConstraints& pair) {
     const DeltaPair deltas(m_set.stateA(pair), m_set.stateB(pair));
     for (const ContactConstraint& c : m_set.of(pair))
-        if (c.totalImpulse > 0.0f && separationOf(c, deltas) < std::min(c.separation, 0.0f) - kDeep) return true;
+        if (c.totalImpulse + c.bounceImpulse > 0.0f && deltas.separation(c) < std::min(c.separation, 0.0f) - kDeep)
+            return true;
     return false;
-}
-
-float ContactSolver::separationOf(const ContactConstraint& c, const DeltaPair& deltas) {
-    return dot(c.startNormal * float4(c.separation) + deltas.movement(c), c.normal);
 }
 
 /// A point that is still apart may close by its separation within the substep (speculative contact). A penetration is
 /// corrected by a soft constraint, at most at maxPushSpeed.
 ContactSolver::ContactBias ContactSolver::biasOf(const ContactConstraint& c, const DeltaPair& deltas,
                                                  float inverseSeconds, bool useBias) const {
-    const float s = separationOf(c, deltas);
+    const float s = deltas.separation(c);
     if (s > 0.0f) return {s * inverseSeconds};
     if (!useBias) return {};
     const Softness<float>& soft = c.isStiff ? m_stiff : c.isStatic ? m_softStatic : m_soft;
@@ -198,30 +197,8 @@ float ContactSolver::solveNormal(ContactConstraint& c, const ContactBias& bias, 
     const float old = c.normalImpulse;
     const float velocity = bodies.normalVelocity(c) + bias.velocity;
     c.normalImpulse = std::max(old - c.normalMass * bias.massScale * velocity - bias.impulseScale * old, 0.0f);
-    c.maxImpulse = std::max(c.maxImpulse, c.normalImpulse);
     bodies.applyNormalImpulse(c, c.normalImpulse - old);
     return std::abs(c.normalImpulse - old);
-}
-
-void ContactSolver::solveFriction(ContactConstraint& c, VelocityPair& bodies) {
-    solveFriction(c, c.friction * c.normalImpulse, c.tangentImpulse1, c.tangentImpulse2, bodies);
-}
-
-/// limit: of the two impulses together, N s.
-void ContactSolver::solveFriction(const ContactConstraint& c, float limit, float& impulse1, float& impulse2,
-                                  VelocityPair& bodies) {
-    const Float4 relative = bodies.relativeVelocity(c);
-    float t1 = impulse1 - c.tangentMass1 * dot(relative, c.tangent1);
-    float t2 = impulse2 - c.tangentMass2 * dot(relative, c.tangent2);
-    const float size2 = t1 * t1 + t2 * t2;
-    if (size2 > limit * limit) {
-        const float scale = limit / std::sqrt(size2);
-        t1 *= scale;
-        t2 *= scale;
-    }
-    bodies.applyFrictionImpulse(c, t1 - impulse1, t2 - impulse2);
-    impulse1 = t1;
-    impulse2 = t2;
 }
 
 void ContactSolver::move(std::span<SolverBody> bodies, double h) {
@@ -261,34 +238,6 @@ void ContactSolver::moveFreely(SolverBody& body, const glm::dvec3& gravity, doub
         rotateBody(body, seconds / parts);
         body.position = i < parts ? from + displacement * (double(i) / parts) : from + displacement;
         if (parts > 1) path.push_back({body.position, body.rotation});
-    }
-}
-
-/// Restitution: points that were approached faster than the threshold, and took an impulse, shall recede at
-/// restitution * approach. The impulse of the bounce has friction too.
-void ContactSolver::bounce(float threshold) {
-    for (const PairConstraints& pair : m_set.pairs) {
-        const std::span<ContactConstraint> points = m_set.of(pair);
-        const auto bounces = [&](const ContactConstraint& c) {
-            return c.restitution != 0.0f && c.initialNormalVelocity <= -threshold && c.maxImpulse != 0.0f;
-        };
-        if (std::none_of(points.begin(), points.end(), bounces)) continue;
-        SolverState &A = m_set.stateA(pair), &B = m_set.stateB(pair);
-        VelocityPair bodies(A, B);
-        for (int pass = 0; pass < kBouncePasses; ++pass) {
-            for (ContactConstraint& c : points) {
-                if (!bounces(c)) continue;
-                // Kept apart from the normal impulse, with which the next step starts.
-                const float old = c.bounceImpulse;
-                c.bounceImpulse = std::max(
-                    old - c.normalMass * (bodies.normalVelocity(c) + c.restitution * c.initialNormalVelocity), 0.0f);
-                bodies.applyNormalImpulse(c, c.bounceImpulse - old);
-            }
-            for (ContactConstraint& c : points)
-                if (bounces(c))
-                    solveFriction(c, c.friction * c.bounceImpulse, c.bounceTangent1, c.bounceTangent2, bodies);
-        }
-        bodies.store(A, B);
     }
 }
 

@@ -6,6 +6,7 @@
 #include "physics/solver/constraint_coloring.h"
 #include "physics/solver/contact_setup.h"
 #include "physics/solver/joint_solver.h"
+#include "physics/solver/restitution.h"
 #include "runtime/core/pose.h"
 
 namespace rubble {
@@ -52,16 +53,11 @@ private:
     void solveContacts(float inverseSeconds, bool useBias);
     void solvePair(const PairConstraints& pair, float inverseSeconds, bool useBias);
     bool isDeep(const PairConstraints& pair);
-    static float separationOf(const ContactConstraint& c, const DeltaPair& deltas);
     ContactBias biasOf(const ContactConstraint& c, const DeltaPair& deltas, float inverseSeconds, bool useBias) const;
     static float solveNormal(ContactConstraint& c, const ContactBias& bias, VelocityPair& bodies);
-    static void solveFriction(ContactConstraint& c, VelocityPair& bodies);
-    static void solveFriction(const ContactConstraint& c, float limit, float& impulse1, float& impulse2,
-                              VelocityPair& bodies);
     void move(std::span<SolverBody> bodies, double seconds);
     static void moveConstrained(SolverBody& body, SolverState& state, const glm::dquat& start, double seconds);
     static void moveFreely(SolverBody& body, const glm::dvec3& gravity, double seconds, std::vector<Pose>& path);
-    void bounce(float threshold);
     void storeImpulses(const PairConstraints& pair);
     /// Calls f(pair) for all pairs, those that share no body in parallel.
     template <class F>
@@ -71,6 +67,7 @@ private:
     JointSolver m_joints;
     ConstraintColoring m_coloring;  ///< gives the order of m_set.pairs
     WarmStartFilter m_warmStartFilter;
+    Restitution m_restitution;
     const ParallelFor* m_parallelFor = nullptr;
     LoadBearing m_loadBearing;
     std::vector<glm::dquat> m_start;         ///< rotations at the start of the step

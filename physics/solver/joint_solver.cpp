@@ -168,6 +168,23 @@ void JointSolver::solve(std::span<const SolverBody> bodies, std::span<SolverStat
     }
 }
 
+void JointSolver::solveImpact(std::span<const SolverBody> bodies, std::span<SolverState> states) {
+    m_saved.clear();
+    for (const JointRows& e : m_joints) {
+        const JointConstraint& c = *e.c;
+        m_saved.push_back(
+            {c.lockedImpulse, c.limitImpulse, c.springImpulse, c.motorImpulse, c.frictionImpulse, c.ballFriction});
+    }
+    solve(bodies, states, false);
+    for (size_t i = 0; i < m_joints.size(); ++i) {
+        JointConstraint& c = *m_joints[i].c;
+        const Impulses& saved = m_saved[i];
+        c.lockedImpulse = saved.locked, c.limitImpulse = saved.limit;
+        c.springImpulse = saved.spring, c.motorImpulse = saved.motor, c.frictionImpulse = saved.friction;
+        c.ballFriction = saved.ballFriction;
+    }
+}
+
 /// Spring, motor, friction and limits.
 void JointSolver::solveFreeAxis(JointRows& e, SolverState& A, SolverState& B, bool useBias) const {
     JointConstraint& c = *e.c;

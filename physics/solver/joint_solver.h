@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,9 @@ public:
     /// A few iterations over all joints. useBias: before the bodies move, with correction of position errors; false:
     /// after they have moved, for velocities alone.
     void solve(std::span<const SolverBody> bodies, std::span<SolverState> states, bool useBias);
+    /// Makes the velocities right after an impact, which no substep starts with again: the joints' impulses stay as
+    /// they are.
+    void solveImpact(std::span<const SolverBody> bodies, std::span<SolverState> states);
     /// Ends a substep: adds its impulses to the joints' mean force and torque over a step of stepSeconds, and what
     /// winches did to their work.
     void accumulateForces(double stepSeconds);
@@ -33,10 +37,18 @@ private:
     void solveLimit(JointRows& e, SolverState& A, SolverState& B, bool isHigh, bool useBias) const;
     void solveBallFriction(JointRows& e, SolverState& A, SolverState& B) const;
     void solveLockedRows(JointRows& e, SolverState& A, SolverState& B, bool useBias) const;
+    /// The impulses of a joint: see JointConstraint.
+    struct Impulses {
+        std::array<double, 6> locked;
+        std::array<double, 2> limit;
+        double spring, motor, friction;
+        glm::dvec3 ballFriction;
+    };
     /// Whether the joint's locked rows are not in the system.
     bool isSolvedAlone(const JointRows& e) const { return m_system.empty() || !e.isInSystem; }
 
     std::vector<JointRows> m_joints;
+    std::vector<Impulses> m_saved;  ///< during solveImpact()
     JointSystem m_system;
     double m_seconds = 0.0;  ///< of the substep
     bool m_isNew = true;     ///< the system is not built for these joints yet

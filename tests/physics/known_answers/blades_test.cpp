@@ -82,7 +82,9 @@ Hit spin(const Blade& blade) {
         hit.isHit = std::abs(double(scene.body(0).angularVelocity.y) / blade.spin - 1.0) > 1e-3 ||
                     glm::length(scene.body(1).velocity) > 0.0f;
         const double now = angle + std::remainder(angleNow() - angle, 2.0 * kPi);
-        hit.passed = hit.passed || std::floor(now / arms) != std::floor(angle / arms);
+        const double away = glm::length(scene.center(1) - scene.body(0).pose.transformPoint(hub));
+        const bool isInReach = away < (blade.isAtItsEnd ? 8.0 : 4.0);  // not flung out of it
+        hit.passed = hit.passed || (isInReach && std::floor(now / arms) != std::floor(angle / arms));
         angle = now;
     }
     hit.energy = kineticEnergy(scene) / before;

@@ -179,7 +179,8 @@ void addCar(PhysicsScene& scene, const Car& car) {
             axle.joint.ends[1] = {.frame = {{half, half, 0.125}, leftward}};
             axle.joint.limits = {true, -0.12, 0.12};
             axle.joint.spring = {8.0, 0.6};
-            axle.joint.steer = x > 0.0 ? car.steer : 0.0;
+            if (x > 0.0 && car.steer != 0.0)  // each wheel across its own circle
+                axle.joint.steer = std::atan(kWheelBase / (kWheelBase / std::tan(car.steer) + z + 0.125));
             axle.joint.friction = car.drag + car.brake;
             if (car.drive > 0.0) axle.joint.motor = {MotorMode::Speed, 1000.0, car.drive};
             scene.level.joints.push_back(axle);
@@ -235,7 +236,7 @@ TEST(Rolling, ACarCoastsDrivesAndBrakesByItsTorques) {
 
 /// A car of front wheels that stand aslant goes on a circle about a point on its rear axle's line.
 TEST(Rolling, ACarTurnsByItsSteeringAngle) {
-    for (const double steer : {0.02, 0.05, 0.1}) {
+    for (const double steer : {0.02, 0.05, 0.1, 0.2, 0.3}) {
         const Car car{.steer = steer, .speed = 3.0};
         PhysicsScene scene(known::sleepless({}));
         addCar(scene, car);

@@ -1,0 +1,139 @@
+#include "physics/solver/restitution.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "physics/solver/contact_setup.h"
+
+// Restitution of simultaneous impacts by sequential impacts.
+//
+// A pair whose points close at v_i shall part at e_i v_i (Newton). Impulses that are solved together share an impact
+// among all that touch: five balls in a row would go on together. In an elastic row each ball hands the impact on to
+// the next one before anything else happens. So pairs are taken one after the other, first those that close, then those
+// that touch what was hit, until nothing closes any more (Ivanov, "On multiple impact", 1995; Smith et al.,
+// "Reflections on Simultaneous Impact", 2012). Within a pair the points are solved together, so that a box lands flat.
+// Each impact keeps the momentum and adds no energy; so does the row.
+
+namespace rubble {
+namespace {
+
+constexpr int kPasses = 16;          ///< over the points of a pair
+constexpr float kConverged = 1e-4f;  ///< share of the fastest point's speed by which none changes any more
+constexpr uint8_t kMaxImpacts = 32;  ///< of a pair in a substep
+constexpr int kMaxJointRounds = 64;  ///< in a substep, over all joints
+constexpr int kJointRounds = 4;      ///< in an impact of what is jointed
+
+bool isElastic(std::span<const ContactConstraint> points) {
+    return std::any_of(points.begin(), points.end(), [](const ContactConstraint& c) { return c.restitution > 0.0f; });
+}
+
+}  // namespace
+
+void Restitution::begin(ContactSet& set, float threshold) {
+    m_threshold = threshold;
+    m_fast.clear();
+    for (size_t i = 0; i < set.pairs.size(); ++i) {
+        const auto points = set.of(set.pairs[i]);
+        if (std::any_of(points.begin(), points.end(), [&](const ContactConstraint& c) {
+                return c.restitution > 0.0f && c.initialNormalVelocity < -threshold;
+            }))
+            m_fast.push_back(i);
+    }
+    if (m_fast.empty()) return;
+    m_isQueued.assign(set.pairs.size(), false);
+    m_impacts.assign(set.pairs.size(), 0);
+    m_neighbours.clear();
+    for (size_t i = 0; i < set.pairs.size(); ++i) {
+        const PairConstraints& pair = set.pairs[i];
+        if (!isElastic(set.of(pair))) continue;
+        for (const int body : {pair.a, pair.b})
+            if (body) m_neighbours.emplace_back(body, i);
+    }
+    std::sort(m_neighbours.begin(), m_neighbours.end());
+}
+
+void Restitution::queue(size_t pair) {
+    if (m_isQueued[pair]) return;
+    m_isQueued[pair] = true;
+    m_queue.push_back(pair);
+}
+
+void Restitution::solve(ContactSet& set, float seconds, std::span<const SolverBody> bodies, JointSolver& joints) {
+    if (m_fast.empty()) return;
+    std::fill(m_impacts.begin(), m_impacts.end(), uint8_t(0));
+    m_jointRounds = kMaxJointRounds;
+    m_queue.clear();
+    for (const size_t pair : m_fast) queue(pair);
+    for (size_t next = 0; next < m_queue.size(); ++next) {
+        const size_t number = m_queue[next];
+        m_isQueued[number] = false;
+        const PairConstraints& pair = set.pairs[number];
+        if (m_impacts[number] == kMaxImpacts || !isAboutToBounce(set, pair, seconds)) continue;
+        ++m_impacts[number];
+        collide(set, pair, seconds, bodies, joints);
+        for (const int body : {pair.a, pair.b})
+            for (auto at = std::lower_bound(m_neighbours.begin(), m_neighbours.end(), std::pair(body, size_t(0)));
+                 at != m_neighbours.end() && at->first == body; ++at)
+                if (at->second != number) queue(at->second);
+    }
+}
+
+/// Whether a point of the pair will touch within the substep, faster than the threshold.
+bool Restitution::isAboutToBounce(ContactSet& set, const PairConstraints& pair, float seconds) const {
+    const SolverState &A = set.stateA(pair), &B = set.stateB(pair);
+    const DeltaPair deltas(A, B);
+    const VelocityPair velocities(A, B);
+    for (const ContactConstraint& c : set.of(pair)) {
+        const float velocity = velocities.normalVelocity(c);
+        if (c.restitution > 0.0f && velocity < -m_threshold && deltas.separation(c) + velocity * seconds < 0.0f)
+            return true;
+    }
+    return false;
+}
+
+void Restitution::collide(ContactSet& set, const PairConstraints& pair, float seconds,
+                          std::span<const SolverBody> bodies, JointSolver& joints) {
+    SolverState &A = set.stateA(pair), &B = set.stateB(pair);
+    const std::span<ContactConstraint> points = set.of(pair);
+    struct Touch {
+        float target = 0.0f, impulse = 0.0f, tangent1 = 0.0f, tangent2 = 0.0f;  ///< m/s, then N s
+        bool isTouching = false;
+    };
+    std::array<Touch, kMaxManifoldPoints> touches;
+    float fastest = 0.0f;
+    for (ContactConstraint& c : points) updateJacobian(c, A, B);
+    const DeltaPair deltas(A, B);
+    const VelocityPair before(A, B);
+    for (size_t i = 0; i < points.size(); ++i) {
+        const float velocity = before.normalVelocity(points[i]);
+        touches[i].isTouching = deltas.separation(points[i]) + velocity * seconds < 0.0f;
+        touches[i].target = velocity < -m_threshold ? -points[i].restitution * velocity : 0.0f;
+        fastest = std::max(fastest, -velocity);
+    }
+    const bool isJointed = (A.isJointed || B.isJointed) && !joints.empty();
+    for (int round = 0; round < (isJointed ? kJointRounds : 1); ++round) {
+        VelocityPair velocities(A, B);
+        for (int pass = 0; pass < kPasses; ++pass) {
+            float changed = 0.0f;  // m/s
+            for (size_t i = 0; i < points.size(); ++i) {
+                Touch& touch = touches[i];
+                if (!touch.isTouching) continue;
+                const float old = touch.impulse, missing = touch.target - velocities.normalVelocity(points[i]);
+                touch.impulse = std::max(old + points[i].normalMass * missing, 0.0f);
+                velocities.applyNormalImpulse(points[i], touch.impulse - old);
+                if (touch.impulse != old) changed = std::max(changed, std::abs(missing));
+            }
+            for (size_t i = 0; i < points.size(); ++i)
+                if (touches[i].isTouching)
+                    velocities.solveFriction(points[i], points[i].friction * touches[i].impulse, touches[i].tangent1,
+                                             touches[i].tangent2);
+            if (changed <= kConverged * fastest) break;
+        }
+        velocities.store(A, B);
+        if (isJointed && m_jointRounds-- > 0) joints.solveImpact(bodies, set.states);
+    }
+    for (size_t i = 0; i < points.size(); ++i) points[i].bounceImpulse += touches[i].impulse;
+}
+
+}  // namespace rubble

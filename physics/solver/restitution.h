@@ -1,0 +1,38 @@
+#pragma once
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "physics/solver/contact_constraint.h"
+#include "physics/solver/joint_solver.h"
+
+namespace rubble {
+
+/// Elastic impacts. What closes fast and is about to touch bounces before the contacts are solved, and hands the
+/// impact on through what touches it. See restitution.cpp for the method.
+class Restitution {
+public:
+    /// Begins a step, with the constraints as they are prepared. threshold: the closing speed, m/s, below which nothing
+    /// bounces.
+    void begin(ContactSet& set, float threshold);
+    /// The impacts of the next substep, of this length, in a fixed order. To be called before each iteration over the
+    /// contacts, which would take the speed.
+    void solve(ContactSet& set, float seconds, std::span<const SolverBody> bodies, JointSolver& joints);
+
+private:
+    bool isAboutToBounce(ContactSet& set, const PairConstraints& pair, float seconds) const;
+    void collide(ContactSet& set, const PairConstraints& pair, float seconds, std::span<const SolverBody> bodies,
+                 JointSolver& joints);
+    void listNeighbours(const ContactSet& set);
+    void queue(size_t pair);
+
+    float m_threshold = 1.0f;
+    std::vector<size_t> m_fast;                        ///< pairs that close fast at the start of the step
+    std::vector<std::pair<int, size_t>> m_neighbours;  ///< body and pair, sorted; of elastic pairs
+    std::vector<size_t> m_queue;                       ///< pairs to look at
+    std::vector<uint8_t> m_impacts;                    ///< by pair, in this substep
+    std::vector<bool> m_isQueued;                      ///< by pair
+    int m_jointRounds = 0;                             ///< that are left in this substep
+};
+
+}  // namespace rubble
