@@ -29,10 +29,29 @@ constexpr double kOverlap = 0.02;
 double displacement(const Pose& from, const Pose& to, double radius) {
     return glm::length(to.position - from.position) + radius * largestAngle(from.rotation, to.rotation);
 }
+/// The round surface that a body of one part is touched as; null: it is touched as voxels.
+const RoundSurface* roundOf(const DynamicBody& body) {
+    const auto& parts = body.object.collider.parts;
+    return parts.size() == 1 ? parts[0]->round() : nullptr;
+}
+/// The shortest rotation from one unit vector to another; none between opposite ones.
+glm::dquat shortestArc(const glm::dvec3& from, const glm::dvec3& to) {
+    const double cosine = glm::dot(from, to);
+    if (cosine < -0.999) return {1.0, 0.0, 0.0, 0.0};
+    return glm::normalize(glm::dquat(1.0 + cosine, glm::cross(from, to)));
+}
+/// Where a round body ends without the spin about its axis, which does not move its surface.
+Pose endWithoutSpin(const DynamicBody& body, const RoundSurface& round) {
+    const Pose &from = body.stepPath.front(), &to = body.stepPath.back();
+    const glm::dvec3 axis = body.object.collider.parts[0]->frame().rotation * glm::dvec3(round.direction());
+    if (axis == glm::dvec3(0.0)) return {to.position, from.rotation};  // a sphere
+    return {to.position, shortestArc(from.rotation * axis, to.rotation * axis) * from.rotation};
+}
 /// The ends of the body's path if it is almost straight, else all of it.
 SweptPose simplified(const DynamicBody& body, std::array<Pose, 2>& ends) {
     const SweptPose whole{body.stepPath};
     ends = {body.stepPath.front(), body.stepPath.back()};
+    if (const RoundSurface* round = roundOf(body)) return ends[1] = endWithoutSpin(body, *round), SweptPose{ends};
     const double tolerance = kMaxBend * body.object.collider.smallestVoxel();
     for (size_t i = 1; i + 1 < body.stepPath.size(); ++i) {
         const Pose straight = SweptPose{ends}.at(double(i) / double(body.stepPath.size() - 1));
@@ -55,6 +74,8 @@ SweptPose pathOf(const CollisionObject& object, std::array<Pose, 2>& ends) {
 }
 double displacementOf(const DynamicBody& body) {
     double sum = 0.0;
+    if (const RoundSurface* round = roundOf(body))
+        return displacement(body.stepPath.front(), endWithoutSpin(body, *round), body.object.radius);
     for (size_t i = 0; i + 1 < body.stepPath.size(); ++i)
         sum += displacement(body.stepPath[i], body.stepPath[i + 1], body.object.radius);
     return sum;
@@ -102,6 +123,7 @@ void turnBack(SolverBody& body, const glm::dquat& rotation) {
 bool needsSweep(const DynamicBody& body, double seconds) {
     const double voxel = body.object.collider.smallestVoxel(), moved = displacementOf(body);
     if (moved <= kMinDisplacement * voxel) return false;
+    if (roundOf(body)) return moved > kFarDisplacement * voxel;
     return moved > kFarDisplacement * voxel || body.isPenetrating || deviationOf(body, seconds) > kMaxDeviation * voxel;
 }
 

@@ -150,13 +150,14 @@ struct Car {
     double steer = 0.0;                           ///< of the front wheels, radians
     double speed = 0.0;                           ///< at the start, m/s
     double slope = 0.0;                           ///< degrees, downward along x
+    uint32_t density = 400;                       ///< of the body, kg/m3
 };
 constexpr double kWheelBase = 2.6;
 constexpr int kAcross = 16;  ///< voxels of half the usual size
 
 void addCar(PhysicsScene& scene, const Car& car) {
     known::setMaterial(scene, 7, 0.9f, 0.0f);
-    const uint8_t body = known::setMaterial(scene, 8, 0.9f, 0.0f, 400);
+    const uint8_t body = known::setMaterial(scene, 8, 0.9f, 0.0f, car.density);
     const double r = rollingRadius(kAcross, 0.05), half = 0.025 * kAcross;
     const glm::dquat tilt = glm::angleAxis(-car.slope * kPi / 180.0, glm::dvec3(0, 0, 1));
     static const VoxelGrid ground = solidGrid({2000, 4, 1600}, 7);
@@ -232,6 +233,15 @@ TEST(Rolling, ACarCoastsDrivesAndBrakesByItsTorques) {
     expectAcceleration({.drive = drive}, 2.0, 4.2);
     expectAcceleration({.brake = drive, .speed = 20.0}, 2.0, -4.2);
     expectAcceleration({.brake = 10.0 * drive, .speed = 20.0}, 1.0, -0.9 * g);
+}
+
+TEST(Rolling, AHeavyCarDrivesAlsoWithWheelsThatSlip) {
+    for (const uint32_t density : {400u, 4000u}) {
+        PhysicsScene scene(known::sleepless({}));
+        addCar(scene, {.density = density});
+        const double grip = 0.9 * 9.81, torque = 2.5 * grip * massOf(scene).mass * rollingRadius(kAcross, 0.05) / 4.0;
+        EXPECT_NEAR(acceleration({.drive = torque, .density = density}, 0.5) / grip, 1.0, 0.05) << density;
+    }
 }
 
 /// A car of front wheels that stand aslant goes on a circle about a point on its rear axle's line.

@@ -6,6 +6,7 @@
 #include <ostream>
 #include <set>
 
+#include "physics/physics_world.h"
 #include "runtime/world/queries/query.h"
 
 namespace rubble {
@@ -41,6 +42,27 @@ bool movesFromTheStart(const Level& level) {
             return true;
     return std::any_of(level.joints.begin(), level.joints.end(),
                        [](const LevelJoint& joint) { return joint.joint.motor.mode != MotorMode::Off; });
+}
+
+/// Its wheels run along the seam of two shapes of the ground and are pressed into it.
+TEST(Scenes, TheCarDrives) {
+    const Scene& scene = *findScene("drive");
+    World world;
+    world.setSettings(scene.settings);
+    world.load(scene.level(1));
+    PhysicsWorld physics;
+    physics.load(world);
+    BodyHandle car;
+    world.bodies().forEach([&](BodyHandle handle, const Body& body) {
+        if (body.name == "driven car") car = handle;
+    });
+    const double start = world.bodies().at(car).pose.position.x;
+    for (int step = 0; step < 180; ++step) {
+        physics.apply(world.applyEdits(scene.script(step, 1)), world);
+        physics.step();
+        copyMotion(physics, world);
+    }
+    EXPECT_GT(world.bodies().at(car).pose.position.x, start + 5.0);
 }
 
 /// Runs the script without physics: removed voxels are accounted for, and the same seed gives the same hash.
