@@ -24,7 +24,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kMaxLift = 0.0005;  ///< metres by which an overlap may lift a body in a step
+constexpr double kMaxLift = 0.002;   ///< metres by which an overlap may lift a body in a step
 constexpr double kMaxRegain = 1e-3;  ///< of its kinetic energy, that an island with joints may gain back
 
 /// Takes back height that a body gained from nothing, as far as it rose in the step. gain: joules.
