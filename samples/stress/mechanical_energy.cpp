@@ -30,7 +30,7 @@ void MechanicalEnergy::reset(const World& world) {
     });
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
         if (body.isStatic) return;
-        BodyEnergy& entry = m_bodies.emplace_back(handle, bodyMass(world, handle), 0.0, !body.asleep);
+        BodyEnergy& entry = m_bodies.emplace_back(BodyEnergy{handle, bodyMass(world, handle), 0.0, !body.asleep});
         entry.jointed = std::find(jointed.begin(), jointed.end(), handle) != jointed.end();
         entry.energy = energyOf(world, body, entry);
     });
