@@ -23,7 +23,6 @@ private:
     bool isAboutToBounce(ContactSet& set, const PairConstraints& pair, float seconds) const;
     void collide(ContactSet& set, const PairConstraints& pair, float seconds, std::span<const SolverBody> bodies,
                  JointSolver& joints);
-    void listNeighbours(const ContactSet& set);
     void queue(size_t pair);
 
     float m_threshold = 1.0f;

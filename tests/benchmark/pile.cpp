@@ -1,22 +1,12 @@
 #include "tests/benchmark/pile.h"
 
 #include <algorithm>
-#include <ctime>
+#include <chrono>
 
 namespace rubble {
 
 using Clock = std::chrono::steady_clock;
 
-double cpuMs(const std::function<void()>& f) {
-    const auto now = [] {
-        timespec t{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-        return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
-    };
-    const double start = now();
-    f();
-    return now() - start;
-}
 double wallMs(const std::function<void()>& f) {
     const auto start = Clock::now();
     f();

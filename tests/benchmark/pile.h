@@ -1,16 +1,14 @@
 #pragma once
-#include <chrono>
 #include <functional>
 #include <vector>
 
 #include "physics/physics_world.h"
 #include "runtime/world/world.h"
 #include "tests/physics/baseline/bullet_compounds.h"
+#include "tests/support/cpu_time.h"
 
 namespace rubble {
 
-/// Milliseconds of this thread's processor time in f().
-double cpuMs(const std::function<void()>& f);
 /// Milliseconds of wall-clock time in f().
 double wallMs(const std::function<void()>& f);
 /// percent: 0 to 100.

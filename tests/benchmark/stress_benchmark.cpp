@@ -1,10 +1,10 @@
 // Cost of the stress analysis in processor time: steps of a tower of 100,000 voxels whose foot is cut.
 #include <benchmark/benchmark.h>
-#include <time.h>
 
 #include <algorithm>
 
 #include "runtime/world/world.h"
+#include "tests/support/cpu_time.h"
 #include "tests/support/grids.h"
 
 namespace rubble {
@@ -27,12 +27,6 @@ Level tower(int offset, bool isStatic = true) {
     body.shapes.push_back(std::move(shape));
     level.bodies.push_back(std::move(body));
     return level;
-}
-
-double threadMs() {
-    timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
 }
 
 /// Steps of a world with small cuts at the foot of a tower that stays up. A new cut follows when the analysis of the

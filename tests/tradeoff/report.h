@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/cpu_time.h"
+
 namespace rubble::tradeoff {
 
 /// Options of the command line.
@@ -26,8 +28,6 @@ Measured summary(const std::vector<double>& values);
 Measured measure(int repeats, const std::function<double()>& once);
 /// The value below which a share (0 to 1) of the values lies; 0 without values.
 double quantile(std::vector<double> values, double share);
-/// Milliseconds of this thread's processor time in f(): other load on the machine is not counted.
-double cpuMs(const std::function<void()>& f);
 
 /// A table of the report: settings, their costs and their errors.
 struct Table {

@@ -1,20 +1,14 @@
 #include "tests/physics/scenes/penetration_sweep.h"
 
 #include <algorithm>
-#include <ctime>
 
 #include "tests/physics/baseline/bullet_compounds.h"
 #include "tests/physics/baseline/voronoi_pit.h"
 #include "tests/physics/scenes/known_scenes.h"
+#include "tests/support/cpu_time.h"
 
 namespace rubble::known {
 namespace {
-
-double threadMs() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return double(time.tv_sec) * 1e3 + double(time.tv_nsec) * 1e-6;
-}
 
 /// Runs `step` as often as asked; the mean of the last quarter, ms.
 template <class Step>
