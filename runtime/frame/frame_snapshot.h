@@ -119,7 +119,4 @@ struct FrameSnapshot {
     std::vector<ShadowPatch> shadow;
 };
 
-/// Appends a later snapshot to an earlier one, so that applying the result equals applying both. Nothing is dropped.
-void merge(FrameSnapshot& into, FrameSnapshot&& later);
-
 }  // namespace rubble

@@ -9,7 +9,7 @@
 namespace rubble {
 namespace {
 
-constexpr size_t kMaxPosted = 16;  ///< snapshots in the queue before the main thread merges them
+constexpr size_t kMaxPosted = 16;  ///< snapshots in the queue before the main thread merges them: nobody draws
 
 SnapshotShape describeShape(ShapeHandle handle, const Shape& shape) {
     SnapshotShape out{handle, shape.grid.size(), shape.voxelSize, shape.palette, {}, shape.paintColors};
@@ -26,60 +26,57 @@ bool showsNothing(const FrameSnapshot& s) {
            !s.ripplesChanged && !s.environmentChanged;
 }
 
-void append(std::optional<FrameSnapshot>& out, FrameSnapshot&& later) {
-    if (out)
-        merge(*out, std::move(later));
-    else
-        out = std::move(later);
-}
-
 }  // namespace
 
 void Snapshots::publish(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
                         std::vector<ShadowPatches> patches, std::span<const Impact> impacts) {
     enqueue(changes, moved, world, impacts);
-    std::optional<FrameSnapshot> out;
+    SnapshotMerger out;
     for (ShadowPatches& publication : patches) {
         while (!m_waiting.empty() && m_waiting.front().snapshot.version <= publication.version) releaseOldest(out);
         FrameSnapshot shadow;
         shadow.version = publication.version;
         shadow.shadowReplacesAll = publication.replacesAll;
         shadow.shadow = std::move(publication.patches);
-        append(out, std::move(shadow));
+        out.add(std::move(shadow));
     }
     while (!m_waiting.empty() && !m_waiting.front().needsShadow) releaseOldest(out);
-    post(std::move(out), changes.step);
+    post(out.take(), changes.step);
 }
 
 void Snapshots::publishWithoutShadow(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
                                      std::span<const Impact> impacts) {
     enqueue(changes, moved, world, impacts);
-    std::optional<FrameSnapshot> out;
+    SnapshotMerger out;
     while (!m_waiting.empty()) releaseOldest(out);
-    post(std::move(out), changes.step);
+    post(out.take(), changes.step);
 }
 
 std::optional<FrameSnapshot> Snapshots::take() {
-    std::optional<FrameSnapshot> out;
-    for (FrameSnapshot& posted : m_posted.takeAll()) append(out, std::move(posted));
-    return out;
+    SnapshotMerger all;
+    std::vector<FrameSnapshot> posted;
+    {
+        const std::lock_guard lock(m_mutex);
+        all = std::exchange(m_backlog, {});
+        posted = std::exchange(m_posted, {});
+    }
+    for (FrameSnapshot& snapshot : posted) all.add(std::move(snapshot));
+    return all.take();
 }
 
-void Snapshots::releaseOldest(std::optional<FrameSnapshot>& out) {
-    append(out, std::move(m_waiting.front().snapshot));
+void Snapshots::releaseOldest(SnapshotMerger& out) {
+    out.add(std::move(m_waiting.front().snapshot));
     m_waiting.pop_front();
 }
 
 void Snapshots::post(std::optional<FrameSnapshot> snapshot, uint64_t newestStep) {
     if (!snapshot) return;
     snapshot->newestStep = newestStep;
-    // While nobody draws, snapshots are merged, so that the queue stays short.
-    if (m_posted.size() >= kMaxPosted)
-        if (auto all = take()) {
-            merge(*all, std::move(*snapshot));
-            snapshot = std::move(all);
-        }
-    m_posted.post(std::move(*snapshot));
+    const std::lock_guard lock(m_mutex);
+    m_posted.push_back(std::move(*snapshot));
+    if (m_posted.size() < kMaxPosted) return;
+    for (FrameSnapshot& posted : m_posted) m_backlog.add(std::move(posted));
+    m_posted.clear();
 }
 
 void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,

@@ -1,13 +1,14 @@
 #pragma once
 #include <deque>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "runtime/core/mailbox.h"
 #include "runtime/frame/frame_snapshot.h"
 #include "runtime/frame/particles.h"
 #include "runtime/frame/ripples.h"
+#include "runtime/frame/snapshot_merger.h"
 #include "runtime/world/world.h"
 
 namespace rubble {
@@ -29,7 +30,7 @@ public:
     /// [main-thread] The same where no shadow worker is used: nothing waits.
     void publishWithoutShadow(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
                               std::span<const Impact> impacts = {});
-    /// [render-thread] All posted snapshots merged into one, or nothing.
+    /// [render-thread] All posted snapshots merged into one, or nothing. While nobody takes them, each is merged once.
     std::optional<FrameSnapshot> take();
 
 private:
@@ -60,11 +61,13 @@ private:
     void listLights(FrameSnapshot& out, bool worldChanged);
     void addFires(const FrameChanges& changes, const World& world);
     /// Moves the oldest waiting snapshot, without its shadow, behind `out`.
-    void releaseOldest(std::optional<FrameSnapshot>& out);
+    void releaseOldest(SnapshotMerger& out);
     void post(std::optional<FrameSnapshot> snapshot, uint64_t newestStep);
 
-    std::deque<Waiting> m_waiting;  ///< oldest first
-    Mailbox<FrameSnapshot> m_posted;
+    std::deque<Waiting> m_waiting;        ///< oldest first
+    std::mutex m_mutex;                   ///< of the two that follow
+    SnapshotMerger m_backlog;             ///< what has not been drawn for long
+    std::vector<FrameSnapshot> m_posted;  ///< what came after it, oldest first
     std::vector<LastPose> m_lastPoses;
     uint64_t m_count = 0;                   ///< of calls of enqueue()
     std::vector<ShapeHandle> m_moving;      ///< shapes that the newest snapshot shows moving

@@ -219,6 +219,43 @@ TEST(Snapshots, QueueStaysBoundedWithoutAReader) {
     EXPECT_EQ(all->poses.size(), 3u);
 }
 
+/// Work is counted as allocations; each pose or brick that is merged again would need one.
+TEST(Snapshots, AStepCostsTheSameHoweverManyBeforeItWereNotDrawn) {
+    Level level;
+    for (int i = 0; i < 400; ++i) level.bodies.push_back(makeBody("crate", {i % 20, 9, int(i / 20)}, {8, 8, 8}, false));
+    World world;
+    world.load(level);
+    Snapshots snapshots;
+    ShadowWorker worker(ShadowWorker::Mode::Inline);
+    const auto allocationsOfSteps = [&](int count, bool allMove) {
+        size_t sum = 0;
+        for (int i = 0; i < count; ++i) {
+            const FrameChanges changes = world.applyEdits({});
+            std::vector<BodyPose> moved;
+            world.bodies().forEach([&](BodyHandle handle, const Body& body) {
+                if (!allMove && handle.slot() != 1) return;
+                moved.push_back({handle, body.pose, {}, {}, false});
+                moved.back().pose.position.y += 0.01;
+            });
+            world.setPoses(moved);
+            worker.submit(changes, moved, world);
+            std::vector<ShadowPatches> patches = worker.takePatches();
+            const size_t before = allocationCount();
+            snapshots.publish(changes, moved, world, std::move(patches));
+            sum += allocationCount() - before;
+        }
+        return sum;
+    };
+    allocationsOfSteps(1, false);
+    ASSERT_TRUE(snapshots.take());
+    const size_t few = allocationsOfSteps(64, false);
+    allocationsOfSteps(400, true);
+    EXPECT_LT(allocationsOfSteps(64, false), 2 * few);
+    const auto all = snapshots.take();
+    ASSERT_TRUE(all);
+    EXPECT_EQ(all->poses.size(), 400u);
+}
+
 TEST(Snapshots, AStepInWhichNothingHappensAllocatesNothing) {
     Loop loop;
     ShadowWorker worker(ShadowWorker::Mode::Inline);

@@ -1,3 +1,5 @@
+#include "runtime/frame/snapshot_merger.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -5,8 +7,8 @@
 #include <tuple>
 
 #include "runtime/core/random.h"
-#include "runtime/frame/frame_snapshot.h"
 #include "tests/runtime/shadow/received_volume.h"
+#include "tests/support/allocation_count.h"
 
 namespace rubble {
 namespace {
@@ -131,7 +133,7 @@ FrameSnapshot copyOf(const FrameSnapshot& s) {
     return s;
 }
 
-TEST(MergeSnapshots, EqualsApplyingEachInTurn) {
+TEST(SnapshotMerger, EqualsApplyingEachInTurn) {
     for (uint64_t seed = 0; seed < 300; ++seed) {
         Story story(seed);
         Random random(seed, 1);
@@ -151,7 +153,7 @@ TEST(MergeSnapshots, EqualsApplyingEachInTurn) {
     }
 }
 
-TEST(MergeSnapshots, IsAssociative) {
+TEST(SnapshotMerger, IsAssociative) {
     for (uint64_t seed = 0; seed < 100; ++seed) {
         Story story(seed);
         Receiver left, right;
@@ -170,7 +172,7 @@ TEST(MergeSnapshots, IsAssociative) {
     }
 }
 
-TEST(MergeSnapshots, CreatedAndDestroyedInBetweenLeavesNothing) {
+TEST(SnapshotMerger, CreatedAndDestroyedInBetweenLeavesNothing) {
     const ShapeHandle shape = ShapeHandle::make(1, 1, 0);
     FrameSnapshot first, second;
     first.created.push_back({shape, {8, 8, 8}, 0.1f, nullptr, {{shape, {0, 0, 0}, std::make_shared<const Brick>()}}});
@@ -180,7 +182,7 @@ TEST(MergeSnapshots, CreatedAndDestroyedInBetweenLeavesNothing) {
     EXPECT_TRUE(first.created.empty() && first.destroyed.empty() && first.poses.empty());
 }
 
-TEST(MergeSnapshots, ACreatedShapeTakesLaterBricksAndTheNewestPose) {
+TEST(SnapshotMerger, ACreatedShapeTakesLaterBricksAndTheNewestPose) {
     const ShapeHandle shape = ShapeHandle::make(1, 1, 0);
     const BrickRef brick = std::make_shared<const Brick>();
     FrameSnapshot first, second;
@@ -198,7 +200,7 @@ TEST(MergeSnapshots, ACreatedShapeTakesLaterBricksAndTheNewestPose) {
 }
 
 /// What a body leaves behind while nobody draws.
-TEST(MergeSnapshots, ShadowThatCameAndWentLeavesNothing) {
+TEST(SnapshotMerger, ShadowThatCameAndWentLeavesNothing) {
     const auto content = std::make_shared<const ShadowBrick>();
     FrameSnapshot all;
     all.shadow = {{{-1, 0, 0}, content, false}, {{0, 0, 0}, content, true}};
@@ -214,8 +216,42 @@ TEST(MergeSnapshots, ShadowThatCameAndWentLeavesNothing) {
     EXPECT_EQ(all.shadow[1].brick, glm::ivec3(100, 0, 0));
 }
 
+/// Work is counted as allocations: an index of what was added before would need one for each entry of it.
+TEST(SnapshotMerger, ToAddASnapshotCostsWhatItHoldsHoweverMuchWasAddedBefore) {
+    const auto content = std::make_shared<const ShadowBrick>();
+    const auto brick = std::make_shared<const Brick>();
+    const ShapeHandle shape = ShapeHandle::make(1, 1, 0), other = ShapeHandle::make(1, 1, 1);
+    FrameSnapshot level;
+    level.created.push_back({shape, {8 * 5000, 8, 8}, 0.1f, nullptr, {}});
+    for (int x = 0; x < 5000; ++x) {
+        level.created[0].bricks.push_back({shape, {x, 0, 0}, brick});
+        level.bricks.push_back({other, {x, 0, 0}, brick});
+        level.shadow.push_back({{x, 0, 0}, content, true});
+    }
+    SnapshotMerger merger;
+    merger.add(std::move(level));
+    const auto addStep = [&](int x) {
+        FrameSnapshot step;
+        step.bricks = {{shape, {x, 0, 0}, brick}, {other, {x, 0, 0}, nullptr}};
+        step.poses = {{shape, {}, {}}};
+        step.shadow = {{{x, 0, 0}, nullptr}, {{x, 1, 0}, content, true}};
+        merger.add(std::move(step));
+    };
+    addStep(0);  // makes the indexes, once
+    const size_t before = allocationCount();
+    for (int x = 1; x <= 100; ++x) addStep(x);
+    EXPECT_LT(allocationCount() - before, 100u * 20);
+    const auto all = merger.take();
+    ASSERT_TRUE(all);
+    EXPECT_EQ(all->created[0].bricks.size(), 5000u);
+    EXPECT_EQ(all->bricks.size(), 5000u);
+    EXPECT_EQ(all->shadow.size(), 5000u) << "those of the level that are left and those that came";
+    EXPECT_TRUE(merger.empty());
+    EXPECT_FALSE(merger.take());
+}
+
 /// A body without gravity that passes through many bricks of the volume.
-TEST(MergeSnapshots, ShadowPatchesOfMovingBodiesMergeToWhatIsThere) {
+TEST(SnapshotMerger, ShadowPatchesOfMovingBodiesMergeToWhatIsThere) {
     World world = worldOf({makeBody(solidGrid({4, 4, 4}), {}, false)});
     ShadowWorker worker(ShadowWorker::Mode::Inline);
     FrameSnapshot all;
