@@ -5,12 +5,15 @@ namespace rubble {
 
 enum class LogLevel { Info, Warning, Error };
 
-/// Receives every message of the library. Called from any thread, one message at a time.
+/// Receives every message of the library. Called from any thread, one message at a time. It may log itself, which goes
+/// to stderr, and set another sink.
 using LogSink = void (*)(void* user, LogLevel level, std::string_view message);
 
-/// [any-thread] Sends all later messages to `sink` with `user`. A null sink restores the default (stderr).
+/// [any-thread] Sends all later messages to `sink` with `user`, and waits until no other thread is in the sink before.
+/// A null sink restores the default (stderr).
 void setLogSink(LogSink sink, void* user);
-/// [any-thread] Sends a message to the sink. The message says what was expected, what was found and where.
+/// [any-thread] Sends a message to the sink. The message says what was expected, what was found and where. If another
+/// thread is in the sink, that one hands the message over after its own.
 void log(LogLevel level, std::string_view message);
 /// [any-thread] log() at level Info.
 inline void logInfo(std::string_view message) {
