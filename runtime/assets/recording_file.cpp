@@ -1,5 +1,7 @@
 #include "runtime/assets/recording_file.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -43,6 +45,24 @@ inline constexpr auto kFields<RecordedStep> = std::tuple{
     Field{"voxel_hash", &RecordedStep::voxelHash},
 };
 
+namespace {
+
+/// Opens a file to write it from its beginning; null, with errno, if that cannot be. EWOULDBLOCK: somebody who opened
+/// it so has it open still.
+std::FILE* openAlone(const std::string& path) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor < 0) return nullptr;
+    std::FILE* file =
+        flock(descriptor, LOCK_EX | LOCK_NB) == 0 && ftruncate(descriptor, 0) == 0 ? fdopen(descriptor, "wb") : nullptr;
+    if (file) return file;
+    const int reason = errno;
+    ::close(descriptor);
+    errno = reason;
+    return nullptr;
+}
+
+}  // namespace
+
 Result<RecordingWriter> RecordingWriter::open(const std::string& path, const SavedGame& start) {
     const Result<std::string> target = fileToWrite(path);
     if (!target) return Error{target.error()};
@@ -50,7 +70,9 @@ Result<RecordingWriter> RecordingWriter::open(const std::string& path, const Sav
     writer.m_path = *target;
     const Result<std::string> part = fileToWrite(writer.partPath());
     if (!part) return Error{part.error()};
-    writer.m_file.reset(std::fopen(part->c_str(), "wb"));
+    writer.m_file.reset(openAlone(*part));
+    if (!writer.m_file && errno == EWOULDBLOCK)
+        return Error{path + ": expected a file of its own, found one that a recording is being written to"};
     if (!writer.m_file) return fileError(*part, "cannot write", errno);
     ChunkWriter chunks;
     uint64_t memory = 0;

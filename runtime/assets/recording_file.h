@@ -30,8 +30,8 @@ struct RecordedStep {
 /// name ends in ".part".
 class RecordingWriter {
 public:
-    /// Opens the file and writes the saved game. An error if that cannot be written, or the file could not get its
-    /// name.
+    /// Opens the file and writes the saved game. An error if that cannot be written, if the file could not get its
+    /// name, or if another recording is being written to it.
     static Result<RecordingWriter> open(const std::string& path, const SavedGame& start);
     /// Appends a step. close() reports what could not be written. A file that is as long as one may get gets no more.
     void add(const RecordedStep& step);

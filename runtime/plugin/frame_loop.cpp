@@ -18,6 +18,10 @@ FrameLoop::FrameLoop(const FrameLoopSettings& settings)
     if (settings.shadowVolume) m_shadow = std::make_unique<ShadowWorker>(settings.shadow);
 }
 
+FrameLoop::~FrameLoop() {
+    endRecording();
+}
+
 void FrameLoop::load(const Level& level) {
     m_edits.take();
     m_pending.clear();
@@ -59,9 +63,9 @@ void FrameLoop::goOnAsLoaded(bool dropMarks) {
 
 /// The queue of edits is not in the saved game that it begins with, because the first step records it.
 Result<Done> FrameLoop::startRecording(const std::string& path) {
-    endRecording();
     Result<RecordingWriter> writer = RecordingWriter::open(path, savedGame({}));
     if (!writer) return Error{writer.error()};
+    endRecording();
     goOnAsLoaded(true);
     m_recorder = std::make_unique<Recorder>(std::move(*writer), m_world);
     return Done{};

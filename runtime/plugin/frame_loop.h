@@ -32,6 +32,7 @@ class FrameLoop {
 public:
     /// Makes an empty world.
     explicit FrameLoop(const FrameLoopSettings& settings = {});
+    ~FrameLoop();  ///< completes a recording; the log says what of it could not be written
 
     /// [main-thread] Replaces the world by a level. Empties the queue of edits and stops a recording.
     void load(const Level& level);
@@ -44,7 +45,7 @@ public:
     Result<Done> save(const std::string& path);
     /// [main-thread] Records every step from here on, beginning with a saved game. Stops a recording that is running;
     /// the log says what of that one could not be written. Undo reaches back to here only. The file gets its name in
-    /// stopRecording(). If it cannot be written, nothing else changes.
+    /// stopRecording(). If it cannot be written, nothing changes: a recording that is running goes on.
     Result<Done> startRecording(const std::string& path);
     /// [main-thread] Completes the file; without a recording it does nothing.
     Result<Done> stopRecording();

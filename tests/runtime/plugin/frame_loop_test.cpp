@@ -278,6 +278,40 @@ size_t replaySteps(const std::string& path, size_t& recorded) {
     return equal;
 }
 
+TEST(FrameLoop, ARecordingGoesOnWhereAnotherCannotBegin) {
+    const TempFolder folder;
+    const std::string path = folder / "game.rubblelog";
+    FrameLoop loop(headlessSettings());
+    loop.load(tower());
+    ASSERT_TRUE(loop.startRecording(path));
+    loop.step();
+    EXPECT_FALSE(loop.startRecording("/no/such/folder/x.rubblelog"));
+    loop.step();
+    const Result<Done> same = loop.startRecording(path);
+    ASSERT_FALSE(same);
+    EXPECT_NE(same.error().find("that a recording is being written to"), std::string::npos) << same.error();
+    loop.step();
+    ASSERT_TRUE(loop.stopRecording());
+    size_t steps = 0;
+    EXPECT_EQ(replaySteps(path, steps), 3u);
+    EXPECT_EQ(steps, 3u);
+    ASSERT_TRUE(loop.startRecording(path)) << "the file is free again";
+}
+
+TEST(FrameLoop, ARecordingIsCompletedWithItsWorld) {
+    const TempFolder folder;
+    const std::string path = folder / "game.rubblelog";
+    {
+        FrameLoop loop(headlessSettings());
+        loop.load(tower());
+        ASSERT_TRUE(loop.startRecording(path));
+        for (int i = 0; i < 3; ++i) loop.step();
+    }
+    size_t steps = 0;
+    EXPECT_EQ(replaySteps(path, steps), 3u);
+    EXPECT_FALSE(std::filesystem::exists(path + ".part"));
+}
+
 TEST(FrameLoop, UndoDoesNotReachBackBeyondTheBeginningOfARecording) {
     const TempFolder folder;
     const std::string path = folder / "game.rubblelog";

@@ -944,9 +944,10 @@ typedef struct rubble_api {
      * world is unchanged. */
     rubble_result (*load_game)(rubble_world world, const char* path);
     /* [main-thread] Records every step from here on, beginning with a saved game. The file has its name after
-     * stop_recording(); a recording that is running is stopped first, and the log says what of it could not be
-     * written. Undo marks from before are dropped. RUBBLE_ERROR_FILE: the file cannot be written, with the saved
-     * game in it; the world and its marks are unchanged. */
+     * stop_recording() or destroy_world(); a recording that is running is stopped, and the log says what of it could
+     * not be written. Undo marks from before are dropped. RUBBLE_ERROR_FILE: the file cannot be written, with the
+     * saved game in it, or a recording is being written to it; the world and its marks are unchanged, and a recording
+     * that is running goes on. */
     rubble_result (*start_recording)(rubble_world world, const char* path);
     /* [main-thread] Completes the file; without a recording it does nothing. RUBBLE_ERROR_FILE: some of it could
      * not be written. */
