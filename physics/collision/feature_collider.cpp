@@ -26,14 +26,18 @@ uint64_t spreadStride(uint64_t count) {
 
 }  // namespace
 
-FeatureCollider::FeatureCollider(const ColliderPart& from, const CellTransform& fromCells, const ColliderPart& into,
-                                 const CellTransform& intoCells)
-    : m_from(from), m_into(into), m_occupancy(into), m_intoCells(intoCells), m_margin(0) {
-    const double size = into.voxelSize();
-    const glm::dmat3 toInto = metresToCells(intoCells, size);
-    m_axes = glm::mat3(toInto * fromCells.axes);
-    m_corner = glm::vec3(toInto * (fromCells.corner - intoCells.corner));
-    m_scale = float(from.voxelSize() / size);
+FeatureCollider::FeatureCollider(const CoveredPart& from, const CoveredPart& into)
+    : m_from(from.part),
+      m_into(into.part),
+      m_fromCover(from.cover),
+      m_occupancy(into.part, into.cover),
+      m_intoCells(into.cells),
+      m_margin(0) {
+    const double size = m_into.voxelSize();
+    const glm::dmat3 toInto = metresToCells(into.cells, size);
+    m_axes = glm::mat3(toInto * from.cells.axes);
+    m_corner = glm::vec3(toInto * (from.cells.corner - into.cells.corner));
+    m_scale = float(m_from.voxelSize() / size);
     for (int i = 0; i < 3; ++i) m_unit[i] = m_axes[i] / m_scale;
 }
 
@@ -180,7 +184,7 @@ void FeatureCollider::boundSweep() {
 }
 
 /// The query of a kind at a point. All but the point is computed once.
-const FeatureQuery& FeatureCollider::queryFor(uint8_t kind, const glm::vec3& point) {
+FeatureQuery& FeatureCollider::queryFor(uint8_t kind, const glm::vec3& point) {
     FeatureQuery& query = m_queries[kind];
     query.point = point;
     if (m_readyKinds >> kind & 1) return query;
@@ -266,9 +270,22 @@ void FeatureCollider::collideCluster(std::span<const FeatureList::Pack> packs, C
     }
 }
 
+/// Finds on which sides of a feature something lies against `from`; false: on all, so that nothing can touch it. own:
+/// the cell that it belongs to.
+bool FeatureCollider::findCoveredSides(FeatureQuery& query, Cell own) {
+    const glm::vec3 point = glm::vec3(own) + query.kind->offset;
+    query.covered = 0;
+    for (int axis = 0, i = 0; axis < 3; ++axis) {
+        if (query.kind->outward[axis] == 0.0f) continue;
+        if (m_fromCover->covers(own, point, axis, query.kind->outward[axis] > 0.0f ? 1 : -1)) query.covered |= 1u << i;
+        ++i;
+    }
+    return query.covered != (1u << query.sideCount) - 1;
+}
+
 /// One feature. own: the cell of `from` that it belongs to.
-void FeatureCollider::collideFeature(const FeatureQuery& query, uint8_t kind, Cell own,
-                                     std::vector<ContactPoint>& out) {
+void FeatureCollider::collideFeature(FeatureQuery& query, uint8_t kind, Cell own, std::vector<ContactPoint>& out) {
+    if (m_fromCover && !findCoveredSides(query, own)) return;
     const glm::vec3 inset = query.point + m_insets[kind];
     const Cell cell = cellOf(inset);
     const bool isInside = m_occupancy.solid(cell);
@@ -314,10 +331,8 @@ bool FeatureCollider::collideEdgeCrossing(const FeatureQuery& query, float from,
     glm::vec3 depth(2.0f);
     for (int axis = 0; axis < 3; ++axis)
         for (const int sign : {-1, 1}) {
-            Cell next = cell;
-            next[axis] += sign;
             const float d = distanceToSide(cell, q, axis, sign);
-            if (d < depth[axis] && !m_occupancy.solid(next)) depth[axis] = d, signs[axis] = sign;
+            if (d < depth[axis] && m_occupancy.exposed(cell, q, axis, sign)) depth[axis] = d, signs[axis] = sign;
         }
     const int w = depth.x > depth.y ? (depth.x > depth.z ? 0 : 2) : (depth.y > depth.z ? 1 : 2);
     const int u = (w + 1) % 3, v = (w + 2) % 3;
@@ -329,7 +344,7 @@ bool FeatureCollider::collideEdgeCrossing(const FeatureQuery& query, float from,
     edge[w] = 1.0f;
     glm::vec3 normal = glm::cross(query.along, edge);
     const float length = glm::length(normal);
-    if (length < kMinEdgeSine || m_occupancy.solid(diagonal)) return false;
+    if (length < kMinEdgeSine || !m_occupancy.open(diagonal)) return false;
     normal /= length;
     float alongU = normal[u] * float(signs[u]), alongV = normal[v] * float(signs[v]);
     if (alongU + alongV < 0) normal = -normal, alongU = -alongU, alongV = -alongV;

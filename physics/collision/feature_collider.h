@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "physics/collision/cover.h"
 #include "physics/collision/feature_query.h"
 #include "physics/collision/voxel_contacts.h"
 #include "physics/math/simd4.h"
@@ -14,9 +15,8 @@ namespace rubble {
 /// computed in the cells of `into`. See voxel_contacts.cpp for the method.
 class FeatureCollider {
 public:
-    /// The cell transforms are about one origin, the first body's frame. The parts must outlive the collider.
-    FeatureCollider(const ColliderPart& from, const CellTransform& fromCells, const ColliderPart& into,
-                    const CellTransform& intoCells);
+    /// The cell transforms are about one origin, the first body's frame. All must outlive the collider.
+    FeatureCollider(const CoveredPart& from, const CoveredPart& into);
 
     /// velocity (at the first body's frame origin, m/s) and spin (rad/s) of `from` relative to `into`, world axes.
     /// maxDisplacement: the longest that a feature moves in the step, metres.
@@ -39,13 +39,14 @@ private:
     bool findOverlap(CellBox& near) const;
     void setSearchExtents();
     void boundSweep();
-    const FeatureQuery& queryFor(uint8_t kind, const glm::vec3& point);
+    FeatureQuery& queryFor(uint8_t kind, const glm::vec3& point);
+    bool findCoveredSides(FeatureQuery& query, Cell own);
     bool mayTouchSolid(Float4 point, uint8_t kind);
     void collideBricks(const CellBox& near, std::vector<ContactPoint>& out);
     void collideFeatures(const FeatureList& features, Cell corner, const CellBox& near, std::vector<ContactPoint>& out);
     void collideCluster(std::span<const FeatureList::Pack> packs, Cell corner, const glm::vec3& base, float limit,
                         std::vector<ContactPoint>& out);
-    void collideFeature(const FeatureQuery& query, uint8_t kind, Cell own, std::vector<ContactPoint>& out);
+    void collideFeature(FeatureQuery& query, uint8_t kind, Cell own, std::vector<ContactPoint>& out);
     void addFace(const FeatureQuery& query, const Face& face, uint8_t kind, Cell own, std::vector<ContactPoint>& out);
     bool collideEdgeCrossing(const FeatureQuery& query, float from, float to, uint8_t kind, Cell own,
                              std::vector<ContactPoint>& out);
@@ -54,6 +55,7 @@ private:
 
     const ColliderPart& m_from;
     const ColliderPart& m_into;
+    Cover* m_fromCover;     ///< null: nothing lies around `from`
     Occupancy m_occupancy;  ///< of `into`
     CellTransform m_intoCells;
 

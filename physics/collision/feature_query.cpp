@@ -27,7 +27,7 @@ Face nearestExitFaceOfNotch(Occupancy& occupancy, Cell cell, const glm::vec3& p,
             distance += depth * depth;
             if (depth > deepest && query.accepts(k, float(d[k]))) deepest = depth, axis = k;
         }
-        if (axis < 0 || distance >= closest || occupancy.solid(cell + d)) continue;
+        if (axis < 0 || distance >= closest || !occupancy.open(cell + d)) continue;
         closest = distance;
         best = {axis, float(d[axis]), -deepest, cell};
     }
@@ -96,9 +96,7 @@ Face nearestExitFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const 
                 if (separation <= best.separation) continue;
                 Cell owner = cell;
                 owner[axis] += sign * crossed;
-                Cell next = owner;
-                next[axis] += sign;
-                if (occupancy.solid(next)) continue;
+                if (!occupancy.exposed(owner, p, axis, sign)) continue;
                 shortestExit = std::max(shortestExit, separation);
                 if (query.accepts(axis, float(sign))) best = {axis, float(sign), separation, owner};
             }
@@ -113,11 +111,8 @@ Face nearestExitFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const 
 float depthBelowSurface(Occupancy& occupancy, Cell cell, const glm::vec3& p) {
     float depth = 1.5f;
     for (int axis = 0; axis < 3; ++axis)
-        for (const int sign : {-1, 1}) {
-            Cell next = cell;
-            next[axis] += sign;
-            if (!occupancy.solid(next)) depth = std::min(depth, distanceToSide(cell, p, axis, sign));
-        }
+        for (const int sign : {-1, 1})
+            if (occupancy.exposed(cell, p, axis, sign)) depth = std::min(depth, distanceToSide(cell, p, axis, sign));
     return depth;
 }
 
@@ -130,7 +125,8 @@ Face closestFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, float marg
             if (away >= best.separation || !query.accepts(axis, float(sign))) continue;
             Cell below = cell;
             below[axis] -= sign;
-            if (occupancy.solid(below)) best = {axis, float(sign), away, below};
+            if (occupancy.solid(below) && occupancy.exposed(below, p, axis, sign))
+                best = {axis, float(sign), away, below};
         }
     return best;
 }
@@ -143,13 +139,15 @@ Face sweepToFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const glm:
     if (!wasInside) walk.approach(occupancy.bounds());
     for (;;) {
         const int axis = walk.axis();
-        if (!(walk.next[axis] <= 1.0f)) return {};
+        const float at = walk.next[axis];
+        if (!(at <= 1.0f)) return {};
         walk.cross(axis);
         if (walk.isPast(occupancy.bounds(), axis)) return {};
         const bool isInside = occupancy.solid(walk.cell), enters = isInside && !wasInside;
         wasInside = isInside;
         if (!enters) continue;
         const float sign = float(-walk.step[axis]);
+        if (!occupancy.exposed(walk.cell, p + displacement * at, axis, -walk.step[axis])) continue;
         if (!query.accepts(axis, sign)) return {};
         const float plane = float(sign > 0 ? walk.cell[axis] + 1 : walk.cell[axis]);
         return {axis, sign, (p[axis] - plane) * sign, walk.cell};

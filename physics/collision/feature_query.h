@@ -15,23 +15,30 @@ struct FeatureQuery {
     glm::vec3 point;     ///< the corner, or the middle of the edge
     glm::vec3 sides[3];  ///< unit vectors along which it sticks out
     int sideCount;
-    glm::vec3 along;  ///< unit vector along an edge
-    float length;     ///< of an edge, cells
+    glm::vec3 along;       ///< unit vector along an edge
+    float length;          ///< of an edge, cells
+    uint32_t covered = 0;  ///< bit i: something lies against the shape on side i
     /// Whether it is an edge; if not, it is a corner.
     bool isEdge() const { return kind->edgeAxis >= 0; }
 
-    /// Whether the feature can rest on a surface of this normal: it must stick out against the normal, and an edge must
-    /// lie roughly across it.
+    /// Whether the feature can rest on a surface of this normal: it must stick out against the normal, an edge must
+    /// lie roughly across it, and the normal must not come from a side that is covered.
     bool accepts(const glm::vec3& normal) const {
         for (int i = 0; i < sideCount; ++i)
-            if (glm::dot(normal, sides[i]) > kMaxSideCosine) return false;
+            if (isBarred(i, glm::dot(normal, sides[i]))) return false;
         return !isEdge() || std::abs(glm::dot(normal, along)) < kMaxEdgeCosine;
     }
     /// The same for the normal sign * (unit vector of the axis).
     bool accepts(int axis, float sign) const {
         for (int i = 0; i < sideCount; ++i)
-            if (sides[i][axis] * sign > kMaxSideCosine) return false;
+            if (isBarred(i, sides[i][axis] * sign)) return false;
         return !isEdge() || std::abs(along[axis]) < kMaxEdgeCosine;
+    }
+
+private:
+    /// Whether a normal of this cosine with side i is out of the question.
+    bool isBarred(int i, float cosine) const {
+        return cosine > kMaxSideCosine || (cosine < -kMaxSideCosine && covered >> i & 1);
     }
 };
 

@@ -32,7 +32,8 @@ struct Placed {
 }  // namespace
 
 void findImpactContacts(const CollisionObject& first, const CollisionObject& second,
-                        const NarrowphaseSettings& settings, const glm::vec3& axis, std::vector<ContactPoint>& out) {
+                        const NarrowphaseSettings& settings, const glm::vec3& axis, std::vector<ContactPoint>& out,
+                        const StaticNeighbours& neighbours) {
     const std::array<Pose, 2> firstPath{first.pose, endPose(first, settings.seconds)},
         secondPath{second.pose, endPose(second, settings.seconds)};
     const double fraction = timeOfImpact(first.collider, {firstPath}, second.collider, {secondPath}, axis);
@@ -40,7 +41,7 @@ void findImpactContacts(const CollisionObject& first, const CollisionObject& sec
     const Placed a(first, SweptPose{firstPath}.at(fraction)), b(second, SweptPose{secondPath}.at(fraction));
     const size_t from = out.size();
     glm::vec3 axisThen(0.0f);
-    findContacts(first.collider, a.motion(), second.collider, b.motion(), settings, axisThen, out);
+    findContacts(first.collider, a.motion(), second.collider, b.motion(), settings, axisThen, out, neighbours);
     for (size_t i = from; i < out.size(); ++i) {
         ContactPoint& contact = out[i];
         const glm::dvec3 middle = a.pose.position + glm::dvec3(contact.position), normal(contact.normal),

@@ -43,6 +43,17 @@ Motion motionOf(const CollisionObject& object) {
     return motion;
 }
 
+/// The pairs of the same first object with static ones, if this is one of them.
+StaticNeighbours neighboursOf(std::span<const ObjectPair> pairs, size_t number) {
+    const auto [first, second] = pairs[number];
+    if (second->dynamic) return {};
+    const auto isBeside = [&](size_t i) { return pairs[i].first == first && !pairs[i].second->dynamic; };
+    size_t from = number, to = number + 1;
+    while (from > 0 && isBeside(from - 1)) --from;
+    while (to < pairs.size() && isBeside(to)) ++to;
+    return {pairs.subspan(from, to - from), number - from};
+}
+
 bool isTouchedAsRound(const Manifold& manifold) {
     return std::ranges::any_of(manifold.all(),
                                [](const ManifoldPoint& p) { return p.feature & (kFirstIsRound | kSecondIsRound); });
@@ -58,26 +69,28 @@ void Narrowphase::begin() {
     set.usedBatches = 0;
 }
 
-/// The contacts of two objects, from their voxels.
-void Narrowphase::findPairContacts(const ObjectPair& objects, const Motion& firstMotion, const Motion& secondMotion,
-                                   const NarrowphaseSettings& settings, double displacement, Batch& batch, Pair& pair) {
-    const auto [first, second] = objects;
+/// The contacts of a pair, from the voxels of its objects.
+void Narrowphase::findPairContacts(std::span<const ObjectPair> pairs, size_t number, const Motion& firstMotion,
+                                   const Motion& secondMotion, const NarrowphaseSettings& settings, double displacement,
+                                   Batch& batch, Pair& pair) {
+    const auto [first, second] = pairs[number];
+    const StaticNeighbours neighbours = neighboursOf(pairs, number);
     const double voxel = std::min(first->collider.smallestVoxel(), second->collider.smallestVoxel());
     NarrowphaseSettings straight = settings;
     straight.seconds *= std::min(straightShare(firstMotion, voxel, settings.seconds),
                                  straightShare(secondMotion, voxel, settings.seconds));
-    const bool isNear =
-        findContacts(first->collider, firstMotion, second->collider, secondMotion, straight, pair.axis, batch.contacts);
+    const bool isNear = findContacts(first->collider, firstMotion, second->collider, secondMotion, straight, pair.axis,
+                                     batch.contacts, neighbours);
     pair.isCacheable = isNear && displacement <= settings.margin;
     if (isNear && batch.contacts.empty() && displacement > settings.sweepThreshold && displacement > voxel &&
         mayPass(*first, *second, displacement))
-        findImpactContacts(*first, *second, straight, pair.axis, batch.contacts);
+        findImpactContacts(*first, *second, straight, pair.axis, batch.contacts, neighbours);
 }
 
 /// before: the pair in the step before; null: it is new. pair: what is remembered of it.
-void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettings& settings, const Pair* before,
-                              Batch& batch, Pair& pair) {
-    const auto [first, second] = objects;
+void Narrowphase::collidePair(std::span<const ObjectPair> pairs, size_t number, const NarrowphaseSettings& settings,
+                              const Pair* before, Batch& batch, Pair& pair) {
+    const auto [first, second] = pairs[number];
     const Motion firstMotion = motionOf(*first), secondMotion = motionOf(*second);
     const bool isKnown = before && before->firstVersion == first->version && before->secondVersion == second->version;
     const double displacement = maxRelativeDisplacement(firstMotion, secondMotion, settings.seconds);
@@ -101,14 +114,14 @@ void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettin
     if (areCrowded(*first, *second))
         batch.contacts.push_back(crowdContact(*first, *second));
     else
-        findPairContacts(objects, firstMotion, secondMotion, settings, displacement, batch, pair);
+        findPairContacts(pairs, number, firstMotion, secondMotion, settings, displacement, batch, pair);
     pair.pose = pose;
     if (batch.contacts.empty()) return;
     Manifold& manifold = makeManifold();
     manifold.first = first->number;
     manifold.second = second->number;
     manifold.origin = first->pose.position;
-    manifold.objects = {first, second};
+    manifold.objects = pairs[number];
     const bool inherits = before && !first->isNew && !second->isNew;
     reduceContacts(batch.contacts, inherits ? before->manifold : nullptr,
                    2.0 * displacement <= settings.margin ? kRestingLimits : kHitLimits, manifold);
@@ -121,20 +134,20 @@ void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettin
                                                               : 0.0f);
 }
 
-/// Merges the sorted pairs with those of the step before.
-void Narrowphase::collideBatch(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, Batch& batch,
-                               std::span<Pair> out) const {
+/// Merges the sorted pairs with those of the step before. from: the first of them in the batch, whose pairs are `out`.
+void Narrowphase::collideBatch(std::span<const ObjectPair> pairs, size_t from, const NarrowphaseSettings& settings,
+                               Batch& batch, std::span<Pair> out) const {
     const std::vector<Pair>& known = m_sets[m_now ^ 1].pairs;
     batch.used = 0;
-    if (batch.manifolds.size() < pairs.size()) batch.manifolds.resize(pairs.size());
+    if (batch.manifolds.size() < out.size()) batch.manifolds.resize(out.size());
     auto next = known.end();
-    for (size_t i = 0; i < pairs.size(); ++i) {
+    for (size_t i = 0; i < out.size(); ++i) {
         Pair& pair = out[i];
-        pair.first = pairs[i].first->number, pair.second = pairs[i].second->number;
+        pair.first = pairs[from + i].first->number, pair.second = pairs[from + i].second->number;
         if (i == 0) next = std::lower_bound(known.begin(), known.end(), pair, isBefore<Pair>);
         while (next != known.end() && isBefore(*next, pair)) ++next;
         const bool isKnown = next != known.end() && !isBefore(pair, *next);
-        collidePair(pairs[i], settings, isKnown ? &*next : nullptr, batch, pair);
+        collidePair(pairs, from + i, settings, isKnown ? &*next : nullptr, batch, pair);
     }
 }
 
@@ -148,7 +161,7 @@ void Narrowphase::collide(std::span<const ObjectPair> pairs, const NarrowphaseSe
     set.pairs.resize(firstPair + pairs.size());
     parallelFor(batches, [&](size_t i) {
         const size_t from = i * kPairsPerBatch, count = std::min(kPairsPerBatch, pairs.size() - from);
-        collideBatch(pairs.subspan(from, count), settings, *set.batches[firstBatch + i],
+        collideBatch(pairs, from, settings, *set.batches[firstBatch + i],
                      std::span(set.pairs).subspan(firstPair + from, count));
     });
     for (size_t i = firstBatch; i < set.usedBatches; ++i)

@@ -45,12 +45,13 @@ private:
         std::vector<Manifold*> list;
         std::vector<Pair> pairs;  ///< all, sorted
     };
-    void collideBatch(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, Batch& batch,
+    void collideBatch(std::span<const ObjectPair> pairs, size_t from, const NarrowphaseSettings& settings, Batch& batch,
                       std::span<Pair> out) const;
-    static void findPairContacts(const ObjectPair& objects, const Motion& firstMotion, const Motion& secondMotion,
-                                 const NarrowphaseSettings& settings, double displacement, Batch& batch, Pair& pair);
-    static void collidePair(const ObjectPair& objects, const NarrowphaseSettings& settings, const Pair* before,
-                            Batch& batch, Pair& pair);
+    static void findPairContacts(std::span<const ObjectPair> pairs, size_t number, const Motion& firstMotion,
+                                 const Motion& secondMotion, const NarrowphaseSettings& settings, double displacement,
+                                 Batch& batch, Pair& pair);
+    static void collidePair(std::span<const ObjectPair> pairs, size_t number, const NarrowphaseSettings& settings,
+                            const Pair* before, Batch& batch, Pair& pair);
 
     std::array<Set, 2> m_sets;  ///< of this step and of the one before
     size_t m_now = 0;

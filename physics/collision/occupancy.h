@@ -7,6 +7,7 @@
 namespace rubble {
 
 using Cell = glm::ivec3;
+class Cover;
 
 /// Rounds down, for values within the range of int: without a call where the processor has no SSE 4.1.
 inline int floorOf(float v) {
@@ -21,9 +22,9 @@ inline Cell cellOf(const glm::vec3& p) {
 /// Looks up which cells of a part are solid, and remembers the last brick. One per thread and part.
 class Occupancy {
 public:
-    /// The part must outlive it.
-    explicit Occupancy(const ColliderPart& part)
-        : m_part(part), m_grid(part.grid()), m_whole(part.whole() ? &part.whole()->rows : nullptr) {}
+    /// The part and its cover (null: nothing lies around it) must outlive it.
+    explicit Occupancy(const ColliderPart& part, Cover* cover = nullptr)
+        : m_part(part), m_grid(part.grid()), m_whole(part.whole() ? &part.whole()->rows : nullptr), m_cover(cover) {}
 
     /// Conservative: false only if no cell from low to high, both included, is solid. Exact for small parts, and in
     /// large ones for boxes of about one brick; true for larger boxes.
@@ -53,6 +54,15 @@ public:
         if (brick != m_brickAt) m_brickAt = brick, m_brick = m_grid.brickAt(brick);
         return m_brick && m_brick->solid(voxelIndex(cellInBrick(c)));
     }
+    /// Whether the side (sign * axis) of a solid cell is a part of the surface beside a point: the next cell is empty,
+    /// and nothing else lies against it.
+    bool exposed(Cell c, const glm::vec3& p, int axis, int sign) {
+        Cell next = c;
+        next[axis] += sign;
+        return !solid(next) && !(m_cover && isCovered(c, p, axis, sign));
+    }
+    /// Whether a cell is outside: neither solid nor taken by what lies around.
+    bool open(Cell c) { return !solid(c) && !(m_cover && isCovered(c)); }
 
 private:
     bool mayContainSolidNear(Int4 from, Int4 to) {
@@ -67,9 +77,13 @@ private:
         return m_rows->any(from, to);
     }
 
+    bool isCovered(Cell cell, const glm::vec3& p, int axis, int sign);  // in cover.cpp, as the next
+    bool isCovered(Cell cell);
+
     const ColliderPart& m_part;
     const VoxelGrid& m_grid;
     const SolidRows* m_whole;  ///< null: a large part
+    Cover* m_cover;
     Cell m_brickAt{-1}, m_rowsAt{-1};
     const Brick* m_brick = nullptr;
     const SolidRows* m_rows = nullptr;

@@ -41,6 +41,11 @@ struct RoundInCells {
         const glm::vec3 across = glm::sqrt(glm::max(glm::vec3(1.0f) - axis * axis, 0.0f));
         return glm::abs(axis) * halfLength + across * radius;
     }
+    /// The farthest that it reaches from its middle along a unit vector.
+    float reach(const glm::vec3& direction) const {
+        const float along = glm::dot(direction, axis);
+        return halfLength * std::abs(along) + radius * std::sqrt(std::max(1.0f - along * along, 0.0f));
+    }
     /// The distance of a point from the surface, negative inside, and the unit vector away from the surface.
     float distance(const glm::vec3& point, glm::vec3& normal) const {
         const glm::vec3 from = point - center;
@@ -110,7 +115,7 @@ public:
 
     /// The round surface against the faces of the other's voxels.
     void collideFaces() {
-        Occupancy occupancy(m_other.part);
+        Occupancy occupancy(m_other.part, m_other.cover);
         for (int direction = 0; direction < 6; ++direction) {
             glm::vec3 normal(0.0f);
             normal[direction / 2] = direction % 2 ? 1.0f : -1.0f;
@@ -200,12 +205,12 @@ private:
                 next[axis] += up;
                 separation = distance(cell);
                 if (separation < -kMaxDepth) return false;
-                if (!occupancy.solid(next)) return true;
+                if (!occupancy.solid(next)) return occupancy.exposed(cell, point, axis, up);
             }
         }
         cell[axis] -= up;
         separation = distance(cell);
-        if (separation <= m_margin && occupancy.solid(cell)) return true;
+        if (separation <= m_margin && occupancy.solid(cell)) return occupancy.exposed(cell, point, axis, up);
         FeatureQuery any{};
         any.kind = &featureKinds()[0];
         const Face face = sweepToFace(occupancy, cellOf(point), point, displacementAt(point), any);
@@ -241,9 +246,37 @@ private:
         for (int axis = 0; axis < 3; ++axis)
             if (normal[axis] * kind.outward[axis] > kMaxSideCosine) return;
         const Cell own = corner + FeatureList::cellOf(pack, lane);
+        if (!straighten(own, kind, point, normal, separation)) return;
         add(point - normal * (0.5f * separation), m_isFirst ? -normal : normal, separation, m_other.part.grid().at(own),
             uint64_t(uint32_t(own.x)) << 41 | uint64_t(uint32_t(own.y)) << 29 | uint64_t(uint32_t(own.z)) << 17 |
                 uint64_t(pack.kind[lane]) << 12 | (m_isFirst ? 1 : 0));
+    }
+    /// Along an edge, and where something lies against the other beside a feature, its surface goes straight on, and
+    /// what rolls must not hit a seam: a normal may not lean that way. Of what touches the surface there already, only
+    /// the feature right below counts. False: there is no contact.
+    bool straighten(Cell own, const FeatureKind& kind, glm::vec3& point, glm::vec3& normal, float& separation) const {
+        const glm::vec3 from = point - m_surface.center,
+                        across = from - m_surface.axis * glm::dot(from, m_surface.axis);
+        glm::vec3 straight = normal, below = point;
+        bool isBelow = true, isCovered = false;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (normal[axis] == 0.0f) continue;
+            const int side = kind.outward[axis] > 0.0f ? 1 : -1;
+            if (axis != kind.edgeAxis) {
+                if (!m_other.cover || !m_other.cover->covers(own, point, axis, side)) continue;
+                isCovered = true;
+            }
+            isBelow = isBelow && std::abs(across[axis]) <= kSeam && std::abs(normal[axis]) <= kMaxSideCosine;
+            straight[axis] = 0.0f, below[axis] -= across[axis];
+        }
+        if (straight == normal) return true;
+        const float length = std::sqrt(glm::dot(straight, straight));
+        if (length < kTiny) return false;
+        straight /= length;
+        const float gap = glm::dot(from, straight) - m_surface.reach(straight);
+        if (gap > m_margin) return !isCovered;  // it comes from farther away
+        point = below, normal = straight, separation = gap;
+        return isBelow;
     }
     /// Where an edge of a voxel is nearest to the axis, or to the middle of a sphere: -0.5 to 0.5 from its middle.
     float nearestOnEdge(const glm::vec3& middle, int edgeAxis) const {

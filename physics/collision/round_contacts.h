@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "physics/collision/cover.h"
 #include "physics/collision/voxel_contacts.h"
 
 namespace rubble {
@@ -10,9 +11,7 @@ namespace rubble {
 inline constexpr uint64_t kFirstIsRound = uint64_t(1) << 62, kSecondIsRound = uint64_t(1) << 63;
 
 /// A part of a body in a search for contacts: where it is and how it moves.
-struct MovingPart {
-    const ColliderPart& part;
-    const CellTransform& cells;           ///< about the first body's frame origin
+struct MovingPart : CoveredPart {
     glm::dvec3 origin{0.0};               ///< of its body's frame, from the first's, world axes
     glm::dvec3 velocity{0.0}, spin{0.0};  ///< of its body, world axes
     /// The velocity of a point of it, from the first body's frame origin.

@@ -1,12 +1,15 @@
 #include "physics/collision/voxel_contacts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
 #include "physics/collision/feature_collider.h"
 #include "physics/collision/hull_separation.h"
 #include "physics/collision/round_contacts.h"
+#include "runtime/core/rotated_box.h"
+#include "runtime/core/world_box.h"
 
 // Narrowphase of two voxel shapes: features against occupancy.
 //
@@ -21,7 +24,8 @@
 //      displacement (continuous collision, so that nothing tunnels).
 //   3. An edge that is only partly inside crosses an edge of the other; the normal is the cross product of the two.
 // A normal is always that of a face which is exposed in its own grid, and against which the feature sticks out in its
-// own. So seams between voxels are no bumps ("internal edges"), and aligned edges give no sideways push.
+// own. So seams between voxels are no bumps ("internal edges"), and aligned edges give no sideways push. Nor are
+// seams between shapes that lie flush against each other: what a neighbour lies against is not exposed (cover.h).
 
 namespace rubble {
 namespace {
@@ -115,49 +119,114 @@ ContactPoint stuckContact(const ColliderPart& a, const TransformedHull& hullA, c
     return contact;
 }
 
-/// Two parts, and what their contacts are computed from.
-struct PartPair {
-    const ColliderPart &a, &b;
-    const CellTransform &aCells, &bCells;  ///< about the first body's frame origin
-    uint64_t key;                          ///< bits of ContactPoint::feature
-    /// Metres by which a round surface may stick out of the hull of its voxels.
-    float roundness() const {
-        return kMaxRoundGap * float(std::max(a.round() ? a.voxelSize() : 0.0, b.round() ? b.voxelSize() : 0.0));
-    }
+/// Metres by which the round surface of one of two parts may stick out of the hull of its voxels.
+float roundness(const ColliderPart& a, const ColliderPart& b) {
+    const auto gap = [](const ColliderPart& part) { return part.round() ? part.voxelSize() : 0.0; };
+    return kMaxRoundGap * float(std::max(gap(a), gap(b)));
+}
+
+/// How near two parts are: a unit vector from the second to the first, their hulls' distance along it, and the one up
+/// to which anything is searched, metres.
+struct Approach {
+    glm::vec3 axis;
+    float gap, near;
 };
 
-/// Appends the contacts of two parts. axis: a unit vector from b to a to start from, replaced by a better one; hasAxis:
-/// it is that of the step before. Returns whether the parts are near each other.
-bool collideParts(const PartPair& parts, const RelativeMotion& motion, const NarrowphaseSettings& settings,
-                  bool hasAxis, glm::vec3& axis, std::vector<ContactPoint>& out) {
-    const auto& [a, b, aCells, bCells, key] = parts;
+/// What may lie around the parts of two colliders: the other parts of each, and other static objects.
+struct Surroundings {
+    std::array<const VoxelCollider*, 2> colliders;
+    std::array<std::span<const CellTransform>, 2> cells;
+    std::array<glm::dvec3, 2> offsets;  ///< of the colliders' frames from the first's
+    StaticNeighbours neighbours;
+
+    /// Whether there is nothing.
+    bool empty() const {
+        return colliders[0]->parts.size() == 1 && colliders[1]->parts.size() == 1 && neighbours.pairs.size() <= 1;
+    }
+    /// Finds what lies around part `i` of a collider and is touched by `other`.
+    void find(size_t side, size_t i, const ColliderPart& other, Cover& cover) const {
+        const ColliderPart& part = *colliders[side]->parts[i];
+        const CellTransform partCells = at(side, i);
+        const double gap = kSeam * part.voxelSize();
+        const auto add = [&](const ColliderPart& solid, const CellTransform& solidCells) {
+            if (solid.grid().empty() || solid.round() || !solid.filter().meets(other.filter())) return;
+            if (widened(boxOf(part, partCells), gap).overlaps(boxOf(solid, solidCells)))
+                cover.add(solid, solidCells, partCells);
+        };
+        for (size_t k = 0; k < colliders[side]->parts.size(); ++k)
+            if (k != i) add(*colliders[side]->parts[k], at(side, k));
+        if (side == 0 || neighbours.pairs.size() <= 1) return;
+        const CollisionObject& own = *neighbours.pairs[neighbours.own].second;
+        for (const ObjectPair& pair : neighbours.pairs) {
+            const CollisionObject& object = *pair.second;
+            if (&object == &own || !widened({own.low, own.high}, gap).overlaps({object.low, object.high})) continue;
+            for (size_t k = 0; k < object.collider.parts.size(); ++k)
+                add(*object.collider.parts[k],
+                    moved(object.cellTransforms()[k], object.pose.position - own.pose.position + offsets[1]));
+        }
+    }
+    /// Of a part, about the first's frame origin.
+    CellTransform at(size_t side, size_t i) const { return moved(cells[side][i], offsets[side]); }
+
+private:
+    static CellTransform moved(const CellTransform& cells, const glm::dvec3& by) {
+        return {cells.axes, cells.corner + by};
+    }
+    static WorldBox boxOf(const ColliderPart& part, const CellTransform& cells) {
+        const CellBox& box = part.bounds();
+        const glm::dvec3 middle = cells.corner + cells.axes * (glm::dvec3(box.low + box.high) * 0.5),
+                         half = rotatedHalfExtent(cells.axes, glm::dvec3(box.high - box.low) * 0.5);
+        return {middle - half, middle + half};
+    }
+    static WorldBox widened(const WorldBox& box, double by) { return {box.low - by, box.high + by}; }
+};
+
+/// Appends the contacts of two parts of voxels that are near each other.
+void collideVoxels(const CoveredPart& a, const TransformedHull& hullA, const CoveredPart& b,
+                   const TransformedHull& hullB, const RelativeMotion& motion, const NarrowphaseSettings& settings,
+                   const Approach& approach, uint64_t key, std::vector<ContactPoint>& out) {
+    const auto& [axis, gap, near] = approach;
+    const size_t before = out.size();
+    FeatureCollider forward(a, b);
+    forward.setMotion(motion.velocity, motion.spin, settings, motion.maxDisplacement);
+    forward.setLimit(axis, hullB.support(axis) + near, a.cells);
+    if (!forward.collide(true, key, out)) return;
+    FeatureCollider backward(b, a);
+    backward.setMotion(-motion.velocity, -motion.spin, settings, motion.maxDisplacement);
+    backward.setLimit(-axis, hullA.support(-axis) + near, b.cells);
+    backward.collide(false, key | 1, out);
+    if (const float stuck = std::max(forward.stuckDepth(), backward.stuckDepth()); stuck > 0.0f && gap < 0.0f) {
+        const glm::vec3 push = pushDirection({out.data() + before, out.size() - before}, axis, stuck);
+        if (push != glm::vec3(0.0f)) out.push_back(stuckContact(a.part, hullA, b.part, hullB, push, gap, key));
+    }
+}
+
+/// Appends the contacts of part i of the first collider with part k of the second. axis: a unit vector from the second
+/// to the first to start from, replaced by a better one; hasAxis: it is that of the step before. Returns whether the
+/// parts are near each other.
+bool collideParts(const Surroundings& around, size_t i, size_t k, const RelativeMotion& motion,
+                  const NarrowphaseSettings& settings, bool hasAxis, glm::vec3& axis, std::vector<ContactPoint>& out) {
+    const ColliderPart &a = *around.colliders[0]->parts[i], &b = *around.colliders[1]->parts[k];
+    const CellTransform aCells = around.at(0, i), bCells = around.at(1, k);
+    const uint64_t key = uint64_t(i & 31) << 6 | uint64_t(k & 31) << 1;
     const TransformedHull hullA = transformHull(a, aCells), hullB = transformHull(b, bCells);
     if (!hasAxis) axis = centerAxis(a, hullA, b, hullB);
     const float size = float(std::max(a.voxelSize(), b.voxelSize()));
-    const float searched = float(settings.margin) + kSearchDistance * size + parts.roundness(),
+    const float searched = float(settings.margin) + kSearchDistance * size + roundness(a, b),
                 closing = motion.sweeps ? float(motion.maxDisplacement) : 0.0f;
     const float gap = refineSeparatingAxis(hullA, hullB, searched + closing,
                                            hasAxis ? kKnownPairIterations : kNewPairIterations, axis);
     const float near = searched + motion.closingDistance(axis, double(searched));
     if (gap > near) return false;
-    if (a.round() || b.round()) {
-        collideRound({a, aCells, {}, motion.firstVelocity, motion.firstSpin},
-                     {b, bCells, motion.offset, motion.secondVelocity, motion.secondSpin}, settings, key, out);
-        return true;
-    }
-    const size_t before = out.size();
-    FeatureCollider forward(a, aCells, b, bCells);
-    forward.setMotion(motion.velocity, motion.spin, settings, motion.maxDisplacement);
-    forward.setLimit(axis, hullB.support(axis) + near, aCells);
-    if (!forward.collide(true, key, out)) return true;
-    FeatureCollider backward(b, bCells, a, aCells);
-    backward.setMotion(-motion.velocity, -motion.spin, settings, motion.maxDisplacement);
-    backward.setLimit(-axis, hullA.support(-axis) + near, bCells);
-    backward.collide(false, key | 1, out);
-    if (const float stuck = std::max(forward.stuckDepth(), backward.stuckDepth()); stuck > 0.0f && gap < 0.0f) {
-        const glm::vec3 push = pushDirection({out.data() + before, out.size() - before}, axis, stuck);
-        if (push != glm::vec3(0.0f)) out.push_back(stuckContact(a, hullA, b, hullB, push, gap, key));
-    }
+    Cover aCover, bCover;
+    if (!around.empty()) around.find(0, i, b, aCover), around.find(1, k, a, bCover);
+    const CoveredPart first{a, aCells, aCover.empty() ? nullptr : &aCover},
+        second{b, bCells, bCover.empty() ? nullptr : &bCover};
+    if (a.round() || b.round())
+        collideRound({first, {}, motion.firstVelocity, motion.firstSpin},
+                     {second, motion.offset, motion.secondVelocity, motion.secondSpin}, settings, key, out);
+    else
+        collideVoxels(first, hullA, second, hullB, motion, settings, {axis, gap, near}, key, out);
     return true;
 }
 
@@ -171,21 +240,21 @@ double maxRelativeDisplacement(const Motion& first, const Motion& second, double
 
 bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const VoxelCollider& second,
                   const Motion& secondMotion, const NarrowphaseSettings& settings, glm::vec3& axis,
-                  std::vector<ContactPoint>& out) {
+                  std::vector<ContactPoint>& out, const StaticNeighbours& neighbours) {
     const RelativeMotion motion(firstMotion, secondMotion, settings);
+    const Surroundings around{{&first, &second},
+                              {firstMotion.cellTransforms, secondMotion.cellTransforms},
+                              {glm::dvec3(0.0), motion.offset},
+                              neighbours};
     bool isNear = false;
     const bool isOnePair = first.parts.size() == 1 && second.parts.size() == 1;
     for (size_t i = 0; i < first.parts.size(); ++i)
-        for (size_t j = 0; j < second.parts.size(); ++j) {
-            const ColliderPart &a = *first.parts[i], &b = *second.parts[j];
+        for (size_t k = 0; k < second.parts.size(); ++k) {
+            const ColliderPart &a = *first.parts[i], &b = *second.parts[k];
             if (a.grid().empty() || b.grid().empty() || !a.filter().meets(b.filter())) continue;
-            const CellTransform bCells{secondMotion.cellTransforms[j].axes,
-                                       secondMotion.cellTransforms[j].corner + motion.offset};
-            const uint64_t key = uint64_t(i & 31) << 6 | uint64_t(j & 31) << 1;
             glm::vec3 partAxis = axis;
             const bool hasAxis = isOnePair && axis != glm::vec3(0.0f);
-            isNear |= collideParts({a, b, firstMotion.cellTransforms[i], bCells, key}, motion, settings, hasAxis,
-                                   partAxis, out);
+            isNear |= collideParts(around, i, k, motion, settings, hasAxis, partAxis, out);
             if (isOnePair) axis = partAxis;
         }
     return isNear;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "physics/bodies/collision_object.h"
 #include "physics/shapes/cell_transform.h"
 #include "physics/shapes/voxel_collider.h"
 
@@ -39,6 +40,12 @@ struct NarrowphaseSettings {
     double sweepThreshold = 0.02;  ///< metres of relative motion in the step above which features are swept along it
 };
 
+/// The static objects that the first body is paired with, the second included: they may lie flush against it.
+struct StaticNeighbours {
+    std::span<const ObjectPair> pairs;  ///< empty: there are none
+    size_t own = 0;                     ///< which of the pairs is that of the second body
+};
+
 /// Appends the contacts of two bodies of voxels, in a fixed order, and returns whether they are near each other. If
 /// they are not, nothing can touch within the step. [any thread]
 ///
@@ -46,6 +53,6 @@ struct NarrowphaseSettings {
 /// next step; the contacts do not depend on it.
 bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const VoxelCollider& second,
                   const Motion& secondMotion, const NarrowphaseSettings& settings, glm::vec3& axis,
-                  std::vector<ContactPoint>& out);
+                  std::vector<ContactPoint>& out, const StaticNeighbours& neighbours = {});
 
 }  // namespace rubble

@@ -151,8 +151,9 @@ struct Car {
     double speed = 0.0;                           ///< at the start, m/s
     double slope = 0.0;                           ///< degrees, downward along x
     uint32_t density = 400;                       ///< of the body, kg/m3
+    int split = 0;                                ///< voxels from the ground's side at which it is two shapes; 0: one
 };
-constexpr double kWheelBase = 2.6;
+constexpr double kWheelBase = 2.6, kGroundSide = 2.95;
 constexpr int kAcross = 16;  ///< voxels of half the usual size
 
 void addCar(PhysicsScene& scene, const Car& car) {
@@ -161,7 +162,13 @@ void addCar(PhysicsScene& scene, const Car& car) {
     const double r = rollingRadius(kAcross, 0.05), half = 0.025 * kAcross;
     const glm::dquat tilt = glm::angleAxis(-car.slope * kPi / 180.0, glm::dvec3(0, 0, 1));
     static const VoxelGrid ground = solidGrid({2000, 4, 1600}, 7);
-    scene.add(ground, tilt * glm::dvec3(-40, -0.4, -80), true, tilt);
+    if (car.split) {
+        const double z = 0.1 * car.split - kGroundSide;
+        scene.add(solidGrid({2000, 4, car.split}, 7), tilt * glm::dvec3(-40, -0.4, -kGroundSide), true, tilt);
+        scene.add(solidGrid({2000, 4, 200}, 7), tilt * glm::dvec3(-40, -0.4, z), true, tilt);
+    } else {
+        scene.add(ground, tilt * glm::dvec3(-40, -0.4, -80), true, tilt);
+    }
     const glm::vec3 velocity(tilt * glm::dvec3(car.speed, 0, 0));
     scene.add(solidGrid({40, 6, 16}, body), tilt * glm::dvec3(-2, r + 0.1, -0.8), false, tilt).velocity = velocity;
     const std::string name = scene.level.bodies.back().name;
@@ -241,6 +248,18 @@ TEST(Rolling, AHeavyCarDrivesAlsoWithWheelsThatSlip) {
         addCar(scene, {.density = density});
         const double grip = 0.9 * 9.81, torque = 2.5 * grip * massOf(scene).mass * rollingRadius(kAcross, 0.05) / 4.0;
         EXPECT_NEAR(acceleration({.drive = torque, .density = density}, 0.5) / grip, 1.0, 0.05) << density;
+    }
+}
+
+/// The ground is two shapes that meet under a wheel's side, or under its middle.
+TEST(Rolling, ASeamAlongTheWheelsNeitherBrakesNorPullsACarAside) {
+    for (const int split : {20, 21, 22}) {
+        PhysicsScene scene(known::sleepless({}));
+        addCar(scene, {.speed = 20.0, .split = split});
+        const double start = scene.center(2).z;
+        scene.seconds(1.0);
+        EXPECT_NEAR(double(scene.body(2).velocity.x), 20.0, 0.005) << split;
+        EXPECT_NEAR(scene.center(2).z, start, 0.001) << split;
     }
 }
 

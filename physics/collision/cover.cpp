@@ -1,0 +1,32 @@
+#include "physics/collision/cover.h"
+
+#include <algorithm>
+
+namespace rubble {
+
+void Cover::add(const ColliderPart& solid, const CellTransform& solidCells, const CellTransform& partCells) {
+    const glm::dmat3 toSolid = metresToCells(solidCells, solid.voxelSize());
+    m_solids.push_back({Occupancy(solid), glm::mat3(toSolid * partCells.axes),
+                        glm::vec3(toSolid * (partCells.corner - solidCells.corner))});
+}
+
+bool Cover::contains(const glm::vec3& point) {
+    return std::ranges::any_of(
+        m_solids, [&](Solid& solid) { return solid.occupancy.solid(cellOf(solid.corner + solid.axes * point)); });
+}
+
+bool Cover::covers(Cell cell, const glm::vec3& p, int axis, int sign) {
+    glm::vec3 beyond = glm::clamp(p, glm::vec3(cell) + kSeam, glm::vec3(cell + 1) - kSeam);
+    beyond[axis] = sign > 0 ? float(cell[axis] + 1) + kSeam : float(cell[axis]) - kSeam;
+    return contains(beyond);
+}
+
+bool Occupancy::isCovered(Cell cell, const glm::vec3& p, int axis, int sign) {
+    return m_cover->covers(cell, p, axis, sign);
+}
+
+bool Occupancy::isCovered(Cell cell) {
+    return m_cover->contains(glm::vec3(cell) + 0.5f);
+}
+
+}  // namespace rubble
