@@ -14,16 +14,18 @@ struct SolverBody {
     bool conservesMomentum = false;                  ///< free rotation keeps angular momentum: see rotateBody()
 };
 
-/// A body within the step, in float: movements since the step began are small.
-struct SolverState {
-    glm::vec3 v{0.0f}, w{0.0f};  ///< linear and angular velocity, world
+/// A body within the step, in float: movements since the step began are small. The order is that in which
+/// contact_kernels.cpp loads it.
+struct alignas(64) SolverState {
+    glm::vec3 v{0.0f};  ///< linear velocity, world
     float inverseMass = 0.0f;
-    glm::vec3 deltaPosition{0.0f};   ///< since the step began
-    glm::mat3 deltaRotation{0.0f};   ///< rotation since the step began, less the identity
+    glm::vec3 w{0.0f};  ///< angular velocity, world
+    float unused = 0.0f;
     glm::mat3 inverseInertia{0.0f};  ///< world
+    glm::mat3 deltaRotation{0.0f};   ///< rotation since the step began, less the identity
+    glm::vec3 deltaPosition{0.0f};   ///< since the step began
     bool isConstrained = false;      ///< by a contact or joint; if not, it stays in double
     bool isLoadBearing = false;      ///< something much heavier lies on it
-    bool inertiaRotates = false;     ///< inverseInertia changes within the step
     bool isJointed = false;
     bool keepsPath = false;  ///< it is hit by something that closes fast, or rotates far
 };

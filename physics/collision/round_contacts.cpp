@@ -14,7 +14,7 @@
 //      for a cylinder, against the faces of the voxels.
 //   2. The convex corners and edges of the voxels against the round surface, by their distance from its axis.
 // A sphere against what is round is its middle against a surface that is wider by its radius. What spins about its own
-// axis keeps its surface, so that the way of a point leaves that spin out; in the solver too (contact_constraint.h).
+// axis keeps its surface, so that the way of a point leaves that spin out; in the solver too (contact_math.h).
 
 namespace rubble {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 namespace rubble {
 namespace {
@@ -60,6 +61,11 @@ void ConstraintColoring::build(std::span<const SolverBody> bodies, std::span<con
         while (to < m_order.size() && m_key[m_order[to]] == key) ++to;
         m_colors[key / kMaxStrips].push_back({from, to});
     }
+}
+
+void ConstraintColoring::replaceRanges(const std::function<std::pair<size_t, size_t>(size_t, size_t)>& f) {
+    for (std::vector<Task>& color : m_colors)
+        for (Task& task : color) std::tie(task.from, task.to) = f(task.from, task.to);
 }
 
 void ConstraintColoring::run(const ParallelFor* parallelFor, const std::function<void(size_t, size_t)>& body) const {

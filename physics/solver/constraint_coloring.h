@@ -24,6 +24,8 @@ public:
     void build(std::span<const SolverBody> bodies, std::span<const std::pair<int, int>> pairs);
     /// Indices of pairs, in the order in which they are solved.
     std::span<const uint32_t> order() const { return m_order; }
+    /// Replaces the range of each task, in order, by f(from, to), a range of what its pairs are packed in.
+    void replaceRanges(const std::function<std::pair<size_t, size_t>(size_t, size_t)>& f);
     /// Calls body(from, to) for each task, a range of order(), color after color; the tasks of a color run in parallel.
     /// parallelFor: null: serial.
     void run(const ParallelFor* parallelFor, const std::function<void(size_t, size_t)>& body) const;

@@ -11,7 +11,6 @@ namespace {
 
 constexpr float kHitSpeed = 0.5f;  ///< closing speed, m/s, from which a pair's normals are solved in several passes
 constexpr float kFollowedSpeed = 0.5f;  ///< m/s between two bodies from which their points are followed
-constexpr int kHitPasses = 16;          ///< at most
 constexpr float kEndCosine = 0.7f;      ///< between a normal and a cylinder's axis above which it is touched on its end
 constexpr float kMinSupportSlope = 0.3f;  ///< vertical part of a normal above which one body lies on the other
 /// m/s that the warm start may give a body. Balanced impulses cancel.
@@ -27,73 +26,52 @@ void tangentsOf(const glm::vec3& n, glm::vec3& t1, glm::vec3& t2) {
 }
 
 /// The round surface of a part of an object. side: of a normal that points away from it.
-RoundAnchor roundAnchor(const CollisionObject& object, size_t part, float side, const glm::vec3& normal) {
+RoundAnchor<float> roundAnchor(const CollisionObject& object, size_t part, float side, const glm::vec3& normal) {
     const ColliderPart& touched = *object.collider.parts[part];
     const RoundSurface* round = touched.round();
     if (!round) return {};
     const glm::vec3 axis(object.pose.rotation * touched.frame().rotation * glm::dvec3(round->direction()));
     if (std::abs(glm::dot(axis, normal)) > kEndCosine) return {};
-    return {float4(axis), round->radius * float(touched.voxelSize()), side};
-}
-/// Fills in which surfaces of a contact are round; null: none.
-const RoundAnchors* findRoundAnchors(const Manifold& manifold, const ManifoldPoint& point, RoundAnchors& out) {
-    if (point.feature & kFirstIsRound)
-        out.a = roundAnchor(*manifold.objects.first, point.feature >> 6 & 31, -1.0f, point.normal);
-    if (point.feature & kSecondIsRound)
-        out.b = roundAnchor(*manifold.objects.second, point.feature >> 1 & 31, 1.0f, point.normal);
-    return out.a.radius != 0.0f || out.b.radius != 0.0f ? &out : nullptr;
+    return {toVec3(axis), round->radius * float(touched.voxelSize()), side};
 }
 
-/// anchorA, anchorB: from the centres of mass to where each body is touched.
-void fillConstraint(ContactConstraint& c, ManifoldPoint& point, const SolverState& A, const SolverState& B,
-                    const glm::vec3& anchorA, const glm::vec3& anchorB) {
+/// Where the manifold's origin is seen from a body's centre of mass. The world has none.
+glm::vec3 originFrom(const Manifold& manifold, const SolverBody& body) {
+    return glm::vec3(manifold.origin - body.position);
+}
+
+ContactStart<float> startOf(const Manifold& manifold, const ManifoldPoint& point, const glm::vec3& up) {
+    ContactStart<float> start{.normal = toVec3(point.normal),
+                              .distance = point.separation,
+                              .separation = effectiveSeparation(manifold, point, up),
+                              .isOfB = point.feature & 1 ? 1.0f : 0.0f};
+    if (point.feature & kFirstIsRound)
+        start.a = roundAnchor(*manifold.objects.first, point.feature >> 6 & 31, -1.0f, point.normal);
+    if (point.feature & kSecondIsRound)
+        start.b = roundAnchor(*manifold.objects.second, point.feature >> 1 & 31, 1.0f, point.normal);
+    return start;
+}
+
+/// originA, originB: the manifold's origin from the centres of mass.
+Contact<float> contactOf(const PairConstraints& pair, const ManifoldPoint& point, const glm::vec3& originA,
+                         const glm::vec3& originB) {
     glm::vec3 tangent1, tangent2;
     tangentsOf(point.normal, tangent1, tangent2);
-    c.startNormal = float4(point.normal), c.tangent1 = float4(tangent1), c.tangent2 = float4(tangent2);
-    c.anchorA = float4(anchorA), c.anchorB = float4(anchorB);
-    c.frictionInset = float4(point.frictionInset);
-    c.isOfB = point.feature & 1;
-    c.separation = point.separation;
-    updateJacobian(c, A, B);
+    // Before a fast hit the two touched points are far apart.
+    const glm::vec3 half = point.normal * (0.5f * point.separation);
+    Contact<float> c{};
+    c.tangent1 = toVec3(tangent1), c.tangent2 = toVec3(tangent2);
+    c.anchorA = toVec3(pair.a ? originA + point.position + half : glm::vec3(0.0f));
+    c.anchorB = toVec3(pair.b ? originB + point.position - half : glm::vec3(0.0f));
+    c.frictionInset = toVec3(point.frictionInset);
     c.friction = point.friction;
-    c.restitution = point.restitution;
-    c.initialNormalVelocity = VelocityPair(A, B).normalVelocity(c);
     c.normalImpulse = point.normalImpulse;
     c.tangentImpulse1 = glm::dot(point.frictionImpulse, tangent1);
     c.tangentImpulse2 = glm::dot(point.frictionImpulse, tangent2);
-    c.totalImpulse = c.bounceImpulse = 0.0f;
-    c.isStiff = false;
-    c.isStatic = A.inverseMass == 0.0f || B.inverseMass == 0.0f;
-    c.point = &point;
+    return c;
 }
 
 }  // namespace
-
-void updateJacobian(ContactConstraint& c, const SolverState& A, const SolverState& B) {
-    const SimdMat3 rotationA(A.deltaRotation), rotationB(B.deltaRotation);
-    Float4 turnA = rotationA * c.anchorA, turnB = rotationB * c.anchorB;
-    c.normal = c.startNormal + (c.isOfB ? rotationA : rotationB) * c.startNormal;
-    if (c.round) {
-        turnA = c.round->a.turn(rotationA, c.anchorA, c.startNormal);
-        turnB = c.round->b.turn(rotationB, c.anchorB, c.startNormal);
-        if ((c.isOfB ? c.round->a : c.round->b).radius != 0.0f) c.normal = c.startNormal;
-    }
-    const Float4 apart =
-        c.startNormal * float4(c.separation) + float4(A.deltaPosition - B.deltaPosition) + turnA - turnB;
-    const Float4 half = c.normal * float4(0.5f * dot(apart, c.normal));
-    c.rA = c.anchorA + turnA - (c.isOfB ? apart - half : half);
-    c.rB = c.anchorB + turnB + (c.isOfB ? half : apart - half);
-    const SimdMat3 inverseInertiaA(A.inverseInertia), inverseInertiaB(B.inverseInertia);
-    const float inverseMass = A.inverseMass + B.inverseMass;
-    c.angularA = cross(c.rA, c.normal), c.angularB = cross(c.rB, c.normal);
-    c.angularChangeA = inverseInertiaA * c.angularA, c.angularChangeB = inverseInertiaB * c.angularB;
-    c.normalMass = 1.0f / (inverseMass + dot(c.angularA, c.angularChangeA) + dot(c.angularB, c.angularChangeB));
-    const auto effectiveMass = [&](const Float4& d) {
-        const Float4 xa = cross(c.rA + c.frictionInset, d), xb = cross(c.rB + c.frictionInset, d);
-        return 1.0f / (inverseMass + dot(xa, inverseInertiaA * xa) + dot(xb, inverseInertiaB * xb));
-    };
-    c.tangentMass1 = effectiveMass(c.tangent1), c.tangentMass2 = effectiveMass(c.tangent2);
-}
 
 void prepareStates(ContactSet& set, std::span<const SolverBody> bodies) {
     set.states.assign(bodies.size(), {});
@@ -106,59 +84,74 @@ void prepareStates(ContactSet& set, std::span<const SolverBody> bodies) {
     }
 }
 
-void preparePair(ContactSet& set, PairConstraints& pair, std::span<const SolverBody> bodies, const glm::vec3& up) {
-    const int a = pair.a, b = pair.b;
-    const SolverState &A = set.stateA(pair), &B = set.stateB(pair);
-    const glm::vec3 originA = glm::vec3(pair.manifold->origin - bodies[size_t(a)].position);
-    const glm::vec3 originB = glm::vec3(pair.manifold->origin - bodies[size_t(b)].position);
+void classifyPair(const ContactSet& set, PairConstraints& pair, std::span<const SolverBody> bodies) {
+    const SolverState &A = set.states[size_t(pair.a)], &B = set.states[size_t(pair.b)];
+    const glm::vec3 originA = originFrom(*pair.manifold, bodies[size_t(pair.a)]);
+    const glm::vec3 originB = originFrom(*pair.manifold, bodies[size_t(pair.b)]);
+    const glm::vec3 relative = A.v - B.v;
     float closing = 0.0f, moving2 = 0.0f;
-    size_t at = pair.from;
     for (ManifoldPoint& point : pair.points()) {
-        // Before a fast hit the two touched points are far apart.
-        const glm::vec3 half = point.normal * (0.5f * point.separation);
-        const glm::vec3 rA = a ? originA + point.position + half : glm::vec3(0.0f),
-                        rB = b ? originB + point.position - half : glm::vec3(0.0f);
-        ContactConstraint& c = set.constraints[at];
-        c.round = set.rounds.empty() ? nullptr : findRoundAnchors(*pair.manifold, point, set.rounds[at]);
-        ++at;
-        fillConstraint(c, point, A, B, rA, rB);
-        c.separation = effectiveSeparation(*pair.manifold, point, up);
-        closing = std::max(closing, -c.initialNormalVelocity);
-        const Float4 relative = VelocityPair(A, B).relativeVelocity(c);
-        moving2 = std::max(moving2, dot(relative, relative));
+        const glm::vec3 rA = originA + point.position, rB = originB + point.position;
+        point.approach = -glm::dot(relative + glm::cross(A.w, rA) - glm::cross(B.w, rB), point.normal);
+        closing = std::max(closing, point.approach);
+        const glm::vec3 sliding =
+            relative + glm::cross(A.w, rA + point.frictionInset) - glm::cross(B.w, rB + point.frictionInset);
+        moving2 = std::max(moving2, glm::dot(sliding, sliding));
     }
     pair.isHit = closing > kHitSpeed;
-    pair.isFollowed = pair.isHit || (a && b && moving2 > kFollowedSpeed * kFollowedSpeed);
-    pair.passes = pair.isHit ? kHitPasses : 1;
+    pair.isFollowed = pair.isHit || (pair.a && pair.b && moving2 > kFollowedSpeed * kFollowedSpeed);
 }
 
-void WarmStartFilter::reject(ContactSet& set) {
+void fillGroup(ContactSet& set, PairGroup& group, std::span<const SolverBody> bodies, const glm::vec3& up,
+               const ContactSoftness& softness) {
+    std::fill_n(set.contacts.begin() + group.from, group.count, Contact<Lanes>{});
+    std::fill_n(set.starts.begin() + group.from, group.count, ContactStart<Lanes>{});
+    for (size_t lane = 0; lane < kLanes; ++lane) {
+        if (group.pair[lane] == PairGroup::kNone) continue;
+        const PairConstraints& pair = set.pairs[group.pair[lane]];
+        const glm::vec3 originA = originFrom(*pair.manifold, bodies[size_t(pair.a)]);
+        const glm::vec3 originB = originFrom(*pair.manifold, bodies[size_t(pair.b)]);
+        const bool isStatic = set.stateA(pair).inverseMass == 0.0f || set.stateB(pair).inverseMass == 0.0f;
+        const Softness<float>& soft = pair.isStiff ? softness.stiff : isStatic ? softness.withStatic : softness.moving;
+        group.isHit.at[lane] = pair.isHit ? 1.0f : 0.0f;
+        group.biasRate.at[lane] = soft.biasRate;
+        group.massScale.at[lane] = soft.massScale, group.impulseScale.at[lane] = soft.impulseScale;
+        for (size_t i = 0; i < pair.points().size(); ++i) {
+            set.setContact(pair, i, contactOf(pair, pair.points()[i], originA, originB));
+            set.setStart(pair, i, startOf(*pair.manifold, pair.points()[i], up));
+        }
+    }
+}
+
+void WarmStartFilter::reject(const ContactSet& set, std::span<const SolverBody> bodies) {
     for (int round = 0; round < kRejectionRounds; ++round) {
         m_sums.assign(set.states.size(), {});
         for (const PairConstraints& pair : set.pairs) {
             Sum &a = m_sums[size_t(pair.a)], &b = m_sums[size_t(pair.b)];
-            for (const ContactConstraint& c : set.of(pair)) {
-                const Float4 impulse = c.normal * float4(c.normalImpulse) + c.tangent1 * float4(c.tangentImpulse1) +
-                                       c.tangent2 * float4(c.tangentImpulse2);
-                a.impulse += impulse, a.angularImpulse += cross(c.rA, impulse);
-                b.impulse -= impulse, b.angularImpulse -= cross(c.rB, impulse);
+            const glm::vec3 originA = originFrom(*pair.manifold, bodies[size_t(pair.a)]);
+            const glm::vec3 originB = originFrom(*pair.manifold, bodies[size_t(pair.b)]);
+            for (const ManifoldPoint& point : pair.points()) {
+                const glm::vec3 impulse = point.normal * point.normalImpulse + point.frictionImpulse;
+                a.impulse += impulse, a.angularImpulse += glm::cross(originA + point.position, impulse);
+                b.impulse -= impulse, b.angularImpulse -= glm::cross(originB + point.position, impulse);
             }
         }
         for (size_t i = 1; i < set.states.size(); ++i) {
             const SolverState& state = set.states[i];
             Sum& sum = m_sums[i];
-            const float speed2 = dot(sum.impulse, sum.impulse) * state.inverseMass * state.inverseMass;
+            const float speed2 = glm::dot(sum.impulse, sum.impulse) * state.inverseMass * state.inverseMass;
             // Twice the energy of the spin over the mass, which is comparable with a squared speed.
             const float spin2 =
-                dot(sum.angularImpulse, SimdMat3(state.inverseInertia) * sum.angularImpulse) * state.inverseMass;
+                glm::dot(sum.angularImpulse, state.inverseInertia * sum.angularImpulse) * state.inverseMass;
             sum.isRejected = !state.isJointed && speed2 + spin2 > kMaxWarmStartSpeed * kMaxWarmStartSpeed;
         }
         bool any = false;
         for (const PairConstraints& pair : set.pairs) {
             if (!m_sums[size_t(pair.a)].isRejected && !m_sums[size_t(pair.b)].isRejected) continue;
-            for (ContactConstraint& c : set.of(pair)) {
-                any |= c.normalImpulse != 0.0f;
-                c.normalImpulse = c.tangentImpulse1 = c.tangentImpulse2 = 0.0f;
+            for (ManifoldPoint& point : pair.points()) {
+                any |= point.normalImpulse != 0.0f;
+                point.normalImpulse = 0.0f;
+                point.frictionImpulse = glm::vec3(0.0f);
             }
         }
         if (!any) return;
@@ -170,13 +163,13 @@ void LoadBearing::findLoads(ContactSet& set, const glm::vec3& up) {
     m_supports.clear();
     m_loads.assign(set.states.size(), 0.0f);
     for (const PairConstraints& pair : set.pairs) {
-        if (!pair.a || !pair.b || pair.from == pair.to) continue;
-        const float rise = glm::dot(vec3(set.constraints[pair.from].normal), up);
+        if (!pair.a || !pair.b || pair.points().empty()) continue;
+        const float rise = glm::dot(pair.points()[0].normal, up);
         if (std::abs(rise) <= kMinSupportSlope) continue;
         const size_t under = size_t(rise > 0.0f ? pair.b : pair.a), upper = size_t(rise > 0.0f ? pair.a : pair.b);
         m_supports.emplace_back(upper, under);
-        for (const ContactConstraint& c : set.of(pair))
-            m_loads[under] += c.normalImpulse * std::abs(glm::dot(vec3(c.normal), up));
+        for (const ManifoldPoint& point : pair.points())
+            m_loads[under] += point.normalImpulse * std::abs(glm::dot(point.normal, up));
     }
 }
 
@@ -205,10 +198,10 @@ void LoadBearing::find(ContactSet& set, const glm::vec3& up, float fall, float r
                 set.states[under].isLoadBearing = more = true;
     }
     for (size_t i = 0; i < set.pairs.size(); ++i) {
-        const PairConstraints& pair = set.pairs[i];
+        PairConstraints& pair = set.pairs[i];
         if (!set.stateA(pair).isLoadBearing && !set.stateB(pair).isLoadBearing) continue;
         m_pairs.push_back(i);
-        for (ContactConstraint& c : set.of(pair)) c.isStiff = true;
+        pair.isStiff = true;
     }
 }
 

@@ -2,7 +2,8 @@
 #include <span>
 #include <vector>
 
-#include "physics/solver/contact_constraint.h"
+#include "physics/math/soft_constraint.h"
+#include "physics/solver/contact_set.h"
 
 // What the contact solver does once a step, before its substeps.
 
@@ -10,25 +11,30 @@ namespace rubble {
 
 /// The states of the bodies at the start of the step.
 void prepareStates(ContactSet& set, std::span<const SolverBody> bodies);
-/// Moves the point at which two bodies get a contact's impulses to where they meet now, and computes what follows from
-/// it. The touched points of the two are apart before a hit and move on within the step; impulses at one point, that of
-/// the feature, halfway to the face that it touches, keep the angular momentum. [any thread]
-void updateJacobian(ContactConstraint& c, const SolverState& A, const SolverState& B);
-/// Fills in the constraints of a pair. Reads bodies and states, writes only what belongs to the pair. up: unit vector
-/// against gravity, or 0. [any thread]
-void preparePair(ContactSet& set, PairConstraints& pair, std::span<const SolverBody> bodies, const glm::vec3& up);
+/// Finds how fast the bodies of a pair close and slide, and writes the approach of each point. Reads bodies and states,
+/// writes only what belongs to the pair. [any thread]
+void classifyPair(const ContactSet& set, PairConstraints& pair, std::span<const SolverBody> bodies);
+
+/// How soft contacts are.
+struct ContactSoftness {
+    Softness<float> moving, withStatic, stiff;  ///< of two bodies; of a body and the world; of a load-bearing body
+};
+/// Fills in a group and the contacts at the start of the step, but for what the kernel's prepare() computes. Writes
+/// only what belongs to the group. up: unit vector against gravity, or 0. [any thread]
+void fillGroup(ContactSet& set, PairGroup& group, std::span<const SolverBody> bodies, const glm::vec3& up,
+               const ContactSoftness& softness);
 
 /// Sets the impulses of contacts to 0 that would throw a body. No warm start after the loss of a support: what a
 /// contact that is gone held back is missing in the balance of impulses.
 class WarmStartFilter {
 public:
-    /// states must know which bodies are jointed: these are left alone.
-    void reject(ContactSet& set);
+    /// Changes the impulses of the manifolds. states must know which bodies are jointed: these are left alone.
+    void reject(const ContactSet& set, std::span<const SolverBody> bodies);
 
 private:
     /// The sum of the warm start impulses on a body.
     struct Sum {
-        Float4 impulse{}, angularImpulse{};
+        glm::vec3 impulse{0.0f}, angularImpulse{0.0f};
         bool isRejected = false;
     };
     std::vector<Sum> m_sums;  ///< by body

@@ -2,10 +2,11 @@
 #include <span>
 #include <vector>
 
-#include "physics/math/soft_constraint.h"
 #include "physics/solver/constraint_coloring.h"
+#include "physics/solver/contact_kernels.h"
 #include "physics/solver/contact_setup.h"
 #include "physics/solver/joint_solver.h"
+#include "physics/solver/lane_packing.h"
 #include "physics/solver/restitution.h"
 #include "runtime/core/pose.h"
 
@@ -41,41 +42,35 @@ public:
     std::span<const Pose> pathOf(int body) const { return m_paths[size_t(body)]; }
 
 private:
-    /// What a constraint adds to the normal velocity (m/s), and how soft it is: see Softness.
-    struct ContactBias {
-        float velocity = 0.0f, massScale = 1.0f, impulseScale = 0.0f;
-    };
     void prepare(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds,
                  std::span<const std::pair<int, int>> bodyOf, const SolverSettings& settings);
+    void followHits(std::span<SolverBody> bodies, const SolverSettings& settings);
+    void packGroups(std::span<const SolverBody> bodies, std::span<const std::pair<int, int>> bodyOf);
     void substep(std::span<SolverBody> bodies, glm::dvec3 gravity, const SolverSettings& settings, bool isFirst);
-    void warmStart(const PairConstraints& pair, bool isFirst);
-    void iterate(std::span<const SolverBody> bodies, int iterations, double seconds, bool useBias);
-    void solveContacts(float inverseSeconds, bool useBias);
-    void solvePair(const PairConstraints& pair, float inverseSeconds, bool useBias);
+    void iterate(std::span<const SolverBody> bodies, const SolverSettings& settings, double seconds, bool useBias);
     bool isDeep(const PairConstraints& pair);
-    ContactBias biasOf(const ContactConstraint& c, const DeltaPair& deltas, float inverseSeconds, bool useBias) const;
-    static float solveNormal(ContactConstraint& c, const ContactBias& bias, VelocityPair& bodies);
     void move(std::span<SolverBody> bodies, double seconds);
     static void moveConstrained(SolverBody& body, SolverState& state, const glm::dquat& start, double seconds);
     static void moveFreely(SolverBody& body, const glm::dvec3& gravity, double seconds, std::vector<Pose>& path);
     void storeImpulses(const PairConstraints& pair);
-    /// Calls f(pair) for all pairs, those that share no body in parallel.
-    template <class F>
-    void forEachPair(F&& f);
+    ContactArrays arrays() {
+        return {m_set.states.data(), m_set.groups.data(), m_set.contacts.data(), m_set.starts.data()};
+    }
 
     ContactSet m_set;
     JointSolver m_joints;
-    ConstraintColoring m_coloring;  ///< gives the order of m_set.pairs
+    ConstraintColoring m_coloring;  ///< its tasks are ranges of m_set.groups
+    LanePacking m_packing;
     WarmStartFilter m_warmStartFilter;
     Restitution m_restitution;
     const ParallelFor* m_parallelFor = nullptr;
     LoadBearing m_loadBearing;
     std::vector<glm::dquat> m_start;         ///< rotations at the start of the step
     std::vector<std::vector<Pose>> m_paths;  ///< by body; see pathOf()
-    Softness<float> m_soft, m_softStatic, m_stiff;
+    std::vector<uint32_t> m_stiffGroups;     ///< of load-bearing bodies
+    ContactSoftness m_softness;
     glm::vec3 m_up{0.0f};  ///< unit vector against gravity; zero: there is none
-    int m_loadBearingPasses = 0;
-    float m_maxPushSpeed = 0.0f, m_slop = 0.0f;
+    const ContactKernels* m_kernels = &contactKernels();
 };
 
 }  // namespace rubble

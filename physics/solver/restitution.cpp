@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "physics/solver/contact_setup.h"
-
 // Restitution of simultaneous impacts by sequential impacts.
 //
 // A pair whose points close at v_i shall part at e_i v_i (Newton). Impulses that are solved together share an impact
@@ -24,8 +22,9 @@ constexpr uint8_t kMaxImpacts = 32;  ///< of a pair in a substep
 constexpr int kMaxJointRounds = 64;  ///< in a substep, over all joints
 constexpr int kJointRounds = 4;      ///< in an impact of what is jointed
 
-bool isElastic(std::span<const ContactConstraint> points) {
-    return std::any_of(points.begin(), points.end(), [](const ContactConstraint& c) { return c.restitution > 0.0f; });
+bool isElastic(std::span<const ManifoldPoint> points) {
+    return std::any_of(points.begin(), points.end(),
+                       [](const ManifoldPoint& point) { return point.restitution > 0.0f; });
 }
 
 }  // namespace
@@ -34,9 +33,9 @@ void Restitution::begin(ContactSet& set, float threshold) {
     m_threshold = threshold;
     m_fast.clear();
     for (size_t i = 0; i < set.pairs.size(); ++i) {
-        const auto points = set.of(set.pairs[i]);
-        if (std::any_of(points.begin(), points.end(), [&](const ContactConstraint& c) {
-                return c.restitution > 0.0f && c.initialNormalVelocity < -threshold;
+        const auto points = set.pairs[i].points();
+        if (std::any_of(points.begin(), points.end(), [&](const ManifoldPoint& point) {
+                return point.restitution > 0.0f && point.approach > threshold;
             }))
             m_fast.push_back(i);
     }
@@ -46,7 +45,7 @@ void Restitution::begin(ContactSet& set, float threshold) {
     m_neighbours.clear();
     for (size_t i = 0; i < set.pairs.size(); ++i) {
         const PairConstraints& pair = set.pairs[i];
-        if (!isElastic(set.of(pair))) continue;
+        if (!isElastic(pair.points())) continue;
         for (const int body : {pair.a, pair.b})
             if (body) m_neighbours.emplace_back(body, i);
     }
@@ -82,12 +81,13 @@ void Restitution::solve(ContactSet& set, float seconds, std::span<const SolverBo
 /// Whether a point of the pair will touch within the substep, faster than the threshold.
 bool Restitution::isAboutToBounce(ContactSet& set, const PairConstraints& pair, float seconds) const {
     const SolverState &A = set.stateA(pair), &B = set.stateB(pair);
-    const DeltaPair deltas(A, B);
-    const VelocityPair velocities(A, B);
-    for (const ContactConstraint& c : set.of(pair)) {
+    const MotionPair<float> motion = motionsOf(A, B);
+    const VelocityPair<float> velocities = velocitiesOf(A, B);
+    for (size_t i = 0; i < pair.points().size(); ++i) {
+        if (!(pair.points()[i].restitution > 0.0f)) continue;
+        const Contact<float> c = set.contact(pair, i);
         const float velocity = velocities.normalVelocity(c);
-        if (c.restitution > 0.0f && velocity < -m_threshold && deltas.separation(c) + velocity * seconds < 0.0f)
-            return true;
+        if (velocity < -m_threshold && set.separation(pair, i, c, motion) + velocity * seconds < 0.0f) return true;
     }
     return false;
 }
@@ -95,28 +95,30 @@ bool Restitution::isAboutToBounce(ContactSet& set, const PairConstraints& pair, 
 void Restitution::collide(ContactSet& set, const PairConstraints& pair, float seconds,
                           std::span<const SolverBody> bodies, JointSolver& joints) {
     SolverState &A = set.stateA(pair), &B = set.stateB(pair);
-    const std::span<ContactConstraint> points = set.of(pair);
     struct Touch {
         float target = 0.0f, impulse = 0.0f, tangent1 = 0.0f, tangent2 = 0.0f;  ///< m/s, then N s
         bool isTouching = false;
     };
     std::array<Touch, kMaxManifoldPoints> touches;
+    std::array<Contact<float>, kMaxManifoldPoints> points;
+    const size_t count = pair.points().size();
     float fastest = 0.0f;
-    for (ContactConstraint& c : points) updateJacobian(c, A, B);
-    const DeltaPair deltas(A, B);
-    const VelocityPair before(A, B);
-    for (size_t i = 0; i < points.size(); ++i) {
+    const MotionPair<float> motion = motionsOf(A, B);
+    const VelocityPair<float> before = velocitiesOf(A, B);
+    for (size_t i = 0; i < count; ++i) {
+        points[i] = set.contact(pair, i);
+        updateJacobian(points[i], set.start(pair, i), set.isRound(pair), motion, before);
         const float velocity = before.normalVelocity(points[i]);
-        touches[i].isTouching = deltas.separation(points[i]) + velocity * seconds < 0.0f;
-        touches[i].target = velocity < -m_threshold ? -points[i].restitution * velocity : 0.0f;
+        touches[i].isTouching = set.separation(pair, i, points[i], motion) + velocity * seconds < 0.0f;
+        touches[i].target = velocity < -m_threshold ? -pair.points()[i].restitution * velocity : 0.0f;
         fastest = std::max(fastest, -velocity);
     }
     const bool isJointed = (A.isJointed || B.isJointed) && !joints.empty();
     for (int round = 0; round < (isJointed ? kJointRounds : 1); ++round) {
-        VelocityPair velocities(A, B);
+        VelocityPair<float> velocities = velocitiesOf(A, B);
         for (int pass = 0; pass < kPasses; ++pass) {
             float changed = 0.0f;  // m/s
-            for (size_t i = 0; i < points.size(); ++i) {
+            for (size_t i = 0; i < count; ++i) {
                 Touch& touch = touches[i];
                 if (!touch.isTouching) continue;
                 const float old = touch.impulse, missing = touch.target - velocities.normalVelocity(points[i]);
@@ -124,16 +126,19 @@ void Restitution::collide(ContactSet& set, const PairConstraints& pair, float se
                 velocities.applyNormalImpulse(points[i], touch.impulse - old);
                 if (touch.impulse != old) changed = std::max(changed, std::abs(missing));
             }
-            for (size_t i = 0; i < points.size(); ++i)
+            for (size_t i = 0; i < count; ++i)
                 if (touches[i].isTouching)
                     velocities.solveFriction(points[i], points[i].friction * touches[i].impulse, touches[i].tangent1,
                                              touches[i].tangent2);
             if (changed <= kConverged * fastest) break;
         }
-        velocities.store(A, B);
+        storeVelocities(velocities, A, B);
         if (isJointed && m_jointRounds-- > 0) joints.solveImpact(bodies, set.states);
     }
-    for (size_t i = 0; i < points.size(); ++i) points[i].bounceImpulse += touches[i].impulse;
+    for (size_t i = 0; i < count; ++i) {
+        points[i].totalImpulse += touches[i].impulse;
+        set.setContact(pair, i, points[i]);
+    }
 }
 
 }  // namespace rubble

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "physics/solver/contact_constraint.h"
+#include "physics/solver/contact_set.h"
 #include "physics/solver/joint_solver.h"
 
 namespace rubble {

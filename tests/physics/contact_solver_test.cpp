@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <deque>
+
 namespace rubble {
 namespace {
 
@@ -48,16 +50,14 @@ std::vector<bool> loadBearing(size_t count, bool isNew) {
     constexpr float kFall = 10.0f / 360.0f;  // m/s in a substep
     ContactSet set;
     set.states.resize(2 + 2 * count);
-    Manifold manifold;
-    manifold.count = 1;
+    std::deque<Manifold> manifolds;
     set.states[1].inverseMass = 0.01f;
     const auto rest = [&](size_t upper, size_t under, float load) {
-        ContactConstraint c{};
-        c.normal = float4(glm::vec3(0, 1, 0));
-        c.normalImpulse = isNew ? 0.0f : load * kFall;
-        set.constraints.push_back(c);
-        const size_t at = set.constraints.size() - 1;
-        set.pairs.push_back({int(upper), int(under), at, at + 1, 1, false, false, &manifold});
+        Manifold& manifold = manifolds.emplace_back();
+        manifold.count = 1;
+        manifold.points[0] = contact({0, 0, 0}, {0, 1, 0});
+        manifold.points[0].normalImpulse = isNew ? 0.0f : load * kFall;
+        set.pairs.push_back({int(upper), int(under), &manifold});
     };
     for (size_t i = 0; i < count; ++i) {
         const size_t top = 2 + i, bottom = 2 + count + i;
