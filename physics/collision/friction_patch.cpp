@@ -1,10 +1,12 @@
 #include "physics/collision/friction_patch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/vec2.hpp>
 
 #include "physics/bodies/collision_object.h"
-#include "physics/collision/round_contacts.h"
+#include "physics/collision/box_contacts.h"
 
 // Friction of an area by a few points.
 //
@@ -13,7 +15,7 @@
 // measures the area, but the edges of voxels around it are among the contacts. By Green's theorem they suffice: with
 // the outward normal n of an edge of length l at p,
 //     area = 1/2 sum l (p . n),   integral of p = 1/3 sum l p (p . n),   integral of |p| = 1/3 sum l |p| (p . n),
-// holes and separate feet included.
+// holes and separate feet included. Of two boxes the contacts are the corners of the area.
 
 namespace rubble {
 namespace {
@@ -65,11 +67,37 @@ private:
     float m_size = 0.0f;
 };
 
-}  // namespace
+/// The sides of the area that two boxes share, whose corners are the contacts. Of several parts, the area around all.
+class BoxEdges {
+public:
+    explicit BoxEdges(std::span<const ContactPoint> contacts) {
+        glm::vec3 middle(0.0f);
+        for (const ContactPoint& contact : contacts)
+            if (contact.separation <= contacts[0].separation + kSameDepth && m_count < m_corners.size())
+                middle += m_corners[m_count++] = contact.position - contacts[0].position;
+        if (m_count) middle /= float(m_count);
+        m_normal = contacts[0].normal;
+        sortAround(std::span(m_corners).first(m_count), middle, m_normal);
+    }
+    /// As BoundaryEdges does, in several parts of each side.
+    template <class F>
+    void forEach(F&& f) const {
+        for (size_t i = 0; i < m_count; ++i) {
+            const glm::vec3 &from = m_corners[i], part = (m_corners[(i + 1) % m_count] - from) / float(kParts),
+                            flux = glm::cross(part, m_normal);
+            for (int k = 0; k < kParts; ++k) f(from + part * (float(k) + 0.5f), flux);
+        }
+    }
 
-float meanPatchRadius(std::span<const ContactPoint> contacts, const Manifold& manifold) {
-    if (contacts.size() < 3) return 0.0f;
-    BoundaryEdges edges(contacts, manifold);
+private:
+    static constexpr int kParts = 3;
+    std::array<glm::vec3, 32> m_corners;
+    size_t m_count = 0;
+    glm::vec3 m_normal;
+};
+
+template <class Edges>
+float meanRadius(Edges&& edges) {
     float area = 0.0f;
     glm::vec3 moment(0.0f);
     edges.forEach([&](const glm::vec3& at, const glm::vec3& flux) {
@@ -84,6 +112,25 @@ float meanPatchRadius(std::span<const ContactPoint> contacts, const Manifold& ma
         distances += glm::dot(from, flux) * std::sqrt(glm::dot(from, from)) / 3.0f;
     });
     return std::max(distances / area, 0.0f);
+}
+
+}  // namespace
+
+void sortAround(std::span<glm::vec3> points, const glm::vec3& middle, const glm::vec3& normal) {
+    if (points.empty()) return;
+    const glm::vec3 x = points[0] - middle, y = glm::cross(normal, x);
+    std::sort(points.begin(), points.end(), [&](const glm::vec3& a, const glm::vec3& b) {
+        const glm::vec2 p(glm::dot(a - middle, x), glm::dot(a - middle, y)),
+            q(glm::dot(b - middle, x), glm::dot(b - middle, y));
+        const bool isLowP = p.y < 0.0f, isLowQ = q.y < 0.0f;
+        return isLowP != isLowQ ? isLowQ : p.x * q.y - p.y * q.x > 0.0f;
+    });
+}
+
+float meanPatchRadius(std::span<const ContactPoint> contacts, const Manifold& manifold) {
+    if (contacts.size() < 3) return 0.0f;
+    const bool isOfBoxes = (contacts[0].feature >> 12 & 31) == kBoxKind;
+    return isOfBoxes ? meanRadius(BoxEdges(contacts)) : meanRadius(BoundaryEdges(contacts, manifold));
 }
 
 void insetFriction(std::span<ManifoldPoint> points, float meanRadius) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/vec2.hpp>
 
 #include "physics/collision/friction_patch.h"
 
@@ -34,13 +33,7 @@ size_t widenPolygon(std::vector<ContactPoint>& contacts, size_t from, size_t cou
         for (size_t i = from; i < from + count; ++i) middle += contacts[i].position / float(count);
         std::array<glm::vec3, kMaxManifoldPoints> corners;
         for (size_t i = 0; i < count; ++i) corners[i] = contacts[from + i].position - middle;
-        const glm::vec3 x = corners[0], y = glm::cross(normal, x);
-        std::sort(corners.begin(), corners.begin() + std::ptrdiff_t(count),
-                  [&](const glm::vec3& a, const glm::vec3& b) {
-                      const glm::vec2 p(glm::dot(a, x), glm::dot(a, y)), q(glm::dot(b, x), glm::dot(b, y));
-                      const bool isLowP = p.y < 0.0f, isLowQ = q.y < 0.0f;
-                      return isLowP != isLowQ ? isLowQ : p.x * q.y - p.y * q.x > 0.0f;
-                  });
+        sortAround(std::span(corners).first(count), glm::vec3(0.0f), normal);
         float farthest = 0.0f, size = 0.0f;
         size_t best = to;
         for (size_t i = from + count; i < to; ++i) {

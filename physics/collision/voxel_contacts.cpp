@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "physics/collision/box_contacts.h"
 #include "physics/collision/feature_collider.h"
 #include "physics/collision/hull_separation.h"
 #include "physics/collision/round_contacts.h"
@@ -51,6 +52,7 @@ struct RelativeMotion {
         spin = first.angularVelocity - second.angularVelocity;
         maxDisplacement = maxRelativeDisplacement(first, second, seconds);
         sweeps = maxDisplacement > settings.sweepThreshold;
+        bothMove = first.radius > 0.0 && second.radius > 0.0;
         if (second.radius == 0.0 || first.radius < second.radius)
             radius = first.radius, centerVelocity = velocity;
         else
@@ -71,7 +73,7 @@ struct RelativeMotion {
     glm::dvec3 velocity{0.0};  ///< of the first at its origin relative to the second, world axes
     glm::dvec3 spin{0.0};
     double maxDisplacement = 0.0;  ///< of any point of one relative to the other, metres
-    bool sweeps = false;
+    bool sweeps = false, bothMove = false;
     double radius = 0.0;             ///< of the smaller body
     glm::dvec3 centerVelocity{0.0};  ///< the velocity at the smaller body's origin
 };
@@ -209,6 +211,11 @@ bool collideParts(const Surroundings& around, size_t i, size_t k, const Relative
     const ColliderPart &a = *around.colliders[0]->parts[i], &b = *around.colliders[1]->parts[k];
     const CellTransform aCells = around.at(0, i), bCells = around.at(1, k);
     const uint64_t key = uint64_t(i & 31) << 6 | uint64_t(k & 31) << 1;
+    // What is static often consists of many shapes, whose seams must be no bumps: voxels know them.
+    if (motion.bothMove && around.empty() && a.box() && b.box())
+        return collideBoxes({{a, aCells, nullptr}, {}, motion.firstVelocity, motion.firstSpin},
+                            {{b, bCells, nullptr}, motion.offset, motion.secondVelocity, motion.secondSpin}, settings,
+                            key, axis, out);
     const TransformedHull hullA = transformHull(a, aCells), hullB = transformHull(b, bCells);
     if (!hasAxis) axis = centerAxis(a, hullA, b, hullB);
     const float size = float(std::max(a.voxelSize(), b.voxelSize()));

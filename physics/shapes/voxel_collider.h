@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "physics/shapes/box_surface.h"
 #include "physics/shapes/cell_transform.h"
 #include "physics/shapes/hull_points.h"
 #include "physics/shapes/round_surface.h"
@@ -26,12 +27,13 @@ struct ContactMaterials {
 
 /// What narrowphase looks up in a part that is small enough to be kept in one piece.
 struct PartSurface {
-    /// box: the bounds of the solid cells.
-    explicit PartSurface(const VoxelGrid& grid, const CellBox& box)
-        : rows(grid, box), features(findFeatures(rows)), hull(rows) {}
+    /// bounds: of the solid cells.
+    explicit PartSurface(const VoxelGrid& grid, const CellBox& bounds)
+        : rows(grid, bounds), features(findFeatures(rows)), hull(rows), box(findBoxSurface(grid, rows)) {}
     SolidRows rows;
     FeatureList features;
     HullPoints hull;
+    std::optional<BoxSurface> box;
 };
 
 /// Two objects collide if a bit of each one's layer is in the other's mask.
@@ -72,6 +74,12 @@ public:
     void setFilter(CollisionFilter filter) { m_filter = filter; }
     /// The round surface that it is touched as; null: it is touched as voxels.
     const RoundSurface* round() const { return m_round ? &*m_round : nullptr; }
+    /// The box that its solid cells fill; null: they fill none, or it is touched as something round, or it is longer
+    /// than kMaxWholeSize. [any thread]
+    const BoxSurface* box() const {
+        const PartSurface* surface = m_round ? nullptr : whole();
+        return surface && surface->box ? &*surface->box : nullptr;
+    }
     /// What it is touched as from now on.
     void setCollisionShape(CollisionShape kind) {
         m_kind = kind;
