@@ -19,7 +19,8 @@ Result<Level> readLevel(const std::string& path, const std::string& vdbTool, Imp
     if (ending == ".vox") return importVox(path, {}, report);
     if (ending == ".vdb") return readVdb(path, vdbTool, report);
     if (ending != ".rubble")
-        return Error{path + ": expected a name ending in .rubble, .vdb or .vox, found '" + ending + "'"};
+        return Error{(path.empty() ? "\"\"" : path) + ": expected a name ending in .rubble, .vdb or .vox, found '" +
+                     ending + "'"};
     Result<Level> level = readRubble(path);
     if (level && report) report->count(*level);
     return level;

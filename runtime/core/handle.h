@@ -43,6 +43,11 @@ struct Handle {
     friend constexpr auto operator<=>(Handle, Handle) = default;
 };
 
+/// The bits of a handle as those of another World: what a saved game that is loaded there calls the same object.
+constexpr uint64_t withWorld(uint64_t bits, uint8_t world) {
+    return (bits & ~(uint64_t(0xff) << 48)) | uint64_t(world) << 48;
+}
+
 using BodyHandle = Handle<HandleType::Body>;
 using ShapeHandle = Handle<HandleType::Shape>;
 using LightHandle = Handle<HandleType::Light>;

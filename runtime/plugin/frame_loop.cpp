@@ -1,6 +1,7 @@
 #include "runtime/plugin/frame_loop.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "runtime/core/log.h"
@@ -11,7 +12,8 @@ namespace rubble {
 
 FrameLoop::FrameLoop(const FrameLoopSettings& settings)
     : m_world(settings.worldId, settings.firstGeneration),
-      m_physics(settings.physics),
+      m_threads(settings.physicsThreads > 1 ? std::make_unique<ThreadPool>(settings.physicsThreads) : nullptr),
+      m_physics(withThreads(settings.physics)),
       m_snapshots(settings.particles),
       m_publish(settings.publish),
       m_waitForShadow(settings.waitForShadow) {
@@ -22,15 +24,30 @@ FrameLoop::~FrameLoop() {
     endRecording();
 }
 
+PhysicsSettings FrameLoop::withThreads(PhysicsSettings settings) const {
+    if (m_threads)
+        settings.parallelFor = [threads = m_threads.get()](size_t count, const std::function<void(size_t)>& body) {
+            threads->run(count, body);
+        };
+    return settings;
+}
+
+void FrameLoop::dropWaitingEdits() {
+    if (const size_t count = m_edits.take().size())
+        logWarning(std::to_string(count) + " edits that waited for the next step are dropped: the world is replaced");
+}
+
 void FrameLoop::load(const Level& level) {
-    m_edits.take();
+    dropWaitingEdits();
+    m_changes = {};
     m_pending.clear();
     endRecording();
     m_world.load(level);
 }
 
 void FrameLoop::load(SavedGame game) {
-    m_edits.take();
+    dropWaitingEdits();
+    m_changes = {};
     endRecording();
     m_world.setState(std::move(game.world));
     m_pending = std::move(game.pending);
@@ -98,12 +115,10 @@ void FrameLoop::stepWith(Edits hostEdits) {
     applyEdits(hostEdits);
     stepPhysics();
     collectDamage();
-    {
-        const ScopedTimer timer(m_times[Stage::Shadow]);
-        if (m_shadow) m_shadow->submit(m_changes, changedPoses(), m_world);
-    }
-    const ScopedTimer timer(m_times[Stage::Publish]);
-    publish();
+    if (!m_mustPublishAll.exchange(false)) return publish(m_changes);
+    FrameChanges all = m_changes;
+    all.levelReplaced = true;
+    publish(all);
 }
 
 /// Before the edits, so that physics can tell what they change.
@@ -150,22 +165,34 @@ std::span<const BodyPose> FrameLoop::changedPoses() {
     return m_changedPoses;
 }
 
-void FrameLoop::publish() {
+void FrameLoop::publish(const FrameChanges& changes) {
+    if (m_shadow) {
+        const ScopedTimer timer(m_times[Stage::Shadow]);
+        m_shadow->submit(changes, changedPoses(), m_world);
+    }
+    const ScopedTimer timer(m_times[Stage::Publish]);
     if (!m_shadow) {
-        if (m_publish) m_snapshots.publishWithoutShadow(m_changes, changedPoses(), m_world, m_physics.impacts());
+        if (m_publish) m_snapshots.publishWithoutShadow(changes, changedPoses(), m_world, m_physics.impacts());
         return;
     }
-    m_shadowLag = m_changes.step - m_shadow->publishedVersion();
-    if (m_waitForShadow) m_shadow->waitFor(m_changes.step);
+    m_shadowLag = changes.step - m_shadow->publishedVersion();
+    if (m_waitForShadow) m_shadow->waitFor(changes.step);
     std::vector<ShadowPatches> patches = m_shadow->takePatches();
-    if (m_publish) m_snapshots.publish(m_changes, changedPoses(), m_world, std::move(patches), m_physics.impacts());
+    if (m_publish) m_snapshots.publish(changes, changedPoses(), m_world, std::move(patches), m_physics.impacts());
+}
+
+void FrameLoop::restartDrawing() {
+    m_awaitsAll = true;
+    m_mustPublishAll = true;
 }
 
 void FrameLoop::draw(Renderer& renderer, const View& view, float alpha) {
     {
         m_times[Stage::Apply] = 0.0;
         const ScopedTimer timer(m_times[Stage::Apply]);
-        if (auto snapshot = m_snapshots.take()) renderer.apply(std::move(*snapshot));
+        std::optional<FrameSnapshot> snapshot = m_snapshots.take();
+        if (snapshot && snapshot->replacesAll) m_awaitsAll = false;
+        if (snapshot && !m_awaitsAll) renderer.apply(std::move(*snapshot));
     }
     m_times[Stage::Draw] = 0.0;
     const ScopedTimer timer(m_times[Stage::Draw]);

@@ -1,4 +1,5 @@
 #pragma once
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -8,6 +9,7 @@
 #include "physics/physics_world.h"
 #include "render/renderer.h"
 #include "runtime/core/profile.h"
+#include "runtime/core/thread_pool.h"
 #include "runtime/frame/snapshots.h"
 #include "runtime/plugin/recorder.h"
 #include "runtime/shadow/shadow_worker.h"
@@ -19,6 +21,7 @@ struct FrameLoopSettings {
     uint8_t worldId = 1;           ///< 1 to 255, part of every handle, so that a handle of another world is recognised
     uint32_t firstGeneration = 1;  ///< of handles; see World
     PhysicsSettings physics;
+    int physicsThreads = 1;  ///< with the one that steps; above 1: they replace physics.parallelFor, with the same bits
     ShadowWorker::Mode shadow = ShadowWorker::Mode::Thread;
     bool shadowVolume = true;    ///< false: nothing is drawn with rays, and step() does no work for them
     bool publish = true;         ///< false: for worlds that nobody draws
@@ -34,9 +37,11 @@ public:
     explicit FrameLoop(const FrameLoopSettings& settings = {});
     ~FrameLoop();  ///< completes a recording; the log says what of it could not be written
 
-    /// [main-thread] Replaces the world by a level. Empties the queue of edits and stops a recording.
+    /// [main-thread] Replaces the world by a level. Drops the edits in the queue, with a warning, and stops a
+    /// recording.
     void load(const Level& level);
-    /// [main-thread] Replaces the world by a saved game and its queue of edits. Stops a recording.
+    /// [main-thread] Replaces the world by a saved game and its queue of edits; those that wait here are dropped, with
+    /// a warning. Stops a recording.
     void load(SavedGame game);
     /// [main-thread] The game as it is now, with its queue of edits. The next step rebuilds physics from the World, as
     /// loading does, so that playing on and loading give the same result.
@@ -58,15 +63,22 @@ public:
     /// poses of the last two steps.
     void draw(Renderer& renderer, const View& view, float alpha);
 
+    /// [render-thread] Another renderer, which has seen nothing, will draw: the next step hands the whole world over,
+    /// as the first after a level is loaded does. Until then draw() shows an empty world.
+    void restartDrawing();
+
     /// The queue of the edits for the next step. [main-thread]
     EditQueue& edits() { return m_edits; }
     /// The world as the last step left it. [main-thread]
     World& world() { return m_world; }
+    /// The same, to read it. [main-thread]
+    const World& world() const { return m_world; }
     /// Its physics, for statistics and settings. [main-thread]
     PhysicsWorld& physics() { return m_physics; }
     /// Keeps the shadow volume up to date; null without one. [main-thread]
     ShadowWorker* shadow() { return m_shadow.get(); }
-    /// The journal of the last step's edits; valid until the next step. [main-thread]
+    /// The journal of the last step's edits; valid until the next step. Empty where the world was replaced.
+    /// [main-thread]
     const FrameChanges& changes() const { return m_changes; }
     /// Wall-clock milliseconds of the stages of the last step [main-thread] and the last draw [render-thread].
     const StageTimes& times() const { return m_times; }
@@ -74,6 +86,8 @@ public:
     uint64_t shadowLag() const { return m_shadowLag; }
 
 private:
+    PhysicsSettings withThreads(PhysicsSettings settings) const;
+    void dropWaitingEdits();
     SavedGame savedGame(const Edits& waiting) const;
     void goOnAsLoaded(bool dropMarks);
     void stepWith(Edits hostEdits);
@@ -81,12 +95,13 @@ private:
     void applyEdits(const Edits& hostEdits);
     void stepPhysics();
     void collectDamage();
-    void publish();
+    void publish(const FrameChanges& changes);
     void endRecording();
     /// The poses that physics has just handed over, and those of bodies that edits teleported.
     std::span<const BodyPose> changedPoses();
 
     World m_world;
+    std::unique_ptr<ThreadPool> m_threads;  ///< of physics; null: it has none of its own
     PhysicsWorld m_physics;
     std::unique_ptr<ShadowWorker> m_shadow;
     Snapshots m_snapshots;
@@ -101,6 +116,8 @@ private:
     uint64_t m_shadowLag = 0;
     bool m_publish;
     bool m_waitForShadow;
+    std::atomic<bool> m_mustPublishAll = false;  ///< in the next step
+    bool m_awaitsAll = false;                    ///< [render-thread] the renderer has not seen the whole world
 };
 
 }  // namespace rubble

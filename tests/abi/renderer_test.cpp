@@ -92,6 +92,36 @@ TEST_F(AbiRenderer, DrawsTheLevel) {
     EXPECT_EQ(m_api->draw(renderer, &view), RUBBLE_ERROR_STALE);
 }
 
+TEST_F(AbiRenderer, AnotherRendererShowsTheWholeWorldFromTheNextStepOn) {
+    const std::string level = writeTestLevel();
+    ASSERT_EQ(m_api->load_level(m_world, level.c_str(), nullptr), RUBBLE_OK) << m_api->get_last_error();
+    std::filesystem::remove(level);
+    const rubble_renderer_settings given = settings();
+    const Offscreen target({kWidth, kHeight});
+    auto view = sized<rubble_view>();
+    view.framebuffer = target.framebuffer();
+    view.width = kWidth, view.height = kHeight;
+    view.position[0] = 0.85, view.position[1] = 1.0, view.position[2] = 4.0;
+    std::vector<uint8_t> images[2];
+    for (std::vector<uint8_t>& image : images) {
+        rubble_renderer renderer = 0;
+        ASSERT_EQ(m_api->create_renderer(m_world, &given, &renderer), RUBBLE_OK) << m_api->get_last_error();
+        ASSERT_EQ(m_api->set_debug_view(renderer, "albedo"), RUBBLE_OK);
+        EXPECT_EQ(m_api->draw(renderer, &view), RUBBLE_OK) << "before the step";
+        auto figures = sized<rubble_draw_stats>();
+        ASSERT_EQ(m_api->get_draw_stats(renderer, &figures), RUBBLE_OK);
+        EXPECT_EQ(figures.shapes, 0u);
+        ASSERT_EQ(m_api->step(m_world), RUBBLE_OK);
+        ASSERT_EQ(m_api->draw(renderer, &view), RUBBLE_OK) << m_api->get_last_error();
+        ASSERT_EQ(m_api->get_draw_stats(renderer, &figures), RUBBLE_OK);
+        EXPECT_EQ(figures.shapes, 1u);
+        EXPECT_GT(figures.bricks, 0u);
+        image = target.readRgb();
+        EXPECT_EQ(m_api->destroy_renderer(renderer), RUBBLE_OK);
+    }
+    EXPECT_EQ(images[0], images[1]);
+}
+
 TEST_F(AbiRenderer, AnAddedLightShowsAndARemovedOneDoesNot) {
     const std::string level = writeTestLevel();
     ASSERT_EQ(m_api->load_level(m_world, level.c_str(), nullptr), RUBBLE_OK) << m_api->get_last_error();

@@ -20,7 +20,8 @@ MAX_LONG_FUNCTIONS = 0.005  # share of all functions that may be longer
 MAX_FILE_LINES = 500
 MAX_PUBLIC_METHODS = 25
 MAX_DECISION_WORDS = 100
-LONG_FILES = {'runtime/plugin/include/rubble/rubble.h'}  # one page for hosts
+LONG_FILES = {'runtime/plugin/include/rubble/rubble.h',  # one page for hosts
+              'tests/abi/first_release/rubble/rubble.h'}
 HEADERS = ('.h', '.hh', '.hpp', '.hxx', '.inl', '.ipp')
 SHADERS = ('.glsl', '.frag', '.vert', '.comp', '.geom', '.tesc', '.tese')
 SOURCES = HEADERS + SHADERS + ('.c', '.cc', '.cpp', '.cxx')

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "runtime/core/thread_pool.h"
 #include "tests/benchmark/pile.h"
 #include "tests/physics/baseline/box_merge.h"
 #include "tests/physics/baseline/bullet_compounds.h"
@@ -13,7 +14,6 @@
 #include "tests/physics/baseline/voronoi_pit.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/grids.h"
-#include "tests/support/thread_pool.h"
 
 namespace rubble {
 namespace {

@@ -3,11 +3,11 @@
 #include <cstdlib>
 
 #include "physics/solver/constraint_coloring.h"
+#include "runtime/core/thread_pool.h"
 #include "tests/physics/baseline/overlap.h"
 #include "tests/physics/baseline/pile_support.h"
 #include "tests/physics/baseline/voronoi_pit.h"
 #include "tests/physics/physics_scene.h"
-#include "tests/support/thread_pool.h"
 
 namespace rubble {
 namespace {

@@ -5,10 +5,10 @@
 #include <mutex>
 #include <thread>
 
+#include "runtime/core/thread_pool.h"
 #include "samples/support/progress.h"
 #include "tests/reference/sampling.h"
 #include "tests/reference/sky.h"
-#include "tests/support/thread_pool.h"
 
 namespace rubble::reference {
 namespace {

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <string>
@@ -34,16 +36,19 @@ rubble_result guarded(const char* function, F&& body) noexcept try {
 template <class Row>
 class RowWriter {
 public:
-    /// `out` may be null if the capacity is 0. Throws ApiError for other null pointers.
-    RowWriter(Row* out, uint32_t capacity, uint32_t* count)
-        : m_out(out), m_capacity(capacity), m_count(requireNotNull(count, "count")) {
-        if (capacity) requireNotNull(out, "out");
+    /// `out` may be null if the capacity is 0. rowSize: see readRowSize(). Throws ApiError for other null pointers.
+    RowWriter(void* out, uint32_t capacity, uint32_t* count, uint32_t rowSize = kFirstSize<Row>)
+        : m_out(static_cast<char*>(out)),
+          m_capacity(capacity),
+          m_rowSize(rowSize),
+          m_count(requireNotNull(count, "count")) {
+        if (capacity) requireNotNull(m_out, "out");
         m_count = 0;
     }
     /// Calls make() for the row only if there is room for it.
     template <class Make>
     void add(Make&& make) {
-        if (m_count < m_capacity) m_out[m_count] = make();
+        if (m_count < m_capacity) writeRow<Row>(m_out + size_t(m_count) * m_rowSize, make(), m_rowSize);
         ++m_count;
     }
     /// Throws RUBBLE_ERROR_CAPACITY if some rows did not fit.
@@ -54,8 +59,8 @@ public:
     }
 
 private:
-    Row* m_out;
-    uint32_t m_capacity;
+    char* m_out;
+    uint32_t m_capacity, m_rowSize;
     uint32_t& m_count;
 };
 

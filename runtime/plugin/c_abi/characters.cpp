@@ -1,5 +1,6 @@
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
+#include "runtime/plugin/c_abi/rows.h"
 #include "runtime/world/objects/object_errors.h"
 
 namespace rubble::abi {
@@ -71,14 +72,18 @@ rubble_result getCharacterStates(rubble_world world, rubble_character_state* out
     return guarded("get_character_states", [&] {
         const auto hosted = Registry::instance().world(world);
         RowWriter<rubble_character_state> rows(out, capacity, count);
-        hosted->loop.world().characters().forEach([&](CharacterHandle handle, const Character& character) {
-            rows.add([&] { return characterState(handle, character); });
-        });
+        writeRows(*hosted, rows);
         rows.finish();
     });
 }
 
 }  // namespace
+
+void writeRows(const HostedWorld& hosted, RowWriter<rubble_character_state>& rows) {
+    hosted.loop.world().characters().forEach([&](CharacterHandle handle, const Character& character) {
+        rows.add([&] { return characterState(handle, character); });
+    });
+}
 
 void setCharacterFunctions(rubble_api& api) {
     api.add_character = addCharacter;

@@ -1,8 +1,10 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <string>
@@ -10,6 +12,7 @@
 #include "runtime/core/handle.h"
 #include "runtime/core/range_check.h"
 #include "runtime/core/ranges.h"
+#include "runtime/plugin/c_abi/first_sizes.h"
 #include "runtime/plugin/include/rubble/rubble.h"
 
 // Reads the host's arguments. Every function throws ApiError with the name of the argument, what was expected and what
@@ -32,14 +35,16 @@ T& requireNotNull(T* pointer, const char* name) {
     return *pointer;
 }
 
-/// Checks struct_size. Fields behind those of this version must be zero: a newer host is told that this plugin does not
-/// know them, instead of getting less than it asked for.
+/// Checks struct_size. A host that was built with an older version gives less than is known here, but never less than
+/// the first version. What a newer host gives beyond must be zero: it is told that this plugin does not know it,
+/// instead of getting less than it asked for.
 template <class T>
 void checkStructSize(const T& given, const char* name) {
+    static_assert(kFirstSize<T> > 0, "a struct without a line in RUBBLE_FIRST_SIZES");
     const uint32_t size = given.struct_size;
-    if (size < sizeof(T) || size > kMaxStructSize)
-        throw ApiError{RUBBLE_ERROR_STRUCT_SIZE,
-                       fmt::format("{}->struct_size is {}, expected {}", name, size, sizeof(T))};
+    if (size < kFirstSize<T> || size > kMaxStructSize)
+        throw ApiError{RUBBLE_ERROR_STRUCT_SIZE, fmt::format("{}->struct_size is {}, expected {}, or {} at least", name,
+                                                             size, sizeof(T), kFirstSize<T>)};
     const auto* bytes = reinterpret_cast<const unsigned char*>(&given);
     for (size_t i = sizeof(T); i < size; ++i)
         if (bytes[i])
@@ -47,22 +52,53 @@ void checkStructSize(const T& given, const char* name) {
                            fmt::format("{} sets a field at byte {} that this plugin does not know", name, i)};
 }
 
-/// A struct that the host has filled in.
+/// The `size` bytes that a host knows of a struct, and zeros.
 template <class T>
-const T& readStruct(const T* given, const char* name) {
-    checkStructSize(requireNotNull(given, name), name);
-    if constexpr (requires { given->reserved; })
-        if (given->reserved)
-            throw ApiError{RUBBLE_ERROR_ARGUMENT, fmt::format("{}->reserved is {}, expected 0", name, given->reserved)};
-    return *given;
+T copyStruct(const void* given, size_t size) {
+    T out = {};
+    std::memcpy(static_cast<void*>(&out), given, std::min(size, sizeof(T)));
+    return out;
 }
 
-/// Writes all fields of a struct of results except its struct_size. Fields of a newer host stay zero.
+/// A field that has no meaning yet: one that a host sets would get another meaning later.
+inline void readReserved(uint64_t given, const char* name) {
+    if (given) throw ApiError{RUBBLE_ERROR_ARGUMENT, fmt::format("{} is {}, expected 0", name, given)};
+}
+
+/// A struct that the host has filled in; fields that the host does not know are zero.
+template <class T>
+T readStruct(const T* given, const char* name) {
+    checkStructSize(requireNotNull(given, name), name);
+    const T read = copyStruct<T>(given, given->struct_size);
+    if constexpr (requires { read.reserved; })
+        if (read.reserved) readReserved(read.reserved, (std::string(name) + "->reserved").c_str());
+    return read;
+}
+
+/// Writes the fields of a struct of results that the host knows, except its struct_size. Those of a newer host stay
+/// zero.
 template <class T>
 void writeStruct(T* out, T values) {
     checkStructSize(requireNotNull(out, "out"), "out");
     values.struct_size = out->struct_size;
-    *out = values;
+    std::memcpy(static_cast<void*>(out), &values, std::min<size_t>(values.struct_size, sizeof(T)));
+}
+
+/// The bytes from one row of a host's array to the next, as it gives them; 0: those of the first version.
+template <class Row>
+uint32_t readRowSize(uint32_t given, const char* name) {
+    if (!given) return kFirstSize<Row>;
+    if (given >= kFirstSize<Row> && given <= kMaxStructSize) return given;
+    throw ApiError{RUBBLE_ERROR_ARGUMENT,
+                   fmt::format("{} is {}, expected {} to {}", name, given, kFirstSize<Row>, kMaxStructSize)};
+}
+
+/// Writes a row into `size` bytes: the fields that the host knows. Those of a newer host are zero.
+template <class Row>
+void writeRow(void* out, const Row& row, size_t size) {
+    const size_t known = std::min(size, sizeof row);
+    std::memcpy(out, &row, known);
+    std::memset(static_cast<char*>(out) + known, 0, size - known);
 }
 
 /// Throws what lightError(), jointError() and their like have found, if anything.
@@ -82,12 +118,19 @@ inline glm::dvec3 readVectorAt(const double* values, const char* name) {
     return readVector(reinterpret_cast<const double(&)[3]>(requireNotNull(values, name)), name);
 }
 
-/// Three finite numbers that are not all zero.
+/// Three finite numbers that are not all zero, whose squares are numbers of full precision: a very short or very long
+/// direction is scaled.
 inline glm::dvec3 readDirection(const double (&values)[3], const char* name) {
     const glm::dvec3 direction = readVector(values, name);
-    if (direction == glm::dvec3(0.0))
+    const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+    if (largest == 0.0)
         throw ApiError{RUBBLE_ERROR_ARGUMENT, std::string(name) + " is zero, expected any other length"};
-    return direction;
+    return largest < 1e-12 ? direction / largest : direction;
+}
+
+/// The same from an argument that C passes as a pointer.
+inline glm::dvec3 readDirectionAt(const double* values, const char* name) {
+    return readDirection(reinterpret_cast<const double(&)[3]>(requireNotNull(values, name)), name);
 }
 
 /// A number in a range; 0 is a number like any other.

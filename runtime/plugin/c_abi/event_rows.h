@@ -12,6 +12,8 @@ class EventRows {
 public:
     /// Replaces all rows by those of a step.
     void fill(const FrameChanges& changes);
+    /// Removes all rows: the world that they were of is gone.
+    void clear() { fill({}); }
     /// Pointers to the rows and their counts, valid until the next fill(); struct_size is left to the caller.
     rubble_events view() const;
 

@@ -20,9 +20,11 @@ void setCharacterFunctions(rubble_api& api);
 void setLightFunctions(rubble_api& api);
 /// Sets get_events() and the functions that read bodies, shapes, voxel accounting, hash and statistics.
 void setStateFunctions(rubble_api& api);
+/// Sets read_rows().
+void setRowFunctions(rubble_api& api);
 /// Sets ray casts, shape casts, overlap queries and find_closest_point().
 void setQueryFunctions(rubble_api& api);
-/// Sets the functions of saved games and recordings.
+/// Sets the functions of saved games and recordings, and translate_handle().
 void setSaveFunctions(rubble_api& api);
 /// Sets the functions of renderers.
 void setRendererFunctions(rubble_api& api);

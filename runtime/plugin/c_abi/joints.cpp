@@ -1,5 +1,6 @@
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
+#include "runtime/plugin/c_abi/rows.h"
 
 namespace rubble::abi {
 namespace {
@@ -55,6 +56,7 @@ AddJointEdit readJoint(const World& world, const rubble_joint_settings& given) {
                    readOrDefault(given.max_steer_angle, ranges::kSteerAngle, 0.0, "max_steer_angle"),
                    readOrDefault(given.steer_rate, ranges::kSteerRate, joint.wheel.steerRate, "steer_rate")};
     requireNoError(jointError(joint));
+    requireNoError(jointEndsError(joint));
     return {joint};
 }
 
@@ -121,11 +123,8 @@ rubble_joint_state jointState(const World& world, JointHandle handle, const Join
 rubble_result getJointStates(rubble_world world, rubble_joint_state* out, uint32_t capacity, uint32_t* count) {
     return guarded("get_joint_states", [&] {
         const auto hosted = Registry::instance().world(world);
-        const World& inside = hosted->loop.world();
         RowWriter<rubble_joint_state> rows(out, capacity, count);
-        inside.joints().forEach([&](JointHandle handle, const Joint& joint) {
-            rows.add([&] { return jointState(inside, handle, joint); });
-        });
+        writeRows(*hosted, rows);
         rows.finish();
     });
 }
@@ -142,6 +141,12 @@ rubble_result getRopePoints(rubble_world world, rubble_joint joint, double* out,
 }
 
 }  // namespace
+
+void writeRows(const HostedWorld& hosted, RowWriter<rubble_joint_state>& rows) {
+    const World& inside = hosted.loop.world();
+    inside.joints().forEach(
+        [&](JointHandle handle, const Joint& joint) { rows.add([&] { return jointState(inside, handle, joint); }); });
+}
 
 void setJointFunctions(rubble_api& api) {
     api.add_joint = addJoint;

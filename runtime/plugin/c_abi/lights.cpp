@@ -134,10 +134,7 @@ rubble_result setEnvironment(rubble_world world, const rubble_environment* envir
 rubble_result applySky(rubble_environment* environment, const double* sunDirection) {
     return guarded("apply_sky_model", [&] {
         Environment now = readEnvironment(readStruct(environment, "environment"));
-        const glm::dvec3 direction = readVectorAt(sunDirection, "sun_direction");
-        if (!(glm::length(direction) > 1e-6))
-            throw ApiError{RUBBLE_ERROR_ARGUMENT, "sun_direction is zero, expected any other length"};
-        applySkyModel(now, glm::vec3(direction));
+        applySkyModel(now, glm::vec3(readDirectionAt(sunDirection, "sun_direction")));
         writeStruct(environment, toHost(now));
     });
 }

@@ -8,7 +8,7 @@ namespace {
 QueryFilter readFilter(const rubble_query_filter* given) {
     QueryFilter filter;
     if (!given) return filter;
-    const rubble_query_filter& read = readStruct(given, "filter");
+    const rubble_query_filter read = readStruct(given, "filter");
     const uint32_t flags = readFlags(read.flags,
                                      RUBBLE_FILTER_REJECT_STATIC | RUBBLE_FILTER_REJECT_DYNAMIC |
                                          RUBBLE_FILTER_REJECT_TRANSPARENT | RUBBLE_FILTER_REJECT_UNPHYSICAL,
@@ -32,6 +32,7 @@ QueryFilter readFilter(const rubble_query_filter* given) {
 QueryShape readShape(const rubble_query_shape& given) {
     QueryShape shape;
     shape.kind = QueryShapeKind(readEnum(given.kind, RUBBLE_QUERY_CAPSULE, "kind"));
+    readReserved(given.reserved, "reserved");
     shape.position = readVector(given.position, "position");
     shape.end = readVector(given.end, "end");
     shape.radius = readOrDefault(given.radius, ranges::kQuerySize, 0.0, "radius");
@@ -68,12 +69,23 @@ rubble_result castOneRay(rubble_world world, const double origin[3], const doubl
     return guarded("cast_ray", [&] {
         const auto hosted = Registry::instance().world(world);
         const glm::dvec3 from = readVectorAt(origin, "origin");
-        requireNotNull(direction, "direction");
-        const glm::dvec3 along = readDirection(reinterpret_cast<const double(&)[3]>(*direction), "direction");
+        const glm::dvec3 along = readDirectionAt(direction, "direction");
         const double distance = readDistance(maxDistance);
         const World& inside = hosted->loop.world();
         requireNotNull(out, "out") = hitRow(inside, castRay(inside, {from, along, distance}));
     });
+}
+
+/// The distances between the rows of both arrays of a batch.
+struct RowSizes {
+    uint32_t query, hit;
+};
+
+template <class Row>
+RowSizes readRowSizes(const rubble_query_filter* filter) {
+    const auto read = filter ? copyStruct<rubble_query_filter>(filter, filter->struct_size) : rubble_query_filter{};
+    return {readRowSize<Row>(read.query_size, "filter->query_size"),
+            readRowSize<rubble_hit>(read.hit_size, "filter->hit_size")};
 }
 
 /// Answers each row of the host's array by one of `out`: read(row) makes a query, cast() answers them all.
@@ -81,12 +93,19 @@ template <class Query, class Row, class Read, class Cast>
 void castAll(const World& world, const Row* rows, const char* name, uint32_t count, const rubble_query_filter* filter,
              rubble_hit* out, Read&& read, Cast&& cast) {
     const QueryFilter rejecting = readFilter(filter);
+    const RowSizes sizes = readRowSizes<Row>(filter);
     if (count) requireNotNull(rows, name), requireNotNull(out, "out");
     std::vector<Query> queries(count);
     std::vector<WorldHit> hits(count);
-    for (uint32_t i = 0; i < count; ++i) queries[i] = read(rows[i]);
+    const auto* given = reinterpret_cast<const char*>(rows);
+    for (uint32_t i = 0; i < count; ++i) try {
+            queries[i] = read(copyStruct<Row>(given + size_t(i) * sizes.query, sizes.query));
+        } catch (const ApiError& error) {
+            throw ApiError{error.code, fmt::format("{}[{}].{}", name, i, error.text)};
+        }
     cast(queries, hits, rejecting);
-    for (uint32_t i = 0; i < count; ++i) out[i] = hitRow(world, hits[i]);
+    for (uint32_t i = 0; i < count; ++i)
+        writeRow(reinterpret_cast<char*>(out) + size_t(i) * sizes.hit, hitRow(world, hits[i]), sizes.hit);
 }
 
 rubble_result castManyRays(rubble_world world, const rubble_ray* rays, uint32_t count,

@@ -1,5 +1,6 @@
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
+#include "runtime/plugin/c_abi/rows.h"
 
 namespace rubble::abi {
 namespace {
@@ -66,8 +67,7 @@ rubble_result getTriggerEvents(rubble_world world, rubble_trigger_event* out, ui
     return guarded("get_trigger_events", [&] {
         const auto hosted = Registry::instance().world(world);
         RowWriter<rubble_trigger_event> rows(out, capacity, count);
-        for (const TriggerEvent& event : hosted->loop.changes().triggerEvents)
-            rows.add([&] { return rubble_trigger_event{event.trigger.bits, event.body.bits, event.entered, 0}; });
+        writeRows(*hosted, rows);
         rows.finish();
     });
 }
@@ -85,6 +85,11 @@ rubble_result getTriggerBodies(rubble_world world, rubble_trigger trigger, rubbl
 }
 
 }  // namespace
+
+void writeRows(const HostedWorld& hosted, RowWriter<rubble_trigger_event>& rows) {
+    for (const TriggerEvent& event : hosted.loop.changes().triggerEvents)
+        rows.add([&] { return rubble_trigger_event{event.trigger.bits, event.body.bits, event.entered, 0}; });
+}
 
 void setRegionFunctions(rubble_api& api) {
     api.add_water = addWater;

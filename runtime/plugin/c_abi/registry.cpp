@@ -18,6 +18,12 @@ auto& lookUp(Map& map, Id id, const char* name) {
 
 }  // namespace
 
+void throwInUse(const char* name) {
+    throw ApiError{RUBBLE_ERROR_BUSY, std::string(name) +
+                                          " is in another call: expected calls one at a time, found one from another "
+                                          "thread or from a log callback"};
+}
+
 Registry& Registry::instance() {
     static Registry registry;
     return registry;
@@ -51,14 +57,16 @@ WorldId Registry::createWorld(FrameLoopSettings settings, bool drawable) {
 void Registry::destroyWorld(WorldId id) {
     std::shared_ptr<HostedWorld> last;  // destroyed after the lock is released, because that joins a thread
     const std::lock_guard lock(m_mutex);
-    last = std::move(lookUp(m_worlds, id, "world"));
+    std::shared_ptr<HostedWorld>& found = lookUp(m_worlds, id, "world");
+    if (found->isInCall.exchange(true)) throwInUse("world");
+    last = std::move(found);
     m_worlds.erase(id);
     const World& world = last->loop.world();
     uint32_t& first = m_firstGeneration[world.id()];
     first = std::max(first, highestGeneration(world.data()) + 1);
 }
 
-std::shared_ptr<HostedWorld> Registry::world(uint64_t handle) {
+std::shared_ptr<HostedWorld> Registry::findWorld(uint64_t handle) {
     const std::lock_guard lock(m_mutex);
     return lookUp(m_worlds, readHandle<HandleType::World>(handle, "world"), "world");
 }
@@ -71,13 +79,19 @@ RendererId Registry::addRenderer(std::shared_ptr<HostedRenderer> renderer) {
 void Registry::destroyRenderer(RendererId id) {
     std::shared_ptr<HostedRenderer> last;
     const std::lock_guard lock(m_mutex);
-    last = std::move(lookUp(m_renderers, id, "renderer"));
+    std::shared_ptr<HostedRenderer>& found = lookUp(m_renderers, id, "renderer");
+    if (found->isInCall.exchange(true)) throwInUse("renderer");
+    last = std::move(found);
     m_renderers.erase(id);
 }
 
-std::shared_ptr<HostedRenderer> Registry::renderer(uint64_t handle) {
-    const std::lock_guard lock(m_mutex);
-    return lookUp(m_renderers, readHandle<HandleType::Renderer>(handle, "renderer"), "renderer");
+Use<HostedRenderer> Registry::renderer(uint64_t handle) {
+    std::shared_ptr<HostedRenderer> found;
+    {
+        const std::lock_guard lock(m_mutex);
+        found = lookUp(m_renderers, readHandle<HandleType::Renderer>(handle, "renderer"), "renderer");
+    }
+    return Use(std::move(found), "renderer");
 }
 
 }  // namespace rubble::abi

@@ -1,7 +1,9 @@
 #pragma once
 #include <array>
+#include <atomic>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 #include "runtime/core/slot_map.h"
 #include "runtime/plugin/c_abi/event_rows.h"
@@ -12,6 +14,8 @@ namespace rubble::abi {
 using WorldId = Handle<HandleType::World>;
 using RendererId = Handle<HandleType::Renderer>;
 
+struct HostedRenderer;
+
 /// A world of the host and the events of its last step.
 struct HostedWorld {
     /// Makes an empty world.
@@ -19,7 +23,9 @@ struct HostedWorld {
     FrameLoop loop;
     EventRows events;
     bool drawable = true;
-    bool hadRenderer = false;  ///< snapshots are handed over once: a second renderer would miss what the first one took
+    std::atomic<bool> isInCall = false;      ///< of a [main-thread] function
+    std::weak_ptr<HostedRenderer> renderer;  ///< [render-thread] the one that draws it
+    bool hadRenderer = false;                ///< [render-thread] another one has taken what was published until now
 };
 
 /// A renderer of the host and the world that it draws.
@@ -27,10 +33,32 @@ struct HostedRenderer {
     std::weak_ptr<HostedWorld> world;
     std::unique_ptr<Renderer> renderer;
     double applyMs = 0.0, drawMs = 0.0;  ///< of the last draw()
+    std::atomic<bool> isInCall = false;
 };
 
-/// All worlds and renderers of the process, by handle. [any-thread] What a call returns stays alive until the caller
-/// drops it, even if another thread destroys it meanwhile.
+/// Throws the ApiError of a world or renderer that is in use. `name`: of the argument.
+[[noreturn]] void throwInUse(const char* name);
+
+/// A call's use of a world or renderer, which stays alive until the call ends, even if another thread destroys it
+/// meanwhile. Only one call at a time can use one: another thread, or a log callback inside the call, is told so.
+template <class Hosted>
+class Use {
+public:
+    /// Throws ApiError if it is in use. `name`: of the argument.
+    Use(std::shared_ptr<Hosted> hosted, const char* name) : m_hosted(std::move(hosted)) {
+        if (m_hosted->isInCall.exchange(true, std::memory_order_acquire)) throwInUse(name);
+    }
+    ~Use() { m_hosted->isInCall.store(false, std::memory_order_release); }
+    Use(const Use&) = delete;
+    Use& operator=(const Use&) = delete;
+    Hosted* operator->() const { return m_hosted.get(); }
+    Hosted& operator*() const { return *m_hosted; }
+
+private:
+    std::shared_ptr<Hosted> m_hosted;
+};
+
+/// All worlds and renderers of the process, by handle. [any-thread]
 class Registry {
 public:
     /// The one registry of the process.
@@ -40,17 +68,20 @@ public:
     /// Makes a world whose handles carry its number; those of destroyed worlds that had it are stale. Throws ApiError
     /// if there are 255.
     WorldId createWorld(FrameLoopSettings settings, bool drawable);
-    /// Throws ApiError for a stale handle.
+    /// Throws ApiError for a stale handle, and if the world is in use.
     void destroyWorld(WorldId id);
-    /// The world of a handle of any kind. Throws ApiError if it is not that of a world, or stale.
-    std::shared_ptr<HostedWorld> world(uint64_t handle);
+    /// The world of a handle of any kind, for a [main-thread] call. Throws ApiError if it is not that of a world, or
+    /// stale, or in use.
+    Use<HostedWorld> world(uint64_t handle) { return Use(findWorld(handle), "world"); }
+    /// The same for a [render-thread] call, which may run beside one of the main thread.
+    std::shared_ptr<HostedWorld> findWorld(uint64_t handle);
 
     /// Takes a renderer over and gives it a handle.
     RendererId addRenderer(std::shared_ptr<HostedRenderer> renderer);
-    /// Throws ApiError for a stale handle. The GL context of the renderer must be current.
+    /// Throws ApiError for a stale handle, and if the renderer is in use. Its GL context must be current.
     void destroyRenderer(RendererId id);
-    /// The renderer of a handle. Throws ApiError if it is not that of a renderer, or stale.
-    std::shared_ptr<HostedRenderer> renderer(uint64_t handle);
+    /// The renderer of a handle. Throws ApiError if it is not that of a renderer, or stale, or in use.
+    Use<HostedRenderer> renderer(uint64_t handle);
 
 private:
     std::mutex m_mutex;

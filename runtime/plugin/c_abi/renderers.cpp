@@ -29,20 +29,23 @@ RenderSettings readSettings(const rubble_renderer_settings& given) {
 rubble_result createRenderer(rubble_world world, const rubble_renderer_settings* settings, rubble_renderer* out) {
     return guarded("create_renderer", [&] {
         requireNotNull(out, "out") = 0;
-        const auto hosted = Registry::instance().world(world);
-        const rubble_renderer_settings& read = readStruct(settings, "settings");
+        const auto hosted = Registry::instance().findWorld(world);
+        const rubble_renderer_settings read = readStruct(settings, "settings");
         const std::string folder = &requireNotNull(read.shader_folder, "settings->shader_folder");
         const RenderSettings wanted = readSettings(read);
         if (!host().gl_get_proc_address)
             throw ApiError{RUBBLE_ERROR_GL, "the host has set no gl_get_proc_address: call set_host() with one first"};
         if (!hosted->drawable)
             throw ApiError{RUBBLE_ERROR_ARGUMENT, "the world was created with RUBBLE_WORLD_NO_RENDERER"};
-        if (hosted->hadRenderer)
-            throw ApiError{RUBBLE_ERROR_ARGUMENT, "the world has or had a renderer; it can have one in its life"};
+        if (!hosted->renderer.expired())
+            throw ApiError{RUBBLE_ERROR_ARGUMENT, "the world has a renderer; destroy that one first"};
         Result<std::unique_ptr<Renderer>> renderer = Renderer::create(host().gl_get_proc_address, folder, wanted);
         if (!renderer) throw ApiError{RUBBLE_ERROR_GL, renderer.error()};
-        hosted->hadRenderer = true;
-        const auto made = std::make_shared<HostedRenderer>(HostedRenderer{hosted, std::move(*renderer)});
+        if (std::exchange(hosted->hadRenderer, true)) hosted->loop.restartDrawing();
+        const auto made = std::make_shared<HostedRenderer>();
+        made->world = hosted;
+        made->renderer = std::move(*renderer);
+        hosted->renderer = made;
         *out = Registry::instance().addRenderer(made).bits;
     });
 }
@@ -71,7 +74,7 @@ rubble_result draw(rubble_renderer renderer, const rubble_view* view) {
         const auto hosted = Registry::instance().renderer(renderer);
         const auto world = hosted->world.lock();
         if (!world) throw ApiError{RUBBLE_ERROR_STALE, "the renderer's world is destroyed"};
-        const rubble_view& given = readStruct(view, "view");
+        const rubble_view given = readStruct(view, "view");
         const double alpha = readOrDefault(given.alpha, {0.0, 1.0}, 0.0, "alpha");
         world->loop.draw(*hosted->renderer, readView(given), float(alpha));
         if (const std::string& error = hosted->renderer->lastError(); !error.empty())

@@ -21,6 +21,47 @@ rubble_result loadGame(rubble_world world, const char* path) {
         Result<SavedGame> game = readSave(&requireNotNull(path, "path"), hosted->loop.world().id());
         if (!game) throw ApiError{RUBBLE_ERROR_FILE, game.error()};
         hosted->loop.load(std::move(*game));
+        hosted->events.clear();
+    });
+}
+
+template <class Map>
+bool isKnown(const Map& map, uint64_t bits) {
+    return map.find({bits}) != nullptr;
+}
+
+/// Whether a handle names something in the World; those of worlds and renderers do not.
+bool namesSomething(const World& world, uint64_t bits) {
+    switch (Handle<HandleType::None>{bits}.type()) {
+        case HandleType::Body:
+            return isKnown(world.bodies(), bits);
+        case HandleType::Shape:
+            return isKnown(world.shapes(), bits);
+        case HandleType::Light:
+            return isKnown(world.lights(), bits);
+        case HandleType::LightGroup:
+            return isKnown(world.lightGroups(), bits);
+        case HandleType::Water:
+            return isKnown(world.waters(), bits);
+        case HandleType::Trigger:
+            return isKnown(world.triggers(), bits);
+        case HandleType::Character:
+            return isKnown(world.characters(), bits);
+        case HandleType::Joint:
+            return isKnown(world.joints(), bits);
+        default:
+            return false;
+    }
+}
+
+rubble_result translateHandle(rubble_world world, uint64_t handle, uint64_t* out) {
+    return guarded("translate_handle", [&] {
+        requireNotNull(out, "out") = 0;
+        const auto hosted = Registry::instance().world(world);
+        const World& inside = hosted->loop.world();
+        const uint64_t here = withWorld(handle, inside.id());
+        if (!namesSomething(inside, here)) throw ApiError{RUBBLE_ERROR_STALE, "handle names nothing in this world"};
+        *out = here;
     });
 }
 
@@ -42,6 +83,7 @@ rubble_result playRecording(rubble_world world, const char* path, uint64_t* step
         Result<Recording> recording = readRecording(&requireNotNull(path, "path"), loop.world().id());
         if (!recording) throw ApiError{RUBBLE_ERROR_FILE, recording.error()};
         loop.load(std::move(recording->start));
+        hosted->events.clear();
         for (const RecordedStep& step : recording->steps) {
             loop.replay(step);
             hosted->events.fill(loop.changes());
@@ -58,6 +100,7 @@ rubble_result playRecording(rubble_world world, const char* path, uint64_t* step
 }  // namespace
 
 void setSaveFunctions(rubble_api& api) {
+    api.translate_handle = translateHandle;
     api.save_game = saveGame;
     api.load_game = loadGame;
     api.start_recording = startRecording;

@@ -1,5 +1,6 @@
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
+#include "runtime/plugin/c_abi/rows.h"
 
 namespace rubble::abi {
 namespace {
@@ -42,8 +43,7 @@ rubble_result getBodyStates(rubble_world world, rubble_body_state* out, uint32_t
     return guarded("get_body_states", [&] {
         const auto hosted = Registry::instance().world(world);
         RowWriter<rubble_body_state> rows(out, capacity, count);
-        hosted->loop.world().bodies().forEach(
-            [&](BodyHandle handle, const Body& body) { rows.add([&] { return bodyState(handle, body); }); });
+        writeRows(*hosted, rows);
         rows.finish();
     });
 }
@@ -59,15 +59,8 @@ rubble_result getShapeStates(rubble_world world, rubble_body body, rubble_shape_
                              uint32_t* count) {
     return guarded("get_shape_states", [&] {
         const auto hosted = Registry::instance().world(world);
-        const World& inside = hosted->loop.world();
         RowWriter<rubble_shape_state> rows(out, capacity, count);
-        const auto add = [&](ShapeHandle handle, const Shape& shape) {
-            rows.add([&] { return shapeState(inside, handle, shape); });
-        };
-        if (body)
-            for (const ShapeHandle handle : bodyOf(inside, body).shapes) add(handle, inside.shapes().at(handle));
-        else
-            inside.shapes().forEach(add);
+        writeRows(*hosted, rows, body);
         rows.finish();
     });
 }
@@ -112,6 +105,20 @@ rubble_result getStepStats(rubble_world world, rubble_step_stats* out) {
 }
 
 }  // namespace
+
+void writeRows(const HostedWorld& hosted, RowWriter<rubble_body_state>& rows) {
+    hosted.loop.world().bodies().forEach(
+        [&](BodyHandle handle, const Body& body) { rows.add([&] { return bodyState(handle, body); }); });
+}
+
+void writeRows(const HostedWorld& hosted, RowWriter<rubble_shape_state>& rows, rubble_body body) {
+    const World& inside = hosted.loop.world();
+    const auto add = [&](ShapeHandle handle, const Shape& shape) {
+        rows.add([&] { return shapeState(inside, handle, shape); });
+    };
+    if (!body) return inside.shapes().forEach(add);
+    for (const ShapeHandle handle : bodyOf(inside, body).shapes) add(handle, inside.shapes().at(handle));
+}
 
 void setStateFunctions(rubble_api& api) {
     api.get_events = getEvents;

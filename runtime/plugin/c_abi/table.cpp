@@ -17,6 +17,7 @@ rubble_api makeTable() {
     setCharacterFunctions(api);
     setLightFunctions(api);
     setStateFunctions(api);
+    setRowFunctions(api);
     setQueryFunctions(api);
     setSaveFunctions(api);
     setRendererFunctions(api);

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "runtime/assets/assets.h"
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
@@ -6,20 +8,26 @@
 namespace rubble::abi {
 namespace {
 
-FrameLoopSettings loopSettings(uint32_t flags) {
+constexpr NumberRange kPhysicsThreads{1, 64};
+
+FrameLoopSettings loopSettings(const rubble_world_settings& given) {
+    const uint32_t flags = given.flags;
     readFlags(flags, RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_INLINE | RUBBLE_WORLD_WAIT_FOR_SHADOW,
               "settings->flags");
     FrameLoopSettings settings;
     settings.publish = settings.shadowVolume = !(flags & RUBBLE_WORLD_NO_RENDERER);
     settings.shadow = flags & RUBBLE_WORLD_SHADOW_INLINE ? ShadowWorker::Mode::Inline : ShadowWorker::Mode::Thread;
     settings.waitForShadow = flags & RUBBLE_WORLD_WAIT_FOR_SHADOW;
+    settings.physicsThreads =
+        int(readOrDefault(given.physics_threads, kPhysicsThreads, 1, "settings->physics_threads"));
     return settings;
 }
 
 rubble_result createWorld(const rubble_world_settings* settings, rubble_world* out) {
     return guarded("create_world", [&] {
         requireNotNull(out, "out") = 0;
-        const FrameLoopSettings read = loopSettings(settings ? readStruct(settings, "settings").flags : 0);
+        const FrameLoopSettings read =
+            loopSettings(settings ? readStruct(settings, "settings") : rubble_world_settings{});
         *out = Registry::instance().createWorld(read, read.publish).bits;
     });
 }
@@ -35,6 +43,7 @@ rubble_result loadLevel(rubble_world world, const char* path, const char* vdbToo
         const Result<Level> level = readLevel(&requireNotNull(path, "path"), vdbTool ? vdbTool : "");
         if (!level) throw ApiError{RUBBLE_ERROR_FILE, level.error()};
         hosted->loop.load(*level);
+        hosted->events.clear();
     });
 }
 
@@ -59,7 +68,8 @@ rubble_result setBounds(rubble_world world, const rubble_bounds* bounds) {
 
 rubble_result getBounds(rubble_world world, rubble_bounds* out) {
     return guarded("get_bounds", [&] {
-        const World& from = Registry::instance().world(world)->loop.world();
+        const auto hosted = Registry::instance().world(world);
+        const World& from = hosted->loop.world();
         const WorldBox box = from.data().boundsInUse();
         rubble_bounds bounds{};
         bounds.rule = uint32_t(from.settings().bounds.rule);
@@ -79,8 +89,19 @@ rubble_result setUndoLimit(rubble_world world, uint32_t marks) {
     });
 }
 
+bool goesBackOrForth(const Edit& edit) {
+    const auto* history = std::get_if<HistoryEdit>(&edit);
+    return history && history->action != HistoryAction::Mark;
+}
+
 rubble_result pushHistory(const char* function, rubble_world world, HistoryAction action) {
-    return guarded(function, [&] { Registry::instance().world(world)->loop.edits().push(HistoryEdit{action}); });
+    return guarded(function, [&] {
+        const auto hosted = Registry::instance().world(world);
+        const Edits& waiting = hosted->loop.edits().waiting();
+        if (action != HistoryAction::Mark && std::any_of(waiting.begin(), waiting.end(), goesBackOrForth))
+            throw ApiError{RUBBLE_ERROR_ARGUMENT, "expected one undo or redo in a step, found one in the queue"};
+        hosted->loop.edits().push(HistoryEdit{action});
+    });
 }
 
 rubble_result addUndoMark(rubble_world world) {

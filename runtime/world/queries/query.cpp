@@ -1,6 +1,8 @@
 #include "runtime/world/queries/query.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
 #include "runtime/voxel/ray_walk.h"
@@ -123,11 +125,19 @@ bool isBetter(double distance, uint32_t slot, const WorldHit& best) {
     return distance < best.distance || (distance == best.distance && slot < best.shape.slot());
 }
 
+/// The unit vector along a direction of any length; zero for zero. Squares of what is below 1e-154 are zero.
+glm::dvec3 unitVector(glm::dvec3 direction) {
+    const glm::dvec3 size = glm::abs(direction);
+    const double largest = std::max({size.x, size.y, size.z});
+    if (largest < 1e-100 || largest > 1e100) direction /= largest;
+    const double length = glm::length(direction);
+    return length > 0.0 ? direction / length : glm::dvec3(0.0);
+}
+
 WorldHit castRayWith(const WorldData& world, const RayQuery& ray, ShapeFilter& filter) {
     WorldHit best;
-    const double length = glm::length(ray.direction);
-    if (!(length > 0.0) || !(ray.maxDistance > 0.0)) return best;
-    const glm::dvec3 direction = ray.direction / length;
+    const glm::dvec3 direction = unitVector(ray.direction);
+    if (direction == glm::dvec3(0.0) || !(ray.maxDistance > 0.0)) return best;
     best.distance = ray.maxDistance;
     const auto visit = [&](ShapeHandle handle, const Shape& shape) {
         const Pose pose = shapeToWorld(world, handle);
@@ -157,9 +167,8 @@ WorldHit castRayWith(const WorldData& world, const RayQuery& ray, ShapeFilter& f
 
 WorldHit castShapeWith(const WorldData& world, const CastQuery& cast, ShapeFilter& filter) {
     WorldHit best;
-    const double length = glm::length(cast.direction);
-    if (!(cast.maxDistance >= 0.0) || !(length > 0.0 || cast.maxDistance == 0.0)) return best;
-    const glm::dvec3 direction = length > 0.0 ? cast.direction / length : glm::dvec3(0.0);
+    const glm::dvec3 direction = unitVector(cast.direction);
+    if (!(cast.maxDistance >= 0.0) || (direction == glm::dvec3(0.0) && cast.maxDistance != 0.0)) return best;
     best.distance = cast.maxDistance;
     const WorldBox bounds = cast.shape.bounds();
     const glm::dvec3 middle = (bounds.low + bounds.high) * 0.5, halfExtent = (bounds.high - bounds.low) * 0.5;

@@ -34,15 +34,19 @@
  *    are at most 1e9. Colours of voxels are sRGB bytes, colours of light are linear.
  *  - Structs: a struct that begins with `struct_size` is filled in by the host: struct_size = sizeof(the struct),
  *    every other field zero or set. Zero selects the default that the comment names. Such structs may grow at their
- *    end in later versions; fields that this plugin does not know must be zero. Rows of arrays have no struct_size
- *    and never change.
+ *    end in later versions: a field that the host's rubble.h does not have is as if it were zero, and one that this
+ *    plugin does not know must be zero. Fields named `reserved` must be zero.
+ *  - Rows of arrays have no struct_size. They may grow at their end as well: functions with an array write and read
+ * rows of the size that they had in the first version, unless the host says how large its rows are (read_rows(),
+ *    rubble_query_filter).
  *  - The function table may grow at its end: function f exists if api->struct_size > offsetof(rubble_api, f).
  *  - Handles are 64-bit values, not pointers. 0 names nothing. A handle of something that was destroyed is
  *    recognised and answered with RUBBLE_ERROR_STALE; it is never followed.
  *  - Errors: a result other than RUBBLE_OK means that the call had no effect, but for lists that are longer than the
  *    array (see below) and where a function says otherwise. get_last_error() says in words what was expected and what
  *    was found. Numbers that are not finite or out of range are RUBBLE_ERROR_ARGUMENT; the errors named at a function
- *    come on top of RUBBLE_ERROR_NULL, _STRUCT_SIZE, _STALE, _ARGUMENT and _MEMORY, which most functions can give.
+ *    come on top of RUBBLE_ERROR_NULL, _STRUCT_SIZE, _STALE, _ARGUMENT, _BUSY and _MEMORY, which most functions can
+ *    give.
  *  - Edits are commands: the call checks them and puts them into the world's queue. The next step() carries them out
  *    in the order of the calls, those of undo before all others. An edit whose object is destroyed before its turn does
  * nothing, and what only step() can find out (a joint without a voxel to hold on to, an undo where no marks are kept)
@@ -55,7 +59,8 @@
  *  - Threads: [main-thread] functions of one world are called by one thread at a time; different worlds may be
  *    stepped at the same time. [render-thread] functions are called by the thread that has the GL context current,
  *    one at a time; they may run beside the main thread. [any-thread] functions may be called from everywhere.
- *    Destroy a world only while its renderer is not drawing.
+ *    A call for a world or a renderer that is in another call, of another thread or around a log callback, has no
+ *    effect: RUBBLE_ERROR_BUSY. Destroy a world only while its renderer is not drawing.
  *  - Determinism: the same level, edits and number of steps give the same state bit for bit with the same build of
  *    the plugin; get_state_hash() compares. Frame times, threads and the renderer have no influence.
  *  - The plugin opens no window, makes no GL context, opens no file that the host did not name (a file that it
@@ -75,8 +80,10 @@ extern "C" {
 /* The version of this interface. Ask for it in rubble_get_api(). */
 #define RUBBLE_VERSION 1u
 
-#if defined(_WIN32)
-#define RUBBLE_EXPORT
+#if defined(_WIN32) && defined(RUBBLE_BUILDS_LIBRARY)
+#define RUBBLE_EXPORT __declspec(dllexport)
+#elif defined(_WIN32)
+#define RUBBLE_EXPORT __declspec(dllimport)
 #else
 #define RUBBLE_EXPORT __attribute__((visibility("default")))
 #endif
@@ -106,10 +113,11 @@ enum {
     RUBBLE_ERROR_ARGUMENT = 5, /* a value is out of range */
     /* the array is too short: *count says how long it must be; or there are 255 worlds already */
     RUBBLE_ERROR_CAPACITY = 6,
-    RUBBLE_ERROR_FILE = 7,     /* the file is missing, damaged, of an unknown kind, or cannot be written */
-    RUBBLE_ERROR_GL = 8,       /* OpenGL lacks something, the context was lost, or a shader does not compile */
-    RUBBLE_ERROR_MEMORY = 9,   /* out of memory */
-    RUBBLE_ERROR_INTERNAL = 10 /* a bug of the plugin: please report the text of get_last_error() */
+    RUBBLE_ERROR_FILE = 7,      /* the file is missing, damaged, of an unknown kind, or cannot be written */
+    RUBBLE_ERROR_GL = 8,        /* OpenGL lacks something, the context was lost, or a shader does not compile */
+    RUBBLE_ERROR_MEMORY = 9,    /* out of memory */
+    RUBBLE_ERROR_INTERNAL = 10, /* a bug of the plugin: please report the text of get_last_error() */
+    RUBBLE_ERROR_BUSY = 11 /* the world or renderer is in another call: of another thread, or around a log callback */
 };
 
 /* ---- host and worlds ---- */
@@ -122,7 +130,8 @@ typedef struct rubble_host {
     uint32_t reserved;
     void* user; /* passed to log */
     /* Receives messages of level RUBBLE_LOG_..., UTF-8, without a line break. Called from any thread, one message
-     * at a time. Null: messages go to standard error. */
+     * at a time. Null: messages go to standard error, as do those that a call from the callback logs. It may call all
+     * functions, set_host() too, but none for the world or renderer whose call has logged: RUBBLE_ERROR_BUSY. */
     void (*log)(void* user, int32_t level, const char* message);
     /* Returns the address of a GL function in the current context, as SDL_GL_GetProcAddress and its like do.
      * Null: no renderer can be created. */
@@ -140,7 +149,9 @@ enum {
 
 typedef struct rubble_world_settings {
     uint32_t struct_size;
-    uint32_t flags; /* RUBBLE_WORLD_... */
+    uint32_t flags;           /* RUBBLE_WORLD_... */
+    uint32_t physics_threads; /* with the one that calls step(), 1 to 64; 0: 1. Results do not depend on it */
+    uint32_t reserved;
 } rubble_world_settings;
 
 /* Where the world ends. A free body that has left the box with all of its voxels is removed in the next step, and its
@@ -588,6 +599,8 @@ typedef struct rubble_query_filter {
     uint32_t reserved;
     const rubble_body* rejected_bodies; /* are not found; stale handles do no harm */
     const rubble_shape* rejected_shapes;
+    uint32_t query_size; /* sizeof(rubble_ray) or sizeof(rubble_shape_cast) of the host; 0: those of version 1 */
+    uint32_t hit_size;   /* sizeof(rubble_hit) of the host; 0: that of version 1 */
 } rubble_query_filter;
 
 /* A ray, or a sphere that moves along one. */
@@ -630,6 +643,30 @@ typedef struct rubble_hit {
     int32_t cell[3]; /* of the shape's grid */
     uint32_t reserved;
 } rubble_hit;
+
+/* ---- lists with rows of any version ---- */
+
+enum {
+    RUBBLE_ROWS_BODIES = 0,         /* rubble_body_state */
+    RUBBLE_ROWS_SHAPES = 1,         /* rubble_shape_state */
+    RUBBLE_ROWS_JOINTS = 2,         /* rubble_joint_state */
+    RUBBLE_ROWS_CHARACTERS = 3,     /* rubble_character_state */
+    RUBBLE_ROWS_TRIGGER_EVENTS = 4, /* rubble_trigger_event, of the last step */
+    RUBBLE_ROWS_REMOVED_VOXELS = 5, /* rubble_removed_voxels, as in get_events() */
+    RUBBLE_ROWS_SPLITS = 6,         /* rubble_shape_split, as in get_events() */
+    RUBBLE_ROWS_DUST_CLOUDS = 7     /* rubble_dust_cloud, as in get_events() */
+};
+
+/* What read_rows() lists. A host that gives sizeof of the row in its own rubble.h works with every version of the
+ * plugin: an older plugin leaves the fields zero that it does not know, a newer one leaves out those that the host does
+ * not know. */
+typedef struct rubble_row_list {
+    uint32_t struct_size;
+    uint32_t kind;     /* RUBBLE_ROWS_... */
+    uint32_t row_size; /* bytes from one row to the next: sizeof(the row); 0: that of version 1 */
+    uint32_t reserved;
+    rubble_body body; /* RUBBLE_ROWS_SHAPES: of this body only; 0: of all */
+} rubble_row_list;
 
 /* ---- sky, sun, air and lights ---- */
 
@@ -764,7 +801,8 @@ typedef struct rubble_api {
     rubble_result (*destroy_world)(rubble_world world);
     /* [main-thread] Replaces the whole world by a level: a .rubble, .vdb or .vox file, told apart by the ending
      * of the UTF-8 path. vdb_tool: path of the program rubble-vdb, which is run as a child process for .vdb
-     * files; may be null for others. Drops the edits that wait in the queue, and stops a recording. Bodies begin
+     * files; may be null for others. Drops the edits that wait in the queue, with a warning in the log, and stops a
+     * recording. Until the next step() get_events() is empty. Bodies begin
      * asleep where the level has them, in the air too, until something wakes them: a hit, an impulse (one of length 0
      * is enough), or an edit that changes what they touch. Those to which the level gives a velocity begin awake.
      * RUBBLE_ERROR_FILE says what is wrong with the file and where; the world is then unchanged. */
@@ -845,8 +883,8 @@ typedef struct rubble_api {
     rubble_result (*set_undo_limit)(rubble_world world, uint32_t marks);
     /* [main-thread] Sets a mark to which undo() returns: the world as the last step left it. */
     rubble_result (*add_undo_mark)(rubble_world world);
-    /* [main-thread] Returns to the last mark, motion included. At most one undo or redo in a step. What impacts of the
-     * step before would break in this one is dropped. */
+    /* [main-thread] Returns to the last mark, motion included. A second undo or redo for the same step is
+     * RUBBLE_ERROR_ARGUMENT. What impacts of the step before would break in this one is dropped. */
     rubble_result (*undo)(rubble_world world);
     /* [main-thread] Takes the last undo back, unless something has changed since, in the step of the undo too. */
     rubble_result (*redo)(rubble_world world);
@@ -940,8 +978,8 @@ typedef struct rubble_api {
      * none. RUBBLE_ERROR_FILE: the file cannot be written; nothing has changed. */
     rubble_result (*save_game)(rubble_world world, const char* path);
     /* [main-thread] Replaces the whole world and its queue of edits by those of a saved game, and stops a recording.
-     * Each object has the handle that it had when it was saved, as a handle of this world. RUBBLE_ERROR_FILE: the
-     * world is unchanged. */
+     * translate_handle() gives the handles of this world for those that the objects had when they were saved.
+     * RUBBLE_ERROR_FILE: the world is unchanged. */
     rubble_result (*load_game)(rubble_world world, const char* path);
     /* [main-thread] Records every step from here on, beginning with a saved game. The file has its name after
      * stop_recording() or destroy_world(); a recording that is running is stopped, and the log says what of it could
@@ -959,9 +997,9 @@ typedef struct rubble_api {
 
     /* ---- renderer: OpenGL 3.3 core or later, always with the same context current ---- */
 
-    /* [render-thread] Creates the renderer of a world; a world can have one in its life. Needs
-     * rubble_host.gl_get_proc_address. RUBBLE_ERROR_GL: something of GL is missing, or a shader does not compile
-     * (with file and line). */
+    /* [render-thread] Creates the renderer of a world, which can have one at a time. Another one after the first, as
+     * after a lost context, shows the world from the next step() on. Needs rubble_host.gl_get_proc_address.
+     * RUBBLE_ERROR_GL: something of GL is missing, or a shader does not compile (with file and line). */
     rubble_result (*create_renderer)(rubble_world world, const rubble_renderer_settings* settings,
                                      rubble_renderer* out);
     /* [render-thread] Draws the world as the last step() left it. RUBBLE_ERROR_GL: nothing was drawn.
@@ -987,6 +1025,17 @@ typedef struct rubble_api {
 
     /* [main-thread] Sets what a shape is touched as; see rubble_collision_shape. Pieces of it inherit it. */
     rubble_result (*set_collision_shape)(rubble_world world, const rubble_collision_shape* shape);
+
+    /* ---- handles of saved games, rows of later versions ---- */
+
+    /* [main-thread] The handle that something has in this world: `handle` named it in the world that was saved, if this
+     * one was loaded from there. A handle carries the number of its world, so a host that stores handles beside a saved
+     * game asks for each after load_game(). Nothing of that name is here: *out is 0 and RUBBLE_ERROR_STALE. */
+    rubble_result (*translate_handle)(rubble_world world, uint64_t handle, uint64_t* out);
+    /* [main-thread] A list as get_body_states() and its like write it, with rows of the host's size; see
+     * rubble_row_list. `out` holds `capacity` rows of list->row_size bytes. */
+    rubble_result (*read_rows)(rubble_world world, const rubble_row_list* list, void* out, uint32_t capacity,
+                               uint32_t* count);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

@@ -1,23 +1,27 @@
 #pragma once
 #include <atomic>
 #include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace rubble {
 
-/// A simple ParallelFor with threads, as a host may supply. The calling thread works too.
+/// A simple ParallelFor with threads. The calling thread works too.
 class ThreadPool {
 public:
-    /// Starts threads - 1 workers.
-    /// `threads`: with the calling thread.
+    /// Starts threads - 1 workers. `threads`: with the calling thread.
     explicit ThreadPool(int threads) {
         for (int i = 1; i < threads; ++i) m_threads.emplace_back([this](const std::stop_token& stop) { serve(stop); });
     }
 
-    /// Calls body(i) for i in [0, count) on all threads; returns when all calls have returned.
+    /// Calls body(i) for i in [0, count) on all threads; returns when all calls have returned. Throws what one of them
+    /// has thrown; the calls that had not begun then are left out.
     void run(size_t count, const std::function<void(size_t)>& body) {
         {
             const std::lock_guard lock(m_mutex);
@@ -32,15 +36,19 @@ public:
         for (int i = 0; i < kSpins && m_busy; ++i) pause();
         std::unique_lock lock(m_mutex);
         m_done.wait(lock, [&] { return m_busy == 0; });
+        if (m_thrown) std::rethrow_exception(std::exchange(m_thrown, nullptr));
     }
 
 private:
-    /// Checks for work before a thread sleeps: work comes in bursts, and waking takes longer than most of it.
     /// Checks before a thread sleeps: work comes in bursts, and waking takes longer than most of it.
     static constexpr int kSpins = 2000;
     static void pause() { std::this_thread::yield(); }
-    void work() {
+    void work() try {
         for (size_t i = m_next++; i < m_count; i = m_next++) (*m_body)(i);
+    } catch (...) {
+        const std::lock_guard lock(m_mutex);
+        if (!m_thrown) m_thrown = std::current_exception();
+        m_next = m_count;
     }
     void serve(const std::stop_token& stop) {
         for (uint64_t seen = 0;;) {
@@ -60,11 +68,11 @@ private:
     std::condition_variable_any m_wake;
     std::condition_variable m_done;
     const std::function<void(size_t)>* m_body = nullptr;
+    std::exception_ptr m_thrown;  ///< the first
     size_t m_count = 0;
     std::atomic<size_t> m_next = 0, m_busy = 0;
     std::atomic<uint64_t> m_round = 0;
-    std::vector<std::jthread>
-        m_threads;  ///< declared last: they are joined before the members that they use are destroyed
+    std::vector<std::jthread> m_threads;  ///< declared last: joined before the members that they use are destroyed
 };
 
 }  // namespace rubble

@@ -1,0 +1,66 @@
+#include "runtime/plugin/c_abi/rows.h"
+
+#include "runtime/plugin/c_abi/functions.h"
+
+namespace rubble::abi {
+namespace {
+
+struct RowsCall {
+    const HostedWorld& hosted;
+    rubble_row_list list;
+    void* out;
+    uint32_t capacity;
+    uint32_t* count;
+};
+
+template <class Row, class... Of>
+void readAll(const RowsCall& call, Of... of) {
+    RowWriter<Row> rows(call.out, call.capacity, call.count, readRowSize<Row>(call.list.row_size, "list->row_size"));
+    writeRows(call.hosted, rows, of...);
+    rows.finish();
+}
+
+/// Rows that get_events() points at.
+template <class Row>
+void readEvents(const RowsCall& call, const Row* events, uint32_t count) {
+    RowWriter<Row> rows(call.out, call.capacity, call.count, readRowSize<Row>(call.list.row_size, "list->row_size"));
+    for (uint32_t i = 0; i < count; ++i) rows.add([&] { return events[i]; });
+    rows.finish();
+}
+
+void readKind(const RowsCall& call) {
+    const rubble_events events = call.hosted.events.view();
+    switch (readEnum(call.list.kind, RUBBLE_ROWS_DUST_CLOUDS, "list->kind")) {
+        case RUBBLE_ROWS_BODIES:
+            return readAll<rubble_body_state>(call);
+        case RUBBLE_ROWS_SHAPES:
+            return readAll<rubble_shape_state>(call, call.list.body);
+        case RUBBLE_ROWS_JOINTS:
+            return readAll<rubble_joint_state>(call);
+        case RUBBLE_ROWS_CHARACTERS:
+            return readAll<rubble_character_state>(call);
+        case RUBBLE_ROWS_TRIGGER_EVENTS:
+            return readAll<rubble_trigger_event>(call);
+        case RUBBLE_ROWS_REMOVED_VOXELS:
+            return readEvents(call, events.removed, events.removed_count);
+        case RUBBLE_ROWS_SPLITS:
+            return readEvents(call, events.splits, events.split_count);
+        default:
+            return readEvents(call, events.dust_clouds, events.dust_cloud_count);
+    }
+}
+
+rubble_result readRows(rubble_world world, const rubble_row_list* list, void* out, uint32_t capacity, uint32_t* count) {
+    return guarded("read_rows", [&] {
+        const auto hosted = Registry::instance().world(world);
+        readKind({*hosted, readStruct(list, "list"), out, capacity, count});
+    });
+}
+
+}  // namespace
+
+void setRowFunctions(rubble_api& api) {
+    api.read_rows = readRows;
+}
+
+}  // namespace rubble::abi

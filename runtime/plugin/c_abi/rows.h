@@ -1,0 +1,19 @@
+#pragma once
+#include "runtime/plugin/c_abi/calls.h"
+
+// The lists of the interface, each written by the file of its topic: for the function that is named after it, and for
+// read_rows().
+namespace rubble::abi {
+
+/// All bodies.
+void writeRows(const HostedWorld& hosted, RowWriter<rubble_body_state>& rows);
+/// The shapes of a body; body 0: of all. Throws ApiError for a stale one.
+void writeRows(const HostedWorld& hosted, RowWriter<rubble_shape_state>& rows, rubble_body body);
+/// All joints.
+void writeRows(const HostedWorld& hosted, RowWriter<rubble_joint_state>& rows);
+/// All characters.
+void writeRows(const HostedWorld& hosted, RowWriter<rubble_character_state>& rows);
+/// Which bodies entered and left triggers in the last step.
+void writeRows(const HostedWorld& hosted, RowWriter<rubble_trigger_event>& rows);
+
+}  // namespace rubble::abi

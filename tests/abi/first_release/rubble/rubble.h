@@ -1,0 +1,945 @@
+/* Rubble: destructible voxel worlds behind a C interface (C99, C++, and every language that can call C).
+ *
+ * A world is made of bodies; a body is a rigid frame that carries shapes; a shape is a grid of voxels. The host
+ * queues edits (carve, explode, paint, ...), calls step() sixty times a second, reads what happened from
+ * get_events(), and may draw the world with the renderer or read poses and voxel counts and draw it itself. A
+ * complete host:
+ *
+ *     #include <rubble/rubble.h>
+ *     #include <stdio.h>
+ *
+ *     int main(void) {
+ *         const rubble_api* api;
+ *         rubble_world world;
+ *         rubble_explosion explosion = {.struct_size = sizeof explosion};
+ *         rubble_events events = {.struct_size = sizeof events};
+ *         if (rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK) return 1;
+ *         api->create_world(NULL, &world);
+ *         if (api->load_level(world, "model.vox", NULL) != RUBBLE_OK) puts(api->get_last_error());
+ *         explosion.position[1] = 1.0;
+ *         api->explode(world, &explosion);
+ *         for (int i = 0; i < 600; ++i) {
+ *             api->step(world);
+ *             api->get_events(world, &events);
+ *         }
+ *         api->destroy_world(world);
+ *         return 0;
+ *     }
+ *
+ * Rules that hold for every function and struct:
+ *
+ *  - Units and spaces: metres, kilograms, seconds, radians, newtons. The world is right-handed with y up. World
+ *    positions are doubles. Rotations are unit quaternions x, y, z, w; all zeros means no rotation. Lengths of
+ *    vectors are in the unit of the field; a "direction" may have any length but zero. Components of vectors
+ *    are at most 1e9. Colours of voxels are sRGB bytes, colours of light are linear.
+ *  - Structs: a struct that begins with `struct_size` is filled in by the host: struct_size = sizeof(the struct),
+ *    every other field zero or set. Zero selects the default that the comment names. Such structs may grow at their
+ *    end in later versions; fields that this plugin does not know must be zero. Rows of arrays have no struct_size
+ *    and never change.
+ *  - The function table may grow at its end: function f exists if api->struct_size > offsetof(rubble_api, f).
+ *  - Handles are 64-bit values, not pointers. 0 names nothing. A handle of something that was destroyed is
+ *    recognised and answered with RUBBLE_ERROR_STALE; it is never followed.
+ *  - Errors: a result other than RUBBLE_OK means that the call had no effect, but for lists that are longer than the
+ *    array (see below) and where a function says otherwise. get_last_error() says in words what was expected and what
+ *    was found. Numbers that are not finite or out of range are RUBBLE_ERROR_ARGUMENT; the errors named at a function
+ *    come on top of RUBBLE_ERROR_NULL, _STRUCT_SIZE, _STALE, _ARGUMENT and _MEMORY, which most functions can give.
+ *  - Edits are commands: the call checks them and puts them into the world's queue. The next step() carries them out
+ *    in the order of the calls. An edit whose object is destroyed before its turn does nothing, and what only
+ *    step() can find out (a joint without a voxel to hold on to, an undo where no marks are kept) is logged.
+ *  - Reads copy into the host's memory, except get_events(): its arrays live until the next step(), load_level(),
+ *    load_game(), play_recording() or destroy_world() of that world.
+ *  - Lists are read with an array, its capacity and a count: the function writes the first `capacity` rows and
+ *    stores the number of all rows in *count. More rows than capacity: RUBBLE_ERROR_CAPACITY. Capacity 0 asks for
+ *    the count alone: the array may be null and the result is RUBBLE_OK.
+ *  - Threads: [main-thread] functions of one world are called by one thread at a time; different worlds may be
+ *    stepped at the same time. [render-thread] functions are called by the thread that has the GL context current,
+ *    one at a time; they may run beside the main thread. [any-thread] functions may be called from everywhere.
+ *    Destroy a world only while its renderer is not drawing.
+ *  - Determinism: the same level, edits and number of steps give the same state bit for bit with the same build of
+ *    the plugin; get_state_hash() compares. Frame times, threads and the renderer have no influence.
+ *  - The plugin opens no window, makes no GL context, opens no file that the host did not name (a file that it
+ *    writes has a temporary neighbour while it is written; a .vdb level is baked in a folder of $TMPDIR meanwhile),
+ *    and restores the GL state that it changes (or resets it: RUBBLE_RENDERER_RESET_STATE).
+ *
+ * Not included: network, sound, input, textured triangles, use of the host's job system or allocator. */
+#ifndef RUBBLE_RUBBLE_H
+#define RUBBLE_RUBBLE_H
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The version of this interface. Ask for it in rubble_get_api(). */
+#define RUBBLE_VERSION 1u
+
+#if defined(_WIN32)
+#define RUBBLE_EXPORT
+#else
+#define RUBBLE_EXPORT __attribute__((visibility("default")))
+#endif
+
+/* Handles. A handle belongs to the world that gave it: another world answers it with RUBBLE_ERROR_STALE. */
+typedef uint64_t rubble_world;
+typedef uint64_t rubble_renderer; /* draws one world */
+typedef uint64_t rubble_body;     /* a rigid body, static or dynamic: a frame that shapes are fixed to */
+typedef uint64_t rubble_shape;    /* a grid of voxels on a body */
+typedef uint64_t rubble_joint;    /* connects two shapes, or a shape and the world */
+typedef uint64_t rubble_light;    /* a light source, fixed to a shape or to the world */
+/* lights and glowing voxels that go out together when enough of them is destroyed */
+typedef uint64_t rubble_light_group;
+typedef uint64_t rubble_water;     /* a volume of water with a level surface */
+typedef uint64_t rubble_trigger;   /* a region that reports the bodies that enter and leave it */
+typedef uint64_t rubble_character; /* a walking capsule */
+
+/* What a call came to. */
+typedef int32_t rubble_result;
+enum {
+    RUBBLE_OK = 0,
+    RUBBLE_ERROR_NULL = 1,    /* a pointer that must not be null is null */
+    RUBBLE_ERROR_VERSION = 2, /* the plugin does not implement the version asked for */
+    /* struct_size is smaller than in version 1, or a field that the plugin does not know is set */
+    RUBBLE_ERROR_STRUCT_SIZE = 3,
+    RUBBLE_ERROR_STALE = 4,    /* the handle is 0, destroyed, of another type or of another world */
+    RUBBLE_ERROR_ARGUMENT = 5, /* a value is out of range */
+    /* the array is too short: *count says how long it must be; or there are 255 worlds already */
+    RUBBLE_ERROR_CAPACITY = 6,
+    RUBBLE_ERROR_FILE = 7,     /* the file is missing, damaged, of an unknown kind, or cannot be written */
+    RUBBLE_ERROR_GL = 8,       /* OpenGL lacks something, the context was lost, or a shader does not compile */
+    RUBBLE_ERROR_MEMORY = 9,   /* out of memory */
+    RUBBLE_ERROR_INTERNAL = 10 /* a bug of the plugin: please report the text of get_last_error() */
+};
+
+/* ---- host and worlds ---- */
+
+enum { RUBBLE_LOG_INFO = 0, RUBBLE_LOG_WARNING = 1, RUBBLE_LOG_ERROR = 2 };
+
+/* What the host does for the plugin, for the whole process; see set_host(). */
+typedef struct rubble_host {
+    uint32_t struct_size;
+    uint32_t reserved;
+    void* user; /* passed to log */
+    /* Receives messages of level RUBBLE_LOG_..., UTF-8, without a line break. Called from any thread, one message
+     * at a time. Null: messages go to standard error. */
+    void (*log)(void* user, int32_t level, const char* message);
+    /* Returns the address of a GL function in the current context, as SDL_GL_GetProcAddress and its like do.
+     * Null: no renderer can be created. */
+    void* (*gl_get_proc_address)(const char* name);
+} rubble_host;
+
+enum {
+    /* for servers and for hosts that draw themselves: nothing is prepared for a renderer */
+    RUBBLE_WORLD_NO_RENDERER = 1,
+    /* step() updates the shadow volume itself; without the flag a thread of the world does */
+    RUBBLE_WORLD_SHADOW_INLINE = 2,
+    /* step() waits for the shadow volume: frames do not depend on the timing of threads */
+    RUBBLE_WORLD_WAIT_FOR_SHADOW = 4
+};
+
+typedef struct rubble_world_settings {
+    uint32_t struct_size;
+    uint32_t flags; /* RUBBLE_WORLD_... */
+} rubble_world_settings;
+
+/* ---- edits of voxels ---- */
+
+enum { RUBBLE_BRUSH_SPHERE = 0, RUBBLE_BRUSH_BOX = 1, RUBBLE_BRUSH_CAPSULE = 2 };
+/* Each material says which tools break it. RUBBLE_TOOL_ANY breaks everything but unbreakable materials. */
+enum {
+    RUBBLE_TOOL_ANY = 0,
+    RUBBLE_TOOL_SLEDGE = 1,
+    RUBBLE_TOOL_TORCH = 2,
+    RUBBLE_TOOL_GUN = 3,
+    RUBBLE_TOOL_EXPLOSIVE = 4
+};
+/* Hardness classes of materials. RUBBLE_HARDNESS_DEFAULT stands for RUBBLE_HARDNESS_HARD. */
+enum { RUBBLE_HARDNESS_DEFAULT = 0, RUBBLE_HARDNESS_SOFT = 1, RUBBLE_HARDNESS_MEDIUM = 2, RUBBLE_HARDNESS_HARD = 3 };
+
+/* Removes the voxels inside a brush, depending on the hardness of their material. Positions are in the world. */
+typedef struct rubble_carve {
+    uint32_t struct_size;
+    uint32_t brush;      /* RUBBLE_BRUSH_... */
+    double position[3];  /* sphere and box: centre; capsule: one end of its axis */
+    double end[3];       /* capsule: the other end of its axis */
+    double half_size[3]; /* box: metres, above 0, at most 100 */
+    double rotation[4];  /* box */
+    /* sphere, capsule: metres, for soft, medium and hard materials; 0.001 to 100, none larger than the one before; 0:
+     * spares that class, but the first must be above 0 */
+    double radii[3];
+    uint32_t max_hardness; /* box: the hardest class that it removes, RUBBLE_HARDNESS_...; 0: hard */
+    uint32_t tool;         /* RUBBLE_TOOL_... */
+    rubble_shape shape;    /* carves this shape only; 0: all shapes */
+} rubble_carve;
+
+/* Breaks what lies in a sphere out of its shapes, as fragments and dust in the style of each material. Panes of
+ * glass break as a whole. */
+typedef struct rubble_break {
+    uint32_t struct_size;
+    uint32_t tool;      /* RUBBLE_TOOL_... */
+    double position[3]; /* centre, world */
+    double radii[3];    /* metres, for soft, medium and hard materials; ranges as in rubble_carve */
+    uint32_t seed;      /* selects the pattern of cracks */
+    uint32_t reserved;
+    rubble_shape shape; /* breaks this shape only; 0: all shapes */
+} rubble_break;
+
+/* Breaks what lies in a sphere and gives the bodies around it an impulse away from its centre. */
+typedef struct rubble_explosion {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double position[3]; /* centre, world */
+    /* 0.5 to 4; 0: 1. Breaks soft, medium and hard voxels within 1.0, 0.7 and 0.4 times size metres */
+    double size;
+    double impulse; /* N s on a body at the centre, 0: follows from size. No body gets faster than 9 m/s times size */
+} rubble_explosion;
+
+/* Blends the colours of surface voxels toward a paint, a part of the difference each call. Materials do not
+ * change. */
+typedef struct rubble_paint {
+    uint32_t struct_size;
+    uint8_t color[4];   /* sRGB red, green, blue; the fourth byte is not read */
+    double position[3]; /* centre, world */
+    double radius;      /* metres, 0.001 to 10; 0: 0.5 */
+    uint32_t strength;  /* part of the difference of colour that one call removes, in 255ths: 1 to 255; 0: 64 */
+    /* part of the voxels painted at the rim, in 255ths: 1 to 255; 0: 255. The centre is always painted */
+    uint32_t probability;
+    uint32_t seed; /* selects which voxels those are */
+    uint32_t reserved;
+} rubble_paint;
+
+/* Pushes a body. */
+typedef struct rubble_impulse {
+    uint32_t struct_size;
+    uint32_t reserved;
+    rubble_body body;
+    double position[3]; /* world: where it acts */
+    double impulse[3];  /* N s, world */
+} rubble_impulse;
+
+/* ---- joints and wheels ---- */
+
+/* What a joint leaves free. Its axis is the x axis of its frame. */
+enum {
+    RUBBLE_JOINT_BALL,      /* holds one point; turns freely about it */
+    RUBBLE_JOINT_HINGE,     /* turns about the axis */
+    RUBBLE_JOINT_PRISMATIC, /* slides along the axis and does not turn */
+    RUBBLE_JOINT_CONE,      /* holds one point; the axes of both sides stay within upper_limit radians of each other */
+    RUBBLE_JOINT_FIXED,     /* nothing */
+    RUBBLE_JOINT_ROPE,      /* a chain of points between two ends */
+    /* shapes[0]: chassis, shapes[1]: wheel. Suspension along y of the frame; spins about x, which points left */
+    RUBBLE_JOINT_WHEEL
+};
+enum {
+    RUBBLE_MOTOR_OFF,     /* no motor */
+    RUBBLE_MOTOR_SPEED,   /* holds a speed */
+    RUBBLE_MOTOR_POSITION /* goes to a position and holds it */
+};
+enum {
+    RUBBLE_JOINT_COLLIDES = 1, /* the two shapes collide with each other */
+    RUBBLE_JOINT_LIMITED = 2   /* lower_limit and upper_limit apply */
+};
+
+/* A joint between two shapes in their present poses. Each side is attached to a voxel of its shape: it stays with
+ * that voxel when the shape splits, and the joint breaks when the voxel is removed. Forces and torques are 0 or
+ * more. */
+typedef struct rubble_joint_settings {
+    uint32_t struct_size;
+    uint32_t kind;          /* RUBBLE_JOINT_BALL ... */
+    rubble_shape shapes[2]; /* 0: the world */
+    double position[3];     /* world; rope: its first end */
+    double rotation[4];     /* world */
+    double anchor_radius;   /* metres around the position in which each side looks for its voxel; 0: 0.2 */
+    uint32_t flags;         /* RUBBLE_JOINT_COLLIDES ... */
+    uint32_t motor;         /* RUBBLE_MOTOR_...; rope: a winch that changes its length */
+    double motor_target;    /* rad/s or m/s; RUBBLE_MOTOR_POSITION: radians or metres */
+    /* N m for turning, N for sliding; a winch does not read it. 0: RUBBLE_MOTOR_SPEED does nothing,
+     * RUBBLE_MOTOR_POSITION has no limit */
+    double motor_max_force;
+    /* hinge: radians, -pi to pi; prismatic and wheel: metres; cone: upper_limit, radians */
+    double lower_limit, upper_limit;
+    /* hinge, prismatic, wheel: pulls the free motion back to 0; others: makes the joint give. Frequency 0: no spring,
+     * or rigid. Damping ratio 1: critical */
+    double spring_hertz, spring_damping_ratio;
+    double friction;                    /* N m for turning, N for sliding; wheel: a brake that is always on */
+    double break_force, break_torque;   /* N, N m, as the mean of a step; 0: never breaks */
+    double rope_end[3];                 /* world: the rope's second end */
+    double rope_length, rope_radius;    /* metres; length 0: the distance of its ends; radius 0: 0.03 */
+    double rope_stretch;                /* relative elongation under 10 kN */
+    double rope_strength;               /* N at which the rope breaks; 0: never */
+    double drive_torque, brake_torque;  /* wheel: N m at full throttle and at full brake, see drive_wheels() */
+    double max_spin;                    /* wheel: rad/s forward, half of it backward; 0: 60 */
+    double max_steer_angle, steer_rate; /* wheel: radians to each side, at most 1.5; rad/s of steering, 0: 2 */
+} rubble_joint_settings;
+
+/* Replaces the motor, friction and steering of a joint. */
+typedef struct rubble_joint_motor {
+    uint32_t struct_size;
+    uint32_t motor; /* RUBBLE_MOTOR_... */
+    rubble_joint joint;
+    double motor_target, motor_max_force; /* as in rubble_joint_settings */
+    double friction;                      /* as in rubble_joint_settings */
+    double steer_angle;                   /* wheel: radians about y, -3 to 3; positive turns left */
+} rubble_joint_motor;
+
+/* Drives, steers and brakes all wheels of a body. Holds until the next such command. */
+typedef struct rubble_drive {
+    uint32_t struct_size;
+    uint32_t reserved;
+    rubble_body body; /* the chassis: the body of shapes[0] of its wheels' joints */
+    double throttle;  /* -1 (backward) to 1 */
+    double steer;     /* -1 (right) to 1 (left) */
+    double brake;     /* 0 to 1 */
+} rubble_drive;
+
+/* A row of get_joint_states(). */
+typedef struct rubble_joint_state {
+    rubble_joint joint;
+    uint32_t kind;                            /* RUBBLE_JOINT_BALL ... */
+    uint32_t rope_point_count;                /* for get_rope_points(); 0 for other joints */
+    rubble_shape shapes[2];                   /* 0: the world */
+    double first_anchor[3], second_anchor[3]; /* where it holds its two sides, world */
+    double rope_length;                       /* metres */
+} rubble_joint_state;
+
+/* Pulls a body by a point toward a target. A hand holds one body: the same hand and body again moves the target,
+ * another body lets go of the first. */
+typedef struct rubble_grab {
+    uint32_t struct_size;
+    uint32_t hand; /* any number that the host chooses, below 4294967295 */
+    rubble_body body;
+    double point[3];     /* world: where the body is held; counts when it is grabbed */
+    double target[3];    /* world: where that point shall go */
+    double max_force;    /* N; 0: 1000 */
+    double spring_hertz; /* stiffness of the pull as a frequency, 0.1 to 60 Hz; 0: 4 */
+} rubble_grab;
+
+/* Lets go of what a hand holds and may throw it. */
+typedef struct rubble_release {
+    uint32_t struct_size;
+    uint32_t hand;
+    double impulse[3]; /* N s, world, at the point that was held */
+} rubble_release;
+
+/* ---- events: what the last step did ---- */
+
+/* Voxels of one palette entry that one edit removed from one shape. */
+typedef struct rubble_removed_voxels {
+    rubble_shape shape;
+    uint64_t count;
+    uint8_t color[3];       /* sRGB */
+    uint8_t material;       /* index into the level's materials */
+    uint32_t palette_index; /* of the shape's palette, 1 to 255 */
+} rubble_removed_voxels;
+
+/* A piece that came off a shape and is now a shape of its own: one row for each piece. */
+typedef struct rubble_shape_split {
+    rubble_shape parent;
+    rubble_shape piece;
+    int32_t parent_offset[3]; /* the cell of the parent's grid at which cell 0 of the piece's grid lies */
+    uint32_t reserved;
+} rubble_shape_split;
+
+/* Removed voxels of one colour and where they were, for particles. Every removed voxel is in exactly one cloud. */
+typedef struct rubble_dust_cloud {
+    double position[3]; /* centre, world */
+    double radius;      /* metres */
+    double velocity[3]; /* m/s, of the body that they were part of */
+    uint64_t count;     /* voxels */
+    uint8_t color[3];   /* sRGB */
+    uint8_t material;   /* index into the level's materials */
+    uint32_t reserved;
+} rubble_dust_cloud;
+
+/* What get_events() returns. Handles in the destroyed lists are stale already; use them to find the host's own
+ * objects. */
+typedef struct rubble_events {
+    uint32_t struct_size;
+    /* 1: a level was loaded and every older handle is stale: ask for get_body_states() again */
+    uint32_t level_loaded;
+    uint64_t step; /* number of steps since the level was loaded */
+    uint64_t painted_voxel_count;
+    const rubble_removed_voxels* removed;
+    const rubble_shape_split* splits;
+    const rubble_body* bodies_created;
+    const rubble_body* bodies_destroyed;
+    const rubble_shape* shapes_created;
+    const rubble_shape* shapes_destroyed;
+    const rubble_light_group* light_groups_out; /* that went out */
+    uint32_t removed_count;
+    uint32_t split_count;
+    uint32_t bodies_created_count;
+    uint32_t bodies_destroyed_count;
+    uint32_t shapes_created_count;
+    uint32_t shapes_destroyed_count;
+    uint32_t light_groups_out_count;
+    uint32_t dust_cloud_count;
+    const rubble_dust_cloud* dust_clouds;
+    const rubble_body* bodies_broken; /* lost voxels for the first time */
+    /* debris that came to rest and left the simulation until something breaks or moves near it */
+    const rubble_body* bodies_settled;
+    const rubble_body* bodies_unsettled; /* settled debris that is simulated again */
+    uint32_t bodies_broken_count;
+    uint32_t bodies_settled_count;
+    uint32_t bodies_unsettled_count;
+    uint32_t reserved;
+} rubble_events;
+
+/* ---- state ---- */
+
+enum { RUBBLE_BODY_STATIC = 1, RUBBLE_BODY_ASLEEP = 2 };
+
+/* A body after the last step. */
+typedef struct rubble_body_state {
+    rubble_body body;
+    double position[3];         /* of its frame, world; the frame's origin is not the centre of mass */
+    double rotation[4];         /* of its frame */
+    double velocity[3];         /* m/s, of the centre of mass */
+    double angular_velocity[3]; /* rad/s, world axes */
+    uint32_t flags;             /* RUBBLE_BODY_... */
+    uint32_t shape_count;
+} rubble_body_state;
+
+/* A shape after the last step. */
+typedef struct rubble_shape_state {
+    rubble_shape shape;
+    rubble_body body;
+    double position[3]; /* of the minimum corner of its grid, world */
+    double rotation[4]; /* of its grid's axes */
+    double voxel_size;  /* metres */
+    int32_t size[3];    /* of the grid, in voxels */
+    uint32_t reserved;
+    uint64_t voxel_count; /* of those that are not empty */
+} rubble_shape_state;
+
+/* Where the voxels of the level are now: imported = standing + in_pieces + removed. */
+typedef struct rubble_voxel_accounting {
+    uint32_t struct_size;
+    uint32_t reserved;
+    uint64_t imported;  /* loaded with the level */
+    uint64_t standing;  /* in shapes of the level */
+    uint64_t in_pieces; /* in shapes that came off */
+    uint64_t removed;
+} rubble_voxel_accounting;
+
+/* Counters and wall-clock times of the last step. */
+typedef struct rubble_step_stats {
+    uint32_t struct_size;
+    uint32_t bodies; /* dynamic, in the physics simulation */
+    uint32_t bodies_awake;
+    uint32_t contacts;
+    uint64_t step;
+    uint64_t shadow_lag; /* steps by which the shadow volume was behind */
+    double edits_ms;     /* edits, splits and fire */
+    double physics_ms;
+    double poses_ms;   /* poses back into the world */
+    double impacts_ms; /* damage by impacts */
+    double shadow_ms;  /* handing changes to the shadow volume */
+    double publish_ms; /* the snapshot for the renderer */
+} rubble_step_stats;
+
+/* ---- collision layers, water, triggers, characters ---- */
+
+enum { RUBBLE_COLLISION_NONE = 256 /* as a mask: collides with nothing; as a layer: nothing collides with it */ };
+
+/* Two shapes collide if the layer of each is in the mask of the other. */
+typedef struct rubble_collision_filter {
+    uint32_t struct_size;
+    uint32_t layer; /* 8 bits; 0: 1 */
+    uint32_t mask;  /* 8 bits; 0: 255 */
+    uint32_t reserved;
+    rubble_shape shape;
+} rubble_collision_filter;
+
+/* A volume of water: bodies in it float or sink, characters swim, fires go out. */
+typedef struct rubble_water_settings {
+    uint32_t struct_size;
+    uint32_t outline_count; /* corners: 3 to 10000 */
+    const double* outline;  /* x and z of each corner, world; copied by the call */
+    double surface_height;  /* y of the surface, world */
+    double depth;           /* metres below the surface; 0: 1 */
+    double density;         /* kg/m3; 0: 1000 */
+    double linear_drag;     /* 1/s: rate at which the displaced water drags a body along; 0: 1.5 */
+    double angular_drag;    /* 1/s: the same for its spin; 0: 1.5 */
+    double flow[3];         /* m/s: current, -100 to 100 along each axis */
+} rubble_water_settings;
+
+enum { RUBBLE_TRIGGER_SPHERE = 0, RUBBLE_TRIGGER_BOX = 1, RUBBLE_TRIGGER_POLYGON = 2 };
+
+/* A region that reports the dynamic bodies that have a voxel in it. It collides with nothing. */
+typedef struct rubble_trigger_settings {
+    uint32_t struct_size;
+    uint32_t kind;         /* RUBBLE_TRIGGER_... */
+    double position[3];    /* world; sphere and box: centre; polygon: the origin of its outline */
+    double rotation[4];    /* box */
+    double radius;         /* sphere: metres; 0: 1 */
+    double half_size[3];   /* box: metres; 0: 1 */
+    double height;         /* polygon: metres upward from the position; 0: 1 */
+    const double* outline; /* polygon: x and z of each corner, relative to the position; copied by the call */
+    uint32_t outline_count;
+    uint32_t layer_mask; /* only shapes with a collision layer in this mask count; 0: all */
+} rubble_trigger_settings;
+
+/* A body has entered a trigger or left it. */
+typedef struct rubble_trigger_event {
+    rubble_trigger trigger;
+    rubble_body body;
+    uint32_t entered; /* 1: entered, 0: left */
+    uint32_t reserved;
+} rubble_trigger_event;
+
+/* A character: an upright capsule that walks, jumps, climbs steps, crouches and swims. */
+typedef struct rubble_character_settings {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double position[3];     /* of the feet, world */
+    double radius;          /* metres; 0: 0.3 */
+    double height;          /* metres; 0: 1.8 */
+    double crouched_height; /* metres, at least two radii; 0: 1.1 */
+    double step_height;     /* metres that it climbs without a jump; 0: 0.45 */
+    double max_slope;       /* steepest ground that it can stand on, rise over run; 0: 1 */
+    double mass;            /* kg; 0: 80 */
+    double walk_speed;      /* m/s; 0: 4 */
+    double jump_speed;      /* m/s upward; 0: 4.5 */
+    double swim_speed;      /* m/s; 0: 2 */
+    double max_push_force;  /* N on bodies that it walks against; 0: 400 */
+} rubble_character_settings;
+
+enum { RUBBLE_MOVE_JUMP = 1, RUBBLE_MOVE_CROUCH = 2 };
+
+/* Where a character shall go. The velocity and RUBBLE_MOVE_CROUCH hold until the next command, a jump is for one
+ * step. */
+typedef struct rubble_character_move {
+    uint32_t struct_size;
+    uint32_t flags; /* RUBBLE_MOVE_... */
+    rubble_character character;
+    double desired_velocity[3]; /* m/s, world, at most 1000; the vertical part counts in water only */
+} rubble_character_move;
+
+/* Puts a character somewhere else. */
+typedef struct rubble_character_teleport {
+    uint32_t struct_size;
+    uint32_t reserved;
+    rubble_character character;
+    double position[3]; /* of the feet, world */
+    double velocity[3]; /* m/s, at most 1000 */
+} rubble_character_teleport;
+
+enum { RUBBLE_CHARACTER_GROUNDED = 1, RUBBLE_CHARACTER_CROUCHED = 2, RUBBLE_CHARACTER_SWIMMING = 4 };
+
+/* A character after the last step. */
+typedef struct rubble_character_state {
+    rubble_character character;
+    double position[3];      /* of the feet, world */
+    double velocity[3];      /* m/s */
+    rubble_body ground_body; /* the body that it stands on; 0: none */
+    uint32_t flags;          /* RUBBLE_CHARACTER_... */
+    uint32_t reserved;
+} rubble_character_state;
+
+/* ---- queries ---- */
+
+enum {
+    RUBBLE_FILTER_REJECT_STATIC = 1,      /* static bodies are not found */
+    RUBBLE_FILTER_REJECT_DYNAMIC = 2,     /* dynamic bodies are not found */
+    RUBBLE_FILTER_REJECT_TRANSPARENT = 4, /* passes through voxels that are not opaque, such as glass */
+    RUBBLE_FILTER_REJECT_UNPHYSICAL = 8   /* passes through voxels that are seen but do not collide */
+};
+
+/* What a query may find. A null filter finds everything. */
+typedef struct rubble_query_filter {
+    uint32_t struct_size;
+    uint32_t flags;      /* RUBBLE_FILTER_... */
+    uint32_t layer_mask; /* finds only shapes with a collision layer in this mask, 0 to 255; 0: all */
+    uint32_t rejected_body_count;
+    uint32_t rejected_shape_count;
+    uint32_t reserved;
+    const rubble_body* rejected_bodies; /* are not found; stale handles do no harm */
+    const rubble_shape* rejected_shapes;
+} rubble_query_filter;
+
+/* A ray, or a sphere that moves along one. */
+typedef struct rubble_ray {
+    double origin[3]; /* world */
+    double direction[3];
+    double max_distance; /* metres, 0 to 1e6 */
+    double radius;       /* metres; above 0: a sphere of this radius is cast */
+} rubble_ray;
+
+enum { RUBBLE_QUERY_SPHERE = 0, RUBBLE_QUERY_BOX = 1, RUBBLE_QUERY_CAPSULE = 2 }; /* numbered as brushes are */
+
+/* A region of space for overlap queries and shape casts. */
+typedef struct rubble_query_shape {
+    uint32_t kind; /* RUBBLE_QUERY_... */
+    uint32_t reserved;
+    double position[3];  /* world; sphere and box: centre; capsule: one end of its axis */
+    double end[3];       /* capsule: the other end of its axis */
+    double radius;       /* sphere and capsule: metres */
+    double half_size[3]; /* box: metres */
+    double rotation[4];  /* box */
+} rubble_query_shape;
+
+/* A region that moves along a line without turning. */
+typedef struct rubble_shape_cast {
+    rubble_query_shape shape;
+    double direction[3];
+    double max_distance; /* metres, 0 to 1e6 */
+} rubble_shape_cast;
+
+/* The voxel that a query found. */
+typedef struct rubble_hit {
+    uint32_t hit;           /* 0: nothing was found, and all other fields are 0 */
+    uint32_t palette_index; /* of the shape's palette, 1 to 255 */
+    double distance;        /* metres; of a cast sphere or shape: how far it moves */
+    double position[3];     /* world: the point of the voxel that is met */
+    double normal[3];       /* unit, away from the voxel */
+    rubble_shape shape;
+    rubble_body body;
+    int32_t cell[3]; /* of the shape's grid */
+    uint32_t reserved;
+} rubble_hit;
+
+/* ---- sky, sun, air and lights ---- */
+
+/* Sky, sun, air, exposure and gravity. Zeros are values here, not defaults: read the present ones with
+ * get_environment(), change some, set all. Colours are linear. Out of range: RUBBLE_ERROR_ARGUMENT with the
+ * range. */
+typedef struct rubble_environment {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double sun_direction[3]; /* towards the sun */
+    double sun_color[3];     /* irradiance of a face turned to the sun */
+    double sun_angle;        /* radians: angular radius of the sun; larger makes its shadows softer */
+    double sky_color[3];     /* radiance at the zenith */
+    double horizon_color[3]; /* radiance at the horizon */
+    double ground_color[3];  /* radiance below the horizon */
+    double fog_color[3];     /* radiance of the distant haze */
+    double fog_distance;     /* metres at which the haze hides half */
+    /* extinction per metre at fog_base of the volumetric fog that shows shafts of light; 0: none, at no cost */
+    double fog_density;
+    double fog_base;    /* y, metres */
+    double fog_height;  /* scale height: metres above fog_base in which the density falls to 1/e */
+    double fog_forward; /* anisotropy: mean cosine of the scattering angle (Henyey-Greenstein g), -0.9 to 0.9 */
+    double fog_tint[3]; /* single-scattering albedo */
+    double clouds;      /* 0: clear sky, 1: overcast */
+    double stars;       /* brightness of the stars; 0: none */
+    double exposure;    /* factor on all radiance before tone mapping */
+    double wetness;     /* of what is open to the sky: 0 dry, 0.5 dark and smooth, 1 with puddles */
+    double gravity[3];  /* m/s2 */
+} rubble_environment;
+
+enum {
+    RUBBLE_LIGHT_SPHERE = 0,  /* a glowing ball */
+    RUBBLE_LIGHT_CONE = 1,    /* a ball that shines into a cone */
+    RUBBLE_LIGHT_CAPSULE = 2, /* a glowing tube of `width` metres along x */
+    RUBBLE_LIGHT_AREA = 3,    /* a rectangle of `width` by `height` metres along x and y */
+    RUBBLE_LIGHT_SCREEN = 4   /* a rectangle that shows an image */
+};
+enum { RUBBLE_LIGHT_ENABLED = 1, RUBBLE_LIGHT_TWO_SIDED = 2 /* an area shines along +z too */ };
+
+/* All values of a light, to add, set and read it. Zeros are values here, not defaults. Ranges: colours 0 to 1e6;
+ * radius, width and height 0 to 1000 m; reach 0 to 1e5 m; cone angles 0 to 3.15. set_light() keeps the image of a
+ * screen; a screen that is added is white. */
+typedef struct rubble_light_settings {
+    uint32_t struct_size;
+    uint32_t kind;            /* RUBBLE_LIGHT_SPHERE ... */
+    rubble_light light;       /* add_light() does not read it */
+    rubble_shape shape;       /* position and rotation are in this shape's space and follow it; 0: the world */
+    rubble_light_group group; /* while the group is out, the light stays dark; 0: none */
+    uint32_t flags;           /* RUBBLE_LIGHT_ENABLED ... */
+    uint32_t reserved;
+    double position[3]; /* metres */
+    double rotation[4]; /* cones, areas and screens face -z */
+    double color[3];    /* linear radiant intensity (W/sr in the renderer's units); of areas: straight ahead */
+    double radius;      /* metres, of the glowing ball or tube: decides how soft its shadows are */
+    double reach;       /* metres beyond which it lights nothing */
+    double cone_inner;  /* radians, half angle: full intensity inside */
+    double cone_outer;  /* radians, half angle: dark outside */
+    double width;       /* metres, along x */
+    double height;      /* metres, along y */
+} rubble_light_settings;
+
+/* ---- renderer ---- */
+
+enum {
+    /* draw() leaves what it changes of the GL's state as in a new context (but viewport and scissor), instead of as
+     * it was: to know that, it asks the GL some 170 questions a draw. For hosts that set the state that they need,
+     * or whose cache of it can be emptied. */
+    RUBBLE_RENDERER_RESET_STATE = 1,
+    /* Programs are compiled when something is first seen that needs them, not by create_renderer(). It returns
+     * seconds earlier; the first explosion, fog or water may stop the game for as long. */
+    RUBBLE_RENDERER_COMPILE_LATE = 2
+};
+
+typedef struct rubble_renderer_settings {
+    uint32_t struct_size;
+    uint32_t flags;            /* RUBBLE_RENDERER_... */
+    const char* shader_folder; /* path of Rubble's folder shaders/ */
+    const char* preset;        /* "fast", "balanced" or "accurate"; null: "balanced" */
+    /* Path of a folder, made if it is missing, in which compiled programs are kept for later runs, where the driver
+     * supports that. Null: none. */
+    const char* program_cache;
+} rubble_renderer_settings;
+
+enum { RUBBLE_VIEW_CUT = 1 /* the camera jumped: do not reuse earlier frames */ };
+
+/* A camera and the target that it draws to. */
+typedef struct rubble_view {
+    uint32_t struct_size;
+    uint32_t flags;       /* RUBBLE_VIEW_... */
+    uint32_t framebuffer; /* GL name of the target; 0: the window's */
+    uint32_t width;       /* pixels, 1 to 16384 */
+    uint32_t height;      /* pixels, 1 to 16384 */
+    uint32_t slot;        /* 0 to 15: views drawn in turn, as those of a split screen, have slots of their own, in
+                             which the renderer keeps their earlier frames */
+    double position[3];   /* of the camera, world */
+    double rotation[4];   /* the camera looks along -z with y up */
+    double vertical_fov;  /* radians, 0.01 to 3; 0: 1.05 */
+    double alpha;         /* 0 to 1: interpolates between the poses of the last two steps */
+} rubble_view;
+
+/* Counters and wall-clock times of the last draw(). */
+typedef struct rubble_draw_stats {
+    uint32_t struct_size;
+    uint32_t draw_calls;
+    uint32_t shapes;
+    uint32_t bricks;        /* of 8 x 8 x 8 voxels, held on the GPU */
+    uint64_t upload_bytes;  /* sent to the GPU by this draw */
+    uint64_t texture_bytes; /* held on the GPU now */
+    double apply_ms;        /* taking over what steps have changed */
+    double draw_ms;         /* of the calling thread; the GPU may take longer */
+} rubble_draw_stats;
+
+/* ---- the function table ---- */
+
+typedef struct rubble_api {
+    uint32_t struct_size; /* of the plugin's table */
+    uint32_t version;     /* RUBBLE_VERSION of the plugin */
+
+    /* [any-thread] Why the calling thread's last failed call failed: function, what was expected, what was found.
+     * Never null; valid until the next call of this thread that fails. */
+    const char* (*get_last_error)(void);
+    /* [main-thread] Copies the host's services. Null: the defaults. Call it before everything else, not while
+     * worlds step. */
+    rubble_result (*set_host)(const rubble_host* host);
+
+    /* ---- worlds ---- */
+
+    /* [main-thread] Creates an empty world. settings may be null. More than 255 worlds: RUBBLE_ERROR_CAPACITY. */
+    rubble_result (*create_world)(const rubble_world_settings* settings, rubble_world* out);
+    /* [main-thread] Destroys a world and all its objects. A renderer of it remains, draws no more, and is
+     * destroyed apart. */
+    rubble_result (*destroy_world)(rubble_world world);
+    /* [main-thread] Replaces the whole world by a level: a .rubble, .vdb or .vox file, told apart by the ending
+     * of the UTF-8 path. vdb_tool: path of the program rubble-vdb, which is run as a child process for .vdb
+     * files; may be null for others. Drops the edits that wait in the queue, and stops a recording.
+     * RUBBLE_ERROR_FILE says what is wrong with the file and where; the world is then unchanged. */
+    rubble_result (*load_level)(rubble_world world, const char* path, const char* vdb_tool);
+    /* [main-thread] Advances the world by exactly 1/60 s: queued edits, then physics. The host decides how many
+     * steps a frame needs and draws between them with rubble_view.alpha. */
+    rubble_result (*step)(rubble_world world);
+
+    /* ---- edits: commands for the next step ---- */
+
+    /* [main-thread] Removes voxels; see rubble_carve. */
+    rubble_result (*carve)(rubble_world world, const rubble_carve* carve);
+    /* [main-thread] Breaks voxels into fragments; see rubble_break. */
+    rubble_result (*break_voxels)(rubble_world world, const rubble_break* edit);
+    /* [main-thread] Breaks and pushes; see rubble_explosion. */
+    rubble_result (*explode)(rubble_world world, const rubble_explosion* explosion);
+    /* [main-thread] Paints voxels; see rubble_paint. */
+    rubble_result (*paint)(rubble_world world, const rubble_paint* paint);
+    /* [main-thread] Pushes a body and wakes it; see rubble_impulse. */
+    rubble_result (*apply_impulse)(rubble_world world, const rubble_impulse* impulse);
+
+    /* ---- edits: joints, wheels and grabbing ---- */
+
+    /* [main-thread] Adds a joint; see rubble_joint_settings. If a side finds no voxel in anchor_radius, the step
+     * adds no joint and logs a warning. get_joint_states() lists it after the step. */
+    rubble_result (*add_joint)(rubble_world world, const rubble_joint_settings* settings);
+    /* [main-thread] Removes a joint. */
+    rubble_result (*remove_joint)(rubble_world world, rubble_joint joint);
+    /* [main-thread] Sets motor, friction and steering of a joint and wakes its bodies. */
+    rubble_result (*set_joint_motor)(rubble_world world, const rubble_joint_motor* motor);
+    /* [main-thread] Drives the wheels of a body; see rubble_drive. */
+    rubble_result (*drive_wheels)(rubble_world world, const rubble_drive* drive);
+    /* [main-thread] Holds a body; see rubble_grab. */
+    rubble_result (*grab_body)(rubble_world world, const rubble_grab* grab);
+    /* [main-thread] Lets go of a body; see rubble_release. An empty hand does nothing. */
+    rubble_result (*release_body)(rubble_world world, const rubble_release* release);
+
+    /* ---- edits: collision layers, water, triggers and characters ---- */
+
+    /* [main-thread] Sets which shapes a shape collides with. */
+    rubble_result (*set_collision_filter)(rubble_world world, const rubble_collision_filter* filter);
+    /* [main-thread] Adds water; see rubble_water_settings. */
+    rubble_result (*add_water)(rubble_world world, const rubble_water_settings* water);
+    /* [main-thread] Removes water. */
+    rubble_result (*remove_water)(rubble_world world, rubble_water water);
+    /* [main-thread] Adds a trigger; see rubble_trigger_settings. Bodies that are in it already enter in the same
+     * step. */
+    rubble_result (*add_trigger)(rubble_world world, const rubble_trigger_settings* trigger);
+    /* [main-thread] Removes a trigger. */
+    rubble_result (*remove_trigger)(rubble_world world, rubble_trigger trigger);
+    /* [main-thread] Adds a character; see rubble_character_settings. */
+    rubble_result (*add_character)(rubble_world world, const rubble_character_settings* character);
+    /* [main-thread] Removes a character. */
+    rubble_result (*remove_character)(rubble_world world, rubble_character character);
+    /* [main-thread] Says where a character shall go; see rubble_character_move. */
+    rubble_result (*move_character)(rubble_world world, const rubble_character_move* move);
+    /* [main-thread] Puts a character somewhere else. */
+    rubble_result (*teleport_character)(rubble_world world, const rubble_character_teleport* teleport);
+
+    /* ---- edits: environment and lights ---- */
+
+    /* [main-thread] Replaces sky, sun, air, exposure and gravity; see rubble_environment. */
+    rubble_result (*set_environment)(rubble_world world, const rubble_environment* environment);
+    /* [main-thread] Adds a light. A light on a shape moves with it; when the shape is destroyed the light stays
+     * where it was, turned off. A world that has 65,536 lights gets no more. */
+    rubble_result (*add_light)(rubble_world world, const rubble_light_settings* light);
+    /* [main-thread] Replaces all values of a light under its handle. */
+    rubble_result (*set_light)(rubble_world world, const rubble_light_settings* light);
+    /* [main-thread] Removes a light. */
+    rubble_result (*remove_light)(rubble_world world, rubble_light light);
+
+    /* ---- edits: undo ---- */
+
+    /* [main-thread] How many undo marks are kept. 0, the default: none, at no cost. */
+    rubble_result (*set_undo_limit)(rubble_world world, uint32_t marks);
+    /* [main-thread] Sets a mark to which undo() returns. */
+    rubble_result (*add_undo_mark)(rubble_world world);
+    /* [main-thread] Returns to the last mark, motion included. At most one undo or redo in a step. */
+    rubble_result (*undo)(rubble_world world);
+    /* [main-thread] Takes the last undo back, unless something has changed since. */
+    rubble_result (*redo)(rubble_world world);
+
+    /* ---- state: the world as the last step left it ---- */
+
+    /* [main-thread] What the last step() did, without copying: see the rules for how long the arrays live. */
+    rubble_result (*get_events)(rubble_world world, rubble_events* out);
+    /* [main-thread] All bodies, in an order that does not change while none is created. */
+    rubble_result (*get_body_states)(rubble_world world, rubble_body_state* out, uint32_t capacity, uint32_t* count);
+    /* [main-thread] One body. */
+    rubble_result (*get_body_state)(rubble_world world, rubble_body body, rubble_body_state* out);
+    /* [main-thread] The shapes of one body; body 0: of all bodies. */
+    rubble_result (*get_shape_states)(rubble_world world, rubble_body body, rubble_shape_state* out, uint32_t capacity,
+                                      uint32_t* count);
+    /* [main-thread] All joints, in a fixed order. */
+    rubble_result (*get_joint_states)(rubble_world world, rubble_joint_state* out, uint32_t capacity, uint32_t* count);
+    /* [main-thread] The points of a rope from its first end on: x, y, z of each, world. capacity and *count are
+     * numbers of doubles: three for each point. */
+    rubble_result (*get_rope_points)(rubble_world world, rubble_joint joint, double* out, uint32_t capacity,
+                                     uint32_t* count);
+    /* [main-thread] All volumes of water, in a fixed order. What was added is the last row, unless one was
+     * removed before. */
+    rubble_result (*get_waters)(rubble_world world, rubble_water* out, uint32_t capacity, uint32_t* count);
+    /* [main-thread] All triggers, in the same order as get_waters(). */
+    rubble_result (*get_triggers)(rubble_world world, rubble_trigger* out, uint32_t capacity, uint32_t* count);
+    /* [main-thread] Which bodies entered and left triggers in the last step. */
+    rubble_result (*get_trigger_events)(rubble_world world, rubble_trigger_event* out, uint32_t capacity,
+                                        uint32_t* count);
+    /* [main-thread] The bodies that have a voxel in a trigger now. */
+    rubble_result (*get_trigger_bodies)(rubble_world world, rubble_trigger trigger, rubble_body* out, uint32_t capacity,
+                                        uint32_t* count);
+    /* [main-thread] All characters, in the same order as get_waters(). */
+    rubble_result (*get_character_states)(rubble_world world, rubble_character_state* out, uint32_t capacity,
+                                          uint32_t* count);
+    /* [main-thread] The present sky, sun, air, exposure and gravity. */
+    rubble_result (*get_environment)(rubble_world world, rubble_environment* out);
+    /* [main-thread] All lights, in a fixed order. */
+    rubble_result (*get_lights)(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count);
+    /* [main-thread] All values of one light. */
+    rubble_result (*get_light_settings)(rubble_world world, rubble_light light, rubble_light_settings* out);
+    /* [main-thread] The lights that the last step added: one row for each add_light() in the order of the calls,
+     * 0 for one that the step refused. */
+    rubble_result (*get_added_lights)(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count);
+    /* [main-thread] Counts of voxels; see rubble_voxel_accounting. */
+    rubble_result (*get_voxel_accounting)(rubble_world world, rubble_voxel_accounting* out);
+    /* [main-thread] A hash of everything that decides what happens next: equal worlds have equal hashes. Costs a
+     * pass over the objects of the world. */
+    rubble_result (*get_state_hash)(rubble_world world, uint64_t* out);
+    /* [main-thread] Counters and times of the last step. */
+    rubble_result (*get_step_stats)(rubble_world world, rubble_step_stats* out);
+
+    /* ---- queries of the world as the last step left it; filter may be null ---- */
+
+    /* [main-thread] The first voxel that a ray meets. max_distance: metres, 0 to 1e6. Nothing met: RUBBLE_OK,
+     * out->hit 0. cast_rays() takes many rays, and a filter. */
+    rubble_result (*cast_ray)(rubble_world world, const double origin[3], const double direction[3],
+                              double max_distance, rubble_hit* out);
+    /* [main-thread] out[i] is the first voxel that rays[i] meets. `count` rows each. */
+    rubble_result (*cast_rays)(rubble_world world, const rubble_ray* rays, uint32_t count,
+                               const rubble_query_filter* filter, rubble_hit* out);
+    /* [main-thread] out[i] is the first voxel that casts[i] meets; distance 0 if it touches one where it starts. */
+    rubble_result (*cast_shapes)(rubble_world world, const rubble_shape_cast* casts, uint32_t count,
+                                 const rubble_query_filter* filter, rubble_hit* out);
+    /* [main-thread] The bodies that have a voxel in a region, in a fixed order. */
+    rubble_result (*overlap_bodies)(rubble_world world, const rubble_query_shape* region,
+                                    const rubble_query_filter* filter, rubble_body* out, uint32_t capacity,
+                                    uint32_t* count);
+    /* [main-thread] The shapes that have a voxel in a region, in a fixed order. */
+    rubble_result (*overlap_shapes)(rubble_world world, const rubble_query_shape* region,
+                                    const rubble_query_filter* filter, rubble_shape* out, uint32_t capacity,
+                                    uint32_t* count);
+    /* [main-thread] The point of a voxel that is closest to a position; distance 0 inside a voxel. max_distance:
+     * metres, at most 1e6. Nothing within it: out->hit is 0. */
+    rubble_result (*find_closest_point)(rubble_world world, const double position[3], double max_distance,
+                                        const rubble_query_filter* filter, rubble_hit* out);
+
+    /* ---- a model of the sky ---- */
+
+    /* [any-thread] Sets the colours of sun, sky, haze and ground, and the stars, to those of a position of the sun and
+     * the struct's `clouds`: redder near the horizon, twilight and night below it. The other fields stay.
+     * sun_direction: towards the sun, world. The environment must be valid, as for set_environment(). */
+    rubble_result (*apply_sky_model)(rubble_environment* environment, const double sun_direction[3]);
+
+    /* ---- saved games and recordings ---- */
+
+    /* [main-thread] Writes the game between two steps to a file, whole or not at all, with the edits that wait in
+     * the queue. The next step of the running game begins with physics rebuilt from the world, as a loaded game
+     * does, so that playing on and loading give the same result. Undo marks are not in the file: a loaded game has
+     * none. RUBBLE_ERROR_FILE: the file cannot be written; nothing has changed. */
+    rubble_result (*save_game)(rubble_world world, const char* path);
+    /* [main-thread] Replaces the whole world and its queue of edits by those of a saved game, and stops a recording.
+     * Each object has the handle that it had when it was saved, as a handle of this world. RUBBLE_ERROR_FILE: the
+     * world is unchanged. */
+    rubble_result (*load_game)(rubble_world world, const char* path);
+    /* [main-thread] Records every step from here on, beginning with a saved game. The file has its name after
+     * stop_recording(); a recording that is running is stopped first. Undo marks from before are dropped.
+     * RUBBLE_ERROR_FILE: the file cannot be written; the world and its marks are unchanged. */
+    rubble_result (*start_recording)(rubble_world world, const char* path);
+    /* [main-thread] Completes the file; without a recording it does nothing. RUBBLE_ERROR_FILE: some of it could
+     * not be written. */
+    rubble_result (*stop_recording)(rubble_world world);
+    /* [main-thread] Loads the start of a recording and plays all its steps. *steps (may be null) counts the steps
+     * that had the recorded state hash. RUBBLE_ERROR_FILE: the file is damaged (the world is unchanged), or a
+     * step had another hash because another build made the recording (the world is as after that step). */
+    rubble_result (*play_recording)(rubble_world world, const char* path, uint64_t* steps);
+
+    /* ---- renderer: OpenGL 3.3 core or later, always with the same context current ---- */
+
+    /* [render-thread] Creates the renderer of a world; a world can have one in its life. Needs
+     * rubble_host.gl_get_proc_address. RUBBLE_ERROR_GL: something of GL is missing, or a shader does not compile
+     * (with file and line). */
+    rubble_result (*create_renderer)(rubble_world world, const rubble_renderer_settings* settings,
+                                     rubble_renderer* out);
+    /* [render-thread] Draws the world as the last step() left it. RUBBLE_ERROR_GL: nothing was drawn.
+     * RUBBLE_ERROR_STALE: the world was destroyed. */
+    rubble_result (*draw)(rubble_renderer renderer, const rubble_view* view);
+    /* [render-thread] Makes draw() show an intermediate image ("albedo", "normal", "depth", ...), for debugging.
+     * Null or "final": the finished frame. RUBBLE_ERROR_ARGUMENT lists the names that there are. */
+    rubble_result (*set_debug_view)(rubble_renderer renderer, const char* name);
+    /* [render-thread] Counters and times of the last draw(). */
+    rubble_result (*get_draw_stats)(rubble_renderer renderer, rubble_draw_stats* out);
+    /* [render-thread] Destroys the renderer and its GL objects. Its context must be current. */
+    rubble_result (*destroy_renderer)(rubble_renderer renderer);
+} rubble_api;
+
+/* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:
+ * null and RUBBLE_ERROR_VERSION. */
+RUBBLE_EXPORT rubble_result rubble_get_api(uint32_t version, const rubble_api** table);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
