@@ -27,23 +27,23 @@ void store(const Vec& from, Vec3<Lanes>& to) {
     store(from.x, to.x), store(from.y, to.y), store(from.z, to.z);
 }
 Contact<Float8> load(const Contact<Lanes>& c) {
-    return {load(c.normal),
-            load(c.tangent1),
+    return {load(c.tangent1),
             load(c.tangent2),
             load(c.anchorA),
             load(c.anchorB),
-            load(c.rA),
-            load(c.rB),
             load(c.frictionInset),
-            load(c.separation),
-            load(c.normalMass),
-            load(c.tangentMass1),
-            load(c.tangentMass2),
             load(c.friction),
             load(c.normalImpulse),
             load(c.tangentImpulse1),
             load(c.tangentImpulse2),
-            load(c.totalImpulse)};
+            load(c.totalImpulse),
+            load(c.normal),
+            load(c.rA),
+            load(c.rB),
+            load(c.separation),
+            load(c.normalMass),
+            load(c.tangentMass1),
+            load(c.tangentMass2)};
 }
 RoundAnchor<Float8> load(const RoundAnchor<Lanes>& anchor) {
     return {load(anchor.axis), load(anchor.radius), load(anchor.side)};

@@ -8,16 +8,17 @@ namespace rubble {
 /// A contact point between the bodies A and B as the solver iterates it. Vectors are in world axes.
 template <class Real>
 struct Contact {
-    Vec3<Real> normal;              ///< from B to A; that of the face, with which it turns
     Vec3<Real> tangent1, tangent2;  ///< the directions of friction
     Vec3<Real> anchorA, anchorB;    ///< from the centre of mass to the touched point, at the start of the step
-    Vec3<Real> rA, rB;              ///< from the centre of mass to the point at which both get their impulses
-    Vec3<Real> frictionInset;       ///< from that point to where both have friction
-    Real separation;                ///< at the start of the step, along the normal as it is now, metres
-    Real normalMass, tangentMass1, tangentMass2;
+    Vec3<Real> frictionInset;       ///< from where both get their impulses to where they have friction
     Real friction;
     Real normalImpulse, tangentImpulse1, tangentImpulse2;  ///< N s, of a substep
     Real totalImpulse;                                     ///< of the substeps and impacts so far, along the normal
+    // What follows is computed by updateJacobian():
+    Vec3<Real> normal;  ///< from B to A; that of the face, with which it turns
+    Vec3<Real> rA, rB;  ///< from the centre of mass to the point at which both get their impulses
+    Real separation;    ///< at the start of the step, along the normal as it is now, metres
+    Real normalMass, tangentMass1, tangentMass2;
 };
 
 /// A touched point of a round surface. It does not turn with the surface's spin about its axis: it stays where the
@@ -48,7 +49,7 @@ struct ContactStart {
     Real distance;           ///< between the touched points along the normal, metres
     Real separation;         ///< the same, but a penetration that is allowed counts as touching
     Real isOfB;              ///< 1: the touched point is a feature of B on a face of A; 0: one of A on a face of B
-    RoundAnchor<Real> a, b;  ///< not read unless something round is touched
+    RoundAnchor<Real> a, b;  ///< not set unless something round is touched
 };
 
 /// How two bodies have moved since the step began.

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -19,8 +20,13 @@ struct PairConstraints {
     bool isHit = false;       ///< closing fast
     bool isFollowed = false;  ///< its points are followed within the step: see updateJacobian()
     bool isStiff = false;     ///< a body is load-bearing
+    bool isElastic = false;   ///< a point bounces
+    bool isWarm = false;      ///< a point has an impulse to start with
     uint32_t group = 0;       ///< where it is solved
     uint32_t lane = 0;
+    float bounceSpeed = 0.0f;  ///< m/s: the fastest approach of a point that bounces
+    /// The impulses to start with, summed, on A (N s), and about the centres of mass of A and B (N m s).
+    glm::vec3 impulse{0.0f}, angularImpulseA{0.0f}, angularImpulseB{0.0f};
     /// The manifold's points.
     std::span<ManifoldPoint> points() const { return manifold->all(); }
 };
@@ -52,22 +58,28 @@ struct ContactSet {
     /// A point of a pair, read from its lane.
     Contact<float> contact(const PairConstraints& pair, size_t point) const {
         Contact<float> out;
-        copyLane<true>(contacts[groups[pair.group].from + point], pair.lane, out);
+        copyLane<true>(contacts[groups[pair.group].from + point], pair.lane, out, sizeof out);
         return out;
     }
     /// Writes a point of a pair to its lane.
     void setContact(const PairConstraints& pair, size_t point, const Contact<float>& contact) {
-        copyLane<false>(contacts[groups[pair.group].from + point], pair.lane, contact);
+        copyLane<false>(contacts[groups[pair.group].from + point], pair.lane, contact, sizeof contact);
+    }
+    /// The same, without what updateJacobian() computes.
+    void beginContact(const PairConstraints& pair, size_t point, const Contact<float>& contact) {
+        copyLane<false>(contacts[groups[pair.group].from + point], pair.lane, contact,
+                        offsetof(Contact<float>, normal));
     }
     /// The same, of what is known of it at the start of the step.
     ContactStart<float> start(const PairConstraints& pair, size_t point) const {
         ContactStart<float> out;
-        copyLane<true>(starts[groups[pair.group].from + point], pair.lane, out);
+        copyLane<true>(starts[groups[pair.group].from + point], pair.lane, out, sizeof out);
         return out;
     }
-    /// The same.
+    /// The same; round surfaces only where the pair's group has any.
     void setStart(const PairConstraints& pair, size_t point, const ContactStart<float>& start) {
-        copyLane<false>(starts[groups[pair.group].from + point], pair.lane, start);
+        copyLane<false>(starts[groups[pair.group].from + point], pair.lane, start,
+                        isRound(pair) ? sizeof start : offsetof(ContactStart<float>, a));
     }
     /// Whether a pair touches something round.
     bool isRound(const PairConstraints& pair) const { return groups[pair.group].anyRound; }
@@ -80,17 +92,18 @@ struct ContactSet {
     }
 
 private:
-    /// Copies a lane to or from: both are nothing but floats, in the same order.
+    /// Copies the first bytes of a lane to or from: both are nothing but floats, in the same order.
     template <bool kRead, class Wide, class Single>
-    static void copyLane(Wide& wide, uint32_t lane, Single& single) {
+    static void copyLane(Wide& wide, uint32_t lane, Single& single, size_t bytes) {
         static_assert(sizeof(Wide) == kLanes * sizeof(Single));
-        for (size_t i = 0; i < sizeof(Single) / sizeof(float); ++i)
+        for (size_t at = 0; at < bytes; at += sizeof(float)) {
+            auto* one = bytesOf(single) + at;
+            auto* of = bytesOf(wide) + at * kLanes + lane * sizeof(float);
             if constexpr (kRead)
-                std::memcpy(bytesOf(single) + i * sizeof(float), bytesOf(wide) + (i * kLanes + lane) * sizeof(float),
-                            sizeof(float));
+                std::memcpy(one, of, sizeof(float));
             else
-                std::memcpy(bytesOf(wide) + (i * kLanes + lane) * sizeof(float), bytesOf(single) + i * sizeof(float),
-                            sizeof(float));
+                std::memcpy(of, one, sizeof(float));
+        }
     }
     template <class T>
     static auto bytesOf(T& of) {

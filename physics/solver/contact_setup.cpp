@@ -71,6 +71,14 @@ Contact<float> contactOf(const PairConstraints& pair, const ManifoldPoint& point
     return c;
 }
 
+/// How many points all lanes of a group have.
+uint32_t fullPoints(const ContactSet& set, const PairGroup& group) {
+    uint32_t least = group.count;
+    for (const uint32_t pair : group.pair)
+        least = pair == PairGroup::kNone ? 0 : std::min(least, uint32_t(set.pairs[pair].manifold->count));
+    return least;
+}
+
 }  // namespace
 
 void prepareStates(ContactSet& set, std::span<const SolverBody> bodies) {
@@ -97,6 +105,14 @@ void classifyPair(const ContactSet& set, PairConstraints& pair, std::span<const 
         const glm::vec3 sliding =
             relative + glm::cross(A.w, rA + point.frictionInset) - glm::cross(B.w, rB + point.frictionInset);
         moving2 = std::max(moving2, glm::dot(sliding, sliding));
+        if (point.restitution > 0.0f) {
+            pair.isElastic = true;
+            pair.bounceSpeed = std::max(pair.bounceSpeed, point.approach);
+        }
+        const glm::vec3 impulse = point.normal * point.normalImpulse + point.frictionImpulse;
+        pair.isWarm |= point.normalImpulse != 0.0f;
+        pair.impulse += impulse;
+        pair.angularImpulseA += glm::cross(rA, impulse), pair.angularImpulseB += glm::cross(rB, impulse);
     }
     pair.isHit = closing > kHitSpeed;
     pair.isFollowed = pair.isHit || (pair.a && pair.b && moving2 > kFollowedSpeed * kFollowedSpeed);
@@ -104,8 +120,8 @@ void classifyPair(const ContactSet& set, PairConstraints& pair, std::span<const 
 
 void fillGroup(ContactSet& set, PairGroup& group, std::span<const SolverBody> bodies, const glm::vec3& up,
                const ContactSoftness& softness) {
-    std::fill_n(set.contacts.begin() + group.from, group.count, Contact<Lanes>{});
-    std::fill_n(set.starts.begin() + group.from, group.count, ContactStart<Lanes>{});
+    for (uint32_t i = fullPoints(set, group); i < group.count; ++i)
+        set.contacts[group.from + i] = {}, set.starts[group.from + i] = {};
     for (size_t lane = 0; lane < kLanes; ++lane) {
         if (group.pair[lane] == PairGroup::kNone) continue;
         const PairConstraints& pair = set.pairs[group.pair[lane]];
@@ -117,24 +133,19 @@ void fillGroup(ContactSet& set, PairGroup& group, std::span<const SolverBody> bo
         group.biasRate.at[lane] = soft.biasRate;
         group.massScale.at[lane] = soft.massScale, group.impulseScale.at[lane] = soft.impulseScale;
         for (size_t i = 0; i < pair.points().size(); ++i) {
-            set.setContact(pair, i, contactOf(pair, pair.points()[i], originA, originB));
+            set.beginContact(pair, i, contactOf(pair, pair.points()[i], originA, originB));
             set.setStart(pair, i, startOf(*pair.manifold, pair.points()[i], up));
         }
     }
 }
 
-void WarmStartFilter::reject(const ContactSet& set, std::span<const SolverBody> bodies) {
+void WarmStartFilter::reject(ContactSet& set) {
     for (int round = 0; round < kRejectionRounds; ++round) {
         m_sums.assign(set.states.size(), {});
         for (const PairConstraints& pair : set.pairs) {
             Sum &a = m_sums[size_t(pair.a)], &b = m_sums[size_t(pair.b)];
-            const glm::vec3 originA = originFrom(*pair.manifold, bodies[size_t(pair.a)]);
-            const glm::vec3 originB = originFrom(*pair.manifold, bodies[size_t(pair.b)]);
-            for (const ManifoldPoint& point : pair.points()) {
-                const glm::vec3 impulse = point.normal * point.normalImpulse + point.frictionImpulse;
-                a.impulse += impulse, a.angularImpulse += glm::cross(originA + point.position, impulse);
-                b.impulse -= impulse, b.angularImpulse -= glm::cross(originB + point.position, impulse);
-            }
+            a.impulse += pair.impulse, a.angularImpulse += pair.angularImpulseA;
+            b.impulse -= pair.impulse, b.angularImpulse -= pair.angularImpulseB;
         }
         for (size_t i = 1; i < set.states.size(); ++i) {
             const SolverState& state = set.states[i];
@@ -146,10 +157,12 @@ void WarmStartFilter::reject(const ContactSet& set, std::span<const SolverBody> 
             sum.isRejected = !state.isJointed && speed2 + spin2 > kMaxWarmStartSpeed * kMaxWarmStartSpeed;
         }
         bool any = false;
-        for (const PairConstraints& pair : set.pairs) {
-            if (!m_sums[size_t(pair.a)].isRejected && !m_sums[size_t(pair.b)].isRejected) continue;
+        for (PairConstraints& pair : set.pairs) {
+            if (!pair.isWarm || (!m_sums[size_t(pair.a)].isRejected && !m_sums[size_t(pair.b)].isRejected)) continue;
+            any = true;
+            pair.isWarm = false;
+            pair.impulse = pair.angularImpulseA = pair.angularImpulseB = glm::vec3(0.0f);
             for (ManifoldPoint& point : pair.points()) {
-                any |= point.normalImpulse != 0.0f;
                 point.normalImpulse = 0.0f;
                 point.frictionImpulse = glm::vec3(0.0f);
             }

@@ -11,8 +11,8 @@ namespace rubble {
 
 /// The states of the bodies at the start of the step.
 void prepareStates(ContactSet& set, std::span<const SolverBody> bodies);
-/// Finds how fast the bodies of a pair close and slide, and writes the approach of each point. Reads bodies and states,
-/// writes only what belongs to the pair. [any thread]
+/// Finds how fast the bodies of a pair close and slide, what it starts with, and writes the approach of each point.
+/// Reads bodies and states, writes only what belongs to the pair. [any thread]
 void classifyPair(const ContactSet& set, PairConstraints& pair, std::span<const SolverBody> bodies);
 
 /// How soft contacts are.
@@ -29,7 +29,7 @@ void fillGroup(ContactSet& set, PairGroup& group, std::span<const SolverBody> bo
 class WarmStartFilter {
 public:
     /// Changes the impulses of the manifolds. states must know which bodies are jointed: these are left alone.
-    void reject(const ContactSet& set, std::span<const SolverBody> bodies);
+    void reject(ContactSet& set);
 
 private:
     /// The sum of the warm start impulses on a body.

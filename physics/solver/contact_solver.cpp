@@ -50,7 +50,7 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
     m_up = weight > 0.0 ? glm::vec3(gravity / -weight) : glm::vec3(0.0f);
     prepare(bodies, manifolds, bodyOf, settings);
     m_joints.begin(joints, m_set.states);
-    m_warmStartFilter.reject(m_set, bodies);
+    m_warmStartFilter.reject(m_set);
     m_loadBearing.clear();
     if (settings.loadBearingPasses > 0 && weight > 0.0)
         m_loadBearing.find(m_set, m_up, float(weight * h), float(settings.loadBearingRatio));
@@ -64,7 +64,7 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
             bodies[i].velocity = state.v, bodies[i].angularVelocity = state.w;
         else
             moveFreely(bodies[i], gravity, settings.seconds, m_paths[i]);
-    forEachBlockwise(m_parallelFor, m_set.pairs.size(), [&](size_t i) { storeImpulses(m_set.pairs[i]); });
+    forEachBlockwise(m_parallelFor, m_set.groups.size(), [&](size_t i) { storeImpulses(m_set.groups[i]); });
 }
 
 void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds,
@@ -201,14 +201,23 @@ void ContactSolver::moveFreely(SolverBody& body, const glm::dvec3& gravity, doub
     }
 }
 
-void ContactSolver::storeImpulses(const PairConstraints& pair) {
-    pair.manifold->isPenetrating = pair.isHit && isDeep(pair);
-    for (size_t i = 0; i < pair.points().size(); ++i) {
-        ManifoldPoint& point = pair.points()[i];
-        const Contact<float> c = m_set.contact(pair, i);
-        point.normalImpulse = c.normalImpulse;
-        point.frictionImpulse = toGlm(c.tangent1 * c.tangentImpulse1 + c.tangent2 * c.tangentImpulse2);
-        point.totalImpulse = c.totalImpulse + c.normalImpulse;
+/// Group after group, as their lanes lie.
+void ContactSolver::storeImpulses(const PairGroup& group) {
+    for (size_t lane = 0; lane < kLanes; ++lane) {
+        if (group.pair[lane] == PairGroup::kNone) continue;
+        const PairConstraints& pair = m_set.pairs[group.pair[lane]];
+        pair.manifold->isPenetrating = pair.isHit && isDeep(pair);
+        const Contact<Lanes>* c = &m_set.contacts[group.from];
+        for (ManifoldPoint& point : pair.points()) {
+            const auto vector = [&](const Vec3<Lanes>& v) {
+                return glm::vec3(v.x.at[lane], v.y.at[lane], v.z.at[lane]);
+            };
+            point.normalImpulse = c->normalImpulse.at[lane];
+            point.frictionImpulse =
+                vector(c->tangent1) * c->tangentImpulse1.at[lane] + vector(c->tangent2) * c->tangentImpulse2.at[lane];
+            point.totalImpulse = c->totalImpulse.at[lane] + point.normalImpulse;
+            ++c;
+        }
     }
 }
 

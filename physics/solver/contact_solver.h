@@ -52,7 +52,7 @@ private:
     void move(std::span<SolverBody> bodies, double seconds);
     static void moveConstrained(SolverBody& body, SolverState& state, const glm::dquat& start, double seconds);
     static void moveFreely(SolverBody& body, const glm::dvec3& gravity, double seconds, std::vector<Pose>& path);
-    void storeImpulses(const PairConstraints& pair);
+    void storeImpulses(const PairGroup& group);
     ContactArrays arrays() {
         return {m_set.states.data(), m_set.groups.data(), m_set.contacts.data(), m_set.starts.data()};
     }

@@ -22,30 +22,20 @@ constexpr uint8_t kMaxImpacts = 32;  ///< of a pair in a substep
 constexpr int kMaxJointRounds = 64;  ///< in a substep, over all joints
 constexpr int kJointRounds = 4;      ///< in an impact of what is jointed
 
-bool isElastic(std::span<const ManifoldPoint> points) {
-    return std::any_of(points.begin(), points.end(),
-                       [](const ManifoldPoint& point) { return point.restitution > 0.0f; });
-}
-
 }  // namespace
 
 void Restitution::begin(ContactSet& set, float threshold) {
     m_threshold = threshold;
     m_fast.clear();
-    for (size_t i = 0; i < set.pairs.size(); ++i) {
-        const auto points = set.pairs[i].points();
-        if (std::any_of(points.begin(), points.end(), [&](const ManifoldPoint& point) {
-                return point.restitution > 0.0f && point.approach > threshold;
-            }))
-            m_fast.push_back(i);
-    }
+    for (size_t i = 0; i < set.pairs.size(); ++i)
+        if (set.pairs[i].bounceSpeed > threshold) m_fast.push_back(i);
     if (m_fast.empty()) return;
     m_isQueued.assign(set.pairs.size(), false);
     m_impacts.assign(set.pairs.size(), 0);
     m_neighbours.clear();
     for (size_t i = 0; i < set.pairs.size(); ++i) {
         const PairConstraints& pair = set.pairs[i];
-        if (!isElastic(pair.points())) continue;
+        if (!pair.isElastic) continue;
         for (const int body : {pair.a, pair.b})
             if (body) m_neighbours.emplace_back(body, i);
     }
