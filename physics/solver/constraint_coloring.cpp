@@ -71,7 +71,9 @@ void ConstraintColoring::replaceRanges(const std::function<std::pair<size_t, siz
 void ConstraintColoring::run(const ParallelFor* parallelFor, const std::function<void(size_t, size_t)>& body) const {
     for (const std::vector<Task>& color : m_colors) {
         const auto runTask = [&color, &body](size_t i) { body(color[i].from, color[i].to); };
-        if (parallelFor && color.size() > 1)
+        size_t count = 0;
+        for (const Task& task : color) count += task.to - task.from;
+        if (parallelFor && color.size() > 1 && count >= kMinParallelItems)
             (*parallelFor)(color.size(), runTask);
         else
             serialFor(color.size(), runTask);

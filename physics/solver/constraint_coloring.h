@@ -19,6 +19,7 @@ class ConstraintColoring {
 public:
     static constexpr size_t kPairsPerStrip = 128;  ///< fewer than two strips of them keep their order, in one task
     static constexpr size_t kMaxStrips = 8;
+    static constexpr size_t kMinParallelItems = 48;  ///< of a color; fewer are done before a thread has woken
 
     /// pairs: indices of bodies; 0 is the world, which tasks may share.
     void build(std::span<const SolverBody> bodies, std::span<const std::pair<int, int>> pairs);
@@ -26,8 +27,8 @@ public:
     std::span<const uint32_t> order() const { return m_order; }
     /// Replaces the range of each task, in order, by f(from, to), a range of what its pairs are packed in.
     void replaceRanges(const std::function<std::pair<size_t, size_t>(size_t, size_t)>& f);
-    /// Calls body(from, to) for each task, a range of order(), color after color; the tasks of a color run in parallel.
-    /// parallelFor: null: serial.
+    /// Calls body(from, to) for each task, a range of order(), color after color; the tasks of a color run in parallel
+    /// if they have items enough. parallelFor: null: serial.
     void run(const ParallelFor* parallelFor, const std::function<void(size_t, size_t)>& body) const;
 
 private:

@@ -63,6 +63,17 @@ TEST(ConstraintColoring, ParallelTasksShareNoBodyAndCoverAllPairs) {
     EXPECT_GE(widest, 4u);
 }
 
+TEST(ConstraintColoring, ThreadsAreNotWokenForAFewItems) {
+    const Scene scene = heap(600);
+    ConstraintColoring coloring;
+    coloring.build(scene.bodies, scene.pairs);
+    coloring.replaceRanges([](size_t from, size_t) { return std::pair(from, from + 1); });
+    size_t ran = 0;
+    const ParallelFor never = [](size_t, const std::function<void(size_t)>&) { FAIL() << "a thread is woken"; };
+    coloring.run(&never, [&](size_t, size_t) { ++ran; });
+    EXPECT_GE(ran, 8u);
+}
+
 TEST(ConstraintColoring, FewPairsKeepTheirOrder) {
     const Scene scene = heap(100);
     ASSERT_LT(scene.pairs.size(), 2 * ConstraintColoring::kPairsPerStrip);
