@@ -51,7 +51,8 @@ void PhysicsWorld::step() {
         impl.contacts.find(impl.bodies, impl.joints.table(), settings);
         impl.contacts.recordTouching(impl.bodies);
         impl.solver.solve(impl.bodies, impl.contacts.manifolds(), impl.joints, impl.gravity, settings);
-        impl.continuous.stop(impl.bodies, impl.joints.table(), settings, impl.gravity);
+        if (impl.continuous.stop(impl.bodies, impl.joints.table(), settings, impl.gravity))
+            impl.solver.keepMomentum(impl.bodies);
         impl.work += impl.joints.work();
         impl.joints.findBroken();
         impl.bodies.quarantineInvalid();

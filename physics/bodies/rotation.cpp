@@ -105,6 +105,10 @@ glm::dmat3 worldInverseInertia(const SolverBody& body) {
     return scaled * glm::transpose(axes);
 }
 
+glm::dvec3 angularMomentum(const SolverBody& body) {
+    return body.rotation * (body.inertia * (glm::conjugate(body.rotation) * body.angularVelocity));
+}
+
 double kineticEnergy(const SolverBody& body) {
     const glm::dvec3 w = glm::conjugate(body.rotation) * body.angularVelocity;
     return 0.5 * (glm::dot(body.velocity, body.velocity) / body.inverseMass + glm::dot(w, body.inertia * w));

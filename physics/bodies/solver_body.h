@@ -33,6 +33,8 @@ struct alignas(64) SolverState {
 /// Rotates a body through one substep without torque. With conservesMomentum its angular momentum is constant, else its
 /// angular velocity: cheaper, and accurate for slow bodies and for those with nearly equal principal moments.
 void rotateBody(SolverBody& body, double seconds);
+/// About its centre of mass, world axes, kg m2/s.
+glm::dvec3 angularMomentum(const SolverBody& body);
 /// Joules of its motion.
 double kineticEnergy(const SolverBody& body);
 /// The inverse of the inertia tensor in world axes, 1/(kg m2).

@@ -11,7 +11,7 @@
 // Where an island's energy is taken back from:
 //   * Of contacts with the world: from the speeds of the bodies that gained, in proportion to their gains, and then
 //   from
-//     their heights, but for half a millimetre a step: overlaps are pushed apart in the end.
+//     their heights, but for two millimetres a step: overlaps are pushed apart in the end.
 //   * With joints to the world: the speeds of all its bodies are scaled alike, so that joined bodies stay together;
 //   then
 //     heights as above.
@@ -20,6 +20,10 @@
 //     mass and the velocities v_i, w_i of the bodies at r_i from it, the motion as one rigid body is V = P / M and
 //     W = I^-1 L. The rest, v_i - V - W x r_i and w_i - W, has neither momentum, and its energy adds to that of the
 //     rigid motion. It alone is scaled.
+//
+// A body that was put back (continuous_collision.h) has velocities that it got from hits after that moment, elsewhere:
+// P is right, L is not. An island without the world gets what is missing of L as a turn of the whole, and what energy
+// that adds is taken back in the same way.
 
 namespace rubble {
 namespace {
@@ -37,6 +41,34 @@ void lower(SolverBody& body, const glm::dvec3& before, double gain, const glm::d
 }
 
 }  // namespace
+
+/// The motion of bodies as one rigid body of the same momentum and angular momentum.
+struct EnergyBound::RigidMotion {
+    double mass = 0.0, energy = 0.0;                   ///< kg, joules
+    glm::dvec3 center{0.0}, velocity{0.0}, spin{0.0};  ///< of the centre of mass, world axes
+    glm::dmat3 inertia{0.0};                           ///< about it
+
+    RigidMotion(std::span<const SolverBody> bodies, Members members) {
+        for (const auto& [root, i] : members) {
+            const double m = 1.0 / bodies[i].inverseMass;
+            mass += m;
+            center += bodies[i].position * m;
+            velocity += bodies[i].velocity * m;
+        }
+        center /= mass, velocity /= mass;
+        glm::dvec3 momentum(0.0);
+        for (const auto& [root, i] : members) {
+            const SolverBody& body = bodies[i];
+            const glm::dvec3 r = body.position - center;
+            inertia += glm::inverse(worldInverseInertia(body)) +
+                       (glm::dmat3(glm::dot(r, r)) - glm::outerProduct(r, r)) / body.inverseMass;
+            momentum += glm::cross(r, (body.velocity - velocity) / body.inverseMass) + angularMomentum(body);
+        }
+        spin = glm::inverse(inertia) * momentum;
+        energy = 0.5 * (mass * glm::dot(velocity, velocity) + glm::dot(spin, momentum));
+    }
+    glm::dvec3 velocityAt(const glm::dvec3& point) const { return velocity + glm::cross(spin, point - center); }
+};
 
 void EnergyBound::record(std::span<const SolverBody> bodies, const glm::dvec3& gravity, double substep) {
     m_gravity = gravity;
@@ -85,9 +117,9 @@ void EnergyBound::enforce(std::span<SolverBody> bodies, std::span<const std::pai
     findIslands(bodies, pairs, joints);
     updateRegainable(joints);
     takeFromGainers(bodies);
-    for (uint32_t i = 1; i < bodies.size(); ++i)
-        if (m_sets.root(i) == i && m_islands[i].gain > 0.0 && !m_islands[i].touchesWorld)
-            takeFromInnerMotion(bodies, i);
+    const auto isMeant = [](const Island& island) { return island.gain > 0.0 && !island.touchesWorld; };
+    forEachIsland(bodies.size(), isMeant,
+                  [&](const Island& island, Members members) { takeFromInnerMotion(bodies, island, members); });
 }
 
 /// What the islands gained back does not count as a gain.
@@ -117,38 +149,60 @@ void EnergyBound::takeFromGainers(std::span<SolverBody> bodies) {
     }
 }
 
-/// root: of a free island that gained.
-void EnergyBound::takeFromInnerMotion(std::span<SolverBody> bodies, uint32_t root) {
-    const auto forEach = [&](auto&& f) {
-        for (uint32_t i = root; i < bodies.size(); ++i)
-            if (m_sets.root(i) == root) f(bodies[i], 1.0 / bodies[i].inverseMass);
-    };
-    double mass = 0.0;
-    glm::dvec3 center(0.0), momentum(0.0), angularMomentum(0.0);
-    forEach([&](const SolverBody& body, double m) {
-        mass += m;
-        center += body.position * m;
-        momentum += body.velocity * m;
-    });
-    center /= mass;
-    const glm::dvec3 velocity = momentum / mass;
-    glm::dmat3 inertia(0.0);
-    forEach([&](const SolverBody& body, double m) {
-        const glm::dvec3 r = body.position - center;
-        const glm::dmat3 own = glm::inverse(worldInverseInertia(body));
-        inertia += own + (glm::dmat3(glm::dot(r, r)) - glm::outerProduct(r, r)) * m;
-        angularMomentum += glm::cross(r, body.velocity - velocity) * m + own * body.angularVelocity;
-    });
-    const glm::dvec3 spin = glm::inverse(inertia) * angularMomentum;
-    const double rigid = 0.5 * (mass * glm::dot(velocity, velocity) + glm::dot(spin, angularMomentum));
-    const Island& island = m_islands[root];
-    const double inner = island.kinetic - rigid;
+/// The bodies of the islands of which `isMeant` is true, each island's together: calls f(root, bodies).
+template <class Meant, class F>
+void EnergyBound::forEachIsland(size_t bodies, Meant&& isMeant, F&& f) {
+    m_members.clear();
+    for (uint32_t i = 1; i < bodies; ++i)
+        if (const uint32_t root = m_sets.root(i); isMeant(m_islands[root])) m_members.emplace_back(root, i);
+    std::sort(m_members.begin(), m_members.end());
+    for (size_t from = 0, to = 0; from < m_members.size(); from = to) {
+        while (to < m_members.size() && m_members[to].first == m_members[from].first) ++to;
+        f(m_islands[m_members[from].first], Members(m_members).subspan(from, to - from));
+    }
+}
+
+/// Of a free island.
+void EnergyBound::takeFromInnerMotion(std::span<SolverBody> bodies, const Island& island, Members members) {
+    const RigidMotion rigid(bodies, members);
+    const double inner = island.kinetic - rigid.energy;
     if (!(inner > 0.0)) return;
     const double scale = std::sqrt(std::max(0.0, 1.0 - island.gain / inner));
-    forEach([&](SolverBody& body, double) {
-        const glm::dvec3 asOne = velocity + glm::cross(spin, body.position - center);
+    for (const auto& [root, i] : members) {
+        SolverBody& body = bodies[i];
+        const glm::dvec3 asOne = rigid.velocityAt(body.position);
         body.velocity = asOne + (body.velocity - asOne) * scale;
-        body.angularVelocity = spin + (body.angularVelocity - spin) * scale;
+        body.angularVelocity = rigid.spin + (body.angularVelocity - rigid.spin) * scale;
+    }
+}
+
+/// What is missing of an island's angular momentum it gets as one rigid body.
+void EnergyBound::keepMomentum(std::span<const SolverBody> before, std::span<SolverBody> bodies) {
+    for (Island& island : m_islands) island.changed = false;
+    for (uint32_t i = 1; i < bodies.size(); ++i)
+        if (bodies[i].position != before[i].position || bodies[i].rotation != before[i].rotation)
+            m_islands[m_sets.root(i)].changed = true;
+    const auto isMeant = [](const Island& island) { return island.changed && !island.touchesWorld; };
+    forEachIsland(bodies.size(), isMeant, [&](Island& island, Members members) {
+        glm::dvec3 missing(0.0);
+        double allowed = 0.0;
+        for (const auto& [root, i] : members) {
+            SolverBody was = before[i];
+            was.velocity = bodies[i].velocity;
+            missing += angularMomentum(was) - angularMomentum(bodies[i]) +
+                       glm::cross(was.position - bodies[i].position, was.velocity / was.inverseMass);
+            allowed += kineticEnergy(was);
+        }
+        const RigidMotion rigid(bodies, members);
+        const glm::dvec3 spin = glm::inverse(rigid.inertia) * missing;
+        island.kinetic = 0.0;
+        for (const auto& [root, i] : members) {
+            bodies[i].velocity += glm::cross(spin, bodies[i].position - rigid.center);
+            bodies[i].angularVelocity += spin;
+            island.kinetic += kineticEnergy(bodies[i]);
+        }
+        island.gain = island.kinetic - allowed;
+        if (island.gain > 0.0) takeFromInnerMotion(bodies, island, members);
     });
 }
 

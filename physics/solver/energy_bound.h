@@ -21,6 +21,9 @@ public:
     /// Call after the solve. pairs: indices of bodies in contact.
     void enforce(std::span<SolverBody> bodies, std::span<const std::pair<int, int>> pairs,
                  std::span<JointConstraint* const> joints);
+    /// Gives islands that do not touch the world the angular momentum back that they lost when bodies were put back
+    /// after enforce(). before: the bodies as they were.
+    void keepMomentum(std::span<const SolverBody> before, std::span<SolverBody> bodies);
 
 private:
     struct Island {
@@ -30,12 +33,17 @@ private:
         double regainable = 0.0;     ///< joules: JointConstraint::regainable of its joints
         int joints = 0;
         bool touchesWorld = false;
+        bool changed = false;  ///< one of its bodies was put back
     };
+    using Members = std::span<const std::pair<uint32_t, uint32_t>>;  ///< root and body
+    struct RigidMotion;
     void findIslands(std::span<const SolverBody> bodies, std::span<const std::pair<int, int>> pairs,
                      std::span<JointConstraint* const> joints);
     void updateRegainable(std::span<JointConstraint* const> joints);
     void takeFromGainers(std::span<SolverBody> bodies);
-    void takeFromInnerMotion(std::span<SolverBody> bodies, uint32_t root);
+    static void takeFromInnerMotion(std::span<SolverBody> bodies, const Island& island, Members members);
+    template <class Meant, class F>
+    void forEachIsland(size_t bodies, Meant&& isMeant, F&& f);
     struct Before {
         double kinetic = 0.0;                     ///< joules
         glm::dvec3 position{0.0}, velocity{0.0};  ///< world
@@ -47,6 +55,7 @@ private:
     std::vector<double> m_gains;    ///< joules, by body
     std::vector<Island> m_islands;  ///< by the island's root body
     UnionFind<> m_sets;
+    std::vector<std::pair<uint32_t, uint32_t>> m_members;
 };
 
 }  // namespace rubble

@@ -102,9 +102,6 @@ double deviationOf(const DynamicBody& body, double seconds) {
     return glm::length(went - expected * part) + radius * glm::length(turned - expectedTurn * part) + sagitta;
 }
 
-glm::dvec3 angularMomentum(const SolverBody& body) {
-    return body.rotation * (body.inertia * (glm::conjugate(body.rotation) * body.angularVelocity));
-}
 /// Puts a body's rotation back. What has turned freely since had the same angular momentum and the same energy. If
 /// these two do not agree, something has hit it since: then the angular velocity turns with the body, which keeps the
 /// energy.
@@ -195,9 +192,9 @@ void ContinuousCollision::stopJointed(const PhysicsBodies& bodies, const JointTa
     }
 }
 
-void ContinuousCollision::stop(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings,
+bool ContinuousCollision::stop(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings,
                                const glm::dvec3& gravity) {
-    if (!settings.continuous) return;
+    if (!settings.continuous) return false;
     m_stops.clear();
     for (const uint32_t slot : bodies.awake()) {
         DynamicBody& body = bodies.at(slot);
@@ -219,6 +216,7 @@ void ContinuousCollision::stop(PhysicsBodies& bodies, const JointTable& joints, 
         turnBack(motion, pose.rotation);
         body.setPose();
     }
+    return !m_stops.empty();
 }
 
 }  // namespace rubble

@@ -12,7 +12,8 @@ class ContinuousCollision {
 public:
     /// Moves bodies back along their path of this step to where they first entered something. Their velocities stay,
     /// and the next step finds the contact. gravity: m/s2.
-    void stop(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings,
+    /// Returns whether there were any.
+    bool stop(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings,
               const glm::dvec3& gravity);
 
 private:

@@ -65,4 +65,17 @@ void StepSolver::solve(PhysicsBodies& bodies, std::span<Manifold* const> manifol
     }
 }
 
+void StepSolver::keepMomentum(PhysicsBodies& bodies) {
+    m_after = m_bodies;
+    for (const uint32_t slot : bodies.awake()) {
+        const DynamicBody& body = bodies.at(slot);
+        m_after[size_t(body.solverIndex)] = body.motion;
+    }
+    m_energy.keepMomentum(m_bodies, m_after);
+    for (const uint32_t slot : bodies.awake()) {
+        DynamicBody& body = bodies.at(slot);
+        body.motion = m_after[size_t(body.solverIndex)];
+    }
+}
+
 }  // namespace rubble

@@ -17,13 +17,15 @@ public:
     /// gravity: m/s2. The bodies get their new poses and velocities, manifolds and joints their impulses.
     void solve(PhysicsBodies& bodies, std::span<Manifold* const> manifolds, PhysicsJoints& joints, glm::dvec3 gravity,
                const PhysicsSettings& settings);
+    /// Call if bodies were put back since: what of them touches nothing that stands still keeps its momentum.
+    void keepMomentum(PhysicsBodies& bodies);
     /// The number of bodies in the last solve; body 0 is the world.
     size_t bodyCount() const { return m_bodies.size(); }
 
 private:
     ContactSolver m_solver;
     EnergyBound m_energy;
-    std::vector<SolverBody> m_bodies;
+    std::vector<SolverBody> m_bodies, m_after;
     std::vector<std::pair<int, int>> m_bodyOf;  ///< indices in m_bodies, by manifold
 };
 
