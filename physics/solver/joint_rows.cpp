@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/math/angles.h"
+#include "runtime/core/angles.h"
 
 namespace rubble {
 namespace {

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <thread>
 
-#include "physics/math/angles.h"
+#include "runtime/core/angles.h"
 #include "runtime/core/constants.h"
 #include "tests/physics/scenes/joint_scenes.h"
 #include "tests/physics/scenes/known_scenes.h"

@@ -190,6 +190,7 @@ void addCar(PhysicsScene& scene, const Car& car) {
             if (x > 0.0 && car.steer != 0.0)  // each wheel across its own circle
                 axle.joint.steer = std::atan(kWheelBase / (kWheelBase / std::tan(car.steer) + z + 0.125));
             axle.joint.friction = car.drag + car.brake;
+            axle.joint.wheel = {.steerAngle = x > 0.0 ? 1.0 : 0.0, .steerRate = 100.0};
             if (car.drive > 0.0) axle.joint.motor = {MotorMode::Speed, 1000.0, car.drive};
             scene.level.joints.push_back(axle);
         }
@@ -273,6 +274,20 @@ TEST(Rolling, ACarTurnsByItsSteeringAngle) {
         const double speed = glm::length(scene.body(1).velocity), tangent = std::tan(steer);
         const double theory = speed * tangent / kWheelBase / std::sqrt(1.0 + 0.25 * tangent * tangent);
         EXPECT_NEAR(double(scene.body(1).angularVelocity.y) / theory, 1.0, 0.05) << steer;
+    }
+}
+
+/// What drives says one angle: the wheels stand so that all axles meet in one point.
+TEST(Rolling, ADrivenCarTurnsOnTheRadiusOfItsWheelBaseAndAngle) {
+    for (const double steer : {-0.5, -0.2, 0.1, 0.3, 0.5, 0.8}) {
+        PhysicsScene scene(known::sleepless({}));
+        addCar(scene, {.speed = 3.0});
+        scene.stepWith({DriveEdit{scene.handle(1), 0.0, steer, 0.0}});
+        scene.seconds(1.0);
+        const Body& car = scene.body(1);
+        const double toAxle = glm::dot(glm::dvec3(car.velocity), car.pose.rotation * glm::dvec3(1, 0, 0));
+        const double radius = toAxle / double(car.angularVelocity.y);  // of the middle of the rear axle
+        EXPECT_NEAR(radius * std::tan(steer) / kWheelBase, 1.0, 0.05) << steer;
     }
 }
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/runtime/world/worlds.h"
 #include "tests/support/grids.h"
 
@@ -66,6 +68,34 @@ TEST(Drive, OnlySteeredWheelsSteerAtTheirRate) {
     EXPECT_EQ(cart.wheel(1).steer, 0.5);
     EXPECT_EQ(cart.wheel(0).steer, 0.0);
     EXPECT_EQ(cart.drive(0.0, 1.0, 0.0), 0u) << "nothing changes, nothing wakes";
+}
+
+/// Two wheels that stand still and two that turn, ahead of them or behind.
+TEST(Drive, AxlesMeetInOnePoint) {
+    for (const double ahead : {1.6, -1.6})
+        for (const double steer : {-1.0, -0.3, 0.2, 1.0}) {
+            Level level = oneShapeLevel(solidGrid({20, 2, 10}), false, {{0.0, 1.0, 0.0}});
+            for (int i = 0; i < 4; ++i) {
+                const bool steers = i / 2;
+                LevelBody wheel{.name = "wheel", .isStatic = false};
+                wheel.shapes.push_back(levelShape("wheel " + std::to_string(i), solidGrid({2, 2, 2})));
+                level.bodies.push_back(wheel);
+                LevelJoint joint{{.name = "axle", .kind = JointKind::Wheel}, {"shape", wheel.shapes[0].name}};
+                const glm::dquat leftward(std::sqrt(0.5), 0.0, std::sqrt(0.5), 0.0);  // x to -z: +x is ahead
+                joint.joint.ends[0].frame = {{1.0 + (steers ? 0.5 : -0.5) * ahead, 0.0, i % 2 ? 0.9 : 0.1}, leftward};
+                joint.joint.wheel = {.steerAngle = steers ? 0.5 : 0.0, .steerRate = 100.0};
+                level.joints.push_back(joint);
+            }
+            World world;
+            world.load(level);
+            world.applyEdits({});
+            const auto wheel = [&](uint32_t i) { return world.joints().at(world.joints().handleAt(i)); };
+            world.applyEdits({DriveEdit{world.shapes().at(wheel(0).ends[0].shape).body, 0.0, steer, 0.0}});
+            EXPECT_EQ(wheel(0).steer, 0.0);
+            const double center = 0.5 - ahead / std::tan(0.5 * steer);  // z on the line of the fixed wheels
+            for (const uint32_t i : {2u, 3u})
+                EXPECT_NEAR(std::tan(wheel(i).steer), ahead / (wheel(i).ends[0].frame.position.z - center), 1e-9);
+        }
 }
 
 TEST(Drive, DetachedPartsKeepTheirWheels) {
