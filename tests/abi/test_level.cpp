@@ -24,10 +24,10 @@ VoxelGrid tableGrid() {
 
 }  // namespace
 
-std::string writeTestLevel() {
+std::string writeTestLevel(const char* material) {
     auto palette = std::make_shared<Palette>();
     (*palette)[1].red = 200, (*palette)[1].green = 80, (*palette)[1].blue = 60;
-    (*palette)[1].material = defaultMaterials().find("brick");
+    (*palette)[1].material = defaultMaterials().find(material);
     LevelShape shape;
     shape.name = "table";
     shape.grid = tableGrid();
@@ -41,8 +41,8 @@ std::string writeTestLevel() {
     level.lights.push_back(
         {.light = {.name = "light", .local = {{1.0, 3.0, 1.0}}, .color = {5.0f, 4.0f, 3.0f}, .reach = 8.0f}});
 
-    const std::string path =
-        std::filesystem::temp_directory_path() / ("rubble_abi_" + std::to_string(getpid()) + ".rubble");
+    const std::string path = std::filesystem::temp_directory_path() /
+                             ("rubble_abi_" + std::to_string(getpid()) + "_" + material + ".rubble");
     const Result<Done> written = writeRubble(path, level);
     EXPECT_TRUE(written) << written.error();
     return path;

@@ -45,6 +45,11 @@ namespace rubble::abi {
     X(rubble_shape_cast, 152)         \
     X(rubble_hit, 96)                 \
     X(rubble_row_list, 24)            \
+    X(rubble_heat, 64)                \
+    X(rubble_extinguish, 48)          \
+    X(rubble_fire, 48)                \
+    X(rubble_resize, 40)              \
+    X(rubble_voxel_box, 40)           \
     X(rubble_environment, 280)        \
     X(rubble_light_settings, 168)     \
     X(rubble_renderer_settings, 32)   \

@@ -20,6 +20,10 @@ void setCharacterFunctions(rubble_api& api);
 void setLightFunctions(rubble_api& api);
 /// Sets get_events() and the functions that read bodies, shapes, voxel accounting, hash and statistics.
 void setStateFunctions(rubble_api& api);
+/// Sets heat(), extinguish(), remove_fires() and get_fires().
+void setFireFunctions(rubble_api& api);
+/// Sets the edits of whole shapes, read_voxels() and detach_joint().
+void setShapeFunctions(rubble_api& api);
 /// Sets read_rows().
 void setRowFunctions(rubble_api& api);
 /// Sets ray casts, shape casts, overlap queries and find_closest_point().

@@ -30,7 +30,7 @@ void readEvents(const RowsCall& call, const Row* events, uint32_t count) {
 
 void readKind(const RowsCall& call) {
     const rubble_events events = call.hosted.events.view();
-    switch (readEnum(call.list.kind, RUBBLE_ROWS_DUST_CLOUDS, "list->kind")) {
+    switch (readEnum(call.list.kind, RUBBLE_ROWS_FIRES, "list->kind")) {
         case RUBBLE_ROWS_BODIES:
             return readAll<rubble_body_state>(call);
         case RUBBLE_ROWS_SHAPES:
@@ -45,6 +45,8 @@ void readKind(const RowsCall& call) {
             return readEvents(call, events.removed, events.removed_count);
         case RUBBLE_ROWS_SPLITS:
             return readEvents(call, events.splits, events.split_count);
+        case RUBBLE_ROWS_FIRES:
+            return readAll<rubble_fire>(call);
         default:
             return readEvents(call, events.dust_clouds, events.dust_cloud_count);
     }

@@ -13,6 +13,8 @@ void writeRows(const HostedWorld& hosted, RowWriter<rubble_shape_state>& rows, r
 void writeRows(const HostedWorld& hosted, RowWriter<rubble_joint_state>& rows);
 /// All characters.
 void writeRows(const HostedWorld& hosted, RowWriter<rubble_character_state>& rows);
+/// All fires.
+void writeRows(const HostedWorld& hosted, RowWriter<rubble_fire>& rows);
 /// Which bodies entered and left triggers in the last step.
 void writeRows(const HostedWorld& hosted, RowWriter<rubble_trigger_event>& rows);
 

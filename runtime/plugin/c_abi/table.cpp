@@ -17,6 +17,8 @@ rubble_api makeTable() {
     setCharacterFunctions(api);
     setLightFunctions(api);
     setStateFunctions(api);
+    setFireFunctions(api);
+    setShapeFunctions(api);
     setRowFunctions(api);
     setQueryFunctions(api);
     setSaveFunctions(api);

@@ -124,7 +124,7 @@ void moveAttached(EditContext& context, ShapeHandle from, ShapeHandle into, glm:
 }  // namespace
 
 void apply(EditContext& context, const SplitShapeEdit& edit) {
-    Shape* shape = shapeToEdit(context, edit.shape, "split shape");
+    Shape* shape = shapeToEdit(context, edit.shape, "split_shape");
     if (!shape) return;
     context.recordMotion(shape->body);
     std::vector<Component> components = findComponents(shape->grid);
@@ -165,7 +165,7 @@ void apply(EditContext& context, const SplitShapeEdit& edit) {
 }
 
 void apply(EditContext& context, const MergeShapeEdit& edit) {
-    Shape* from = shapeToEdit(context, edit.shape, "merge shapes");
+    Shape* from = shapeToEdit(context, edit.shape, "merge_shape");
     if (!from) return;
     const ShapeHandle target = edit.into ? edit.into : findMergeTarget(context, edit.shape);
     Shape* into = target == edit.shape ? nullptr : context.world.shapes.find(target);
@@ -193,12 +193,12 @@ void apply(EditContext& context, const MergeShapeEdit& edit) {
 }
 
 void apply(EditContext& context, const TrimShapeEdit& edit) {
-    if (const Shape* shape = shapeToEdit(context, edit.shape, "trim shape"))
+    if (const Shape* shape = shapeToEdit(context, edit.shape, "trim_shape"))
         reframeShape(context, edit.shape, filledBounds(shape->grid));
 }
 
 void apply(EditContext& context, const ResizeShapeEdit& edit) {
-    if (shapeToEdit(context, edit.shape, "resize shape")) reframeShape(context, edit.shape, edit.box);
+    if (shapeToEdit(context, edit.shape, "resize_shape")) reframeShape(context, edit.shape, edit.box);
 }
 
 }  // namespace rubble

@@ -242,6 +242,64 @@ typedef struct rubble_impulse {
     double impulse[3];  /* N s, world */
 } rubble_impulse;
 
+/* ---- edits and reads of whole shapes ---- */
+
+/* Gives a shape's grid another box of cells; voxels outside are removed, and its fires go out. Its present cells keep
+ * their places in the world. */
+typedef struct rubble_resize {
+    uint32_t struct_size;
+    uint32_t reserved;
+    rubble_shape shape;
+    int32_t low[3];  /* the first cell of the box, in present cells: -4096 to 4096 */
+    int32_t size[3]; /* cells along each axis, 1 to 4096 */
+} rubble_resize;
+
+enum {
+    RUBBLE_VOXEL_INDEX = 0, /* of the shape's palette, 1 to 255; 0: no voxel */
+    RUBBLE_VOXEL_PAINT = 1  /* of the paint layer: colour, 1 to 15, times 16, and its strength, 0 to 15; 0: none */
+};
+
+/* Which cells read_voxels() reads. Those outside the grid are 0. */
+typedef struct rubble_voxel_box {
+    uint32_t struct_size;
+    uint32_t what; /* RUBBLE_VOXEL_... */
+    rubble_shape shape;
+    int32_t low[3];  /* the first cell: -4096 to 4096 */
+    int32_t size[3]; /* cells along each axis, 1 to 4096 */
+} rubble_voxel_box;
+
+/* ---- fire ---- */
+
+enum { RUBBLE_HEAT_IGNITE = 1 /* ignites at once what can burn */ };
+
+/* Heats what lies in a sphere, by its share of the surface there. What gets hot enough ignites by itself. */
+typedef struct rubble_heat {
+    uint32_t struct_size;
+    uint32_t flags;     /* RUBBLE_HEAT_... */
+    double position[3]; /* centre, world */
+    double radius;      /* metres, 0.001 to 1000; 0: 0.5 */
+    double joules;      /* in all, 0 to 1e15; a square metre of wood needs about 200 kJ to ignite */
+    rubble_shape shape; /* heats this shape only; 0: all shapes */
+    uint64_t reserved;
+} rubble_heat;
+
+/* Puts out what burns in a sphere. */
+typedef struct rubble_extinguish {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double position[3]; /* centre, world */
+    double radius;      /* metres, 0.001 to 1000; 0: 1 */
+    double wet_seconds; /* for which what lies there takes no heat, 0 to 6000; water: about 20 */
+} rubble_extinguish;
+
+/* What burns: a part of a shape of at most 8 x 8 x 8 voxels. */
+typedef struct rubble_fire {
+    rubble_shape shape;
+    double position[3]; /* world */
+    double radius;      /* metres */
+    double intensity;   /* 0 to 1: rises when lit, falls with the fuel */
+} rubble_fire;
+
 /* ---- joints and wheels ---- */
 
 /* What a joint leaves free. Its axis is the x axis of its frame. */
@@ -654,7 +712,8 @@ enum {
     RUBBLE_ROWS_TRIGGER_EVENTS = 4, /* rubble_trigger_event, of the last step */
     RUBBLE_ROWS_REMOVED_VOXELS = 5, /* rubble_removed_voxels, as in get_events() */
     RUBBLE_ROWS_SPLITS = 6,         /* rubble_shape_split, as in get_events() */
-    RUBBLE_ROWS_DUST_CLOUDS = 7     /* rubble_dust_cloud, as in get_events() */
+    RUBBLE_ROWS_DUST_CLOUDS = 7,    /* rubble_dust_cloud, as in get_events() */
+    RUBBLE_ROWS_FIRES = 8           /* rubble_fire */
 };
 
 /* What read_rows() lists. A host that gives sizeof of the row in its own rubble.h works with every version of the
@@ -1036,6 +1095,39 @@ typedef struct rubble_api {
      * rubble_row_list. `out` holds `capacity` rows of list->row_size bytes. */
     rubble_result (*read_rows)(rubble_world world, const rubble_row_list* list, void* out, uint32_t capacity,
                                uint32_t* count);
+
+    /* ---- edits and reads of whole shapes ---- */
+
+    /* [main-thread] Makes shapes of the parts of a shape that do not touch: what is held to the world, or else the
+     * largest part, stays. For shapes that come in parts from a level; what an edit cuts off comes off by itself. */
+    rubble_result (*split_shape)(rubble_world world, rubble_shape shape);
+    /* [main-thread] Adds a shape to another one of the same body and voxel size that it touches face to face; 0: to the
+     * first that fits. Where both have a voxel, `into` keeps its own. Joints and lights go with it. The step logs a
+     * warning, and does nothing, if their cells do not line up or their palettes need more than 255 entries. */
+    rubble_result (*merge_shape)(rubble_world world, rubble_shape shape, rubble_shape into);
+    /* [main-thread] Shrinks a shape's grid to its voxels. If it gets smaller, its fires go out. */
+    rubble_result (*trim_shape)(rubble_world world, rubble_shape shape);
+    /* [main-thread] Gives a shape's grid another box of cells; see rubble_resize. */
+    rubble_result (*resize_shape)(rubble_world world, const rubble_resize* resize);
+    /* [main-thread] Reads a box of cells as the last step left them: one byte each, x fastest, then y, then z.
+     * `capacity` is in bytes; *count becomes the number of cells in the box. Capacity 0 asks for that alone; fewer
+     * bytes than cells: RUBBLE_ERROR_CAPACITY, and nothing is written. */
+    rubble_result (*read_voxels)(rubble_world world, const rubble_voxel_box* box, uint8_t* out, uint64_t capacity,
+                                 uint64_t* count);
+    /* [main-thread] Frees the end of a rope that is on a shape. Joints of other kinds are removed, and a rope that
+     * nothing holds any more. */
+    rubble_result (*detach_joint)(rubble_world world, rubble_joint joint, rubble_shape shape);
+
+    /* ---- fire ---- */
+
+    /* [main-thread] Heats or lights what lies in a sphere; see rubble_heat. */
+    rubble_result (*heat)(rubble_world world, const rubble_heat* heat);
+    /* [main-thread] Puts fires out; see rubble_extinguish. */
+    rubble_result (*extinguish)(rubble_world world, const rubble_extinguish* extinguish);
+    /* [main-thread] Puts out all fires in a box along the world's axes. */
+    rubble_result (*remove_fires)(rubble_world world, const double low[3], const double high[3]);
+    /* [main-thread] All that burns, in a fixed order. Costs what is hot. */
+    rubble_result (*get_fires)(rubble_world world, rubble_fire* out, uint32_t capacity, uint32_t* count);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "tests/abi/abi_fixture.h"
+#include "tests/support/temp_folder.h"
+
+namespace rubble {
+namespace {
+
+class AbiShapes : public Abi {
+protected:
+    void step() { ASSERT_EQ(api()->step(m_world), RUBBLE_OK) << api()->get_last_error(); }
+    std::vector<rubble_shape_state> shapes() {
+        uint32_t count = 0;
+        EXPECT_EQ(api()->get_shape_states(m_world, 0, nullptr, 0, &count), RUBBLE_OK);
+        std::vector<rubble_shape_state> states(count);
+        EXPECT_EQ(api()->get_shape_states(m_world, 0, states.data(), count, &count), RUBBLE_OK);
+        return states;
+    }
+    std::vector<uint8_t> voxels(const rubble_shape_state& shape, uint32_t what = RUBBLE_VOXEL_INDEX) {
+        auto box = sized<rubble_voxel_box>();
+        box.shape = shape.shape;
+        box.what = what;
+        std::copy_n(shape.size, 3, box.size);
+        uint64_t count = 0;
+        EXPECT_EQ(api()->read_voxels(m_world, &box, nullptr, 0, &count), RUBBLE_OK) << api()->get_last_error();
+        std::vector<uint8_t> out(count, 99);
+        EXPECT_EQ(api()->read_voxels(m_world, &box, out.data(), count, &count), RUBBLE_OK);
+        return out;
+    }
+    uint64_t hash() {
+        uint64_t out = 0;
+        EXPECT_EQ(api()->get_state_hash(m_world, &out), RUBBLE_OK);
+        return out;
+    }
+    uint32_t fires() {
+        uint32_t count = 0;
+        EXPECT_EQ(api()->get_fires(m_world, nullptr, 0, &count), RUBBLE_OK);
+        return count;
+    }
+    /// Loads a table that burns.
+    void loadWood() {
+        const std::string level = writeTestLevel("wood");
+        ASSERT_EQ(api()->load_level(m_world, level.c_str(), nullptr), RUBBLE_OK) << api()->get_last_error();
+        std::filesystem::remove(level);
+        step();
+    }
+    static rubble_heat lighter() {
+        auto heat = sized<rubble_heat>();
+        heat.position[0] = heat.position[2] = 0.85, heat.position[1] = 1.0;
+        heat.flags = RUBBLE_HEAT_IGNITE;
+        return heat;
+    }
+};
+
+TEST_F(AbiShapes, VoxelsAreReadAsTheLastStepLeftThem) {
+    const std::vector<uint8_t> before = voxels(shapes()[0]);
+    ASSERT_EQ(before.size(), size_t(17 * 10 * 17));
+    EXPECT_EQ(std::count(before.begin(), before.end(), 1), 650);
+    EXPECT_EQ(before[0], 0) << "beside the leg";
+    EXPECT_EQ(before[size_t(8 * 17)], 1) << "cell 0, 8, 0 of the top";
+    auto carve = sized<rubble_carve>();
+    carve.brush = RUBBLE_BRUSH_BOX;
+    carve.position[1] = 0.95;
+    for (double& half : carve.half_size) half = 0.11;
+    ASSERT_EQ(api()->carve(m_world, &carve), RUBBLE_OK);
+    EXPECT_EQ(voxels(shapes()[0]), before) << "not yet";
+    step();
+    EXPECT_EQ(voxels(shapes()[0])[size_t(9 * 17)], 0);
+
+    auto box = sized<rubble_voxel_box>();
+    box.shape = shapes()[0].shape;
+    for (int a = 0; a < 3; ++a) box.low[a] = -2, box.size[a] = 2;
+    uint8_t outside[8] = {1, 1, 1, 1, 1, 1, 1, 1};
+    uint64_t count = 0;
+    ASSERT_EQ(api()->read_voxels(m_world, &box, outside, 8, &count), RUBBLE_OK);
+    EXPECT_EQ(std::count(outside, outside + 8, 0), 8);
+    expectRefused(api()->read_voxels(m_world, &box, outside, 7, &count), RUBBLE_ERROR_CAPACITY, "8 cells");
+    EXPECT_EQ(count, 8u);
+    box.size[1] = 0;
+    expectRefused(api()->read_voxels(m_world, &box, outside, 8, &count), RUBBLE_ERROR_ARGUMENT, "size[1] is 0");
+    box.size[1] = 2, box.what = 2;
+    expectRefused(api()->read_voxels(m_world, &box, outside, 8, &count), RUBBLE_ERROR_ARGUMENT, "box->what is 2");
+    box.what = 0, box.shape = m_world;
+    expectRefused(api()->read_voxels(m_world, &box, outside, 8, &count), RUBBLE_ERROR_STALE, "box->shape");
+}
+
+TEST_F(AbiShapes, ShapesAreResizedTrimmedAndSplit) {
+    auto resize = sized<rubble_resize>();
+    resize.shape = shapes()[0].shape;
+    resize.low[0] = -3;
+    resize.size[0] = 30, resize.size[1] = 10, resize.size[2] = 17;
+    ASSERT_EQ(api()->resize_shape(m_world, &resize), RUBBLE_OK) << api()->get_last_error();
+    step();
+    EXPECT_EQ(shapes()[0].size[0], 30);
+    EXPECT_EQ(shapes()[0].voxel_count, 650u);
+    ASSERT_EQ(api()->trim_shape(m_world, resize.shape), RUBBLE_OK);
+    step();
+    EXPECT_EQ(shapes()[0].size[0], 17);
+    resize.low[0] = 0, resize.size[0] = 8;
+    ASSERT_EQ(api()->resize_shape(m_world, &resize), RUBBLE_OK);
+    step();
+    EXPECT_EQ(shapes()[0].voxel_count, uint64_t(8 * 2 * 17 + 8 * 3)) << "the first 8 cells along x";
+    EXPECT_EQ(api()->split_shape(m_world, resize.shape), RUBBLE_OK);
+    step();
+    EXPECT_EQ(shapes().size(), 1u) << "it is in one part";
+    resize.size[2] = 5000;
+    expectRefused(api()->resize_shape(m_world, &resize), RUBBLE_ERROR_ARGUMENT, "size[2] is 5000");
+    expectRefused(api()->trim_shape(m_world, 0), RUBBLE_ERROR_STALE, "shape is 0");
+    expectRefused(api()->merge_shape(m_world, resize.shape, resize.shape), RUBBLE_ERROR_ARGUMENT, "into is the shape");
+    expectRefused(api()->detach_joint(m_world, 0, resize.shape), RUBBLE_ERROR_STALE, "joint is 0");
+}
+
+TEST_F(AbiShapes, FiresAreLitCountedAndPutOut) {
+    loadWood();
+    EXPECT_EQ(fires(), 0u);
+    const rubble_heat heat = lighter();
+    ASSERT_EQ(api()->heat(m_world, &heat), RUBBLE_OK) << api()->get_last_error();
+    for (int i = 0; i < 5; ++i) step();
+    const uint32_t lit = fires();
+    ASSERT_GT(lit, 0u);
+    std::vector<rubble_fire> rows(lit);
+    uint32_t count = 0;
+    ASSERT_EQ(api()->get_fires(m_world, rows.data(), lit, &count), RUBBLE_OK);
+    EXPECT_EQ(rows[0].shape, shapes()[0].shape);
+    EXPECT_GT(rows[0].intensity, 0.0);
+    EXPECT_GT(rows[0].position[1], 0.0);
+    EXPECT_LT(rows[0].position[1], 1.0);
+    const double low[3] = {-5, -5, -5}, high[3] = {5, 5, 5};
+    ASSERT_EQ(api()->remove_fires(m_world, low, high), RUBBLE_OK);
+    step();
+    EXPECT_EQ(fires(), 0u);
+    auto water = sized<rubble_extinguish>();
+    std::copy_n(heat.position, 3, water.position);
+    water.radius = 3.0, water.wet_seconds = 20.0;
+    ASSERT_EQ(api()->heat(m_world, &heat), RUBBLE_OK);
+    step();
+    ASSERT_EQ(api()->extinguish(m_world, &water), RUBBLE_OK);
+    step();
+    EXPECT_EQ(fires(), 0u);
+    expectRefused(api()->remove_fires(m_world, high, low), RUBBLE_ERROR_ARGUMENT, "low[0] is 5");
+    rubble_heat wrong = lighter();
+    wrong.joules = -1.0;
+    expectRefused(api()->heat(m_world, &wrong), RUBBLE_ERROR_ARGUMENT, "joules is -1");
+    wrong = lighter(), wrong.flags = 2;
+    expectRefused(api()->heat(m_world, &wrong), RUBBLE_ERROR_ARGUMENT, "flags has unknown bits");
+    wrong = lighter(), wrong.reserved = 1;
+    expectRefused(api()->heat(m_world, &wrong), RUBBLE_ERROR_ARGUMENT, "reserved is 1");
+}
+
+TEST_F(AbiShapes, TheirEditsAreRecordedAndUndone) {
+    loadWood();
+    const TempFolder folder;
+    const std::string log = folder / "game.rubblelog";
+    ASSERT_EQ(api()->set_undo_limit(m_world, 2), RUBBLE_OK);
+    step();
+    const std::vector<uint8_t> before = voxels(shapes()[0]);
+    ASSERT_EQ(api()->start_recording(m_world, log.c_str()), RUBBLE_OK);
+    ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
+    auto resize = sized<rubble_resize>();
+    resize.shape = shapes()[0].shape;
+    resize.size[0] = 12, resize.size[1] = 10, resize.size[2] = 17;
+    const rubble_heat heat = lighter();
+    ASSERT_EQ(api()->resize_shape(m_world, &resize), RUBBLE_OK);
+    step();
+    ASSERT_EQ(api()->trim_shape(m_world, resize.shape), RUBBLE_OK);
+    ASSERT_EQ(api()->heat(m_world, &heat), RUBBLE_OK);
+    for (int i = 0; i < 5; ++i) step();
+    EXPECT_GT(fires(), 0u);
+    const uint64_t end = hash();
+    ASSERT_EQ(api()->stop_recording(m_world), RUBBLE_OK);
+    ASSERT_EQ(api()->undo(m_world), RUBBLE_OK);
+    step();
+    EXPECT_EQ(voxels(shapes()[0]), before);
+    EXPECT_EQ(fires(), 0u);
+    uint64_t steps = 0;
+    ASSERT_EQ(api()->play_recording(m_world, log.c_str(), &steps), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(steps, 6u);
+    EXPECT_EQ(hash(), end);
+}
+
+}  // namespace
+}  // namespace rubble
