@@ -94,6 +94,7 @@ PhysicsStats PhysicsWorld::stats() const {
     stats.awake = int(bodies.awake().size());
     for (uint32_t slot = 0; slot < bodies.handles().size(); ++slot) stats.bodies += bodies.dynamicAt(slot) != nullptr;
     for (const uint32_t slot : bodies.awake()) stats.crowded += bodies.dynamicAt(slot)->object.isCrowded;
+    stats.leftOut = int(m_impl->contacts.leftOut());
     stats.candidates = int(m_impl->contacts.candidates());
     for (const Manifold* manifold : m_impl->contacts.manifolds())
         stats.pairs += manifold->count > 0, stats.contacts += manifold->count;

@@ -15,7 +15,8 @@ struct PhysicsStats {
     int candidates = 0;           ///< pairs of objects whose bounds met in the last step
     int pairs = 0, contacts = 0;  ///< pairs of objects in contact, and their points, in the last step
     int crowded = 0;              ///< awake bodies that are in one place with many others: they have coarser contacts
-    LimitCounts clamped{};        ///< how often each limit was exceeded, since the beginning
+    int leftOut = 0;        ///< pairs of crowded bodies that were not looked at in the last step, some counted for both
+    LimitCounts clamped{};  ///< how often each limit was exceeded, since the beginning
     /// Joules that motors, springs, winches, water and characters gave the bodies in the last step; infinite with a
     /// grab. All else can only take energy from them.
     double work = 0.0;

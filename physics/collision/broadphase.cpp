@@ -16,6 +16,7 @@ constexpr btScalar kFatMargin = 0.05f;
 constexpr double kRounding = 1e-4;    ///< metres added to bounds against the rounding of their floats
 constexpr double kScatter = 0x1p-17;  ///< share of a coordinate by which a leaf is shifted: 64 steps of a float
 constexpr int kSlack = 16;          ///< nodes by which a shallow tree is deeper than twice the logarithm of its leaves
+constexpr size_t kMaxNear = 16;     ///< pairs of a body with those that it is deep in
 constexpr int kRebuildVisits = 16;  ///< visits of nodes that cost as much as a leaf of a tree built from top down
 
 int depthOf(const btDbvtNode* node) {
@@ -53,11 +54,26 @@ bool Broadphase::meet(const CollisionObject& a, const CollisionObject& b) {
     return from <= to;
 }
 
+/// Sorts pairs and drops those that two bodies have added. Those of objects in order are mostly sorted.
 void Broadphase::sortPairs(std::vector<ObjectPair>& pairs, size_t from) {
-    std::sort(pairs.begin() + std::ptrdiff_t(from), pairs.end(), [](const ObjectPair& a, const ObjectPair& b) {
+    const auto isBefore = [](const ObjectPair& a, const ObjectPair& b) {
         return a.first->number != b.first->number ? a.first->number < b.first->number
                                                   : a.second->number < b.second->number;
-    });
+    };
+    const auto begin = pairs.begin() + std::ptrdiff_t(from);
+    if (!std::is_sorted(begin, pairs.end(), isBefore)) std::sort(begin, pairs.end(), isBefore);
+    pairs.erase(std::unique(begin, pairs.end()), pairs.end());
+}
+
+/// Adds the pairs of an object with the nearest of those that it is deep in, whatever their numbers: they may add them,
+/// too. Returns how many it left out.
+size_t Broadphase::addNearest(CollisionObject* object, std::vector<ObjectPair>& out) {
+    const size_t kept = std::min(m_near.size(), kMaxNear), leftOut = m_near.size() - kept;
+    if (leftOut)
+        std::nth_element(m_near.begin(), m_near.begin() + std::ptrdiff_t(kept), m_near.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (size_t i = 0; i < kept; ++i) out.push_back(inOrder(object, m_near[i].second));
+    return leftOut;
 }
 
 /// A moving object is bounded by its parts' hulls, one at rest by their boxes, whose computation touches no voxels.

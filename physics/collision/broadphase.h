@@ -2,9 +2,11 @@
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "physics/bodies/collision_object.h"
+#include "physics/collision/crowd.h"
 
 namespace rubble {
 
@@ -36,21 +38,30 @@ public:
     void find(glm::dvec3 low, glm::dvec3 high, std::vector<CollisionObject*>& out);
     /// Appends the pairs of the `moving` objects with each other and with all others whose bounds overlap at some time
     /// of the step: each pair once, sorted by numbers. isKnown: called for other moving objects; pairs with those for
-    /// which it is true are left out.
+    /// which it is true are left out. So are pairs of bodies that are deep in each other but not among the 16 nearest
+    /// of either; returns how many each body left out, in sum.
     template <class IsKnown>
-    void findPairs(std::span<CollisionObject* const> moving, IsKnown&& isKnown, std::vector<ObjectPair>& out) {
+    size_t findPairs(std::span<CollisionObject* const> moving, IsKnown&& isKnown, std::vector<ObjectPair>& out) {
         const size_t from = out.size();
+        size_t leftOut = 0;
         for (CollisionObject* object : moving) {
             m_found.clear();
+            m_near.clear();
             find(object->low, object->high, m_found);
+            const size_t own = out.size();
             for (CollisionObject* other : m_found) {
                 if (other == object || !object->filter.meets(other->filter) || !meet(*object, *other)) continue;
-                if (other->m_moves && (isKnown(*other) || other->number < object->number)) continue;
-                out.emplace_back(object->number < other->number ? ObjectPair(object, other)
-                                                                : ObjectPair(other, object));
+                if (other->m_moves && isKnown(*other)) continue;
+                if (areNear(*object, *other))
+                    m_near.push_back({distanceBetween(*object, *other), other});
+                else if (!other->m_moves || object->number < other->number)
+                    out.push_back(inOrder(object, other));
             }
+            leftOut += addNearest(object, out);
+            sortPairs(out, own);
         }
         sortPairs(out, from);
+        return leftOut;
     }
 
 private:
@@ -62,6 +73,10 @@ private:
         /// Rebuilds the tree from top down if the leaf and those before it were inserted too deep: see the .cpp.
         void keepShallow(const btDbvtNode* inserted);
     };
+    static ObjectPair inOrder(CollisionObject* a, CollisionObject* b) {
+        return a->number < b->number ? ObjectPair(a, b) : ObjectPair(b, a);
+    }
+    size_t addNearest(CollisionObject* object, std::vector<ObjectPair>& out);
     static bool meet(const CollisionObject& a, const CollisionObject& b);
     static void sortPairs(std::vector<ObjectPair>& pairs, size_t from);
     void setBounds(CollisionObject& object, glm::dvec3 displacement, double margin) const;
@@ -73,6 +88,7 @@ private:
     Tree m_moving, m_resting;
     btAlignedObjectArray<const btDbvtNode*> m_stack;
     std::vector<CollisionObject*> m_found;
+    std::vector<std::pair<BodyDistance, CollisionObject*>> m_near;  ///< deep in the object whose pairs are searched
     uint32_t m_versions = 0;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "physics/bodies/dynamic_body.h"
@@ -23,13 +22,9 @@ double halfExtents(const CollisionObject& a, const CollisionObject& b) {
     return a.dynamic->minHalfExtent() + b.dynamic->minHalfExtent();
 }
 
-double distanceOf(const CollisionObject& a, const CollisionObject& b) {
+double squaredDistance(const CollisionObject& a, const CollisionObject& b) {
     const glm::dvec3 apart = a.pose.position - b.pose.position;
-    return std::sqrt(glm::dot(apart, apart));
-}
-
-bool areNear(const CollisionObject& a, const CollisionObject& b) {
-    return a.dynamic && b.dynamic && distanceOf(a, b) < kNear * halfExtents(a, b);
+    return glm::dot(apart, apart);
 }
 
 /// Whether a point (world) is in a solid voxel of the object.
@@ -50,10 +45,21 @@ bool areDeep(const CollisionObject& a, const CollisionObject& b) {
 }
 
 uint64_t numbersOf(const CollisionObject& a, const CollisionObject& b) {
-    return uint64_t(a.number) << 32 | b.number;
+    return uint64_t(std::min(a.number, b.number)) << 32 | std::max(a.number, b.number);
 }
 
 }  // namespace
+
+BodyDistance distanceBetween(const CollisionObject& a, const CollisionObject& b) {
+    const uint64_t numbers = numbersOf(a, b);
+    return {squaredDistance(a, b), uint32_t(Random(numbers).next()), numbers};
+}
+
+bool areNear(const CollisionObject& a, const CollisionObject& b) {
+    if (!a.dynamic || !b.dynamic) return false;
+    const double near = kNear * halfExtents(a, b);
+    return squaredDistance(a, b) < near * near;
+}
 
 /// Returns whether any body is crowded.
 bool Crowds::mark(const std::vector<ObjectPair>& pairs) {
@@ -90,7 +96,7 @@ void Crowds::thin(std::vector<ObjectPair>& pairs) {
     for (size_t i = 0; i < pairs.size(); ++i) {
         const auto& [a, b] = pairs[i];
         if (!areCrowded(*a, *b)) continue;
-        const Near near{distanceOf(*a, *b), Random(numbersOf(*a, *b)).next(), i};
+        const Near near{distanceBetween(*a, *b), i};
         m_near[next[a->number]++] = m_near[next[b->number]++] = near;
     }
 
@@ -99,9 +105,7 @@ void Crowds::thin(std::vector<ObjectPair>& pairs) {
     for (size_t slot = 0, from = 0; slot < slots; ++slot) {
         const auto begin = m_near.begin() + ptrdiff_t(from), end = m_near.begin() + ptrdiff_t(m_from[slot]);
         const auto kept = begin + std::min<ptrdiff_t>(end - begin, kKeptPairs);
-        std::partial_sort(begin, kept, end, [](const Near& a, const Near& b) {
-            return std::tie(a.distance, a.random, a.pair) < std::tie(b.distance, b.random, b.pair);
-        });
+        std::partial_sort(begin, kept, end, [](const Near& a, const Near& b) { return a.distance < b.distance; });
         for (auto near = begin; near != kept; ++near) m_isDropped[near->pair] = false;
         from = m_from[slot];
     }

@@ -1,10 +1,23 @@
 #pragma once
+#include <compare>
 #include <vector>
 
 #include "physics/bodies/collision_object.h"
 #include "physics/collision/voxel_contacts.h"
 
 namespace rubble {
+
+/// How near one body is to another: by the distance of their centres, then in a random order that is always the same.
+struct BodyDistance {
+    double distance2;  ///< m2
+    uint32_t random;
+    uint64_t numbers;  ///< of the two
+    auto operator<=>(const BodyDistance&) const = default;
+};
+/// The distance of two bodies; symmetric.
+BodyDistance distanceBetween(const CollisionObject& a, const CollisionObject& b);
+/// Whether the centres of two bodies are so near that the bodies overlap deeply; false of what is static.
+bool areNear(const CollisionObject& a, const CollisionObject& b);
 
 /// Things that were put into the same place, many deep in many others: n of them are n^2 pairs, and each pair of deep
 /// bodies has contacts all over. Such bodies push each other apart as if they were spheres, each those nearest to it
@@ -19,8 +32,7 @@ private:
     static bool mark(const std::vector<ObjectPair>& pairs);
 
     struct Near {
-        double distance;  ///< of the centres, metres
-        uint32_t random;  ///< the order of those at the same distance, as of things in one place
+        BodyDistance distance;
         size_t pair;
     };
     std::vector<size_t> m_from;  ///< by slot: where a crowded body's pairs begin in m_near

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <span>
 #include <utility>
@@ -32,9 +33,8 @@ struct ManifoldLimits {
 /// Four points hold what rests. What hits with a corner of a wider polygon turns about the wrong point without it.
 inline constexpr ManifoldLimits kRestingLimits{8, 4}, kHitLimits{kMaxManifoldPoints, 8};
 
-/// The contacts of two objects that are solved. For each direction of normals, these are the deepest point and up to
-/// three that span the widest area with it.
-struct Manifold {
+/// What a manifold is about, besides its points.
+struct ManifoldHead {
     uint32_t first = 0, second = 0;  ///< numbers of the collision objects
     std::pair<CollisionObject*, CollisionObject*> objects;
     glm::dvec3 origin{0.0};           ///< positions of points are relative to it: the first's frame origin, world
@@ -42,8 +42,23 @@ struct Manifold {
     int count = 0;
     bool isRound = false;        ///< one of the objects is touched as what is round
     bool isPenetrating = false;  ///< the last solve left a hit deep: see ContactSolver::solve()
+};
+
+/// The contacts of two objects that are solved. For each direction of normals, these are the deepest point and up to
+/// three that span the widest area with it.
+struct Manifold : ManifoldHead {
     std::array<ManifoldPoint, kMaxManifoldPoints> points;
 
+    /// Without points.
+    Manifold() = default;
+    /// See the assignment.
+    Manifold(const Manifold& other) { *this = other; }
+    /// Copies the points in use only: kept contacts are copied in every step.
+    Manifold& operator=(const Manifold& other) {
+        static_cast<ManifoldHead&>(*this) = other;
+        std::copy_n(other.points.begin(), count, points.begin());
+        return *this;
+    }
     /// The points in use.
     std::span<ManifoldPoint> all() { return {points.data(), size_t(count)}; }
     /// The points in use.

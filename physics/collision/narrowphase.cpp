@@ -81,7 +81,7 @@ void Narrowphase::findPairContacts(std::span<const ObjectPair> pairs, size_t num
                                  straightShare(secondMotion, voxel, settings.seconds));
     const bool isNear = findContacts(first->collider, firstMotion, second->collider, secondMotion, straight, pair.axis,
                                      batch.contacts, neighbours);
-    pair.isCacheable = isNear && displacement <= settings.margin;
+    pair.isCacheable = displacement <= settings.margin;
     if (isNear && batch.contacts.empty() && displacement > settings.sweepThreshold && displacement > voxel &&
         mayPass(*first, *second, displacement))
         findImpactContacts(*first, *second, straight, pair.axis, batch.contacts, neighbours);

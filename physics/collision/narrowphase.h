@@ -30,7 +30,7 @@ private:
     struct Pair {
         uint32_t first = 0, second = 0, firstVersion = 0, secondVersion = 0;
         glm::vec3 axis{0.0f};                ///< see findContacts()
-        bool isCacheable = false;            ///< near each other, and slow
+        bool isCacheable = false;            ///< slow
         RelativePose pose;                   ///< at which the contacts were found
         const Manifold* manifold = nullptr;  ///< null: no contacts
     };

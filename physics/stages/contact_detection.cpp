@@ -22,6 +22,7 @@ void ContactDetection::find(PhysicsBodies& bodies, const JointTable& joints, con
                                      .seconds = settings.stepSeconds,
                                      .sweepThreshold = settings.continuous ? settings.sweepThreshold : 1e300};
     m_narrowphase.begin();
+    m_leftOut = 0;
     for (const uint32_t slot : bodies.awake()) bodies.at(slot).pairsFound = false;
     for (bool more = true; more; more = wakeHit(bodies, settings.stepSeconds)) {
         m_moving.clear();
@@ -34,10 +35,12 @@ void ContactDetection::find(PhysicsBodies& bodies, const JointTable& joints, con
             m_moving.push_back(&body.object);
         }
         m_pairs.clear();
-        bodies.broadphase().findPairs(
+        m_leftOut += bodies.broadphase().findPairs(
             m_moving, [](const CollisionObject& o) { return o.dynamic->pairsFound; }, m_pairs);
         if (!joints.empty()) joints.removeNonColliding(m_pairs);
+        const size_t found = m_pairs.size();
         m_crowds.thin(m_pairs);
+        m_leftOut += found - m_pairs.size();
         for (CollisionObject* object : m_moving) object->dynamic->pairsFound = true;
         m_narrowphase.collide(m_pairs, narrow, settings.parallelFor ? settings.parallelFor : ParallelFor(serialFor));
     }

@@ -21,6 +21,8 @@ public:
     std::span<Manifold* const> manifolds() const { return m_narrowphase.manifolds(); }
     /// How many pairs were tested in the last step.
     size_t candidates() const { return m_narrowphase.candidates(); }
+    /// How many pairs of bodies in crowds were left out in the last step, some of them counted for both.
+    size_t leftOut() const { return m_leftOut; }
 
 private:
     bool wakeHit(PhysicsBodies& bodies, double stepSeconds) const;
@@ -29,6 +31,7 @@ private:
     Crowds m_crowds;
     std::vector<CollisionObject*> m_moving;  ///< whose pairs are searched
     std::vector<ObjectPair> m_pairs;
+    size_t m_leftOut = 0;
 };
 
 }  // namespace rubble

@@ -14,11 +14,14 @@ TEST(Crowd, ThingsInOnePlacePartAndHaveNoMorePairsThanAPile) {
     scene.load();
     scene.step();
     EXPECT_EQ(scene.physics.stats().crowded, kBodies);
+    EXPECT_GT(scene.physics.stats().leftOut, kBodies * kBodies / 4) << "named, not hidden";
+    EXPECT_LT(scene.physics.stats().candidates, 20 * kBodies);
     for (int step = 1; step < kSteps; ++step) {
         scene.step();
         EXPECT_LE(scene.physics.stats().pairs, 10 * kBodies) << "of " << kBodies * kBodies / 2 << " in step " << step;
     }
     EXPECT_EQ(scene.physics.stats().crowded, 0);
+    EXPECT_EQ(scene.physics.stats().leftOut, 0);
     std::vector<Pose> poses;
     double highest = 0.0;
     scene.world.bodies().forEach([&](BodyHandle, const Body& body) {
