@@ -116,7 +116,6 @@ void PhysicsWorld::Impl::applyImpulses(const FrameChanges& changes) {
         DynamicBody* body = bodies.find(applied.body);
         if (!body || body->quarantined()) continue;
         bodies.wake(*body);
-        body->slowSeconds = 0.0;
         body->applyImpulse(applied.impulse, applied.position);
     }
     bodies.quarantineInvalid();

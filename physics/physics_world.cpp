@@ -56,7 +56,8 @@ void PhysicsWorld::step() {
         impl.work += impl.joints.work();
         impl.joints.findBroken();
         impl.bodies.quarantineInvalid();
-        putToSleep(impl.bodies, impl.joints, settings, impl.gravity, impl.solver.bodyCount());
+        putToSleep(impl.bodies, impl.contacts.manifolds(), impl.joints, settings, impl.gravity,
+                   impl.solver.bodyCount());
         wakeTouched(impl.bodies);
         findImpacts(impl.contacts.manifolds(), settings.impactSpeed, settings.impactThreshold, impl.bodies.handles(),
                     impl.impacts);

@@ -83,7 +83,6 @@ bool DynamicBody::updateShape(const World& world, const FrameChanges& changes) {
     }
     takeState(world);
     object.isNew = true;
-    slowSeconds = 0.0;
     touching = false;
     setAsleep(false);
     return true;
@@ -98,6 +97,7 @@ void DynamicBody::setAsleep(bool asleep) {
     m_asleep = asleep;
     sleepersTouched.clear();
     newlyAwake = true;
+    pairsFound = false;
     settled = settled && asleep;
     if (!asleep) return sleepTimer.restart(pose());
     motion.velocity = motion.angularVelocity = glm::dvec3(0.0);
@@ -105,7 +105,6 @@ void DynamicBody::setAsleep(bool asleep) {
 
 void DynamicBody::restartRest() {
     sleepTimer.restartRest(pose());
-    slowSeconds = 0.0;
     wantsSleep = false;
 }
 

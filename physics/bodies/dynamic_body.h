@@ -69,17 +69,17 @@ public:
     CollisionObject object;
     SolverBody motion;
     SleepTimer sleepTimer;
-    double slowSeconds = 0.0;               ///< how long it has been slow: the longer, the more drift counts as rest
     bool newlyAwake = true;                 ///< has not moved noticeably since it woke
     SolverBody stepStart;                   ///< its motion before the last solve
     std::vector<Pose> stepPath;             ///< its poses in the last solve: at equal times, two or more
     bool isPenetrating = false;             ///< the last solve left one of its contacts deep
-    std::vector<uint32_t> sleepersTouched;  ///< slots of sleeping bodies touched since it last moved noticeably
+    std::vector<uint32_t> sleepersTouched;  ///< slots of bodies that it must wake when it moves
     bool touching = false;                  ///< had a contact in the last step
     bool inWater = false;                   ///< was in water in the last step
     bool isDebris = false;                  ///< counts in the budget of awake debris
     bool settled = false;                   ///< only a hard hit wakes it
-    bool wantsSleep = false;                ///< has rested long enough, but what it is jointed to may not have
+    bool rests = false;                     ///< is at rest: see SleepTimer
+    bool wantsSleep = false;                ///< may sleep, but what it is jointed to may not
     int solverIndex = 0;                    ///< in the solver's list of bodies, if it is awake
     bool pairsFound = false;                ///< contact detection has searched its pairs in this step
 

@@ -98,6 +98,12 @@ void rotateBody(SolverBody& body, double seconds) {
     body.rotation = glm::normalize(rotationOf(body.angularVelocity * seconds) * body.rotation);
 }
 
+glm::dvec3 freeSpinChange(const SolverBody& body, double seconds) {
+    SolverBody rotated = body;
+    rotateTorqueFree(rotated, seconds);
+    return rotated.angularVelocity - body.angularVelocity;
+}
+
 glm::dmat3 worldInverseInertia(const SolverBody& body) {
     const glm::dmat3 axes = glm::mat3_cast(body.rotation);
     glm::dmat3 scaled = axes;

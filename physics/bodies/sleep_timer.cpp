@@ -1,17 +1,59 @@
 #include "physics/bodies/sleep_timer.h"
 
+#include <algorithm>
 #include <cmath>
+
+// When a body is at rest.
+//
+// A pendulum that turns back and a pillar that begins to fall are as slow as a body at rest. So a body rests only if it
+// would not go far in the next kAhead seconds either. Two displacements d1, d2 in h seconds each, one after the other,
+// tell how it moves on:
+//     its mean velocity, (d1 + d2) / 2h, and acceleration, (d2 - d1) / h^2, are below the limits;
+//     if d2 has the direction of d1, what falls from an unstable balance goes q = |d2| / |d1| times as far in each h:
+//     together |d2| (q + q^2 + ...), by which it must not leave kReach.
+// Jitter of contacts is the larger a part of these, the shorter h is. So h is half of limits.time and doubles of it;
+// one that finds rest suffices.
 
 namespace rubble {
 namespace {
 
-/// Whether two poses are at most `radius` metres and `angle` radians apart. The angle must be small: the distance of
-/// two unit quaternions is 2 sin(angle / 4), about angle / 2.
-bool within(const Pose& a, const Pose& b, double radius, double angle) {
-    const glm::dvec3 offset = a.position - b.position;
-    if (glm::dot(offset, offset) > radius * radius) return false;
-    const double cosine = std::abs(glm::dot(a.rotation, b.rotation));
-    return 2.0 - 2.0 * cosine <= 0.25 * angle * angle;
+constexpr double kAhead = 10.0;  ///< s
+constexpr double kReach = 0.05;  ///< metres: half a voxel
+constexpr double kNoise = 2e-6;  ///< metres that contacts of bodies at rest move them to and fro
+constexpr double kCosine = 0.8;  ///< between displacements of the same direction, at least
+
+/// A small motion between two poses.
+struct Displacement {
+    glm::dvec3 position;
+    glm::dquat rotation;  ///< the difference of the quaternions; its length is 2 sin(angle / 4)
+
+    /// An upper bound of how far it moves a point within `radius` metres of the origin, metres.
+    double farthest(double radius) const {
+        return glm::length(position) + 2.0 * radius * std::sqrt(glm::dot(rotation, rotation));
+    }
+};
+
+Displacement between(const Pose& from, const Pose& to) {
+    const double sign = glm::dot(from.rotation, to.rotation) < 0.0 ? -1.0 : 1.0;
+    return {to.position - from.position, to.rotation * sign - from.rotation};
+}
+
+/// The scalar product of two motions of a body of that radius, m2.
+double product(const Displacement& a, const Displacement& b, double radius) {
+    return glm::dot(a.position, b.position) + 4.0 * radius * radius * glm::dot(a.rotation, b.rotation);
+}
+
+/// Whether a motion that went on to grow as from `first` to `second`, in equal times, would leave kReach after so many
+/// more of them.
+bool growsFar(const Displacement& first, const Displacement& second, double radius, double times) {
+    const double one = product(first, first, radius), two = product(second, second, radius),
+                 both = product(first, second, radius);
+    if (two <= kNoise * kNoise || two <= one || both * both < kCosine * kCosine * one * two || both <= 0.0)
+        return false;
+    const double growth = std::min(std::sqrt(two / one), 1e3);
+    double reach = 0.0, next = std::sqrt(two);
+    for (int i = 0; i < int(std::ceil(times)) && reach <= kReach; ++i) reach += next *= growth;
+    return reach > kReach;
 }
 
 }  // namespace
@@ -22,18 +64,35 @@ void SleepTimer::restart(const Pose& now) {
 }
 
 void SleepTimer::restartRest(const Pose& now) {
-    m_restPose = now;
-    m_restTime = 0.0;
+    m_windows.fill({now, now});
+    m_steps = 0;
 }
 
-double SleepTimer::restTime(const Pose& now, double radius, double angle, double seconds) {
-    if (within(now, m_restPose, radius, angle)) return m_restTime += seconds;
-    m_restPose = now;
-    return m_restTime = 0.0;
+bool SleepTimer::rests(const Pose& now, double radius, const RestLimits& limits) {
+    const int64_t shortest = std::max(int64_t(std::llround(0.5 * limits.time / limits.stepSeconds)), int64_t(1));
+    ++m_steps;
+    bool any = false;
+    for (int i = 0; i < kWindows; ++i) {
+        Window& w = m_windows[size_t(i)];
+        const int64_t steps = shortest << i;
+        const double h = double(steps) * limits.stepSeconds;
+        w.farthest = std::max(w.farthest, between(w.start, now).farthest(radius));
+        w.isQuiet = w.isQuiet && w.farthest <= limits.velocity * h;
+        if (m_steps % steps == 0) {
+            const Displacement first = between(w.before, w.start), second = between(w.start, now),
+                               change{second.position - first.position, second.rotation - first.rotation};
+            w.isQuiet = m_steps > steps && std::max(w.farthestBefore, w.farthest) <= limits.velocity * h &&
+                        change.farthest(radius) <= limits.acceleration * h * h &&
+                        !growsFar(first, second, radius, kAhead / h);
+            w = {w.start, now, w.farthest, 0.0, w.isQuiet};
+        }
+        any = any || w.isQuiet;
+    }
+    return any;
 }
 
-bool SleepTimer::hasMoved(const Pose& now, double radius, double angle) {
-    if (within(now, m_movedPose, radius, angle)) return false;
+bool SleepTimer::hasMoved(const Pose& now, double radius, double distance) {
+    if (between(m_movedPose, now).farthest(radius) <= distance) return false;
     m_movedPose = now;
     return true;
 }

@@ -35,6 +35,8 @@ struct alignas(64) SolverState {
 void rotateBody(SolverBody& body, double seconds);
 /// About its centre of mass, world axes, kg m2/s.
 glm::dvec3 angularMomentum(const SolverBody& body);
+/// By how much free rotation through a time changes the angular velocity, rad/s, world.
+glm::dvec3 freeSpinChange(const SolverBody& body, double seconds);
 /// Joules of its motion.
 double kineticEnergy(const SolverBody& body);
 /// The inverse of the inertia tensor in world axes, 1/(kg m2).

@@ -127,9 +127,18 @@ int Broadphase::depth() const {
 }
 
 void Broadphase::add(CollisionObject& object, bool moves) {
+    touch(object);
+    insert(object, moves);
+}
+
+void Broadphase::setMoving(CollisionObject& object, bool moves) {
+    remove(object);
+    insert(object, moves);
+}
+
+void Broadphase::insert(CollisionObject& object, bool moves) {
     object.m_moves = moves;
     setBounds(object, glm::dvec3(0.0), 0.0);
-    touch(object);
     Tree& tree = treeOf(object);
     object.m_leaf = tree.nodes.insert(scatteredVolumeOf(object), &object);
     tree.keepShallow(object.m_leaf);

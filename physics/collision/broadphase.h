@@ -23,6 +23,8 @@ public:
 
     /// Adds an object at its pose; it must stay at its address until it is removed. moves: it is awake.
     void add(CollisionObject& object, bool moves);
+    /// Notes that an object has woken or fallen asleep. Its cached contacts remain.
+    void setMoving(CollisionObject& object, bool moves);
     /// Removes an object; does nothing if it is in no tree.
     void remove(CollisionObject& object);
     /// Notes that the object's voxels or filter have changed: cached contacts are dropped.
@@ -79,6 +81,7 @@ private:
     size_t addNearest(CollisionObject* object, std::vector<ObjectPair>& out);
     static bool meet(const CollisionObject& a, const CollisionObject& b);
     static void sortPairs(std::vector<ObjectPair>& pairs, size_t from);
+    void insert(CollisionObject& object, bool moves);
     void setBounds(CollisionObject& object, glm::dvec3 displacement, double margin) const;
     btDbvtVolume volumeOf(glm::dvec3 low, glm::dvec3 high) const;
     btDbvtVolume scatteredVolumeOf(const CollisionObject& object) const;

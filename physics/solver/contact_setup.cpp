@@ -35,6 +35,12 @@ RoundAnchor<float> roundAnchor(const CollisionObject& object, size_t part, float
     return {toVec3(axis), round->radius * float(touched.voxelSize()), side};
 }
 
+/// What sleeps is not static: contacts with it stay as soft as before it slept, so that they do not jolt.
+bool touchesStatic(const PairConstraints& pair) {
+    const auto isStatic = [](int body, const CollisionObject* object) { return !body && !(object && object->dynamic); };
+    return isStatic(pair.a, pair.manifold->objects.first) || isStatic(pair.b, pair.manifold->objects.second);
+}
+
 /// Where the manifold's origin is seen from a body's centre of mass. The world has none.
 glm::vec3 originFrom(const Manifold& manifold, const SolverBody& body) {
     return glm::vec3(manifold.origin - body.position);
@@ -127,8 +133,9 @@ void fillGroup(ContactSet& set, PairGroup& group, std::span<const SolverBody> bo
         const PairConstraints& pair = set.pairs[group.pair[lane]];
         const glm::vec3 originA = originFrom(*pair.manifold, bodies[size_t(pair.a)]);
         const glm::vec3 originB = originFrom(*pair.manifold, bodies[size_t(pair.b)]);
-        const bool isStatic = set.stateA(pair).inverseMass == 0.0f || set.stateB(pair).inverseMass == 0.0f;
-        const Softness<float>& soft = pair.isStiff ? softness.stiff : isStatic ? softness.withStatic : softness.moving;
+        const Softness<float>& soft = pair.isStiff          ? softness.stiff
+                                      : touchesStatic(pair) ? softness.withStatic
+                                                            : softness.moving;
         group.isHit.at[lane] = pair.isHit ? 1.0f : 0.0f;
         group.biasRate.at[lane] = soft.biasRate;
         group.massScale.at[lane] = soft.massScale, group.impulseScale.at[lane] = soft.impulseScale;

@@ -72,8 +72,10 @@ void ContactDetection::recordTouching(PhysicsBodies& bodies) const {
         if (a) a->touching = true;
         if (b) b->touching = true;
         if (!a || !b || a->asleep() == b->asleep()) continue;
-        std::vector<uint32_t>& touched = (a->asleep() ? *b : *a).sleepersTouched;
-        const uint32_t slot = (a->asleep() ? *a : *b).handle().slot();
+        DynamicBody &sleeper = a->asleep() ? *a : *b, &mover = a->asleep() ? *b : *a;
+        if (sleeper.settled) continue;
+        std::vector<uint32_t>& touched = mover.sleepersTouched;
+        const uint32_t slot = sleeper.handle().slot();
         if (std::find(touched.begin(), touched.end(), slot) == touched.end()) touched.push_back(slot);
     }
 }

@@ -181,9 +181,8 @@ const std::vector<CollisionObject*>& PhysicsBodies::objectsIn(glm::dvec3 low, gl
 void PhysicsBodies::wake(DynamicBody& body) {
     if (!body.asleep() || body.quarantined()) return;
     body.wantsSleep = false;
-    m_broadphase.remove(body.object);
     body.setAsleep(false);
-    m_broadphase.add(body.object, true);
+    m_broadphase.setMoving(body.object, true);
     m_awake.add(body);
 }
 
@@ -208,8 +207,7 @@ void PhysicsBodies::wakeTouching(glm::dvec3 low, glm::dvec3 high) {
 
 void PhysicsBodies::putToSleep(DynamicBody& body) {
     body.setAsleep(true);
-    m_broadphase.remove(body.object);
-    m_broadphase.add(body.object, false);
+    m_broadphase.setMoving(body.object, false);
     m_ended.push_back(body.handle().slot());
 }
 

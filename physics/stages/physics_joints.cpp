@@ -201,8 +201,7 @@ void PhysicsJoints::putToSleep(PhysicsBodies& bodies, size_t solverBodies) const
         if (!bodies.at(slot).wantsSleep) isAwake[rootOf(bodies.at(slot).solverIndex)] = true;
     for (const uint32_t slot : bodies.awake()) {
         DynamicBody& body = bodies.at(slot);
-        if (body.asleep() || !body.wantsSleep || m_table.of(slot).empty() || isAwake[rootOf(body.solverIndex)])
-            continue;
+        if (body.asleep() || !body.wantsSleep || !isJointed(slot) || isAwake[rootOf(body.solverIndex)]) continue;
         bodies.putToSleep(body);
     }
 }

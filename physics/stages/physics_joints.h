@@ -14,6 +14,8 @@ class PhysicsJoints {
 public:
     /// All joints.
     const JointTable& table() const { return m_table; }
+    /// Whether a body has joints.
+    bool isJointed(uint32_t body) const { return !m_table.of(body).empty(); }
     /// Creates a joint as World has it, without a warm start.
     void create(const World& world, JointHandle handle, PhysicsBodies& bodies);
     /// Takes over the joints that were created, changed or broken, and wakes what they join.

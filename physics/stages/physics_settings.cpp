@@ -19,7 +19,6 @@ PhysicsSettings accuratePhysics() {
     settings.substeps = 16;
     settings.iterations = 2;
     settings.contactHertz = 240.0;
-    settings.slowDamping = 0.0;
     settings.rotation = RotationRule::Always;
     return settings;
 }

@@ -5,8 +5,9 @@
 
 namespace rubble {
 
-/// Which bodies keep their angular momentum in free rotation; the others keep their angular velocity. WhereNeeded:
-/// those with unequal principal moments that spin faster than 0.3 rad/s.
+/// How bodies rotate. Never: they keep their angular velocity. Always: they keep their angular momentum, in every
+/// substep. WhereNeeded: so do those that touch nothing, or are not round and spin faster than 0.3 rad/s; the others by
+/// a mean over the step.
 enum class RotationRule : uint8_t { Never, WhereNeeded, Always };
 
 struct PhysicsSettings {
@@ -20,15 +21,12 @@ struct PhysicsSettings {
     bool continuous = true;           ///< fast bodies are swept, so that they do not tunnel
     double sweepThreshold = 0.02;     ///< metres of motion in a step above which a body is swept
     RotationRule rotation = RotationRule::WhereNeeded;
-    double sleepVelocity = 0.02;  ///< m/s of drift, averaged over sleepTime, below which a touching body falls asleep
-    double sleepAngularVelocity = 0.04;  ///< rad/s, the same
-    double sleepTime = 0.5;              ///< s of rest before it does
-    /// Fraction of its velocities that a touching body below 0.3 m/s loses in a step, and as much again for each second
-    /// that it has been so slow.
-    double slowDamping = 0.01;
-    double impactThreshold = 50.0;  ///< N s below which an impact is not reported
-    double impactSpeed = 0.5;       ///< closing speed, m/s, below which it counts as resting and is not reported
-    ParallelFor parallelFor;        ///< none: one thread; results do not depend on it
+    double sleepTime = 0.5;           ///< s of rest before a touching body falls asleep
+    double sleepVelocity = 4e-3;      ///< m/s of its farthest point, mean over that time, below which it rests
+    double sleepAcceleration = 1e-3;  ///< m/s2, the same: what sleeps would move by 9 cm in 10 s at most
+    double impactThreshold = 50.0;    ///< N s below which an impact is not reported
+    double impactSpeed = 0.5;         ///< closing speed, m/s, below which it counts as resting and is not reported
+    ParallelFor parallelFor;          ///< none: one thread; results do not depend on it
 };
 
 /// Presets: settings to start from; each can be changed alone. Their limits are measured by the scenes of
@@ -38,7 +36,7 @@ struct PhysicsSettings {
 ///     preset     tower awake   with sleep   mass ratio   free rotation
 ///     fast                16           20          100   keeps its angular velocity
 ///     balanced            25           60        1,000   keeps its angular momentum and energy
-///     accurate            30           60        3,000   the same; slow bodies are not damped
+///     accurate            30           60        3,000   the same
 PhysicsSettings fastPhysics();
 /// The default preset: see fastPhysics().
 PhysicsSettings balancedPhysics();

@@ -4,50 +4,63 @@
 
 // When a body sleeps, and when it wakes.
 //
-// A body falls asleep when it has stayed within a small displacement of one pose for sleepTime seconds while touching
-// something (or in water, or jointed, or without gravity). Poses are compared, not velocities as is usual: contacts of
-// many voxels jitter, and the velocity of a body that goes nowhere may be large. The allowed displacement is
-// sleepVelocity * sleepTime; it grows with the seconds for which the body has been slow ("patience"), up to four times,
-// and so does a slight damping: a pile that settles ever more slowly comes to rest in the end. There are no islands of
-// contacts: each body sleeps alone. Groups of jointed bodies sleep together, and not while a motor of theirs turns. A
-// sleeping body wakes when it is hit harder than a threshold (contact_detection.cpp), when something that touches it
-// has moved by more than kWakeDistance, by an impulse, a character's push or a change of gravity, water, joints or
-// collision filters, or when what it touched is cut, moved or removed (physics_bodies.cpp). Settled bodies want a
-// harder hit, and debris waits until fewer than DebrisSettings::awakeBodies are awake.
+// A body may fall asleep when it is at rest (sleep_timer.h) and touches something, or is in water, jointed, or without
+// gravity. Rest means balance, not slowness: what sleeps would not move by a voxel in the next ten seconds. What bears
+// it must rest too, or its support may be about to move; what lies on it or leans on it need not. There are no islands
+// of contacts beyond that, so a pile sleeps while something stirs at its side. What rests is braked until it sleeps, as
+// it could sleep as well: otherwise solver noise goes round in large piles. Groups of jointed bodies sleep together,
+// and not while a motor of theirs turns. A sleeping body wakes when it is hit harder than a threshold
+// (contact_detection.cpp), when something that touches it has moved by more than kWakeDistance, by an impulse, a
+// character's push or a change of gravity, water, joints or collision filters, or when what it touched is cut, moved or
+// removed (physics_bodies.cpp). Settled bodies want a harder hit, and do not wake with what came to touch them after
+// they had settled: that cannot bear them. Debris waits until fewer than DebrisSettings::awakeBodies are awake.
 
 namespace rubble {
 namespace {
 
 constexpr double kWakeDistance = 0.02;  ///< metres that a body moves before it wakes what touches it
-constexpr double kWakeAngle = 0.04;     ///< radians, the same
-constexpr double kSlowSpeed = 0.3;      ///< m/s below which a touching body counts as slow
-constexpr double kMaxPatience = 4.0;    ///< factor on the allowed displacement after some seconds of being slow
+constexpr double kRestBrake = 0.1;      ///< share of its velocities that a resting body loses in a step
+constexpr double kMinShare = 0.01;      ///< of a body's weight, from which what lifts it bears it
+
+/// What the first body got from the second in the last substep, N s.
+glm::dvec3 impulseOf(const Manifold& manifold) {
+    glm::vec3 sum(0.0f);
+    for (const ManifoldPoint& point : manifold.all()) sum += point.normal * point.normalImpulse + point.frictionImpulse;
+    return glm::dvec3(sum);
+}
+
+/// Keeps awake what an awake body bears that does not rest. substep: s.
+void keepBorneAwake(std::span<Manifold* const> manifolds, glm::dvec3 gravity, double substep) {
+    const double least = kMinShare * glm::dot(gravity, gravity) * substep;
+    for (const Manifold* manifold : manifolds) {
+        DynamicBody *a = manifold->objects.first->dynamic, *b = manifold->objects.second->dynamic;
+        if (!a || !b || a->asleep() || b->asleep() || (a->rests && b->rests)) continue;
+        const double lift = -glm::dot(impulseOf(*manifold), gravity);  // of the first; its weight gives gravity^2 m
+        if (lift > least * a->mass().mass && !b->rests) a->wantsSleep = false;
+        if (-lift > least * b->mass().mass && !a->rests) b->wantsSleep = false;
+    }
+}
 
 }  // namespace
 
-void putToSleep(PhysicsBodies& bodies, const PhysicsJoints& joints, const PhysicsSettings& settings, glm::dvec3 gravity,
-                size_t solverBodies) {
+void putToSleep(PhysicsBodies& bodies, std::span<Manifold* const> manifolds, const PhysicsJoints& joints,
+                const PhysicsSettings& settings, glm::dvec3 gravity, size_t solverBodies) {
     const bool isWeightless = gravity == glm::dvec3(0.0);
+    const RestLimits limits{settings.sleepTime, settings.sleepVelocity, settings.sleepAcceleration,
+                            settings.stepSeconds};
+    bool any = false;
     for (const uint32_t slot : bodies.awake()) {
         DynamicBody& body = bodies.at(slot);
-        SolverBody& motion = body.motion;
-        const double speed =
-            std::max(glm::length(motion.velocity), glm::length(motion.angularVelocity) * body.minHalfExtent());
-        body.slowSeconds = body.touching && speed < kSlowSpeed ? body.slowSeconds + settings.stepSeconds : 0.0;
-        const double patience = std::min(1.0 + body.slowSeconds, kMaxPatience);
-        if (body.slowSeconds > 0.0) {
-            const double kept = 1.0 - settings.slowDamping * patience;
-            motion.velocity *= kept;
-            motion.angularVelocity *= kept;
-        }
-        const double allowed = settings.sleepTime * patience;
-        const double restTime = body.sleepTimer.restTime(body.pose(), settings.sleepVelocity * allowed,
-                                                         settings.sleepAngularVelocity * allowed, settings.stepSeconds);
-        const bool isJointed = !joints.table().of(slot).empty();
-        body.wantsSleep =
-            restTime >= settings.sleepTime && (body.touching || body.inWater || isWeightless || isJointed);
-        if (body.wantsSleep && !isJointed) bodies.putToSleep(body);
+        body.rests = body.sleepTimer.rests(body.pose(), body.object.radius, limits);
+        body.wantsSleep = body.rests && (body.touching || body.inWater || isWeightless || joints.isJointed(slot));
+        any = any || body.wantsSleep;
+        if (!body.rests || !body.touching) continue;
+        body.motion.velocity *= 1.0 - kRestBrake;
+        body.motion.angularVelocity *= 1.0 - kRestBrake;
     }
+    if (any) keepBorneAwake(manifolds, gravity, settings.stepSeconds / settings.substeps);
+    for (const uint32_t slot : bodies.awake())
+        if (DynamicBody& body = bodies.at(slot); body.wantsSleep && !joints.isJointed(slot)) bodies.putToSleep(body);
     joints.putToSleep(bodies, solverBodies);
     bodies.removeEnded();
 }
@@ -59,13 +72,12 @@ void wakeTouched(PhysicsBodies& bodies) {
     for (size_t i = 0; i < awake.size(); ++i) {
         const uint32_t slot = awake[i];
         DynamicBody& body = bodies.at(slot);
-        if (!body.sleepTimer.hasMoved(body.pose(), kWakeDistance, kWakeAngle)) continue;
+        if (!body.sleepTimer.hasMoved(body.pose(), body.object.radius, kWakeDistance)) continue;
         if (body.newlyAwake) bodies.wakeTouching(body.object.low, body.object.high);
         body.newlyAwake = false;
         std::sort(body.sleepersTouched.begin(), body.sleepersTouched.end());
         for (const uint32_t touched : body.sleepersTouched)
-            if (DynamicBody* sleeper = bodies.dynamicAt(touched); sleeper && !sleeper->settled)
-                bodies.wakeOrWait(*sleeper);
+            if (DynamicBody* sleeper = bodies.dynamicAt(touched)) bodies.wakeOrWait(*sleeper);
         body.sleepersTouched.clear();
         i = size_t(std::lower_bound(awake.begin(), awake.end(), slot) - awake.begin());
     }

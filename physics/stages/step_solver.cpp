@@ -5,15 +5,25 @@
 namespace rubble {
 namespace {
 
-// With RotationRule::WhereNeeded, bodies below these keep their angular velocity:
+// With RotationRule::WhereNeeded, a body that touches something has its inertia updated within the step above these.
+// Below them its angular velocity changes by what free rotation does in a step, half before and half after the solve.
 constexpr double kMinInertiaRatio = 1.1;  ///< of the largest to the smallest principal moment
-constexpr double kMinSpin = 0.3;          ///< rad/s, of a body that touches something
+constexpr double kMinSpin = 0.3;          ///< rad/s
+constexpr double kMaxTurn = 0.3;          ///< radians in a step up to which that will do
+constexpr double kRestingSpin = 1e-4;     ///< rad/s that does not rotate a body noticeably within a minute
 
 bool conservesMomentum(const SolverBody& body, bool touches, RotationRule rule) {
     const glm::dvec3& i = body.inertia;
     const double inertiaRatio = std::max({i.x, i.y, i.z}) / std::min({i.x, i.y, i.z});
     return rule == RotationRule::Always || (rule == RotationRule::WhereNeeded && inertiaRatio > kMinInertiaRatio &&
                                             (!touches || glm::length(body.angularVelocity) > kMinSpin));
+}
+
+glm::dvec3 slowSpinChange(const SolverBody& body, const PhysicsSettings& settings) {
+    if (body.conservesMomentum || settings.rotation != RotationRule::WhereNeeded) return glm::dvec3(0.0);
+    const double spin = glm::length(body.angularVelocity);
+    if (spin < kRestingSpin || spin * settings.stepSeconds > kMaxTurn) return glm::dvec3(0.0);
+    return freeSpinChange(body, settings.stepSeconds);
 }
 
 int solverIndexOf(const CollisionObject& object) {
@@ -25,12 +35,15 @@ int solverIndexOf(const CollisionObject& object) {
 void StepSolver::solve(PhysicsBodies& bodies, std::span<Manifold* const> manifolds, PhysicsJoints& joints,
                        glm::dvec3 gravity, const PhysicsSettings& settings) {
     m_bodies.assign(1, {});
+    m_spinChanges.assign(1, glm::dvec3(0.0));
     for (const uint32_t slot : bodies.awake()) {
         DynamicBody& body = bodies.at(slot);
         body.solverIndex = int(m_bodies.size());
         body.isPenetrating = false;
         body.motion.conservesMomentum = conservesMomentum(body.motion, body.touching, settings.rotation);
         m_bodies.push_back(body.motion);
+        m_spinChanges.push_back(slowSpinChange(body.motion, settings));
+        m_bodies.back().angularVelocity += 0.5 * m_spinChanges.back();
     }
     m_bodyOf.clear();
     for (const Manifold* manifold : manifolds)
@@ -59,7 +72,10 @@ void StepSolver::solve(PhysicsBodies& bodies, std::span<Manifold* const> manifol
         body.stepPath.assign(1, body.pose());
         body.stepPath.insert(body.stepPath.end(), path.begin(), path.end());
         body.stepStart = body.motion;
-        body.motion = m_bodies[size_t(body.solverIndex)];
+        SolverBody& solved = m_bodies[size_t(body.solverIndex)];
+        const bool wasHit = solved.conservesMomentum && !body.motion.conservesMomentum;  // it rotated freely already
+        solved.angularVelocity += (wasHit ? -0.5 : 0.5) * m_spinChanges[size_t(body.solverIndex)];
+        body.motion = solved;
         if (path.empty()) body.stepPath.push_back(body.pose());
         body.setPose();
     }

@@ -26,6 +26,7 @@ private:
     ContactSolver m_solver;
     EnergyBound m_energy;
     std::vector<SolverBody> m_bodies, m_after;
+    std::vector<glm::dvec3> m_spinChanges;      ///< rad/s, of slow bodies in the step, by body
     std::vector<std::pair<int, int>> m_bodyOf;  ///< indices in m_bodies, by manifold
 };
 

@@ -48,7 +48,7 @@ TEST(CharacterLoad, APlankTipsUnderWhoWalksBeyondItsSupport) {
         PlankWalk scene(75.0);
         scene.load();
         scene.seconds(3.0);
-        EXPECT_LT(scene.walkTo(d), 0.02) << d;
+        EXPECT_LT(scene.walkTo(d, 12.0), 0.02) << d;
         EXPECT_TRUE(scene.asleep()) << "nothing moves any more, " << d;
     }
 }

@@ -6,9 +6,7 @@ namespace rubble {
 namespace {
 
 PhysicsSettings sleepless() {
-    PhysicsSettings settings;
-    settings.slowDamping = 0.0;
-    return known::sleepless(settings);
+    return known::sleepless({});
 }
 
 /// Total momentum of all dynamic bodies, its moment about a point, and their energy.

@@ -4,14 +4,11 @@
 #include "tests/physics/scenes/known_scenes.h"
 
 namespace rubble::known {
-namespace {
 
-/// A frame whose x axis is the world's z, for hinges that swing in the plane of x and y.
 Pose hingeAt(glm::dvec3 place) {
     return {place, glm::angleAxis(-0.5 * kPi, glm::dvec3(0, 1, 0))};
 }
 
-/// Adds a joint between two bodies of a level at their poses; -1: the world.
 LevelJoint& addJoint(Level& level, JointKind kind, int first, int second, const Pose& frame) {
     LevelJoint joint{{.kind = kind}, {}};
     const std::array<int, 2> bodies = {first, second};
@@ -26,6 +23,8 @@ LevelJoint& addJoint(Level& level, JointKind kind, int first, int second, const 
     level.joints.push_back(joint);
     return level.joints.back();
 }
+
+namespace {
 
 double apart(const World& world) {
     double most = 0.0;

@@ -4,6 +4,11 @@
 /// Scenes of joints with known answers.
 namespace rubble::known {
 
+/// A frame whose x axis is the world's z, for hinges that swing in the plane of x and y.
+Pose hingeAt(glm::dvec3 place);
+/// Adds a joint between two bodies of a level at their poses; -1: the world.
+LevelJoint& addJoint(Level& level, JointKind kind, int first, int second, const Pose& frame);
+
 struct Pendulum {
     double period = 0.0;    ///< s, over at most ten swings
     double expected = 0.0;  ///< of a rigid body of that moment of inertia and amplitude
