@@ -13,7 +13,20 @@ std::string sections(const std::vector<Table>& maps) {
     for (const Table& map : maps) {
         if (map.envelope.empty()) continue;
         out += fmt::format("\n## {}\n\n{}\n\n| {} | holds |\n| --- | --- |\n", map.title, map.note, map.columns[0]);
-        for (const auto& [row, range] : map.envelope) out += fmt::format("| {} | {} |\n", row, range);
+        for (const StableRange& range : map.envelope) out += fmt::format("| {} | {} |\n", range.row, range.holds);
+    }
+    return out;
+}
+
+/// A line for each map: which of its rows fail, and at what.
+std::string failures(const std::vector<Table>& maps) {
+    std::string out = "\n## Where it fails\n\n| what | fails at |\n| --- | --- |\n";
+    for (const Table& map : maps) {
+        std::string fails;
+        for (const StableRange& range : map.envelope)
+            if (!range.fails.empty())
+                fails += fmt::format("{}{} ({} {})", fails.empty() ? "" : ", ", range.fails, map.columns[0], range.row);
+        out += fmt::format("| {} | {} |\n", map.title, fails.empty() ? "no value tried" : fails);
     }
     return out;
 }
@@ -35,8 +48,8 @@ std::string operatingEnvelope(const Options& options, const std::vector<Table>& 
         "# Operating envelope\n\nWhere physics is stable, found by increasing two parameters until it fails. Generated "
         "by `./rubble tradeoff physics --publish`, which also draws these maps and those of speed against accuracy; do "
         "not edit.\n\n";
-    out += stamp(options) +
-           "\n\n## What is clamped\n\nValues beyond these limits are clamped, counted (`PhysicsStats::clamped`) and "
+    out += stamp(options) + "\n" + failures(maps) +
+           "\n## What is clamped\n\nValues beyond these limits are clamped, counted (`PhysicsStats::clamped`) and "
            "logged once per kind. A body with NaN or infinity is quarantined.\n\n| what | min | max |\n| --- | --- | "
            "--- |\n";
     out += fmt::format("| speed, m/s | 0 | {:g} |\n| spin, rad/s | 0 | {:g} |\n", limits::kMaxSpeed,

@@ -149,7 +149,7 @@ Table sphereLightMap(const Options& options) {
             row.emplace_back(x, outcome);
             stable += outcome == Outcome::Stable;
         }
-        table.envelope.emplace_back(name, stableRange(row));
+        table.envelope.push_back({name, stableRange(row)});
     }
     table.conclusion = fmt::format("{} of {} are within 3 %.", stable, cells.size());
     writeMap(options, "T13-sphere-light", "T13-sphere-light: error of a floor's radiance", "radius of the light",
@@ -179,7 +179,7 @@ Table visibilityMap(const Options& options) {
             row.emplace_back(x, outcome);
             stable += outcome == Outcome::Stable;
         }
-        table.envelope.emplace_back(name, stableRange(row));
+        table.envelope.push_back({name, stableRange(row)});
     }
     table.conclusion = fmt::format("{} of {} show at most 1 % of wrong pixels.", stable, cells.size());
     writeMap(options, "T13-visibility", "T13-visibility: pixels that show the wrong place", "distance from the origin",
@@ -209,7 +209,7 @@ Table penumbraMap(const Options& options) {
             row.emplace_back(x, outcome);
             stable += outcome == Outcome::Stable;
         }
-        table.envelope.emplace_back(name, stableRange(row));
+        table.envelope.push_back({name, stableRange(row)});
     }
     table.conclusion = fmt::format("{} of {} are within 0.02 of the sun's share.", stable, cells.size());
     writeMap(options, "T13-penumbra", "T13-penumbra: error of the sun's share behind an edge",

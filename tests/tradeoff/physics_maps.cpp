@@ -5,43 +5,12 @@
 
 #include "tests/physics/scenes/known_scenes.h"
 #include "tests/tradeoff/physics.h"
+#include "tests/tradeoff/physics_map.h"
 
 namespace rubble::tradeoff {
 namespace {
 
 using namespace known;
-
-struct Judged {
-    Outcome outcome;
-    std::string text;
-};
-
-/// Stable up to one limit, degraded up to the next, else failed; NaN fails.
-Judged judge(double value, double stable, double degraded, const std::string& text) {
-    return {value <= stable ? Outcome::Stable : value <= degraded ? Outcome::Degraded : Outcome::Failed, text};
-}
-
-/// A map of two parameters; x increases until physics fails.
-struct Map {
-    const char *name, *title, *criterion;
-    const char *xLabel, *xUnit;
-    std::vector<double> pushed, pushedFull;  ///< values of x from easy to hard; further ones for --full
-    const char* yLabel;
-    std::vector<std::string> rows;
-    std::function<Judged(double x, size_t row, bool full)> evaluate;
-};
-
-std::vector<std::string> presetNames() {
-    std::vector<std::string> names;
-    for (const Preset& preset : presets()) names.push_back(preset.name);
-    return names;
-}
-
-std::vector<std::string> namesOf(const std::vector<double>& values, const char* unit = "") {
-    std::vector<std::string> names;
-    for (const double value : values) names.push_back(fmt::format("{:g}{}", value, unit));
-    return names;
-}
 
 Judged judgeSpin(double spin, size_t row, bool full) {
     const int lengths[] = {1, 4, 16, 64};
@@ -262,48 +231,10 @@ std::vector<Map> overlapMaps() {
 
 std::vector<Map> maps() {
     std::vector<Map> all;
-    for (const auto& group : {spinAndStackMaps(), massMaps(), restMaps(), motionMaps(), overlapMaps()})
+    for (const auto& group :
+         {spinAndStackMaps(), massMaps(), restMaps(), motionMaps(), overlapMaps(), impactMaps(), loadMaps()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
-}
-
-/// The stable range of a row as text: "stable up to 20 cubes, fails at 40".
-std::string stableRange(const Map& map, const std::vector<double>& xs, const std::vector<Judged>& row) {
-    const auto value = [&](size_t i) { return fmt::format("{:g} {}", xs[i], map.xUnit); };
-    const std::string upTo = xs.front() < xs.back() ? "stable up to " : "stable down to ";
-    size_t stable = 0;
-    while (stable < row.size() && row[stable].outcome == Outcome::Stable) ++stable;
-    const auto failed =
-        std::find_if(row.begin(), row.end(), [](const Judged& each) { return each.outcome == Outcome::Failed; });
-    if (stable == row.size()) return upTo + value(stable - 1) + ", the largest value tried";
-    const std::string fails =
-        failed == row.end() ? ", nowhere fails" : ", fails at " + value(size_t(failed - row.begin()));
-    return (stable ? upTo + value(stable - 1) : "nowhere stable from " + value(0) + " on") + fails;
-}
-
-Table draw(const Options& options, const Map& map) {
-    Table table{map.name, map.title, {map.yLabel, map.xLabel, "outcome", "figure"}, {}};
-    table.note = std::string("Stable: ") + map.criterion + ".";
-    std::vector<double> xs = map.pushed;
-    if (options.full) xs.insert(xs.end(), map.pushedFull.begin(), map.pushedFull.end());
-    std::vector<MapCell> cells;
-    std::string words;
-    for (size_t row = 0; row < map.rows.size(); ++row) {
-        std::vector<Judged> line;
-        for (const double x : xs) {
-            const Judged& seen = line.emplace_back(map.evaluate(x, row, options.full));
-            std::string flat = seen.text;
-            std::replace(flat.begin(), flat.end(), '\n', ' ');
-            table.add({map.rows[row], fmt::format("{:g}", x), nameOf(seen.outcome), flat});
-            cells.push_back({fmt::format("{:g}", x), map.rows[row], seen.outcome, seen.text});
-        }
-        table.envelope.push_back({map.rows[row], stableRange(map, xs, line)});
-        words += fmt::format("{}{}: {}", row ? "; " : "", map.rows[row], table.envelope.back().second);
-    }
-    table.conclusion = words + ".";
-    writeMap(options, map.name, fmt::format("{}: {}", map.name, map.title), map.xLabel, map.yLabel, cells,
-             {"stable", "degraded", "failed", nullptr});
-    return table;
 }
 
 }  // namespace
@@ -311,7 +242,7 @@ Table draw(const Options& options, const Map& map) {
 std::vector<std::pair<std::string, std::function<Table(const Options&)>>> physicsMaps() {
     std::vector<std::pair<std::string, std::function<Table(const Options&)>>> all;
     for (const Map& map : maps())
-        all.emplace_back(map.name, [map](const Options& options) { return draw(options, map); });
+        all.emplace_back(map.name, [map](const Options& options) { return drawMap(options, map); });
     return all;
 }
 

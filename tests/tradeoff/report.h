@@ -29,16 +29,23 @@ Measured measure(int repeats, const std::function<double()>& once);
 /// The value below which a share (0 to 1) of the values lies; 0 without values.
 double quantile(std::vector<double> values, double share);
 
+/// A row of a map: for which values it is stable.
+struct StableRange {
+    std::string row;
+    std::string holds;       ///< "stable up to 20 cubes, fails at 40 cubes"
+    std::string fails = {};  ///< "40 cubes", the first value that fails; empty: none
+};
+
 /// A table of the report: settings, their costs and their errors.
 struct Table {
     std::string name;   ///< name of the table and of its files
     std::string title;  ///< a sentence
     std::vector<std::string> columns;
     std::vector<std::vector<std::string>> rows;
-    std::string note = {};                                           ///< explains the columns
-    std::string conclusion = {};                                     ///< the result in a sentence, with its figures
-    std::vector<std::pair<std::string, std::string>> envelope = {};  ///< of maps: a row and its stable range
-    bool failed = false;  ///< a promise does not hold; the conclusion says which
+    std::string note = {};                   ///< explains the columns
+    std::string conclusion = {};             ///< the result in a sentence, with its figures
+    std::vector<StableRange> envelope = {};  ///< of maps
+    bool failed = false;                     ///< a promise does not hold; the conclusion says which
     /// Adds a row with as many cells as there are columns.
     void add(std::vector<std::string> row) { rows.push_back(std::move(row)); }
 };

@@ -1,38 +1,14 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "tests/physics/scenes/known_scenes.h"
+#include "tests/physics/scenes/load_scenes.h"
 
 namespace rubble {
 namespace {
 
-/// A plank of 5 m whose middle lies 1 m from the edge of a block (at x = 0, its top at y = 0), and a character of 80 kg
-/// that stands on it, at x = -0.5.
-struct PlankWalk : PhysicsScene {
-    explicit PlankWalk(double mass) {
-        addFloor(7, {0.0, -1.5, 0.0});
-        add(solidGrid({30, 15, 20}, 7), {-3.0, -1.5, -1.0}, true);
-        // 50 x 1 x 5 voxels
-        const uint8_t wood = known::setMaterial(*this, 8, 0.6f, 0.0f, uint32_t(std::lround(mass / 0.25)));
-        add(solidGrid({50, 1, 5}, wood), {-3.5, 0.0, -0.25}, false);
-        level.characters.emplace_back();
-        level.characters[0].position = {-0.5, 0.12, 0.0};
-    }
-    const Character& me() const { return world.characters().at(world.characters().handleAt(0)); }
-    CharacterHandle who() const { return world.characters().handleAt(0); }
-    /// Walks at 1 m/s until its feet are at x, stands there, and says how far the plank's outer end has sunk.
-    double walkTo(double x, double seconds = 3.0) {
-        const double before = tip();
-        const double direction = x > me().position.x ? 1.0 : -1.0;
-        stepWith({MoveCharacterEdit{who(), {direction, 0.0, 0.0}}});
-        for (int i = 0; i < 600 && (x - me().position.x) * direction > 0.0; ++i) step();
-        stepWith({MoveCharacterEdit{who(), {}}});
-        this->seconds(seconds);
-        return before - tip();
-    }
-    double tip() const { return body(2).pose.transformPoint({5.0, 0.0, 0.25}).y; }
-    bool asleep() const { return body(2).asleep; }
+/// known::PlankWalk with the default settings.
+struct PlankWalk : known::PlankWalk {
+    explicit PlankWalk(double mass) : known::PlankWalk({}, mass) {}
 };
 
 /// 80 kg at d beyond the edge tip 75 kg whose middle is 1 m behind it from d = 0.9375 m on.
