@@ -43,14 +43,17 @@ void PhysicsWorld::step() {
     if (!impl.bodies.awake().empty()) {
         for (const uint32_t slot : impl.bodies.awake()) {
             DynamicBody& body = impl.bodies.at(slot);
-            const double before = waters ? kineticEnergy(body.motion) : 0.0;
-            body.inWater = waters && waters->applyForces(body, impl.gravity, settings.stepSeconds);
-            if (body.inWater) impl.work += kineticEnergy(body.motion) - before;
+            body.inWater = false;
+            body.motion.gravityScale = 1.0f;
+            if (waters) impl.work += waters->applyForces(body, impl.gravity, settings.stepSeconds);
             impl.bodies.limits().clamp(body);  // contacts are searched along the motion
         }
         impl.contacts.find(impl.bodies, impl.joints.table(), settings);
         impl.contacts.recordTouching(impl.bodies);
         impl.solver.solve(impl.bodies, impl.contacts.manifolds(), impl.joints, impl.gravity, settings);
+        if (waters)
+            for (const uint32_t slot : impl.bodies.awake())
+                impl.work += buoyancyWork(impl.bodies.at(slot), impl.gravity);
         if (impl.continuous.stop(impl.bodies, impl.joints.table(), settings, impl.gravity))
             impl.solver.keepMomentum(impl.bodies);
         impl.work += impl.joints.work();

@@ -11,6 +11,7 @@ struct SolverBody {
     glm::dvec3 velocity{0.0}, angularVelocity{0.0};  ///< world, m/s and rad/s
     glm::dvec3 inertia{1.0};                         ///< principal moments, kg m2
     double inverseMass = 0.0;                        ///< 1/kg; 0: it does not move
+    float gravityScale = 1.0f;                       ///< with buoyancy: less than 1, or below 0
     bool conservesMomentum = false;                  ///< free rotation keeps angular momentum: see rotateBody()
 };
 
@@ -28,6 +29,7 @@ struct alignas(64) SolverState {
     bool isLoadBearing = false;      ///< something much heavier lies on it
     bool isJointed = false;
     bool keepsPath = false;  ///< it is hit by something that closes fast, or rotates far
+    float gravityScale = 1.0f;
 };
 
 /// Rotates a body through one substep without torque. With conservesMomentum its angular momentum is constant, else its

@@ -24,7 +24,7 @@ struct PairConstraints {
     bool isWarm = false;      ///< a point has an impulse to start with
     uint32_t group = 0;       ///< where it is solved
     uint32_t lane = 0;
-    float bounceSpeed = 0.0f;  ///< m/s: the fastest approach of a point that bounces
+    float reboundSpeed = 0.0f;  ///< m/s: the largest at which a point shall part
     /// The impulses to start with, summed, on A (N s), and about the centres of mass of A and B (N m s).
     glm::vec3 impulse{0.0f}, angularImpulseA{0.0f}, angularImpulseB{0.0f};
     /// The manifold's points.

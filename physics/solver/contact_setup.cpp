@@ -94,6 +94,7 @@ void prepareStates(ContactSet& set, std::span<const SolverBody> bodies) {
         state.v = glm::vec3(bodies[i].velocity);
         state.w = glm::vec3(bodies[i].angularVelocity);
         state.inverseMass = float(bodies[i].inverseMass);
+        state.gravityScale = bodies[i].gravityScale;
         state.inverseInertia = glm::mat3(worldInverseInertia(bodies[i]));
     }
 }
@@ -113,7 +114,7 @@ void classifyPair(const ContactSet& set, PairConstraints& pair, std::span<const 
         moving2 = std::max(moving2, glm::dot(sliding, sliding));
         if (point.restitution > 0.0f) {
             pair.isElastic = true;
-            pair.bounceSpeed = std::max(pair.bounceSpeed, point.approach);
+            pair.reboundSpeed = std::max(pair.reboundSpeed, point.restitution * point.approach);
         }
         const glm::vec3 impulse = point.normal * point.normalImpulse + point.frictionImpulse;
         pair.isWarm |= point.normalImpulse != 0.0f;

@@ -55,7 +55,7 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
     if (settings.loadBearingPasses > 0 && weight > 0.0)
         m_loadBearing.find(m_set, m_up, float(weight * h), float(settings.loadBearingRatio));
     packGroups(bodies, bodyOf);
-    m_restitution.begin(m_set, float(settings.restitutionThreshold));
+    m_restitution.begin(m_set, float(settings.minReboundSpeed));
     m_start.resize(bodies.size());
     for (size_t i = 0; i < bodies.size(); ++i) m_start[i] = bodies[i].rotation;
     for (int i = 0; i < settings.substeps; ++i) substep(bodies, gravity, settings, i == 0);
@@ -63,7 +63,7 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
         if (const SolverState& state = m_set.states[i]; state.isConstrained)
             bodies[i].velocity = state.v, bodies[i].angularVelocity = state.w;
         else
-            moveFreely(bodies[i], gravity, settings.seconds, m_paths[i]);
+            moveFreely(bodies[i], gravity * double(bodies[i].gravityScale), settings.seconds, m_paths[i]);
     forEachBlockwise(m_parallelFor, m_set.groups.size(), [&](size_t i) { storeImpulses(m_set.groups[i]); });
 }
 
@@ -127,7 +127,7 @@ void ContactSolver::substep(std::span<SolverBody> bodies, glm::dvec3 gravity, co
                             bool isFirst) {
     const double h = settings.seconds / settings.substeps;
     const glm::vec3 fall = glm::vec3(gravity * h);
-    for (size_t i = 1; i < bodies.size(); ++i) m_set.states[i].v += fall;
+    for (size_t i = 1; i < bodies.size(); ++i) m_set.states[i].v += fall * m_set.states[i].gravityScale;
     if (!m_joints.empty()) m_joints.prepare(bodies, m_set.states, h);
     const ContactArrays set = arrays();
     m_coloring.run(m_parallelFor, [&](size_t from, size_t to) { m_kernels->warmStart(set, from, to, isFirst); });

@@ -14,16 +14,16 @@ namespace rubble {
 
 struct SolverSettings {
     int substeps = 6;
-    int iterations = 1;                 ///< over all contacts, in each half of a substep
-    double seconds = 1.0 / 60.0;        ///< of all substeps together
-    double contactHertz = 90.0;         ///< stiffness of contacts, at most a quarter of the rate of substeps
-    double dampingRatio = 5.0;          ///< of contacts
-    double loadBearingRatio = 30.0;     ///< of masses above which a light body under a heavy one gets stiffer contacts
-    int loadBearingPasses = 8;          ///< more over the contacts of such bodies; 0: none is stiffer
-    double maxPushSpeed = 1.5;          ///< m/s at which overlaps are pushed apart
-    double slop = 0.0002;               ///< metres that contacts may overlap, so that they last
-    bool hitsConserve = true;           ///< what is hit in the step keeps its angular momentum as it rotates
-    double restitutionThreshold = 1.0;  ///< closing speed, m/s, below which nothing bounces
+    int iterations = 1;              ///< over all contacts, in each half of a substep
+    double seconds = 1.0 / 60.0;     ///< of all substeps together
+    double contactHertz = 90.0;      ///< stiffness of contacts, at most a quarter of the rate of substeps
+    double dampingRatio = 5.0;       ///< of contacts
+    double loadBearingRatio = 30.0;  ///< of masses above which a light body under a heavy one gets stiffer contacts
+    int loadBearingPasses = 8;       ///< more over the contacts of such bodies; 0: none is stiffer
+    double maxPushSpeed = 1.5;       ///< m/s at which overlaps are pushed apart
+    double slop = 0.0002;            ///< metres that contacts may overlap, so that they last
+    bool hitsConserve = true;        ///< what is hit in the step keeps its angular momentum as it rotates
+    double minReboundSpeed = 0.25;   ///< m/s: what would part more slowly after a hit does not bounce
     const ParallelFor* parallelFor = nullptr;  ///< null: one thread; results do not depend on it
 };
 

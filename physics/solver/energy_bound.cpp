@@ -104,7 +104,8 @@ void EnergyBound::findIslands(std::span<const SolverBody> bodies, std::span<cons
         const double kinetic = kineticEnergy(bodies[i]);
         glm::dvec3 moved = bodies[i].position - before.position;
         if (island.joints) moved -= (bodies[i].velocity - before.velocity) * m_lag;
-        const double fallen = glm::dot(m_gravity, moved) / bodies[i].inverseMass;  // potential energy, now kinetic
+        // Potential energy that became kinetic.
+        const double fallen = glm::dot(m_gravity, moved) * double(bodies[i].gravityScale) / bodies[i].inverseMass;
         m_gains[i] = kinetic - fallen - before.kinetic;
         island.gain += m_gains[i];
         island.positiveGains += std::max(m_gains[i], 0.0);

@@ -24,11 +24,16 @@ constexpr int kJointRounds = 4;      ///< in an impact of what is jointed
 
 }  // namespace
 
-void Restitution::begin(ContactSet& set, float threshold) {
-    m_threshold = threshold;
+float Restitution::reboundSpeed(const ManifoldPoint& point, float velocity) const {
+    const float rebound = -point.restitution * velocity;
+    return rebound > m_minRebound ? rebound : 0.0f;
+}
+
+void Restitution::begin(ContactSet& set, float minRebound) {
+    m_minRebound = minRebound;
     m_fast.clear();
     for (size_t i = 0; i < set.pairs.size(); ++i)
-        if (set.pairs[i].bounceSpeed > threshold) m_fast.push_back(i);
+        if (set.pairs[i].reboundSpeed > minRebound) m_fast.push_back(i);
     if (m_fast.empty()) return;
     m_isQueued.assign(set.pairs.size(), false);
     m_impacts.assign(set.pairs.size(), 0);
@@ -68,7 +73,7 @@ void Restitution::solve(ContactSet& set, float seconds, std::span<const SolverBo
     }
 }
 
-/// Whether a point of the pair will touch within the substep, faster than the threshold.
+/// Whether a point of the pair will touch within the substep and bounce.
 bool Restitution::isAboutToBounce(ContactSet& set, const PairConstraints& pair, float seconds) const {
     const SolverState &A = set.stateA(pair), &B = set.stateB(pair);
     const MotionPair<float> motion = motionsOf(A, B);
@@ -77,7 +82,9 @@ bool Restitution::isAboutToBounce(ContactSet& set, const PairConstraints& pair, 
         if (!(pair.points()[i].restitution > 0.0f)) continue;
         const Contact<float> c = set.contact(pair, i);
         const float velocity = velocities.normalVelocity(c);
-        if (velocity < -m_threshold && set.separation(pair, i, c, motion) + velocity * seconds < 0.0f) return true;
+        if (reboundSpeed(pair.points()[i], velocity) > 0.0f &&
+            set.separation(pair, i, c, motion) + velocity * seconds < 0.0f)
+            return true;
     }
     return false;
 }
@@ -100,7 +107,7 @@ void Restitution::collide(ContactSet& set, const PairConstraints& pair, float se
         updateJacobian(points[i], set.start(pair, i), set.isRound(pair), motion, before);
         const float velocity = before.normalVelocity(points[i]);
         touches[i].isTouching = set.separation(pair, i, points[i], motion) + velocity * seconds < 0.0f;
-        touches[i].target = velocity < -m_threshold ? -pair.points()[i].restitution * velocity : 0.0f;
+        touches[i].target = reboundSpeed(pair.points()[i], velocity);
         fastest = std::max(fastest, -velocity);
     }
     const bool isJointed = (A.isJointed || B.isJointed) && !joints.empty();

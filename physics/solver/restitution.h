@@ -12,20 +12,22 @@ namespace rubble {
 /// impact on through what touches it. See restitution.cpp for the method.
 class Restitution {
 public:
-    /// Begins a step, with the constraints as they are prepared. threshold: the closing speed, m/s, below which nothing
-    /// bounces.
-    void begin(ContactSet& set, float threshold);
+    /// Begins a step, with the constraints as they are prepared. minRebound: what would part more slowly than this,
+    /// m/s, does not bounce.
+    void begin(ContactSet& set, float minRebound);
     /// The impacts of the next substep, of this length, in a fixed order. To be called before each iteration over the
     /// contacts, which would take the speed.
     void solve(ContactSet& set, float seconds, std::span<const SolverBody> bodies, JointSolver& joints);
 
 private:
+    /// The speed at which a point parts that has this normal velocity (m/s, below 0: closing); 0: it does not bounce.
+    float reboundSpeed(const ManifoldPoint& point, float velocity) const;
     bool isAboutToBounce(ContactSet& set, const PairConstraints& pair, float seconds) const;
     void collide(ContactSet& set, const PairConstraints& pair, float seconds, std::span<const SolverBody> bodies,
                  JointSolver& joints);
     void queue(size_t pair);
 
-    float m_threshold = 1.0f;
+    float m_minRebound = 0.25f;                        ///< m/s
     std::vector<size_t> m_fast;                        ///< pairs that close fast at the start of the step
     std::vector<std::pair<int, size_t>> m_neighbours;  ///< body and pair, sorted; of elastic pairs
     std::vector<size_t> m_queue;                       ///< pairs to look at

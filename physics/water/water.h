@@ -16,9 +16,9 @@ public:
     std::optional<WorldBox> set(uint32_t slot, const Water* water);
     /// Whether there is no water.
     bool empty() const { return m_count == 0; }
-    /// Buoyancy and drag of a step, before gravity and contacts; see water.cpp for the formulas. gravity: m/s2. True if
-    /// the body is in water.
-    bool applyForces(DynamicBody& body, glm::dvec3 gravity, double seconds);
+    /// The forces of a step on an awake body, before contacts: sets its gravityScale and inWater, and changes its
+    /// velocities; see water.cpp for the formulas. gravity: m/s2. Returns joules: the work of drag and torques.
+    double applyForces(DynamicBody& body, glm::dvec3 gravity, double seconds);
     /// The water that a point is in, world; null: none.
     const Water* at(glm::dvec3 point) const;
 
@@ -28,5 +28,8 @@ private:
     std::vector<uint32_t> m_near;  ///< slots; scratch of applyForces()
     size_t m_count = 0;
 };
+
+/// Joules that buoyancy gave a body in the last solve. gravity: m/s2.
+double buoyancyWork(const DynamicBody& body, glm::dvec3 gravity);
 
 }  // namespace rubble

@@ -114,8 +114,8 @@ std::vector<Map> impactMaps() {
          "every speed within 2 % of the incoming one; degraded: 10 %",
          "speed, m/s",
          "m/s",
-         {1, 2, 3, 10, 30},
-         {100, 300},
+         {30, 10, 3, 1, 0.5},
+         {0.25, 0.1},
          "comes in",
          {"1 cube", "3 cubes", "1 ball", "3 balls"},
          [](double speed, size_t row, bool) {

@@ -24,7 +24,7 @@ struct Map {
     std::vector<std::string> rows;
     std::function<Judged(double x, size_t row, bool full)> evaluate;
 };
-/// Evaluates a map and writes its picture.
+/// Evaluates a map and draws it.
 Table drawMap(const Options& options, const Map& map);
 
 /// The names of presets().

@@ -15,7 +15,7 @@ using known::kCradleBodies;
 TEST(Cradle, AsManyLeaveAsCameIn) {
     for (const bool areBalls : {false, true})
         for (const int incoming : {1, 2, 3})
-            for (const double speed : {2.0, 3.0, 10.0, 30.0})
+            for (const double speed : {0.5, 1.0, 3.0, 10.0, 30.0})
                 EXPECT_LT(known::cradleError({}, areBalls, incoming, speed), 0.02)
                     << incoming << (areBalls ? " balls at " : " cubes at ") << speed << " m/s";
 }

@@ -81,7 +81,7 @@ void addCradle(PhysicsScene& scene, bool areBalls, int incoming, double speed, f
 double cradleError(const PhysicsSettings& settings, bool areBalls, int incoming, double speed) {
     PhysicsScene scene(sleepless(settings));
     addCradle(scene, areBalls, incoming, speed);
-    scene.step(30);
+    scene.step(20 + int(0.23 / speed * 60.0));
     double worst = 0.0;
     for (int i = 0; i < kCradleBodies; ++i) {
         const double expected = i < kCradleBodies - incoming ? 0.0 : speed;

@@ -1,4 +1,7 @@
 #pragma once
+#include <utility>
+#include <vector>
+
 #include "tests/physics/physics_scene.h"
 
 /// Scenes of impacts with known answers. Nothing in them sleeps or falls.

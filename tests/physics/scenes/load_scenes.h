@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include "tests/physics/physics_scene.h"
 
 /// Scenes of floating, of ropes and of who walks on planks, with known answers.
@@ -35,12 +37,15 @@ Winding windRope(const PhysicsSettings& settings, double gravity, int diameter, 
 struct PlankWalk : PhysicsScene {
     /// mass: of the plank, kg.
     PlankWalk(const PhysicsSettings& settings, double mass);
+    /// The character.
     const Character& me() const { return world.characters().at(world.characters().handleAt(0)); }
+    /// Its handle.
     CharacterHandle who() const { return world.characters().handleAt(0); }
     /// Walks at 1 m/s until its feet are at x, stands there, and says how far the plank's outer end has sunk, metres.
     double walkTo(double x, double seconds = 3.0);
     /// Height of the outer end, metres.
     double tip() const { return body(2).pose.transformPoint({5.0, 0.0, 0.25}).y; }
+    /// Whether the plank sleeps.
     bool asleep() const { return body(2).asleep; }
 };
 
