@@ -72,6 +72,7 @@ public:
     bool newlyAwake = true;                 ///< has not moved noticeably since it woke
     SolverBody stepStart;                   ///< its motion before the last solve
     std::vector<Pose> stepPath;             ///< its poses in the last solve: at equal times, two or more
+    int held = 0;                           ///< steps in which continuous collision holds it, then lets it pass
     bool isPenetrating = false;             ///< the last solve left one of its contacts deep
     std::vector<uint32_t> sleepersTouched;  ///< slots of bodies that it must wake when it moves
     bool touching = false;                  ///< had a contact in the last step

@@ -45,8 +45,8 @@ Motion motionOf(const CollisionObject& object) {
 
 /// The pairs of the same first object with static ones, if this is one of them.
 StaticNeighbours neighboursOf(std::span<const ObjectPair> pairs, size_t number) {
-    const auto [first, second] = pairs[number];
-    if (second->dynamic) return {};
+    const CollisionObject* first = pairs[number].first;
+    if (pairs[number].second->dynamic) return {};
     const auto isBeside = [&](size_t i) { return pairs[i].first == first && !pairs[i].second->dynamic; };
     size_t from = number, to = number + 1;
     while (from > 0 && isBeside(from - 1)) --from;

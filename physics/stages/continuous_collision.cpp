@@ -21,6 +21,10 @@ constexpr double kFarDisplacement = 2.0;  ///< voxels that a body moves in a ste
 constexpr double kMaxDeviation = 1.0;     ///< voxels from its expected path from which it is swept
 constexpr double kMaxBend = 0.1;          ///< voxels from the line between its ends that a path counts as straight
 constexpr double kMaxEnergyError = 1e-3;  ///< share of the energy up to which a body counts as turning freely
+constexpr double kNoProgress = 0.1;       ///< share of its step up to which a body counts as held where it was
+/// Steps in a row for which a body may be held. After them it is in a jam of things that move and cannot give way: it
+/// goes on for some steps, and they overlap, or a crumb under a wheel would stop a car.
+constexpr int kMaxHeld = 2, kFreeSteps = 30;
 /// Voxels by which a body that is stopped overlaps what it met: the next step sees the overlap as a contact, and does
 /// not stop the body there again.
 constexpr double kOverlap = 0.02;
@@ -124,6 +128,11 @@ bool needsSweep(const DynamicBody& body, double seconds) {
     return moved > kFarDisplacement * voxel || body.isPenetrating || deviationOf(body, seconds) > kMaxDeviation * voxel;
 }
 
+/// Whether the body has been held for so long that what moves does not hold it now.
+bool isFree(const DynamicBody& body) {
+    return body.held >= kMaxHeld && body.held < kMaxHeld + kFreeSteps;
+}
+
 /// An upper bound of how far a point of one has moved relative to the other in the step, metres.
 double relativeDisplacement(const DynamicBody& body, const CollisionObject& other) {
     const Pose &from = body.stepPath.front(), &to = body.stepPath.back();
@@ -159,6 +168,7 @@ double ContinuousCollision::fractionOf(DynamicBody& body, PhysicsBodies& bodies,
     double fraction = 2.0;
     for (const auto& [first, second] : m_pairs) {
         const CollisionObject& other = first == &body.object ? *second : *first;
+        if (isFree(body) && other.dynamic && !other.dynamic->asleep()) continue;
         // A body that is put back is in the way of what follows it, which would then be deep in it.
         if (!mayPass(body.object, other, relativeDisplacement(body, other))) continue;
         fraction = std::min(fraction, timeOfImpact(body.object.collider, path, other.collider, pathOf(other, still)));
@@ -198,9 +208,13 @@ bool ContinuousCollision::stop(PhysicsBodies& bodies, const JointTable& joints, 
     m_stops.clear();
     for (const uint32_t slot : bodies.awake()) {
         DynamicBody& body = bodies.at(slot);
-        if (!body.finite() || !needsSweep(body, settings.stepSeconds)) continue;
-        const double fraction =
-            fractionOf(body, bodies, joints) + kOverlap * body.object.collider.smallestVoxel() / displacementOf(body);
+        if (!body.finite() || !needsSweep(body, settings.stepSeconds)) {
+            body.held = 0;
+            continue;
+        }
+        const double hit = fractionOf(body, bodies, joints);
+        const double fraction = hit + kOverlap * body.object.collider.smallestVoxel() / displacementOf(body);
+        body.held = isFree(body) || (body.held < kMaxHeld && hit < kNoProgress) ? body.held + 1 : 0;
         if (fraction < 1.0) m_stops.push_back({slot, fraction});
     }
     if (!joints.empty()) stopJointed(bodies, joints);

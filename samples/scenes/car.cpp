@@ -1,5 +1,7 @@
 #include "samples/scenes/car.h"
 
+#include <algorithm>
+
 #include "samples/scenes/placement.h"
 #include "samples/scenes/surface_styles.h"
 
@@ -138,6 +140,19 @@ LevelShape makeWheel(std::string name) {
     return shape;
 }
 
+/// The radius of the smallest cylinder around a wheel's voxels, on which it rolls, metres.
+double rollingRadius(const LevelShape& wheel) {
+    const ivec3 size = wheel.grid.size();
+    double farthest = 0.0;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x)
+            if (wheel.grid.at({x, y, 0}))
+                farthest = std::max(
+                    farthest,
+                    glm::length(glm::abs(glm::dvec2(x + 0.5, y + 0.5) - 0.5 * glm::dvec2(size.x, size.y)) + 0.5));
+    return farthest * double(wheel.voxelSize);
+}
+
 }  // namespace
 
 LevelShape makeCar(std::string name, const SurfaceStyle& paint) {
@@ -149,6 +164,7 @@ size_t addDrivenCar(Level& level, const std::string& name, const SurfaceStyle& p
     constexpr glm::dquat kLeftward(kSqrtHalf, 0.0, kSqrtHalf, 0.0);  // turns +x to -z, the left of a car along +x
     const size_t index = level.bodies.size();
     addDynamic(level, makeSaloon(name, paint, false), cell);
+    level.bodies.back().pose.position.y += rollingRadius(makeWheel(name)) - kRadius;
     const Pose car = level.bodies.back().pose;
     for (const int x : {kRearAxle, kFrontAxle})
         for (const bool isLeft : {true, false}) {
