@@ -52,7 +52,7 @@ struct Manifold : ManifoldHead {
     /// Without points.
     Manifold() = default;
     /// See the assignment.
-    Manifold(const Manifold& other) { *this = other; }
+    Manifold(const Manifold& other) : ManifoldHead(other) { std::copy_n(other.points.begin(), count, points.begin()); }
     /// Copies the points in use only: kept contacts are copied in every step.
     Manifold& operator=(const Manifold& other) {
         static_cast<ManifoldHead&>(*this) = other;
