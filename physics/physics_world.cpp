@@ -61,6 +61,7 @@ void PhysicsWorld::step() {
         impl.bodies.quarantineInvalid();
         putToSleep(impl.bodies, impl.contacts.manifolds(), impl.joints, settings, impl.gravity,
                    impl.solver.bodyCount());
+        impl.contacts.keepResting();
         wakeTouched(impl.bodies);
         findImpacts(impl.contacts.manifolds(), settings.impactSpeed, settings.impactThreshold, impl.bodies.handles(),
                     impl.impacts);
@@ -99,6 +100,7 @@ PhysicsStats PhysicsWorld::stats() const {
     for (uint32_t slot = 0; slot < bodies.handles().size(); ++slot) stats.bodies += bodies.dynamicAt(slot) != nullptr;
     for (const uint32_t slot : bodies.awake()) stats.crowded += bodies.dynamicAt(slot)->object.isCrowded;
     stats.leftOut = int(m_impl->contacts.leftOut());
+    stats.bricksLeftOut = int(m_impl->contacts.bricksLeftOut());
     stats.candidates = int(m_impl->contacts.candidates());
     for (const Manifold* manifold : m_impl->contacts.manifolds())
         stats.pairs += manifold->count > 0, stats.contacts += manifold->count;

@@ -167,7 +167,7 @@ struct Renderer::Impl {
     std::string lastError;
     double greenUntil = 0.0;  ///< when the dot that tells of reloaded shaders goes out, by RenderSettings::seconds
 
-    GBufferPass gbuffer{(shaders.beginBatch(), shaders)};  // all programs are started before the first is finished
+    GBufferPass gbuffer{(shaders.setPagedShadows(false), shaders.beginBatch(), shaders)};  // all start before one ends
     GlassPass glass{shaders};
     SunPass sun{shaders};
     SkyPass sky{shaders};
@@ -307,6 +307,8 @@ void Renderer::Impl::compileAhead() {
     scene.apply(warmUpScene());
     history = &histories.begin(0, view.size, limits);
     for (int i = 0; i < 2; ++i) drawFrames(view, 1.0f);
+    scene.apply(outsideOfWarmUpScene());
+    drawFrames(view, 1.0f);
     histories.clear();
     forEachLazyPass([](auto& pass) { pass.reset(); });  // their programs stay in the library
     lightGrid.reset();
@@ -345,6 +347,7 @@ void Renderer::Impl::drawFrames(const View& view, float alpha) {
     isMomentOver = false;
     stepAlpha = alpha;
     stats.uploadBytes = scene.beginFrame(alpha, view.position, isSameMoment);
+    shaders.setPagedShadows(scene.shadow().directory().paged().bricks > 0);
     // Where the game stands still its frames count as those of a screen.
     const double now = scene.seconds() + double(alpha - 1.0f) / kStepsPerSecond, passed = now - history->gameSeconds;
     frameSeconds = passed > 0.0 ? float(std::min(passed, kLongestFrame)) : kStill;

@@ -16,7 +16,6 @@ constexpr btScalar kFatMargin = 0.05f;
 constexpr double kRounding = 1e-4;    ///< metres added to bounds against the rounding of their floats
 constexpr double kScatter = 0x1p-17;  ///< share of a coordinate by which a leaf is shifted: 64 steps of a float
 constexpr int kSlack = 16;          ///< nodes by which a shallow tree is deeper than twice the logarithm of its leaves
-constexpr size_t kMaxNear = 16;     ///< pairs of a body with those that it is deep in
 constexpr int kRebuildVisits = 16;  ///< visits of nodes that cost as much as a leaf of a tree built from top down
 
 int depthOf(const btDbvtNode* node) {
@@ -31,13 +30,9 @@ int depthBelow(const btDbvtNode* node) {
 
 }  // namespace
 
-/// Whether the bounds of two objects, which move on straight lines, overlap at some time of the step. The boxes that
-/// they sweep may overlap although one has passed long before the other comes. Those boxes are taken for what moves
-/// less than its size.
-bool Broadphase::meet(const CollisionObject& a, const CollisionObject& b) {
+/// Whether the bounds of two objects, which move on straight lines, overlap at some time of the step.
+bool Broadphase::boundsMeet(const CollisionObject& a, const CollisionObject& b) {
     const glm::dvec3 path = a.displacement - b.displacement;
-    const double size = 2.0 * std::min(a.radius, b.radius);
-    if (glm::dot(path, path) <= size * size) return true;
     // Of b's corners from a's, at the beginning.
     const glm::dvec3 low = b.low - glm::min(b.displacement, 0.0) - (a.high - glm::max(a.displacement, 0.0)),
                      high = b.high - glm::max(b.displacement, 0.0) - (a.low - glm::min(a.displacement, 0.0));
@@ -63,17 +58,6 @@ void Broadphase::sortPairs(std::vector<ObjectPair>& pairs, size_t from) {
     const auto begin = pairs.begin() + std::ptrdiff_t(from);
     if (!std::is_sorted(begin, pairs.end(), isBefore)) std::sort(begin, pairs.end(), isBefore);
     pairs.erase(std::unique(begin, pairs.end()), pairs.end());
-}
-
-/// Adds the pairs of an object with the nearest of those that it is deep in, whatever their numbers: they may add them,
-/// too. Returns how many it left out.
-size_t Broadphase::addNearest(CollisionObject* object, std::vector<ObjectPair>& out) {
-    const size_t kept = std::min(m_near.size(), kMaxNear), leftOut = m_near.size() - kept;
-    if (leftOut)
-        std::nth_element(m_near.begin(), m_near.begin() + std::ptrdiff_t(kept), m_near.end(),
-                         [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (size_t i = 0; i < kept; ++i) out.push_back(inOrder(object, m_near[i].second));
-    return leftOut;
 }
 
 /// A moving object is bounded by its parts' hulls, one at rest by their boxes, whose computation touches no voxels.
@@ -157,19 +141,59 @@ void Broadphase::move(CollisionObject& object, glm::dvec3 displacement, double m
         m_moving.keepShallow(object.m_leaf);
 }
 
-void Broadphase::find(glm::dvec3 low, glm::dvec3 high, std::vector<CollisionObject*>& out) {
-    struct Collect : btDbvt::ICollide {
-        Collect(const WorldBox& b, std::vector<CollisionObject*>& found) : box(b), objects(found) {}
-        void Process(const btDbvtNode* leaf) override {
-            auto* object = static_cast<CollisionObject*>(leaf->data);
-            if (box.overlaps({object->low, object->high})) objects.push_back(object);
-        }
-        const WorldBox box;
-        std::vector<CollisionObject*>& objects;
-    } collect({low, high}, out);
+void Broadphase::findIn(const Tree& tree, glm::dvec3 low, glm::dvec3 high, std::vector<CollisionObject*>& out) {
+    const WorldBox box{low, high};
     const btDbvtVolume volume = volumeOf(low, high);
-    for (const Tree* tree : {&m_resting, &m_moving})
-        tree->nodes.collideTVNoStackAlloc(tree->nodes.m_root, volume, m_stack, collect);
+    m_stack.assign(1, tree.nodes.m_root);
+    while (!m_stack.empty()) {
+        const btDbvtNode* node = m_stack.back();
+        m_stack.pop_back();
+        while (node && Intersect(node->volume, volume)) {
+            if (node->isleaf()) {
+                auto* object = static_cast<CollisionObject*>(node->data);
+                if (box.overlaps({object->low, object->high})) out.push_back(object);
+                break;
+            }
+            m_stack.push_back(node->childs[1]);
+            node = node->childs[0];
+        }
+    }
+}
+
+void Broadphase::find(glm::dvec3 low, glm::dvec3 high, std::vector<CollisionObject*>& out) {
+    findIn(m_resting, low, high, out);
+    findIn(m_moving, low, high, out);
+}
+
+size_t Broadphase::findPairs(std::span<CollisionObject* const> moving, std::vector<ObjectPair>& out) {
+    m_bounds.clear();
+    for (const CollisionObject* object : moving) m_bounds.push_back({object->low, object->high});
+    m_packed.build(m_bounds, m_origin);
+    const size_t from = out.size();
+    size_t leftOut = 0;
+    for (size_t i = 0; i < moving.size(); ++i) {
+        CollisionObject* const object = moving[i];
+        m_found.clear();
+        m_indices.clear();
+        m_nearest.begin(object);
+        findIn(m_resting, object->low, object->high, m_found);
+        m_packed.find(m_bounds[i], m_indices);
+        for (const uint32_t other : m_indices)
+            if (other != i && m_bounds[i].overlaps(m_bounds[other])) m_found.push_back(moving[other]);
+        const size_t own = out.size();
+        for (CollisionObject* other : m_found) {
+            if (!object->filter.meets(other->filter) || !meet(*object, *other)) continue;
+            if (areCrowded(*object, *other) || areNear(*object, *other))
+                m_nearest.add(other);
+            else if (!other->m_moves || object->number < other->number)
+                out.push_back(inOrder(object, other));
+        }
+        for (CollisionObject* other : m_nearest.all()) out.push_back(inOrder(object, other));
+        leftOut += m_nearest.leftOut();
+        sortPairs(out, own);
+    }
+    sortPairs(out, from);
+    return leftOut;
 }
 
 }  // namespace rubble

@@ -1,18 +1,21 @@
 #pragma once
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
 
+#include <algorithm>
+#include <glm/geometric.hpp>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "physics/bodies/collision_object.h"
 #include "physics/collision/crowd.h"
+#include "physics/collision/packed_boxes.h"
 
 namespace rubble {
 
 /// Finds which objects are near each other with two of Bullet's dynamic bounding volume trees: one of objects that
 /// move, one of objects at rest. No pairs are kept from step to step, so what rests costs nothing, and removing it
-/// costs the depth of a tree. [main-thread]
+/// costs the depth of a tree. Pairs of what moves come from a tree of their own, built in every step. [main-thread]
 class Broadphase {
 public:
     /// The world position of Bullet's origin. Bullet's bounds are floats, so choose it near the level's middle; before
@@ -38,33 +41,11 @@ public:
 
     /// Appends the objects whose bounds overlap a box (world, metres), in no particular order.
     void find(glm::dvec3 low, glm::dvec3 high, std::vector<CollisionObject*>& out);
-    /// Appends the pairs of the `moving` objects with each other and with all others whose bounds overlap at some time
-    /// of the step: each pair once, sorted by numbers. isKnown: called for other moving objects; pairs with those for
-    /// which it is true are left out. So are pairs of bodies that are deep in each other but not among the 16 nearest
-    /// of either; returns how many each body left out, in sum.
-    template <class IsKnown>
-    size_t findPairs(std::span<CollisionObject* const> moving, IsKnown&& isKnown, std::vector<ObjectPair>& out) {
-        const size_t from = out.size();
-        size_t leftOut = 0;
-        for (CollisionObject* object : moving) {
-            m_found.clear();
-            m_near.clear();
-            find(object->low, object->high, m_found);
-            const size_t own = out.size();
-            for (CollisionObject* other : m_found) {
-                if (other == object || !object->filter.meets(other->filter) || !meet(*object, *other)) continue;
-                if (other->m_moves && isKnown(*other)) continue;
-                if (areNear(*object, *other))
-                    m_near.push_back({distanceBetween(*object, *other), other});
-                else if (!other->m_moves || object->number < other->number)
-                    out.push_back(inOrder(object, other));
-            }
-            leftOut += addNearest(object, out);
-            sortPairs(out, own);
-        }
-        sortPairs(out, from);
-        return leftOut;
-    }
+    /// Appends the pairs of these objects, which move, with each other and with all at rest whose bounds overlap at
+    /// some time of the step: each pair once, sorted by numbers. Pairs of bodies that are deep in each other, or both
+    /// crowded (see Crowds), but not among the 16 nearest of either are left out; returns how many each body left out,
+    /// in sum.
+    size_t findPairs(std::span<CollisionObject* const> moving, std::vector<ObjectPair>& out);
 
 private:
     /// One of Bullet's trees, kept shallow.
@@ -78,8 +59,15 @@ private:
     static ObjectPair inOrder(CollisionObject* a, CollisionObject* b) {
         return a->number < b->number ? ObjectPair(a, b) : ObjectPair(b, a);
     }
-    size_t addNearest(CollisionObject* object, std::vector<ObjectPair>& out);
-    static bool meet(const CollisionObject& a, const CollisionObject& b);
+    void findIn(const Tree& tree, glm::dvec3 low, glm::dvec3 high, std::vector<CollisionObject*>& out);
+    /// The boxes that two objects sweep may overlap although one has passed long before the other comes. Those boxes
+    /// are taken for what moves less than its size.
+    static bool meet(const CollisionObject& a, const CollisionObject& b) {
+        const glm::dvec3 path = a.displacement - b.displacement;
+        const double size = 2.0 * std::min(a.radius, b.radius);
+        return glm::dot(path, path) <= size * size || boundsMeet(a, b);
+    }
+    static bool boundsMeet(const CollisionObject& a, const CollisionObject& b);
     static void sortPairs(std::vector<ObjectPair>& pairs, size_t from);
     void insert(CollisionObject& object, bool moves);
     void setBounds(CollisionObject& object, glm::dvec3 displacement, double margin) const;
@@ -89,9 +77,12 @@ private:
 
     glm::dvec3 m_origin{0.0};
     Tree m_moving, m_resting;
-    btAlignedObjectArray<const btDbvtNode*> m_stack;
+    std::vector<const btDbvtNode*> m_stack;  ///< that find() still visits
     std::vector<CollisionObject*> m_found;
-    std::vector<std::pair<BodyDistance, CollisionObject*>> m_near;  ///< deep in the object whose pairs are searched
+    PackedBoxes m_packed;  ///< bounds of the objects whose pairs are searched
+    std::vector<WorldBox> m_bounds;
+    std::vector<uint32_t> m_indices;
+    NearestBodies m_nearest;  ///< of those deep in the object whose pairs are searched, or in its crowd
     uint32_t m_versions = 0;
 };
 

@@ -61,6 +61,21 @@ bool areNear(const CollisionObject& a, const CollisionObject& b) {
     return squaredDistance(a, b) < near * near;
 }
 
+void NearestBodies::add(CollisionObject* other) {
+    const bool isFull = m_count == kMax;
+    m_leftOut += isFull;
+    if (isFull && squaredDistance(*m_object, *other) > m_distances.back().distance2) return;
+    const BodyDistance distance = distanceBetween(*m_object, *other);
+    if (isFull && !(distance < m_distances.back())) return;
+    size_t place = isFull ? kMax - 1 : m_count++;
+    for (; place > 0 && distance < m_distances[place - 1]; --place) {
+        m_distances[place] = m_distances[place - 1];
+        m_bodies[place] = m_bodies[place - 1];
+    }
+    m_distances[place] = distance;
+    m_bodies[place] = other;
+}
+
 /// Returns whether any body is crowded.
 bool Crowds::mark(const std::vector<ObjectPair>& pairs) {
     for (const auto& [a, b] : pairs) a->crowdPairs = b->crowdPairs = 0;

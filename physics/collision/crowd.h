@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <compare>
+#include <span>
 #include <vector>
 
 #include "physics/bodies/collision_object.h"
@@ -18,6 +20,26 @@ struct BodyDistance {
 BodyDistance distanceBetween(const CollisionObject& a, const CollisionObject& b);
 /// Whether the centres of two bodies are so near that the bodies overlap deeply; false of what is static.
 bool areNear(const CollisionObject& a, const CollisionObject& b);
+
+/// The 16 bodies that are nearest to one.
+class NearestBodies {
+public:
+    /// Forgets all, and measures from `object` on.
+    void begin(CollisionObject* object) { m_object = object, m_count = m_leftOut = 0; }
+    /// Takes a body in if it is one of the nearest so far.
+    void add(CollisionObject* other);
+    /// Those taken in, the nearest first.
+    std::span<CollisionObject* const> all() const { return {m_bodies.data(), m_count}; }
+    /// How many were added that are not among them.
+    size_t leftOut() const { return m_leftOut; }
+
+private:
+    static constexpr size_t kMax = 16;
+    CollisionObject* m_object = nullptr;
+    size_t m_count = 0, m_leftOut = 0;
+    std::array<BodyDistance, kMax> m_distances;
+    std::array<CollisionObject*, kMax> m_bodies;
+};
 
 /// Things that were put into the same place, many deep in many others: n of them are n^2 pairs, and each pair of deep
 /// bodies has contacts all over. Such bodies push each other apart as if they were spheres, each those nearest to it

@@ -60,7 +60,7 @@ void FeatureCollider::setLimit(const glm::vec3& direction, float limit, const Ce
               0.5f * std::max({std::abs(m_direction.x), std::abs(m_direction.y), std::abs(m_direction.z)});
 }
 
-bool FeatureCollider::collide(bool isFirst, uint64_t partKey, std::vector<ContactPoint>& out) {
+bool FeatureCollider::collide(bool isFirst, uint64_t partKey, ContactSearch& search, std::vector<ContactPoint>& out) {
     m_isFirst = isFirst;
     m_key = partKey;
     m_low = glm::vec3(m_into.bounds().low) - m_searchDistance;
@@ -74,22 +74,28 @@ bool FeatureCollider::collide(bool isFirst, uint64_t partKey, std::vector<Contac
         collideFeatures(surface->features, surface->rows.box().low, near, out);
         return true;
     }
-    collideBricks(near, out);
+    collideBricks(near, search, out);
     return true;
 }
 
-/// The bricks of `from` in an order that is spread over them at any time, until there are enough contacts.
-void FeatureCollider::collideBricks(const CellBox& near, std::vector<ContactPoint>& out) {
+/// The bricks of `from` in an order that is spread over them at any time, until there are enough contacts or bricks.
+void FeatureCollider::collideBricks(const CellBox& near, ContactSearch& search, std::vector<ContactPoint>& out) {
     const Cell low = brickOfCell(near.low), size = brickOfCell(near.high - 1) - low + 1;
     const uint64_t count = uint64_t(size.x) * uint64_t(size.y) * uint64_t(size.z), stride = spreadStride(count);
     const size_t enough = out.size() + kEnoughContacts;
-    for (uint64_t i = 0, at = 0; i < count && out.size() < enough; ++i, at = (at + stride) % count) {
+    const uint64_t first = search.turn * kMaxSearchedBricks % count * stride % count;
+    size_t searched = 0;
+    for (uint64_t i = 0, at = first; i < count && out.size() < enough; ++i, at = (at + stride) % count) {
         const Cell brick = low + Cell(at % uint64_t(size.x), at / uint64_t(size.x) % uint64_t(size.y),
                                       at / uint64_t(size.x) / uint64_t(size.y)),
                    corner = brick * kBrickSize;
-        if (m_from.grid().brickAt(brick) && boxMayTouchSolid(glm::vec3(glm::max(near.low - 1, corner)),
-                                                             glm::vec3(glm::min(near.high + 1, corner + kBrickSize))))
+        if (!m_from.grid().brickAt(brick) || !boxMayTouchSolid(glm::vec3(glm::max(near.low - 1, corner)),
+                                                               glm::vec3(glm::min(near.high + 1, corner + kBrickSize))))
+            continue;
+        if (searched++ < kMaxSearchedBricks)
             collideFeatures(m_from.features(brick), corner, near, out);
+        else
+            ++search.leftOut;
     }
 }
 

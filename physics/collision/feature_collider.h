@@ -26,8 +26,9 @@ public:
     void setLimit(const glm::vec3& direction, float limit, const CellTransform& fromCells);
 
     /// Appends the contacts. isFirst: `from` belongs to the first body, else normals are reversed. partKey: bits of
-    /// ContactPoint::feature that tell parts apart. Returns false if nothing of the two is near.
-    bool collide(bool isFirst, uint64_t partKey, std::vector<ContactPoint>& out);
+    /// ContactPoint::feature that tell parts apart. search: which bricks come first, and how many were left out.
+    /// Returns false if nothing of the two is near.
+    bool collide(bool isFirst, uint64_t partKey, ContactSearch& search, std::vector<ContactPoint>& out);
 
     /// The greatest depth, in cells, of a feature that is inside the solid and accepts no exit; 0 if there is none.
     float stuckDepth() const { return m_stuckDepth; }
@@ -42,7 +43,7 @@ private:
     FeatureQuery& queryFor(uint8_t kind, const glm::vec3& point);
     bool findCoveredSides(FeatureQuery& query, Cell own);
     bool mayTouchSolid(Float4 point, uint8_t kind);
-    void collideBricks(const CellBox& near, std::vector<ContactPoint>& out);
+    void collideBricks(const CellBox& near, ContactSearch& search, std::vector<ContactPoint>& out);
     void collideFeatures(const FeatureList& features, Cell corner, const CellBox& near, std::vector<ContactPoint>& out);
     void collideCluster(std::span<const FeatureList::Pack> packs, Cell corner, const glm::vec3& base, float limit,
                         std::vector<ContactPoint>& out);

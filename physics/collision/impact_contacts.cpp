@@ -40,8 +40,8 @@ void findImpactContacts(const CollisionObject& first, const CollisionObject& sec
     if (fraction > 1.0) return;
     const Placed a(first, SweptPose{firstPath}.at(fraction)), b(second, SweptPose{secondPath}.at(fraction));
     const size_t from = out.size();
-    glm::vec3 axisThen(0.0f);
-    findContacts(first.collider, a.motion(), second.collider, b.motion(), settings, axisThen, out, neighbours);
+    ContactSearch searchThen;
+    findContacts(first.collider, a.motion(), second.collider, b.motion(), settings, searchThen, out, neighbours);
     for (size_t i = from; i < out.size(); ++i) {
         ContactPoint& contact = out[i];
         const glm::dvec3 middle = a.pose.position + glm::dvec3(contact.position), normal(contact.normal),

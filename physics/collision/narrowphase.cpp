@@ -79,17 +79,18 @@ void Narrowphase::findPairContacts(std::span<const ObjectPair> pairs, size_t num
     NarrowphaseSettings straight = settings;
     straight.seconds *= std::min(straightShare(firstMotion, voxel, settings.seconds),
                                  straightShare(secondMotion, voxel, settings.seconds));
-    const bool isNear = findContacts(first->collider, firstMotion, second->collider, secondMotion, straight, pair.axis,
-                                     batch.contacts, neighbours);
+    const bool isNear = findContacts(first->collider, firstMotion, second->collider, secondMotion, straight,
+                                     pair.search, batch.contacts, neighbours);
+    batch.bricksLeftOut += pair.search.leftOut;
     pair.isCacheable = displacement <= settings.margin;
     if (isNear && batch.contacts.empty() && displacement > settings.sweepThreshold && displacement > voxel &&
         mayPass(*first, *second, displacement))
-        findImpactContacts(*first, *second, straight, pair.axis, batch.contacts, neighbours);
+        findImpactContacts(*first, *second, straight, pair.search.axis, batch.contacts, neighbours);
 }
 
 /// before: the pair in the step before; null: it is new. pair: what is remembered of it.
 void Narrowphase::collidePair(std::span<const ObjectPair> pairs, size_t number, const NarrowphaseSettings& settings,
-                              const Pair* before, Batch& batch, Pair& pair) {
+                              const Pair* before, Batch& batch, Pair& pair) const {
     const auto [first, second] = pairs[number];
     const Motion firstMotion = motionOf(*first), secondMotion = motionOf(*second);
     const bool isKnown = before && before->firstVersion == first->version && before->secondVersion == second->version;
@@ -109,7 +110,7 @@ void Narrowphase::collidePair(std::span<const ObjectPair> pairs, size_t number, 
         return;
     }
     pair = {first->number, second->number, first->version, second->version};
-    if (before) pair.axis = before->axis;
+    if (before) pair.search = before->search;
     batch.contacts.clear();
     if (areCrowded(*first, *second))
         batch.contacts.push_back(crowdContact(*first, *second));
@@ -122,23 +123,22 @@ void Narrowphase::collidePair(std::span<const ObjectPair> pairs, size_t number, 
     manifold.second = second->number;
     manifold.origin = first->pose.position;
     manifold.objects = pairs[number];
-    const bool inherits = before && !first->isNew && !second->isNew;
-    reduceContacts(batch.contacts, inherits ? before->manifold : nullptr,
+    const std::optional<Manifold> rested = before ? std::nullopt : m_resting.find(*first, *second);
+    const Manifold* known = before ? before->manifold : rested ? &*rested : nullptr;
+    reduceContacts(batch.contacts, first->isNew || second->isNew ? nullptr : known,
                    2.0 * displacement <= settings.margin ? kRestingLimits : kHitLimits, manifold);
     manifold.isRound = isTouchedAsRound(manifold);
     cacheContacts(manifold, first->pose, second->pose);
     manifold.allowedPenetration = 0.0f;
     if (!second->dynamic)
-        updateAllowedPenetration(manifold, !before            ? kUnlimited
-                                           : before->manifold ? before->manifold->allowedPenetration
-                                                              : 0.0f);
+        updateAllowedPenetration(manifold, known ? known->allowedPenetration : before ? 0.0f : kUnlimited);
 }
 
 /// Merges the sorted pairs with those of the step before. from: the first of them in the batch, whose pairs are `out`.
 void Narrowphase::collideBatch(std::span<const ObjectPair> pairs, size_t from, const NarrowphaseSettings& settings,
                                Batch& batch, std::span<Pair> out) const {
     const std::vector<Pair>& known = m_sets[m_now ^ 1].pairs;
-    batch.used = 0;
+    batch.used = batch.bricksLeftOut = 0;
     if (batch.manifolds.size() < out.size()) batch.manifolds.resize(out.size());
     auto next = known.end();
     for (size_t i = 0; i < out.size(); ++i) {
@@ -149,6 +149,13 @@ void Narrowphase::collideBatch(std::span<const ObjectPair> pairs, size_t from, c
         const bool isKnown = next != known.end() && !isBefore(pair, *next);
         collidePair(pairs, from + i, settings, isKnown ? &*next : nullptr, batch, pair);
     }
+}
+
+size_t Narrowphase::bricksLeftOut() const {
+    const Set& set = m_sets[m_now];
+    size_t sum = 0;
+    for (size_t i = 0; i < set.usedBatches; ++i) sum += set.batches[i]->bricksLeftOut;
+    return sum;
 }
 
 void Narrowphase::collide(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings,
@@ -164,6 +171,8 @@ void Narrowphase::collide(std::span<const ObjectPair> pairs, const NarrowphaseSe
         collideBatch(pairs, from, settings, *set.batches[firstBatch + i],
                      std::span(set.pairs).subspan(firstPair + from, count));
     });
+    for (const ObjectPair& pair : pairs)
+        if (pair.first->dynamic && !pair.first->dynamic->asleep()) m_resting.forget(*pair.first);
     for (size_t i = firstBatch; i < set.usedBatches; ++i)
         for (size_t m = 0; m < set.batches[i]->used; ++m) set.list.push_back(&set.batches[i]->manifolds[m]);
     if (!firstBatch) return;

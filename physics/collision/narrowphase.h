@@ -7,6 +7,7 @@
 #include "physics/collision/broadphase.h"
 #include "physics/collision/contact_cache.h"
 #include "physics/collision/manifold.h"
+#include "physics/collision/resting_contacts.h"
 #include "runtime/core/parallel_for.h"
 
 namespace rubble {
@@ -22,21 +23,25 @@ public:
                  const ParallelFor& parallelFor);
     /// Of this step, sorted by first and second; valid until the next begin().
     std::span<Manifold* const> manifolds() const { return m_sets[m_now].list; }
+    /// Keeps the impulses of contacts of which nothing is awake any more. To be called when bodies have fallen asleep.
+    void keepResting() { m_resting.keep(manifolds()); }
     /// How many pairs it was given in this step.
     size_t candidates() const { return m_sets[m_now].pairs.size(); }
+    /// Bricks of large bodies that may touch something and were not searched in this step.
+    size_t bricksLeftOut() const;
 
 private:
     /// What is remembered of a pair whose bounds overlap.
     struct Pair {
         uint32_t first = 0, second = 0, firstVersion = 0, secondVersion = 0;
-        glm::vec3 axis{0.0f};                ///< see findContacts()
+        ContactSearch search;
         bool isCacheable = false;            ///< slow
         RelativePose pose;                   ///< at which the contacts were found
         const Manifold* manifold = nullptr;  ///< null: no contacts
     };
     struct Batch {
         std::vector<Manifold> manifolds;
-        size_t used = 0;
+        size_t used = 0, bricksLeftOut = 0;
         std::vector<ContactPoint> contacts;
     };
     struct Set {
@@ -50,10 +55,11 @@ private:
     static void findPairContacts(std::span<const ObjectPair> pairs, size_t number, const Motion& firstMotion,
                                  const Motion& secondMotion, const NarrowphaseSettings& settings, double displacement,
                                  Batch& batch, Pair& pair);
-    static void collidePair(std::span<const ObjectPair> pairs, size_t number, const NarrowphaseSettings& settings,
-                            const Pair* before, Batch& batch, Pair& pair);
+    void collidePair(std::span<const ObjectPair> pairs, size_t number, const NarrowphaseSettings& settings,
+                     const Pair* before, Batch& batch, Pair& pair) const;
 
     std::array<Set, 2> m_sets;  ///< of this step and of the one before
+    RestingContacts m_resting;
     size_t m_now = 0;
 };
 

@@ -186,28 +186,30 @@ private:
 /// Appends the contacts of two parts of voxels that are near each other.
 void collideVoxels(const CoveredPart& a, const TransformedHull& hullA, const CoveredPart& b,
                    const TransformedHull& hullB, const RelativeMotion& motion, const NarrowphaseSettings& settings,
-                   const Approach& approach, uint64_t key, std::vector<ContactPoint>& out) {
+                   const Approach& approach, uint64_t key, ContactSearch& search, std::vector<ContactPoint>& out) {
     const auto& [axis, gap, near] = approach;
     const size_t before = out.size();
     FeatureCollider forward(a, b);
     forward.setMotion(motion.velocity, motion.spin, settings, motion.maxDisplacement);
     forward.setLimit(axis, hullB.support(axis) + near, a.cells);
-    if (!forward.collide(true, key, out)) return;
+    if (!forward.collide(true, key, search, out)) return;
     FeatureCollider backward(b, a);
     backward.setMotion(-motion.velocity, -motion.spin, settings, motion.maxDisplacement);
     backward.setLimit(-axis, hullA.support(-axis) + near, b.cells);
-    backward.collide(false, key | 1, out);
+    backward.collide(false, key | 1, search, out);
     if (const float stuck = std::max(forward.stuckDepth(), backward.stuckDepth()); stuck > 0.0f && gap < 0.0f) {
         const glm::vec3 push = pushDirection({out.data() + before, out.size() - before}, axis, stuck);
         if (push != glm::vec3(0.0f)) out.push_back(stuckContact(a.part, hullA, b.part, hullB, push, gap, key));
     }
 }
 
-/// Appends the contacts of part i of the first collider with part k of the second. axis: a unit vector from the second
-/// to the first to start from, replaced by a better one; hasAxis: it is that of the step before. Returns whether the
-/// parts are near each other.
+/// Appends the contacts of part i of the first collider with part k of the second. search: its axis, from the second to
+/// the first, is that of the step before, and is replaced by a better one. Returns whether the parts are near each
+/// other.
 bool collideParts(const Surroundings& around, size_t i, size_t k, const RelativeMotion& motion,
-                  const NarrowphaseSettings& settings, bool hasAxis, glm::vec3& axis, std::vector<ContactPoint>& out) {
+                  const NarrowphaseSettings& settings, ContactSearch& search, std::vector<ContactPoint>& out) {
+    glm::vec3& axis = search.axis;
+    const bool hasAxis = axis != glm::vec3(0.0f);
     const ColliderPart &a = *around.colliders[0]->parts[i], &b = *around.colliders[1]->parts[k];
     const CellTransform aCells = around.at(0, i), bCells = around.at(1, k);
     const uint64_t key = uint64_t(i & 31) << 6 | uint64_t(k & 31) << 1;
@@ -233,7 +235,7 @@ bool collideParts(const Surroundings& around, size_t i, size_t k, const Relative
         collideRound({first, {}, motion.firstVelocity, motion.firstSpin},
                      {second, motion.offset, motion.secondVelocity, motion.secondSpin}, settings, key, out);
     else
-        collideVoxels(first, hullA, second, hullB, motion, settings, {axis, gap, near}, key, out);
+        collideVoxels(first, hullA, second, hullB, motion, settings, {axis, gap, near}, key, search, out);
     return true;
 }
 
@@ -246,24 +248,25 @@ double maxRelativeDisplacement(const Motion& first, const Motion& second, double
 }
 
 bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const VoxelCollider& second,
-                  const Motion& secondMotion, const NarrowphaseSettings& settings, glm::vec3& axis,
+                  const Motion& secondMotion, const NarrowphaseSettings& settings, ContactSearch& search,
                   std::vector<ContactPoint>& out, const StaticNeighbours& neighbours) {
     const RelativeMotion motion(firstMotion, secondMotion, settings);
     const Surroundings around{{&first, &second},
                               {firstMotion.cellTransforms, secondMotion.cellTransforms},
                               {glm::dvec3(0.0), motion.offset},
                               neighbours};
+    search.turn += search.leftOut > 0;
+    search.leftOut = 0;
     bool isNear = false;
     const bool isOnePair = first.parts.size() == 1 && second.parts.size() == 1;
     for (size_t i = 0; i < first.parts.size(); ++i)
         for (size_t k = 0; k < second.parts.size(); ++k) {
             const ColliderPart &a = *first.parts[i], &b = *second.parts[k];
             if (a.grid().empty() || b.grid().empty() || !a.filter().meets(b.filter())) continue;
-            glm::vec3 partAxis = axis;
-            const bool hasAxis = isOnePair && axis != glm::vec3(0.0f);
-            isNear |= collideParts(around, i, k, motion, settings, hasAxis, partAxis, out);
-            if (isOnePair) axis = partAxis;
+            if (!isOnePair) search.axis = glm::vec3(0.0f);
+            isNear |= collideParts(around, i, k, motion, settings, search, out);
         }
+    if (!isOnePair) search.axis = glm::vec3(0.0f);
     return isNear;
 }
 

@@ -33,6 +33,15 @@ double maxRelativeDisplacement(const Motion& first, const Motion& second, double
 
 /// Contacts of two parts after which no more bricks are searched: a manifold keeps twelve at most.
 inline constexpr size_t kEnoughContacts = 1024;
+/// Bricks of a large part that are searched in a step, among those that may touch the other part.
+inline constexpr size_t kMaxSearchedBricks = 768;
+
+/// What the search for contacts of two bodies leaves for that of the next step.
+struct ContactSearch {
+    glm::vec3 axis{0.0f};  ///< unit vector along which the two may be separated; 0: none is known
+    uint32_t turn = 0;     ///< searches that left bricks out: each begins where the one before ended
+    uint32_t leftOut = 0;  ///< bricks that may touch and were not searched
+};
 
 struct NarrowphaseSettings {
     double margin = 0.02;  ///< metres apart up to which bodies have contacts, so that contacts do not come and go
@@ -47,12 +56,10 @@ struct StaticNeighbours {
 };
 
 /// Appends the contacts of two bodies of voxels, in a fixed order, and returns whether they are near each other. If
-/// they are not, nothing can touch within the step. [any thread]
-///
-/// axis: a unit vector along which the two may be separated, or 0. It is replaced by a better one to start from in the
-/// next step; the contacts do not depend on it.
+/// they are not, nothing can touch within the step. search: of the step before, or a new one; contacts depend on it
+/// only where it leaves bricks out. [any thread]
 bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const VoxelCollider& second,
-                  const Motion& secondMotion, const NarrowphaseSettings& settings, glm::vec3& axis,
+                  const Motion& secondMotion, const NarrowphaseSettings& settings, ContactSearch& search,
                   std::vector<ContactPoint>& out, const StaticNeighbours& neighbours = {});
 
 }  // namespace rubble

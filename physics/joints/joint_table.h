@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -19,8 +20,10 @@ struct JointProxy {
     std::array<Pose, 2> frames;                           ///< in the bodies' frames, or in the world
     std::array<uint32_t, 2> objects{kNothing, kNothing};  ///< numbers of the collision objects that it joins
     int restSteps = 0;                                    ///< steps in which a rope has hardly moved
-    std::vector<RopeBend> bends;                          ///< of a rope, as of its last motion
-    JointConstraint constraint;                           ///< with the impulses of the last step
+    std::vector<RopeBend> bends;                          ///< of a rope between its bodies, as of its last motion
+    /// Where a rope leaves the body at its end, in the frame of that body's centre of mass; none: at the end.
+    std::array<std::optional<glm::dvec3>, 2> leaves;
+    JointConstraint constraint;  ///< with the impulses of the last step
 
     /// Whether a speed motor drives it: then nothing that it joins may sleep.
     bool isMotorDriven() const {

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <utility>
 
 #include "physics/bodies/dynamic_body.h"
-#include "physics/shapes/cell_transform.h"
+#include "physics/joints/rope_contact.h"
 
 // Ropes by position-based dynamics (Mueller et al., "Position Based Dynamics", 2007).
 //
@@ -15,81 +16,24 @@
 //     x_i += w_i (|d| - l) / (w_i + w_j) d / |d|,   x_j -= w_j (...) d / |d|
 // and nothing if it is shorter, since a rope does not push. Points at the ends that something holds have w = 0. The
 // last passes give the whole correction to the farther point ("follow the leader"), which makes a taut rope straight.
-// Then places along the segments are pushed out of voxels, with Coulomb friction along the displacement by which they
-// slid: an exit of depth d takes back up to friction * d of it.
+// Then places along the segments, half a voxel apart, are pushed out of voxels (rope_contact.h), with Coulomb friction
+// along the displacement by which they slid: an exit of depth d takes back up to friction * d of it. The voxels have
+// the last word: a chain that is pulled harder than it is long stretches, and does not pass.
+//
+// An end may be held inside a body. As many metres of the rope as that end is deep touch nothing, as if it went through
+// a hole to the nearest face.
 
 namespace rubble {
 namespace {
 
 constexpr int kSubsteps = 4, kPasses = 6;
-constexpr double kDrag = 0.4;           ///< fraction of a free point's speed that air takes in a second
-constexpr double kSampling = 0.12;      ///< metres between the places that are kept out of voxels
-constexpr double kNoContactEnds = 0.3;  ///< metres from a held end within which the rope touches nothing
+constexpr double kDrag = 0.4;  ///< fraction of a free point's speed that air takes in a second
 constexpr double kFriction = 0.6;
-constexpr int kMaxDepth = 3;             ///< cells from which a place is pushed out at most
-constexpr double kTouchDistance = 0.02;  ///< metres from a rope at which something bends it
-constexpr double kMaxSpeed = 200.0;      ///< m/s, above which a point is stopped
-
-const std::array<glm::ivec3, 6> kSides = {{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
-
-/// The displacement, in cells, that takes a ball whose centre is in an empty cell out of the solid neighbours that it
-/// reaches into.
-glm::dvec3 exitFromNeighbours(const VoxelGrid& grid, glm::ivec3 cell, glm::dvec3 center, double radius) {
-    glm::dvec3 out(0.0);
-    for (const glm::ivec3& side : kSides) {
-        const glm::ivec3 next = glm::ivec3(glm::floor(center + glm::dvec3(side) * radius));
-        if (next == cell || !grid.at(next)) continue;
-        for (int a = 0; a < 3; ++a) {
-            if (side[a] > 0) out[a] += double(next[a]) - radius - center[a];
-            if (side[a] < 0) out[a] += double(next[a] + 1) + radius - center[a];
-        }
-    }
-    return out;
-}
-
-/// The shortest displacement along an axis, in cells, that takes a ball whose centre is in a solid cell out.
-glm::dvec3 exitFromInside(const VoxelGrid& grid, glm::ivec3 cell, glm::dvec3 center, double radius) {
-    glm::dvec3 out(0.0);
-    double shortest = 1e9;
-    for (const glm::ivec3& side : kSides)
-        for (int depth = 1; depth <= kMaxDepth; ++depth) {
-            if (grid.at(cell + side * depth)) continue;
-            double distance = 0.0;
-            for (int a = 0; a < 3; ++a) {
-                if (side[a] > 0) distance = double(cell[a] + depth) + radius - center[a];
-                if (side[a] < 0) distance = center[a] - double(cell[a] - depth + 1) + radius;
-            }
-            if (distance < shortest) shortest = distance, out = glm::dvec3(side) * distance;
-            break;
-        }
-    return out;
-}
-
-/// The displacement that takes a ball out of a grid, in its cells; zero: it touches nothing.
-glm::dvec3 exitDisplacement(const VoxelGrid& grid, glm::dvec3 center, double radius) {
-    const glm::dvec3 size(grid.size());
-    for (int a = 0; a < 3; ++a)
-        if (!(center[a] > -radius && center[a] < size[a] + radius)) return glm::dvec3(0.0);
-    const glm::ivec3 cell = glm::ivec3(glm::floor(center));
-    return grid.at(cell) ? exitFromInside(grid, cell, center, radius) : exitFromNeighbours(grid, cell, center, radius);
-}
-
-/// The same for all parts of an object, metres, world axes.
-glm::dvec3 exitDisplacement(const CollisionObject& object, glm::dvec3 center, double radius) {
-    glm::dvec3 out(0.0);
-    const std::span<const CellTransform> cellTransforms = object.cellTransforms();
-    for (size_t i = 0; i < cellTransforms.size(); ++i) {
-        const ColliderPart& part = *object.collider.parts[i];
-        const double size = part.voxelSize();
-        const glm::dvec3 local = center + out - object.pose.position - cellTransforms[i].corner;
-        const glm::dmat3& axes = cellTransforms[i].axes;
-        const glm::dvec3 cells =
-            glm::dvec3(glm::dot(axes[0], local), glm::dot(axes[1], local), glm::dot(axes[2], local)) / (size * size);
-        const glm::dvec3 exit = exitDisplacement(part.grid(), cells, radius / size);
-        if (exit != glm::dvec3(0.0)) out += axes * exit;
-    }
-    return out;
-}
+constexpr double kSampling = 0.5;                          ///< voxels between the places that are kept out of them
+constexpr double kMaxSamples = 64.0, kMaxSampling = 0.12;  ///< places on a segment; metres between them
+constexpr int kContactPasses = 3;                          ///< over all places, until none is inside anything
+constexpr double kTouchDistance = 0.02;                    ///< metres from a rope at which something bends it
+constexpr double kMaxSpeed = 200.0;                        ///< m/s, above which a point is stopped
 
 class RopeSolver {
 public:
@@ -100,6 +44,14 @@ public:
           m_last(points.size() - 1),
           m_spacing(step.length / double(m_last)) {
         for (const RopePoint& point : points) m_before.push_back(point.position);
+        double sampling = kMaxSampling;
+        for (const CollisionObject* object : step.nearby) {
+            for (const auto& part : object->collider.parts)
+                sampling = std::min(sampling, kSampling * double(part->voxelSize()));
+            for (size_t end = 0; end < 2; ++end)
+                if (step.ends[end]) m_hidden[end] = std::max(m_hidden[end], depthInside(*object, *step.ends[end]));
+        }
+        m_samples = size_t(std::clamp(std::ceil(m_spacing / sampling), 1.0, kMaxSamples));
     }
 
     /// Returns the largest speed of a point, m/s.
@@ -113,22 +65,35 @@ public:
                 if (m_step.ends[end])
                     m_points[end ? m_last : 0].position = from[end] + (*m_step.ends[end] - from[end]) * share;
             for (int pass = 0; pass < kPasses; ++pass) limitLengths(pass % 2 == 0, pass + 2 >= kPasses);
-            collide();
+            collide(substep == 1 ? m_step.seconds : 0.0);
             updateVelocities(h);
         }
+        findBends();
         double fastest = 0.0;
         for (const RopePoint& point : m_points) fastest = std::max(fastest, glm::length(point.velocity));
         return fastest;
     }
 
-    /// Pushes the points out of what is nearby, and notes where.
-    void collide() {
-        m_bends.clear();
-        if (m_step.nearby.empty()) return;
-        for (size_t i = 0; i < m_last; ++i) {
-            const int samples = int(std::clamp(std::ceil(m_spacing / kSampling), 1.0, 16.0));
-            for (int k = i == 0 ? 0 : 1; k <= samples; ++k) collideAt(i, double(k) / samples);
+    /// Pushes the points out of what is nearby, and notes where. seconds: for which what moves has moved since the
+    /// points were where they were before.
+    void collide(double seconds) {
+        m_touched.clear();
+        bool isInside = !m_step.nearby.empty();
+        for (int pass = 0; pass < kContactPasses && isInside; ++pass) {
+            isInside = false;
+            m_touched.clear();
+            for (size_t i = 0; i < m_last; ++i) {
+                findNear(i);
+                for (size_t k = i == 0 ? 0 : 1; k <= m_samples && !m_near.empty(); ++k)
+                    isInside = collideAt(i, i * m_samples + k, seconds) || isInside;
+            }
         }
+    }
+
+    /// Replaces the bends by the places that touched something.
+    void findBends() {
+        m_bends.clear();
+        for (const auto& [sample, object] : m_touched) m_bends.push_back(bendOn(*object, placeOf(sample)));
     }
 
 private:
@@ -169,40 +134,61 @@ private:
         }
     }
 
-    /// Pushes the place at a fraction of segment i out of what is nearby, by moving the segment's two points.
-    void collideAt(size_t i, double fraction) {
-        const double along = (double(i) + fraction) * m_spacing;
-        if ((m_step.ends[0] && along < kNoContactEnds) || (m_step.ends[1] && m_step.length - along < kNoContactEnds))
-            return;
+    /// Finds the objects that segment i may touch on its way in the substep.
+    void findNear(size_t i) {
+        const double margin = m_step.radius + 2.0 * kTouchDistance;
+        glm::dvec3 low(1e300), high(-1e300);
+        for (const glm::dvec3& place : {m_before[i], m_before[i + 1], m_points[i].position, m_points[i + 1].position})
+            low = glm::min(low, place - margin), high = glm::max(high, place + margin);
+        m_near.clear();
+        for (const CollisionObject* object : m_step.nearby)
+            if (!glm::any(glm::lessThan(high, object->low)) && !glm::any(glm::greaterThan(low, object->high)))
+                m_near.push_back(object);
+    }
+
+    /// Places of the chain are numbered from end 0 to end 1.
+    glm::dvec3 placeOf(size_t sample) const {
+        const size_t i = std::min(sample / m_samples, m_last - 1);
+        const double fraction = double(sample - i * m_samples) / double(m_samples);
+        return m_points[i].position + (m_points[i + 1].position - m_points[i].position) * fraction;
+    }
+    /// Whether a place is inside what holds an end.
+    bool isHidden(size_t sample) const {
+        const double along = double(sample) * m_spacing / double(m_samples);
+        return (m_step.ends[0] && along <= m_hidden[0]) || (m_step.ends[1] && m_step.length - along <= m_hidden[1]);
+    }
+
+    /// Pushes a place of segment i out of what is near, by moving the segment's two points. Returns whether it was
+    /// inside anything.
+    bool collideAt(size_t i, size_t sample, double seconds) {
+        if (isHidden(sample)) return false;
+        const double fraction = double(sample - i * m_samples) / double(m_samples);
         RopePoint &a = m_points[i], &b = m_points[i + 1];
         const glm::dvec3 place = a.position + (b.position - a.position) * fraction;
         const glm::dvec3 before = m_before[i] + (m_before[i + 1] - m_before[i]) * fraction;
         glm::dvec3 out(0.0);
         const CollisionObject* touched = nullptr;
-        for (const CollisionObject* object : m_step.nearby) {
-            const glm::dvec3 radius(m_step.radius + kTouchDistance);
-            const glm::dvec3 now = place + out;
-            if (glm::any(glm::lessThan(now, object->low - radius)) ||
-                glm::any(glm::greaterThan(now, object->high + radius)))
-                continue;
-            const glm::dvec3 exit = exitDisplacement(*object, now, m_step.radius + kTouchDistance);
+        for (const CollisionObject* object : m_near) {
+            const glm::dvec3 carried = before + velocityAt(*object, before) * seconds;
+            const glm::dvec3 exit = exitDisplacement(*object, carried, place + out, m_step.radius + kTouchDistance);
             if (exit != glm::dvec3(0.0)) out += exit, touched = object;
         }
+        if (!touched) return false;
+        m_touched.emplace_back(sample, touched);
         const double depth = glm::length(out) - kTouchDistance;
-        if (!touched) return;
-        if (!(depth > 0.0)) return m_bends.push_back(bendOn(*touched, place));
+        const double wa = weight(i) * (1.0 - fraction), wb = weight(i + 1) * fraction,
+                     sum = wa * (1.0 - fraction) + wb * fraction;
+        if (!(depth > 0.0) || sum < 1e-6) return false;
         out *= depth / (depth + kTouchDistance);
         const glm::dvec3 normal = glm::normalize(out);
         const glm::dvec3 slid = place - before - normal * glm::dot(place - before, normal);
         const double slide = glm::length(slid);
         if (slide > 0.0) out -= slid * std::min(1.0, kFriction * depth / slide);
-        const double wa = weight(i) * (1.0 - fraction), wb = weight(i + 1) * fraction,
-                     sum = wa * (1.0 - fraction) + wb * fraction;
-        if (sum < 1e-6) return m_bends.push_back(bendOn(*touched, place));
         a.position += out * (wa / sum);
         b.position += out * (wb / sum);
-        m_bends.push_back(bendOn(*touched, a.position + (b.position - a.position) * fraction));
+        return depth > kTouchDistance;
     }
+
     static RopeBend bendOn(const CollisionObject& object, glm::dvec3 place) {
         if (!object.dynamic) return {place, {}, {}};
         return {place, object.dynamic->handle(), object.dynamic->pose().inversePoint(place)};
@@ -213,7 +199,11 @@ private:
     std::vector<RopeBend>& m_bends;
     size_t m_last;                     ///< index of the last point
     double m_spacing;                  ///< rest length of a segment, metres
+    size_t m_samples = 1;              ///< places on a segment that are kept out of voxels
+    std::array<double, 2> m_hidden{};  ///< metres of rope from an end that are inside what holds it
     std::vector<glm::dvec3> m_before;  ///< positions before the substep
+    std::vector<const CollisionObject*> m_near;
+    std::vector<std::pair<size_t, const CollisionObject*>> m_touched;  ///< places and what they touch, ascending
 };
 
 }  // namespace
@@ -224,7 +214,9 @@ double moveRope(std::span<RopePoint> points, const RopeStep& step, std::vector<R
 
 void findBends(std::span<const RopePoint> points, const RopeStep& step, std::vector<RopeBend>& bends) {
     std::vector<RopePoint> copy(points.begin(), points.end());
-    RopeSolver(copy, step, bends).collide();
+    RopeSolver solver(copy, step, bends);
+    solver.collide(0.0);
+    solver.findBends();
 }
 
 }  // namespace rubble

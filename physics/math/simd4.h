@@ -3,6 +3,9 @@
 #include <cstdint>
 #include <cstring>
 #include <glm/mat3x3.hpp>
+#ifdef __SSE__
+#include <xmmintrin.h>
+#endif
 
 // SIMD: four lanes at once, by the vector extensions of gcc and clang. Every operation is the IEEE one of each lane, so
 // results do not depend on how wide the machine's registers are.
@@ -60,6 +63,15 @@ inline bool any(Bool4 bools) {
     std::array<uint64_t, 2> words;
     std::memcpy(words.data(), &bools, sizeof bools);
     return (words[0] | words[1]) != 0;
+}
+
+/// Bit i: lane i is true.
+inline uint32_t bitsOf(Bool4 bools) {
+#ifdef __SSE__
+    return uint32_t(_mm_movemask_ps(Float4(bools)));
+#else
+    return uint32_t((bools[0] & 1) | (bools[1] & 2) | (bools[2] & 4) | (bools[3] & 8));
+#endif
 }
 
 /// A vector in the first three lanes, 0 in the last.

@@ -1,13 +1,14 @@
 #include "physics/shapes/solid_rows.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "runtime/core/assertion.h"
 
 namespace rubble {
 
 SolidRows::SolidRows(const VoxelGrid& grid, const CellBox& box) : m_box(box), m_low(box.low - kPadding) {
     const glm::ivec3 size = box.high - m_low + kPadding, bricks = grid.sizeInBricks();
-    assert(size.x <= 64);
+    RUBBLE_ASSERT(size.x <= 64);
     m_nx = size.x, m_ny = size.y, m_nz = size.z;
     m_rows.resize(size_t(m_ny) * size_t(m_nz));
     const glm::ivec3 first = brickOfCell(glm::max(m_low, glm::ivec3(0)));

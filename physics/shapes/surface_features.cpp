@@ -79,10 +79,10 @@ void findInSlab(const SolidRows& rows, int z0, std::vector<std::vector<Feature>>
             any = any >> SolidRows::kPadding & inside;
             for (; any; any &= any - 1) {
                 const int x = std::countr_zero(any);
+                std::vector<Feature>& cluster = found[size_t(y / kClusterSize * across + x / kClusterSize)];
                 for (size_t kind = 0; kind < kFeatureKinds; ++kind)
                     if (masks[kind] >> (x + SolidRows::kPadding) & 1)
-                        found[size_t(y / kClusterSize * across + x / kClusterSize)].push_back(
-                            {glm::u8vec3(x, y, z), uint8_t(kind)});
+                        cluster.push_back({glm::u8vec3(x, y, z), uint8_t(kind)});
             }
         }
 }
@@ -116,19 +116,22 @@ glm::ivec3 FeatureList::cellOf(const Pack& pack, size_t i) {
 }
 
 FeatureList findFeatures(const SolidRows& rows) {
-    FeatureList list;
     const glm::ivec3 size = rows.box().high - rows.box().low, clusters = (size + kClusterSize - 1) / kClusterSize;
-    std::vector<std::vector<Feature>> found(size_t(clusters.x) * size_t(clusters.y));
+    // Bricks by the thousand are searched one after the other: what they need on the way keeps its memory.
+    thread_local std::vector<std::vector<Feature>> found;
+    thread_local FeatureList scratch;
+    if (const size_t needed = size_t(clusters.x) * size_t(clusters.y); found.size() < needed) found.resize(needed);
+    scratch.packs.clear(), scratch.clusters.clear(), scratch.count = 0;
     size_t number = 0;
     for (int z = 0; z < size.z; z += kClusterSize) {
         findInSlab(rows, z, found);
         for (std::vector<Feature>& cluster : found) {
-            list.count += cluster.size();
-            if (!cluster.empty()) addCluster(list, number++, cluster);
+            scratch.count += cluster.size();
+            if (!cluster.empty()) addCluster(scratch, number++, cluster);
             cluster.clear();
         }
     }
-    return list;
+    return scratch;
 }
 
 }  // namespace rubble

@@ -144,8 +144,10 @@ const HullPoints& ColliderPart::hull() const {
 
 void changedBricks(const FrameChanges& changes, ShapeHandle shape, std::vector<glm::ivec3>& out) {
     out.clear();
-    for (const BrickChange& change : changes.bricks)
-        if (change.shape == shape) out.push_back(change.brick);
+    const auto slotOf = [](const BrickChange& change) { return change.shape.slot(); };
+    auto change = std::ranges::lower_bound(changes.bricks, shape.slot(), {}, slotOf);
+    for (; change != changes.bricks.end() && slotOf(*change) == shape.slot(); ++change)
+        if (change->shape == shape) out.push_back(change->brick);
 }
 
 bool VoxelCollider::empty() const {

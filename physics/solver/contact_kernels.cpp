@@ -12,8 +12,8 @@
 namespace rubble {
 namespace {
 
-constexpr int kHitPasses = 16;       ///< over the normals of a pair that closes fast, at most
-constexpr float kConverged = 1e-3f;  ///< share of a pair's largest impulse by which none of them changes any more
+constexpr int kHitPasses = 64;       ///< over the normals of a pair that closes fast, at most
+constexpr float kConverged = 1e-4f;  ///< share of a pair's largest impulse by which none of them changes any more
 
 using Vec = Vec3<Float8>;
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/bodies/collision_object.h"
+#include "physics/bodies/dynamic_body.h"
 #include "physics/collision/round_contacts.h"
 
 namespace rubble {
@@ -39,6 +39,27 @@ RoundAnchor<float> roundAnchor(const CollisionObject& object, size_t part, float
 bool touchesStatic(const PairConstraints& pair) {
     const auto isStatic = [](int body, const CollisionObject* object) { return !body && !(object && object->dynamic); };
     return isStatic(pair.a, pair.manifold->objects.first) || isStatic(pair.b, pair.manifold->objects.second);
+}
+
+/// A soft contact overlaps in proportion to its load over its effective mass. That of a body and a sleeper, which
+/// stands still, is larger than that of the two awake, so its bias is by this share the slower: they overlap as before.
+/// 1 for what does not touch a sleeper.
+float awakeMassShare(const ContactSet& set, const PairConstraints& pair, const glm::vec3& arm) {
+    const auto [first, second] = pair.manifold->objects;
+    const CollisionObject* const still = pair.a && pair.b ? nullptr : !pair.a ? first : second;
+    const DynamicBody* const sleeper = still ? still->dynamic : nullptr;
+    if (!sleeper) return 1.0f;
+    const SolverState& awake = set.states[size_t(pair.a + pair.b)];
+    const glm::mat3 inverseInertia(worldInverseInertia(sleeper->motion));
+    const glm::vec3 sleeperArm(pair.manifold->origin - sleeper->motion.position);
+    float share = 0.0f;
+    for (const ManifoldPoint& point : pair.points()) {
+        const glm::vec3 a = glm::cross(arm + point.position, point.normal),
+                        b = glm::cross(sleeperArm + point.position, point.normal);
+        const float own = awake.inverseMass + glm::dot(a, awake.inverseInertia * a);
+        share += own / (own + float(sleeper->motion.inverseMass) + glm::dot(b, inverseInertia * b));
+    }
+    return share / float(std::max(pair.points().size(), size_t(1)));
 }
 
 /// Where the manifold's origin is seen from a body's centre of mass. The world has none.
@@ -138,7 +159,7 @@ void fillGroup(ContactSet& set, PairGroup& group, std::span<const SolverBody> bo
                                       : touchesStatic(pair) ? softness.withStatic
                                                             : softness.moving;
         group.isHit.at[lane] = pair.isHit ? 1.0f : 0.0f;
-        group.biasRate.at[lane] = soft.biasRate;
+        group.biasRate.at[lane] = soft.biasRate * awakeMassShare(set, pair, pair.a ? originA : originB);
         group.massScale.at[lane] = soft.massScale, group.impulseScale.at[lane] = soft.impulseScale;
         for (size_t i = 0; i < pair.points().size(); ++i) {
             set.beginContact(pair, i, contactOf(pair, pair.points()[i], originA, originB));

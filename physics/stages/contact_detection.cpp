@@ -35,8 +35,7 @@ void ContactDetection::find(PhysicsBodies& bodies, const JointTable& joints, con
             m_moving.push_back(&body.object);
         }
         m_pairs.clear();
-        m_leftOut += bodies.broadphase().findPairs(
-            m_moving, [](const CollisionObject& o) { return o.dynamic->pairsFound; }, m_pairs);
+        m_leftOut += bodies.broadphase().findPairs(m_moving, m_pairs);
         if (!joints.empty()) joints.removeNonColliding(m_pairs);
         const size_t found = m_pairs.size();
         m_crowds.thin(m_pairs);

@@ -17,10 +17,14 @@ public:
     void find(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings);
     /// Notes in the bodies which are touching, and which sleeping bodies each touches.
     void recordTouching(PhysicsBodies& bodies) const;
+    /// Keeps the impulses of contacts of which nothing is awake any more. To be called when bodies have fallen asleep.
+    void keepResting() { m_narrowphase.keepResting(); }
     /// The manifolds of this step, sorted by the numbers of their objects.
     std::span<Manifold* const> manifolds() const { return m_narrowphase.manifolds(); }
     /// How many pairs were tested in the last step.
     size_t candidates() const { return m_narrowphase.candidates(); }
+    /// See Narrowphase::bricksLeftOut().
+    size_t bricksLeftOut() const { return m_narrowphase.bricksLeftOut(); }
     /// How many pairs of bodies in crowds were left out in the last step, some of them counted for both.
     size_t leftOut() const { return m_leftOut; }
 

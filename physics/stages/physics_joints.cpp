@@ -40,11 +40,39 @@ void carryBends(std::vector<RopeBend>& bends, const PhysicsBodies& bodies) {
         if (const DynamicBody* body = bodies.find(bend.body)) bend.position = body->pose().transformPoint(bend.inBody);
 }
 
-/// Hands the path over bends to the solver.
-void setPath(JointProxy& rope, const std::array<glm::dvec3, 2>& ends, double slack) {
+/// Takes from the bends those on the bodies at the ends next to them, which move with these bodies: a rope pulls a body
+/// from where it leaves it.
+void leaveBodies(JointProxy& rope) {
+    std::vector<RopeBend>& bends = rope.bends;
+    const auto isOn = [&](const RopeBend& bend, size_t end) { return bend.body && bend.body == rope.bodies[end]; };
+    size_t first = 0, last = bends.size();
+    while (first < last && isOn(bends[first], 0)) ++first;
+    while (last > first && isOn(bends[last - 1], 1)) --last;
+    rope.leaves[0] = first > 0 ? std::optional(bends[first - 1].inBody) : std::nullopt;
+    rope.leaves[1] = last < bends.size() ? std::optional(bends[last].inBody) : std::nullopt;
+    bends.erase(bends.begin() + ptrdiff_t(last), bends.end());
+    bends.erase(bends.begin(), bends.begin() + ptrdiff_t(first));
+}
+
+/// Where the rope leaves what is at its ends, world. ends: of the rope.
+std::array<glm::dvec3, 2> leavesOf(const JointProxy& rope, const std::array<glm::dvec3, 2>& ends,
+                                   const PhysicsBodies& bodies) {
+    std::array<glm::dvec3, 2> leaves = ends;
+    for (size_t i = 0; i < 2; ++i)
+        if (const DynamicBody* body = rope.leaves[i] ? bodies.find(rope.bodies[i]) : nullptr)
+            leaves[i] = body->pose().transformPoint(*rope.leaves[i]);
+    return leaves;
+}
+
+/// Hands the new path over all of its bends to the solver. slack: of the last path.
+void setPath(JointProxy& rope, const std::array<glm::dvec3, 2>& ends, double slack, double length, double seconds,
+             const PhysicsBodies& bodies) {
+    const double measured = length - pathLength(ends, rope.bends);
+    leaveBodies(rope);
     rope.constraint.bendPoints.clear();
     for (const RopeBend& bend : rope.bends) rope.constraint.bendPoints.push_back(bend.position);
-    rope.constraint.ropeLength = pathLength(ends, rope.bends) + slack;
+    rope.constraint.ropeLength =
+        pathLength(leavesOf(rope, ends, bodies), rope.bends) + slackAfter(slack, measured, seconds);
 }
 
 /// Keeps what a joint's old form knew: the impulses with which the next step starts, and the path of a rope.
@@ -54,8 +82,10 @@ void takeOver(JointProxy& joint, const JointProxy& old) {
     joint.constraint = old.constraint;
     joint.constraint.joint = now;
     if (joint.joint.kind != JointKind::Rope) return;
-    if (joint.joint.points.size() != old.joint.points.size()) joint.constraint = {now, joint.handle};
+    if (joint.joint.points.size() != old.joint.points.size() || joint.bodies != old.bodies)
+        joint.constraint = {now, joint.handle};
     joint.bends = old.bends;
+    if (joint.bodies == old.bodies) joint.leaves = old.leaves;
     joint.constraint.ropeLength += joint.joint.rope.length - old.joint.rope.length;
 }
 
@@ -148,6 +178,7 @@ std::span<JointConstraint* const> PhysicsJoints::gather(PhysicsBodies& bodies) {
         JointProxy& proxy = *m_table.at(slot);
         JointConstraint& c = proxy.constraint;
         bool isValid = !proxy.joint.ends[0].isFree && !proxy.joint.ends[1].isFree;
+        if (isValid && proxy.joint.kind == JointKind::Rope && std::isinf(c.ropeLength)) findPath(proxy, bodies);
         for (size_t i = 0; i < 2; ++i) {
             c.bodies[i] = 0;
             c.frames[i] = proxy.frames[i];
@@ -155,15 +186,16 @@ std::span<JointConstraint* const> PhysicsJoints::gather(PhysicsBodies& bodies) {
             const DynamicBody* body = bodies.find(proxy.bodies[i]);
             isValid = isValid && body && !body->quarantined();
             if (!isValid) break;
+            Pose frame = body->bodyInCenter() * proxy.frames[i];
+            if (proxy.leaves[i]) frame.position = *proxy.leaves[i];
             if (body->asleep()) {  // it does not move in this step
-                c.frames[i] = body->pose() * body->bodyInCenter() * proxy.frames[i];
+                c.frames[i] = body->pose() * frame;
                 continue;
             }
             c.bodies[i] = body->solverIndex;
-            c.frames[i] = body->bodyInCenter() * proxy.frames[i];
+            c.frames[i] = frame;
         }
         if (!isValid) continue;
-        if (proxy.joint.kind == JointKind::Rope && std::isinf(c.ropeLength)) findPath(proxy, bodies);
         m_active.push_back(&c);
     }
     return m_active;
@@ -221,7 +253,7 @@ void PhysicsJoints::findPath(JointProxy& rope, PhysicsBodies& bodies) {
     const RopeStep step = ropeStep(rope, bodies, 0.0);
     findBends(rope.joint.points, step, rope.bends);
     const std::array<glm::dvec3, 2> ends = {*step.ends[0], *step.ends[1]};
-    setPath(rope, ends, slackAfter(rope.constraint.ropeLength, step.length - pathLength(ends, rope.bends), 0.0));
+    setPath(rope, ends, rope.constraint.ropeLength, step.length, 0.0, bodies);
 }
 
 void PhysicsJoints::moveRopes(PhysicsBodies& bodies, glm::dvec3 gravity, double seconds) {
@@ -239,9 +271,9 @@ void PhysicsJoints::moveRopes(PhysicsBodies& bodies, glm::dvec3 gravity, double 
         const bool isHeld = step.ends[0] && step.ends[1];
         const std::array<glm::dvec3, 2> ends = {step.ends[0].value_or(glm::dvec3(0.0)),
                                                 step.ends[1].value_or(glm::dvec3(0.0))};
-        const double slack = isHeld ? rope.constraint.ropeLength - pathLength(ends, rope.bends) : 0.0;
+        const double slack = rope.constraint.ropeLength - pathLength(leavesOf(rope, ends, bodies), rope.bends);
         const double fastest = moveRope(rope.joint.points, step, rope.bends);
-        if (isHeld) setPath(rope, ends, slackAfter(slack, step.length - pathLength(ends, rope.bends), seconds));
+        if (isHeld) setPath(rope, ends, slack, step.length, seconds, bodies);
         rope.restSteps = fastest < kRopeSlow ? rope.restSteps + 1 : 0;
         m_ropeMotions.push_back({rope.handle, rope.joint.points});
     }

@@ -7,19 +7,19 @@
 // A body may fall asleep when it is at rest (sleep_timer.h) and touches something, or is in water, jointed, or without
 // gravity. Rest means balance, not slowness: what sleeps would not move by a voxel in the next ten seconds. What bears
 // it must rest too, or its support may be about to move; what lies on it or leans on it need not. There are no islands
-// of contacts beyond that, so a pile sleeps while something stirs at its side. What rests is braked until it sleeps, as
-// it could sleep as well: otherwise solver noise goes round in large piles. Groups of jointed bodies sleep together,
-// and not while a motor of theirs turns. A sleeping body wakes when it is hit harder than a threshold
-// (contact_detection.cpp), when something that touches it has moved by more than kWakeDistance, by an impulse, a
-// character's push or a change of gravity, water, joints or collision filters, or when what it touched is cut, moved or
-// removed (physics_bodies.cpp). Settled bodies want a harder hit, and do not wake with what came to touch them after
-// they had settled: that cannot bear them. Debris waits until fewer than DebrisSettings::awakeBodies are awake.
+// of contacts beyond that, so a pile sleeps while something stirs at its side. Groups of jointed bodies sleep together,
+// and not while a motor of theirs turns. Neither falling asleep nor waking moves what is in balance: contacts stay as
+// soft as they were (contact_setup.cpp) and keep their impulses (resting_contacts.h). A sleeping body wakes when a
+// hit would give it more speed than what rests may have (contact_detection.cpp), when something that touches it has
+// moved by more than kWakeDistance, by an impulse, a character's push or a change of gravity, water, joints or
+// collision filters, or when what it touched is cut, moved or removed (physics_bodies.cpp). Settled bodies want a
+// harder hit, and do not wake with what came to touch them after they had settled: that cannot bear them. Debris waits
+// until fewer than DebrisSettings::awakeBodies are awake.
 
 namespace rubble {
 namespace {
 
 constexpr double kWakeDistance = 0.02;  ///< metres that a body moves before it wakes what touches it
-constexpr double kRestBrake = 0.1;      ///< share of its velocities that a resting body loses in a step
 constexpr double kMinShare = 0.01;      ///< of a body's weight, from which what lifts it bears it
 
 /// What the first body got from the second in the last substep, N s.
@@ -54,9 +54,6 @@ void putToSleep(PhysicsBodies& bodies, std::span<Manifold* const> manifolds, con
         body.rests = body.sleepTimer.rests(body.pose(), body.object.radius, limits);
         body.wantsSleep = body.rests && (body.touching || body.inWater || isWeightless || joints.isJointed(slot));
         any = any || body.wantsSleep;
-        if (!body.rests || !body.touching) continue;
-        body.motion.velocity *= 1.0 - kRestBrake;
-        body.motion.angularVelocity *= 1.0 - kRestBrake;
     }
     if (any) keepBorneAwake(manifolds, gravity, settings.stepSeconds / settings.substeps);
     for (const uint32_t slot : bodies.awake())

@@ -1,7 +1,8 @@
 #include "render/frame/target_pool.h"
 
-#include <cassert>
 #include <glm/common.hpp>
+
+#include "runtime/core/assertion.h"
 
 namespace rubble {
 namespace {
@@ -67,15 +68,16 @@ TargetPool::Slot& TargetPool::slot(Target id) {
 }
 
 const Texture& TargetPool::target(Target id) {
-    assert(mayWrite(id) && "a pass draws into a target that it has not declared: see Renderer::Impl::drawPasses()");
-    assert(!declarationOf(id).hasHistory && "a target with history is asked for by history()");
+    RUBBLE_ASSERT(mayWrite(id) &&
+                  "a pass draws into a target that it has not declared: see Renderer::Impl::drawPasses()");
+    RUBBLE_ASSERT(!declarationOf(id).hasHistory && "a target with history is asked for by history()");
     return slot(id).textures[0];
 }
 
 History TargetPool::history(Target id) {
-    assert((mayRead(id) || mayReadPrevious(id)) &&
-           "a pass uses a target that it has not declared: see Renderer::Impl::drawPasses()");
-    assert(declarationOf(id).hasHistory && "a target without history is asked for by target()");
+    RUBBLE_ASSERT((mayRead(id) || mayReadPrevious(id)) &&
+                  "a pass uses a target that it has not declared: see Renderer::Impl::drawPasses()");
+    RUBBLE_ASSERT(declarationOf(id).hasHistory && "a target without history is asked for by target()");
     const Slot& found = slot(id);
     const int previous = found.current ^ 1;
     const bool isCut = m_groups[size_t(declarationOf(id).resolution)].cutFrame == m_frame;
@@ -87,7 +89,7 @@ const Texture& TargetPool::copy(Target source, Target into) {
 }
 
 const Texture& TargetPool::copy(Target source, Target into, const PixelRect& part) {
-    assert(declarationOf(source).format == declarationOf(into).format && "a copy has the format of its source");
+    RUBBLE_ASSERT(declarationOf(source).format == declarationOf(into).format && "a copy has the format of its source");
     const Texture& original = at(source);
     const Texture& made = target(into);
     const Framebuffer& from = framebuffer({&original});
@@ -100,14 +102,14 @@ const Texture& TargetPool::copy(Target source, Target into, const PixelRect& par
 }
 
 const Texture* TargetPool::find(Target id) const {
-    assert(mayRead(id) && "a pass reads a target that it has not declared: see Renderer::Impl::drawPasses()");
+    RUBBLE_ASSERT(mayRead(id) && "a pass reads a target that it has not declared: see Renderer::Impl::drawPasses()");
     const Slot& slot = m_slots[size_t(id)];
     return slot.drawn[slot.current] == m_frame ? &slot.textures[slot.current] : nullptr;
 }
 
 const Texture& TargetPool::at(Target id) const {
     const Texture* found = find(id);
-    assert(found && "a pass reads a target that no earlier pass has drawn");
+    RUBBLE_ASSERT(found && "a pass reads a target that no earlier pass has drawn");
     return *found;
 }
 

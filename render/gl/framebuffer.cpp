@@ -1,8 +1,7 @@
 #include "render/gl/framebuffer.h"
 
-#include <cassert>
-
 #include "render/gl/draw_state.h"
+#include "runtime/core/assertion.h"
 
 namespace rubble {
 
@@ -12,7 +11,7 @@ Framebuffer::Framebuffer(const std::vector<const Texture*>& colors, const Textur
     glBindFramebuffer(GL_FRAMEBUFFER, name());
     std::vector<GLenum> buffers;
     for (const Texture* color : colors) {
-        assert(color->size() == m_size && "attachments differ in size");
+        RUBBLE_ASSERT(color->size() == m_size && "attachments differ in size");
         const GLenum attachment = GLenum(GL_COLOR_ATTACHMENT0 + buffers.size());
         glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, color->name(), 0);
         buffers.push_back(attachment);

@@ -26,6 +26,12 @@ const char* resetStatusName(int version) {
     return offers("GL_ARB_robustness") ? "glGetGraphicsResetStatusARB" : nullptr;
 }
 
+/// The version of the context, as its driver writes it.
+std::string versionText() {
+    const GLubyte* text = glGetString(GL_VERSION);
+    return text ? reinterpret_cast<const char*>(text) : "none";
+}
+
 }  // namespace
 
 Result<Done> loadGl(void* (*loader)(const char* name)) {
@@ -33,9 +39,10 @@ Result<Done> loadGl(void* (*loader)(const char* name)) {
     current = loader;
     const int version = gladLoadGL([](const char* name) { return reinterpret_cast<GLADapiproc>(current(name)); });
     if (!version) return Error{"OpenGL: no functions could be loaded; is a context current?"};
-    if (version < GLAD_MAKE_VERSION(3, 3))
-        return Error{"OpenGL: expected 3.3 or newer, found " + std::to_string(GLAD_VERSION_MAJOR(version)) + "." +
-                     std::to_string(GLAD_VERSION_MINOR(version))};
+    const std::string found = versionText();
+    if (found.starts_with("OpenGL ES"))
+        return Error{"OpenGL: expected a context of desktop OpenGL 3.3 or newer, found one of OpenGL ES: " + found};
+    if (version < GLAD_MAKE_VERSION(3, 3)) return Error{"OpenGL: expected 3.3 or newer, found " + found};
     GLint major = 0, minor = 0;
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);

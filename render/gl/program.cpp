@@ -1,10 +1,10 @@
 #include "render/gl/program.h"
 
 #include <algorithm>
-#include <cassert>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "render/gl/program_build.h"
+#include "runtime/core/assertion.h"
 
 namespace rubble {
 namespace {
@@ -60,7 +60,7 @@ void Program::listUniforms() {
         }
         m_uniforms.push_back({text, location, unit});
     }
-    assert(units <= kTextureUnits && "a program with more samplers than there are units for them");
+    RUBBLE_ASSERT(units <= kTextureUnits && "a program with more samplers than there are units for them");
     const GLuint block = glGetUniformBlockIndex(name(), "FrameBlock");
     if (block != GL_INVALID_INDEX) glUniformBlockBinding(name(), block, 0);
     glUseProgram(0);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <utility>
 
 #include "render/gl/texture.h"
+#include "runtime/core/assertion.h"
 
 namespace rubble {
 namespace {
@@ -98,7 +98,7 @@ void SharedTexels::free(const Rows& rows) {
 }
 
 void SharedTexels::upload(const Rows& rows, uint64_t offset, std::span<const std::byte> data) {
-    assert(data.size() % m_texelBytes == 0 && "an upload of whole texels");
+    RUBBLE_ASSERT(data.size() % m_texelBytes == 0 && "an upload of whole texels");
     const PixelFormat pixel = pixelFormat(m_internalFormat);
     const uint64_t side = rowTexels();
     uint64_t texel = rows.first * side + offset, left = data.size() / m_texelBytes;

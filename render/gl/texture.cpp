@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
+
+#include "runtime/core/assertion.h"
 
 namespace rubble {
 namespace {
@@ -68,7 +69,7 @@ PixelFormat pixelFormat(GLenum internalFormat) {
         case GL_DEPTH_COMPONENT32F:
             return {GL_DEPTH_COMPONENT, GL_FLOAT, 4};
     }
-    assert(false && "a texture format that pixelFormat() does not list");
+    RUBBLE_ASSERT(false && "a texture format that pixelFormat() does not list");
     return {};
 }
 
@@ -154,7 +155,7 @@ bool BufferTexture::reserveOwn(uint64_t bytes) {
 }
 
 void BufferTexture::upload(uint64_t offset, std::span<const std::byte> data) {
-    assert(offset + data.size() <= m_capacity && "an upload past the capacity: call reserve() before");
+    RUBBLE_ASSERT(offset + data.size() <= m_capacity && "an upload past the capacity: call reserve() before");
     if (m_shared) return m_shared->upload(m_rows, offset / m_shared->texelBytes(), data);
     glBindBuffer(GL_COPY_WRITE_BUFFER, m_buffer.get());
     glBufferSubData(GL_COPY_WRITE_BUFFER, GLintptr(offset), GLsizeiptr(data.size()), data.data());

@@ -1,7 +1,6 @@
 #include "render/passes/fullscreen.h"
 
 #include <algorithm>
-#include <cassert>
 #include <glm/gtc/type_ptr.hpp>
 #include <optional>
 
@@ -9,6 +8,7 @@
 #include "render/gl/state_guard.h"
 #include "render/passes/depth_limit.h"
 #include "render/shader_library/fullscreen_choice.h"
+#include "runtime/core/assertion.h"
 
 namespace rubble {
 namespace {
@@ -43,7 +43,7 @@ private:
         if (merge == Merge::Color) glColorMaski(target, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
         if (merge == Merge::Alpha) glColorMaski(target, GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
         const bool isBlended = merge == Merge::Add || merge == Merge::Over;
-        assert((target == 0 || !isBlended) && "only the first target is merged by blending");
+        RUBBLE_ASSERT((target == 0 || !isBlended) && "only the first target is merged by blending");
         if (merge == Merge::Add) setBlend({GL_ONE, GL_ONE, GL_ONE, GL_ONE});
         if (merge == Merge::Over) setBlend({GL_ONE, GL_SRC_ALPHA, GL_ONE, GL_SRC_ALPHA});
     }
@@ -54,9 +54,9 @@ private:
 
 FullscreenDraw::FullscreenDraw(const FrameContext& frame, FullscreenProgram& program, const FullscreenTargets& into)
     : m_frame(frame), m_into(into), m_method(chooseFor(frame, program)), m_program(program) {
-    assert(program.kind().surfacesOnly == (into.depth != nullptr) &&
-           "a program for surfaces only needs a depth buffer, the others have none");
-    assert((!into.area || into.clear.empty()) && "a part of the targets is drawn, but all of them cleared");
+    RUBBLE_ASSERT(program.kind().surfacesOnly == (into.depth != nullptr) &&
+                  "a program for surfaces only needs a depth buffer, the others have none");
+    RUBBLE_ASSERT((!into.area || into.clear.empty()) && "a part of the targets is drawn, but all of them cleared");
     if (m_method == FullscreenMethod::Fragment || !into.clear.empty())
         frame.targets.framebuffer(into.colors, into.depth).begin();
     for (size_t i = 0; i < into.clear.size(); ++i) glClearBufferfv(GL_COLOR, GLint(i), glm::value_ptr(into.clear[i]));
@@ -95,8 +95,8 @@ void FullscreenDraw::dispatch() const {
     for (size_t i = 0; i < m_into.colors.size(); ++i) {
         const Texture& target = *m_into.colors[i];
         const Merge merge = m_program.kind().mergeOf(i);
-        assert((merge == Merge::Replace || target.internalFormat() == GL_RGBA16F) &&
-               "a merge of images in another format than RGBA16F: see Merge");
+        RUBBLE_ASSERT((merge == Merge::Replace || target.internalFormat() == GL_RGBA16F) &&
+                      "a merge of images in another format than RGBA16F: see Merge");
         glBindImageTexture(GLuint(i), target.name(), 0, GL_FALSE, 0,
                            merge == Merge::Replace ? GL_WRITE_ONLY : GL_READ_WRITE, target.internalFormat());
     }

@@ -1,9 +1,9 @@
 #include "render/scene/brick_atlas.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cstring>
 
+#include "runtime/core/assertion.h"
 #include "runtime/core/log.h"
 
 namespace rubble {
@@ -43,7 +43,7 @@ uint32_t BrickAtlas::acquire(const BrickRef& brick) {
 
 void BrickAtlas::release(const Brick* brick) {
     const auto found = m_entries.find(brick);
-    assert(found != m_entries.end() && "a brick released more often than acquired");
+    RUBBLE_ASSERT(found != m_entries.end() && "a brick released more often than acquired");
     if (--found->second.references) return;
     m_bySlot[found->second.slot] = nullptr;
     m_slots.free(found->second.slot);

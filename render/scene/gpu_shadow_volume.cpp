@@ -96,7 +96,7 @@ uint64_t GpuShadowVolume::uploadTexels() {
 
 void GpuShadowVolume::bind(const Program& program) const {
     program.set("uShadowTable", m_directory.table());
-    program.set("uShadowPages", m_directory.pages());
+    program.set("uShadowBricks", m_directory.texels());
     program.set("uShadowTexels", m_texels);
 }
 

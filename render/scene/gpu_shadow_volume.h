@@ -21,17 +21,10 @@ public:
 
     /// Where bricks are found.
     const ShadowDirectory& directory() const { return m_directory; }
-    /// Low corner of the box of all occupied words, in cells from the directory's low corner. Rays end where they leave
-    /// it.
-    glm::ivec3 occupiedLow() const { return m_directory.occupied().low() * kWordCells - lowCell(); }
-    /// Its high corner, excluded.
-    glm::ivec3 occupiedHigh() const { return m_directory.occupied().high() * kWordCells - lowCell(); }
     /// GPU memory.
     uint64_t bytes() const { return m_directory.bytes() + m_texels.bytes(); }
 
 private:
-    static constexpr int kWordCells = 4;
-    glm::ivec3 lowCell() const { return m_directory.low() * ShadowDirectory::kSectorBricks * kShadowBrickCells; }
     void put(const ShadowPatch& patch);
     void remove(glm::ivec3 brick);
     void reserveTexels();

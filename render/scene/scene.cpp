@@ -117,12 +117,18 @@ void Scene::bindVoxelsAt(const Program& program) const {
 }
 
 void Scene::describeShadow(FrameBlock& block) const {
-    const ShadowDirectory& directory = m_shadow.directory();
-    block.shadowSectorLow =
-        glm::ivec4(directory.low() - glm::ivec3(glm::round(m_origin / kSector)), directory.size().x > 0);
-    block.shadowSectorCount = glm::ivec4(directory.size(), 0);
-    block.shadowLow = glm::vec4(m_shadow.occupiedLow(), 0.0f);
-    block.shadowHigh = glm::vec4(m_shadow.occupiedHigh(), 0.0f);
+    const glm::ivec3 origin(glm::round(m_origin / kSector));
+    const auto describe = [&](const ShadowDirectory::Part& part, glm::ivec4& first, glm::ivec4& size, glm::vec4& low,
+                              glm::vec4& high) {
+        first = glm::ivec4(part.low - origin, 0);
+        size = glm::ivec4(part.size, part.bricks > 0);
+        low = glm::vec4(part.occupiedLow(), 0.0f);
+        high = glm::vec4(part.occupiedHigh(), 0.0f);
+    };
+    describe(m_shadow.directory().dense(), block.shadowDenseFirst, block.shadowDenseSize, block.shadowDenseLow,
+             block.shadowDenseHigh);
+    describe(m_shadow.directory().paged(), block.shadowPagedFirst, block.shadowPagedSize, block.shadowPagedLow,
+             block.shadowPagedHigh);
 }
 
 }  // namespace rubble

@@ -1,5 +1,6 @@
 #include "render/scene/shadow_directory.h"
 
+#include <algorithm>
 #include <glm/common.hpp>
 #include <utility>
 
@@ -10,6 +11,11 @@ constexpr int kSectorWords = 16;
 
 int64_t volume(glm::ivec3 size) {
     return int64_t(size.x) * size.y * size.z;
+}
+
+/// The index of a place in an array of this size, x fastest.
+size_t indexIn(glm::ivec3 at, glm::ivec3 size) {
+    return (size_t(at.z) * size_t(size.y) + size_t(at.y)) * size_t(size.x) + size_t(at.x);
 }
 
 int brickInSector(glm::ivec3 brick) {
@@ -28,33 +34,57 @@ uint8_t octantsTowards(glm::ivec3 away) {
 
 }  // namespace
 
+/// A box of sectors; empty at first.
+struct ShadowDirectory::Sectors {
+    glm::ivec3 low{0}, high{0};
+    void include(glm::ivec3 first, glm::ivec3 end) {
+        const bool isEmpty = low == high;
+        low = isEmpty ? first : glm::min(low, first);
+        high = isEmpty ? end : glm::max(high, end);
+    }
+    void include(const OccupiedBox& words) {
+        if (words.low() != words.high()) include(words.low() >> 4, (words.high() + (kSectorWords - 1)) >> 4);
+    }
+};
+
+bool ShadowDirectory::Part::holds(glm::ivec3 sector) const {
+    const glm::ivec3 at = sector - low;
+    return glm::all(glm::greaterThanEqual(at, glm::ivec3(0))) && glm::all(glm::lessThan(at, size));
+}
+
+size_t ShadowDirectory::Part::indexOf(glm::ivec3 sector) const {
+    return indexIn(sector - low, size);
+}
+
 void ShadowDirectory::clear() {
-    m_low = m_size = glm::ivec3(0);
+    m_dense = m_paged = {};
     m_skips.reset(glm::ivec3(0));
     m_pageOf.clear();
     m_pages.clear();
+    m_densePages = 0;
     m_freePages = {};
     m_changedPages.clear();
-    m_occupied.clear();
-}
-
-bool ShadowDirectory::holdsSector(glm::ivec3 sector) const {
-    const glm::ivec3 at = sector - m_low;
-    return glm::all(glm::greaterThanEqual(at, glm::ivec3(0))) && glm::all(glm::lessThan(at, m_size));
 }
 
 bool ShadowDirectory::holds(glm::ivec3 brick) const {
-    return holdsSector(brick >> 2);
+    return m_dense.holds(brick >> 2) || m_paged.holds(brick >> 2);
 }
 
-uint32_t ShadowDirectory::texelOf(glm::ivec3 brick) const {
-    return pageAt(brick >> 2) * kPageTexels + uint32_t(brickInSector(brick));
+uint32_t ShadowDirectory::pageAt(glm::ivec3 sector) const {
+    if (m_dense.holds(sector)) return uint32_t(m_dense.indexOf(sector));
+    return m_paged.holds(sector) ? m_pageOf[m_paged.indexOf(sector)] : kNone;
+}
+
+size_t ShadowDirectory::texelOf(uint32_t page, int brick) const {
+    if (!isDense(page)) return page * kPageTexels + size_t(brick);
+    const glm::ivec3 in(brick & 3, brick >> 2 & 3, brick >> 4);
+    return indexIn((m_pages[page].sector - m_dense.low) * kSectorBricks + in, m_dense.size * kSectorBricks);
 }
 
 ShadowDirectory::Brick ShadowDirectory::find(glm::ivec3 brick) const {
     const uint32_t page = pageAt(brick >> 2);
     if (page == kNone || !(m_pages[page].occupied >> brickInSector(brick) & 1)) return {};
-    const glm::uvec4 texel = m_pageTexels[texelOf(brick)];
+    const glm::uvec4 texel = m_texels[texelOf(page, brickInSector(brick))];
     return {texel.x / 64, texel.y | uint64_t(texel.z) << 32};
 }
 
@@ -66,15 +96,15 @@ void ShadowDirectory::write(StagedBuffer<Texel>& texels, size_t at, Texel texel)
 }
 
 uint32_t ShadowDirectory::addPage(glm::ivec3 sector) {
-    const uint32_t page = m_freePages.allocate();
+    const uint32_t page = m_densePages + m_freePages.allocate();
     if (page == m_pages.size()) {
         m_pages.emplace_back();
-        m_pageTexels.resize(m_pages.size() * kPageTexels);
+        m_texels.resize(m_pages.size() * kPageTexels);
     }
     m_pages[page].sector = sector;
-    const size_t index = sectorIndex(sector);
+    const size_t index = m_paged.indexOf(sector);
     m_pageOf[index] = page;
-    m_skips.set(sector - m_low, true);
+    m_skips.set(sector - m_paged.low, true);
     write(m_table, index, page * kPageTexels);
     return page;
 }
@@ -87,55 +117,64 @@ void ShadowDirectory::set(glm::ivec3 brick, const Brick& content) {
         if (!content.occupied) return;
         page = addPage(sector);
     }
-    m_occupied.change(brick, before.occupied, content.occupied);
+    Part& part = isDense(page) ? m_dense : m_paged;
+    part.occupied.change(brick, before.occupied, content.occupied);
     if (!before.occupied != !content.occupied) {
         m_pages[page].occupied ^= SectorBricks(1) << brickInSector(brick);
+        part.bricks += content.occupied ? 1 : -1;
         queueAround(sector);
     }
     if (!content.occupied) return;  // its texels follow with update()
-    write(m_pageTexels, texelOf(brick), glm::uvec4(content.slot * 64, content.occupied, content.occupied >> 32, 0));
+    write(m_texels, texelOf(page, brickInSector(brick)),
+          glm::uvec4(content.slot * 64, content.occupied, content.occupied >> 32, 0));
 }
 
+void ShadowDirectory::queue(uint32_t page, uint8_t octants) {
+    if (!m_pages[page].stale) m_changedPages.push_back(page);
+    m_pages[page].stale |= octants;
+}
+
+/// Queues the sectors whose rays may skip to a sector: those around it in its part.
 void ShadowDirectory::queueAround(glm::ivec3 sector) {
+    const bool isDenseSector = m_dense.holds(sector);
     for (int i = 0; i < 27; ++i) {
         const glm::ivec3 away(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
         const uint32_t page = pageAt(sector + away);
-        if (page == kNone) continue;
-        if (!m_pages[page].stale) m_changedPages.push_back(page);
-        m_pages[page].stale |= octantsTowards(-away);
+        if (page != kNone && isDense(page) == isDenseSector) queue(page, octantsTowards(-away));
     }
 }
 
 void ShadowDirectory::removeEmptyPages() {
     for (const uint32_t index : m_changedPages) {
         Page& page = m_pages[index];
-        if (page.occupied) continue;
-        const size_t at = sectorIndex(page.sector);
+        if (page.occupied || isDense(index)) continue;
+        const size_t at = m_paged.indexOf(page.sector);
         m_pageOf[at] = kNone;
-        m_skips.set(page.sector - m_low, false);
+        m_skips.set(page.sector - m_paged.low, false);
         if (m_skips.at(at)) write(m_table, at, m_skips.at(at));  // it came and went since the last update
-        m_freePages.free(index);
+        m_freePages.free(index - m_densePages);
         page.stale = 0;
     }
-    std::erase_if(m_changedPages, [&](uint32_t page) { return !m_pages[page].occupied; });
+    std::erase_if(m_changedPages, [&](uint32_t page) { return !m_pages[page].stale; });
 }
 
-void ShadowDirectory::writeSkips(Page& page) {
+void ShadowDirectory::writeSkips(uint32_t index) {
+    Page& page = m_pages[index];
     SectorSurroundings occupied;
     for (int i = 0; i < 27; ++i) {
         const uint32_t at = pageAt(page.sector + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1);
-        occupied[size_t(i)] = at == kNone ? 0 : m_pages[at].occupied;
+        occupied[size_t(i)] = at == kNone || isDense(at) != isDense(index) ? 0 : m_pages[at].occupied;
     }
-    const size_t first = pageAt(page.sector) * kPageTexels;
     std::array<BrickSkips, kPageTexels> skips;
-    for (size_t i = 0; i < kPageTexels; ++i) {
-        const glm::uvec4 texel = m_pageTexels[first + i];
-        skips[i] = {texel.y, texel.z, texel.w};
+    for (int i = 0; i < int(kPageTexels); ++i) {
+        const glm::uvec4 texel = m_texels[texelOf(index, i)];
+        skips[size_t(i)] = {texel.y, texel.z, texel.w};
     }
     updatePageSkips(occupied, std::exchange(page.stale, uint8_t(0)), skips);
-    for (size_t i = 0; i < kPageTexels; ++i)
-        if (!(page.occupied >> i & 1))
-            write(m_pageTexels, first + i, glm::uvec4(1, skips[i][0], skips[i][1], skips[i][2]));
+    for (int i = 0; i < int(kPageTexels); ++i) {
+        const BrickSkips& of = skips[size_t(i)];
+        if (!(page.occupied >> i & 1)) write(m_texels, texelOf(index, i), glm::uvec4(1, of[0], of[1], of[2]));
+    }
 }
 
 void ShadowDirectory::update() {
@@ -143,58 +182,91 @@ void ShadowDirectory::update() {
     for (const size_t index : m_skips.update())
         if (m_skips.at(index)) write(m_table, index, m_skips.at(index));
     shrink();
-    for (const uint32_t page : m_changedPages) {
-        writeSkips(m_pages[page]);
-    }
+    for (const uint32_t page : m_changedPages) writeSkips(page);
     m_changedPages.clear();
 }
 
 /// Replaces the table by one of another box. The pages stay where they are.
 void ShadowDirectory::makeTable(glm::ivec3 low, glm::ivec3 size) {
-    m_skips.move(low - m_low, size);
-    m_low = low;
-    m_size = size;
+    m_skips.move(low - m_paged.low, size);
+    m_paged.low = low;
+    m_paged.size = size;
     const size_t count = size_t(volume(size));
     m_table.resize(count);
     m_pageOf.assign(count, kNone);
-    for (uint32_t i = 0; i < m_pages.size(); ++i)
-        if (m_pages[i].occupied) m_pageOf[sectorIndex(m_pages[i].sector)] = i;
+    for (uint32_t i = m_densePages; i < m_pages.size(); ++i)
+        if (m_pages[i].occupied) m_pageOf[m_paged.indexOf(m_pages[i].sector)] = i;
     for (size_t i = 0; i < count; ++i)  // all of it: what is new holds nothing yet
         m_table.change(i) = m_pageOf[i] == kNone ? m_skips.at(i) : m_pageOf[i] * kPageTexels;
     m_writtenTexels += count;
 }
 
+/// Makes another dense part, for sectors that hold all bricks. Nothing is left for the paged part.
+void ShadowDirectory::makeDense(const Sectors& sectors) {
+    std::vector<std::pair<glm::ivec3, Brick>> bricks;
+    forEach([&](glm::ivec3 brick, const Brick& content) { bricks.emplace_back(brick, content); });
+    clear();
+    const glm::ivec3 size = sectors.high - sectors.low;
+    m_dense.low = sectors.low;
+    m_dense.size = size;
+    m_densePages = uint32_t(volume(size));
+    m_pages.resize(m_densePages);
+    m_texels.resize(m_densePages * kPageTexels);
+    for (uint32_t i = 0; i < m_densePages; ++i) {
+        m_pages[i].sector =
+            sectors.low + glm::ivec3(int(i) % size.x, int(i) / size.x % size.y, int(i) / size.x / size.y);
+        queue(i, 0xff);
+    }
+    for (const auto& [brick, content] : bricks) set(brick, content);
+}
+
 /// A table grows by an eighth more than it must, so that a body that flies away does not need another one at each
 /// sector.
 void ShadowDirectory::reach(const std::vector<ShadowPatch>& patches) {
-    glm::ivec3 low = m_low, high = m_low + m_size;
-    bool isNew = m_size.x == 0;
+    if (reachDensely(patches)) return;
+    const glm::ivec3 end = m_paged.low + m_paged.size;
+    Sectors table{m_paged.low, end};
     for (const ShadowPatch& patch : patches) {
-        if (!patch.content) continue;
         const glm::ivec3 sector = patch.brick >> 2;
-        const glm::ivec3 nextLow = isNew ? sector : glm::min(low, sector),
-                         nextHigh = isNew ? sector + 1 : glm::max(high, sector + 1);
-        if (volume(nextHigh - nextLow) > kMaxSectors) continue;
-        low = nextLow;
-        high = nextHigh;
-        isNew = false;
+        if (!patch.content || m_dense.holds(sector)) continue;
+        Sectors next = table;
+        next.include(sector, sector + 1);
+        if (volume(next.high - next.low) <= kMaxSectors) table = next;
     }
-    if (low == m_low && high == m_low + m_size) return;
-    if (m_size.x) {
-        const glm::ivec3 margin = m_size / 8;
-        const glm::ivec3 wideLow = low - margin * glm::ivec3(glm::lessThan(low, m_low));
-        const glm::ivec3 wideHigh = high + margin * glm::ivec3(glm::greaterThan(high, m_low + m_size));
-        if (volume(wideHigh - wideLow) <= kMaxSectors) low = wideLow, high = wideHigh;
+    if (table.low == m_paged.low && table.high == end) return;
+    if (m_paged.size.x) {
+        const glm::ivec3 margin = m_paged.size / 8;
+        const glm::ivec3 wideLow = table.low - margin * glm::ivec3(glm::lessThan(table.low, m_paged.low));
+        const glm::ivec3 wideHigh = table.high + margin * glm::ivec3(glm::greaterThan(table.high, end));
+        if (volume(wideHigh - wideLow) <= kMaxSectors) table = {wideLow, wideHigh};
     }
-    makeTable(low, high - low);
+    makeTable(table.low, table.high - table.low);
+}
+
+/// If most bricks are outside of the dense part, makes another one for all, unless it would be large for them.
+bool ShadowDirectory::reachDensely(const std::vector<ShadowPatch>& patches) {
+    int64_t outside = m_paged.bricks;
+    Sectors all;
+    all.include(m_dense.occupied);
+    all.include(m_paged.occupied);
+    for (const ShadowPatch& patch : patches) {
+        if (!patch.content || m_dense.holds(patch.brick >> 2) || find(patch.brick).occupied) continue;
+        ++outside;
+        all.include(patch.brick >> 2, (patch.brick >> 2) + 1);
+    }
+    const int64_t size = volume(all.high - all.low), bricks = m_dense.bricks + outside;
+    if (outside <= m_dense.bricks || size > std::max(kSmallDense, bricks / kBricksPerDenseSector)) return false;
+    makeDense(all);
+    return true;
 }
 
 /// Replaces a table that is several times as large as what is occupied.
 void ShadowDirectory::shrink() {
     constexpr int64_t kRatio = 4, kSmall = 64;  // sectors
-    const glm::ivec3 low = m_occupied.low() >> 4, high = (m_occupied.high() + (kSectorWords - 1)) >> 4;
-    if (m_occupied.low() == m_occupied.high() || volume(m_size) <= kRatio * volume(high - low) + kSmall) return;
-    makeTable(low, high - low);
+    Sectors needed;
+    needed.include(m_paged.occupied);
+    const glm::ivec3 size = needed.high - needed.low;
+    if (volume(m_paged.size) > kRatio * volume(size) + kSmall) makeTable(needed.low, size);
 }
 
 }  // namespace rubble

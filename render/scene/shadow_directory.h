@@ -10,14 +10,20 @@
 
 namespace rubble {
 
-/// Finds the shadow volume's bricks for rays. A table has a texel for each sector (4x4x4 bricks) of a box. An empty
-/// sector's texel says how far rays may skip, in sectors; an occupied one's where its page is. A page has a texel for
-/// each of its bricks: how far rays may skip, in bricks, or where the brick is and which of its words are occupied.
-/// Pages come and go with the bricks, and the box follows what is occupied, so memory and work follow the bricks that
-/// change. Layout: lib/shadow_trace.glsl. [render-thread]
+/// Finds the shadow volume's bricks for rays. A brick has a texel: how far rays may skip, in bricks, or where the brick
+/// is and which of its words are occupied. The texels are in two parts, through which a ray goes one after the other:
+///   - the dense part has those of all bricks of a box, the level's as it was loaded: a ray finds one by one fetch;
+///   - the paged part, for what is elsewhere, has those of occupied sectors (4x4x4 bricks), a page each. A table has a
+///     texel for each sector of a box: where its page is, or how far rays may skip, in sectors. Pages come and go with
+///     the bricks, and the box follows what is occupied.
+/// So memory and work follow the bricks that change. Layout: lib/shadow_trace.glsl. [render-thread]
 class ShadowDirectory {
 public:
     static constexpr int kSectorBricks = 4;  ///< side of a sector
+    static constexpr int kWordCells = 4, kSectorCells = kSectorBricks * kShadowBrickCells;
+    /// The dense part has at most a sector, 1 KB, for so many bricks that it holds, 0.5 KB each: half of their memory.
+    static constexpr int64_t kBricksPerDenseSector = 4;
+    static constexpr int64_t kSmallDense = 64;  ///< sectors that it has in any case
     /// What the table can span: 2 x 2 km, 32 m high, or as many sectors in another shape.
     static constexpr int64_t kMaxSectors = int64_t(1) << 19;
 
@@ -29,18 +35,19 @@ public:
 
     /// Removes all bricks.
     void clear();
-    /// Makes the table hold the places of all patches with content, but for those with which it would span too much.
+    /// Makes room for all patches with content, but for those with which the table would span too much. If most bricks
+    /// are in the paged part then, as at first, the dense part is made for all that there are.
     void reach(const std::vector<ShadowPatch>& patches);
-    /// Whether the table holds the brick's sector.
+    /// Whether there is room for a brick.
     bool holds(glm::ivec3 brick) const;
-    /// The brick at a place that the table holds.
+    /// The brick at a place that has room.
     Brick find(glm::ivec3 brick) const;
-    /// Puts a brick at a place that the table holds. occupied == 0 removes it.
+    /// Puts a brick at a place that has room. occupied == 0 removes it.
     void set(glm::ivec3 brick, const Brick& content);
     /// Brings table and pages up to date. Call it after changes, before rays.
     void update();
     /// Sends what changed. Returns the bytes sent.
-    uint64_t upload() { return m_table.upload() + m_pageTexels.upload(); }
+    uint64_t upload() { return m_table.upload() + m_texels.upload(); }
     /// Calls f(brick, Brick) for all bricks.
     template <class F>
     void forEach(F&& f) const {
@@ -52,50 +59,66 @@ public:
                 }
     }
 
-    /// A texel a sector, x fastest.
+    /// The paged part's table: a texel a sector, x fastest.
     const BufferTexture& table() const { return m_table.texture(); }
-    /// 64 texels a page.
-    const BufferTexture& pages() const { return m_pageTexels.texture(); }
+    /// A texel a brick: those of the dense part, x fastest, then 64 a page.
+    const BufferTexture& texels() const { return m_texels.texture(); }
     /// GPU memory of both.
-    uint64_t bytes() const { return table().bytes() + pages().bytes(); }
-    /// Low corner of the table's box, in sectors of the world.
-    glm::ivec3 low() const { return m_low; }
-    /// Its size, in sectors.
-    glm::ivec3 size() const { return m_size; }
-    /// The box of all occupied words.
-    const OccupiedBox& occupied() const { return m_occupied; }
+    uint64_t bytes() const { return table().bytes() + texels().bytes(); }
+
+    /// Where a part is.
+    struct Part {
+        glm::ivec3 low{0}, size{0};  ///< its box, in sectors of the world
+        OccupiedBox occupied;        ///< all occupied words in it
+        int64_t bricks = 0;          ///< that hold something
+        /// Low corner of the box of all occupied words, in cells from the low corner. Rays end where they leave it.
+        glm::ivec3 occupiedLow() const { return occupied.low() * kWordCells - low * kSectorCells; }
+        /// Its high corner, excluded.
+        glm::ivec3 occupiedHigh() const { return occupied.high() * kWordCells - low * kSectorCells; }
+        /// Whether its box holds a sector.
+        bool holds(glm::ivec3 sector) const;
+        size_t indexOf(glm::ivec3 sector) const;  ///< x fastest
+    };
+    /// The box whose bricks all have a texel.
+    const Part& dense() const { return m_dense; }
+    /// The table's box.
+    const Part& paged() const { return m_paged; }
     /// How many texels were written since it was made: work that tests count.
     uint64_t writtenTexels() const { return m_writtenTexels; }
 
 private:
     static constexpr uint32_t kPageTexels = 64, kNone = ~0u;
+    /// A sector that has texels.
     struct Page {
         glm::ivec3 sector{0};
         SectorBricks occupied = 0;
         uint8_t stale = 0;  ///< the octants whose skips must be computed: then it is in m_changedPages
     };
-    size_t sectorIndex(glm::ivec3 sector) const { return m_skips.indexOf(sector - m_low); }
-    bool holdsSector(glm::ivec3 sector) const;
-    uint32_t texelOf(glm::ivec3 brick) const;
-    uint32_t pageAt(glm::ivec3 sector) const { return holdsSector(sector) ? m_pageOf[sectorIndex(sector)] : kNone; }
+    bool isDense(uint32_t page) const { return page < m_densePages; }
+    size_t texelOf(uint32_t page, int brick) const;
+    uint32_t pageAt(glm::ivec3 sector) const;
     template <class Texel>
     void write(StagedBuffer<Texel>& texels, size_t at, Texel texel);
+    struct Sectors;
+    bool reachDensely(const std::vector<ShadowPatch>& patches);
+    void makeDense(const Sectors& sectors);
     void makeTable(glm::ivec3 low, glm::ivec3 size);
     void shrink();
     uint32_t addPage(glm::ivec3 sector);
     void removeEmptyPages();
+    void queue(uint32_t page, uint8_t octants);
     void queueAround(glm::ivec3 sector);
-    void writeSkips(Page& page);
+    void writeSkips(uint32_t page);
 
-    glm::ivec3 m_low{0}, m_size{0};  ///< in sectors
-    SkipDistances m_skips;           ///< of sectors
+    Part m_dense, m_paged;
+    SkipDistances m_skips;           ///< of the paged part's sectors
     std::vector<uint32_t> m_pageOf;  ///< for each sector of the table its page, or kNone
-    std::vector<Page> m_pages;       ///< those in use and free ones; page i has the texels from 64 i on
-    IndexAllocator m_freePages;
+    std::vector<Page> m_pages;       ///< the sectors of the dense part, x fastest; then pages in use and free ones
+    uint32_t m_densePages = 0;
+    IndexAllocator m_freePages;  ///< of those behind the dense part
     StagedBuffer<uint32_t> m_table{GL_R32UI, "shadow directory"};
-    StagedBuffer<glm::uvec4> m_pageTexels{GL_RGBA32UI, "shadow directory's pages"};
+    StagedBuffer<glm::uvec4> m_texels{GL_RGBA32UI, "shadow directory's bricks"};
     std::vector<uint32_t> m_changedPages;
-    OccupiedBox m_occupied;
     uint64_t m_writtenTexels = 0;
 };
 

@@ -1,11 +1,12 @@
 #include "render/scene/skip_distances.h"
 
 #include <algorithm>
-#include <cassert>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 #include <tuple>
 #include <utility>
+
+#include "runtime/core/assertion.h"
 
 namespace rubble {
 namespace {
@@ -31,7 +32,7 @@ void SkipDistances::reset(glm::ivec3 size) {
 /// The distances of sectors that stay do not change, as what is outside the box is empty. Of the new ones, those ahead
 /// of them see nothing but emptiness; those behind are solved axis by axis, so that what is ahead of each is known.
 void SkipDistances::move(glm::ivec3 low, glm::ivec3 size) {
-    assert(m_touched.empty() && "update() has not run");
+    RUBBLE_ASSERT(m_touched.empty() && "update() has not run");
     SkipDistances next;
     next.reset(size);
     const Box kept{glm::max(-low, 0), glm::min(m_size - low, size)};

@@ -88,4 +88,13 @@ FrameSnapshot warmUpScene() {
     return scene;
 }
 
+FrameSnapshot outsideOfWarmUpScene() {
+    FrameSnapshot step;
+    step.version = step.newestStep = 2;
+    ShadowWords cells{};
+    cells.fill(1);
+    step.shadow.push_back({{4000, 0, 0}, makeShadowBrick(cells)});
+    return step;
+}
+
 }  // namespace rubble

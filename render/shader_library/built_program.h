@@ -1,7 +1,9 @@
 #pragma once
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/gl/program_build.h"
@@ -28,6 +30,12 @@ public:
     void start(const std::filesystem::path& folder, const ShaderBuild& how = {});
     /// Waits for what start() began. False on an error: the last good program stays.
     bool finish();
+    /// Whether a file is part of it, as far as it has been read.
+    bool includes(const std::string& file) const { return std::count(m_files.begin(), m_files.end(), file) > 0; }
+    /// Keeps its program for the next call, and takes back the one of the last call, which may be empty.
+    void swapVariant() { std::swap(m_program, m_otherVariant); }
+    /// Frees what swapVariant() would take back.
+    void dropVariant() { m_otherVariant = {}; }
     /// Whether one of its files is newer than at the last build().
     bool hasChanged(const std::filesystem::path& folder) const { return newest(folder) > m_newest; }
     /// Whether it is the plain program of these two files.
@@ -49,7 +57,7 @@ private:
     std::filesystem::file_time_type m_newest{};
     std::vector<ShaderSource> m_sources;  ///< from start() to finish(), by stage
     ProgramBuild m_build;                 ///< the same; empty: the files could not be read
-    Program m_program;
+    Program m_program, m_otherVariant;
     std::string m_error;
 };
 

@@ -18,7 +18,7 @@ const Program& ShaderLibrary::load(const std::string& fragmentFile, const std::s
     for (const auto& built : m_programs)
         if (built->isOf(fragmentFile, vertexFile)) return built->program();
     BuiltProgram& made = *m_programs.emplace_back(std::make_unique<BuiltProgram>(fragmentFile, vertexFile));
-    made.start(m_folder, m_build);
+    made.start(m_folder, buildOf());
     finishOrQueue({.plain = &made, .missing = missing});
     return made.program();
 }
@@ -28,8 +28,8 @@ FullscreenProgram& ShaderLibrary::loadFullscreen(const std::string& file, const 
     for (const auto& program : m_fullscreenPrograms)
         if (program->file() == file) return *program;
     FullscreenProgram& made = *m_fullscreenPrograms.emplace_back(std::make_unique<FullscreenProgram>(file, kind));
-    if (m_fullscreen != Fullscreen::Compute) made.make(FullscreenMethod::Fragment).start(m_folder, m_build);
-    if (m_fullscreen != Fullscreen::Fragment) made.make(FullscreenMethod::Compute).start(m_folder, m_build);
+    if (m_fullscreen != Fullscreen::Compute) made.make(FullscreenMethod::Fragment).start(m_folder, buildOf());
+    if (m_fullscreen != Fullscreen::Fragment) made.make(FullscreenMethod::Compute).start(m_folder, buildOf());
     finishOrQueue({.fullscreen = &made, .missing = missing});
     return made;
 }
@@ -66,11 +66,30 @@ void ShaderLibrary::forEach(F&& visit) const {
             if (auto& built = program->built(method)) visit(*built);
 }
 
+ShaderBuild ShaderLibrary::buildOf() const {
+    ShaderBuild how = m_build;
+    if (!m_arePaged) how.defines += "#define NO_PAGED_SHADOWS\n";
+    return how;
+}
+
+void ShaderLibrary::setPagedShadows(bool arePaged) {
+    if (!isSoftwareGl() || m_arePaged == arePaged) return;
+    m_arePaged = arePaged;
+    forEach([&](BuiltProgram& built) {
+        if (!built.includes("lib/shadow_trace.glsl")) return;
+        built.swapVariant();
+        if (built.program()) return;
+        built.start(m_folder, buildOf());
+        if (!built.finish()) built.swapVariant();  // the error is in both
+    });
+}
+
 bool ShaderLibrary::reloadChanged() {
     bool any = false;
     forEach([&](BuiltProgram& built) {
         if (!built.hasChanged(m_folder)) return;
-        built.start(m_folder, m_build);
+        built.dropVariant();
+        built.start(m_folder, buildOf());
         any |= built.finish();
     });
     return any;

@@ -35,6 +35,10 @@ public:
     void beginBatch() { m_isBatch = true; }
     /// Waits for all programs that were started.
     void endBatch();
+    /// Whether shadow rays look into the paged part of the shadow volume (lib/shadow_trace.glsl); at first they do. On
+    /// a GPU that is one branch, which this does not change. A software GL runs both sides of any branch, an eighth of
+    /// a ray's time, so there are programs without it there, each built when it is first wanted.
+    void setPagedShadows(bool arePaged);
     /// Rebuilds the programs whose files changed on disk; on an error the last good program stays. True if any was
     /// rebuilt.
     bool reloadChanged();
@@ -52,6 +56,7 @@ private:
     };
     template <class F>
     void forEach(F&& visit) const;
+    ShaderBuild buildOf() const;
     void finishOrQueue(const Started& started);
     void finish(const Started& started) const;
 
@@ -61,7 +66,7 @@ private:
     std::vector<std::unique_ptr<BuiltProgram>> m_programs;
     std::vector<std::unique_ptr<FullscreenProgram>> m_fullscreenPrograms;
     std::vector<Started> m_started;  ///< of the batch
-    bool m_isBatch = false;
+    bool m_isBatch = false, m_arePaged = true;
 };
 
 }  // namespace rubble

@@ -224,6 +224,31 @@ inline constexpr auto kFields<ResizeShapeEdit> = std::tuple{
     Field{"box", &ResizeShapeEdit::box},
 };
 template <>
+inline constexpr auto kFields<WriteVoxelsEdit> = std::tuple{
+    Field{"shape", &WriteVoxelsEdit::shape},
+    Field{"box", &WriteVoxelsEdit::box},
+    Field{"entries", &WriteVoxelsEdit::entries},
+};
+template <>
+inline constexpr auto kFields<DestroyShapeEdit> = std::tuple{
+    Field{"shape", &DestroyShapeEdit::shape},
+};
+template <>
+inline constexpr auto kFields<SetBodyEdit> = std::tuple{
+    Field{"body", &SetBodyEdit::body},
+    Field{"sets_pose", &SetBodyEdit::setsPose},
+    Field{"pose", &SetBodyEdit::pose},
+    Field{"sets_velocity", &SetBodyEdit::setsVelocity},
+    Field{"velocity", &SetBodyEdit::velocity},
+    Field{"angular_velocity", &SetBodyEdit::angularVelocity},
+    Field{"sets_sleep", &SetBodyEdit::setsSleep},
+    Field{"asleep", &SetBodyEdit::asleep},
+};
+template <>
+inline constexpr auto kFields<DestroyBodyEdit> = std::tuple{
+    Field{"body", &DestroyBodyEdit::body},
+};
+template <>
 inline constexpr auto kFields<SetCollisionFilterEdit> = std::tuple{
     Field{"shape", &SetCollisionFilterEdit::shape},
     Field{"layer", &SetCollisionFilterEdit::layer},

@@ -1,8 +1,8 @@
 #include "runtime/core/blue_noise.h"
 
 #include <algorithm>
-#include <cassert>
 
+#include "runtime/core/assertion.h"
 #include "runtime/core/random.h"
 
 // Void-and-cluster (R. Ulichney, "The void-and-cluster method for dither array generation", SPIE 1913, 1993).
@@ -83,7 +83,7 @@ PointPattern evenPattern(int size) {
 }  // namespace
 
 std::vector<uint8_t> makeBlueNoise(int size) {
-    assert(size >= 16 && (size & (size - 1)) == 0);
+    RUBBLE_ASSERT(size >= 16 && (size & (size - 1)) == 0);
     const PointPattern start = evenPattern(size);
     const int count = start.count, points = int(std::count(start.chosen.begin(), start.chosen.end(), true));
     std::vector<int> rank(size_t(count), 0);

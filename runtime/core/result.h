@@ -1,8 +1,9 @@
 #pragma once
-#include <cassert>
 #include <string>
 #include <utility>
 #include <variant>
+
+#include "runtime/core/assertion.h"
 
 namespace rubble {
 
@@ -23,7 +24,7 @@ public:
     explicit operator bool() const { return std::holds_alternative<T>(m_value); }
     /// The value. Asserts in debug builds if this is an error.
     T& value() & {
-        assert(*this && "Result holds an error");
+        RUBBLE_ASSERT(*this && "Result holds an error");
         return std::get<T>(m_value);
     }
     /// The value. Asserts in debug builds if this is an error.

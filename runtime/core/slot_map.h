@@ -1,10 +1,11 @@
 #pragma once
 #include <algorithm>
-#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "runtime/core/assertion.h"
 
 namespace rubble {
 
@@ -34,7 +35,7 @@ public:
         uint32_t slot;
         if (m_free.empty()) {
             slot = uint32_t(m_slots.size());
-            assert(slot < 0xffffffu && "SlotMap is full: 16,777,215 slots");
+            RUBBLE_ASSERT(slot < 0xffffffu && "SlotMap is full: 16,777,215 slots");
             m_slots.push_back({{}, m_firstGeneration, m_firstGeneration});
         } else {
             slot = m_free.back();
@@ -76,7 +77,7 @@ public:
             m_free.insert(m_free.begin(), added.begin(), added.end());
             m_slots.resize(slot + 1, {{}, m_firstGeneration, m_firstGeneration});
         }
-        assert(!m_slots[slot].value && "restoring over a living object");
+        RUBBLE_ASSERT(!m_slots[slot].value && "restoring over a living object");
         m_free.erase(std::find(m_free.rbegin(), m_free.rend(), slot).base() - 1);
         m_slots[slot].value = std::move(value);
         m_slots[slot].generation = handle.generation();
@@ -97,7 +98,7 @@ public:
     /// The object of a handle that is known to be valid; asserts that.
     T& at(Handle handle) {
         T* value = find(handle);
-        assert(value && "stale handle");
+        RUBBLE_ASSERT(value && "stale handle");
         return *value;
     }
     /// The object of a handle that is known to be valid; asserts that.

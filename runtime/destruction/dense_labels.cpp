@@ -1,8 +1,8 @@
 #include "runtime/destruction/dense_labels.h"
 
 #include <algorithm>
-#include <cassert>
 
+#include "runtime/core/assertion.h"
 #include "runtime/core/byte_bits.h"
 #include "runtime/destruction/run_labels.h"
 
@@ -30,7 +30,7 @@ void writeRun(uint32_t* out, uint32_t length, uint32_t value) {
 
 std::vector<uint64_t> labelDense(glm::ivec3 size, std::span<const uint8_t> cells, std::span<uint32_t> labels) {
     const size_t rows = size_t(size.y) * size_t(size.z), length = size_t(size.x);
-    assert(cells.size() == rows * length && labels.size() == cells.size());
+    RUBBLE_ASSERT(cells.size() == rows * length && labels.size() == cells.size());
     RunLabels sets(size, true);
     std::vector<uint64_t> bits(sets.wordsPerRow());
     for (size_t row = 0; row < rows; ++row) {

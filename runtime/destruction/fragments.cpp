@@ -1,10 +1,10 @@
 #include "runtime/destruction/fragments.h"
 
 #include <algorithm>
-#include <cassert>
 #include <glm/common.hpp>
 #include <unordered_map>
 
+#include "runtime/core/assertion.h"
 #include "runtime/core/random.h"
 #include "runtime/destruction/fragment_style.h"
 #include "runtime/destruction/pack_piece.h"
@@ -362,7 +362,7 @@ void Fracturer::removeZone() {
 
 FractureResult fracture(VoxelGrid& grid, const Brush& sphere, const Palette& palette, const MaterialTable& materials,
                         const FracturePlan& plan) {
-    assert(sphere.kind == BrushKind::Sphere);
+    RUBBLE_ASSERT(sphere.kind == BrushKind::Sphere);
     return Fracturer(grid, sphere, palette, materials, plan).run();
 }
 

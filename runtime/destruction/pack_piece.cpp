@@ -1,13 +1,14 @@
 #include "runtime/destruction/pack_piece.h"
 
-#include <cassert>
 #include <glm/common.hpp>
 #include <vector>
+
+#include "runtime/core/assertion.h"
 
 namespace rubble {
 
 Piece packPiece(const VoxelGrid& grid, std::span<const BrickSubset> subsets) {
-    assert(!subsets.empty());
+    RUBBLE_ASSERT(!subsets.empty());
     glm::ivec3 low(kMaxGridSize), high(0);
     bool isPainted = false;
     for (const BrickSubset& subset : subsets) {

@@ -1,7 +1,6 @@
 #include "runtime/destruction/split.h"
 
 #include <bit>
-#include <cassert>
 #include <glm/common.hpp>
 
 namespace rubble {

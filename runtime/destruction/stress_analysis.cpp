@@ -219,7 +219,10 @@ int64_t StressAnalysis::updateGraph(const StressedShape& shape) {
     numberRows();
     m_phase = Phase::Rows;
     const int64_t work = int64_t(m_nodeOf.size());
-    if (m_nodeOf.empty()) finish(false);
+    if (!m_nodeOf.empty()) return work;
+    m_hasConverged = true;  // all that there is, is fixed
+    m_worst = {};
+    finish(false);
     return work;
 }
 

@@ -109,7 +109,7 @@ private:
     std::vector<Vector6> m_residual, m_direction, m_preconditioned, m_product;  ///< of conjugate gradients
     double m_rz = 0.0;  ///< scalar product of the residual and the preconditioned residual
     int m_iterations = 0;
-    bool m_hasConverged = false;
+    bool m_hasConverged = true;
     StressedSections m_sections;
     std::vector<bool> m_isSliced;  ///< by node: whether the sections between its layers are evaluated
     std::vector<StressCrack> m_overloaded;

@@ -1,9 +1,9 @@
 #include "runtime/frame/snapshots.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
+#include "runtime/core/assertion.h"
 #include "runtime/shadow/shadow_worker.h"
 
 namespace rubble {
@@ -147,8 +147,8 @@ void Snapshots::addChanged(const FrameChanges& changes, const World& world, Fram
 }
 
 void Snapshots::addPose(ShapeHandle shape, const World& world, FrameSnapshot& out) {
-    assert(shape.slot() < m_lastPoses.size() && m_lastPoses[shape.slot()].shape == shape &&
-           "a shape moved that was never created");
+    RUBBLE_ASSERT(shape.slot() < m_lastPoses.size() && m_lastPoses[shape.slot()].shape == shape &&
+                  "a shape moved that was never created");
     LastPose& placed = m_lastPoses[shape.slot()];
     if (placed.listedIn == m_count) return;
     placed.listedIn = m_count;

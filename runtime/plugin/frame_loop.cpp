@@ -24,11 +24,15 @@ FrameLoop::~FrameLoop() {
     endRecording();
 }
 
+ParallelFor FrameLoop::parallelFor() const {
+    if (!m_threads) return serialFor;
+    return [threads = m_threads.get()](size_t count, const std::function<void(size_t)>& body) {
+        threads->run(count, body);
+    };
+}
+
 PhysicsSettings FrameLoop::withThreads(PhysicsSettings settings) const {
-    if (m_threads)
-        settings.parallelFor = [threads = m_threads.get()](size_t count, const std::function<void(size_t)>& body) {
-            threads->run(count, body);
-        };
+    if (m_threads) settings.parallelFor = parallelFor();
     return settings;
 }
 
@@ -100,7 +104,9 @@ void FrameLoop::endRecording() {
 }
 
 void FrameLoop::step() {
-    stepWith(m_edits.take());
+    Edits edits = m_edits.take();
+    stepWith(edits);
+    m_edits.recycle(std::move(edits));
 }
 
 void FrameLoop::replay(const RecordedStep& step) {
@@ -109,7 +115,7 @@ void FrameLoop::replay(const RecordedStep& step) {
     stepWith(step.edits);
 }
 
-void FrameLoop::stepWith(Edits hostEdits) {
+void FrameLoop::stepWith(const Edits& hostEdits) {
     std::fill_n(m_times.ms.begin(), size_t(Stage::Apply), 0.0);  // the stages from Apply on are the render thread's
     loadPhysics();
     applyEdits(hostEdits);

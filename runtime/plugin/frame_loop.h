@@ -73,6 +73,8 @@ public:
     World& world() { return m_world; }
     /// The same, to read it. [main-thread]
     const World& world() const { return m_world; }
+    /// Runs work on the threads that the world's physics has. [main-thread]
+    ParallelFor parallelFor() const;
     /// Its physics, for statistics and settings. [main-thread]
     PhysicsWorld& physics() { return m_physics; }
     /// Keeps the shadow volume up to date; null without one. [main-thread]
@@ -90,7 +92,7 @@ private:
     void dropWaitingEdits();
     SavedGame savedGame(const Edits& waiting) const;
     void goOnAsLoaded(bool dropMarks);
-    void stepWith(Edits hostEdits);
+    void stepWith(const Edits& hostEdits);
     void loadPhysics();
     void applyEdits(const Edits& hostEdits);
     void stepPhysics();

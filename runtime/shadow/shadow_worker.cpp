@@ -1,13 +1,13 @@
 #include "runtime/shadow/shadow_worker.h"
 
 #include <atomic>
-#include <cassert>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <string>
 #include <thread>
 
+#include "runtime/core/assertion.h"
 #include "runtime/core/log.h"
 #include "runtime/core/mailbox.h"
 #include "runtime/shadow/shadow_replica.h"
@@ -122,7 +122,7 @@ std::vector<ShadowPatches> ShadowWorker::takePatches() {
 
 void ShadowWorker::waitFor(uint64_t version) {
     std::unique_lock lock(m_impl->mutex);
-    assert(version <= m_impl->shared.submittedVersion && "waiting for a step that was never submitted");
+    RUBBLE_ASSERT(version <= m_impl->shared.submittedVersion && "waiting for a step that was never submitted");
     m_impl->changed.wait(lock, [&] { return m_impl->shared.version() >= version; });
 }
 

@@ -1,8 +1,9 @@
 #include "runtime/voxel/read_box.h"
 
 #include <algorithm>
-#include <cassert>
 #include <glm/common.hpp>
+
+#include "runtime/core/assertion.h"
 
 namespace rubble {
 namespace {
@@ -27,7 +28,7 @@ void readRow(const Brick& brick, int row, int low, int high, CellByte what, uint
 
 void readBox(const VoxelGrid& grid, const CellBox& box, CellByte what, std::span<uint8_t> out) {
     const glm::ivec3 size = box.high - box.low;
-    assert(!box.empty() && out.size() == size_t(size.x) * size_t(size.y) * size_t(size.z));
+    RUBBLE_ASSERT(!box.empty() && out.size() == size_t(size.x) * size_t(size.y) * size_t(size.z));
     std::fill(out.begin(), out.end(), uint8_t(0));
     const glm::ivec3 low = glm::max(box.low, glm::ivec3(0)), high = glm::min(box.high, grid.size());
     for (int z = low.z; z < high.z; ++z)

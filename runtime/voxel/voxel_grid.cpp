@@ -1,8 +1,8 @@
 #include "runtime/voxel/voxel_grid.h"
 
-#include <cassert>
 #include <utility>
 
+#include "runtime/core/assertion.h"
 #include "runtime/core/hash.h"
 
 namespace rubble {
@@ -16,14 +16,14 @@ uint64_t hashNode(glm::ivec3 node, const BrickNode& content) {
 }  // namespace
 
 VoxelGrid::VoxelGrid(glm::ivec3 size) : m_size(size), m_nodeSize((size + kNodeSize - 1) / kNodeSize) {
-    assert(size.x > 0 && size.y > 0 && size.z > 0 && size.x <= kMaxGridSize && size.y <= kMaxGridSize &&
-           size.z <= kMaxGridSize);
+    RUBBLE_ASSERT(size.x > 0 && size.y > 0 && size.z > 0 && size.x <= kMaxGridSize && size.y <= kMaxGridSize &&
+                  size.z <= kMaxGridSize);
     m_nodes.resize(size_t(m_nodeSize.x) * m_nodeSize.y * m_nodeSize.z);
 }
 
 void VoxelGrid::setBrick(glm::ivec3 brick, BrickRef value) {
-    assert(brick.x >= 0 && brick.y >= 0 && brick.z >= 0 && brick.x * 8 < m_size.x && brick.y * 8 < m_size.y &&
-           brick.z * 8 < m_size.z);
+    RUBBLE_ASSERT(brick.x >= 0 && brick.y >= 0 && brick.z >= 0 && brick.x * 8 < m_size.x && brick.y * 8 < m_size.y &&
+                  brick.z * 8 < m_size.z);
     const glm::ivec3 position = nodeOfBrick(brick);
     NodeRef& node = m_nodes[nodeIndex(position)];
     if (!node && !value) return;
@@ -37,14 +37,14 @@ void VoxelGrid::setBrick(glm::ivec3 brick, BrickRef value) {
 
 NodeRef VoxelGrid::takeNode(glm::ivec3 node) {
     NodeRef& entry = m_nodes[nodeIndex(node)];
-    assert(entry && "expected a node that holds voxels");
+    RUBBLE_ASSERT(entry && "expected a node that holds voxels");
     discount(node, *entry.get());
     return std::exchange(entry, {});
 }
 
 void VoxelGrid::putNode(glm::ivec3 node, NodeRef value) {
     NodeRef& entry = m_nodes[nodeIndex(node)];
-    assert(value && !entry && "expected a node that holds voxels and an empty entry for it");
+    RUBBLE_ASSERT(value && !entry && "expected a node that holds voxels and an empty entry for it");
     entry = std::move(value);
     count(node, *entry.get());
 }

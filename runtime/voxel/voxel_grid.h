@@ -1,10 +1,10 @@
 #pragma once
 #include <bit>
-#include <cassert>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <vector>
 
+#include "runtime/core/assertion.h"
 #include "runtime/voxel/brick_node.h"
 
 namespace rubble {
@@ -98,7 +98,7 @@ public:
     /// order is that of forEachBrick(). The cost grows with the nodes that the two do not share.
     template <class F>
     void forEachUnshared(const VoxelGrid& other, F&& f) const {
-        assert(m_size == other.m_size);
+        RUBBLE_ASSERT(m_size == other.m_size);
         for (size_t n = 0; n < m_nodes.size(); ++n) {
             const BrickNode *a = m_nodes[n].get(), *b = other.m_nodes[n].get();
             if (a == b) continue;

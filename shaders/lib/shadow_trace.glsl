@@ -1,9 +1,9 @@
 // Exact rays through the world's shadow volume (filled by render/scene/gpu_shadow_volume.cpp): bricks of 16^3 cells of
 // 0.1 m, each of 4^3 words of 4^3 cells (one bit a cell). It is a grid walk as in lib/cell_walk.glsl, with empty space
 // skipped. Each step leaves the largest block around the present cell that is known to be empty ahead of the ray:
-//   - a cube of empty sectors (4^3 bricks): for each octant of directions a sector stores the side of the empty cube
-//     that begins with it (like the distance to the nearest obstacle in Cohen and Sheffer 1994, but by octant);
-//   - in an occupied sector, a box of up to 8^3 empty bricks, stored by octant in the empty brick;
+//   - a box of up to 8^3 empty bricks, stored for each octant of directions in the empty brick (like the distance to
+//     the nearest obstacle in Cohen and Sheffer 1994, but by octant);
+//   - outside of the level's box a cube of empty sectors (4^3 bricks), stored by octant in the empty sector;
 //   - in an occupied brick, a box of empty words, stored by octant in the empty word itself;
 //   - the rest of a word, if none of its cells ahead of the ray is occupied;
 //   - an aligned 2x2x2 of empty cells, or one cell.
@@ -14,28 +14,38 @@
 #include "lib/constants.glsl"
 #include "lib/texels.glsl"
 
-// The directory (render/scene/shadow_directory.h). Its table has a texel a sector. Empty sector: the sides of the empty
-// cubes, 4 bits an octant. Occupied sector: the first texel of its page, a multiple of 16.
+// The directory (render/scene/shadow_directory.h) has two parts, through which a ray goes one after the other. The
+// dense part, the level's box, has a texel a brick. Empty brick: x 1; yzw the sides of the empty boxes, 4 bits an
+// octant. Occupied brick: x its first texel in uShadowTexels, a multiple of 16; y and z which of its words are
+// occupied. Behind them are the pages of the paged part, which holds what is outside of that box: 64 such texels each.
+uniform texels4 uShadowBricks;
+// The paged part's table: a texel a sector. Empty sector: the sides of the empty cubes, 4 bits an octant. Occupied
+// sector: the first texel of its page, a multiple of 16.
 uniform texels1 uShadowTable;
-// 64 texels a page, one a brick. Empty brick: x 1; yzw the sides of the empty boxes, 4 bits an octant.
-// Occupied brick: x its first texel in uShadowTexels, a multiple of 16; y and z which of its words are occupied.
-uniform texels4 uShadowPages;
 // 64 texels a brick: the cells of an occupied word, or the empty boxes of an empty one
 // (runtime/shadow/shadow_volume.h).
 uniform texels2 uShadowTexels;
 
+uvec4 fetchShadowBrick(int i) { return fetch4(uShadowBricks, i); }
 uint fetchShadowTable(int i) { return fetch1(uShadowTable, i); }
-uvec4 fetchShadowPage(int i) { return fetch4(uShadowPages, i); }
 uvec2 fetchShadowTexel(int i) { return fetch2(uShadowTexels, i); }
-
-/// A world position in the directory's cells.
-vec3 shadowCells(vec3 positionWorld) {
-    return positionWorld * kShadowCellsPerMetre - vec3(frame.shadowSectorLow.xyz * 64);
-}
 
 const float kAlwaysExact = 1.0e30;
 
-/// A mirrored ray, clipped to the box of all occupied cells. Everything in cells.
+/// A part of the directory. In sectors from the render origin, and the box of its occupied cells in cells from there.
+struct ShadowPart {
+    ivec3 first, sectors;
+    vec3 low, high;
+};
+ShadowPart shadowPart(bool isPaged) {
+    if (isPaged)
+        return ShadowPart(frame.shadowPagedFirst.xyz, frame.shadowPagedSize.xyz, frame.shadowPagedLow.xyz,
+                          frame.shadowPagedHigh.xyz);
+    return ShadowPart(frame.shadowDenseFirst.xyz, frame.shadowDenseSize.xyz, frame.shadowDenseLow.xyz,
+                      frame.shadowDenseHigh.xyz);
+}
+
+/// A mirrored ray, clipped to the box of a part's occupied cells. Everything in cells.
 struct ShadowRay {
     bvec3 isDown;                     // the axes that are mirrored
     vec3 origin, direction, inverse;  // the direction's components are above 0
@@ -44,15 +54,14 @@ struct ShadowRay {
 };
 
 /// False if the ray misses all occupied cells, or is NaN.
-bool startShadowRay(vec3 originWorld, vec3 direction, float tMax, ivec3 sectors, out ShadowRay ray) {
+bool startShadowRay(ShadowPart part, vec3 originWorld, vec3 direction, float tMax, out ShadowRay ray) {
     ray.isDown = lessThan(direction, vec3(0.0));
-    vec3 size = vec3(sectors * 64);
+    vec3 size = vec3(part.sectors * 64);
     ray.direction = max(abs(direction), vec3(1.0e-20));
-    vec3 origin = shadowCells(originWorld);
+    vec3 origin = originWorld * kShadowCellsPerMetre - vec3(part.first * 64);
     ray.origin = mix(origin, size - origin, ray.isDown);
     ray.inverse = 1.0 / ray.direction;
-    vec3 low = mix(frame.shadowLow.xyz, size - frame.shadowHigh.xyz, ray.isDown);
-    vec3 high = mix(frame.shadowHigh.xyz, size - frame.shadowLow.xyz, ray.isDown);
+    vec3 low = mix(part.low, size - part.high, ray.isDown), high = mix(part.high, size - part.low, ray.isDown);
     vec3 enter = (low - ray.origin) * ray.inverse, leave = (high - ray.origin) * ray.inverse;
     ray.begin = max(max(enter.x, enter.y), max(enter.z, 0.0));
     float end = tMax * kShadowCellsPerMetre;
@@ -83,18 +92,16 @@ bool nothingAheadOf(ivec3 cell, uint nearHalf, uint farHalf, AheadMasks ahead) {
     return (slices & rows & columns) == 0u;
 }
 
-/// True if the ray from originWorld (metres, from the render origin) meets an occupied cell within tMax metres along
-/// the unit vector `direction`; t is the distance. An origin in an occupied cell is a hit at 0: see shadowOrigin().
-/// Beyond exactDistance metres any word with an occupied cell stops the ray: too much shadow there, never too little.
-bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exactDistance, out float t) {
+/// The walk through one part of the directory: see shadowTraceCoarse().
+bool walkShadowPart(bool isPaged, vec3 originWorld, vec3 direction, float tMax, float exactDistance, out float t) {
     t = tMax;
-    bool coarse = exactDistance < kAlwaysExact;  // known at compile time
+    bool coarse = exactDistance < kAlwaysExact;  // this and isPaged are known at compile time
     exactDistance *= kShadowCellsPerMetre;
-    ivec3 sectors = frame.shadowSectorCount.xyz;
+    ShadowPart part = shadowPart(isPaged);
     ShadowRay ray;
-    if (!startShadowRay(originWorld, direction, tMax, sectors, ray)) return false;
-    ivec3 pitch = ivec3(1, sectors.x, sectors.x * sectors.y);
-    ivec3 farthest = pitch * (sectors - 1);
+    if (!startShadowRay(part, originWorld, direction, tMax, ray)) return false;
+    ivec3 size = isPaged ? part.sectors : part.sectors * 4, pitch = ivec3(1, size.x, size.x * size.y);
+    ivec3 farthest = pitch * (size - 1);
     int first =
         (ray.isDown.x ? farthest.x : 0) + (ray.isDown.y ? farthest.y : 0) + (ray.isDown.z ? farthest.z : 0);
     pitch =
@@ -110,13 +117,13 @@ bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exact
     bool stopped = false;
     do {
         t = current;
-        ivec3 sector = cell >> 6;
-        int inTable = first + sector.x * pitch.x + sector.y * pitch.y + sector.z * pitch.z;
-        uint page = fetchShadowTable(inTable);
+        ivec3 place = isPaged ? cell >> 6 : cell >> 4;  // of a sector, or of a brick
+        int index = first + place.x * pitch.x + place.y * pitch.y + place.z * pitch.z;
+        uint page = isPaged ? fetchShadowTable(index) : 0u;
         bool emptySector = (page & 15u) != 0u;
         int word = ((cell.x >> 2 & 3) | (cell.y & 12) | (cell.z & 12) << 2) ^ turned;
         int inPage = ((cell.x >> 4 & 3) | (cell.y >> 2 & 12) | (cell.z & 48)) ^ turned;
-        uvec4 brick = fetchShadowPage(emptySector ? 0 : int(page) + inPage);
+        uvec4 brick = fetchShadowBrick(!isPaged ? index : emptySector ? 0 : int(page) + inPage);
         bool emptyBrick = emptySector || (brick.x & 15u) != 0u;  // or sector
         bool emptyWord = emptyBrick || ((word < 32 ? brick.y : brick.z) >> uint(word & 31) & 1u) == 0u;
         uvec2 texel = fetchShadowTexel(emptyBrick ? 0 : int(brick.x) + word);
@@ -143,6 +150,18 @@ bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exact
         current = next;
     } while (!stopped && current < ray.end);
     t = stopped ? t * kShadowCell : tMax;
+    return stopped;
+}
+
+/// True if the ray from originWorld (metres, from the render origin) meets an occupied cell within tMax metres along
+/// the unit vector `direction`; t is the distance. An origin in an occupied cell is a hit at 0: see shadowOrigin().
+/// Beyond exactDistance metres any word with an occupied cell stops the ray: too much shadow there, never too little.
+bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exactDistance, out float t) {
+    bool stopped = walkShadowPart(false, originWorld, direction, tMax, exactDistance, t);
+#ifndef NO_PAGED_SHADOWS  // see ShaderLibrary::setPagedShadows()
+    if (frame.shadowPagedSize.w != 0)
+        stopped = walkShadowPart(true, originWorld, direction, t, exactDistance, t) || stopped;
+#endif
     return stopped;
 }
 

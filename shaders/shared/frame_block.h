@@ -24,7 +24,11 @@ vec4 fog;                     // x extinction at the base, 1 / m; y base height;
 vec4 fogTint;                 // rgb single-scattering albedo
 vec4 skyCover;                // x clouds: 0.5 some, 1 overcast; y brightness of the stars; z height of the fields
 vec4 exposure;                // x exposure of the level
-ivec4 shadowSectorLow;        // xyz first sector of the shadow directory, from the render origin; w 1 if there is one
-ivec4 shadowSectorCount;      // xyz sectors of the shadow directory
-vec4 shadowLow;               // xyz low corner of the box of all occupied cells, in cells of the directory
-vec4 shadowHigh;              // xyz its high corner
+ivec4 shadowDenseFirst;       // xyz first sector of the shadow directory's dense part, from the render origin
+ivec4 shadowDenseSize;        // xyz its sectors
+vec4 shadowDenseLow;          // xyz low corner of the box of all occupied cells in it, in cells from its first sector
+vec4 shadowDenseHigh;         // xyz its high corner
+ivec4 shadowPagedFirst;       // the same of its paged part
+ivec4 shadowPagedSize;        // w 1 if it holds anything
+vec4 shadowPagedLow;
+vec4 shadowPagedHigh;

@@ -60,6 +60,22 @@ protected:
         EXPECT_EQ(api()->get_body_states(world, states.data(), count, &count), RUBBLE_OK);
         return states;
     }
+    void step(int count = 1) {
+        for (int i = 0; i < count; ++i) ASSERT_EQ(api()->step(m_world), RUBBLE_OK) << api()->get_last_error();
+    }
+    /// All shapes of the world.
+    std::vector<rubble_shape_state> shapes() {
+        uint32_t count = 0;
+        EXPECT_EQ(api()->get_shape_states(m_world, 0, nullptr, 0, &count), RUBBLE_OK);
+        std::vector<rubble_shape_state> states(count);
+        EXPECT_EQ(api()->get_shape_states(m_world, 0, states.data(), count, &count), RUBBLE_OK);
+        return states;
+    }
+    uint64_t hash() {
+        uint64_t out = 0;
+        EXPECT_EQ(api()->get_state_hash(m_world, &out), RUBBLE_OK);
+        return out;
+    }
     /// The last call was refused with this code, and the reason names `word`.
     static void expectRefused(rubble_result result, rubble_result code, const std::string& word) {
         EXPECT_EQ(result, code) << api()->get_last_error();

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "render/gl/offscreen.h"
@@ -212,6 +215,34 @@ TEST_F(AbiRenderer, SaysWhichShaderFolderIsMissing) {
     EXPECT_NE(std::string(m_api->get_last_error()).find("no/such/folder"), std::string::npos)
         << m_api->get_last_error();
     EXPECT_EQ(renderer, 0u);
+}
+
+/// A driver that knows its version and nothing else.
+template <const char* kVersion>
+void* functionOf(const char* name) {
+    static constexpr auto getString = +[](unsigned) { return reinterpret_cast<const unsigned char*>(kVersion); };
+    static constexpr auto getInteger = +[](unsigned, int* out) { *out = 1; };
+    static constexpr auto getIndexed = +[](unsigned, unsigned) { return reinterpret_cast<const unsigned char*>(""); };
+    const std::string_view wanted = name;
+    if (wanted == "glGetString") return reinterpret_cast<void*>(getString);
+    if (wanted == "glGetIntegerv") return reinterpret_cast<void*>(getInteger);
+    return wanted == "glGetStringi" ? reinterpret_cast<void*>(getIndexed) : nullptr;
+}
+constexpr char kEmbedded[] = "OpenGL ES 3.2 Mesa", kOld[] = "3.1 Mesa";
+
+TEST_F(AbiRenderer, AContextOfTheWrongKindIsNamed) {
+    const std::pair<void* (*)(const char*), const char*> wrong[] = {
+        {functionOf<kEmbedded>, "expected a context of desktop OpenGL 3.3 or newer, found one of OpenGL ES: OpenGL ES"},
+        {functionOf<kOld>, "expected 3.3 or newer, found 3.1 Mesa"}};
+    for (const auto& [loader, text] : wrong) {
+        auto host = sized<rubble_host>();
+        host.gl_get_proc_address = loader;
+        ASSERT_EQ(m_api->set_host(&host), RUBBLE_OK);
+        rubble_renderer renderer = 0;
+        const rubble_renderer_settings wanted = settings();
+        EXPECT_EQ(m_api->create_renderer(m_world, &wanted, &renderer), RUBBLE_ERROR_GL);
+        EXPECT_NE(std::string(m_api->get_last_error()).find(text), std::string::npos) << m_api->get_last_error();
+    }
 }
 
 }  // namespace

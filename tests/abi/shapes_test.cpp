@@ -10,14 +10,6 @@ namespace {
 
 class AbiShapes : public Abi {
 protected:
-    void step() { ASSERT_EQ(api()->step(m_world), RUBBLE_OK) << api()->get_last_error(); }
-    std::vector<rubble_shape_state> shapes() {
-        uint32_t count = 0;
-        EXPECT_EQ(api()->get_shape_states(m_world, 0, nullptr, 0, &count), RUBBLE_OK);
-        std::vector<rubble_shape_state> states(count);
-        EXPECT_EQ(api()->get_shape_states(m_world, 0, states.data(), count, &count), RUBBLE_OK);
-        return states;
-    }
     std::vector<uint8_t> voxels(const rubble_shape_state& shape, uint32_t what = RUBBLE_VOXEL_INDEX) {
         auto box = sized<rubble_voxel_box>();
         box.shape = shape.shape;
@@ -27,11 +19,6 @@ protected:
         EXPECT_EQ(api()->read_voxels(m_world, &box, nullptr, 0, &count), RUBBLE_OK) << api()->get_last_error();
         std::vector<uint8_t> out(count, 99);
         EXPECT_EQ(api()->read_voxels(m_world, &box, out.data(), count, &count), RUBBLE_OK);
-        return out;
-    }
-    uint64_t hash() {
-        uint64_t out = 0;
-        EXPECT_EQ(api()->get_state_hash(m_world, &out), RUBBLE_OK);
         return out;
     }
     uint32_t fires() {

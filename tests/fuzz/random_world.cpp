@@ -114,7 +114,7 @@ Edit usualEdit(Decisions& decisions, const World& world) {
     const auto character = world.characters().handleAt(decisions.below(uint32_t(world.characters().slotCount())));
     const double size = decisions.within({0.0, 1.5});
     const uint32_t seed = decisions.below(1000);
-    switch (decisions.below(38)) {
+    switch (decisions.below(42)) {
         case 0:
             return CarveEdit{.kind = BrushKind::Box, .position = at, .halfSize = {size, size, 0.3}, .shape = shape};
         case 1:
@@ -207,6 +207,20 @@ Edit usualEdit(Decisions& decisions, const World& world) {
             return SetBoundsEdit{{BoundsRule(decisions.below(3)), at - 1.0, at - 1.0 + size * 2.0}};
         case 36:
             return SetCollisionShapeEdit{shape, CollisionShape(decisions.below(5))};
+        case 37:
+            return SetBodyEdit{.body = body,
+                               .setsPose = decisions.oneIn(2),
+                               .pose = {at},
+                               .setsVelocity = decisions.oneIn(2),
+                               .velocity = at,
+                               .setsSleep = decisions.oneIn(3),
+                               .asleep = decisions.oneIn(2)};
+        case 38:
+            return DestroyBodyEdit{body};
+        case 39:
+            return DestroyShapeEdit{shape};
+        case 40:
+            return WriteVoxelsEdit{shape, {{1, 0, 2}, {4, 3, 5}}, std::vector<uint8_t>(27, uint8_t(seed % 3))};
         default:
             return BreakEdit{.position = at, .radii = randomRadii(decisions), .seed = seed, .shape = shape};
     }

@@ -75,6 +75,13 @@ const Feature kFeatures[] = {
          s.palettes.push_back({ShapeHandle::make(1, 1, 0), palette, nullptr});
      },
      "glass"},
+    {"a piece that flies off",
+     [](FrameSnapshot& s) {
+         ShadowWords cells{};
+         cells.fill(1);
+         s.shadow.push_back({{4000, 0, 0}, makeShadowBrick(cells)});
+     },
+     "sun"},
 };
 
 /// Programs that are compiled or linked while it lives.

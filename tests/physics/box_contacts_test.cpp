@@ -95,8 +95,8 @@ double leastOverlap(const BoxObject& a, const BoxObject& b, glm::dvec3& normal, 
 std::vector<ContactPoint> contactsOf(const BoxObject& a, const BoxObject& b, glm::dvec3 velocity = {},
                                      bool asBoxes = true) {
     std::vector<ContactPoint> found;
-    glm::vec3 axis(0.0f);
-    findContacts(a.object.collider, a.motion(velocity, asBoxes), b.object.collider, b.motion({}, asBoxes), {}, axis,
+    ContactSearch search;
+    findContacts(a.object.collider, a.motion(velocity, asBoxes), b.object.collider, b.motion({}, asBoxes), {}, search,
                  found);
     return found;
 }

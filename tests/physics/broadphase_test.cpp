@@ -90,5 +90,28 @@ TEST(Broadphase, FindsWhatOverlapsABoxThroughMovesAndRemovals) {
     }
 }
 
+TEST(Broadphase, PairsAreAllOverlapsOfWhatMovesOnceAndSorted) {
+    Random random(4);
+    const auto objects =
+        makeObjects(300, [&](size_t) { return glm::dvec3(random.unit(), random.unit(), random.unit()) * 2.0; });
+    Broadphase broadphase;
+    std::vector<CollisionObject*> moving;
+    std::vector<ObjectPair> expected, found;
+    for (const auto& object : objects) {
+        broadphase.add(*object, object->number % 3 != 0);
+        if (object->number % 3 == 0) continue;
+        broadphase.move(*object, glm::dvec3(0.0), 0.01);
+        moving.push_back(object.get());
+    }
+    for (const auto& a : objects)
+        for (const auto& b : objects) {
+            if (a->number >= b->number || (a->number % 3 == 0 && b->number % 3 == 0)) continue;
+            if (WorldBox{a->low, a->high}.overlaps({b->low, b->high})) expected.emplace_back(a.get(), b.get());
+        }
+    EXPECT_EQ(broadphase.findPairs(moving, found), 0u);
+    EXPECT_EQ(found, expected);
+    EXPECT_GT(found.size(), 30u);
+}
+
 }  // namespace
 }  // namespace rubble

@@ -7,6 +7,7 @@
 #include "physics/collision/broadphase.h"
 #include "runtime/core/random.h"
 #include "tests/physics/baseline/voronoi_pit.h"
+#include "tests/support/grids.h"
 
 namespace rubble {
 namespace {
@@ -111,8 +112,8 @@ TEST(VoxelContacts, TheStuckContactOpposesNoOtherContact) {
         put(b, level.bodies[1 + size_t(round * 7 % 40)], level.materials,
             {{}, glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
         std::vector<ContactPoint> found;
-        glm::vec3 axis(0.0f);
-        findContacts(a.collider, {a.pose, a.cellTransforms()}, b.collider, {b.pose, b.cellTransforms()}, {}, axis,
+        ContactSearch search;
+        findContacts(a.collider, {a.pose, a.cellTransforms()}, b.collider, {b.pose, b.cellTransforms()}, {}, search,
                      found);
         if (found.size() < 2 || found.back().friction != 0.0f) continue;
         ++pushes;
@@ -145,10 +146,11 @@ TEST(VoxelContacts, DoNotDependOnTheInitialSeparatingAxis) {
         const Motion motionA = motionOf(a), motionB = againstPit ? Motion{b.pose, b.cellTransforms()} : motionOf(b);
         std::vector<ContactPoint> first, again;
         for (int k = 0; k < 8; ++k) {
-            glm::vec3 axis = k ? glm::normalize(glm::vec3(anyVector(random, 1.0))) : glm::vec3(0.0f);
+            ContactSearch search;
+            if (k) search.axis = glm::normalize(glm::vec3(anyVector(random, 1.0)));
             std::vector<ContactPoint>& found = k ? again : first;
             found.clear();
-            findContacts(a.collider, motionA, b.collider, motionB, {}, axis, found);
+            findContacts(a.collider, motionA, b.collider, motionB, {}, search, found);
             ASSERT_EQ(found.size(), first.size()) << round;
             for (size_t i = 0; i < found.size(); ++i)
                 ASSERT_TRUE(found[i].feature == first[i].feature && found[i].separation == first[i].separation &&
@@ -186,15 +188,45 @@ TEST(VoxelContacts, ARoughPlateIsSearchedUntilThereAreEnoughContactsAllOverIt) {
     const auto motionOf = [](const CollisionObject& object) {
         return Motion{.pose = object.pose, .cellTransforms = object.cellTransforms(), .radius = object.radius};
     };
-    glm::vec3 axis(0.0f);
+    ContactSearch search;
     std::vector<ContactPoint> contacts;
-    ASSERT_TRUE(findContacts(high.collider, motionOf(high), low.collider, motionOf(low), {}, axis, contacts));
+    ASSERT_TRUE(findContacts(high.collider, motionOf(high), low.collider, motionOf(low), {}, search, contacts));
     EXPECT_GT(contacts.size(), 1000u);
     EXPECT_LT(contacts.size(), 4000u) << "of tens of thousands";
     int quadrants[2][2] = {};
     for (const ContactPoint& contact : contacts) ++quadrants[contact.position.x > 10.0f][contact.position.z > 10.0f];
     for (const auto& row : quadrants)
         for (const int count : row) EXPECT_GT(count, int(contacts.size() / 8));
+}
+
+/// A ribbed plate is above a floor and touches only the one voxel that sticks out of it.
+TEST(VoxelContacts, ALargeSurfaceIsSearchedInTurnsSoThatALoneBumpIsFoundAndWhatIsLeftOutIsNamed) {
+    constexpr int kSide = 400;
+    constexpr size_t kBricks = kSide / kBrickSize * kSide / kBrickSize;
+    static_assert(kBricks > 2 * kMaxSearchedBricks);
+    const MaterialTable materials = voronoiPit(1).materials;
+    LevelBody floorBody = voronoiPit(1).bodies[1], plateBody = floorBody;
+    floorBody.shapes[0].grid = gridOf({kSide, 2, kSide}, [](glm::ivec3 cell) {
+        return cell.y == 0 || cell == glm::ivec3(200, 1, 203) ? uint8_t(7) : uint8_t(0);
+    });
+    plateBody.shapes[0].grid = gridOf(
+        {kSide, 2, kSide}, [](glm::ivec3 cell) { return cell.y == 1 || cell.x % 4 == 0 ? uint8_t(7) : uint8_t(0); });
+    CollisionObject floor, plate;
+    put(floor, floorBody, materials, {});
+    const auto motionOf = [](const CollisionObject& object) {
+        return Motion{.pose = object.pose, .cellTransforms = object.cellTransforms(), .radius = object.radius};
+    };
+    put(plate, plateBody, materials, {{0.0, 0.195, 0.0}, {1, 0, 0, 0}});  // 5 mm in the bump, 95 mm above the floor
+    ContactSearch search;
+    size_t searches = 0, found = 0;
+    for (; searches < 2 * kBricks / kMaxSearchedBricks && !found; ++searches) {
+        std::vector<ContactPoint> contacts;
+        ASSERT_TRUE(
+            findContacts(plate.collider, motionOf(plate), floor.collider, motionOf(floor), {}, search, contacts));
+        found = contacts.size();
+        EXPECT_GT(search.leftOut, 0u) << "named, not hidden";
+    }
+    EXPECT_GT(found, 0u) << "after " << searches << " searches";
 }
 
 }  // namespace

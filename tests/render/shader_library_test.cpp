@@ -171,7 +171,7 @@ TEST_F(ShaderLibraryTest, FrameBlockLayoutMatchesTheShader) {
         {"FrameBlock.viewProjection", offsetof(FrameBlock, viewProjection)},
         {"FrameBlock.cameraForward", offsetof(FrameBlock, cameraForward)},
         {"FrameBlock.counters", offsetof(FrameBlock, counters)},
-        {"FrameBlock.shadowHigh", offsetof(FrameBlock, shadowHigh)},
+        {"FrameBlock.shadowPagedHigh", offsetof(FrameBlock, shadowPagedHigh)},
     };
     for (const auto& [name, offset] : members) {
         GLuint index = GL_INVALID_INDEX;

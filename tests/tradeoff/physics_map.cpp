@@ -29,10 +29,12 @@ namespace {
 /// The stable range of a row.
 StableRange rangeOf(const Map& map, size_t row, const std::vector<double>& xs, const std::vector<Judged>& line) {
     const auto value = [&](size_t i) { return fmt::format("{:g} {}", xs[i], map.xUnit); };
-    const std::string upTo = xs.front() < xs.back() ? "stable up to " : "stable down to ";
+    const bool rises = xs.front() < xs.back();
+    const std::string upTo = rises ? "stable up to " : "stable down to ",
+                      last = rises ? ", the largest value tried" : ", the smallest value tried";
     size_t stable = 0;
     while (stable < line.size() && line[stable].outcome == Outcome::Stable) ++stable;
-    if (stable == line.size()) return {map.rows[row], upTo + value(stable - 1) + ", the largest value tried"};
+    if (stable == line.size()) return {map.rows[row], upTo + value(stable - 1) + last};
     const auto failed =
         std::find_if(line.begin(), line.end(), [](const Judged& each) { return each.outcome == Outcome::Failed; });
     const std::string fails = failed == line.end() ? "" : value(size_t(failed - line.begin()));

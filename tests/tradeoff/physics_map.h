@@ -34,7 +34,11 @@ std::vector<std::string> namesOf(const std::vector<double>& values, const char* 
 
 /// Impacts: shafts, ledges, bounces, cradles, blades, spin on the floor.
 std::vector<Map> impactMaps();
-/// Water, ropes, wheels and who walks on planks.
+/// Water, ropes and who walks on planks.
 std::vector<Map> loadMaps();
+/// Wheels and cars.
+std::vector<Map> rollingMaps();
+/// Sleep, seams, and ropes over what is thin or near.
+std::vector<Map> sleepAndSeamMaps();
 
 }  // namespace rubble::tradeoff

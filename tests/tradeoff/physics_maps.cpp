@@ -231,8 +231,8 @@ std::vector<Map> overlapMaps() {
 
 std::vector<Map> maps() {
     std::vector<Map> all;
-    for (const auto& group :
-         {spinAndStackMaps(), massMaps(), restMaps(), motionMaps(), overlapMaps(), impactMaps(), loadMaps()})
+    for (const auto& group : {spinAndStackMaps(), massMaps(), restMaps(), motionMaps(), overlapMaps(), impactMaps(),
+                              loadMaps(), rollingMaps(), sleepAndSeamMaps()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }

@@ -1,85 +1,113 @@
 #pragma once
-#include <algorithm>
-#include <cstring>
 #include <exception>
 #include <new>
-#include <string>
 
+#include "runtime/core/assertion.h"
 #include "runtime/plugin/c_abi/checks.h"
 #include "runtime/plugin/c_abi/registry.h"
 
-// What the functions of the table share. A function is a call of guarded(): inside it a wrong argument throws ApiError,
-// and no exception leaves the plugin.
+// What the functions of the table share: each is a call of guarded(), or of one of those below that calls it. No
+// exception leaves the plugin.
 namespace rubble::abi {
 
-/// Keeps "function: text" for get_last_error() of this thread and returns the error's code.
-rubble_result storeLastError(const char* function, const ApiError& error);
-
-/// Runs the body of a table function and turns what it throws into a result.
+/// Runs the body of a table function and returns what came of it to the host.
 template <class F>
-rubble_result guarded(const char* function, F&& body) noexcept try {
+rubble_result guarded(const char* function, F&& body) noexcept {
     try {
-        body();
-        return RUBBLE_OK;
-    } catch (const ApiError& error) {
-        return storeLastError(function, error);
-    } catch (const std::bad_alloc&) {
-        return storeLastError(function, {RUBBLE_ERROR_MEMORY, "out of memory"});
-    } catch (const std::exception& error) {
-        return storeLastError(function, {RUBBLE_ERROR_INTERNAL, error.what()});
+        Call call(function);
+        try {
+            body();
+        } catch (const std::bad_alloc&) {
+            refuse(RUBBLE_ERROR_MEMORY, "out of memory");
+        } catch (const std::exception& error) {
+            refuse(RUBBLE_ERROR_INTERNAL, "{}", error.what());
+        }
+        return call.finish();
+    } catch (...) {
+        return RUBBLE_ERROR_MEMORY;  // there was no memory for the message
     }
-} catch (...) {
-    return RUBBLE_ERROR_MEMORY;  // there was no memory for the message
+}
+
+/// Uses a world or a renderer in a call. One in which an assert has failed is in no defined state: it answers no later
+/// call but the one that destroys it.
+template <class Hosted, class F>
+void useIntact(Hosted& hosted, const char* name, F&& body) {
+    if (!hosted.damage.empty())
+        return refuse(RUBBLE_ERROR_BROKEN, "the {} is broken, destroy it: {}", name, hosted.damage);
+    try {
+        body(hosted);
+    } catch (const AssertionFailed& failure) {
+        hosted.damage = failure.what();
+        refuse(RUBBLE_ERROR_BROKEN, "{}", hosted.damage);
+    }
+}
+
+/// A [main-thread] function of a world: body(HostedWorld&) runs if `world` is an intact one that is in no other call.
+template <class F>
+rubble_result inWorld(const char* function, rubble_world world, F&& body) {
+    return guarded(function, [&] {
+        if (const auto hosted = Registry::instance().world(world)) useIntact(*hosted, "world", body);
+    });
+}
+
+/// A [render-thread] function of a renderer: the same.
+template <class F>
+rubble_result inRenderer(const char* function, rubble_renderer renderer, F&& body) {
+    return guarded(function, [&] {
+        if (const auto hosted = Registry::instance().renderer(renderer)) useIntact(*hosted, "renderer", body);
+    });
+}
+
+/// Changes a world by work(): what that throws leaves the world broken, because it was half done.
+template <class F>
+void change(HostedWorld& hosted, F&& work) {
+    try {
+        work();
+    } catch (const std::exception& error) {
+        hosted.damage = error.what();
+        throw;
+    }
 }
 
 /// Fills a host's array: counts all rows and writes those that fit.
 template <class Row>
 class RowWriter {
 public:
-    /// `out` may be null if the capacity is 0. rowSize: see readRowSize(). Throws ApiError for other null pointers.
+    /// `out` may be null if the capacity is 0. rowSize: see readRowSize(). Other null pointers are refused.
     RowWriter(void* out, uint32_t capacity, uint32_t* count, uint32_t rowSize = kFirstSize<Row>)
-        : m_out(static_cast<char*>(out)),
-          m_capacity(capacity),
-          m_rowSize(rowSize),
-          m_count(requireNotNull(count, "count")) {
-        if (capacity) requireNotNull(m_out, "out");
-        m_count = 0;
+        : m_out(static_cast<char*>(out)), m_capacity(capacity), m_rowSize(rowSize), m_count(count) {
+        if (isGiven(count, "count")) *count = 0;
+        if (capacity) isGiven(out, "out");
     }
     /// Calls make() for the row only if there is room for it.
     template <class Make>
     void add(Make&& make) {
-        if (m_count < m_capacity) writeRow<Row>(m_out + size_t(m_count) * m_rowSize, make(), m_rowSize);
-        ++m_count;
+        if (m_rows < m_capacity) writeRow<Row>(m_out + size_t(m_rows) * m_rowSize, make(), m_rowSize);
+        ++m_rows;
     }
-    /// Throws RUBBLE_ERROR_CAPACITY if some rows did not fit.
+    /// Tells the host how many rows there are. Refuses the call if some did not fit.
     void finish() const {
-        if (m_capacity && m_count > m_capacity)
-            throw ApiError{RUBBLE_ERROR_CAPACITY, "there are " + std::to_string(m_count) + " rows, the array holds " +
-                                                      std::to_string(m_capacity)};
+        if (isRefused()) return;
+        *m_count = m_rows;
+        if (m_capacity && m_rows > m_capacity)
+            refuse(RUBBLE_ERROR_CAPACITY, "there are {} rows, the array holds {}", m_rows, m_capacity);
     }
 
 private:
     char* m_out;
-    uint32_t m_capacity, m_rowSize;
-    uint32_t& m_count;
+    uint32_t m_capacity, m_rowSize, m_rows = 0;
+    uint32_t* m_count;
 };
 
-/// Queues an edit for the next step. convert(world, struct) makes it from the host's struct and throws ApiError.
-template <class HostEdit, class Convert>
-rubble_result pushEdit(const char* function, rubble_world world, const HostEdit* edit, Convert&& convert) {
-    return guarded(function, [&] {
-        const auto hosted = Registry::instance().world(world);
-        hosted->loop.edits().push(convert(hosted->loop.world(), readStruct(edit, function)));
-    });
-}
-
-/// Queues an edit that removes the object of a handle. `all`: the World's map of such objects.
-template <class EditType, HandleType kType, class Map>
-rubble_result removeOne(const char* function, rubble_world world, uint64_t bits, const char* name,
-                        const Map& (World::*all)() const) {
-    return guarded(function, [&] {
-        const auto hosted = Registry::instance().world(world);
-        hosted->loop.edits().push(EditType{readLiveHandle<kType>((hosted->loop.world().*all)(), bits, name)});
+/// A function that lists rows of a world: addRows(HostedWorld&, RowWriter<Row>&) adds them all.
+template <class Row, class F>
+rubble_result listRows(const char* function, rubble_world world, void* out, uint32_t capacity, uint32_t* count,
+                       F&& addRows) {
+    return inWorld(function, world, [&](const HostedWorld& hosted) {
+        RowWriter<Row> rows(out, capacity, count);
+        if (isRefused()) return;
+        addRows(hosted, rows);
+        rows.finish();
     });
 }
 
@@ -87,11 +115,32 @@ rubble_result removeOne(const char* function, rubble_world world, uint64_t bits,
 template <class Map>
 rubble_result listAll(const char* function, rubble_world world, uint64_t* out, uint32_t capacity, uint32_t* count,
                       const Map& (World::*all)() const) {
-    return guarded(function, [&] {
-        const auto hosted = Registry::instance().world(world);
-        RowWriter<uint64_t> rows(out, capacity, count);
-        (hosted->loop.world().*all)().forEach([&](auto handle, const auto&) { rows.add([&] { return handle.bits; }); });
-        rows.finish();
+    return listRows<uint64_t>(function, world, out, capacity, count, [&](const HostedWorld& hosted, auto& rows) {
+        (hosted.loop.world().*all)().forEach([&](auto handle, const auto&) { rows.add([&] { return handle.bits; }); });
+    });
+}
+
+/// Queues an edit for the next step, unless reading the host's arguments has refused the call.
+template <class EditType>
+void push(HostedWorld& hosted, EditType&& edit) {
+    if (!isRefused()) hosted.loop.edits().push(std::forward<EditType>(edit));
+}
+
+/// A function that queues an edit: convert(world, struct) makes it from the host's struct.
+template <class HostEdit, class Convert>
+rubble_result pushEdit(const char* function, rubble_world world, const HostEdit* edit, Convert&& convert) {
+    return inWorld(function, world, [&](HostedWorld& hosted) {
+        const HostEdit given = readStruct(edit, function);
+        if (!isRefused()) push(hosted, convert(hosted.loop.world(), given));
+    });
+}
+
+/// A function that queues an edit which removes the object of a handle. `all`: the World's map of such objects.
+template <class EditType, HandleType kType, class Map>
+rubble_result removeOne(const char* function, rubble_world world, uint64_t bits, const char* name,
+                        const Map& (World::*all)() const) {
+    return inWorld(function, world, [&](HostedWorld& hosted) {
+        push(hosted, EditType{readLiveHandle<kType>((hosted.loop.world().*all)(), bits, name)});
     });
 }
 

@@ -69,12 +69,7 @@ rubble_result teleportCharacter(rubble_world world, const rubble_character_telep
 }
 
 rubble_result getCharacterStates(rubble_world world, rubble_character_state* out, uint32_t capacity, uint32_t* count) {
-    return guarded("get_character_states", [&] {
-        const auto hosted = Registry::instance().world(world);
-        RowWriter<rubble_character_state> rows(out, capacity, count);
-        writeRows(*hosted, rows);
-        rows.finish();
-    });
+    return listRows("get_character_states", world, out, capacity, count);
 }
 
 }  // namespace

@@ -20,10 +20,9 @@ Tool readTool(uint32_t tool) {
 std::array<double, 3> readRadii(const double (&given)[3]) {
     std::array<double, 3> radii;
     for (size_t i = 0; i < 3; ++i) radii[i] = readOrDefault(given[i], kHostRadius, 0.0, "radii");
-    if (radii[0] == 0.0)
-        throw ApiError{RUBBLE_ERROR_ARGUMENT, "radii[0] is 0, expected more: nothing would be removed"};
+    if (radii[0] == 0.0) refuse(RUBBLE_ERROR_ARGUMENT, "radii[0] is 0, expected more: nothing would be removed");
     if (!std::is_sorted(radii.rbegin(), radii.rend()))
-        throw ApiError{RUBBLE_ERROR_ARGUMENT, "radii grow, expected soft >= medium >= hard"};
+        refuse(RUBBLE_ERROR_ARGUMENT, "radii grow, expected soft >= medium >= hard");
     return radii;
 }
 
@@ -31,8 +30,7 @@ glm::dvec3 readHalfSize(const double (&given)[3]) {
     const glm::dvec3 halfSize = readVector(given, "half_size");
     for (int i = 0; i < 3; ++i)
         if (!(halfSize[i] > 0.0 && isWithin(halfSize[i], ranges::kBrushRadius)))
-            throw ApiError{RUBBLE_ERROR_ARGUMENT,
-                           "half_size is " + std::to_string(halfSize[i]) + ", expected more than 0, at most 100"};
+            refuse(RUBBLE_ERROR_ARGUMENT, "half_size is {:f}, expected more than 0, at most 100", halfSize[i]);
     return halfSize;
 }
 
@@ -110,6 +108,35 @@ SetCollisionShapeEdit readCollisionShape(const World& world, const rubble_collis
     return edit;
 }
 
+SetBodyEdit readBodyChange(const World& world, const rubble_body_change& given) {
+    constexpr uint32_t kSleep = RUBBLE_SET_ASLEEP | RUBBLE_SET_AWAKE;
+    constexpr uint32_t kMotion = RUBBLE_SET_VELOCITY | kSleep;
+    const uint32_t fields = readFlags(given.fields, RUBBLE_SET_POSE | kMotion, "fields");
+    const Body* body = findLive<HandleType::Body>(world.bodies(), given.body, "body");
+    if (fields == 0) refuse(RUBBLE_ERROR_ARGUMENT, "fields is 0, expected RUBBLE_SET_...: nothing would change");
+    if ((fields & kSleep) == kSleep)
+        refuse(RUBBLE_ERROR_ARGUMENT, "fields has RUBBLE_SET_ASLEEP and RUBBLE_SET_AWAKE, expected one of them");
+    if (body && body->isStatic && fields & kMotion)
+        refuse(RUBBLE_ERROR_ARGUMENT, "fields has {:#x}, expected RUBBLE_SET_POSE alone: the body is static", fields);
+    SetBodyEdit edit{.body = {given.body}};
+    edit.setsPose = fields & RUBBLE_SET_POSE;
+    if (edit.setsPose) edit.pose = {readVector(given.position, "position"), readRotation(given.rotation, "rotation")};
+    edit.setsVelocity = fields & RUBBLE_SET_VELOCITY;
+    if (edit.setsVelocity) {
+        edit.velocity = readVector(given.velocity, "velocity", ranges::kVelocity);
+        edit.angularVelocity = readVector(given.angular_velocity, "angular_velocity", ranges::kVelocity);
+    }
+    edit.setsSleep = fields & kSleep;
+    edit.asleep = fields & RUBBLE_SET_ASLEEP;
+    return edit;
+}
+
+rubble_result setBody(rubble_world world, const rubble_body_change* edit) {
+    return pushEdit("set_body", world, edit, readBodyChange);
+}
+rubble_result destroyBody(rubble_world world, rubble_body body) {
+    return removeOne<DestroyBodyEdit, HandleType::Body>("destroy_body", world, body, "body", &World::bodies);
+}
 rubble_result carve(rubble_world world, const rubble_carve* edit) {
     return pushEdit("carve", world, edit, readCarve);
 }
@@ -135,6 +162,8 @@ rubble_result setCollisionShape(rubble_world world, const rubble_collision_shape
 }  // namespace
 
 void setEditFunctions(rubble_api& api) {
+    api.set_body = setBody;
+    api.destroy_body = destroyBody;
     api.carve = carve;
     api.break_voxels = breakVoxels;
     api.explode = explode;

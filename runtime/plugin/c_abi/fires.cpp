@@ -33,14 +33,13 @@ rubble_result extinguish(rubble_world world, const rubble_extinguish* edit) {
 }
 
 rubble_result removeFires(rubble_world world, const double low[3], const double high[3]) {
-    return guarded("remove_fires", [&] {
-        const auto hosted = Registry::instance().world(world);
+    return inWorld("remove_fires", world, [&](HostedWorld& hosted) {
         const RemoveFiresEdit edit{readVectorAt(low, "low"), readVectorAt(high, "high")};
         for (int a = 0; a < 3; ++a)
             if (edit.low[a] > edit.high[a])
-                throw ApiError{RUBBLE_ERROR_ARGUMENT, fmt::format("low[{}] is {}, expected at most high[{}], {}", a,
-                                                                  edit.low[a], a, edit.high[a])};
-        hosted->loop.edits().push(edit);
+                refuse(RUBBLE_ERROR_ARGUMENT, "low[{}] is {}, expected at most high[{}], {}", a, edit.low[a], a,
+                       edit.high[a]);
+        push(hosted, edit);
     });
 }
 
@@ -54,12 +53,7 @@ rubble_fire fireRow(const Fire& fire) {
 }
 
 rubble_result getFires(rubble_world world, rubble_fire* out, uint32_t capacity, uint32_t* count) {
-    return guarded("get_fires", [&] {
-        const auto hosted = Registry::instance().world(world);
-        RowWriter<rubble_fire> rows(out, capacity, count);
-        writeRows(*hosted, rows);
-        rows.finish();
-    });
+    return listRows("get_fires", world, out, capacity, count);
 }
 
 }  // namespace

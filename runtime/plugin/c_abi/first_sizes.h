@@ -48,6 +48,7 @@ namespace rubble::abi {
     X(rubble_heat, 64)                \
     X(rubble_extinguish, 48)          \
     X(rubble_fire, 48)                \
+    X(rubble_body_change, 120)        \
     X(rubble_resize, 40)              \
     X(rubble_voxel_box, 40)           \
     X(rubble_environment, 280)        \

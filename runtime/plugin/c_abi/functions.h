@@ -8,7 +8,7 @@ namespace rubble::abi {
 void setHostFunctions(rubble_api& api);
 /// Sets the functions that create, destroy, load and step worlds, and those of undo.
 void setWorldFunctions(rubble_api& api);
-/// Sets the edits of voxels, apply_impulse(), set_collision_filter() and set_collision_shape().
+/// Sets the edits of voxels and bodies, apply_impulse(), set_collision_filter() and set_collision_shape().
 void setEditFunctions(rubble_api& api);
 /// Sets the functions of joints, ropes, wheels and grabs.
 void setJointFunctions(rubble_api& api);
@@ -22,7 +22,7 @@ void setLightFunctions(rubble_api& api);
 void setStateFunctions(rubble_api& api);
 /// Sets heat(), extinguish(), remove_fires() and get_fires().
 void setFireFunctions(rubble_api& api);
-/// Sets the edits of whole shapes, read_voxels() and detach_joint().
+/// Sets the edits of whole shapes, read_voxels(), write_voxels() and detach_joint().
 void setShapeFunctions(rubble_api& api);
 /// Sets read_rows().
 void setRowFunctions(rubble_api& api);

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "runtime/core/assertion.h"
 #include "runtime/core/log.h"
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
@@ -9,21 +10,24 @@
 namespace rubble::abi {
 namespace {
 
-thread_local std::string g_lastError;
 rubble_host g_host = {};
-
-const char* getLastError() {
-    return g_lastError.c_str();
-}
 
 void logToHost(void*, LogLevel level, std::string_view message) {
     const std::string text(message);
     g_host.log(g_host.user, int32_t(level), text.c_str());
 }
 
+/// In a call of the host an assert ends the call, and breaks its world; a worker of a call hands that on. There is
+/// nobody to tell on a thread of the plugin's own outside of a call: those catch what their work throws.
+void endCall(const char* message) {
+    if (g_host.assertion_failed) g_host.assertion_failed(g_host.user, message);
+    throw AssertionFailed(message);
+}
+
 rubble_result setHost(const rubble_host* host) {
     return guarded("set_host", [&] {
         const rubble_host services = host ? readStruct(host, "host") : rubble_host{};
+        if (isRefused()) return;
         setLogSink(nullptr, nullptr);
         g_host = services;
         if (g_host.log) setLogSink(logToHost, nullptr);
@@ -32,18 +36,14 @@ rubble_result setHost(const rubble_host* host) {
 
 }  // namespace
 
-rubble_result storeLastError(const char* function, const ApiError& error) {
-    g_lastError = std::string(function) + ": " + error.text;
-    return error.code;
-}
-
 const rubble_host& host() {
     return g_host;
 }
 
 void setHostFunctions(rubble_api& api) {
-    api.get_last_error = getLastError;
+    api.get_last_error = lastError;
     api.set_host = setHost;
+    setAssertionHandler(endCall);
 }
 
 }  // namespace rubble::abi

@@ -121,22 +121,15 @@ rubble_joint_state jointState(const World& world, JointHandle handle, const Join
 }
 
 rubble_result getJointStates(rubble_world world, rubble_joint_state* out, uint32_t capacity, uint32_t* count) {
-    return guarded("get_joint_states", [&] {
-        const auto hosted = Registry::instance().world(world);
-        RowWriter<rubble_joint_state> rows(out, capacity, count);
-        writeRows(*hosted, rows);
-        rows.finish();
-    });
+    return listRows("get_joint_states", world, out, capacity, count);
 }
 
 rubble_result getRopePoints(rubble_world world, rubble_joint joint, double* out, uint32_t capacity, uint32_t* count) {
-    return guarded("get_rope_points", [&] {
-        const auto hosted = Registry::instance().world(world);
-        const auto& joints = hosted->loop.world().joints();
-        RowWriter<double> rows(out, capacity, count);
-        for (const RopePoint& point : joints.at(readLiveHandle<HandleType::Joint>(joints, joint, "joint")).points)
+    return listRows<double>("get_rope_points", world, out, capacity, count, [&](const HostedWorld& hosted, auto& rows) {
+        const Joint* rope = findLive<HandleType::Joint>(hosted.loop.world().joints(), joint, "joint");
+        if (!rope) return;
+        for (const RopePoint& point : rope->points)
             for (int i = 0; i < 3; ++i) rows.add([&] { return point.position[i]; });
-        rows.finish();
     });
 }
 

@@ -87,8 +87,8 @@ rubble_environment toHost(const Environment& from) {
     return out;
 }
 
-const Light& lightOf(const World& world, rubble_light bits) {
-    return world.lights().at(readLiveHandle<HandleType::Light>(world.lights(), bits, "light"));
+const Light* findLight(const World& world, rubble_light bits) {
+    return findLive<HandleType::Light>(world.lights(), bits, "light");
 }
 
 rubble_light_settings toHost(LightHandle handle, const Light& from) {
@@ -121,8 +121,8 @@ Light readLight(const World& world, const rubble_light_settings& given, Light li
 }
 
 rubble_result getEnvironment(rubble_world world, rubble_environment* out) {
-    return guarded("get_environment",
-                   [&] { writeStruct(out, toHost(Registry::instance().world(world)->loop.world().environment())); });
+    return inWorld("get_environment", world,
+                   [&](const HostedWorld& hosted) { writeStruct(out, toHost(hosted.loop.world().environment())); });
 }
 
 rubble_result setEnvironment(rubble_world world, const rubble_environment* environment) {
@@ -134,7 +134,9 @@ rubble_result setEnvironment(rubble_world world, const rubble_environment* envir
 rubble_result applySky(rubble_environment* environment, const double* sunDirection) {
     return guarded("apply_sky_model", [&] {
         Environment now = readEnvironment(readStruct(environment, "environment"));
-        applySkyModel(now, glm::vec3(readDirectionAt(sunDirection, "sun_direction")));
+        const glm::vec3 sun(readDirectionAt(sunDirection, "sun_direction"));
+        if (isRefused()) return;
+        applySkyModel(now, sun);
         writeStruct(environment, toHost(now));
     });
 }
@@ -144,15 +146,16 @@ rubble_result getLights(rubble_world world, rubble_light* out, uint32_t capacity
 }
 
 rubble_result getLightSettings(rubble_world world, rubble_light light, rubble_light_settings* out) {
-    return guarded("get_light_settings", [&] {
-        const auto hosted = Registry::instance().world(world);
-        writeStruct(out, toHost(LightHandle{light}, lightOf(hosted->loop.world(), light)));
+    return inWorld("get_light_settings", world, [&](const HostedWorld& hosted) {
+        const Light* found = findLight(hosted.loop.world(), light);
+        if (found) writeStruct(out, toHost(LightHandle{light}, *found));
     });
 }
 
 rubble_result setLight(rubble_world world, const rubble_light_settings* light) {
     return pushEdit("set_light", world, light, [](const World& in, const rubble_light_settings& given) {
-        return SetLightEdit{LightHandle{given.light}, readLight(in, given, lightOf(in, given.light))};
+        const Light* present = findLight(in, given.light);
+        return SetLightEdit{LightHandle{given.light}, readLight(in, given, present ? *present : Light{})};
     });
 }
 
@@ -167,12 +170,11 @@ rubble_result removeLight(rubble_world world, rubble_light light) {
 }
 
 rubble_result getAddedLights(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count) {
-    return guarded("get_added_lights", [&] {
-        const auto hosted = Registry::instance().world(world);
-        RowWriter<rubble_light> rows(out, capacity, count);
-        for (const LightHandle light : hosted->loop.changes().lightsAdded) rows.add([&] { return light.bits; });
-        rows.finish();
-    });
+    return listRows<rubble_light>("get_added_lights", world, out, capacity, count,
+                                  [](const HostedWorld& hosted, auto& rows) {
+                                      for (const LightHandle light : hosted.loop.changes().lightsAdded)
+                                          rows.add([&] { return light.bits; });
+                                  });
 }
 
 }  // namespace

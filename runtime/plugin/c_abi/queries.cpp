@@ -9,6 +9,7 @@ QueryFilter readFilter(const rubble_query_filter* given) {
     QueryFilter filter;
     if (!given) return filter;
     const rubble_query_filter read = readStruct(given, "filter");
+    if (isRefused()) return filter;
     const uint32_t flags = readFlags(read.flags,
                                      RUBBLE_FILTER_REJECT_STATIC | RUBBLE_FILTER_REJECT_DYNAMIC |
                                          RUBBLE_FILTER_REJECT_TRANSPARENT | RUBBLE_FILTER_REJECT_UNPHYSICAL,
@@ -18,8 +19,9 @@ QueryFilter readFilter(const rubble_query_filter* given) {
     filter.rejectDynamic = flags & RUBBLE_FILTER_REJECT_DYNAMIC;
     filter.rejectTransparent = flags & RUBBLE_FILTER_REJECT_TRANSPARENT;
     filter.rejectUnphysical = flags & RUBBLE_FILTER_REJECT_UNPHYSICAL;
-    if (read.rejected_body_count) requireNotNull(read.rejected_bodies, "filter->rejected_bodies");
-    if (read.rejected_shape_count) requireNotNull(read.rejected_shapes, "filter->rejected_shapes");
+    if (read.rejected_body_count) isGiven(read.rejected_bodies, "filter->rejected_bodies");
+    if (read.rejected_shape_count) isGiven(read.rejected_shapes, "filter->rejected_shapes");
+    if (isRefused()) return filter;
     for (uint32_t i = 0; i < read.rejected_body_count; ++i)
         filter.rejectedBodies.push_back(
             readHandle<HandleType::Body>(read.rejected_bodies[i], "filter->rejected_bodies"));
@@ -39,8 +41,7 @@ QueryShape readShape(const rubble_query_shape& given) {
     shape.halfSize = readVector(given.half_size, "half_size");
     for (int i = 0; i < 3; ++i)
         if (shape.halfSize[i] < 0.0)
-            throw ApiError{RUBBLE_ERROR_ARGUMENT,
-                           fmt::format("half_size[{}] is {}, expected 0 or more", i, shape.halfSize[i])};
+            refuse(RUBBLE_ERROR_ARGUMENT, "half_size[{}] is {}, expected 0 or more", i, shape.halfSize[i]);
     shape.rotation = readRotation(given.rotation, "rotation");
     return shape;
 }
@@ -66,13 +67,12 @@ rubble_hit hitRow(const World& world, const WorldHit& hit) {
 
 rubble_result castOneRay(rubble_world world, const double origin[3], const double direction[3], double maxDistance,
                          rubble_hit* out) {
-    return guarded("cast_ray", [&] {
-        const auto hosted = Registry::instance().world(world);
+    return inWorld("cast_ray", world, [&](const HostedWorld& hosted) {
         const glm::dvec3 from = readVectorAt(origin, "origin");
         const glm::dvec3 along = readDirectionAt(direction, "direction");
         const double distance = readDistance(maxDistance);
-        const World& inside = hosted->loop.world();
-        requireNotNull(out, "out") = hitRow(inside, castRay(inside, {from, along, distance}));
+        const World& inside = hosted.loop.world();
+        if (isGiven(out, "out") && !isRefused()) *out = hitRow(inside, castRay(inside, {from, along, distance}));
     });
 }
 
@@ -94,15 +94,15 @@ void castAll(const World& world, const Row* rows, const char* name, uint32_t cou
              rubble_hit* out, Read&& read, Cast&& cast) {
     const QueryFilter rejecting = readFilter(filter);
     const RowSizes sizes = readRowSizes<Row>(filter);
-    if (count) requireNotNull(rows, name), requireNotNull(out, "out");
+    if (count) isGiven(rows, name), isGiven(out, "out");
+    if (isRefused()) return;
     std::vector<Query> queries(count);
     std::vector<WorldHit> hits(count);
     const auto* given = reinterpret_cast<const char*>(rows);
-    for (uint32_t i = 0; i < count; ++i) try {
-            queries[i] = read(copyStruct<Row>(given + size_t(i) * sizes.query, sizes.query));
-        } catch (const ApiError& error) {
-            throw ApiError{error.code, fmt::format("{}[{}].{}", name, i, error.text)};
-        }
+    for (uint32_t i = 0; i < count; ++i) {
+        queries[i] = read(copyStruct<Row>(given + size_t(i) * sizes.query, sizes.query));
+        if (isRefused()) return Call::current().locate(fmt::format("{}[{}].", name, i));
+    }
     cast(queries, hits, rejecting);
     for (uint32_t i = 0; i < count; ++i)
         writeRow(reinterpret_cast<char*>(out) + size_t(i) * sizes.hit, hitRow(world, hits[i]), sizes.hit);
@@ -110,31 +110,32 @@ void castAll(const World& world, const Row* rows, const char* name, uint32_t cou
 
 rubble_result castManyRays(rubble_world world, const rubble_ray* rays, uint32_t count,
                            const rubble_query_filter* filter, rubble_hit* out) {
-    return guarded("cast_rays", [&] {
-        const auto hosted = Registry::instance().world(world);
-        const World& inside = hosted->loop.world();
+    return inWorld("cast_rays", world, [&](HostedWorld& hosted) {
+        const World& inside = hosted.loop.world();
         const auto read = [](const rubble_ray& ray) {
             return RayQuery{readVector(ray.origin, "origin"), readDirection(ray.direction, "direction"),
                             readDistance(ray.max_distance),
                             readOrDefault(ray.radius, ranges::kQuerySize, 0.0, "radius")};
         };
         castAll<RayQuery>(inside, rays, "rays", count, filter, out, read,
-                          [&](auto& queries, auto& hits, const auto& with) { castRays(inside, queries, hits, with); });
+                          [&](auto& queries, auto& hits, const auto& with) {
+                              castRays(inside, queries, hits, with, hosted.loop.parallelFor());
+                          });
     });
 }
 
 rubble_result castManyShapes(rubble_world world, const rubble_shape_cast* casts, uint32_t count,
                              const rubble_query_filter* filter, rubble_hit* out) {
-    return guarded("cast_shapes", [&] {
-        const auto hosted = Registry::instance().world(world);
-        const World& inside = hosted->loop.world();
+    return inWorld("cast_shapes", world, [&](HostedWorld& hosted) {
+        const World& inside = hosted.loop.world();
         const auto read = [](const rubble_shape_cast& cast) {
             return CastQuery{readShape(cast.shape), readDirection(cast.direction, "direction"),
                              readDistance(cast.max_distance)};
         };
-        castAll<CastQuery>(
-            inside, casts, "casts", count, filter, out, read,
-            [&](auto& queries, auto& hits, const auto& with) { castShapes(inside, queries, hits, with); });
+        castAll<CastQuery>(inside, casts, "casts", count, filter, out, read,
+                           [&](auto& queries, auto& hits, const auto& with) {
+                               castShapes(inside, queries, hits, with, hosted.loop.parallelFor());
+                           });
     });
 }
 
@@ -142,13 +143,12 @@ template <class Find>
 rubble_result overlap(const char* function, rubble_world world, const rubble_query_shape* region,
                       const rubble_query_filter* filter, uint64_t* out, uint32_t capacity, uint32_t* count,
                       Find&& find) {
-    return guarded(function, [&] {
-        const auto hosted = Registry::instance().world(world);
-        RowWriter<uint64_t> rows(out, capacity, count);
-        for (const auto handle :
-             find(hosted->loop.world(), readShape(requireNotNull(region, "region")), readFilter(filter)))
-            rows.add([&] { return handle.bits; });
-        rows.finish();
+    return listRows<uint64_t>(function, world, out, capacity, count, [&](const HostedWorld& hosted, auto& rows) {
+        if (!isGiven(region, "region")) return;
+        const QueryShape shape = readShape(*region);
+        const QueryFilter rejecting = readFilter(filter);
+        if (isRefused()) return;
+        for (const auto handle : find(hosted.loop.world(), shape, rejecting)) rows.add([&] { return handle.bits; });
     });
 }
 
@@ -163,12 +163,13 @@ rubble_result overlapShapes(rubble_world world, const rubble_query_shape* region
 
 rubble_result findClosestPoint(rubble_world world, const double position[3], double maxDistance,
                                const rubble_query_filter* filter, rubble_hit* out) {
-    return guarded("find_closest_point", [&] {
-        const auto hosted = Registry::instance().world(world);
-        const World& inside = hosted->loop.world();
+    return inWorld("find_closest_point", world, [&](const HostedWorld& hosted) {
+        const World& inside = hosted.loop.world();
         const glm::dvec3 point = readVectorAt(position, "position");
         const double distance = readOrDefault(maxDistance, ranges::kDistance, 0.0, "max_distance");
-        requireNotNull(out, "out") = hitRow(inside, closestPoint(inside, point, distance, readFilter(filter)));
+        const QueryFilter rejecting = readFilter(filter);
+        if (isGiven(out, "out") && !isRefused())
+            *out = hitRow(inside, closestPoint(inside, point, distance, rejecting));
     });
 }
 

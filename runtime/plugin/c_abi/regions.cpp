@@ -6,9 +6,10 @@ namespace rubble::abi {
 namespace {
 
 GroundPolygon readOutline(const double* outline, uint32_t count) {
-    readInRange(count, ranges::kOutlinePoints, "outline_count");
-    requireNotNull(outline, "outline");
     GroundPolygon area;
+    readInRange(count, ranges::kOutlinePoints, "outline_count");
+    isGiven(outline, "outline");
+    if (isRefused()) return area;
     for (uint32_t i = 0; i < count; ++i) {
         const double corner[3] = {outline[2 * i], 0.0, outline[2 * i + 1]};
         const glm::dvec3 read = readVector(corner, "outline");
@@ -64,24 +65,17 @@ rubble_result getTriggers(rubble_world world, rubble_trigger* out, uint32_t capa
 }
 
 rubble_result getTriggerEvents(rubble_world world, rubble_trigger_event* out, uint32_t capacity, uint32_t* count) {
-    return guarded("get_trigger_events", [&] {
-        const auto hosted = Registry::instance().world(world);
-        RowWriter<rubble_trigger_event> rows(out, capacity, count);
-        writeRows(*hosted, rows);
-        rows.finish();
-    });
+    return listRows("get_trigger_events", world, out, capacity, count);
 }
 
 rubble_result getTriggerBodies(rubble_world world, rubble_trigger trigger, rubble_body* out, uint32_t capacity,
                                uint32_t* count) {
-    return guarded("get_trigger_bodies", [&] {
-        const auto hosted = Registry::instance().world(world);
-        const auto& triggers = hosted->loop.world().triggers();
-        const TriggerHandle handle = readLiveHandle<HandleType::Trigger>(triggers, trigger, "trigger");
-        RowWriter<rubble_body> rows(out, capacity, count);
-        for (const BodyHandle body : triggers.at(handle).inside) rows.add([&] { return body.bits; });
-        rows.finish();
-    });
+    return listRows<rubble_body>(
+        "get_trigger_bodies", world, out, capacity, count, [&](const HostedWorld& hosted, auto& rows) {
+            const Trigger* found = findLive<HandleType::Trigger>(hosted.loop.world().triggers(), trigger, "trigger");
+            if (!found) return;
+            for (const BodyHandle body : found->inside) rows.add([&] { return body.bits; });
+        });
 }
 
 }  // namespace

@@ -9,19 +9,22 @@ namespace {
 
 constexpr uint32_t kMaxWorlds = 255;  // a world's number is 8 bits of each handle, and 0 is no world
 
+/// What is under a handle; null, and the call is refused, if it names nothing.
 template <class Map, class Id>
-auto& lookUp(Map& map, Id id, const char* name) {
+auto* lookUp(Map& map, Id id, const char* name) {
     auto* value = map.find(id);
-    if (!value) throw ApiError{RUBBLE_ERROR_STALE, std::string(name) + (id ? " is stale" : " is 0")};
-    return *value;
+    if (!value) refuse(RUBBLE_ERROR_STALE, "{}{}", name, id ? " is stale" : " is 0");
+    return value;
 }
 
 }  // namespace
 
-void throwInUse(const char* name) {
-    throw ApiError{RUBBLE_ERROR_BUSY, std::string(name) +
-                                          " is in another call: expected calls one at a time, found one from another "
-                                          "thread or from a log callback"};
+bool beginUse(std::atomic<bool>& isInCall, const char* name) {
+    if (!isInCall.exchange(true, std::memory_order_acquire)) return true;
+    refuse(RUBBLE_ERROR_BUSY,
+           "{} is in another call: expected calls one at a time, found one from another thread or from a log callback",
+           name);
+    return false;
 }
 
 Registry& Registry::instance() {
@@ -38,8 +41,10 @@ Registry::~Registry() {
 
 WorldId Registry::createWorld(FrameLoopSettings settings, bool drawable) {
     const std::lock_guard lock(m_mutex);
-    if (m_worlds.size() >= kMaxWorlds)
-        throw ApiError{RUBBLE_ERROR_CAPACITY, "255 worlds exist already: destroy one first"};
+    if (m_worlds.size() >= kMaxWorlds) {
+        refuse(RUBBLE_ERROR_CAPACITY, "255 worlds exist already: destroy one first");
+        return {};
+    }
     // The world's number is its slot plus 1, so the slot is taken before the world is made.
     const WorldId id = m_worlds.insert(nullptr);
     settings.worldId = uint8_t(id.slot() + 1);
@@ -57,9 +62,9 @@ WorldId Registry::createWorld(FrameLoopSettings settings, bool drawable) {
 void Registry::destroyWorld(WorldId id) {
     std::shared_ptr<HostedWorld> last;  // destroyed after the lock is released, because that joins a thread
     const std::lock_guard lock(m_mutex);
-    std::shared_ptr<HostedWorld>& found = lookUp(m_worlds, id, "world");
-    if (found->isInCall.exchange(true)) throwInUse("world");
-    last = std::move(found);
+    std::shared_ptr<HostedWorld>* found = lookUp(m_worlds, id, "world");
+    if (!found || !beginUse((*found)->isInCall, "world")) return;
+    last = std::move(*found);
     m_worlds.erase(id);
     const World& world = last->loop.world();
     uint32_t& first = m_firstGeneration[world.id()];
@@ -68,7 +73,8 @@ void Registry::destroyWorld(WorldId id) {
 
 std::shared_ptr<HostedWorld> Registry::findWorld(uint64_t handle) {
     const std::lock_guard lock(m_mutex);
-    return lookUp(m_worlds, readHandle<HandleType::World>(handle, "world"), "world");
+    const auto* found = lookUp(m_worlds, readHandle<HandleType::World>(handle, "world"), "world");
+    return found ? *found : nullptr;
 }
 
 RendererId Registry::addRenderer(std::shared_ptr<HostedRenderer> renderer) {
@@ -79,9 +85,9 @@ RendererId Registry::addRenderer(std::shared_ptr<HostedRenderer> renderer) {
 void Registry::destroyRenderer(RendererId id) {
     std::shared_ptr<HostedRenderer> last;
     const std::lock_guard lock(m_mutex);
-    std::shared_ptr<HostedRenderer>& found = lookUp(m_renderers, id, "renderer");
-    if (found->isInCall.exchange(true)) throwInUse("renderer");
-    last = std::move(found);
+    std::shared_ptr<HostedRenderer>* found = lookUp(m_renderers, id, "renderer");
+    if (!found || !beginUse((*found)->isInCall, "renderer")) return;
+    last = std::move(*found);
     m_renderers.erase(id);
 }
 
@@ -89,7 +95,8 @@ Use<HostedRenderer> Registry::renderer(uint64_t handle) {
     std::shared_ptr<HostedRenderer> found;
     {
         const std::lock_guard lock(m_mutex);
-        found = lookUp(m_renderers, readHandle<HandleType::Renderer>(handle, "renderer"), "renderer");
+        if (const auto* under = lookUp(m_renderers, readHandle<HandleType::Renderer>(handle, "renderer"), "renderer"))
+            found = *under;
     }
     return Use(std::move(found), "renderer");
 }

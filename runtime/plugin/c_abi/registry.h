@@ -3,6 +3,7 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <utility>
 
 #include "runtime/core/slot_map.h"
@@ -24,6 +25,7 @@ struct HostedWorld {
     EventRows events;
     bool drawable = true;
     std::atomic<bool> isInCall = false;      ///< of a [main-thread] function
+    std::string damage;                      ///< what has left it in no defined state; empty: nothing
     std::weak_ptr<HostedRenderer> renderer;  ///< [render-thread] the one that draws it
     bool hadRenderer = false;                ///< [render-thread] another one has taken what was published until now
 };
@@ -33,24 +35,28 @@ struct HostedRenderer {
     std::weak_ptr<HostedWorld> world;
     std::unique_ptr<Renderer> renderer;
     double applyMs = 0.0, drawMs = 0.0;  ///< of the last draw()
+    std::string damage;                  ///< what has left it in no defined state; empty: nothing
     std::atomic<bool> isInCall = false;
 };
 
-/// Throws the ApiError of a world or renderer that is in use. `name`: of the argument.
-[[noreturn]] void throwInUse(const char* name);
+/// Marks a world or renderer as in use; false, and the call is refused, if it is. `name`: of the argument.
+bool beginUse(std::atomic<bool>& isInCall, const char* name);
 
 /// A call's use of a world or renderer, which stays alive until the call ends, even if another thread destroys it
 /// meanwhile. Only one call at a time can use one: another thread, or a log callback inside the call, is told so.
 template <class Hosted>
 class Use {
 public:
-    /// Throws ApiError if it is in use. `name`: of the argument.
+    /// Of nothing, if there is nothing to use or it is in use; the call is refused then. `name`: of the argument.
     Use(std::shared_ptr<Hosted> hosted, const char* name) : m_hosted(std::move(hosted)) {
-        if (m_hosted->isInCall.exchange(true, std::memory_order_acquire)) throwInUse(name);
+        if (m_hosted && !beginUse(m_hosted->isInCall, name)) m_hosted.reset();
     }
-    ~Use() { m_hosted->isInCall.store(false, std::memory_order_release); }
+    ~Use() {
+        if (m_hosted) m_hosted->isInCall.store(false, std::memory_order_release);
+    }
     Use(const Use&) = delete;
     Use& operator=(const Use&) = delete;
+    explicit operator bool() const { return m_hosted != nullptr; }
     Hosted* operator->() const { return m_hosted.get(); }
     Hosted& operator*() const { return *m_hosted; }
 
@@ -58,29 +64,30 @@ private:
     std::shared_ptr<Hosted> m_hosted;
 };
 
-/// All worlds and renderers of the process, by handle. [any-thread]
+/// All worlds and renderers of the process, by handle. Its functions are for calls of the host: see call.h.
+/// [any-thread]
 class Registry {
 public:
     /// The one registry of the process.
     static Registry& instance();
     ~Registry();
 
-    /// Makes a world whose handles carry its number; those of destroyed worlds that had it are stale. Throws ApiError
+    /// Makes a world whose handles carry its number; those of destroyed worlds that had it are stale. Refused
     /// if there are 255.
     WorldId createWorld(FrameLoopSettings settings, bool drawable);
-    /// Throws ApiError for a stale handle, and if the world is in use.
+    /// Refused for a stale handle, and if the world is in use.
     void destroyWorld(WorldId id);
-    /// The world of a handle of any kind, for a [main-thread] call. Throws ApiError if it is not that of a world, or
-    /// stale, or in use.
+    /// The world of a handle of any kind, for a [main-thread] call. None, and the call is refused, if it is not that of
+    /// a world, or stale, or in use.
     Use<HostedWorld> world(uint64_t handle) { return Use(findWorld(handle), "world"); }
     /// The same for a [render-thread] call, which may run beside one of the main thread.
     std::shared_ptr<HostedWorld> findWorld(uint64_t handle);
 
     /// Takes a renderer over and gives it a handle.
     RendererId addRenderer(std::shared_ptr<HostedRenderer> renderer);
-    /// Throws ApiError for a stale handle, and if the renderer is in use. Its GL context must be current.
+    /// Refused for a stale handle, and if the renderer is in use. Its GL context must be current.
     void destroyRenderer(RendererId id);
-    /// The renderer of a handle. Throws ApiError if it is not that of a renderer, or stale, or in use.
+    /// The renderer of a handle. None, and the call is refused, if it is not that of a renderer, or stale, or in use.
     Use<HostedRenderer> renderer(uint64_t handle);
 
 private:

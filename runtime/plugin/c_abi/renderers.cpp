@@ -11,9 +11,8 @@ constexpr uint32_t kMaxSlots = 16;
 std::string readPreset(const char* preset) {
     const std::string name = preset ? preset : "balanced";
     if (name != "fast" && name != "balanced" && name != "accurate")
-        throw ApiError{RUBBLE_ERROR_ARGUMENT,
-                       "settings->preset is \"" + name + "\", expected fast, balanced or accurate"};
-    return name;
+        refuse(RUBBLE_ERROR_ARGUMENT, "settings->preset is \"{}\", expected fast, balanced or accurate", name);
+    return isRefused() ? "balanced" : name;
 }
 
 RenderSettings readSettings(const rubble_renderer_settings& given) {
@@ -28,19 +27,21 @@ RenderSettings readSettings(const rubble_renderer_settings& given) {
 
 rubble_result createRenderer(rubble_world world, const rubble_renderer_settings* settings, rubble_renderer* out) {
     return guarded("create_renderer", [&] {
-        requireNotNull(out, "out") = 0;
+        if (!isGiven(out, "out")) return;
+        *out = 0;
         const auto hosted = Registry::instance().findWorld(world);
         const rubble_renderer_settings read = readStruct(settings, "settings");
-        const std::string folder = &requireNotNull(read.shader_folder, "settings->shader_folder");
+        if (isRefused() || !isGiven(read.shader_folder, "settings->shader_folder")) return;
         const RenderSettings wanted = readSettings(read);
         if (!host().gl_get_proc_address)
-            throw ApiError{RUBBLE_ERROR_GL, "the host has set no gl_get_proc_address: call set_host() with one first"};
-        if (!hosted->drawable)
-            throw ApiError{RUBBLE_ERROR_ARGUMENT, "the world was created with RUBBLE_WORLD_NO_RENDERER"};
+            refuse(RUBBLE_ERROR_GL, "the host has set no gl_get_proc_address: call set_host() with one first");
+        if (!hosted->drawable) refuse(RUBBLE_ERROR_ARGUMENT, "the world was created with RUBBLE_WORLD_NO_RENDERER");
         if (!hosted->renderer.expired())
-            throw ApiError{RUBBLE_ERROR_ARGUMENT, "the world has a renderer; destroy that one first"};
-        Result<std::unique_ptr<Renderer>> renderer = Renderer::create(host().gl_get_proc_address, folder, wanted);
-        if (!renderer) throw ApiError{RUBBLE_ERROR_GL, renderer.error()};
+            refuse(RUBBLE_ERROR_ARGUMENT, "the world has a renderer; destroy that one first");
+        if (isRefused()) return;
+        Result<std::unique_ptr<Renderer>> renderer =
+            Renderer::create(host().gl_get_proc_address, read.shader_folder, wanted);
+        if (!renderer) return refuse(RUBBLE_ERROR_GL, "{}", renderer.error());
         if (std::exchange(hosted->hadRenderer, true)) hosted->loop.restartDrawing();
         const auto made = std::make_shared<HostedRenderer>();
         made->world = hosted;
@@ -52,9 +53,8 @@ rubble_result createRenderer(rubble_world world, const rubble_renderer_settings*
 
 View readView(const rubble_view& given) {
     if (given.width < 1 || given.width > kMaxViewSize || given.height < 1 || given.height > kMaxViewSize)
-        throw ApiError{RUBBLE_ERROR_ARGUMENT, "view is " + std::to_string(given.width) + " x " +
-                                                  std::to_string(given.height) + " pixels, expected 1 to " +
-                                                  std::to_string(kMaxViewSize)};
+        refuse(RUBBLE_ERROR_ARGUMENT, "view is {} x {} pixels, expected 1 to {}", given.width, given.height,
+               kMaxViewSize);
     View view;
     view.position = readVector(given.position, "position");
     view.rotation = readRotation(given.rotation, "rotation");
@@ -62,57 +62,57 @@ View readView(const rubble_view& given) {
     view.size = glm::ivec2(given.width, given.height);
     view.framebuffer = given.framebuffer;
     if (given.slot >= kMaxSlots)
-        throw ApiError{RUBBLE_ERROR_ARGUMENT, "view->slot is " + std::to_string(given.slot) + ", expected 0 to " +
-                                                  std::to_string(kMaxSlots - 1)};
+        refuse(RUBBLE_ERROR_ARGUMENT, "view->slot is {}, expected 0 to {}", given.slot, kMaxSlots - 1);
     view.slot = int(given.slot);
     view.cut = readFlags(given.flags, RUBBLE_VIEW_CUT, "view->flags") & RUBBLE_VIEW_CUT;
     return view;
 }
 
 rubble_result draw(rubble_renderer renderer, const rubble_view* view) {
-    return guarded("draw", [&] {
-        const auto hosted = Registry::instance().renderer(renderer);
-        const auto world = hosted->world.lock();
-        if (!world) throw ApiError{RUBBLE_ERROR_STALE, "the renderer's world is destroyed"};
+    return inRenderer("draw", renderer, [&](HostedRenderer& hosted) {
+        const auto world = hosted.world.lock();
+        if (!world) return refuse(RUBBLE_ERROR_STALE, "the renderer's world is destroyed");
         const rubble_view given = readStruct(view, "view");
+        if (isRefused()) return;
         const double alpha = readOrDefault(given.alpha, {0.0, 1.0}, 0.0, "alpha");
-        world->loop.draw(*hosted->renderer, readView(given), float(alpha));
-        if (const std::string& error = hosted->renderer->lastError(); !error.empty())
-            throw ApiError{RUBBLE_ERROR_GL, error};
-        hosted->applyMs = world->loop.times()[Stage::Apply];
-        hosted->drawMs = world->loop.times()[Stage::Draw];
+        const View read = readView(given);
+        if (isRefused()) return;
+        world->loop.draw(*hosted.renderer, read, float(alpha));
+        if (const std::string& error = hosted.renderer->lastError(); !error.empty())
+            return refuse(RUBBLE_ERROR_GL, "{}", error);
+        hosted.applyMs = world->loop.times()[Stage::Apply];
+        hosted.drawMs = world->loop.times()[Stage::Draw];
     });
 }
 
 rubble_result setDebugView(rubble_renderer renderer, const char* name) {
-    return guarded("set_debug_view", [&] {
-        const auto hosted = Registry::instance().renderer(renderer);
-        if (hosted->renderer->showPass(name ? name : "final")) return;
+    return inRenderer("set_debug_view", renderer, [&](HostedRenderer& hosted) {
+        if (hosted.renderer->showPass(name ? name : "final")) return;
         std::string text = "no view \"" + std::string(name ? name : "final") + "\", expected one of:";
-        for (const std::string& pass : hosted->renderer->passNames()) text += " " + pass;
-        throw ApiError{RUBBLE_ERROR_ARGUMENT, text};
+        for (const std::string& pass : hosted.renderer->passNames()) text += " " + pass;
+        refuse(RUBBLE_ERROR_ARGUMENT, "{}", text);
     });
 }
 
 rubble_result getDrawStats(rubble_renderer renderer, rubble_draw_stats* out) {
-    return guarded("get_draw_stats", [&] {
-        const auto hosted = Registry::instance().renderer(renderer);
-        const RenderStats& stats = hosted->renderer->stats();
+    return inRenderer("get_draw_stats", renderer, [&](const HostedRenderer& hosted) {
+        const RenderStats& stats = hosted.renderer->stats();
         rubble_draw_stats row = {};
         row.draw_calls = uint32_t(stats.drawCalls);
         row.shapes = uint32_t(stats.shapes);
         row.bricks = uint32_t(stats.bricks);
         row.upload_bytes = stats.uploadBytes;
         row.texture_bytes = stats.textureBytes;
-        row.apply_ms = hosted->applyMs;
-        row.draw_ms = hosted->drawMs;
+        row.apply_ms = hosted.applyMs;
+        row.draw_ms = hosted.drawMs;
         writeStruct(out, row);
     });
 }
 
 rubble_result destroyRenderer(rubble_renderer renderer) {
     return guarded("destroy_renderer", [&] {
-        Registry::instance().destroyRenderer(readHandle<HandleType::Renderer>(renderer, "renderer"));
+        const auto id = readHandle<HandleType::Renderer>(renderer, "renderer");
+        if (!isRefused()) Registry::instance().destroyRenderer(id);
     });
 }
 

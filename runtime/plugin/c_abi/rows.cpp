@@ -13,19 +13,25 @@ struct RowsCall {
     uint32_t* count;
 };
 
-template <class Row, class... Of>
-void readAll(const RowsCall& call, Of... of) {
+/// add(RowWriter<Row>&) adds them all.
+template <class Row, class F>
+void readAll(const RowsCall& call, F&& add) {
     RowWriter<Row> rows(call.out, call.capacity, call.count, readRowSize<Row>(call.list.row_size, "list->row_size"));
-    writeRows(call.hosted, rows, of...);
+    if (isRefused()) return;
+    add(rows);
     rows.finish();
+}
+template <class Row>
+void readAll(const RowsCall& call) {
+    readAll<Row>(call, [&](RowWriter<Row>& rows) { writeRows(call.hosted, rows); });
 }
 
 /// Rows that get_events() points at.
 template <class Row>
 void readEvents(const RowsCall& call, const Row* events, uint32_t count) {
-    RowWriter<Row> rows(call.out, call.capacity, call.count, readRowSize<Row>(call.list.row_size, "list->row_size"));
-    for (uint32_t i = 0; i < count; ++i) rows.add([&] { return events[i]; });
-    rows.finish();
+    readAll<Row>(call, [&](RowWriter<Row>& rows) {
+        for (uint32_t i = 0; i < count; ++i) rows.add([&] { return events[i]; });
+    });
 }
 
 void readKind(const RowsCall& call) {
@@ -34,7 +40,7 @@ void readKind(const RowsCall& call) {
         case RUBBLE_ROWS_BODIES:
             return readAll<rubble_body_state>(call);
         case RUBBLE_ROWS_SHAPES:
-            return readAll<rubble_shape_state>(call, call.list.body);
+            return readAll<rubble_shape_state>(call, [&](auto& rows) { writeRows(call.hosted, rows, call.list.body); });
         case RUBBLE_ROWS_JOINTS:
             return readAll<rubble_joint_state>(call);
         case RUBBLE_ROWS_CHARACTERS:
@@ -53,9 +59,9 @@ void readKind(const RowsCall& call) {
 }
 
 rubble_result readRows(rubble_world world, const rubble_row_list* list, void* out, uint32_t capacity, uint32_t* count) {
-    return guarded("read_rows", [&] {
-        const auto hosted = Registry::instance().world(world);
-        readKind({*hosted, readStruct(list, "list"), out, capacity, count});
+    return inWorld("read_rows", world, [&](const HostedWorld& hosted) {
+        const RowsCall call{hosted, readStruct(list, "list"), out, capacity, count};
+        if (!isRefused()) readKind(call);
     });
 }
 

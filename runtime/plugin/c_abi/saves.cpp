@@ -7,21 +7,22 @@ namespace rubble::abi {
 namespace {
 
 void requireDone(const Result<Done>& done) {
-    if (!done) throw ApiError{RUBBLE_ERROR_FILE, done.error()};
+    if (!done) refuse(RUBBLE_ERROR_FILE, "{}", done.error());
 }
 
 rubble_result saveGame(rubble_world world, const char* path) {
-    return guarded("save_game",
-                   [&] { requireDone(Registry::instance().world(world)->loop.save(&requireNotNull(path, "path"))); });
+    return inWorld("save_game", world, [&](HostedWorld& hosted) {
+        if (isGiven(path, "path")) requireDone(hosted.loop.save(path));
+    });
 }
 
 rubble_result loadGame(rubble_world world, const char* path) {
-    return guarded("load_game", [&] {
-        const auto hosted = Registry::instance().world(world);
-        Result<SavedGame> game = readSave(&requireNotNull(path, "path"), hosted->loop.world().id());
-        if (!game) throw ApiError{RUBBLE_ERROR_FILE, game.error()};
-        hosted->loop.load(std::move(*game));
-        hosted->events.clear();
+    return inWorld("load_game", world, [&](HostedWorld& hosted) {
+        if (!isGiven(path, "path")) return;
+        Result<SavedGame> game = readSave(path, hosted.loop.world().id());
+        if (!game) return refuse(RUBBLE_ERROR_FILE, "{}", game.error());
+        change(hosted, [&] { hosted.loop.load(std::move(*game)); });
+        hosted.events.clear();
     });
 }
 
@@ -55,43 +56,43 @@ bool namesSomething(const World& world, uint64_t bits) {
 }
 
 rubble_result translateHandle(rubble_world world, uint64_t handle, uint64_t* out) {
-    return guarded("translate_handle", [&] {
-        requireNotNull(out, "out") = 0;
-        const auto hosted = Registry::instance().world(world);
-        const World& inside = hosted->loop.world();
+    return inWorld("translate_handle", world, [&](const HostedWorld& hosted) {
+        if (!isGiven(out, "out")) return;
+        *out = 0;
+        const World& inside = hosted.loop.world();
         const uint64_t here = withWorld(handle, inside.id());
-        if (!namesSomething(inside, here)) throw ApiError{RUBBLE_ERROR_STALE, "handle names nothing in this world"};
+        if (!namesSomething(inside, here)) return refuse(RUBBLE_ERROR_STALE, "handle names nothing in this world");
         *out = here;
     });
 }
 
 rubble_result startRecording(rubble_world world, const char* path) {
-    return guarded("start_recording", [&] {
-        requireDone(Registry::instance().world(world)->loop.startRecording(&requireNotNull(path, "path")));
+    return inWorld("start_recording", world, [&](HostedWorld& hosted) {
+        if (isGiven(path, "path")) requireDone(hosted.loop.startRecording(path));
     });
 }
 
 rubble_result stopRecording(rubble_world world) {
-    return guarded("stop_recording", [&] { requireDone(Registry::instance().world(world)->loop.stopRecording()); });
+    return inWorld("stop_recording", world, [](HostedWorld& hosted) { requireDone(hosted.loop.stopRecording()); });
 }
 
 rubble_result playRecording(rubble_world world, const char* path, uint64_t* steps) {
-    return guarded("play_recording", [&] {
-        if (steps) *steps = 0;
-        const auto hosted = Registry::instance().world(world);
-        FrameLoop& loop = hosted->loop;
-        Result<Recording> recording = readRecording(&requireNotNull(path, "path"), loop.world().id());
-        if (!recording) throw ApiError{RUBBLE_ERROR_FILE, recording.error()};
-        loop.load(std::move(recording->start));
-        hosted->events.clear();
+    if (steps) *steps = 0;
+    return inWorld("play_recording", world, [&](HostedWorld& hosted) {
+        if (!isGiven(path, "path")) return;
+        FrameLoop& loop = hosted.loop;
+        Result<Recording> recording = readRecording(path, loop.world().id());
+        if (!recording) return refuse(RUBBLE_ERROR_FILE, "{}", recording.error());
+        change(hosted, [&] { loop.load(std::move(recording->start)); });
+        hosted.events.clear();
         for (const RecordedStep& step : recording->steps) {
-            loop.replay(step);
-            hosted->events.fill(loop.changes());
+            change(hosted, [&] { loop.replay(step); });
+            hosted.events.fill(loop.changes());
             if (loop.world().hash() != step.hash)
-                throw ApiError{RUBBLE_ERROR_FILE,
-                               std::string(path) + ": step " + std::to_string(step.step) +
-                                   ": expected the recorded state hash, found another: the recording "
-                                   "was made by another build"};
+                return refuse(RUBBLE_ERROR_FILE,
+                              "{}: step {}: expected the recorded state hash, found another: the recording was made by "
+                              "another build",
+                              path, step.step);
             if (steps) ++*steps;
         }
     });

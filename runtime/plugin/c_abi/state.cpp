@@ -6,7 +6,7 @@ namespace rubble::abi {
 namespace {
 
 rubble_result getEvents(rubble_world world, rubble_events* out) {
-    return guarded("get_events", [&] { writeStruct(out, Registry::instance().world(world)->events.view()); });
+    return inWorld("get_events", world, [&](const HostedWorld& hosted) { writeStruct(out, hosted.events.view()); });
 }
 
 rubble_body_state bodyState(BodyHandle handle, const Body& body) {
@@ -35,39 +35,31 @@ rubble_shape_state shapeState(const World& world, ShapeHandle handle, const Shap
     return state;
 }
 
-const Body& bodyOf(const World& world, rubble_body bits) {
-    return world.bodies().at(readLiveHandle<HandleType::Body>(world.bodies(), bits, "body"));
+const Body* findBody(const World& world, rubble_body bits) {
+    return findLive<HandleType::Body>(world.bodies(), bits, "body");
 }
 
 rubble_result getBodyStates(rubble_world world, rubble_body_state* out, uint32_t capacity, uint32_t* count) {
-    return guarded("get_body_states", [&] {
-        const auto hosted = Registry::instance().world(world);
-        RowWriter<rubble_body_state> rows(out, capacity, count);
-        writeRows(*hosted, rows);
-        rows.finish();
-    });
+    return listRows("get_body_states", world, out, capacity, count);
 }
 
 rubble_result getBodyState(rubble_world world, rubble_body body, rubble_body_state* out) {
-    return guarded("get_body_state", [&] {
-        const auto hosted = Registry::instance().world(world);
-        requireNotNull(out, "out") = bodyState(BodyHandle{body}, bodyOf(hosted->loop.world(), body));
+    return inWorld("get_body_state", world, [&](const HostedWorld& hosted) {
+        const Body* found = findBody(hosted.loop.world(), body);
+        if (found && isGiven(out, "out")) *out = bodyState(BodyHandle{body}, *found);
     });
 }
 
 rubble_result getShapeStates(rubble_world world, rubble_body body, rubble_shape_state* out, uint32_t capacity,
                              uint32_t* count) {
-    return guarded("get_shape_states", [&] {
-        const auto hosted = Registry::instance().world(world);
-        RowWriter<rubble_shape_state> rows(out, capacity, count);
-        writeRows(*hosted, rows, body);
-        rows.finish();
-    });
+    return listRows<rubble_shape_state>(
+        "get_shape_states", world, out, capacity, count,
+        [&](const HostedWorld& hosted, RowWriter<rubble_shape_state>& rows) { writeRows(hosted, rows, body); });
 }
 
 rubble_result getVoxelAccounting(rubble_world world, rubble_voxel_accounting* out) {
-    return guarded("get_voxel_accounting", [&] {
-        const VoxelAccounting all = voxelAccounting(Registry::instance().world(world)->loop.world());
+    return inWorld("get_voxel_accounting", world, [&](const HostedWorld& hosted) {
+        const VoxelAccounting all = voxelAccounting(hosted.loop.world());
         rubble_voxel_accounting row = {};
         row.imported = all.imported;
         row.standing = all.standing;
@@ -78,14 +70,14 @@ rubble_result getVoxelAccounting(rubble_world world, rubble_voxel_accounting* ou
 }
 
 rubble_result getStateHash(rubble_world world, uint64_t* out) {
-    return guarded("get_state_hash",
-                   [&] { requireNotNull(out, "out") = Registry::instance().world(world)->loop.world().hash(); });
+    return inWorld("get_state_hash", world, [&](const HostedWorld& hosted) {
+        if (isGiven(out, "out")) *out = hosted.loop.world().hash();
+    });
 }
 
 rubble_result getStepStats(rubble_world world, rubble_step_stats* out) {
-    return guarded("get_step_stats", [&] {
-        const auto hosted = Registry::instance().world(world);
-        FrameLoop& loop = hosted->loop;
+    return inWorld("get_step_stats", world, [&](HostedWorld& hosted) {
+        FrameLoop& loop = hosted.loop;
         const PhysicsStats physics = loop.physics().stats();
         const StageTimes& times = loop.times();
         rubble_step_stats row = {};
@@ -117,7 +109,9 @@ void writeRows(const HostedWorld& hosted, RowWriter<rubble_shape_state>& rows, r
         rows.add([&] { return shapeState(inside, handle, shape); });
     };
     if (!body) return inside.shapes().forEach(add);
-    for (const ShapeHandle handle : bodyOf(inside, body).shapes) add(handle, inside.shapes().at(handle));
+    const Body* found = findBody(inside, body);
+    if (!found) return;
+    for (const ShapeHandle handle : found->shapes) add(handle, inside.shapes().at(handle));
 }
 
 void setStateFunctions(rubble_api& api) {

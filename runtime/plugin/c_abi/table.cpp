@@ -32,13 +32,14 @@ rubble_api makeTable() {
 extern "C" rubble_result rubble_get_api(uint32_t version, const rubble_api** table) {
     return rubble::abi::guarded("rubble_get_api", [&] {
         static const rubble_api api = rubble::abi::makeTable();
-        rubble::abi::requireNotNull(table, "table") = nullptr;
+        if (!rubble::abi::isGiven(table, "table")) return;
+        *table = nullptr;
         if (version != RUBBLE_VERSION) {
             const std::string text = "version " + std::to_string(version) +
                                      " asked for, this plugin implements version " + std::to_string(RUBBLE_VERSION) +
                                      ": use the rubble.h that belongs to it";
             rubble::logError("rubble_get_api: " + text);  // without a table the host cannot ask for the last error
-            throw rubble::abi::ApiError{RUBBLE_ERROR_VERSION, text};
+            return rubble::abi::refuse(RUBBLE_ERROR_VERSION, "{}", text);
         }
         *table = &api;
     });

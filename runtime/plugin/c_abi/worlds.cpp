@@ -25,33 +25,35 @@ FrameLoopSettings loopSettings(const rubble_world_settings& given) {
 
 rubble_result createWorld(const rubble_world_settings* settings, rubble_world* out) {
     return guarded("create_world", [&] {
-        requireNotNull(out, "out") = 0;
+        if (!isGiven(out, "out")) return;
+        *out = 0;
         const FrameLoopSettings read =
             loopSettings(settings ? readStruct(settings, "settings") : rubble_world_settings{});
-        *out = Registry::instance().createWorld(read, read.publish).bits;
+        if (!isRefused()) *out = Registry::instance().createWorld(read, read.publish).bits;
     });
 }
 
 rubble_result destroyWorld(rubble_world world) {
-    return guarded("destroy_world",
-                   [&] { Registry::instance().destroyWorld(readHandle<HandleType::World>(world, "world")); });
+    return guarded("destroy_world", [&] {
+        const auto id = readHandle<HandleType::World>(world, "world");
+        if (!isRefused()) Registry::instance().destroyWorld(id);
+    });
 }
 
 rubble_result loadLevel(rubble_world world, const char* path, const char* vdbTool) {
-    return guarded("load_level", [&] {
-        const auto hosted = Registry::instance().world(world);
-        const Result<Level> level = readLevel(&requireNotNull(path, "path"), vdbTool ? vdbTool : "");
-        if (!level) throw ApiError{RUBBLE_ERROR_FILE, level.error()};
-        hosted->loop.load(*level);
-        hosted->events.clear();
+    return inWorld("load_level", world, [&](HostedWorld& hosted) {
+        if (!isGiven(path, "path")) return;
+        const Result<Level> level = readLevel(path, vdbTool ? vdbTool : "");
+        if (!level) return refuse(RUBBLE_ERROR_FILE, "{}", level.error());
+        change(hosted, [&] { hosted.loop.load(*level); });
+        hosted.events.clear();
     });
 }
 
 rubble_result step(rubble_world world) {
-    return guarded("step", [&] {
-        const auto hosted = Registry::instance().world(world);
-        hosted->loop.step();
-        hosted->events.fill(hosted->loop.changes());
+    return inWorld("step", world, [&](HostedWorld& hosted) {
+        change(hosted, [&] { hosted.loop.step(); });
+        hosted.events.fill(hosted.loop.changes());
     });
 }
 
@@ -67,9 +69,8 @@ rubble_result setBounds(rubble_world world, const rubble_bounds* bounds) {
 }
 
 rubble_result getBounds(rubble_world world, rubble_bounds* out) {
-    return guarded("get_bounds", [&] {
-        const auto hosted = Registry::instance().world(world);
-        const World& from = hosted->loop.world();
+    return inWorld("get_bounds", world, [&](const HostedWorld& hosted) {
+        const World& from = hosted.loop.world();
         const WorldBox box = from.data().boundsInUse();
         rubble_bounds bounds{};
         bounds.rule = uint32_t(from.settings().bounds.rule);
@@ -81,11 +82,10 @@ rubble_result getBounds(rubble_world world, rubble_bounds* out) {
 // ---- undo ----
 
 rubble_result setUndoLimit(rubble_world world, uint32_t marks) {
-    return guarded("set_undo_limit", [&] {
-        const auto hosted = Registry::instance().world(world);
-        WorldSettings settings = hosted->loop.world().settings();
+    return inWorld("set_undo_limit", world, [&](HostedWorld& hosted) {
+        WorldSettings settings = hosted.loop.world().settings();
         settings.undoMarks = marks;
-        hosted->loop.edits().push(SettingsEdit{settings});
+        push(hosted, SettingsEdit{settings});
     });
 }
 
@@ -95,12 +95,11 @@ bool goesBackOrForth(const Edit& edit) {
 }
 
 rubble_result pushHistory(const char* function, rubble_world world, HistoryAction action) {
-    return guarded(function, [&] {
-        const auto hosted = Registry::instance().world(world);
-        const Edits& waiting = hosted->loop.edits().waiting();
+    return inWorld(function, world, [&](HostedWorld& hosted) {
+        const Edits& waiting = hosted.loop.edits().waiting();
         if (action != HistoryAction::Mark && std::any_of(waiting.begin(), waiting.end(), goesBackOrForth))
-            throw ApiError{RUBBLE_ERROR_ARGUMENT, "expected one undo or redo in a step, found one in the queue"};
-        hosted->loop.edits().push(HistoryEdit{action});
+            refuse(RUBBLE_ERROR_ARGUMENT, "expected one undo or redo in a step, found one in the queue");
+        push(hosted, HistoryEdit{action});
     });
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/gtc/quaternion.hpp>
@@ -9,6 +10,7 @@
 
 #include "runtime/core/handle.h"
 #include "runtime/destruction/brush.h"
+#include "runtime/world/edits/body_edits.h"
 #include "runtime/world/edits/joint_edits.h"
 #include "runtime/world/edits/light_edits.h"
 #include "runtime/world/edits/shape_edits.h"
@@ -183,7 +185,8 @@ using AnyEdit =
                  ImpactLoadEdit, SetCollisionFilterEdit, AddWaterEdit, RemoveWaterEdit, AddTriggerEdit,
                  RemoveTriggerEdit, AddCharacterEdit, RemoveCharacterEdit, MoveCharacterEdit, TeleportCharacterEdit,
                  AddJointEdit, RemoveJointEdit, SetJointMotorEdit, DetachJointEdit, GrabEdit, ReleaseEdit, DriveEdit,
-                 SetEnvironmentEdit, SetLightEdit, AddLightEdit, RemoveLightEdit, SetBoundsEdit, SetCollisionShapeEdit>;
+                 SetEnvironmentEdit, SetLightEdit, AddLightEdit, RemoveLightEdit, SetBoundsEdit, SetCollisionShapeEdit,
+                 SetBodyEdit, DestroyBodyEdit, WriteVoxelsEdit, DestroyShapeEdit>;
 /// One command for the World: any of the kinds above. It is a class of its own so that its copies, moves and
 /// destructor, which are long over so many kinds, are compiled once (edit.cpp) and not wherever a list of edits is
 /// held.
@@ -213,6 +216,14 @@ public:
     }
     /// Hands over all edits and forgets them.
     Edits take() { return std::exchange(m_edits, {}); }
+    /// Uses the memory of edits that are done for those of the next step, unless it is much more than they needed:
+    /// taking memory costs more than queuing the edits.
+    void recycle(Edits done) {
+        constexpr size_t kAlwaysKept = 256, kMaxUnusedRatio = 8;
+        if (!m_edits.empty() || done.capacity() > std::max(kAlwaysKept, kMaxUnusedRatio * done.size())) return;
+        done.clear();
+        m_edits = std::move(done);
+    }
     /// The edits that wait.
     const Edits& waiting() const { return m_edits; }
     /// Whether no edit waits.

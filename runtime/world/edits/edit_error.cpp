@@ -1,5 +1,6 @@
 #include "runtime/world/edits/edit_error.h"
 
+#include <algorithm>
 #include <glm/vector_relational.hpp>
 
 #include "runtime/core/range_check.h"
@@ -47,7 +48,11 @@ constexpr const char* kNames[] = {"carve",
                                   "add_light",
                                   "remove_light",
                                   "set_bounds",
-                                  "set_collision_shape"};
+                                  "set_collision_shape",
+                                  "set_body",
+                                  "destroy_body",
+                                  "write_voxels",
+                                  "destroy_shape"};
 static_assert(std::size(kNames) == std::variant_size_v<AnyEdit>);
 
 /// About a number of an enum whose last is `last`.
@@ -118,6 +123,23 @@ std::string errorOf(const SetBoundsEdit& edit) {
 }
 std::string errorOf(const SetCollisionShapeEdit& edit) {
     return checkEnum("kind", edit.kind, CollisionShape::CylinderZ).error();
+}
+std::string errorOf(const SetBodyEdit& edit) {
+    RangeCheck check;
+    if (edit.setsPose) check.pose("pose", edit.pose);
+    if (edit.setsVelocity)
+        check.vector("velocity", edit.velocity, ranges::kVelocity)
+            .vector("angular_velocity", edit.angularVelocity, ranges::kVelocity);
+    return check.error();
+}
+std::string errorOf(const WriteVoxelsEdit& edit) {
+    RangeCheck check;
+    uint64_t cells = 1;
+    for (int a = 0; a < 3; ++a) {
+        check.number("low", edit.box.low[a], {0, kMaxGridSize}).number("high", edit.box.high[a], {1, kMaxGridSize});
+        cells *= uint64_t(std::max(0, edit.box.high[a] - edit.box.low[a]));
+    }
+    return check.require(cells && cells == edit.entries.size(), "expected a byte for each cell of a box").error();
 }
 std::string errorOf(const HeatEdit& edit) {
     return RangeCheck()

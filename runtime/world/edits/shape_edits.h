@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "runtime/core/handle.h"
 #include "runtime/voxel/cell_box.h"
@@ -34,6 +35,18 @@ struct TrimShapeEdit {
 struct ResizeShapeEdit {
     ShapeHandle shape;
     CellBox box;
+};
+
+/// Gives the cells of a box other voxels; the box lies within the grid. Voxels that touch no others come off.
+struct WriteVoxelsEdit {
+    ShapeHandle shape;
+    CellBox box;
+    std::vector<uint8_t> entries;  ///< of the palette, 0: none; a byte each cell: x fastest, then y, then z
+};
+
+/// Erases a shape with its voxels, without dust or pieces; its body too, if that has no other.
+struct DestroyShapeEdit {
+    ShapeHandle shape;
 };
 
 }  // namespace rubble

@@ -110,7 +110,7 @@ struct FrameChanges {
     std::vector<ShapeHandle> shapesCreated;    ///< read their grid from the World: their bricks are not in `bricks`
     std::vector<ShapeHandle> shapesDestroyed;  ///< before shapesCreated: a shape whose grid got another box is in both
     std::vector<ShapeSplit> splits;
-    std::vector<BrickChange> bricks;    ///< carved or painted, each brick once, of shapes that existed before
+    std::vector<BrickChange> bricks;    ///< carved or painted, each brick once, of shapes that existed before, by slot
     std::vector<ShapeHandle> carved;    ///< shapes whose occupancy changed, so mass and collider too, each once
     std::vector<ShapeHandle> palettes;  ///< shapes whose palette or paint colours changed
     /// Shapes that lost their last anchor: each is now on a body of its own, which is in bodiesCreated.

@@ -56,9 +56,17 @@ void journalBricks(ShapeHandle handle, const Shape& was, const Shape& is, FrameC
         changes.filters.push_back(handle);
 }
 
-void journalShape(ShapeHandle was, const std::optional<Shape>& before, ShapeHandle is, const Shape* now,
+/// Whether a static body has another place now: its shapes are other ones to physics, shadow volume and renderer.
+bool isMovedStatic(const WorldDelta& before, const WorldData& world, BodyHandle body) {
+    const auto was = before.bodies.find(body.slot());
+    if (was == before.bodies.end() || was->second.first != body) return false;
+    const Body* now = world.bodies.find(body);
+    return now && now->isStatic && now->pose != was->second.second->pose;
+}
+
+void journalShape(ShapeHandle was, const std::optional<Shape>& before, ShapeHandle is, const Shape* now, bool isMoved,
                   FrameChanges& changes) {
-    if (was == is && now && before->body == now->body && before->local == now->local &&
+    if (was == is && now && !isMoved && before->body == now->body && before->local == now->local &&
         before->voxelSize == now->voxelSize && before->grid.size() == now->grid.size())
         return journalBricks(is, *before, *now, changes);
     if (was) changes.shapesDestroyed.push_back(was);
@@ -101,7 +109,8 @@ void journalBodiesAndShapes(const WorldDelta& before, WorldData& world, FrameCha
     }
     for (const auto& [slot, was] : before.shapes) {
         const ShapeHandle is = world.shapes.handleAt(slot);
-        journalShape(was.first, was.second, is, world.shapes.find(is), changes);
+        const Shape* now = world.shapes.find(is);
+        journalShape(was.first, was.second, is, now, now && isMovedStatic(before, world, now->body), changes);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "runtime/core/assertion.h"
 #include "runtime/voxel/ray_walk.h"
 #include "runtime/world/objects/transforms.h"
 #include "runtime/world/state/level_ground.h"
@@ -205,7 +206,7 @@ WorldHit castShapeWith(const WorldData& world, const CastQuery& cast, ShapeFilte
 template <class Query, class Answer>
 void inBatches(std::span<const Query> queries, std::span<WorldHit> out, const ParallelFor& parallelFor,
                Answer&& answer) {
-    assert(queries.size() == out.size());
+    RUBBLE_ASSERT(queries.size() == out.size());
     const size_t count = queries.size();
     parallelFor((count + kBatch - 1) / kBatch, [&](size_t batch) {
         answer(queries.subspan(batch * kBatch, std::min(kBatch, count - batch * kBatch)), out.subspan(batch * kBatch));

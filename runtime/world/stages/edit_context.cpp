@@ -51,10 +51,22 @@ void EditContext::recordRemoved(ShapeHandle handle, const std::array<uint64_t, 2
         changes.removed.push_back({handle, uint8_t(i), entry.material, color, removed[i]});
         changes.dust.push_back({source.position, source.radius, source.velocity, color, entry.material, removed[i]});
         world.removed += removed[i];
-        if (entry.material && entry.material == world.wire) cutWires.insert(handle.slot());
-        if (entry.lightGroup && entry.lightGroup <= removedByGroup.size())
-            removedByGroup[entry.lightGroup - 1] += removed[i];
+        countLost(handle, entry, removed[i]);
     }
+}
+
+void EditContext::recordErased(ShapeHandle handle, const std::array<uint64_t, 256>& erased) {
+    const Palette& palette = *world.shapes.at(handle).palette;
+    for (size_t i = 1; i < 256; ++i) {
+        if (!erased[i]) continue;
+        world.imported -= erased[i];
+        countLost(handle, palette[i], erased[i]);
+    }
+}
+
+void EditContext::countLost(ShapeHandle handle, const PaletteEntry& entry, uint64_t count) {
+    if (entry.material && entry.material == world.wire) cutWires.insert(handle.slot());
+    if (entry.lightGroup && entry.lightGroup <= removedByGroup.size()) removedByGroup[entry.lightGroup - 1] += count;
 }
 
 void EditContext::listPalette(ShapeHandle shape) {

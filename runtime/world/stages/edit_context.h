@@ -75,6 +75,8 @@ struct EditContext {
     void recordCarved(ShapeHandle shape, const CarveResult& carved);
     /// Counts voxels that are gone, by entry of the shape's palette, and makes their dust.
     void recordRemoved(ShapeHandle shape, const std::array<uint64_t, 256>& removed, const DustSource& source);
+    /// Takes voxels out of the accounts that an edit has erased, by entry of the shape's palette: they make no dust.
+    void recordErased(ShapeHandle shape, const std::array<uint64_t, 256>& erased);
     /// Lists a shape whose palette or paint colours changed in the journal, once.
     void listPalette(ShapeHandle shape);
     /// Wakes a body. Physics will wake its own too: by an impulse, or because its shape changed.
@@ -86,6 +88,10 @@ struct EditContext {
     void warnStale(BodyHandle body, const char* warning) const;
     /// Sets Body::broken; the journal lists the first time.
     void markBroken(BodyHandle body);
+
+private:
+    /// Counts voxels of an entry that are gone for wires and light groups.
+    void countLost(ShapeHandle shape, const PaletteEntry& entry, uint64_t count);
 };
 
 }  // namespace rubble

@@ -7,6 +7,7 @@
 
 #include "runtime/core/log.h"
 #include "runtime/world/edits/edit_error.h"
+#include "runtime/world/stages/body_edits.h"
 #include "runtime/world/stages/bounds_stage.h"
 #include "runtime/world/stages/carve_edits.h"
 #include "runtime/world/stages/character_edits.h"
@@ -24,6 +25,7 @@
 #include "runtime/world/stages/split_stage.h"
 #include "runtime/world/stages/stress_stage.h"
 #include "runtime/world/stages/trigger_stage.h"
+#include "runtime/world/stages/voxel_edits.h"
 
 namespace rubble {
 namespace {

@@ -127,6 +127,11 @@ void destroyShape(EditContext& context, ShapeHandle handle) {
     context.world.updateDebris(body);
 }
 
+void eraseShape(EditContext& context, ShapeHandle handle) {
+    context.recordErased(handle, countEntries(context.world.shapes.at(handle).grid));
+    destroyShape(context, handle);
+}
+
 void despawn(EditContext& context, BodyHandle handle) {
     const Body body = context.world.bodies.at(handle);
     for (const ShapeHandle shapeHandle : body.shapes) {

@@ -39,7 +39,7 @@ std::vector<uint8_t> packLevel(const WorldBits& bits, int level, glm::ivec3& tex
 }
 
 ShaderSource sourceOf(const std::string& file) {
-    auto source = readShader(RUBBLE_SOURCE_DIR "/shaders", file);
+    auto source = readShader(RUBBLE_SOURCE_DIR "/shaders", file, "#define NO_PAGED_SHADOWS\n");
     if (!source) {
         fmt::print(stderr, "{}\n", source.error());
         std::abort();

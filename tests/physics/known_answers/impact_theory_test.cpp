@@ -39,6 +39,16 @@ TEST(ImpactTheory, APlankThatLandsOnALedgeTurnsAboutItsEdge) {
     }
 }
 
+/// The nearer its middle is to the edge, the less its end is lifted and the slower its impulses converge.
+TEST(ImpactTheory, APlankThatLandsOnALedgeTurnsAboutItsEdgeWhateverItsOverhang) {
+    for (const double share : {0.1, 0.2, 0.3, 0.4, 0.45})
+        for (const double speed : {1.0, 2.8, 15.0}) {
+            const known::LedgeHit hit = known::landOnLedge({}, speed, share);
+            EXPECT_NEAR(hit.spin / hit.expectedSpin, 1.0, 0.03) << speed << " m/s, " << share << " on the ledge";
+            EXPECT_NEAR(hit.speed / hit.expectedSpeed, 1.0, 0.03) << speed << " m/s, " << share << " on the ledge";
+        }
+}
+
 /// Free bodies that hit each other keep the sum of their momenta and of its moments.
 TEST(ImpactTheory, FreeBodiesKeepTheirMomentum) {
     Random random(7);

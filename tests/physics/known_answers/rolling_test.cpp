@@ -5,47 +5,17 @@
 #include "physics/shapes/voxel_collider.h"
 #include "runtime/core/constants.h"
 #include "tests/physics/scenes/known_scenes.h"
+#include "tests/physics/scenes/rolling_scenes.h"
 
 namespace rubble {
 namespace {
 
-/// A disc of voxels about z: `across` cells wide, `wide` cells long.
-VoxelGrid disc(int across, int wide, uint8_t entry) {
-    return gridOf({across, across, wide}, [&](glm::ivec3 c) {
-        const int x = 2 * c.x + 1 - across, y = 2 * c.y + 1 - across;
-        return uint8_t(x * x + y * y <= across * across ? entry : 0);
-    });
-}
-
-/// The radius of the smallest cylinder around the voxels of disc(), metres.
-double rollingRadius(int across, double voxel) {
-    double farthest = 0.0;
-    for (int x = 0; x < across; ++x)
-        for (int y = 0; y < across; ++y) {
-            const int dx = std::abs(2 * x + 1 - across), dy = std::abs(2 * y + 1 - across);
-            if (dx * dx + dy * dy > across * across) continue;
-            farthest = std::max(farthest, 0.5 * voxel * std::sqrt(double((dx + 1) * (dx + 1) + (dy + 1) * (dy + 1))));
-        }
-    return farthest;
-}
-
-/// A disc of voxels that rolls along x on a road, body 1; its middle is at x = 0.
-void addRollingDisc(PhysicsScene& scene, int across, double speed, double slope = 0.0) {
-    const uint8_t entry = known::setMaterial(scene, 7, 0.8f, 0.0f);
-    const double r = rollingRadius(across, 0.1);
-    const glm::dquat tilt = glm::angleAxis(-slope * kPi / 180.0, glm::dvec3(0, 0, 1));
-    scene.add(solidGrid({800, 4, 40}, entry), tilt * glm::dvec3(-5, -0.4, -2.0), true, tilt);
-    LevelBody& wheel =
-        scene.add(disc(across, 8, entry), tilt * glm::dvec3(-0.05 * across, r - 0.05 * across, -0.4), false, tilt);
-    wheel.velocity = glm::vec3(tilt * glm::dvec3(speed, 0, 0));
-    wheel.angularVelocity = {0.0f, 0.0f, -float(speed / r)};
-    wheel.shapes[0].collisionShape = CollisionShape::CylinderZ;
-}
+using namespace known;
 
 TEST(Rolling, AWheelOfVoxelsDoesNotHop) {
     for (const int across : {8, 16, 64})
         for (const double speed : {2.0, 20.0}) {
-            PhysicsScene scene(known::sleepless({}));
+            PhysicsScene scene(sleepless({}));
             addRollingDisc(scene, across, speed);
             scene.load();
             const double start = scene.center(1).y;
@@ -58,8 +28,8 @@ TEST(Rolling, AWheelOfVoxelsDoesNotHop) {
 }
 
 TEST(Rolling, ABallRollsDownASlopeByItsInertia) {
-    PhysicsScene scene(known::sleepless({}));
-    const uint8_t entry = known::setMaterial(scene, 7, 0.8f, 0.0f);
+    PhysicsScene scene(sleepless({}));
+    const uint8_t entry = setMaterial(scene, 7, 0.8f, 0.0f);
     const glm::dquat tilt = glm::angleAxis(-10.0 * kPi / 180.0, glm::dvec3(0, 0, 1));
     scene.add(solidGrid({400, 4, 40}, entry), tilt * glm::dvec3(-5, -0.4, -2.0), true, tilt);
     LevelShape& ball = scene
@@ -85,7 +55,7 @@ TEST(Rolling, ABallRollsDownASlopeByItsInertia) {
 
 TEST(Rolling, AWheelPassesAStepOfOneVoxelAndNoWall) {
     for (const bool isWall : {false, true}) {
-        PhysicsScene scene(known::sleepless({}));
+        PhysicsScene scene(sleepless({}));
         addRollingDisc(scene, 16, isWall ? 20.0 : 6.0);
         scene.add(isWall ? solidGrid({1, 40, 40}, 7) : solidGrid({40, 1, 40}, 7), {5.0, 0.0, -2.0}, true);
         scene.load();
@@ -105,7 +75,7 @@ TEST(Rolling, AWheelPassesAStepOfOneVoxelAndNoWall) {
 
 TEST(Rolling, ACoinLiesFlat) {
     PhysicsScene scene;
-    const uint8_t entry = known::setMaterial(scene, 7, 0.8f, 0.0f);
+    const uint8_t entry = setMaterial(scene, 7, 0.8f, 0.0f);
     scene.addFloor(entry);
     scene.add(disc(16, 2, entry), {-0.8, 0.4, 0.8}, false, glm::angleAxis(-0.5 * kPi + 0.1, glm::dvec3(1, 0, 0)))
         .shapes[0]
@@ -144,85 +114,6 @@ TEST(Rolling, AWheelThatIsCutIsTouchedAsVoxels) {
     EXPECT_FALSE(fit(solidGrid({6, 6, 6}, 7)));
 }
 
-/// A car of a box on four wheels that drives along x.
-struct Car {
-    double drive = 0.0, drag = 0.0, brake = 0.0;  ///< torque of each wheel, N m
-    double steer = 0.0;                           ///< of the front wheels, radians
-    double speed = 0.0;                           ///< at the start, m/s
-    double slope = 0.0;                           ///< degrees, downward along x
-    uint32_t density = 400;                       ///< of the body, kg/m3
-    int split = 0;                                ///< voxels from the ground's side at which it is two shapes; 0: one
-};
-constexpr double kWheelBase = 2.6, kGroundSide = 2.95;
-constexpr int kAcross = 16;  ///< voxels of half the usual size
-
-void addCar(PhysicsScene& scene, const Car& car) {
-    known::setMaterial(scene, 7, 0.9f, 0.0f);
-    const uint8_t body = known::setMaterial(scene, 8, 0.9f, 0.0f, car.density);
-    const double r = rollingRadius(kAcross, 0.05), half = 0.025 * kAcross;
-    const glm::dquat tilt = glm::angleAxis(-car.slope * kPi / 180.0, glm::dvec3(0, 0, 1));
-    static const VoxelGrid ground = solidGrid({2000, 4, 1600}, 7);
-    if (car.split) {
-        const double z = 0.1 * car.split - kGroundSide;
-        scene.add(solidGrid({2000, 4, car.split}, 7), tilt * glm::dvec3(-40, -0.4, -kGroundSide), true, tilt);
-        scene.add(solidGrid({2000, 4, 200}, 7), tilt * glm::dvec3(-40, -0.4, z), true, tilt);
-    } else {
-        scene.add(ground, tilt * glm::dvec3(-40, -0.4, -80), true, tilt);
-    }
-    const glm::vec3 velocity(tilt * glm::dvec3(car.speed, 0, 0));
-    scene.add(solidGrid({40, 6, 16}, body), tilt * glm::dvec3(-2, r + 0.1, -0.8), false, tilt).velocity = velocity;
-    const std::string name = scene.level.bodies.back().name;
-    const glm::dquat leftward(std::sqrt(0.5), 0.0, std::sqrt(0.5), 0.0);
-    for (const double x : {-0.5 * kWheelBase, 0.5 * kWheelBase})
-        for (const bool isLeft : {true, false}) {
-            const double z = isLeft ? -0.95 : 0.7;
-            LevelBody& wheel = scene.add(disc(kAcross, 5, 7), tilt * glm::dvec3(x - half, r - half, z), false, tilt);
-            wheel.shapes[0].voxelSize = 0.05f;
-            wheel.shapes[0].collisionShape = CollisionShape::CylinderZ;
-            wheel.angularVelocity = glm::vec3(tilt * glm::dvec3(0, 0, -car.speed / r));
-            wheel.velocity = velocity;
-            LevelJoint axle{{.name = wheel.name, .kind = JointKind::Wheel}, {name, wheel.name}};
-            const glm::dvec3 hub(x, r, z + 0.125);
-            axle.joint.ends[0] = {.frame = {hub - glm::dvec3(-2, r + 0.1, -0.8), leftward}, .radius = 1.0};
-            axle.joint.ends[1] = {.frame = {{half, half, 0.125}, leftward}};
-            axle.joint.limits = {true, -0.12, 0.12};
-            axle.joint.spring = {8.0, 0.6};
-            if (x > 0.0 && car.steer != 0.0)  // each wheel across its own circle
-                axle.joint.steer = std::atan(kWheelBase / (kWheelBase / std::tan(car.steer) + z + 0.125));
-            axle.joint.friction = car.drag + car.brake;
-            axle.joint.wheel = {.steerAngle = x > 0.0 ? 1.0 : 0.0, .steerRate = 100.0};
-            if (car.drive > 0.0) axle.joint.motor = {MotorMode::Speed, 1000.0, car.drive};
-            scene.level.joints.push_back(axle);
-        }
-    scene.load();
-}
-/// Mass, and that with the wheels' inertia, kg.
-struct CarMass {
-    double mass = 0.0, effective = 0.0;
-};
-CarMass massOf(const PhysicsScene& scene) {
-    CarMass sum;
-    const double r = rollingRadius(kAcross, 0.05);
-    for (int i = 1; i < int(scene.level.bodies.size()); ++i) {
-        const MassProperties mass = bodyMass(scene.world, scene.handle(i));
-        sum.mass += mass.mass;
-        sum.effective += mass.mass + (i > 1 ? mass.inertia[2] / (r * r) : 0.0);
-    }
-    return sum;
-}
-double along(const PhysicsScene& scene, const Car& car) {
-    const glm::dquat tilt = glm::angleAxis(-car.slope * kPi / 180.0, glm::dvec3(0, 0, 1));
-    return glm::dot(glm::dvec3(scene.body(1).velocity), tilt * glm::dvec3(1, 0, 0));
-}
-double acceleration(const Car& car, double seconds) {
-    PhysicsScene scene(known::sleepless({}));
-    addCar(scene, car);
-    scene.seconds(0.5);
-    const double before = along(scene, car);
-    scene.seconds(seconds);
-    return (along(scene, car) - before) / seconds;
-}
-
 /// Expects an acceleration within 2 %.
 void expectAcceleration(const Car& car, double seconds, double theory) {
     EXPECT_NEAR(acceleration(car, seconds) / theory, 1.0, 0.02) << "theory: " << theory << " m/s2";
@@ -230,7 +121,7 @@ void expectAcceleration(const Car& car, double seconds, double theory) {
 
 TEST(Rolling, ACarCoastsDrivesAndBrakesByItsTorques) {
     const double r = rollingRadius(kAcross, 0.05), g = 9.81, sine = std::sin(10.0 * kPi / 180.0), drag = 30.0;
-    PhysicsScene scene(known::sleepless({}));
+    PhysicsScene scene(sleepless({}));
     addCar(scene, {});
     const CarMass mass = massOf(scene);
     const double drive = 4.2 * mass.effective * r / 4.0;
@@ -245,7 +136,7 @@ TEST(Rolling, ACarCoastsDrivesAndBrakesByItsTorques) {
 
 TEST(Rolling, AHeavyCarDrivesAlsoWithWheelsThatSlip) {
     for (const uint32_t density : {400u, 4000u}) {
-        PhysicsScene scene(known::sleepless({}));
+        PhysicsScene scene(sleepless({}));
         addCar(scene, {.density = density});
         const double grip = 0.9 * 9.81, torque = 2.5 * grip * massOf(scene).mass * rollingRadius(kAcross, 0.05) / 4.0;
         EXPECT_NEAR(acceleration({.drive = torque, .density = density}, 0.5) / grip, 1.0, 0.05) << density;
@@ -255,7 +146,7 @@ TEST(Rolling, AHeavyCarDrivesAlsoWithWheelsThatSlip) {
 /// The ground is two shapes that meet under a wheel's side, or under its middle.
 TEST(Rolling, ASeamAlongTheWheelsNeitherBrakesNorPullsACarAside) {
     for (const int split : {20, 21, 22}) {
-        PhysicsScene scene(known::sleepless({}));
+        PhysicsScene scene(sleepless({}));
         addCar(scene, {.speed = 20.0, .split = split});
         const double start = scene.center(2).z;
         scene.seconds(1.0);
@@ -268,7 +159,7 @@ TEST(Rolling, ASeamAlongTheWheelsNeitherBrakesNorPullsACarAside) {
 TEST(Rolling, ACarTurnsByItsSteeringAngle) {
     for (const double steer : {0.02, 0.05, 0.1, 0.2, 0.3}) {
         const Car car{.steer = steer, .speed = 3.0};
-        PhysicsScene scene(known::sleepless({}));
+        PhysicsScene scene(sleepless({}));
         addCar(scene, car);
         scene.seconds(1.0);
         const double speed = glm::length(scene.body(1).velocity), tangent = std::tan(steer);
@@ -280,7 +171,7 @@ TEST(Rolling, ACarTurnsByItsSteeringAngle) {
 /// What drives says one angle: the wheels stand so that all axles meet in one point.
 TEST(Rolling, ADrivenCarTurnsOnTheRadiusOfItsWheelBaseAndAngle) {
     for (const double steer : {-0.5, -0.2, 0.1, 0.3, 0.5, 0.8}) {
-        PhysicsScene scene(known::sleepless({}));
+        PhysicsScene scene(sleepless({}));
         addCar(scene, {.speed = 3.0});
         scene.stepWith({DriveEdit{scene.handle(1), 0.0, steer, 0.0}});
         scene.seconds(1.0);

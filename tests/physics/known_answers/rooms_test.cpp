@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <cstdlib>
 
 #include "tests/physics/scenes/impact_scenes.h"
@@ -18,6 +19,7 @@ TEST(Rooms, NothingLeavesAClosedRoom) {
         thrown += shots.thrown;
         outside += shots.outside;
         EXPECT_EQ(shots.outside, 0) << "of " << shots.thrown << " left the room of seed " << seed;
+        if (isLong && seed % 100 == 0) std::printf("%d thrown, %d outside\n", thrown, outside), std::fflush(stdout);
     }
     EXPECT_EQ(outside, 0) << "of " << thrown;
 }

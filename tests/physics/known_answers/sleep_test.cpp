@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "runtime/core/constants.h"
 #include "runtime/core/random.h"
+#include "tests/physics/baseline/voronoi_pit.h"
 #include "tests/physics/scenes/joint_scenes.h"
 #include "tests/physics/scenes/known_scenes.h"
 
@@ -227,6 +231,37 @@ TEST(Sleep, AThinPlateThatIsHitInItsSleepIsNotPressedIntoTheFloor) {
     }
     EXPECT_TRUE(slept);
     EXPECT_GT(lowest, 0.045);
+}
+
+/// How far the awake bodies move in a quarter of a second, metres, on average.
+double stirs(PhysicsScene& scene) {
+    std::vector<std::pair<int, Pose>> before;
+    for (int i = 0; i < int(scene.level.bodies.size()); ++i)
+        if (!scene.body(i).asleep && !scene.body(i).isStatic) before.emplace_back(i, scene.body(i).pose);
+    scene.seconds(0.25);
+    double sum = 0.0;
+    for (const auto& [i, pose] : before) sum += glm::length(scene.body(i).pose.position - pose.position);
+    return sum / double(before.size());
+}
+
+/// Contacts with sleepers and of what wakes bear what they bore before.
+TEST(Sleep, WhatIsInBalanceStaysWhereItIsWhenItSleepsAndWhenItWakes) {
+    PhysicsScene scene;
+    scene.level = voronoiPit(200, 1, 6);
+    scene.load();
+    scene.world.applyEdits({});
+    for (int i = 0; i < 60 * 20 && scene.physics.stats().awake > 0; ++i) scene.step();
+    ASSERT_EQ(scene.physics.stats().awake, 0);
+    for (const auto& [every, most] : {std::pair(7, 2e-4), {2, 6e-4}, {1, 1.5e-3}}) {
+        FrameChanges nudge;
+        for (int i = 1; i <= 200; i += every)
+            nudge.impulses.push_back({scene.handle(i), glm::dvec3(0.0), glm::dvec3(0.0)});
+        scene.physics.apply(nudge, scene.world);
+        scene.step();
+        EXPECT_GE(scene.physics.stats().awake, 200 / every);
+        EXPECT_LT(stirs(scene), most) << "one of " << every << " woke";
+        for (int i = 0; i < 60 * 20 && scene.physics.stats().awake > 0; ++i) scene.step();
+    }
 }
 
 /// Random scenes of the kinds that come to rest, or seem to.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "runtime/core/random.h"
 #include "tests/runtime/destruction/stress_fixture.h"
 
 namespace rubble {
@@ -177,6 +178,62 @@ TEST(StressAnalysis, ArchStandsWhereABeamOfItsSpanFalls) {
         arch.strengthScale = beam.strengthScale = 0.04;
         EXPECT_TRUE(arch.solve().empty());
         EXPECT_FALSE(beam.solve().empty());
+    }
+}
+
+/// What is left of a wall when its free end is removed: nothing can move, and there is nothing to solve.
+TEST(StressAnalysis, WhatIsAnchoredAsAWholeConverges) {
+    StressFixture f({40, 40, 8});
+    f.solve();
+    EXPECT_TRUE(f.analysis.hasConverged()) << "nothing at all";
+    f.anchor({{0, 0, 0}, {16, 32, 8}});
+    f.solve();
+    EXPECT_TRUE(f.analysis.hasConverged()) << "only anchored voxels from the start";
+    f.fill({{16, 0, 0}, {40, 32, 8}});
+    f.strengthScale = 1e-3;
+    EXPECT_FALSE(f.solve().empty());
+    EXPECT_GT(f.analysis.worst().utilization, 1.0);
+    f.fill({{16, 0, 0}, {40, 32, 8}}, 0);
+    f.analysis.markChanged(std::vector<glm::ivec3>{{2, 0, 0},
+                                                   {3, 0, 0},
+                                                   {4, 0, 0},
+                                                   {2, 1, 0},
+                                                   {3, 1, 0},
+                                                   {4, 1, 0},
+                                                   {2, 2, 0},
+                                                   {3, 2, 0},
+                                                   {4, 2, 0},
+                                                   {2, 3, 0},
+                                                   {3, 3, 0},
+                                                   {4, 3, 0}});
+    f.solve();
+    EXPECT_TRUE(f.analysis.hasConverged()) << "its free part removed";
+    EXPECT_EQ(f.analysis.worst().utilization, 0.0);
+}
+
+TEST(StressAnalysis, TheSolverConvergesForThinChainsAndBrokenWalls) {
+    for (const int thickness : {1, 2, 5})
+        for (const int length : {100, 400, 1000}) {
+            StressFixture f({length + 8, 16, 16});
+            f.anchor({{0, 4, 4}, {4, 4 + thickness, 4 + thickness}});
+            f.fill({{4, 4, 4}, {length + 4, 4 + thickness, 4 + thickness}}, 3);
+            f.solve();
+            EXPECT_TRUE(f.analysis.hasConverged()) << thickness << " voxels, " << length << " long";
+        }
+    for (uint64_t seed = 1; seed <= 60; ++seed) {
+        Random random(seed);
+        const glm::ivec3 size(random.between(20, 160), random.between(20, 100), random.between(1, 9));
+        StressFixture f(size);
+        for (const CellBox& part :
+             {CellBox{{0, 0, 0}, {size.x / 2, size.y, size.z}}, CellBox{{size.x / 2, 0, 0}, size}})
+            f.fill(part, uint8_t(random.between(1, 3)));
+        f.anchor({{0, 0, 0}, {size.x, 2, size.z}});
+        for (int hole = 0; hole < 40; ++hole) {
+            const glm::ivec3 low(random.between(0, size.x - 1), random.between(2, size.y - 1), 0);
+            f.fill({low, glm::min(low + glm::ivec3(random.between(1, 24), random.between(1, 24), size.z), size)}, 0);
+        }
+        f.solve();
+        EXPECT_TRUE(f.analysis.hasConverged()) << "wall of seed " << seed;
     }
 }
 

@@ -45,8 +45,8 @@
  *  - Errors: a result other than RUBBLE_OK means that the call had no effect, but for lists that are longer than the
  *    array (see below) and where a function says otherwise. get_last_error() says in words what was expected and what
  *    was found. Numbers that are not finite or out of range are RUBBLE_ERROR_ARGUMENT; the errors named at a function
- *    come on top of RUBBLE_ERROR_NULL, _STRUCT_SIZE, _STALE, _ARGUMENT, _BUSY and _MEMORY, which most functions can
- *    give.
+ *    come on top of RUBBLE_ERROR_NULL, _STRUCT_SIZE, _STALE, _ARGUMENT, _BUSY, _BROKEN and _MEMORY, which most
+ * functions can give.
  *  - Edits are commands: the call checks them and puts them into the world's queue. The next step() carries them out
  *    in the order of the calls, those of undo before all others. An edit whose object is destroyed before its turn does
  * nothing, and what only step() can find out (a joint without a voxel to hold on to, an undo where no marks are kept)
@@ -117,7 +117,10 @@ enum {
     RUBBLE_ERROR_GL = 8,        /* OpenGL lacks something, the context was lost, or a shader does not compile */
     RUBBLE_ERROR_MEMORY = 9,    /* out of memory */
     RUBBLE_ERROR_INTERNAL = 10, /* a bug of the plugin: please report the text of get_last_error() */
-    RUBBLE_ERROR_BUSY = 11 /* the world or renderer is in another call: of another thread, or around a log callback */
+    /* the world or renderer is in another call: of another thread, or around a callback */
+    RUBBLE_ERROR_BUSY = 11,
+    /* a bug of the plugin has left the world or renderer in no defined state: destroy it */
+    RUBBLE_ERROR_BROKEN = 12
 };
 
 /* ---- host and worlds ---- */
@@ -128,7 +131,7 @@ enum { RUBBLE_LOG_INFO = 0, RUBBLE_LOG_WARNING = 1, RUBBLE_LOG_ERROR = 2 };
 typedef struct rubble_host {
     uint32_t struct_size;
     uint32_t reserved;
-    void* user; /* passed to log */
+    void* user; /* passed to the functions below */
     /* Receives messages of level RUBBLE_LOG_..., UTF-8, without a line break. Called from any thread, one message
      * at a time. Null: messages go to standard error, as do those that a call from the callback logs. It may call all
      * functions, set_host() too, but none for the world or renderer whose call has logged: RUBBLE_ERROR_BUSY. */
@@ -136,6 +139,10 @@ typedef struct rubble_host {
     /* Returns the address of a GL function in the current context, as SDL_GL_GetProcAddress and its like do.
      * Null: no renderer can be created. */
     void* (*gl_get_proc_address)(const char* name);
+    /* Hears of a bug that an assert of the plugin has found: "FILE:LINE: assertion failed: CONDITION". Called on the
+     * thread where it failed, before the call returns RUBBLE_ERROR_BROKEN: the place for a breakpoint or a report. It
+     * may call nothing of the plugin. Null: nothing is called. The process goes on either way. */
+    void (*assertion_failed)(void* user, const char* message);
 } rubble_host;
 
 enum {
@@ -242,6 +249,26 @@ typedef struct rubble_impulse {
     double impulse[3];  /* N s, world */
 } rubble_impulse;
 
+/* ---- edits of bodies ---- */
+
+enum {
+    RUBBLE_SET_POSE = 1,     /* position and rotation */
+    RUBBLE_SET_VELOCITY = 2, /* velocity and angular_velocity; of a dynamic body */
+    RUBBLE_SET_ASLEEP = 4,   /* stops and sleeps until something wakes it; of a dynamic body */
+    RUBBLE_SET_AWAKE = 8     /* any other change wakes it too; of a dynamic body */
+};
+
+/* Changes where a body is and how it moves. Nothing that it meets on the way holds it back. */
+typedef struct rubble_body_change {
+    uint32_t struct_size;
+    uint32_t fields; /* RUBBLE_SET_...: what changes; the other values are not read */
+    rubble_body body;
+    double position[3]; /* of its frame, world */
+    double rotation[4];
+    double velocity[3];         /* m/s, of the centre of mass */
+    double angular_velocity[3]; /* rad/s, world axes */
+} rubble_body_change;
+
 /* ---- edits and reads of whole shapes ---- */
 
 /* Gives a shape's grid another box of cells; voxels outside are removed, and its fires go out. Its present cells keep
@@ -259,7 +286,7 @@ enum {
     RUBBLE_VOXEL_PAINT = 1  /* of the paint layer: colour, 1 to 15, times 16, and its strength, 0 to 15; 0: none */
 };
 
-/* Which cells read_voxels() reads. Those outside the grid are 0. */
+/* Which cells read_voxels() reads, where those outside the grid are 0, and write_voxels() writes. */
 typedef struct rubble_voxel_box {
     uint32_t struct_size;
     uint32_t what; /* RUBBLE_VOXEL_... */
@@ -499,7 +526,7 @@ typedef struct rubble_shape_state {
 typedef struct rubble_voxel_accounting {
     uint32_t struct_size;
     uint32_t reserved;
-    uint64_t imported;  /* loaded with the level */
+    uint64_t imported;  /* loaded with the level or written, less those that were overwritten or destroyed */
     uint64_t standing;  /* in shapes of the level */
     uint64_t in_pieces; /* in shapes that came off */
     uint64_t removed;
@@ -1128,6 +1155,23 @@ typedef struct rubble_api {
     rubble_result (*remove_fires)(rubble_world world, const double low[3], const double high[3]);
     /* [main-thread] All that burns, in a fixed order. Costs what is hot. */
     rubble_result (*get_fires)(rubble_world world, rubble_fire* out, uint32_t capacity, uint32_t* count);
+
+    /* ---- edits of bodies and voxels ---- */
+
+    /* [main-thread] Changes place, motion or sleep of a body; see rubble_body_change. Where a static body moves,
+     * get_events() lists its shapes as destroyed and created, under the same handles. */
+    rubble_result (*set_body)(rubble_world world, const rubble_body_change* change);
+    /* [main-thread] Erases a body and all its shapes, without dust or pieces. Their joints break, their lights go out.
+     */
+    rubble_result (*destroy_body)(rubble_world world, rubble_body body);
+    /* [main-thread] Erases a shape, without dust or pieces, and its body if it has no other. */
+    rubble_result (*destroy_shape)(rubble_world world, rubble_shape shape);
+    /* [main-thread] Gives the cells of a box, which lies within the shape's grid, other voxels: one byte each as
+     * read_voxels() gives them, RUBBLE_VOXEL_INDEX only; `size` is the number of cells. Copied by the call. Cells that
+     * change lose their paint. Voxels that then touch nothing that holds them come off in the same step, and so does
+     * what hung on voxels that are gone. */
+    rubble_result (*write_voxels)(rubble_world world, const rubble_voxel_box* box, const uint8_t* voxels,
+                                  uint64_t size);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

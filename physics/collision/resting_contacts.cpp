@@ -1,0 +1,57 @@
+#include "physics/collision/resting_contacts.h"
+
+#include <algorithm>
+
+#include "physics/bodies/dynamic_body.h"
+
+namespace rubble {
+namespace {
+
+constexpr double kMaxMotion = 0.001;  ///< metres by which two may have moved against each other
+
+bool isAwake(const CollisionObject& object) {
+    return object.dynamic && !object.dynamic->asleep();
+}
+
+}  // namespace
+
+void RestingContacts::keep(std::span<Manifold* const> manifolds) {
+    for (const Manifold* manifold : manifolds) {
+        const auto [first, second] = manifold->objects;
+        if (isAwake(*first) || isAwake(*second)) continue;
+        if (m_pairs.size() <= first->number) m_pairs.resize(first->number + 1);
+        std::vector<Pair>& pairs = m_pairs[first->number];
+        auto at = std::ranges::lower_bound(pairs, second->number, {}, &Pair::second);
+        if (at == pairs.end() || at->second != second->number) at = pairs.insert(at, Pair{second->number});
+        at->pose = relativePose(first->pose, second->pose);
+        at->allowedPenetration = manifold->allowedPenetration;
+        at->points.clear();
+        for (const ManifoldPoint& point : manifold->all())
+            at->points.push_back({point.feature, point.normal, point.frictionImpulse, point.normalImpulse});
+    }
+}
+
+std::optional<Manifold> RestingContacts::find(const CollisionObject& first, const CollisionObject& second) const {
+    if (first.number >= m_pairs.size()) return {};
+    const std::vector<Pair>& pairs = m_pairs[first.number];
+    const auto at = std::ranges::lower_bound(pairs, second.number, {}, &Pair::second);
+    if (at == pairs.end() || at->second != second.number ||
+        maxPointDisplacement(at->pose, relativePose(first.pose, second.pose), first.radius) > kMaxMotion)
+        return {};
+    std::optional<Manifold> manifold(std::in_place);
+    manifold->allowedPenetration = at->allowedPenetration;
+    for (const Point& kept : at->points) {
+        ManifoldPoint& point = manifold->points[size_t(manifold->count++)];
+        point.feature = kept.feature;
+        point.normal = kept.normal;
+        point.normalImpulse = kept.normalImpulse;
+        point.frictionImpulse = kept.frictionImpulse;
+    }
+    return manifold;
+}
+
+void RestingContacts::forget(const CollisionObject& first) {
+    if (first.number < m_pairs.size()) m_pairs[first.number].clear();
+}
+
+}  // namespace rubble

@@ -1,0 +1,39 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "physics/collision/contact_cache.h"
+#include "physics/collision/manifold.h"
+
+namespace rubble {
+
+/// The impulses of contacts between which nothing is awake any more. What wakes goes on with them: without, a pile that
+/// wakes would sag until the solver has found them again. A scene that is loaded has none.
+class RestingContacts {
+public:
+    /// Keeps the impulses of those manifolds of a step of which both objects are asleep or static by now.
+    void keep(std::span<Manifold* const> manifolds);
+    /// What was kept of a pair: the features, normals and impulses of its points, and its allowed penetration. None if
+    /// the two have moved against each other since. [any thread]
+    std::optional<Manifold> find(const CollisionObject& first, const CollisionObject& second) const;
+    /// Forgets what was kept of the pairs of which this is the first object.
+    void forget(const CollisionObject& first);
+
+private:
+    struct Point {
+        uint64_t feature;
+        glm::vec3 normal, frictionImpulse;
+        float normalImpulse;
+    };
+    struct Pair {
+        uint32_t second = 0;  ///< number of the object
+        RelativePose pose;
+        float allowedPenetration = 0.0f;
+        std::vector<Point> points;
+    };
+    std::vector<std::vector<Pair>> m_pairs;  ///< by the first's slot, each sorted by `second`
+};
+
+}  // namespace rubble

@@ -1,0 +1,81 @@
+#include "runtime/world/stages/body_edits.h"
+
+#include <algorithm>
+
+#include "runtime/world/objects/body_mass.h"
+#include "runtime/world/stages/shape_lifecycle.h"
+#include "runtime/world/stages/split_stage.h"
+
+namespace rubble {
+namespace {
+
+/// Physics, shadow volume and renderer know a static shape by its place: where that changes it is another shape to
+/// them.
+void moveShapes(EditContext& context, const Body& body) {
+    for (const ShapeHandle shape : body.shapes) {
+        context.world.updateShapeBounds(shape);
+        for (const JointHandle joint : context.world.jointIndex.of(shape))
+            context.changes.jointsChanged.push_back(joint);
+        context.world.lights.forEach([&](LightHandle light, const Light& attached) {
+            if (attached.shape == shape) context.changes.lights.push_back(light);
+        });
+        if (!body.isStatic) continue;
+        context.changes.shapesDestroyed.push_back(shape);
+        context.changes.shapesCreated.push_back(shape);
+        ShapeEditState& state = context.editState(shape);
+        const bool lostVoxels = state.lostVoxels || !state.carved.empty();
+        if (lostVoxels) context.world.shapes.at(shape).knownConnected = false;
+        state = {.shape = shape, .lostVoxels = lostVoxels};  // its bricks are handed over with the shape
+    }
+}
+
+/// Pieces that come off later in this step move as the body does from now on.
+void restartMotion(EditContext& context, BodyHandle handle) {
+    const auto known = context.motions.find(handle.slot());
+    if (known == context.motions.end() || known->second.body != handle) return;
+    context.motions.erase(known);
+    context.recordMotion(handle);
+}
+
+}  // namespace
+
+void apply(EditContext& context, const SetBodyEdit& edit) {
+    if (!context.world.bodies.find(edit.body))
+        return context.warnStale(edit.body, "set_body: the handle of its body is stale; nothing was changed");
+    releaseFragments(context);  // they came off where it was
+    Body& body = context.world.bodies.at(edit.body);
+    if (edit.setsPose) {
+        body.pose = edit.pose;
+        moveShapes(context, body);
+    }
+    if (body.isStatic) {
+        if (edit.setsPose) context.changes.teleported.push_back(edit.body);
+        return;
+    }
+    context.wakeBody(edit.body);
+    if (edit.setsVelocity) body.velocity = edit.velocity, body.angularVelocity = edit.angularVelocity;
+    if (edit.setsSleep && edit.asleep) {
+        body.velocity = body.angularVelocity = glm::dvec3(0.0);
+        body.asleep = true;
+        body.restingSince = context.changes.step;
+    }
+    restartMotion(context, edit.body);
+    context.world.updateDebris(edit.body);
+    std::vector<BodyHandle>& teleported = context.changes.teleported;
+    if (std::find(teleported.begin(), teleported.end(), edit.body) == teleported.end()) teleported.push_back(edit.body);
+    if (context.world.triggers.size()) context.world.movedBodies.push_back(edit.body);
+}
+
+void apply(EditContext& context, const DestroyBodyEdit& edit) {
+    if (!context.world.bodies.find(edit.body))
+        return context.warnStale(edit.body, "destroy_body: the handle of its body is stale; nothing was destroyed");
+    releaseFragments(context);
+    const std::vector<ShapeHandle> shapes = context.world.bodies.at(edit.body).shapes;
+    for (const ShapeHandle shape : shapes) eraseShape(context, shape);
+    if (!shapes.empty()) return;  // it went with its last shape
+    context.world.bodies.erase(edit.body);
+    context.changes.bodiesDestroyed.push_back(edit.body);
+    context.world.updateDebris(edit.body);
+}
+
+}  // namespace rubble

@@ -1,0 +1,144 @@
+// What a call of the C interface costs a host: plain ones, edits, refused ones, rays alone and in a batch, empty steps.
+#include <benchmark/benchmark.h>
+#include <rubble/rubble.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "runtime/assets/assets.h"
+#include "runtime/core/random.h"
+#include "tests/support/cpu_time.h"
+#include "tests/support/grids.h"
+
+namespace rubble {
+namespace {
+
+constexpr int kCalls = 10'000;
+
+const rubble_api& api() {
+    static const rubble_api* table = nullptr;
+    if (!table) rubble_get_api(RUBBLE_VERSION, &table);
+    return *table;
+}
+
+void require(rubble_result result) {
+    if (result != RUBBLE_OK) throw std::runtime_error(api().get_last_error());
+}
+
+/// A field of 20 x 20 blocks over a floor, and a free block.
+std::string writeField() {
+    Level level;
+    auto palette = std::make_shared<Palette>();
+    (*palette)[1].material = level.materials.find("brick");
+    const auto add = [&](glm::ivec3 size, glm::dvec3 at, bool isStatic) {
+        LevelBody body{.name = "block", .pose = {at}, .isStatic = isStatic};
+        body.shapes.push_back({.name = "block", .grid = solidGrid(size), .palette = palette});
+        level.bodies.push_back(std::move(body));
+    };
+    add({600, 4, 600}, {0.0, -0.4, 0.0}, true);
+    for (int i = 0; i < 400; ++i) add({6 + i % 9, 20, 10}, {3.0 * (i % 20), 0.0, 3.0 * (i / 20)}, true);
+    add({8, 8, 8}, {1.5, 0.0, 1.5}, false);
+    const std::string path =
+        std::filesystem::temp_directory_path() / ("rubble_api_bench_" + std::to_string(getpid()) + ".rubble");
+    if (const Result<Done> written = writeRubble(path, level); !written) throw std::runtime_error(written.error());
+    return path;
+}
+
+/// A world of the host, with that field or empty.
+class HostWorld {
+public:
+    explicit HostWorld(bool withField) {
+        rubble_world_settings settings = {};
+        settings.struct_size = sizeof settings;
+        settings.flags = RUBBLE_WORLD_NO_RENDERER;
+        require(api().create_world(&settings, &m_world));
+        if (!withField) return;
+        const std::string path = writeField();
+        require(api().load_level(m_world, path.c_str(), nullptr));
+        std::filesystem::remove(path);
+        require(api().step(m_world));
+    }
+    ~HostWorld() { api().destroy_world(m_world); }
+    HostWorld(const HostWorld&) = delete;
+    HostWorld& operator=(const HostWorld&) = delete;
+    operator rubble_world() const { return m_world; }
+    /// The last body of the level: the free block.
+    rubble_body freeBody() const {
+        uint32_t count = 0;
+        require(api().get_body_states(m_world, nullptr, 0, &count));
+        std::vector<rubble_body_state> rows(count);
+        require(api().get_body_states(m_world, rows.data(), count, &count));
+        return rows.back().body;
+    }
+
+private:
+    rubble_world m_world = 0;
+};
+
+std::vector<rubble_ray> makeRays() {
+    Random random(4);
+    std::vector<rubble_ray> rays(kCalls);
+    for (rubble_ray& ray : rays) {
+        ray.origin[0] = 60.0 * double(random.unit()), ray.origin[1] = 1.5, ray.origin[2] = 60.0 * double(random.unit());
+        ray.direction[0] = double(random.unit()) - 0.5, ray.direction[1] = -0.05;
+        ray.direction[2] = double(random.unit()) - 0.5;
+        ray.max_distance = 50.0;
+    }
+    return rays;
+}
+
+/// Adds the processor time of kCalls calls to `ms`.
+template <class Call>
+void timeCalls(double& ms, Call&& call) {
+    const double start = threadMs();
+    for (int i = 0; i < kCalls; ++i) call(i);
+    ms += threadMs() - start;
+}
+
+/// Nanoseconds of a call, all of one process in alternation; and ratios to the plain one, which a machine's speed does
+/// not change.
+void apiCalls(benchmark::State& state) {
+    const HostWorld world(true), empty(false);
+    const std::vector<rubble_ray> rays = makeRays();
+    std::vector<rubble_hit> hits(rays.size());
+    rubble_impulse push = {};
+    push.struct_size = sizeof push, push.body = world.freeBody();
+    rubble_explosion nowhere = {};
+    nowhere.struct_size = sizeof nowhere, nowhere.size = 100.0;
+    double plain = 0.0, edit = 0.0, stale = 0.0, range = 0.0, ray = 0.0, batch = 0.0, step = 0.0;
+    rubble_body_state body = {};
+    for (auto _ : state) {
+        timeCalls(plain, [&](int) { api().get_body_state(world, push.body, &body); });
+        timeCalls(edit, [&](int) { api().apply_impulse(world, &push); });
+        require(api().step(world));
+        timeCalls(stale, [&](int) { api().get_body_state(world, 0, &body); });
+        timeCalls(range, [&](int) { api().explode(world, &nowhere); });
+        timeCalls(ray, [&](int i) {
+            const rubble_ray& each = rays[size_t(i)];
+            api().cast_ray(world, each.origin, each.direction, each.max_distance, &hits[size_t(i)]);
+        });
+        const double start = threadMs();
+        require(api().cast_rays(world, rays.data(), kCalls, nullptr, hits.data()));
+        batch += threadMs() - start;
+        timeCalls(step, [&](int) { api().step(empty); });
+    }
+    const double each = 1e6 / (double(kCalls) * double(state.iterations()));
+    state.counters["plain_ns"] = plain * each;
+    state.counters["edit_ns"] = edit * each;
+    state.counters["stale_ns"] = stale * each;
+    state.counters["range_ns"] = range * each;
+    state.counters["ray_ns"] = ray * each;
+    state.counters["batch_ray_ns"] = batch * each;
+    state.counters["empty_step_ns"] = step * each;
+    state.counters["edit_over_plain"] = edit / plain;
+    state.counters["stale_over_plain"] = stale / plain;
+    state.counters["range_over_plain"] = range / plain;
+    state.counters["ray_over_batch"] = ray / batch;
+}
+BENCHMARK(apiCalls)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace rubble
