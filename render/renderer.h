@@ -19,7 +19,8 @@ using GlLoader = void* (*)(const char* name);
 /// state as it was.
 class Renderer {
 public:
-    /// shaderFolder: where shaders/ lies. An error says what is missing of GL, or which line of a shader is wrong.
+    /// shaderFolder: where shaders/ lies, for those who change it; empty: the library's own. An error says what is
+    /// missing of GL, or which line of a shader is wrong.
     static Result<std::unique_ptr<Renderer>> create(GlLoader loader, const std::string& shaderFolder,
                                                     const RenderSettings& settings);
     ~Renderer();

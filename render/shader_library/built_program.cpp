@@ -60,6 +60,7 @@ bool BuiltProgram::finish() {
 
 std::filesystem::file_time_type BuiltProgram::newest(const std::filesystem::path& folder) const {
     auto newest = std::filesystem::file_time_type::min();
+    if (folder.empty()) return newest;
     for (const std::string& file : m_files) {
         std::error_code missing;
         const auto time = std::filesystem::last_write_time(folder / file, missing);

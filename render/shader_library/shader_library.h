@@ -8,8 +8,8 @@
 
 namespace rubble {
 
-/// Owns every program of the renderer, built from the files of shaders/. A program that fails to build is empty, so its
-/// pass is skipped, and errors() says why. [render-thread]
+/// Owns every program of the renderer, built from the files of shaders/ or their copies in the library. A program that
+/// fails to build is empty, so its pass is skipped, and errors() says why. [render-thread]
 class ShaderLibrary {
 public:
     /// As what full-screen shaders are built.
@@ -18,6 +18,7 @@ public:
         Compute,
         Both,  ///< the fragment program alone, where the compute program does not build
     };
+    /// folder: where shaders/ lies, for those who change it; empty: the copies in the library, which never change.
     /// defines: whole lines that precede all shaders. cache: null for none; must outlive it.
     explicit ShaderLibrary(std::filesystem::path folder, Fullscreen fullscreen = Fullscreen::Fragment,
                            std::string defines = {}, ProgramCache* cache = nullptr);

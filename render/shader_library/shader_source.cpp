@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <regex>
 #include <sstream>
+
+#include "render/shader_library/embedded_shaders.h"
 
 namespace rubble {
 namespace {
@@ -18,12 +21,23 @@ std::optional<std::string> includedFile(const std::string& line) {
     return match[1].str();
 }
 
+std::optional<std::string> textOf(const std::filesystem::path& folder, const std::string& file) {
+    if (folder.empty()) {
+        const auto text = embeddedShader(file);
+        return text ? std::optional<std::string>(*text) : std::nullopt;
+    }
+    std::ifstream stream(folder / file);
+    if (!stream) return {};
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
 /// Appends a file, with its includes, to the source. Returns an error or an empty text. from: where it is included.
 std::string append(const std::filesystem::path& folder, const std::string& file, const std::string& from,
                    ShaderSource& source) {
     if (std::find(source.files.begin(), source.files.end(), file) != source.files.end()) return {};
-    std::ifstream stream(folder / file);
-    if (!stream) return from + "expected a shader file " + (folder / file).string() + ", found none";
+    const auto text = textOf(folder, file);
+    if (!text) return from + "expected a shader file " + (folder / file).string() + ", found none";
+    std::istringstream stream(*text);
     const int index = int(source.files.size());
     source.files.push_back(file);
     std::string line;

@@ -22,9 +22,9 @@ struct ShaderSource {
     std::string explain(const std::string& log) const;
 };
 
-/// Reads `file` under `folder`, behind `#version 330 core` and `defines` (whole lines). `#include "x"` is looked for
-/// under `folder` too; each file is included once. An error names the file that is missing and the line that asks for
-/// it.
+/// Reads `file` under `folder`, or of the library where `folder` is empty, behind `#version 330 core` and `defines`
+/// (whole lines). `#include "x"` is looked for there too; each file is included once. An error names the file that is
+/// missing and the line that asks for it.
 Result<ShaderSource> readShader(const std::filesystem::path& folder, const std::string& file,
                                 const std::string& defines = {});
 

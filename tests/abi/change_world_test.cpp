@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "generated/paths.h"
 #include "runtime/world/edits/edit_error.h"
 #include "tests/abi/abi_fixture.h"
 #include "tests/support/temp_folder.h"

@@ -3,6 +3,7 @@
 #include <sstream>
 #include <string>
 
+#include "generated/paths.h"
 #include "runtime/plugin/c_abi/first_sizes.h"
 #include "tests/abi/abi_fixture.h"
 #include "tests/abi/run_command.h"

@@ -182,7 +182,6 @@ TEST_F(Abi, ARendererNeedsTheHostsGl) {
     ASSERT_EQ(api()->create_world(nullptr, &world), RUBBLE_OK);
     auto settings = sized<rubble_renderer_settings>();
     rubble_renderer renderer = 0;
-    settings.shader_folder = RUBBLE_SOURCE_DIR "/shaders";
     expectRefused(api()->create_renderer(world, &settings, &renderer), RUBBLE_ERROR_GL, "gl_get_proc_address");
     settings.flags = 4;
     expectRefused(api()->create_renderer(world, &settings, &renderer), RUBBLE_ERROR_ARGUMENT, "flags");

@@ -47,7 +47,6 @@ protected:
     }
     rubble_renderer_settings settings() const {
         auto settings = sized<rubble_renderer_settings>();
-        settings.shader_folder = RUBBLE_SOURCE_DIR "/shaders";
         settings.preset = "fast";
         settings.flags = RUBBLE_RENDERER_COMPILE_LATE;
         return settings;

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "generated/paths.h"
 #include "tests/support/temp_folder.h"
 
 namespace rubble::architecture {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "generated/paths.h"
 #include "runtime/core/result.h"
 
 namespace rubble {

@@ -1,6 +1,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "generated/paths.h"
 #include "tests/golden/compare.h"
 #include "tests/golden/drawing.h"
 

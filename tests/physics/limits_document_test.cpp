@@ -5,6 +5,7 @@
 #include <iterator>
 #include <string>
 
+#include "generated/paths.h"
 #include "physics/bodies/limits.h"
 
 namespace rubble {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "generated/paths.h"
 #include "tests/golden/drawing.h"
 #include "tests/reference/display.h"
 #include "tests/reference/exr_file.h"

@@ -8,6 +8,7 @@
 #include <memory>
 #include <sstream>
 
+#include "generated/paths.h"
 #include "runtime/core/random.h"
 #include "tests/golden/drawing.h"
 #include "tests/reference/display.h"

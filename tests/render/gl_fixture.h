@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "generated/paths.h"
 #include "render/gl/gl.h"
 #include "samples/support/gl_context.h"
 

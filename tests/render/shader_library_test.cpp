@@ -2,10 +2,13 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 
+#include "generated/paths.h"
 #include "render/frame/frame_context.h"
+#include "render/shader_library/embedded_shaders.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/support/temp_folder.h"
 
@@ -155,6 +158,26 @@ TEST_F(FullscreenLibraryTest, AReleasedProgramIsNotBuiltAgain) {
     EXPECT_TRUE(shaders.reloadChanged());
     EXPECT_EQ(shaders.computePrograms(), 0);
     EXPECT_TRUE(program.has(FullscreenMethod::Fragment));
+}
+
+TEST_F(ShaderLibraryTest, TheLibraryHoldsEveryShader) {
+    int count = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(shaderFolder())) {
+        if (!entry.is_regular_file()) continue;
+        const std::string file = entry.path().lexically_relative(shaderFolder()).generic_string();
+        std::ifstream stream(entry.path());
+        EXPECT_EQ(embeddedShader(file), std::string(std::istreambuf_iterator<char>(stream), {})) << file;
+        ++count;
+    }
+    EXPECT_GT(count, 50);
+    EXPECT_FALSE(embeddedShader("passes/missing.frag"));
+
+    ShaderLibrary shaders("");
+    EXPECT_TRUE(shaders.load("passes/gbuffer.frag", "passes/tiles.vert"));
+    EXPECT_FALSE(shaders.reloadChanged());
+    EXPECT_FALSE(shaders.load("passes/missing.frag"));
+    ASSERT_EQ(shaders.errors().size(), 1u);
+    EXPECT_NE(shaders.errors()[0].find("passes/missing.frag"), std::string::npos) << shaders.errors()[0];
 }
 
 TEST_F(ShaderLibraryTest, FrameBlockLayoutMatchesTheShader) {

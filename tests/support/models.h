@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "generated/paths.h"
+
 namespace rubble {
 
 /// The path of a MagicaVoxel model of the tests. The models lie beside the project, not in it.

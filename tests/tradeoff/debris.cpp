@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "generated/paths.h"
 #include "render/gl/offscreen.h"
 #include "runtime/plugin/frame_loop.h"
 #include "samples/scenes/placement.h"

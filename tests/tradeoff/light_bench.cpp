@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "generated/paths.h"
 #include "samples/support/gl_context.h"
 #include "tests/reference/display.h"
 #include "tests/reference/exr_file.h"

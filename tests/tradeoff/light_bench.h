@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "generated/paths.h"
 #include "render/gl/offscreen.h"
 #include "render/renderer.h"
 #include "tests/reference/views.h"

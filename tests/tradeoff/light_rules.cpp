@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "generated/paths.h"
 #include "tests/golden/lit_scene.h"
 #include "tests/tradeoff/light.h"
 #include "tests/tradeoff/light_bench.h"

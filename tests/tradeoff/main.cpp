@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "generated/paths.h"
 #include "runtime/core/log.h"
 #include "tests/tradeoff/destruction.h"
 #include "tests/tradeoff/light.h"

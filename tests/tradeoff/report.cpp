@@ -7,6 +7,8 @@
 #include <fstream>
 #include <thread>
 
+#include "generated/paths.h"
+
 namespace rubble::tradeoff {
 namespace {
 

@@ -31,7 +31,7 @@ rubble_result createRenderer(rubble_world world, const rubble_renderer_settings*
         *out = 0;
         const auto hosted = Registry::instance().findWorld(world);
         const rubble_renderer_settings read = readStruct(settings, "settings");
-        if (isRefused() || !isGiven(read.shader_folder, "settings->shader_folder")) return;
+        if (isRefused()) return;
         const RenderSettings wanted = readSettings(read);
         if (!host().gl_get_proc_address)
             refuse(RUBBLE_ERROR_GL, "the host has set no gl_get_proc_address: call set_host() with one first");
@@ -40,7 +40,7 @@ rubble_result createRenderer(rubble_world world, const rubble_renderer_settings*
             refuse(RUBBLE_ERROR_ARGUMENT, "the world has a renderer; destroy that one first");
         if (isRefused()) return;
         Result<std::unique_ptr<Renderer>> renderer =
-            Renderer::create(host().gl_get_proc_address, read.shader_folder, wanted);
+            Renderer::create(host().gl_get_proc_address, read.shader_folder ? read.shader_folder : "", wanted);
         if (!renderer) return refuse(RUBBLE_ERROR_GL, "{}", renderer.error());
         if (std::exchange(hosted->hadRenderer, true)) hosted->loop.restartDrawing();
         const auto made = std::make_shared<HostedRenderer>();

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "generated/paths.h"
 #include "runtime/frame/frame_snapshot.h"
 #include "samples/support/gl_context.h"
 

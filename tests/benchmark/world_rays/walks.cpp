@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstdlib>
 
+#include "generated/paths.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/gl.h"
 #include "render/shader_library/uniforms_as_varyings.h"

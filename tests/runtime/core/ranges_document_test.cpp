@@ -5,6 +5,8 @@
 #include <regex>
 #include <string>
 
+#include "generated/paths.h"
+
 namespace rubble {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "generated/paths.h"
 #include "samples/support/image.h"
 
 namespace rubble {

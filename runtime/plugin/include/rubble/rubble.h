@@ -829,7 +829,9 @@ enum {
 typedef struct rubble_renderer_settings {
     uint32_t struct_size;
     uint32_t flags;            /* RUBBLE_RENDERER_... */
-    const char* shader_folder; /* path of Rubble's folder shaders/ */
+    /* Null, as the shaders are in the library. Those who change them name a folder with their shaders/, from which
+     * programs are rebuilt as its files change. */
+    const char* shader_folder;
     const char* preset;        /* "fast", "balanced" or "accurate"; null: "balanced" */
     /* Path of a folder, made if it is missing, in which compiled programs are kept for later runs, where the driver
      * supports that. Null: none. */

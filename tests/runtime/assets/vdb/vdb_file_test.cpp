@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "generated/paths.h"
 #include "runtime/assets/assets.h"
 #include "runtime/assets/file_bytes.h"
 #include "runtime/core/constants.h"
