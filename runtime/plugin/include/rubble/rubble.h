@@ -89,7 +89,7 @@ extern "C" {
 #endif
 
 /* Handles. A handle belongs to the world that gave it: another world answers it with RUBBLE_ERROR_STALE. */
-typedef uint64_t rubble_world;
+typedef uint64_t rubble_world;    /* all that one level holds; its objects know no other world */
 typedef uint64_t rubble_renderer; /* draws one world */
 typedef uint64_t rubble_body;     /* a rigid body, static or dynamic: a frame that shapes are fixed to */
 typedef uint64_t rubble_shape;    /* a grid of voxels on a body */
@@ -828,11 +828,11 @@ enum {
 
 typedef struct rubble_renderer_settings {
     uint32_t struct_size;
-    uint32_t flags;            /* RUBBLE_RENDERER_... */
+    uint32_t flags; /* RUBBLE_RENDERER_... */
     /* Null, as the shaders are in the library. Those who change them name a folder with their shaders/, from which
      * programs are rebuilt as its files change. */
     const char* shader_folder;
-    const char* preset;        /* "fast", "balanced" or "accurate"; null: "balanced" */
+    const char* preset; /* "fast", "balanced" or "accurate"; null: "balanced" */
     /* Path of a folder, made if it is missing, in which compiled programs are kept for later runs, where the driver
      * supports that. Null: none. */
     const char* program_cache;

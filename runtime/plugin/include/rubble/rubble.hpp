@@ -1,0 +1,602 @@
+/* Generated from rubble.h by runtime/plugin/bindings/generate.py: change that, not this.
+ *
+ * rubble.h for C++17: worlds and renderers that destroy themselves, values that are returned, errors that are thrown.
+ * Names, units, threads and meanings are those of rubble.h. struct_size is set here.
+ *
+ *     rubble::World world;
+ *     world.load_level("model.vox");
+ *     rubble_explosion explosion{};
+ *     explosion.position[1] = 1.0;
+ *     world.explode(explosion);
+ *     world.step();
+ *     for (const rubble_body_state& body : world.get_body_states()) draw(body.position, body.rotation); */
+#ifndef RUBBLE_RUBBLE_HPP
+#define RUBBLE_RUBBLE_HPP
+#include <rubble/rubble.h>
+
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace rubble {
+
+/** What a call that failed throws: what() is get_last_error(). */
+class Error : public std::runtime_error {
+public:
+    Error(rubble_result result, const char* text) : std::runtime_error(text), m_result(result) {}
+    rubble_result result() const noexcept { return m_result; }
+
+private:
+    rubble_result m_result;
+};
+
+/** The table of the library that is linked. Throws Error if that is of another version than rubble.h. */
+inline const rubble_api& api() {
+    static const rubble_api* const table = [] {
+        const rubble_api* found = nullptr;
+        if (const rubble_result result = rubble_get_api(RUBBLE_VERSION, &found); result != RUBBLE_OK)
+            throw Error(result, "librubble is of another version than rubble.h");
+        return found;
+    }();
+    return *table;
+}
+
+/** Throws Error unless `result` is RUBBLE_OK. */
+inline void check(rubble_result result) {
+    if (result != RUBBLE_OK) throw Error(result, api().get_last_error());
+}
+
+/** The rows of a list. read: a call with (rows, capacity, count), as lists of rubble.h take them. */
+template <class Row, class Count, class Read>
+std::vector<Row> rows(Read&& read) {
+    Count count = 0;
+    check(read(nullptr, Count(0), &count));
+    std::vector<Row> all(count);
+    if (count > 0) check(read(all.data(), count, &count));
+    return all;
+}
+
+/** rubble.h's set_host(): call it before the first world is made. */
+inline void set_host(rubble_host host) {
+    host.struct_size = sizeof host;
+    check(api().set_host(&host));
+}
+
+/** rubble.h's apply_sky_model(). */
+inline rubble_environment apply_sky_model(rubble_environment environment, const double (&sun_direction)[3]) {
+    environment.struct_size = sizeof environment;
+    check(api().apply_sky_model(&environment, sun_direction));
+    return environment;
+}
+
+/** A world, destroyed at the end of its life. Moves, but is not copied. */
+class World {
+public:
+    explicit World(rubble_world_settings settings = {}) {
+        settings.struct_size = sizeof settings;
+        check(api().create_world(&settings, &m_handle));
+    }
+    ~World() { release(); }
+    World(World&& other) noexcept : m_handle(std::exchange(other.m_handle, 0)) {}
+    World& operator=(World&& other) noexcept {
+        if (this != &other) release(), m_handle = std::exchange(other.m_handle, 0);
+        return *this;
+    }
+    /** Its handle, for calls of rubble.h. */
+    rubble_world handle() const noexcept { return m_handle; }
+
+    /** Replaces the whole world by a level: a .rubble, .vdb or .vox file, told apart by the ending of the UTF-8 path.
+     * vdb_tool: path of the program rubble-vdb, which is run as a child process for .vdb files; may be null for others.
+     * Drops the edits that wait in the queue, with a warning in the log, and stops a recording. Until the next step()
+     * get_events() is empty. Bodies begin asleep where the level has them, in the air too, until something wakes them:
+     * a hit, an impulse (one of length 0 is enough), or an edit that changes what they touch. Those to which the level
+     * gives a velocity begin awake. RUBBLE_ERROR_FILE says what is wrong with the file and where; the world is then
+     * unchanged. */
+    void load_level(const char* path, const char* vdb_tool = nullptr) {
+        check(api().load_level(m_handle, path, vdb_tool));
+    }
+    /** Advances the world by exactly 1/60 s: queued edits, then physics. The host decides how many steps a frame needs
+     * and draws between them with rubble_view.alpha. */
+    void step() {
+        check(api().step(m_handle));
+    }
+    /** Removes voxels; see rubble_carve. */
+    void carve(rubble_carve carve) {
+        carve.struct_size = sizeof carve;
+        check(api().carve(m_handle, &carve));
+    }
+    /** Breaks voxels into fragments; see rubble_break. */
+    void break_voxels(rubble_break edit) {
+        edit.struct_size = sizeof edit;
+        check(api().break_voxels(m_handle, &edit));
+    }
+    /** Breaks and pushes; see rubble_explosion. */
+    void explode(rubble_explosion explosion) {
+        explosion.struct_size = sizeof explosion;
+        check(api().explode(m_handle, &explosion));
+    }
+    /** Paints voxels; see rubble_paint. */
+    void paint(rubble_paint paint) {
+        paint.struct_size = sizeof paint;
+        check(api().paint(m_handle, &paint));
+    }
+    /** Pushes a body and wakes it; see rubble_impulse. */
+    void apply_impulse(rubble_impulse impulse) {
+        impulse.struct_size = sizeof impulse;
+        check(api().apply_impulse(m_handle, &impulse));
+    }
+    /** Adds a joint; see rubble_joint_settings. If a side finds no voxel in anchor_radius, the step adds no joint and
+     * logs a warning. get_joint_states() lists it after the step. */
+    void add_joint(rubble_joint_settings settings) {
+        settings.struct_size = sizeof settings;
+        check(api().add_joint(m_handle, &settings));
+    }
+    /** Removes a joint. */
+    void remove_joint(rubble_joint joint) {
+        check(api().remove_joint(m_handle, joint));
+    }
+    /** Sets motor, friction and steering of a joint and wakes its bodies. */
+    void set_joint_motor(rubble_joint_motor motor) {
+        motor.struct_size = sizeof motor;
+        check(api().set_joint_motor(m_handle, &motor));
+    }
+    /** Drives the wheels of a body; see rubble_drive. */
+    void drive_wheels(rubble_drive drive) {
+        drive.struct_size = sizeof drive;
+        check(api().drive_wheels(m_handle, &drive));
+    }
+    /** Holds a body; see rubble_grab. */
+    void grab_body(rubble_grab grab) {
+        grab.struct_size = sizeof grab;
+        check(api().grab_body(m_handle, &grab));
+    }
+    /** Lets go of a body; see rubble_release. An empty hand does nothing. */
+    void release_body(rubble_release release) {
+        release.struct_size = sizeof release;
+        check(api().release_body(m_handle, &release));
+    }
+    /** Sets which shapes a shape collides with. */
+    void set_collision_filter(rubble_collision_filter filter) {
+        filter.struct_size = sizeof filter;
+        check(api().set_collision_filter(m_handle, &filter));
+    }
+    /** Adds water; see rubble_water_settings. */
+    void add_water(rubble_water_settings water) {
+        water.struct_size = sizeof water;
+        check(api().add_water(m_handle, &water));
+    }
+    /** Removes water. */
+    void remove_water(rubble_water water) {
+        check(api().remove_water(m_handle, water));
+    }
+    /** Adds a trigger; see rubble_trigger_settings. Bodies that are in it already enter in the same step. */
+    void add_trigger(rubble_trigger_settings trigger) {
+        trigger.struct_size = sizeof trigger;
+        check(api().add_trigger(m_handle, &trigger));
+    }
+    /** Removes a trigger. */
+    void remove_trigger(rubble_trigger trigger) {
+        check(api().remove_trigger(m_handle, trigger));
+    }
+    /** Adds a character; see rubble_character_settings. */
+    void add_character(rubble_character_settings character) {
+        character.struct_size = sizeof character;
+        check(api().add_character(m_handle, &character));
+    }
+    /** Removes a character. */
+    void remove_character(rubble_character character) {
+        check(api().remove_character(m_handle, character));
+    }
+    /** Says where a character shall go; see rubble_character_move. */
+    void move_character(rubble_character_move move) {
+        move.struct_size = sizeof move;
+        check(api().move_character(m_handle, &move));
+    }
+    /** Puts a character somewhere else. */
+    void teleport_character(rubble_character_teleport teleport) {
+        teleport.struct_size = sizeof teleport;
+        check(api().teleport_character(m_handle, &teleport));
+    }
+    /** Replaces sky, sun, air, exposure and gravity; see rubble_environment. */
+    void set_environment(rubble_environment environment) {
+        environment.struct_size = sizeof environment;
+        check(api().set_environment(m_handle, &environment));
+    }
+    /** Adds a light. A light on a shape moves with it; when the shape is destroyed the light stays where it was, turned
+     * off. A world that has 65,536 lights gets no more. */
+    void add_light(rubble_light_settings light) {
+        light.struct_size = sizeof light;
+        check(api().add_light(m_handle, &light));
+    }
+    /** Replaces all values of a light under its handle. */
+    void set_light(rubble_light_settings light) {
+        light.struct_size = sizeof light;
+        check(api().set_light(m_handle, &light));
+    }
+    /** Removes a light. */
+    void remove_light(rubble_light light) {
+        check(api().remove_light(m_handle, light));
+    }
+    /** How many undo marks are kept. 0, the default: none, at no cost. */
+    void set_undo_limit(uint32_t marks) {
+        check(api().set_undo_limit(m_handle, marks));
+    }
+    /** Sets a mark to which undo() returns: the world as the last step left it. */
+    void add_undo_mark() {
+        check(api().add_undo_mark(m_handle));
+    }
+    /** Returns to the last mark, motion included. A second undo or redo for the same step is RUBBLE_ERROR_ARGUMENT.
+     * What impacts of the step before would break in this one is dropped. */
+    void undo() {
+        check(api().undo(m_handle));
+    }
+    /** Takes the last undo back, unless something has changed since, in the step of the undo too. */
+    void redo() {
+        check(api().redo(m_handle));
+    }
+    /** What the last step() did, without copying: see the rules for how long the arrays live. */
+    rubble_events get_events() const {
+        rubble_events out{};
+        out.struct_size = sizeof out;
+        check(api().get_events(m_handle, &out));
+        return out;
+    }
+    /** All bodies, in an order that does not change while none is created. */
+    std::vector<rubble_body_state> get_body_states() const {
+        rubble_row_list list{};
+        list.kind = RUBBLE_ROWS_BODIES;
+        return read_rows<rubble_body_state>(list);
+    }
+    /** One body. */
+    rubble_body_state get_body_state(rubble_body body) const {
+        rubble_body_state out{};
+        check(api().get_body_state(m_handle, body, &out));
+        return out;
+    }
+    /** The shapes of one body; body 0: of all bodies. */
+    std::vector<rubble_shape_state> get_shape_states(rubble_body body) const {
+        rubble_row_list list{};
+        list.kind = RUBBLE_ROWS_SHAPES;
+        list.body = body;
+        return read_rows<rubble_shape_state>(list);
+    }
+    /** All joints, in a fixed order. */
+    std::vector<rubble_joint_state> get_joint_states() const {
+        rubble_row_list list{};
+        list.kind = RUBBLE_ROWS_JOINTS;
+        return read_rows<rubble_joint_state>(list);
+    }
+    /** The points of a rope from its first end on: x, y, z of each, world. capacity and *count are numbers of doubles:
+     * three for each point. */
+    std::vector<double> get_rope_points(rubble_joint joint) const {
+        return rows<double, uint32_t>([&](double* out, uint32_t capacity, uint32_t* count) {
+            return api().get_rope_points(m_handle, joint, out, capacity, count);
+        });
+    }
+    /** All volumes of water, in a fixed order. What was added is the last row, unless one was removed before. */
+    std::vector<rubble_water> get_waters() const {
+        return rows<rubble_water, uint32_t>([&](rubble_water* out, uint32_t capacity, uint32_t* count) {
+            return api().get_waters(m_handle, out, capacity, count);
+        });
+    }
+    /** All triggers, in the same order as get_waters(). */
+    std::vector<rubble_trigger> get_triggers() const {
+        return rows<rubble_trigger, uint32_t>([&](rubble_trigger* out, uint32_t capacity, uint32_t* count) {
+            return api().get_triggers(m_handle, out, capacity, count);
+        });
+    }
+    /** Which bodies entered and left triggers in the last step. */
+    std::vector<rubble_trigger_event> get_trigger_events() const {
+        rubble_row_list list{};
+        list.kind = RUBBLE_ROWS_TRIGGER_EVENTS;
+        return read_rows<rubble_trigger_event>(list);
+    }
+    /** The bodies that have a voxel in a trigger now. */
+    std::vector<rubble_body> get_trigger_bodies(rubble_trigger trigger) const {
+        return rows<rubble_body, uint32_t>([&](rubble_body* out, uint32_t capacity, uint32_t* count) {
+            return api().get_trigger_bodies(m_handle, trigger, out, capacity, count);
+        });
+    }
+    /** All characters, in the same order as get_waters(). */
+    std::vector<rubble_character_state> get_character_states() const {
+        rubble_row_list list{};
+        list.kind = RUBBLE_ROWS_CHARACTERS;
+        return read_rows<rubble_character_state>(list);
+    }
+    /** The present sky, sun, air, exposure and gravity. */
+    rubble_environment get_environment() const {
+        rubble_environment out{};
+        out.struct_size = sizeof out;
+        check(api().get_environment(m_handle, &out));
+        return out;
+    }
+    /** All lights, in a fixed order. */
+    std::vector<rubble_light> get_lights() const {
+        return rows<rubble_light, uint32_t>([&](rubble_light* out, uint32_t capacity, uint32_t* count) {
+            return api().get_lights(m_handle, out, capacity, count);
+        });
+    }
+    /** All values of one light. */
+    rubble_light_settings get_light_settings(rubble_light light) const {
+        rubble_light_settings out{};
+        out.struct_size = sizeof out;
+        check(api().get_light_settings(m_handle, light, &out));
+        return out;
+    }
+    /** The lights that the last step added: one row for each add_light() in the order of the calls, 0 for one that the
+     * step refused. */
+    std::vector<rubble_light> get_added_lights() const {
+        return rows<rubble_light, uint32_t>([&](rubble_light* out, uint32_t capacity, uint32_t* count) {
+            return api().get_added_lights(m_handle, out, capacity, count);
+        });
+    }
+    /** Counts of voxels; see rubble_voxel_accounting. */
+    rubble_voxel_accounting get_voxel_accounting() const {
+        rubble_voxel_accounting out{};
+        out.struct_size = sizeof out;
+        check(api().get_voxel_accounting(m_handle, &out));
+        return out;
+    }
+    /** A hash of everything that decides what happens next: equal worlds have equal hashes. Costs a pass over the
+     * objects of the world. */
+    uint64_t get_state_hash() const {
+        uint64_t out{};
+        check(api().get_state_hash(m_handle, &out));
+        return out;
+    }
+    /** Counters and times of the last step. */
+    rubble_step_stats get_step_stats() const {
+        rubble_step_stats out{};
+        out.struct_size = sizeof out;
+        check(api().get_step_stats(m_handle, &out));
+        return out;
+    }
+    /** The first voxel that a ray meets. max_distance: metres, 0 to 1e6. Nothing met: RUBBLE_OK, out->hit 0.
+     * cast_rays() takes many rays, and a filter. */
+    rubble_hit cast_ray(const double (&origin)[3], const double (&direction)[3], double max_distance) const {
+        rubble_hit out{};
+        check(api().cast_ray(m_handle, origin, direction, max_distance, &out));
+        return out;
+    }
+    /** out[i] is the first voxel that rays[i] meets. `count` rows each. */
+    std::vector<rubble_hit> cast_rays(const rubble_ray* rays, uint32_t count, rubble_query_filter filter = {}) const {
+        filter.struct_size = sizeof filter;
+        filter.hit_size = sizeof(rubble_hit);
+        filter.query_size = sizeof(rubble_ray);
+        std::vector<rubble_hit> out(count);
+        check(api().cast_rays(m_handle, rays, count, &filter, out.data()));
+        return out;
+    }
+    /** out[i] is the first voxel that casts[i] meets; distance 0 if it touches one where it starts. */
+    std::vector<rubble_hit> cast_shapes(const rubble_shape_cast* casts, uint32_t count, rubble_query_filter filter = {})
+        const {
+        filter.struct_size = sizeof filter;
+        filter.hit_size = sizeof(rubble_hit);
+        filter.query_size = sizeof(rubble_shape_cast);
+        std::vector<rubble_hit> out(count);
+        check(api().cast_shapes(m_handle, casts, count, &filter, out.data()));
+        return out;
+    }
+    /** The bodies that have a voxel in a region, in a fixed order. */
+    std::vector<rubble_body> overlap_bodies(const rubble_query_shape& region, rubble_query_filter filter = {}) const {
+        filter.struct_size = sizeof filter;
+        filter.hit_size = sizeof(rubble_hit);
+        return rows<rubble_body, uint32_t>([&](rubble_body* out, uint32_t capacity, uint32_t* count) {
+            return api().overlap_bodies(m_handle, &region, &filter, out, capacity, count);
+        });
+    }
+    /** The shapes that have a voxel in a region, in a fixed order. */
+    std::vector<rubble_shape> overlap_shapes(const rubble_query_shape& region, rubble_query_filter filter = {}) const {
+        filter.struct_size = sizeof filter;
+        filter.hit_size = sizeof(rubble_hit);
+        return rows<rubble_shape, uint32_t>([&](rubble_shape* out, uint32_t capacity, uint32_t* count) {
+            return api().overlap_shapes(m_handle, &region, &filter, out, capacity, count);
+        });
+    }
+    /** The point of a voxel that is closest to a position; distance 0 inside a voxel. max_distance: metres, at most
+     * 1e6. Nothing within it: out->hit is 0. */
+    rubble_hit find_closest_point(const double (&position)[3], double max_distance, rubble_query_filter filter = {})
+        const {
+        filter.struct_size = sizeof filter;
+        filter.hit_size = sizeof(rubble_hit);
+        rubble_hit out{};
+        check(api().find_closest_point(m_handle, position, max_distance, &filter, &out));
+        return out;
+    }
+    /** Writes the game between two steps to a file, whole or not at all, with the edits that wait in the queue.
+     * Symbolic links are followed; what is no regular file, such as a folder or a device, is not replaced. The next
+     * step of the running game begins with physics rebuilt from the world, as a loaded game does, so that playing on
+     * and loading give the same result. Undo marks are not in the file: a loaded game has none. RUBBLE_ERROR_FILE: the
+     * file cannot be written; nothing has changed. */
+    void save_game(const char* path) {
+        check(api().save_game(m_handle, path));
+    }
+    /** Replaces the whole world and its queue of edits by those of a saved game, and stops a recording.
+     * translate_handle() gives the handles of this world for those that the objects had when they were saved.
+     * RUBBLE_ERROR_FILE: the world is unchanged. */
+    void load_game(const char* path) {
+        check(api().load_game(m_handle, path));
+    }
+    /** Records every step from here on, beginning with a saved game. The file has its name after stop_recording() or
+     * destroy_world(); a recording that is running is stopped, and the log says what of it could not be written. Undo
+     * marks from before are dropped. RUBBLE_ERROR_FILE: the file cannot be written, with the saved game in it, or a
+     * recording is being written to it; the world and its marks are unchanged, and a recording that is running goes on.
+     * */
+    void start_recording(const char* path) {
+        check(api().start_recording(m_handle, path));
+    }
+    /** Completes the file; without a recording it does nothing. RUBBLE_ERROR_FILE: some of it could not be written. */
+    void stop_recording() {
+        check(api().stop_recording(m_handle));
+    }
+    /** Loads the start of a recording and plays all its steps. *steps (may be null) counts the steps that had the
+     * recorded state hash. RUBBLE_ERROR_FILE: the file is damaged (the world is unchanged), or a step had another hash
+     * because another build made the recording (the world is as after that step). */
+    uint64_t play_recording(const char* path) const {
+        uint64_t out{};
+        check(api().play_recording(m_handle, path, &out));
+        return out;
+    }
+    /** Sets where the world ends from the next step on; see rubble_bounds. Saves and recordings keep it. */
+    void set_bounds(rubble_bounds bounds) {
+        bounds.struct_size = sizeof bounds;
+        check(api().set_bounds(m_handle, &bounds));
+    }
+    /** The bounds in use, as the last step() knew them. Low and high are equal if there are none. */
+    rubble_bounds get_bounds() const {
+        rubble_bounds out{};
+        out.struct_size = sizeof out;
+        check(api().get_bounds(m_handle, &out));
+        return out;
+    }
+    /** Sets what a shape is touched as; see rubble_collision_shape. Pieces of it inherit it. */
+    void set_collision_shape(rubble_collision_shape shape) {
+        shape.struct_size = sizeof shape;
+        check(api().set_collision_shape(m_handle, &shape));
+    }
+    /** The handle that something has in this world: `handle` named it in the world that was saved, if this one was
+     * loaded from there. A handle carries the number of its world, so a host that stores handles beside a saved game
+     * asks for each after load_game(). Nothing of that name is here: *out is 0 and RUBBLE_ERROR_STALE. */
+    uint64_t translate_handle(uint64_t handle) const {
+        uint64_t out{};
+        check(api().translate_handle(m_handle, handle, &out));
+        return out;
+    }
+    /** A list as get_body_states() and its like write it, with rows of the host's size; see rubble_row_list. `out`
+     * holds `capacity` rows of list->row_size bytes. */
+    template <class Row>
+    std::vector<Row> read_rows(rubble_row_list list) const {
+        list.struct_size = sizeof list;
+        list.row_size = sizeof(Row);
+        return rows<Row, uint32_t>([&](void* out, uint32_t capacity, uint32_t* count) {
+            return api().read_rows(m_handle, &list, out, capacity, count);
+        });
+    }
+    /** Makes shapes of the parts of a shape that do not touch: what is held to the world, or else the largest part,
+     * stays. For shapes that come in parts from a level; what an edit cuts off comes off by itself. */
+    void split_shape(rubble_shape shape) {
+        check(api().split_shape(m_handle, shape));
+    }
+    /** Adds a shape to another one of the same body and voxel size that it touches face to face; 0: to the first that
+     * fits. Where both have a voxel, `into` keeps its own. Joints and lights go with it. The step logs a warning, and
+     * does nothing, if their cells do not line up or their palettes need more than 255 entries. */
+    void merge_shape(rubble_shape shape, rubble_shape into) {
+        check(api().merge_shape(m_handle, shape, into));
+    }
+    /** Shrinks a shape's grid to its voxels. If it gets smaller, its fires go out. */
+    void trim_shape(rubble_shape shape) {
+        check(api().trim_shape(m_handle, shape));
+    }
+    /** Gives a shape's grid another box of cells; see rubble_resize. */
+    void resize_shape(rubble_resize resize) {
+        resize.struct_size = sizeof resize;
+        check(api().resize_shape(m_handle, &resize));
+    }
+    /** Reads a box of cells as the last step left them: one byte each, x fastest, then y, then z. `capacity` is in
+     * bytes; *count becomes the number of cells in the box. Capacity 0 asks for that alone; fewer bytes than cells:
+     * RUBBLE_ERROR_CAPACITY, and nothing is written. */
+    std::vector<uint8_t> read_voxels(rubble_voxel_box box) const {
+        box.struct_size = sizeof box;
+        return rows<uint8_t, uint64_t>([&](uint8_t* out, uint64_t capacity, uint64_t* count) {
+            return api().read_voxels(m_handle, &box, out, capacity, count);
+        });
+    }
+    /** Frees the end of a rope that is on a shape. Joints of other kinds are removed, and a rope that nothing holds any
+     * more. */
+    void detach_joint(rubble_joint joint, rubble_shape shape) {
+        check(api().detach_joint(m_handle, joint, shape));
+    }
+    /** Heats or lights what lies in a sphere; see rubble_heat. */
+    void heat(rubble_heat heat) {
+        heat.struct_size = sizeof heat;
+        check(api().heat(m_handle, &heat));
+    }
+    /** Puts fires out; see rubble_extinguish. */
+    void extinguish(rubble_extinguish extinguish) {
+        extinguish.struct_size = sizeof extinguish;
+        check(api().extinguish(m_handle, &extinguish));
+    }
+    /** Puts out all fires in a box along the world's axes. */
+    void remove_fires(const double (&low)[3], const double (&high)[3]) {
+        check(api().remove_fires(m_handle, low, high));
+    }
+    /** All that burns, in a fixed order. Costs what is hot. */
+    std::vector<rubble_fire> get_fires() const {
+        rubble_row_list list{};
+        list.kind = RUBBLE_ROWS_FIRES;
+        return read_rows<rubble_fire>(list);
+    }
+    /** Changes place, motion or sleep of a body; see rubble_body_change. Where a static body moves, get_events() lists
+     * its shapes as destroyed and created, under the same handles. */
+    void set_body(rubble_body_change change) {
+        change.struct_size = sizeof change;
+        check(api().set_body(m_handle, &change));
+    }
+    /** Erases a body and all its shapes, without dust or pieces. Their joints break, their lights go out. */
+    void destroy_body(rubble_body body) {
+        check(api().destroy_body(m_handle, body));
+    }
+    /** Erases a shape, without dust or pieces, and its body if it has no other. */
+    void destroy_shape(rubble_shape shape) {
+        check(api().destroy_shape(m_handle, shape));
+    }
+    /** Gives the cells of a box, which lies within the shape's grid, other voxels: one byte each as read_voxels() gives
+     * them, RUBBLE_VOXEL_INDEX only; `size` is the number of cells. Copied by the call. Cells that change lose their
+     * paint. Voxels that then touch nothing that holds them come off in the same step, and so does what hung on voxels
+     * that are gone. */
+    void write_voxels(rubble_voxel_box box, const uint8_t* voxels, uint64_t size) {
+        box.struct_size = sizeof box;
+        check(api().write_voxels(m_handle, &box, voxels, size));
+    }
+private:
+    void release() noexcept {
+        if (m_handle) api().destroy_world(std::exchange(m_handle, 0));
+    }
+    rubble_world m_handle = 0;
+};
+
+/** The renderer of a world; its GL context is current wherever it is used and destroyed. Moves, but is not copied. */
+class Renderer {
+public:
+    explicit Renderer(const World& world, rubble_renderer_settings settings = {}) {
+        settings.struct_size = sizeof settings;
+        check(api().create_renderer(world.handle(), &settings, &m_handle));
+    }
+    ~Renderer() { release(); }
+    Renderer(Renderer&& other) noexcept : m_handle(std::exchange(other.m_handle, 0)) {}
+    Renderer& operator=(Renderer&& other) noexcept {
+        if (this != &other) release(), m_handle = std::exchange(other.m_handle, 0);
+        return *this;
+    }
+    /** Its handle, for calls of rubble.h. */
+    rubble_renderer handle() const noexcept { return m_handle; }
+
+    /** Draws the world as the last step() left it. RUBBLE_ERROR_GL: nothing was drawn. RUBBLE_ERROR_STALE: the world
+     * was destroyed. */
+    void draw(rubble_view view) {
+        view.struct_size = sizeof view;
+        check(api().draw(m_handle, &view));
+    }
+    /** Makes draw() show an intermediate image ("albedo", "normal", "depth", ...), for debugging. Null or "final": the
+     * finished frame. RUBBLE_ERROR_ARGUMENT lists the names that there are. */
+    void set_debug_view(const char* name) {
+        check(api().set_debug_view(m_handle, name));
+    }
+    /** Counters and times of the last draw(). */
+    rubble_draw_stats get_draw_stats() const {
+        rubble_draw_stats out{};
+        out.struct_size = sizeof out;
+        check(api().get_draw_stats(m_handle, &out));
+        return out;
+    }
+private:
+    void release() noexcept {
+        if (m_handle) api().destroy_renderer(std::exchange(m_handle, 0));
+    }
+    rubble_renderer m_handle = 0;
+};
+
+}  // namespace rubble
+
+#endif
