@@ -419,7 +419,7 @@ void Renderer::Impl::drawOnce(const View& wanted) {
         block,   settings,    scene, history->targets, blueNoise, stats, emptyVertexArray, updateLightGrid(),
         &choice, frameSeconds};
     drawPasses(frame);
-    run("show", shown->target, {}, [&] { show.draw(frame, *shown, wanted, statusDot()); });
+    run("show", ShowPass::reads(*shown), {}, [&] { show.draw(frame, *shown, wanted, statusDot()); });
     if (timer.isImmediate()) takeTimes();
 }
 

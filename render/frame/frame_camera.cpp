@@ -20,9 +20,23 @@ glm::vec2 sobolPoint(uint32_t index) {
     return glm::vec2(x >> 8, y >> 8) / float(1 << 24);
 }
 
-glm::mat4 projection(const View& view, glm::vec2 jitterUv) {
-    const float aspect = float(view.size.x) / float(view.size.y);
-    glm::mat4 p = glm::perspective(view.verticalFov, aspect, kNear, kFar);
+/// What a view shows of the plane at depth 1: its middle and half its size.
+struct Window {
+    glm::vec2 middle{0.0f}, half{1.0f};
+};
+
+Window windowOf(const View& view) {
+    if (view.projection) {
+        const glm::dmat4& p = view.projection->clipFromEye;
+        return {glm::dvec2(p[2][0] / p[0][0], p[2][1] / p[1][1]), glm::dvec2(1.0 / p[0][0], 1.0 / p[1][1])};
+    }
+    const float tangent = std::tan(view.verticalFov * 0.5f);
+    return {glm::vec2(0.0f), glm::vec2(tangent * (float(view.size.x) / float(view.size.y)), tangent)};
+}
+
+glm::mat4 projection(const Window& window, glm::vec2 jitterUv) {
+    const glm::vec2 low = kNear * (window.middle - window.half), high = kNear * (window.middle + window.half);
+    glm::mat4 p = glm::frustum(low.x, high.x, low.y, high.y, kNear, kFar);
     // Shifts clip space by -2 jitter: what lies at pixel centre + jitter comes to the centre.
     p[2][0] += jitterUv.x * 2.0f;
     p[2][1] += jitterUv.y * 2.0f;
@@ -43,17 +57,18 @@ void FrameCamera::begin(const View& view, glm::ivec2 renderSize, bool jittered, 
     const glm::vec3 position(view.position - originWorld);
     const glm::mat3 axes = glm::mat3_cast(glm::quat(view.rotation));
     const glm::mat4 toCamera = glm::translate(glm::mat4(glm::transpose(axes)), -position);
-    const glm::mat4 plain = projection(view, glm::vec2(0.0f)) * toCamera;
-    const float tanY = std::tan(view.verticalFov * 0.5f);
+    const Window window = windowOf(view);
+    const glm::mat4 plain = projection(window, glm::vec2(0.0f)) * toCamera;
 
-    block.viewProjection = projection(view, jitter) * toCamera;
+    block.viewProjection = projection(window, jitter) * toCamera;
     block.viewProjectionPlain = plain;
     block.previousViewProjection = cut ? plain : m_lastViewProjection;
     block.cameraPosition = glm::vec4(position, kNear);
     block.previousCameraPosition = cut ? glm::vec4(position, 0.0f) : m_lastPosition;
-    block.cameraRight = glm::vec4(axes[0], tanY * display.x / display.y);
-    block.cameraUp = glm::vec4(axes[1], tanY);
+    block.cameraRight = glm::vec4(axes[0], window.half.x);
+    block.cameraUp = glm::vec4(axes[1], window.half.y);
     block.cameraForward = glm::vec4(-axes[2], kFar);
+    block.viewMiddle = glm::vec4(axes * glm::vec3(window.middle, -1.0f), 0.0f);
     block.targetSize = glm::vec4(size, 1.0f / size);
     block.displaySize = glm::vec4(display, 1.0f / display);
     block.jitter = glm::vec4(jitter, cut ? jitter : m_lastJitter);

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -14,12 +15,23 @@ namespace rubble {
 
 /// A camera, the size of its image and the framebuffer that the image goes to.
 struct View {
-    glm::dvec3 position{0.0};         ///< world, metres
-    glm::dquat rotation{1, 0, 0, 0};  ///< looks along -z, y up
-    float verticalFov = 1.05f;        ///< radians
-    glm::ivec2 size{1280, 720};       ///< pixels
-    unsigned framebuffer = 0;         ///< GL name
-    bool cut = false;                 ///< the camera jumped: histories of frames before this one are not used
+    /// The projection of a host that looks along -z: a perspective, which may be off-centre, reversed or infinite.
+    struct Projection {
+        glm::dmat4 clipFromEye{1.0};
+        bool isZeroToOne = false;  ///< depth of clip space: 0 to 1, else -1 to 1
+        /// What the framebuffer holds nearer than the voxels stays, and their depth is written.
+        bool composesDepth = false;
+    };
+
+    glm::dvec3 position{0.0};              ///< world, metres
+    glm::dquat rotation{1, 0, 0, 0};       ///< looks along -z, y up
+    float verticalFov = 1.05f;             ///< radians
+    glm::ivec2 size{1280, 720};            ///< pixels
+    unsigned framebuffer = 0;              ///< GL name
+    std::optional<Projection> projection;  ///< none: verticalFov, with square pixels
+    bool isLinear = false;                 ///< radiance times exposure, not the colours of a display
+    bool isFlipped = false;                ///< the first row of pixels is the top one
+    bool cut = false;                      ///< the camera jumped: histories of frames before this one are not used
     /// Views that are drawn in turn by one renderer, as those of a split screen, have different slots: each keeps its
     /// own history. Different sizes do so by themselves.
     int slot = 0;

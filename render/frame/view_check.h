@@ -21,6 +21,7 @@ private:
     bool m_isLost = false;
     int m_draws = 0;
     std::optional<unsigned> m_checked;  ///< the last framebuffer that was complete
+    bool m_hadDepth = false;            ///< and whether it was seen to have a depth buffer
 };
 
 }  // namespace rubble

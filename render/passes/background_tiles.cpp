@@ -31,7 +31,7 @@ void BackgroundTiles::update(const FrameBlock& block, float eyeHeight) {
             const glm::vec2 uv =
                 glm::vec2(x << kTileShift, y << kTileShift) * glm::vec2(block.targetSize.z, block.targetSize.w);
             const glm::vec2 p = (uv + glm::vec2(block.jitter)) * 2.0f - 1.0f;  // as viewRay() in lib/frame.glsl
-            corners.push_back(bandOf(glm::vec3(block.cameraForward) + across * p.x + up * p.y, eyeHeight));
+            corners.push_back(bandOf(glm::vec3(block.viewMiddle) + across * p.x + up * p.y, eyeHeight));
         }
     for (auto& list : m_tiles) list.clear();
     for (int y = 0; y < tiles.y; ++y)

@@ -19,9 +19,11 @@ constexpr size_t kMaxStaleViews = 1024;  ///< more than twice as many views as b
 
 /// Normals of the planes of the view frustum through the camera, pointing inwards: left, right, bottom, top.
 std::array<glm::vec3, 4> sidePlanes(const FrameBlock& b) {
-    const glm::vec3 forward(b.cameraForward), right(b.cameraRight), up(b.cameraUp);
-    return {glm::normalize(right + forward * b.cameraRight.w), glm::normalize(-right + forward * b.cameraRight.w),
-            glm::normalize(up + forward * b.cameraUp.w), glm::normalize(-up + forward * b.cameraUp.w)};
+    const glm::vec3 forward(b.cameraForward), right(b.cameraRight), up(b.cameraUp), middle(b.viewMiddle);
+    const float x = glm::dot(middle, right), y = glm::dot(middle, up);
+    return {glm::normalize(right + forward * (b.cameraRight.w - x)),
+            glm::normalize(-right + forward * (b.cameraRight.w + x)), glm::normalize(up + forward * (b.cameraUp.w - y)),
+            glm::normalize(-up + forward * (b.cameraUp.w + y))};
 }
 
 /// The edges of a projected box, in pixels.
@@ -94,7 +96,8 @@ struct BodyTiles::Frustum {
 };
 
 void BodyTiles::update(const Bodies& bodies, const FrameBlock& block) {
-    const Camera camera{block.cameraPosition, block.cameraRight, block.cameraUp, block.cameraForward, block.targetSize};
+    const Camera camera{block.cameraPosition, block.cameraRight, block.cameraUp,
+                        block.cameraForward,  block.viewMiddle,  block.targetSize};
     const bool isSameView = camera == m_camera && bodies.touched().frame - m_frame <= 1;
     const bool isSameFrame = isSameView && bodies.touched().frame == m_frame;
     m_camera = camera;
@@ -174,7 +177,7 @@ void BodyTiles::project(const Bodies& bodies, const FrameBlock& block, float min
     const glm::mat3 toCells = glm::mat3_cast(glm::conjugate(body.rotation)) * (1.0f / body.voxelSize);
     Seen seen{minDepth, instance, uint32_t(m_views.size()), uint32_t(m_spans.size()), 0, body.glass};
     m_views.push_back({toCells * (glm::vec3(block.cameraPosition) - body.position), minDepth,
-                       toCells * (glm::vec3(block.cameraForward) - across - up), int(instance),
+                       toCells * (glm::vec3(block.viewMiddle) - across - up), int(instance),
                        toCells * across * (2.0f * block.targetSize.z), layout.node,
                        toCells * up * (2.0f * block.targetSize.w), layout.palette << 8 | layout.flags,
                        glm::uvec3(body.low) | glm::uvec3(body.high) << 16u, packed(layout.sizeInNodes)});

@@ -66,7 +66,7 @@ private:
     };
     /// All of a camera that the lists depend on; jitter is no part of it.
     struct Camera {
-        glm::vec4 position, right, up, forward, targetSize;
+        glm::vec4 position, right, up, forward, middle, targetSize;
         bool operator==(const Camera&) const = default;
     };
     /// A list of bodies for each tile.

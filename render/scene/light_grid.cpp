@@ -100,16 +100,24 @@ glm::vec4 boundingSphere(const SnapshotLight& light, glm::dvec3 origin) {
     return {place + light.direction * half, half + light.radius};
 }
 
+/// The middle of the image at depth 1, in view space.
+glm::vec2 middleOf(const FrameBlock& block) {
+    const glm::vec3 middle(block.viewMiddle);
+    return {glm::dot(middle, glm::vec3(block.cameraRight)), glm::dot(middle, glm::vec3(block.cameraUp))};
+}
+
 /// The first and the last tile along one axis of the screen that a sphere can touch. along, depth: the sphere's centre
-/// in view space; tangent: of half the view's angle. Each tile lies between two planes through the eye, so the test is
-/// exact except near the sphere's silhouette.
-std::optional<glm::ivec2> tilesAlong(float along, float depth, float radius, float tangent, float pixels) {
+/// in view space; middle, tangent: of the image at depth 1, and half its size. Each tile lies between two planes
+/// through the eye, so the test is exact except near the sphere's silhouette.
+std::optional<glm::ivec2> tilesAlong(float along, float depth, float radius, float middle, float tangent,
+                                     float pixels) {
     const int count = int(std::ceil(pixels / kTilePixels));
     int low = count, high = -1;
     for (int tile = 0; tile < count; ++tile) {
         const auto beyond =
             [&](int edge) {  // signed distance from the plane through this tile edge, positive on the right
-                const float slope = (std::min(float(edge * kTilePixels), pixels) / pixels * 2.0f - 1.0f) * tangent;
+                const float slope =
+                    middle + (std::min(float(edge * kTilePixels), pixels) / pixels * 2.0f - 1.0f) * tangent;
                 return (along - slope * depth) / std::sqrt(1.0f + slope * slope);
             };
         if (beyond(tile) < -radius || beyond(tile + 1) > radius) continue;
@@ -131,8 +139,9 @@ void LightGrid::listVisibleLights(std::span<const SnapshotLight> lights, const F
         if (!(depth + sphere.w > 0.0f) || !(lights[i].reach > 0.0f) || !(brightness(lights[i]) > 0.0f)) continue;
         const glm::vec3 seen(glm::dot(toCentre, glm::vec3(block.cameraRight)),
                              glm::dot(toCentre, glm::vec3(block.cameraUp)), depth);
-        const auto across = tilesAlong(seen.x, depth, sphere.w, block.cameraRight.w, block.targetSize.x);
-        const auto up = tilesAlong(seen.y, depth, sphere.w, block.cameraUp.w, block.targetSize.y);
+        const glm::vec2 middle = middleOf(block);
+        const auto across = tilesAlong(seen.x, depth, sphere.w, middle.x, block.cameraRight.w, block.targetSize.x);
+        const auto up = tilesAlong(seen.y, depth, sphere.w, middle.y, block.cameraUp.w, block.targetSize.y);
         if (!across || !up) continue;
         m_visible.push_back({int(i),
                              {seen, sphere.w},
@@ -148,9 +157,12 @@ void LightGrid::listVisibleLights(std::span<const SnapshotLight> lights, const F
 bool LightGrid::reaches(const VisibleLight& light, glm::ivec3 cell, const FrameBlock& block) const {
     const float nearest = cell.z == 0 ? 0.0f : std::exp2(0.5f * float(cell.z));
     const float farthest = cell.z + 1 == kSlices ? block.cameraForward.w : std::exp2(0.5f * float(cell.z + 1));
+    const glm::vec2 middle = middleOf(block);
     const auto aside = [&](int axis, float tangent) {
-        const float low = (float(cell[axis] * kTilePixels) / block.targetSize[axis] * 2.0f - 1.0f) * tangent;
-        const float high = (float((cell[axis] + 1) * kTilePixels) / block.targetSize[axis] * 2.0f - 1.0f) * tangent;
+        const auto slope = [&](int edge) {
+            return middle[axis] + (float(edge * kTilePixels) / block.targetSize[axis] * 2.0f - 1.0f) * tangent;
+        };
+        const float low = slope(cell[axis]), high = slope(cell[axis] + 1);
         const float first = low * (low > 0.0f ? nearest : farthest), last = high * (high > 0.0f ? farthest : nearest);
         return light.sphere[axis] - std::clamp(light.sphere[axis], first, last);
     };
@@ -194,7 +206,7 @@ void LightGrid::moveStrongestFirst(const FrameBlock& block) {
         const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) * float(kTilePixels) / glm::vec2(block.targetSize) * 2.0f - 1.0f;
         const glm::vec3 middle =
             glm::vec3(block.cameraPosition) +
-            depth * (glm::vec3(block.cameraForward) + glm::vec3(block.cameraRight) * (uv.x * block.cameraRight.w) +
+            depth * (glm::vec3(block.viewMiddle) + glm::vec3(block.cameraRight) * (uv.x * block.cameraRight.w) +
                      glm::vec3(block.cameraUp) * (uv.y * block.cameraUp.w));
         byStrength.clear();
         for (uint32_t k = 0; k < cell.y; ++k) {

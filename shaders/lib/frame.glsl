@@ -10,7 +10,7 @@ layout(std140) uniform FrameBlock {
 /// position = camera + viewRay(uv) * linear depth.
 vec3 viewRay(vec2 uv) {
     vec2 p = (uv + frame.jitter.xy) * 2.0 - 1.0;
-    return frame.cameraForward.xyz + frame.cameraRight.xyz * (p.x * frame.cameraRight.w) +
+    return frame.viewMiddle.xyz + frame.cameraRight.xyz * (p.x * frame.cameraRight.w) +
            frame.cameraUp.xyz * (p.y * frame.cameraUp.w);
 }
 

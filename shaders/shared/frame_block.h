@@ -8,6 +8,7 @@ vec4 cameraPosition;          // xyz world; w near plane, metres
 vec4 cameraRight;             // xyz unit vector; w tangent of half the horizontal field of view
 vec4 cameraUp;                // xyz unit vector; w tangent of half the vertical field of view
 vec4 cameraForward;           // xyz unit vector; w far plane, metres
+vec4 viewMiddle;              // xyz ray through the middle of the image, as viewRay(): off-centre views look aside
 vec4 previousCameraPosition;  // xyz world
 vec4 targetSize;              // width, height, 1 / width, 1 / height of the traced and lit targets, pixels
 vec4 displaySize;             // the same of the displayed image: larger if RenderSettings::resolutionScale is below 1

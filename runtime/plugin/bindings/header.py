@@ -138,10 +138,12 @@ def describe(text):
             description["groups"].append({"doc": doc, "section": section})
             doc = ""
         elif struct == "rubble_api":
+            above = ""
             for code, member_doc, member_section in members(body):
                 pointer = re.match(r"(.*?)\(\*(\w+)\)\((.*)\)$", code, re.S)
                 if pointer:
-                    description["functions"].append(function_of(*pointer.groups(), member_doc, member_section))
+                    above = member_doc or above  # one comment may stand above several functions
+                    description["functions"].append(function_of(*pointer.groups(), above, member_section))
         elif struct:
             description["structs"].append(struct_of(struct, doc, section, body))
             doc = ""

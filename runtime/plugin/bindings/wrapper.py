@@ -100,6 +100,7 @@ public:
 }};
 '''
 
+READS = ("get_", "cast_", "find_", "overlap_", "read_", "translate_")
 BY_HAND = {"destroy_world", "create_renderer", "destroy_renderer"}
 OPTIONAL = {"vdb_tool"}  # arguments that may be null, where a name alone tells
 
@@ -184,7 +185,7 @@ def method(function, sized, kinds):
         after = f"check(api().{function['name']}({', '.join(passed + ['&out'])}));\nreturn out;"
     else:
         after = f"check(api().{function['name']}({', '.join(passed)}));"
-    constant = " const" if result != "void" else ""
+    constant = " const" if function["name"].startswith(READS) else ""
     lines = [line for part in before + [after] for line in part.split("\n")]
     head = f"{result} {function['name']}({', '.join(text for _, text in taken)}){constant} {{"
     body = "\n".join(wrapped(line.strip(), "            " if line.startswith(" ") else "        ") for line in lines)

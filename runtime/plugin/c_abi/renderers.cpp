@@ -1,3 +1,7 @@
+#include <cmath>
+#include <glm/mat4x4.hpp>
+#include <optional>
+
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
 #include "runtime/plugin/c_abi/host.h"
@@ -51,6 +55,52 @@ rubble_result createRenderer(rubble_world world, const rubble_renderer_settings*
     });
 }
 
+/// The projection of a view that has one, checked: a perspective with the field of view that vertical_fov may have.
+std::optional<View::Projection> readProjection(const rubble_view& given, uint32_t flags) {
+    View::Projection read;
+    bool isGiven = false;
+    for (int i = 0; i < 16; ++i) {
+        if (!std::isfinite(given.projection[i])) {
+            refuse(RUBBLE_ERROR_ARGUMENT, "view->projection[{}] is {}, expected a finite number", i,
+                   given.projection[i]);
+            return {};
+        }
+        isGiven = isGiven || given.projection[i] != 0.0;
+        read.clipFromEye[i / 4][i % 4] = given.projection[i];
+    }
+    read.isZeroToOne = flags & RUBBLE_VIEW_ZERO_TO_ONE;
+    read.composesDepth = flags & RUBBLE_VIEW_DEPTH;
+    if (!isGiven) {
+        if (flags & (RUBBLE_VIEW_DEPTH | RUBBLE_VIEW_ZERO_TO_ONE))
+            refuse(RUBBLE_ERROR_ARGUMENT, "view->projection is zero, expected the projection that depths are of");
+        return {};
+    }
+    const glm::dmat4& p = read.clipFromEye;
+    for (int i = 0; i < 16; ++i) {
+        const bool isFree = i == 0 || i == 5 || (i >= 8 && i <= 10) || i == 14;
+        if (!isFree && given.projection[i] != (i == 11 ? -1.0 : 0.0)) {
+            refuse(RUBBLE_ERROR_ARGUMENT,
+                   "view->projection[{}] is {}, expected {}: a perspective, eyes looking along -z", i,
+                   given.projection[i], i == 11 ? -1.0 : 0.0);
+            return {};
+        }
+    }
+    constexpr double kLeast = 0.07, kMost = 200.0;  // of fields of view of 3 and 0.01 radians
+    for (int axis = 0; axis < 2; ++axis)
+        if (!(p[axis][axis] >= kLeast && p[axis][axis] <= kMost) || std::abs(p[2][axis]) > 4.0) {
+            refuse(RUBBLE_ERROR_ARGUMENT,
+                   "view->projection has the scale {} and the shift {} along {}, expected {} to {} "
+                   "and -4 to 4",
+                   p[axis][axis], p[2][axis], "xy"[axis], kLeast, kMost);
+            return {};
+        }
+    if (p[3][2] == 0.0) {
+        refuse(RUBBLE_ERROR_ARGUMENT, "view->projection[14] is 0, expected depths that differ");
+        return {};
+    }
+    return read;
+}
+
 View readView(const rubble_view& given) {
     if (given.width < 1 || given.width > kMaxViewSize || given.height < 1 || given.height > kMaxViewSize)
         refuse(RUBBLE_ERROR_ARGUMENT, "view is {} x {} pixels, expected 1 to {}", given.width, given.height,
@@ -64,7 +114,14 @@ View readView(const rubble_view& given) {
     if (given.slot >= kMaxSlots)
         refuse(RUBBLE_ERROR_ARGUMENT, "view->slot is {}, expected 0 to {}", given.slot, kMaxSlots - 1);
     view.slot = int(given.slot);
-    view.cut = readFlags(given.flags, RUBBLE_VIEW_CUT, "view->flags") & RUBBLE_VIEW_CUT;
+    const uint32_t flags = readFlags(
+        given.flags,
+        RUBBLE_VIEW_CUT | RUBBLE_VIEW_DEPTH | RUBBLE_VIEW_ZERO_TO_ONE | RUBBLE_VIEW_LINEAR | RUBBLE_VIEW_FLIP_Y,
+        "view->flags");
+    view.cut = flags & RUBBLE_VIEW_CUT;
+    view.isLinear = flags & RUBBLE_VIEW_LINEAR;
+    view.isFlipped = flags & RUBBLE_VIEW_FLIP_Y;
+    view.projection = readProjection(given, flags);
     return view;
 }
 

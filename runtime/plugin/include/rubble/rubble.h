@@ -838,7 +838,17 @@ typedef struct rubble_renderer_settings {
     const char* program_cache;
 } rubble_renderer_settings;
 
-enum { RUBBLE_VIEW_CUT = 1 /* the camera jumped: do not reuse earlier frames */ };
+enum {
+    RUBBLE_VIEW_CUT = 1, /* the camera jumped: do not reuse earlier frames */
+    /* composes with what the host has drawn: where the framebuffer's depth buffer is nearer, colour and depth stay;
+     * else both are written, also for hosts that draw on. Depths are those of `projection`, in a depth range of 0 to 1,
+     * and as coarse as the image that is traced: the preset "fast" traces fewer pixels. Panes, water and fog do not
+     * cover what the host has drawn */
+    RUBBLE_VIEW_DEPTH = 2,
+    RUBBLE_VIEW_ZERO_TO_ONE = 4, /* `projection` has clip depths of 0 to 1, as with glClipControl; else -1 to 1 */
+    RUBBLE_VIEW_LINEAR = 8,      /* writes radiance times exposure, for an HDR target, not the colours of a display */
+    RUBBLE_VIEW_FLIP_Y = 16      /* the first row of pixels is the top one */
+};
 
 /* A camera and the target that it draws to. */
 typedef struct rubble_view {
@@ -853,6 +863,9 @@ typedef struct rubble_view {
     double rotation[4];   /* the camera looks along -z with y up */
     double vertical_fov;  /* radians, 0.01 to 3; 0: 1.05 */
     double alpha;         /* 0 to 1: interpolates between the poses of the last two steps */
+    /* column-major, from an eye that looks along -z with y up to clip space: a perspective, also off-centre, with
+     * reversed depth or an infinite far plane. All zeros: vertical_fov in the middle of the view */
+    double projection[16];
 } rubble_view;
 
 /* Counters and wall-clock times of the last draw(). */

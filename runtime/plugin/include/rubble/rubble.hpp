@@ -433,7 +433,7 @@ public:
     /** Loads the start of a recording and plays all its steps. *steps (may be null) counts the steps that had the
      * recorded state hash. RUBBLE_ERROR_FILE: the file is damaged (the world is unchanged), or a step had another hash
      * because another build made the recording (the world is as after that step). */
-    uint64_t play_recording(const char* path) const {
+    uint64_t play_recording(const char* path) {
         uint64_t out{};
         check(api().play_recording(m_handle, path, &out));
         return out;

@@ -1,0 +1,321 @@
+// Views with a host's own projection, which compose with the host's depth.
+#include <gtest/gtest.h>
+#include <rubble/rubble.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "render/gl/gl.h"
+#include "render/gl/offscreen.h"
+#include "tests/abi/test_level.h"
+#include "tests/render/gl_fixture.h"
+
+namespace rubble {
+namespace {
+
+constexpr int kWidth = 96, kHeight = 54;
+constexpr double kNear = 0.1, kFar = 200.0;
+
+using Matrix = std::array<double, 16>;
+
+/// What a host may ask of depth: its matrix for a view that is `shift` of half its size off-centre.
+struct Convention {
+    const char* name;
+    bool isReversed, isInfinite, isZeroToOne;
+
+    Matrix projection(double shiftX, double shiftY) const {
+        const double nearest = isZeroToOne ? 0.0 : -1.0, from = isReversed ? 1.0 : nearest,
+                     to = isReversed ? nearest : 1.0;  // clip depth of the near and of the far plane
+        Matrix p = {};
+        p[0] = 1.2, p[5] = 1.2 * kWidth / kHeight, p[8] = shiftX, p[9] = shiftY, p[11] = -1.0;
+        // (p10 z + p14) / -z is `from` at -kNear and `to` at the far plane.
+        p[10] = isInfinite ? -to : (from * kNear - to * kFar) / (kFar - kNear);
+        p[14] = isInfinite ? (from - to) * kNear : (from - to) * kNear * kFar / (kFar - kNear);
+        return p;
+    }
+    double windowDepth(const Matrix& p, double metres) const {
+        const double clip = (p[10] * -metres + p[14]) / metres;
+        return isZeroToOne ? clip : clip * 0.5 + 0.5;
+    }
+    double farthest() const { return isReversed ? 0.0 : 1.0; }
+};
+
+/// A framebuffer of a host: colours of 16 bits, a depth of 32.
+class HostTarget {
+public:
+    /// Needs the context, which must be current.
+    explicit HostTarget(GlContext&) {
+        glGenFramebuffers(1, &m_framebuffer);
+        glGenRenderbuffers(2, m_buffers);
+        glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
+        attach(0, GL_RGBA16F, GL_COLOR_ATTACHMENT0);
+        attach(1, GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT);
+    }
+    ~HostTarget() {
+        glDeleteFramebuffers(1, &m_framebuffer);
+        glDeleteRenderbuffers(2, m_buffers);
+    }
+    HostTarget(const HostTarget&) = delete;
+    HostTarget& operator=(const HostTarget&) = delete;
+    /// Fills it with what a wall across the view at one depth would draw.
+    void fill(double windowDepth) const {
+        glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
+        glClearColor(1.0f, 0.0f, 1.0f, 1.0f);
+        glClearDepth(windowDepth);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glClearDepth(1.0);
+    }
+    std::vector<float> colors() const { return read(GL_RGB, 3); }
+    std::vector<float> depths() const { return read(GL_DEPTH_COMPONENT, 1); }
+    unsigned framebuffer() const { return m_framebuffer; }
+
+private:
+    void attach(int buffer, GLenum format, GLenum attachment) const {
+        glBindRenderbuffer(GL_RENDERBUFFER, m_buffers[buffer]);
+        glRenderbufferStorage(GL_RENDERBUFFER, format, kWidth, kHeight);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, m_buffers[buffer]);
+    }
+    std::vector<float> read(GLenum format, int channels) const {
+        std::vector<float> values(size_t(kWidth * kHeight * channels));
+        glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
+        glReadPixels(0, 0, kWidth, kHeight, format, GL_FLOAT, values.data());
+        return values;
+    }
+    GLuint m_framebuffer = 0, m_buffers[2] = {};
+};
+
+class HostView : public GlTest {
+protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        ASSERT_EQ(rubble_get_api(RUBBLE_VERSION, &m_api), RUBBLE_OK);
+        rubble_host host = {};
+        host.struct_size = sizeof host;
+        host.gl_get_proc_address = testContext().loader();
+        ASSERT_EQ(m_api->set_host(&host), RUBBLE_OK);
+        rubble_world_settings settings = {};
+        settings.struct_size = sizeof settings;
+        settings.flags = RUBBLE_WORLD_WAIT_FOR_SHADOW;
+        ASSERT_EQ(m_api->create_world(&settings, &m_world), RUBBLE_OK) << m_api->get_last_error();
+        const std::string level = writeTestLevel();
+        ASSERT_EQ(m_api->load_level(m_world, level.c_str(), nullptr), RUBBLE_OK) << m_api->get_last_error();
+        std::filesystem::remove(level);
+        ASSERT_EQ(m_api->step(m_world), RUBBLE_OK);
+        rubble_renderer_settings given = {};
+        given.struct_size = sizeof given;
+        given.preset = "balanced";  // traces every pixel that it shows
+        given.flags = RUBBLE_RENDERER_COMPILE_LATE;
+        ASSERT_EQ(m_api->create_renderer(m_world, &given, &m_renderer), RUBBLE_OK) << m_api->get_last_error();
+    }
+    void TearDown() override {
+        m_api->destroy_renderer(m_renderer);
+        m_api->destroy_world(m_world);
+        m_api->set_host(nullptr);
+        GlTest::TearDown();
+    }
+    rubble_view view(uint32_t flags) const {
+        rubble_view view = {};
+        view.struct_size = sizeof view;
+        view.flags = RUBBLE_VIEW_CUT | flags;
+        view.framebuffer = m_target.framebuffer();
+        view.width = kWidth, view.height = kHeight;
+        view.position[0] = 0.85, view.position[1] = 1.6, view.position[2] = 3.5;
+        view.rotation[0] = -0.15, view.rotation[3] = std::sqrt(1.0 - 0.15 * 0.15);
+        return view;
+    }
+    rubble_view view(uint32_t flags, const Matrix& projection) const {
+        rubble_view made = view(flags);
+        std::copy(projection.begin(), projection.end(), made.projection);
+        return made;
+    }
+    /// Depth along the view axis of what a point of the image shows, x and y in pixels from its lower left corner.
+    /// Infinite: the sky.
+    double depthAt(const rubble_view& view, double x, double y) const {
+        const double* p = view.projection;
+        const double eye[3] = {(x / kWidth * 2.0 - 1.0 + p[8]) / p[0], (y / kHeight * 2.0 - 1.0 + p[9]) / p[5], -1.0};
+        const double s = view.rotation[0], c = view.rotation[3];  // turned about x alone
+        const double cosine = c * c - s * s, sine = 2.0 * s * c;
+        const double direction[3] = {eye[0], cosine * eye[1] - sine * eye[2], sine * eye[1] + cosine * eye[2]};
+        rubble_hit hit = {};
+        EXPECT_EQ(m_api->cast_ray(m_world, view.position, direction, 1000.0, &hit), RUBBLE_OK);
+        const double length = std::sqrt(eye[0] * eye[0] + eye[1] * eye[1] + 1.0);
+        return hit.hit ? hit.distance / length : std::numeric_limits<double>::infinity();
+    }
+    /// The least and the greatest depth within a pixel.
+    std::array<double, 2> depthsIn(const rubble_view& view, int x, int y) const {
+        std::array<double, 2> range = {std::numeric_limits<double>::infinity(), 0.0};
+        for (const double dx : {0.02, 0.5, 0.98})
+            for (const double dy : {0.02, 0.5, 0.98}) {
+                const double depth = depthAt(view, x + dx, y + dy);
+                range = {std::min(range[0], depth), std::max(range[1], depth)};
+            }
+        return range;
+    }
+
+    const rubble_api* m_api = nullptr;
+    rubble_world m_world = 0;
+    rubble_renderer m_renderer = 0;
+    HostTarget m_target{testContext()};
+};
+
+TEST_F(HostView, DepthComposesToThePixelInEveryConvention) {
+    constexpr Convention kConventions[] = {{"usual", false, false, false},
+                                           {"infinite", false, true, false},
+                                           {"zero to one", false, false, true},
+                                           {"reversed", true, false, true},
+                                           {"reversed and infinite", true, true, true},
+                                           {"reversed in -1 to 1", true, false, false}};
+    constexpr double kWall = 3.4;  // metres: through the middle of the table
+    for (const Convention& convention : kConventions)
+        for (const double shift : {0.0, 0.35}) {
+            SCOPED_TRACE(std::string(convention.name) + ", off-centre by " + std::to_string(shift));
+            const Matrix projection = convention.projection(shift, -0.5 * shift);
+            const rubble_view view = this->view(
+                RUBBLE_VIEW_DEPTH | (convention.isZeroToOne ? uint32_t(RUBBLE_VIEW_ZERO_TO_ONE) : 0u), projection);
+            const double wall = convention.windowDepth(projection, kWall);
+            m_target.fill(wall);
+            ASSERT_EQ(m_api->draw(m_renderer, &view), RUBBLE_OK) << m_api->get_last_error();
+            const std::vector<float> colors = m_target.colors(), depths = m_target.depths();
+            int before = 0, behind = 0;
+            for (int y = 0; y < kHeight; ++y)
+                for (int x = 0; x < kWidth; ++x) {
+                    const size_t pixel = size_t(y * kWidth + x);
+                    const auto [nearest, farthest] = depthsIn(view, x, y);
+                    const bool isWall = colors[3 * pixel] == 1.0f && colors[3 * pixel + 1] == 0.0f;
+                    if (nearest > kWall) {
+                        ++behind;
+                        EXPECT_TRUE(isWall) << x << ", " << y << ": what lies at " << nearest << " m hides the wall";
+                        EXPECT_EQ(depths[pixel], float(wall)) << x << ", " << y;
+                    } else if (farthest < kWall) {
+                        ++before;
+                        EXPECT_FALSE(isWall) << x << ", " << y << ": the wall hides what lies at " << farthest << " m";
+                        const double a = convention.windowDepth(projection, nearest),
+                                     b = convention.windowDepth(projection, farthest);
+                        EXPECT_GE(depths[pixel], std::min(a, b) - 1e-5) << x << ", " << y;
+                        EXPECT_LE(depths[pixel], std::max(a, b) + 1e-5) << x << ", " << y;
+                    }
+                }
+            EXPECT_GT(before, 200);
+            EXPECT_GT(behind, 2000);
+        }
+}
+
+TEST_F(HostView, TheSkyLiesBehindEverything) {
+    for (const bool isReversed : {false, true}) {
+        const Convention convention{"", isReversed, true, true};
+        const Matrix projection = convention.projection(0.0, 0.0);
+        const rubble_view view = this->view(RUBBLE_VIEW_DEPTH | RUBBLE_VIEW_ZERO_TO_ONE, projection);
+        m_target.fill(convention.farthest());
+        ASSERT_EQ(m_api->draw(m_renderer, &view), RUBBLE_OK) << m_api->get_last_error();
+        const std::vector<float> colors = m_target.colors(), depths = m_target.depths();
+        for (size_t pixel = 0; pixel < depths.size(); ++pixel)
+            ASSERT_FALSE(colors[3 * pixel] == 1.0f && colors[3 * pixel + 1] == 0.0f) << "a pixel was not drawn";
+        EXPECT_EQ(depths.back(), float(convention.farthest())) << "the sky has a depth";
+    }
+}
+
+TEST_F(HostView, AProjectionInTheMiddleDrawsWhatAFieldOfViewDraws) {
+    rubble_view byAngle = view(0);
+    byAngle.vertical_fov = 0.9;
+    ASSERT_EQ(m_api->draw(m_renderer, &byAngle), RUBBLE_OK);
+    const std::vector<float> expected = m_target.colors();
+    Matrix projection = Convention{"", true, true, true}.projection(0.0, 0.0);
+    projection[5] = 1.0 / std::tan(0.45), projection[0] = projection[5] * kHeight / kWidth;
+    const rubble_view byMatrix = view(0, projection);
+    ASSERT_EQ(m_api->draw(m_renderer, &byMatrix), RUBBLE_OK);
+    const std::vector<float> found = m_target.colors();
+    double worst = 0.0;
+    for (size_t i = 0; i < found.size(); ++i) worst = std::max(worst, std::abs(double(found[i]) - double(expected[i])));
+    EXPECT_LT(worst, 0.02);
+}
+
+TEST_F(HostView, AnOffCentreViewShowsItsPartOfAWiderOne) {
+    ASSERT_EQ(m_api->set_debug_view(m_renderer, "radiance"), RUBBLE_OK);  // exposure follows the whole image
+    constexpr int kPart = 64;                                             // the noise of rays repeats after as many
+    Matrix projection = Convention{"", false, false, false}.projection(0.0, 0.0);
+    rubble_view wide = view(0, projection);
+    wide.width = 2 * kPart;
+    const Offscreen all({2 * kPart, kHeight}), right({kPart, kHeight});
+    wide.framebuffer = all.framebuffer();
+    ASSERT_EQ(m_api->draw(m_renderer, &wide), RUBBLE_OK) << m_api->get_last_error();
+    projection[0] *= 2.0, projection[8] = 1.0;
+    rubble_view part = view(0, projection);
+    part.width = kPart, part.framebuffer = right.framebuffer();
+    ASSERT_EQ(m_api->draw(m_renderer, &part), RUBBLE_OK) << m_api->get_last_error();
+    const std::vector<uint8_t> expected = all.readRgb(), found = right.readRgb();
+    double sum = 0.0;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 8; x < kPart; ++x)  // filters of the wide image look over its middle
+            for (int i = 0; i < 3; ++i)
+                sum += std::abs(int(found[size_t(3 * (y * kPart + x) + i)]) -
+                                int(expected[size_t(3 * ((2 * y + 1) * kPart + x) + i)]));
+    EXPECT_LT(sum / (255.0 * 3 * kHeight * (kPart - 8)), 0.003);
+}
+
+TEST_F(HostView, AFlippedViewIsTheSameUpsideDown) {
+    rubble_view upright = view(0), flipped = view(RUBBLE_VIEW_FLIP_Y);
+    ASSERT_EQ(m_api->draw(m_renderer, &upright), RUBBLE_OK);
+    const std::vector<float> expected = m_target.colors();
+    ASSERT_EQ(m_api->draw(m_renderer, &flipped), RUBBLE_OK);
+    const std::vector<float> found = m_target.colors();
+    for (int y = 0; y < kHeight; ++y)
+        for (int i = 0; i < 3 * kWidth; ++i)
+            ASSERT_EQ(found[size_t(y * 3 * kWidth + i)], expected[size_t((kHeight - 1 - y) * 3 * kWidth + i)]) << y;
+}
+
+TEST_F(HostView, ALinearViewGivesRadianceTimesExposure) {
+    rubble_view display = view(0), linear = view(RUBBLE_VIEW_LINEAR);
+    rubble_environment environment = {};
+    environment.struct_size = sizeof environment;
+    ASSERT_EQ(m_api->get_environment(m_world, &environment), RUBBLE_OK);
+    std::vector<float> images[3];
+    ASSERT_EQ(m_api->draw(m_renderer, &display), RUBBLE_OK);
+    images[0] = m_target.colors();
+    ASSERT_EQ(m_api->draw(m_renderer, &linear), RUBBLE_OK);
+    images[1] = m_target.colors();
+    for (const float value : images[0]) ASSERT_LE(value, 1.0f);
+    // A sun and sky of ten times the light: the display's colours end at 1, radiance does not.
+    for (double* color : {environment.sun_color, environment.sky_color, environment.horizon_color})
+        for (int i = 0; i < 3; ++i) color[i] *= 10.0;
+    ASSERT_EQ(m_api->set_environment(m_world, &environment), RUBBLE_OK);
+    ASSERT_EQ(m_api->step(m_world), RUBBLE_OK);
+    ASSERT_EQ(m_api->draw(m_renderer, &linear), RUBBLE_OK);
+    images[2] = m_target.colors();
+    double sums[3] = {};
+    for (int image = 0; image < 3; ++image)
+        for (const float value : images[image]) sums[image] += double(value);
+    EXPECT_GT(sums[2], 2.0 * sums[1]);
+    EXPECT_GT(*std::max_element(images[2].begin(), images[2].end()), 1.5f);
+}
+
+TEST_F(HostView, WhatCannotBeComposedIsRefused) {
+    const Matrix good = Convention{"", false, false, false}.projection(0.0, 0.0);
+    const auto refused = [&](rubble_view view, rubble_result expected, const char* said) {
+        EXPECT_EQ(m_api->draw(m_renderer, &view), expected) << said;
+        EXPECT_NE(std::string(m_api->get_last_error()).find(said), std::string::npos) << m_api->get_last_error();
+    };
+    refused(view(RUBBLE_VIEW_DEPTH), RUBBLE_ERROR_ARGUMENT, "view->projection is zero");
+    Matrix orthographic = good;
+    orthographic[11] = 0.0, orthographic[15] = 1.0;
+    refused(view(0, orthographic), RUBBLE_ERROR_ARGUMENT, "view->projection[11] is 0, expected -1");
+    Matrix mirrored = good;
+    mirrored[5] = -mirrored[5];
+    refused(view(0, mirrored), RUBBLE_ERROR_ARGUMENT, "along y");
+    Matrix flat = good;
+    flat[14] = 0.0;
+    refused(view(RUBBLE_VIEW_DEPTH, flat), RUBBLE_ERROR_ARGUMENT, "view->projection[14]");
+    Matrix unreal = good;
+    unreal[9] = std::numeric_limits<double>::quiet_NaN();
+    refused(view(0, unreal), RUBBLE_ERROR_ARGUMENT, "view->projection[9]");
+    glBindFramebuffer(GL_FRAMEBUFFER, m_target.framebuffer());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, 0);
+    refused(view(RUBBLE_VIEW_DEPTH, good), RUBBLE_ERROR_GL, "expected a depth buffer");
+}
+
+}  // namespace
+}  // namespace rubble
