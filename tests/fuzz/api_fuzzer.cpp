@@ -4,15 +4,31 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "runtime/assets/assets.h"
 #include "tests/fuzz/random_world.h"
 #include "tests/fuzz/scratch_folder.h"
+#include "tests/fuzz/stages.h"
+#include "tests/fuzz/world_model.h"
 
 namespace rubble {
 namespace {
+
+/// The world whose calls are being made by this thread; 0: others may be in a call too.
+thread_local rubble_world worldInCall = 0;
+
+const rubble_api& api();
+
+/// A log callback that calls back: it is in a call of its world, which is refused.
+void callBack() {
+    uint64_t hash = 0;
+    if (worldInCall && api().get_state_hash(worldInCall, &hash) != RUBBLE_ERROR_BUSY) std::abort();
+    if (worldInCall) reached("calls from a callback");
+}
 
 const rubble_api& api() {
     static const rubble_api* table = [] {
@@ -20,7 +36,11 @@ const rubble_api& api() {
         rubble_get_api(RUBBLE_VERSION, &found);
         rubble_host host = {};
         host.struct_size = sizeof host;
-        host.log = [](void*, int32_t, const char*) {};
+        host.log = [](void*, int32_t, const char*) { callBack(); };
+        host.assertion_failed = [](void*, const char* message) {
+            std::fprintf(stderr, "%s\n", message);
+            std::abort();
+        };
         found->set_host(&host);
         return found;
     }();
@@ -31,17 +51,36 @@ const rubble_api& api() {
 class RandomHost {
 public:
     explicit RandomHost(Decisions& decisions) : m_decisions(decisions), m_wildness(1u << (1 + decisions.below(6))) {}
-    ~RandomHost() { api().destroy_world(m_world); }
+    ~RandomHost() {
+        worldInCall = 0;
+        api().destroy_world(m_world);
+        api().destroy_world(m_other);
+    }
 
     void run() {
-        rubble_world_settings settings = {};
-        settings.struct_size = sizeof settings;
-        settings.flags = m_decisions.oneIn(8) ? RUBBLE_WORLD_SHADOW_INLINE : RUBBLE_WORLD_NO_RENDERER;
-        if (api().create_world(&settings, &m_world) != RUBBLE_OK) std::abort();
+        m_world = makeWorld();
         if (!writeRubble(scratchPath("level.rubble"), randomLevel(m_decisions))) return;
-        if (api().load_level(m_world, scratchPath("level.rubble").c_str(), nullptr) != RUBBLE_OK) std::abort();
-        for (uint32_t i = 8 + m_decisions.below(24); i-- > 0;) call();
+        load(m_world);
+        if (m_decisions.oneIn(4)) {
+            m_other = makeWorld();
+            load(m_other);
+            m_foreign = list(api().get_lights, m_other);
+            for (const rubble_shape_state& each : shapeStates(m_other)) m_foreign.push_back(each.shape);
+        }
+        m_model.emplace(api(), m_world);
+        m_isObserved = m_decisions.oneIn(8);
+        if (m_other && m_decisions.oneIn(2)) startRecording();
+        worldInCall = m_world;
+        if (m_decisions.oneIn(16)) readInAnotherThread();
+        for (uint32_t i = 8 + m_decisions.below(24); i-- > 0;) {
+            m_decisions.oneIn(4) ? callWhole() : call();
+            if (m_isObserved && !m_hasLoaded) m_model->requireUnchanged();
+            if (m_hasLoaded) m_model->restart(), m_hasLoaded = false;
+        }
+        worldInCall = 0;
+        if (m_isRecorded) playInOther();
         saveAndLoad();
+        reached("inputs run to their end");
     }
 
 private:
@@ -80,16 +119,20 @@ private:
     }
     /// A handle of a list, now and then one that is stale or of another kind.
     uint64_t any(const std::vector<uint64_t>& handles) {
-        if (handles.empty() || m_decisions.oneIn(m_wildness * 4)) return m_decisions.oneIn(2) ? 0 : m_decisions.bits();
+        if (handles.empty() || m_decisions.oneIn(m_wildness * 4)) {
+            if (!m_foreign.empty() && m_decisions.oneIn(2))
+                return m_foreign[m_decisions.below(uint32_t(m_foreign.size()))];
+            return m_decisions.oneIn(2) ? 0 : m_decisions.bits();
+        }
         const uint64_t handle = handles[m_decisions.below(uint32_t(handles.size()))];
         if (m_decisions.oneIn(8)) m_old = handle;
         return m_decisions.oneIn(m_wildness * 4) ? m_old : handle;
     }
     template <class List>
-    std::vector<uint64_t> list(List function) {
+    std::vector<uint64_t> list(List function, rubble_world world = 0) {
         std::vector<uint64_t> out(256);
         uint32_t count = 0;
-        function(m_world, out.data(), uint32_t(out.size()), &count);
+        function(world ? world : m_world, out.data(), uint32_t(out.size()), &count);
         out.resize(std::min<size_t>(count, out.size()));
         return out;
     }
@@ -101,12 +144,16 @@ private:
         for (uint32_t i = 0; i < std::min(count, 256u); ++i) out.push_back(states[i].body);
         return out;
     }
-    std::vector<uint64_t> shapes() {
+    std::vector<rubble_shape_state> shapeStates(rubble_world world) {
         std::vector<rubble_shape_state> states(256);
         uint32_t count = 0;
-        api().get_shape_states(m_world, 0, states.data(), uint32_t(states.size()), &count);
+        api().get_shape_states(world, 0, states.data(), uint32_t(states.size()), &count);
+        states.resize(std::min<size_t>(count, states.size()));
+        return states;
+    }
+    std::vector<uint64_t> shapes() {
         std::vector<uint64_t> out;
-        for (uint32_t i = 0; i < std::min(count, 256u); ++i) out.push_back(states[i].shape);
+        for (const rubble_shape_state& each : shapeStates(m_world)) out.push_back(each.shape);
         return out;
     }
     std::vector<uint64_t> joints() {
@@ -133,7 +180,7 @@ private:
             case 0:
             case 1:
             case 2:
-                return void(api().step(m_world));
+                return m_model->step();
             case 3:
             case 4:
                 return callEdit();
@@ -152,6 +199,106 @@ private:
             default:
                 return m_decisions.oneIn(6) ? callFile() : callEdit();
         }
+    }
+    /// Bodies, shapes, voxels and fires as a whole.
+    void callWhole() {
+        switch (m_decisions.below(10)) {
+            case 0: {
+                auto change = sized<rubble_body_change>();
+                change.fields = whole(16), change.body = any(bodies());
+                place(change.position), rotation(change.rotation);
+                fill(change.velocity, 20.0), fill(change.angular_velocity, 20.0);
+                return void(api().set_body(m_world, &change));
+            }
+            case 1:
+                return void(m_decisions.oneIn(2) ? api().destroy_body(m_world, any(bodies()))
+                                                 : api().destroy_shape(m_world, any(shapes())));
+            case 2:
+            case 3:
+                return callVoxels();
+            case 4: {
+                auto resize = sized<rubble_resize>();
+                resize.shape = any(shapes());
+                for (int i = 0; i < 3; ++i) {
+                    resize.low[i] = int32_t(whole(20)) - 8, resize.size[i] = int32_t(1 + whole(30));
+                }
+                return void(api().resize_shape(m_world, &resize));
+            }
+            case 5:
+                return void(m_decisions.oneIn(2) ? api().split_shape(m_world, any(shapes()))
+                                                 : api().trim_shape(m_world, any(shapes())));
+            case 6:
+                return void(api().merge_shape(m_world, any(shapes()), m_decisions.oneIn(2) ? 0 : any(shapes())));
+            case 7:
+                return void(api().detach_joint(m_world, any(joints()), any(shapes())));
+            case 8:
+                return callFire();
+            default:
+                return callRows();
+        }
+    }
+    void callVoxels() {
+        const std::vector<rubble_shape_state> states = shapeStates(m_world);
+        auto box = sized<rubble_voxel_box>();
+        std::vector<uint8_t> cells;
+        if (!states.empty() && m_decisions.oneIn(2)) {  // as the grid has it
+            const rubble_shape_state& shape = states[m_decisions.below(uint32_t(states.size()))];
+            if (shape.size[0] < 1 || shape.size[1] < 1 || shape.size[2] < 1) return;
+            box.struct_size = sizeof(rubble_voxel_box), box.shape = shape.shape, cells.assign(1, 0);
+            for (int i = 0; i < 3; ++i) {
+                box.low[i] = int32_t(m_decisions.below(uint32_t(shape.size[i])));
+                box.size[i] = int32_t(1 + m_decisions.below(uint32_t(shape.size[i] - box.low[i])));
+                cells.resize(cells.size() * size_t(box.size[i]));
+            }
+            for (uint8_t& cell : cells) cell = uint8_t(m_decisions.oneIn(3) ? 0 : 1 + m_decisions.below(6));
+            m_model->step();  // no edits wait
+            for (const rubble_shape_state& now : shapeStates(m_world))
+                if (now.shape == shape.shape && std::equal(now.size, now.size + 3, shape.size))
+                    return m_model->write(now, static_cast<rubble_voxel_box&>(box), cells);
+            return;
+        }
+        box.what = whole(2), box.shape = any(shapes());
+        for (int i = 0; i < 3; ++i) box.low[i] = int32_t(whole(12)) - 4, box.size[i] = int32_t(1 + whole(8));
+        cells.resize(600);
+        uint64_t count = 0;
+        api().read_voxels(m_world, &box, cells.data(), whole(600), &count);
+        const uint64_t size = uint64_t(box.size[0]) * uint64_t(box.size[1]) * uint64_t(box.size[2]);
+        api().write_voxels(m_world, &box, cells.data(), std::min<uint64_t>(size, 600));
+    }
+    void callFire() {
+        auto heat = sized<rubble_heat>();
+        heat.flags = whole(2), place(heat.position);
+        heat.radius = number(2.0), heat.joules = number(1e8), heat.shape = m_decisions.oneIn(2) ? 0 : any(shapes());
+        api().heat(m_world, &heat);
+        rubble_fire fires[4];
+        uint32_t count = 0;
+        api().get_fires(m_world, fires, 4, &count);
+        if (count) reached("lists of fires");
+        if (m_decisions.oneIn(3)) {
+            auto water = sized<rubble_extinguish>();
+            place(water.position), water.radius = number(2.0), water.wet_seconds = number(60.0);
+            api().extinguish(m_world, &water);
+        }
+        double low[3], high[3];
+        place(low), place(high);
+        if (m_decisions.oneIn(3)) api().remove_fires(m_world, low, high);
+    }
+    void callRows() {
+        auto rows = sized<rubble_row_list>();
+        rows.kind = whole(9), rows.row_size = m_decisions.oneIn(2) ? 0 : whole(400), rows.body = any(bodies());
+        if (m_decisions.oneIn(2)) rows.body = 0;
+        if (rows.row_size > 400) rows.row_size = 8;
+        std::vector<unsigned char> bytes(4 * 400);
+        uint32_t count = 0;
+        api().read_rows(m_world, &rows, bytes.data(), m_decisions.below(5), &count);
+        uint64_t here = 0;
+        api().translate_handle(m_world, any(shapes()), &here);
+        rubble_body_state body = {};
+        api().get_body_state(m_world, any(bodies()), &body);
+        rubble_hit hit = {};
+        double from[3], along[3];
+        place(from), fill(along, 1.0);
+        api().cast_ray(m_world, from, along, number(100.0), &hit);
     }
     void callEdit() {
         switch (m_decisions.below(7)) {
@@ -346,6 +493,8 @@ private:
         const uint64_t stale = any({});
         api().set_debug_view(stale, "normal");
         api().destroy_renderer(stale);
+        api().draw(stale, nullptr);
+        api().get_draw_stats(stale, nullptr);
     }
     void callUndo() {
         switch (m_decisions.below(4)) {
@@ -360,9 +509,10 @@ private:
         }
     }
     void callFile() {
+        m_isRecorded = false, m_hasLoaded = true;
         if (m_decisions.oneIn(2)) return saveAndLoad();
         api().start_recording(m_world, scratchPath("game.rubblelog").c_str());
-        for (uint32_t i = m_decisions.below(4); i-- > 0;) callEdit(), api().step(m_world);
+        for (uint32_t i = m_decisions.below(4); i-- > 0;) callEdit(), m_model->step();
         if (api().stop_recording(m_world) != RUBBLE_OK) std::abort();
         uint64_t steps = 0;
         if (api().play_recording(m_world, scratchPath("game.rubblelog").c_str(), &steps) != RUBBLE_OK)
@@ -375,6 +525,57 @@ private:
         if (api().load_game(m_world, scratchPath("game.rubble").c_str()) != RUBBLE_OK) fail("load_game");
         api().get_state_hash(m_world, &after);
         if (before != after) fail("another hash after load_game");
+        m_isRecorded = false, m_hasLoaded = true;
+    }
+    rubble_world makeWorld() {
+        rubble_world_settings settings = {};
+        settings.struct_size = sizeof settings;
+        settings.flags = m_decisions.oneIn(8) ? RUBBLE_WORLD_SHADOW_INLINE : RUBBLE_WORLD_NO_RENDERER;
+        settings.physics_threads = m_decisions.oneIn(16) ? 3 : 0;
+        rubble_world world = 0;
+        if (api().create_world(&settings, &world) != RUBBLE_OK) fail("create_world");
+        return world;
+    }
+    void load(rubble_world world) {
+        if (api().load_level(world, scratchPath("level.rubble").c_str(), nullptr) != RUBBLE_OK) fail("load_level");
+    }
+    void startRecording() {
+        if (api().start_recording(m_world, scratchPath("whole.rubblelog").c_str()) != RUBBLE_OK)
+            fail("start_recording");
+        m_isRecorded = true;
+        m_model->restart();
+    }
+    /// A recording of all calls, played in another world, with threads or without, gives the same world.
+    void playInOther() {
+        uint64_t steps = 0, here = 0, there = 0;
+        m_model->step();  // what waits is in no recorded step
+        if (api().stop_recording(m_world) != RUBBLE_OK) fail("stop_recording");
+        if (api().play_recording(m_other, scratchPath("whole.rubblelog").c_str(), &steps) != RUBBLE_OK)
+            fail("play_recording in another world");
+        api().get_state_hash(m_world, &here);
+        api().get_state_hash(m_other, &there);
+        if (here != there) fail("another hash of a recording in another world");
+        reached("recordings played in another world");
+    }
+    /// Another thread reads while this one calls: both are answered or refused as busy.
+    void readInAnotherThread() {
+        worldInCall = 0;
+        std::thread reader([world = m_world] {
+            for (int i = 0; i < 20; ++i) {
+                rubble_voxel_accounting sums = {};
+                sums.struct_size = sizeof sums;
+                uint64_t hash = 0;
+                const rubble_result hashed = api().get_state_hash(world, &hash);
+                const rubble_result counted = api().get_voxel_accounting(world, &sums);
+                if (hashed != RUBBLE_OK && hashed != RUBBLE_ERROR_BUSY) std::abort();
+                if (counted != RUBBLE_OK && counted != RUBBLE_ERROR_BUSY) std::abort();
+            }
+        });
+        for (int i = 0; i < 4; ++i) callEdit(), api().step(m_world);  // not by the model, whose reads would be refused
+        reader.join();
+        worldInCall = m_world;
+        m_model->restart();
+        reached("inputs with two threads");
     }
     [[noreturn]] void fail(const char* what) {
         std::fprintf(stderr, "%s: %s\n", what, api().get_last_error());
@@ -384,7 +585,11 @@ private:
     Decisions& m_decisions;
     uint32_t m_wildness;
     uint64_t m_old = 0;
-    rubble_world m_world = 0;
+    rubble_world m_world = 0, m_other = 0;  ///< the other: of the same level, or 0
+    std::vector<uint64_t> m_foreign;        ///< handles of the other
+    std::optional<WorldModel> m_model;
+    bool m_isObserved = false;                       ///< each call is followed by a hash
+    bool m_isRecorded = false, m_hasLoaded = false;  ///< since the last call: loaded, saved or recorded
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "runtime/core/random.h"
+#include "tests/fuzz/stages.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 
@@ -102,5 +103,6 @@ int main(int argc, char** argv) {
         progress.end();
     }
     progress.print();
+    std::fputs(rubble::stageReport(input - first).c_str(), stdout);
     return 0;
 }

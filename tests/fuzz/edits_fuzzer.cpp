@@ -6,9 +6,9 @@
 #include "runtime/world/impacts/break_through.h"
 #include "runtime/world/impacts/impact_damage.h"
 #include "tests/fuzz/random_world.h"
+#include "tests/fuzz/stages.h"
 
 namespace rubble {
-namespace {}  // namespace
 
 void fuzz(Decisions& decisions) {
     World world;
@@ -22,6 +22,8 @@ void fuzz(Decisions& decisions) {
         if (world.data().levelReplaced || decisions.oneIn(20)) physics.load(world);
         const FrameChanges changes = world.applyEdits(edits);
         physics.apply(changes, world);
+        reached("steps");
+        if (!changes.empty()) reached("steps with changes");
         physics.step();
         copyMotion(physics, world);
         damage = impactDamage(world, physics.impacts());

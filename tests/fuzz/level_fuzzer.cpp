@@ -7,6 +7,7 @@
 #include "tests/fuzz/content_hash.h"
 #include "tests/fuzz/mutator.h"
 #include "tests/fuzz/random_world.h"
+#include "tests/fuzz/stages.h"
 
 namespace rubble {
 namespace {
@@ -48,6 +49,7 @@ void fuzz(Decisions& decisions) {
         if (read.error().empty()) std::abort();
         return;
     }
+    reached("files accepted");
     if (!levelFromRubble(levelToRubble(*read), "again")) std::abort();
     World world;
     world.load(*read);

@@ -7,6 +7,7 @@
 #include "runtime/world/history/world_baseline.h"
 #include "tests/fuzz/mutator.h"
 #include "tests/fuzz/random_world.h"
+#include "tests/fuzz/stages.h"
 
 namespace rubble {
 namespace {
@@ -47,6 +48,7 @@ RecordedStep record(Decisions& decisions, World& world, WorldBaseline& baseline,
 
 /// Follows a recording by its deltas, as a late joiner does, then by its edits.
 void follow(const Recording& recording) {
+    reached("files accepted");
     World joiner, player;
     joiner.setState(recording.start.world);
     player.setState(recording.start.world);
@@ -55,6 +57,7 @@ void follow(const Recording& recording) {
         const uint64_t before = joiner.hash();
         if (const Result<FrameChanges> applied = applyStepDelta(step.delta, "delta", joiner, palettes); !applied) {
             if (joiner.hash() != before) std::abort();
+            reached("deltas refused");
             break;
         }
         joiner.setPoses(step.poses);

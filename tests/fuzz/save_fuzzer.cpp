@@ -6,6 +6,7 @@
 #include "tests/fuzz/content_hash.h"
 #include "tests/fuzz/mutator.h"
 #include "tests/fuzz/random_world.h"
+#include "tests/fuzz/stages.h"
 
 namespace rubble {
 namespace {
@@ -58,6 +59,7 @@ void fuzz(Decisions& decisions) {
         if (read.error().empty()) std::abort();
         return;
     }
+    reached("files accepted");
     World loaded;
     loaded.setState(read->world);
     loaded.applyEdits(read->pending);

@@ -6,6 +6,7 @@
 #include "runtime/assets/vdb_reply.h"
 #include "runtime/core/utf8.h"
 #include "tests/fuzz/decisions.h"
+#include "tests/fuzz/stages.h"
 
 namespace rubble {
 namespace {
@@ -48,6 +49,7 @@ void fuzz(Decisions& decisions) {
         if (result.error().empty() || result.error().size() > kMaxText) std::abort();
         return requirePrintable(result.error(), false);
     }
+    reached("answers accepted");
     if (result->size() > kMaxText) std::abort();
     for (const std::string& note : notesOf(*result)) requirePrintable(note, true);
 }

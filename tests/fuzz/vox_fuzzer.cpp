@@ -6,6 +6,7 @@
 #include "runtime/core/log.h"
 #include "tests/fuzz/mutator.h"
 #include "tests/fuzz/random_world.h"
+#include "tests/fuzz/stages.h"
 #include "tests/runtime/assets/vox_writer.h"
 
 namespace rubble {
@@ -88,6 +89,7 @@ void run(Decisions& decisions) {
         if (level.error().empty()) std::abort();
         return;
     }
+    reached("files accepted");
     if (!levelFromRubble(levelToRubble(*level), "again")) std::abort();
     World world;
     world.load(*level);

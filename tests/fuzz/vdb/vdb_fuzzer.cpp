@@ -17,6 +17,7 @@
 #include "tests/fuzz/mutator.h"
 #include "tests/fuzz/random_world.h"
 #include "tests/fuzz/scratch_folder.h"
+#include "tests/fuzz/stages.h"
 
 namespace rubble {
 namespace {
@@ -161,6 +162,7 @@ void fuzz(Decisions& decisions) {
     const Result<Level> level = readVdbFile(path, notes);
     if (!level && level.error().empty()) std::abort();
     if (level) {
+        reached("files accepted");
         const Result<Level> baked = levelFromRubble(levelToRubble(*level), "baked");
         if (!baked) std::abort();
         World world;

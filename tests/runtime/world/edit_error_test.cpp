@@ -38,6 +38,8 @@ TEST(EditError, NamesTheFirstNumberThatIsOutOfItsRange) {
           std::pair{Edit(AddWaterEdit{water}), "flow[2] is 1e+07, expected -100 to 100"},
           std::pair{Edit(AddWaterEdit{}), "the number of points of the outline is 0, expected 3 to 10000"},
           std::pair{Edit(ImpulseEdit{.impulse = {kInfinity, 0, 0}}), "impulse[0] is inf, expected -1e+16 to 1e+16"},
+          std::pair{Edit(WriteVoxelsEdit{.box = {{2'000'000'000, 0, 0}, {-2'000'000'000, 1, 1}}}),
+                    "low is 2e+09, expected 0 to 4096"},
           std::pair{Edit(DriveEdit{.brake = -1.0}), "brake is -1, expected 0 to 1"},
           std::pair{Edit(CarveEdit{.kind = BrushKind::Box, .halfSize = {1, 1, 1}, .rotation = {2, 0, 0, 0}}),
                     "the squared length of rotation is 4, expected 0.998 to 1.002"}})
