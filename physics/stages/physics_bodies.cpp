@@ -100,10 +100,11 @@ void PhysicsBodies::createDynamic(const World& world, BodyHandle handle, bool as
     std::unique_ptr<DynamicBody>& body = slotOf(m_dynamics, slot);
     body = std::make_unique<DynamicBody>(world, handle);
     if (insert(world, *body, asleep)) return;
-    logWarning(
-        fmt::format("physics: body {} '{}' is not simulated. Expected solid voxels, and a pose and velocity that are "
-                    "finite and within 1,000 km of the middle of the level",
-                    slot, world.bodies().at(handle).name));
+    if (!world.bodies().at(handle).shapes.empty())
+        logWarning(fmt::format(
+            "physics: body {} '{}' is not simulated. Expected solid voxels, and a pose and velocity that are "
+            "finite and within 1,000 km of the middle of the level",
+            slot, world.bodies().at(handle).name));
     body->setAsleep(true);
     body->quarantine();
 }

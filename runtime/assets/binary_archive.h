@@ -7,9 +7,12 @@
 
 #include "runtime/assets/byte_reader.h"
 #include "runtime/assets/grid_limits.h"
+#include "runtime/assets/level_bytes.h"
 #include "runtime/assets/level_fields.h"
+#include "runtime/assets/memory_budget.h"
 #include "runtime/assets/palette_list.h"
 #include "runtime/core/handle.h"
+#include "runtime/world/edits/create_edits.h"
 
 namespace rubble {
 
@@ -56,11 +59,24 @@ private:
         write(grid.size());
     }
     void write(const PaletteRef& palette) { write(m_palettes.add(palette)); }
+    /// Its palette and its bricks too: what holds it may have no list of palettes.
+    void write(const WholeShape& shape) {
+        write(shape.palette != nullptr);
+        if (shape.palette) write(*shape.palette);
+        PaletteList only;
+        BinaryOutputArchive inner(m_bytes, only);
+        inner.put(static_cast<const LevelShape&>(shape));
+        write(uint32_t(shape.grid.brickCount()));
+        shape.grid.forEachBrick(
+            [&](glm::ivec3 position, const BrickRef& brick) { appendBrick(m_bytes, position, *brick); });
+        m_memory += inner.memory() + sizeof(Palette) + shape.grid.brickCount() * kBrickMemory;
+    }
     void write(const PaintColorsRef& colors) {
         write(colors ? colors->count : uint8_t(0));
         if (colors && colors->count)
             for (const Srgb& color : colors->colors) write(color);
     }
+    void write(AnyHandle handle) { write(withWorld(handle.bits, 0)); }
     template <HandleType kType>
     void write(Handle<kType> handle) {
         write(uint64_t(handle ? Handle<kType>::make(0, handle.generation(), handle.slot()).bits : 0));
@@ -157,6 +173,18 @@ private:
             m_in.fail(fmt::format("a palette number below {}", m_palettes.size()), std::to_string(number),
                       m_in.offset() - 4);
     }
+    void read(WholeShape& shape) {
+        bool hasPalette = false;
+        read(hasPalette);
+        auto palette = std::make_shared<Palette>();
+        if (!m_in.takeMemory(sizeof(Palette))) return;
+        if (hasPalette) read(*palette);
+        const std::vector<PaletteRef> only = {palette};
+        BinaryInputArchive inner(m_in, only, m_world);
+        inner.get(static_cast<LevelShape&>(shape));
+        if (!hasPalette) shape.palette = nullptr;
+        for (uint32_t i = m_in.readCount(7, "bricks"); i-- > 0 && !m_in.failed();) readBrick(m_in, shape.grid);
+    }
     void read(PaintColorsRef& colors) {
         const auto count = m_in.read<uint8_t>();
         colors = nullptr;
@@ -168,6 +196,11 @@ private:
         paint->count = count;
         read(paint->colors);
         colors = std::move(paint);
+    }
+    void read(AnyHandle& handle) {
+        handle = {m_in.read<uint64_t>()};
+        if (handle.world() != 0) return m_in.fail("a handle", fmt::format("{:x}", handle.bits), m_in.offset() - 8);
+        if (handle) handle = {withWorld(handle.bits, m_world)};
     }
     template <HandleType kType>
     void read(Handle<kType>& handle) {

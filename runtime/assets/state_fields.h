@@ -21,6 +21,8 @@ inline constexpr std::array<const char*, 3> kEnumNames<HistoryAction> = {"mark",
 template <>
 inline constexpr std::array<const char*, 5> kEnumNames<Tool> = {"any", "sledge", "torch", "gun", "explosive"};
 template <>
+inline constexpr std::array<const char*, 4> kEnumNames<ShapeSource> = {"grid", "box", "sphere", "copy"};
+template <>
 inline constexpr std::array<const char*, 4> kEnumNames<JointBreak> = {"voxel gone", "force", "removed", "cut"};
 
 template <>
@@ -243,10 +245,23 @@ inline constexpr auto kFields<SetBodyEdit> = std::tuple{
     Field{"angular_velocity", &SetBodyEdit::angularVelocity},
     Field{"sets_sleep", &SetBodyEdit::setsSleep},
     Field{"asleep", &SetBodyEdit::asleep},
+    Field{"sets_kind", &SetBodyEdit::setsKind},
+    Field{"is_static", &SetBodyEdit::isStatic},
 };
 template <>
 inline constexpr auto kFields<DestroyBodyEdit> = std::tuple{
     Field{"body", &DestroyBodyEdit::body},
+};
+template <>
+inline constexpr auto kFields<CreateBodyEdit> = std::tuple{
+    Field{"body", &CreateBodyEdit::body},
+};
+template <>
+inline constexpr auto kFields<CreateShapeEdit> = std::tuple{
+    Field{"body", &CreateShapeEdit::body},     Field{"source", &CreateShapeEdit::source},
+    Field{"size", &CreateShapeEdit::size},     Field{"entry", &CreateShapeEdit::entry},
+    Field{"copied", &CreateShapeEdit::copied}, Field{"palette_of", &CreateShapeEdit::paletteOf},
+    Field{"shape", &CreateShapeEdit::shape},
 };
 template <>
 inline constexpr auto kFields<SetCollisionFilterEdit> = std::tuple{
@@ -300,6 +315,7 @@ inline constexpr auto kFields<TeleportCharacterEdit> = std::tuple{
 template <>
 inline constexpr auto kFields<AddJointEdit> = std::tuple{
     Field{"joint", &AddJointEdit::joint},
+    Field{"in_world", &AddJointEdit::inWorld},
 };
 template <>
 inline constexpr auto kFields<RemoveJointEdit> = std::tuple{
@@ -364,6 +380,6 @@ struct AsVariant {
     const AnyEdit& operator()(const Edit& edit) const { return edit; }
 };
 template <>
-inline constexpr auto kFields<Edit> = std::tuple{Field{"kind", AsVariant{}}};
+inline constexpr auto kFields<Edit> = std::tuple{Field{"kind", AsVariant{}}, Field{"made", &Edit::made}};
 
 }  // namespace rubble

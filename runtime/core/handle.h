@@ -48,6 +48,9 @@ constexpr uint64_t withWorld(uint64_t bits, uint8_t world) {
     return (bits & ~(uint64_t(0xff) << 48)) | uint64_t(world) << 48;
 }
 
+/// A handle of any type.
+using AnyHandle = Handle<HandleType::None>;
+
 using BodyHandle = Handle<HandleType::Body>;
 using ShapeHandle = Handle<HandleType::Shape>;
 using LightHandle = Handle<HandleType::Light>;

@@ -17,6 +17,7 @@ inline constexpr double kMaxCharacterSpeed = 1e3;             ///< m/s, the leng
 
 // Shapes and materials
 inline constexpr NumberRange kVoxelSize{1e-3, 1e3};         ///< m
+inline constexpr NumberRange kSolidCells{1, 1 << 30};       ///< of a box or sphere that is made
 inline constexpr NumberRange kStrength{1e-6, 1e6};          ///< of a shape, multiple of its materials'
 inline constexpr NumberRange kEmission{0.0, 1e6};           ///< of a palette entry
 inline constexpr NumberRange kMaterials{1, 256};            ///< in a level

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "runtime/core/assertion.h"
+#include "runtime/core/handle.h"
 
 namespace rubble {
 
@@ -18,7 +19,10 @@ public:
         std::optional<T> value;
         uint32_t generation = 1;      ///< of the value; of an empty slot: of its next value
         uint32_t lastGeneration = 1;  ///< the highest so far: a later value gets a higher one
+        bool reserved = false;        ///< empty, and only fill() puts a value in
     };
+    using HandleOf = Handle;
+    static constexpr HandleType kType = Handle::make(0, 0, 0).type();  ///< of its handles
 
     /// `world` is stored in all handles: handles of another world find nothing here. `firstGeneration`: of new slots.
     explicit SlotMap(uint8_t world = 0, uint32_t firstGeneration = 1)
@@ -32,18 +36,62 @@ public:
 
     /// Stores a value and returns its handle. Asserts that fewer than 16,777,215 slots are used.
     Handle insert(T value) {
-        uint32_t slot;
-        if (m_free.empty()) {
-            slot = uint32_t(m_slots.size());
-            RUBBLE_ASSERT(slot < 0xffffffu && "SlotMap is full: 16,777,215 slots");
+        const Handle handle = reserve();
+        RUBBLE_ASSERT(handle && "SlotMap is full: 16,777,215 slots");
+        fill(handle, std::move(value));
+        return handle;
+    }
+
+    /// The handle that insert() would give, kept for one call of fill(): until then it names nothing, and no other
+    /// value gets its slot. Empty if all slots are used.
+    Handle reserve() {
+        if (m_free.empty() && m_slots.size() >= kMaxSlots) return {};
+        const uint32_t slot = m_free.empty() ? uint32_t(m_slots.size()) : m_free.back();
+        if (m_free.empty())
+            m_slots.push_back({{}, m_firstGeneration, m_firstGeneration});
+        else
+            m_free.pop_back();
+        m_slots[slot].reserved = true;
+        return Handle::make(m_world, m_slots[slot].generation, slot);
+    }
+    /// Reserves what reserve() gave in another copy of this map, in the order of those calls. False if the slot has
+    /// another use or generation here.
+    bool claim(Handle handle) {
+        if (isReserved(handle)) return true;
+        const uint32_t slot = handle.slot();
+        if (!handle || handle.world() != m_world || slot >= kMaxSlots || slot > m_slots.size()) return false;
+        if (slot == m_slots.size() && m_firstGeneration != handle.generation()) return false;
+        if (slot == m_slots.size()) {
             m_slots.push_back({{}, m_firstGeneration, m_firstGeneration});
         } else {
-            slot = m_free.back();
-            m_free.pop_back();
+            if (m_slots[slot].value || m_slots[slot].reserved || !isGenerationOf(m_slots[slot], handle)) return false;
+            m_free.erase(std::find(m_free.rbegin(), m_free.rend(), slot).base() - 1);
         }
-        m_slots[slot].value = std::move(value);
+        m_slots[slot].reserved = true;
+        return true;
+    }
+    /// Whether a handle is reserved and names nothing yet.
+    bool isReserved(Handle handle) const {
+        if (!handle || handle.type() != kType || handle.world() != m_world || handle.slot() >= m_slots.size())
+            return false;
+        return m_slots[handle.slot()].reserved && isGenerationOf(m_slots[handle.slot()], handle);
+    }
+    /// Stores a value under a reserved handle; asserts that it is.
+    T& fill(Handle handle, T value) {
+        RUBBLE_ASSERT(isReserved(handle) && "filling a slot that is not reserved");
+        Slot& slot = m_slots[handle.slot()];
+        slot.reserved = false;
+        slot.value = std::move(value);
         ++m_size;
-        return Handle::make(m_world, m_slots[slot].generation, slot);
+        return *slot.value;
+    }
+    /// Makes a reserved handle stale for ever.
+    void release(Handle handle) {
+        if (!isReserved(handle)) return;
+        Slot& slot = m_slots[handle.slot()];
+        slot.reserved = false;
+        slot.generation = ++slot.lastGeneration;
+        m_free.push_back(handle.slot());
     }
 
     /// Destroys the object. Returns false if the handle is stale.
@@ -57,18 +105,20 @@ public:
         return true;
     }
 
-    /// Erases all objects. Handles from before are stale; slots are given out as by a new map.
+    /// Erases all objects. Handles from before, reserved ones too, are stale; slots are given out as by a new map.
     void clear() {
         m_free.clear();
         for (size_t i = m_slots.size(); i-- > 0;) {
-            if (m_slots[i].value) m_slots[i].generation = ++m_slots[i].lastGeneration;
+            if (m_slots[i].value || m_slots[i].reserved) m_slots[i].generation = ++m_slots[i].lastGeneration;
             m_slots[i].value.reset();
+            m_slots[i].reserved = false;
             m_free.push_back(uint32_t(i));
         }
         m_size = 0;
     }
 
-    /// Puts a value back under the handle it had, for undo and replay. The slot must be empty.
+    /// Puts a value back under the handle it had, for undo and replay. The slot must be empty; if it is reserved, that
+    /// handle is stale from now on.
     T& restore(Handle handle, T value) {
         const uint32_t slot = handle.slot();
         if (m_slots.size() <= slot) {  // the new ones are used last, lowest first, like slots never used
@@ -78,7 +128,8 @@ public:
             m_slots.resize(slot + 1, {{}, m_firstGeneration, m_firstGeneration});
         }
         RUBBLE_ASSERT(!m_slots[slot].value && "restoring over a living object");
-        m_free.erase(std::find(m_free.rbegin(), m_free.rend(), slot).base() - 1);
+        if (!std::exchange(m_slots[slot].reserved, false))
+            m_free.erase(std::find(m_free.rbegin(), m_free.rend(), slot).base() - 1);
         m_slots[slot].value = std::move(value);
         m_slots[slot].generation = handle.generation();
         m_slots[slot].lastGeneration = std::max(m_slots[slot].lastGeneration, handle.generation());
@@ -88,11 +139,11 @@ public:
 
     /// The object of a handle; nullptr if the handle is stale, empty or of another world.
     T* find(Handle handle) { return const_cast<T*>(std::as_const(*this).find(handle)); }
-    /// The object of a handle; nullptr if the handle is stale, empty or of another world.
+    /// The object of a handle; nullptr if the handle is stale, reserved, empty or of another world.
     const T* find(Handle handle) const {
         if (!handle || handle.world() != m_world || handle.slot() >= m_slots.size()) return nullptr;
         const Slot& slot = m_slots[handle.slot()];
-        if (!slot.value || (slot.generation & 0xffffffu) != handle.generation()) return nullptr;
+        if (!slot.value || !isGenerationOf(slot, handle)) return nullptr;
         return &*slot.value;
     }
     /// The object of a handle that is known to be valid; asserts that.
@@ -125,12 +176,12 @@ public:
 
     /// All slots, empty ones too, for saving.
     const std::vector<Slot>& slots() const { return m_slots; }
-    /// Empty slots in the order of their use: the last one is used next.
+    /// Empty slots that are not reserved, in the order of their use: the last one is used next.
     const std::vector<uint32_t>& freeSlots() const { return m_free; }
     /// Makes these slots the next to be used, the last of them first. Other empty slots follow, lowest first.
     void setFreeSlots(const std::vector<uint32_t>& slots) {
         std::vector<bool> isOther(m_slots.size());
-        for (size_t i = 0; i < m_slots.size(); ++i) isOther[i] = !m_slots[i].value;
+        for (size_t i = 0; i < m_slots.size(); ++i) isOther[i] = !m_slots[i].value && !m_slots[i].reserved;
         std::vector<uint32_t> next;
         for (const uint32_t slot : slots)
             if (slot < isOther.size() && isOther[slot]) isOther[slot] = false, next.push_back(slot);
@@ -156,6 +207,12 @@ public:
     size_t slotCount() const { return m_slots.size(); }
 
 private:
+    static constexpr uint32_t kMaxSlots = 0xffffffu;
+
+    static bool isGenerationOf(const Slot& slot, Handle handle) {
+        return (slot.generation & 0xffffffu) == handle.generation();
+    }
+
     std::vector<Slot> m_slots;
     std::vector<uint32_t> m_free;
     size_t m_size = 0;

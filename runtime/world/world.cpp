@@ -57,14 +57,23 @@ FrameChanges World::beginStep() {
     return changes;
 }
 
+void World::claim(const Edits& edits) {
+    for (const Edit& edit : edits)
+        if (edit.made)
+            withMapOf(static_cast<WorldObjects&>(m_data), edit.made, [](auto& map, auto handle) { map.claim(handle); });
+}
+
 FrameChanges World::applyEdits(const Edits& edits, const Edits& damage) {
+    claim(damage);  // before undo, as where the handles were given out
+    claim(edits);
     FrameChanges changes = beginStep();
     limitUndo(m_undo, m_data, m_data.settings.undoMarks);
     // The first step after a load has edits that waited in the save among the damage.
     const bool wasUndoOrRedo = runHistory(edits, changes, runHistory(damage, changes, false));
     const bool hasLostStress = m_data.settings.stress.on && !m_data.stress;  // in applyDelta()
     if (wasUndoOrRedo || hasLostStress) m_data.restartStress();
-    Edits all = wasUndoOrRedo ? Edits{} : damage;
+    Edits all = damage;
+    if (wasUndoOrRedo) std::erase_if(all, [](const Edit& edit) { return !edit.made; });
     all.insert(all.end(), edits.begin(), edits.end());
     const size_t restored = changes.entries();
     if (!all.empty() || m_data.isBusy()) EditStep(m_data, changes).run(all);

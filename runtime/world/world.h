@@ -41,6 +41,14 @@ public:
     /// Replaces everything by the level, and all handles from before go stale; the next applyEdits() reports
     /// levelReplaced. Undo starts again.
     void load(const Level& level);
+    /// Reserves the handle of something that an edit for the next step makes (Edit::made): an edit for that step may
+    /// name it already. `map`: as bodies() and its like give it. Empty if the map is full.
+    template <class Handle, class T>
+    Handle reserve(const SlotMap<Handle, T>& map) {
+        return const_cast<SlotMap<Handle, T>&>(map).reserve();
+    }
+    /// Reserves the handles of edits that another copy of this world has reserved, in their order.
+    void claim(const Edits& edits);
     /// One step: undo or redo, then the edits in their order, then all that follows from them and from time. Counts the
     /// step. Invalid edits are logged and do nothing. damage: what impacts of the step before do; it comes before the
     /// edits, and an undo or redo drops it, because its impacts are undone.

@@ -3,6 +3,7 @@
 #include <rubble/rubble.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -108,7 +109,10 @@ void apiCalls(benchmark::State& state) {
     push.struct_size = sizeof push, push.body = world.freeBody();
     rubble_explosion nowhere = {};
     nowhere.struct_size = sizeof nowhere, nowhere.size = 100.0;
-    double plain = 0.0, edit = 0.0, stale = 0.0, range = 0.0, ray = 0.0, batch = 0.0, step = 0.0;
+    rubble_body_settings frame = {};
+    frame.struct_size = sizeof frame, frame.flags = RUBBLE_BODY_STATIC;
+    std::vector<rubble_body> made(kCalls);
+    double plain = 0.0, edit = 0.0, stale = 0.0, range = 0.0, ray = 0.0, batch = 0.0, step = 0.0, make = 0.0;
     rubble_body_state body = {};
     for (auto _ : state) {
         timeCalls(plain, [&](int) { api().get_body_state(world, push.body, &body); });
@@ -124,6 +128,9 @@ void apiCalls(benchmark::State& state) {
         require(api().cast_rays(world, rays.data(), kCalls, nullptr, hits.data()));
         batch += threadMs() - start;
         timeCalls(step, [&](int) { api().step(empty); });
+        timeCalls(make, [&](int i) { api().create_body(empty, &frame, &made[size_t(i)]); });
+        for (const rubble_body body : made) require(api().destroy_body(empty, body));
+        require(api().step(empty));
     }
     const double each = 1e6 / (double(kCalls) * double(state.iterations()));
     state.counters["plain_ns"] = plain * each;
@@ -133,12 +140,57 @@ void apiCalls(benchmark::State& state) {
     state.counters["ray_ns"] = ray * each;
     state.counters["batch_ray_ns"] = batch * each;
     state.counters["empty_step_ns"] = step * each;
+    state.counters["make_ns"] = make * each;
+    state.counters["make_over_edit"] = make / edit;
     state.counters["edit_over_plain"] = edit / plain;
     state.counters["stale_over_plain"] = stale / plain;
     state.counters["range_over_plain"] = range / plain;
     state.counters["ray_over_batch"] = ray / batch;
 }
 BENCHMARK(apiCalls)->Unit(benchmark::kMillisecond);
+
+/// Voxels between host and plugin, a byte each: made into a shape, read back, and copied by memcpy beside it.
+void apiVoxels(benchmark::State& state) {
+    constexpr int kSide = 128;
+    const HostWorld world(false);
+    std::vector<uint8_t> cells(size_t(kSide) * kSide * kSide), back(cells.size());
+    for (size_t i = 0; i < cells.size(); ++i) cells[i] = uint8_t(1 + i / 777 % 9);
+    rubble_body_settings frame = {};
+    frame.struct_size = sizeof frame, frame.flags = RUBBLE_BODY_STATIC;
+    double make = 0.0, read = 0.0, copy = 0.0;
+    for (auto _ : state) {
+        rubble_body body = 0;
+        rubble_shape_settings settings = {};
+        rubble_voxel_box box = {};
+        settings.struct_size = sizeof settings, settings.source = RUBBLE_SHAPE_INDICES;
+        settings.indices = cells.data(), settings.count = cells.size();
+        box.struct_size = sizeof box;
+        std::fill_n(settings.size, 3, kSide), std::fill_n(box.size, 3, kSide);
+        require(api().create_body(world, &frame, &body));
+        settings.body = body;
+        double start = threadMs();
+        require(api().create_shape(world, &settings, &box.shape));
+        make += threadMs() - start;
+        require(api().step(world));
+        uint64_t count = 0;
+        start = threadMs();
+        require(api().read_voxels(world, &box, back.data(), back.size(), &count));
+        read += threadMs() - start;
+        if (back != cells) throw std::runtime_error("other voxels were read than written");
+        start = threadMs();
+        std::copy(cells.begin(), cells.end(), back.begin());
+        benchmark::DoNotOptimize(back.data());
+        copy += threadMs() - start;
+        require(api().destroy_body(world, body));
+        require(api().step(world));
+    }
+    const double bytes = double(cells.size()) * double(state.iterations());
+    state.counters["make_GB_s"] = bytes / make * 1e-6;
+    state.counters["read_GB_s"] = bytes / read * 1e-6;
+    state.counters["make_over_copy"] = make / copy;
+    state.counters["read_over_copy"] = read / copy;
+}
+BENCHMARK(apiVoxels)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace rubble

@@ -174,7 +174,10 @@ private:
     }
 
     void call() {
-        switch (m_decisions.below(13)) {
+        switch (m_decisions.below(15)) {
+            case 13:
+            case 14:
+                return callCreate();
             case 12:
                 return callState();
             case 0:
@@ -299,6 +302,53 @@ private:
         double from[3], along[3];
         place(from), fill(along, 1.0);
         api().cast_ray(m_world, from, along, number(100.0), &hit);
+    }
+    /// Makes things, and edits them before they are there.
+    void callCreate() {
+        auto frame = sized<rubble_body_settings>();
+        frame.flags = whole(4), place(frame.position), rotation(frame.rotation);
+        if (m_decisions.oneIn(4)) fill(frame.velocity, 10.0);
+        rubble_body body = any(bodies());
+        if (m_decisions.oneIn(2)) api().create_body(m_world, &frame, &body);
+        const uint8_t cells[60] = {1, 2, 3, 0, 0, 6, 1, 1, 1};
+        const rubble_voxel_run runs[3] = {{7, 1}, {whole(8), whole(7)}, {3, 2}};
+        for (uint32_t i = m_decisions.below(3); i-- > 0;) {
+            auto shape = sized<rubble_shape_settings>();
+            shape.source = whole(6), shape.body = body, place(shape.position), rotation(shape.rotation);
+            shape.size[0] = int32_t(1 + whole(5)), shape.size[1] = 4, shape.size[2] = 3;
+            shape.index = whole(7), shape.indices = cells, shape.runs = runs;
+            shape.count = shape.source == RUBBLE_SHAPE_RUNS ? m_decisions.below(4) : uint64_t(shape.size[0]) * 12;
+            if (shape.source != RUBBLE_SHAPE_RUNS) shape.count = std::min<uint64_t>(shape.count, 60);
+            shape.copied = any(shapes());
+            if (m_decisions.oneIn(2)) shape.palette_of = any(shapes());
+            rubble_shape made = 0;
+            api().create_shape(m_world, &shape, &made);
+            auto box = sized<rubble_voxel_box>();
+            box.shape = made, box.size[0] = 2, box.size[1] = box.size[2] = 1, box.low[1] = int32_t(whole(4));
+            if (m_decisions.oneIn(2)) api().write_voxels(m_world, &box, cells, 2);
+            if (m_decisions.oneIn(8)) api().destroy_shape(m_world, made);
+            auto joint = sized<rubble_joint_settings>();
+            joint.kind = whole(7), joint.shapes[0] = made, joint.shapes[1] = any(shapes());
+            place(joint.position), joint.anchor_radius = number(3.0);
+            rubble_joint held = 0;
+            if (m_decisions.oneIn(3)) api().create_joint(m_world, &joint, &held);
+            auto light = sized<rubble_light_settings>();
+            light.shape = made, light.reach = number(5.0);
+            rubble_light lamp = 0;
+            if (m_decisions.oneIn(4)) api().create_light(m_world, &light, &lamp);
+        }
+        auto change = sized<rubble_body_change>();
+        change.fields = whole(64), change.body = body, place(change.position), fill(change.velocity, 5.0);
+        api().set_body(m_world, &change);
+        if (m_decisions.oneIn(8)) api().destroy_body(m_world, body);
+        auto prefab = sized<rubble_prefab>();
+        const std::string path = scratchPath("level.rubble");
+        prefab.path = path.c_str(), place(prefab.position), rotation(prefab.rotation);
+        rubble_prefab_row rows[32];
+        rubble_refusal refused[4];
+        uint32_t count = 0;
+        if (m_decisions.oneIn(8)) api().create_prefab(m_world, &prefab, rows, 32, &count);
+        api().get_refusals(m_world, refused, 4, &count);
     }
     void callEdit() {
         switch (m_decisions.below(7)) {

@@ -76,6 +76,7 @@ private:
                                          m_decisions.below(8));
         if (wants()) handle = {};
     }
+    void change(WholeShape& shape) { change(static_cast<LevelShape&>(shape)); }
     template <class T, size_t kSize>
     void change(std::array<T, kSize>& values) {
         for (T& value : values) change(value);

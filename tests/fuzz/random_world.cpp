@@ -114,7 +114,7 @@ Edit usualEdit(Decisions& decisions, const World& world) {
     const auto character = world.characters().handleAt(decisions.below(uint32_t(world.characters().slotCount())));
     const double size = decisions.within({0.0, 1.5});
     const uint32_t seed = decisions.below(1000);
-    switch (decisions.below(42)) {
+    switch (decisions.below(46)) {
         case 0:
             return CarveEdit{.kind = BrushKind::Box, .position = at, .halfSize = {size, size, 0.3}, .shape = shape};
         case 1:
@@ -214,6 +214,8 @@ Edit usualEdit(Decisions& decisions, const World& world) {
                                .setsVelocity = decisions.oneIn(2),
                                .velocity = at,
                                .setsSleep = decisions.oneIn(3),
+                               .setsKind = decisions.oneIn(4),
+                               .isStatic = decisions.oneIn(2),
                                .asleep = decisions.oneIn(2)};
         case 38:
             return DestroyBodyEdit{body};
@@ -221,6 +223,21 @@ Edit usualEdit(Decisions& decisions, const World& world) {
             return DestroyShapeEdit{shape};
         case 40:
             return WriteVoxelsEdit{shape, {{1, 0, 2}, {4, 3, 5}}, std::vector<uint8_t>(27, uint8_t(seed % 3))};
+        case 41:
+        case 42:
+            return CreateBodyEdit{{.pose = {at, randomRotation(decisions)}, .isStatic = decisions.oneIn(3)}};
+        case 43:
+        case 44: {
+            CreateShapeEdit edit{.body = body, .source = ShapeSource(decisions.below(4))};
+            edit.size = glm::ivec3(1 + decisions.below(9), 1 + decisions.below(5), 1 + seed % 7);
+            edit.entry = uint8_t(1 + seed % 6);
+            edit.copied = shape;
+            if (decisions.oneIn(2)) edit.paletteOf = anyShape(decisions, world);
+            edit.shape.local = {at, randomRotation(decisions)};
+            if (edit.source == ShapeSource::Grid) edit.shape.grid = randomGrid(decisions);
+            if (decisions.oneIn(4)) edit.shape.palette = randomPalette(decisions);
+            return edit;
+        }
         default:
             return BreakEdit{.position = at, .radii = randomRadii(decisions), .seed = seed, .shape = shape};
     }

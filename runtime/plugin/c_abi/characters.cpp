@@ -57,6 +57,9 @@ rubble_character_state characterState(CharacterHandle handle, const Character& c
 rubble_result addCharacter(rubble_world world, const rubble_character_settings* character) {
     return pushEdit("add_character", world, character, readCharacter);
 }
+rubble_result createCharacter(rubble_world world, const rubble_character_settings* character, rubble_character* out) {
+    return pushMaker("create_character", world, character, out, &World::characters, readCharacter);
+}
 rubble_result removeCharacter(rubble_world world, rubble_character character) {
     return removeOne<RemoveCharacterEdit, HandleType::Character>("remove_character", world, character, "character",
                                                                  &World::characters);
@@ -82,6 +85,7 @@ void writeRows(const HostedWorld& hosted, RowWriter<rubble_character_state>& row
 
 void setCharacterFunctions(rubble_api& api) {
     api.add_character = addCharacter;
+    api.create_character = createCharacter;
     api.remove_character = removeCharacter;
     api.move_character = moveCharacter;
     api.teleport_character = teleportCharacter;

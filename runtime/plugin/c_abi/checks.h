@@ -190,17 +190,23 @@ template <HandleType kType, class Map>
 auto* findLive(const Map& map, uint64_t bits, const char* name) {
     const Handle<kType> handle = readHandle<kType>(bits, name);
     const auto* value = map.find(handle);
-    if (!value) refuse(RUBBLE_ERROR_STALE, "{}{}", name, handle ? " is stale" : " is 0");
+    if (!value)
+        refuse(RUBBLE_ERROR_STALE, "{}{}", name,
+               !handle                  ? " is 0"
+               : map.isReserved(handle) ? " names nothing before the next step()"
+                                        : " is stale");
     return value;
 }
 
-/// A handle that names something in a SlotMap; empty if the call is refused.
+/// A handle for an edit: it names something in a SlotMap, or something that an edit will make before this one has its
+/// turn. Empty if the call is refused.
 template <HandleType kType, class Map>
 Handle<kType> readLiveHandle(const Map& map, uint64_t bits, const char* name) {
+    if (map.isReserved(Handle<kType>{bits})) return {bits};
     return findLive<kType>(map, bits, name) ? Handle<kType>{bits} : Handle<kType>{};
 }
 
-/// 0, or a handle that names something in a SlotMap.
+/// 0, or a handle as readLiveHandle() reads it.
 template <HandleType kType, class Map>
 Handle<kType> readOptionalHandle(const Map& map, uint64_t bits, const char* name) {
     return bits ? readLiveHandle<kType>(map, bits, name) : Handle<kType>{};

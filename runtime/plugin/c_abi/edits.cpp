@@ -111,14 +111,19 @@ SetCollisionShapeEdit readCollisionShape(const World& world, const rubble_collis
 SetBodyEdit readBodyChange(const World& world, const rubble_body_change& given) {
     constexpr uint32_t kSleep = RUBBLE_SET_ASLEEP | RUBBLE_SET_AWAKE;
     constexpr uint32_t kMotion = RUBBLE_SET_VELOCITY | kSleep;
-    const uint32_t fields = readFlags(given.fields, RUBBLE_SET_POSE | kMotion, "fields");
-    const Body* body = findLive<HandleType::Body>(world.bodies(), given.body, "body");
+    constexpr uint32_t kKind = RUBBLE_SET_STATIC | RUBBLE_SET_DYNAMIC;
+    const uint32_t fields = readFlags(given.fields, RUBBLE_SET_POSE | kMotion | kKind, "fields");
+    const BodyHandle handle = readLiveHandle<HandleType::Body>(world.bodies(), given.body, "body");
+    const Body* body = world.bodies().find(handle);  // null: it is made by the step
     if (fields == 0) refuse(RUBBLE_ERROR_ARGUMENT, "fields is 0, expected RUBBLE_SET_...: nothing would change");
     if ((fields & kSleep) == kSleep)
         refuse(RUBBLE_ERROR_ARGUMENT, "fields has RUBBLE_SET_ASLEEP and RUBBLE_SET_AWAKE, expected one of them");
-    if (body && body->isStatic && fields & kMotion)
+    if ((fields & kKind) == kKind)
+        refuse(RUBBLE_ERROR_ARGUMENT, "fields has RUBBLE_SET_STATIC and RUBBLE_SET_DYNAMIC, expected one of them");
+    const bool isStatic = fields & kKind ? (fields & RUBBLE_SET_STATIC) != 0 : body && body->isStatic;
+    if (isStatic && fields & kMotion)
         refuse(RUBBLE_ERROR_ARGUMENT, "fields has {:#x}, expected RUBBLE_SET_POSE alone: the body is static", fields);
-    SetBodyEdit edit{.body = {given.body}};
+    SetBodyEdit edit{.body = handle};
     edit.setsPose = fields & RUBBLE_SET_POSE;
     if (edit.setsPose) edit.pose = {readVector(given.position, "position"), readRotation(given.rotation, "rotation")};
     edit.setsVelocity = fields & RUBBLE_SET_VELOCITY;
@@ -126,6 +131,8 @@ SetBodyEdit readBodyChange(const World& world, const rubble_body_change& given) 
         edit.velocity = readVector(given.velocity, "velocity", ranges::kVelocity);
         edit.angularVelocity = readVector(given.angular_velocity, "angular_velocity", ranges::kVelocity);
     }
+    edit.setsKind = fields & kKind;
+    edit.isStatic = isStatic;
     edit.setsSleep = fields & kSleep;
     edit.asleep = fields & RUBBLE_SET_ASLEEP;
     return edit;

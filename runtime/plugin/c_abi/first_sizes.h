@@ -51,6 +51,12 @@ namespace rubble::abi {
     X(rubble_body_change, 120)        \
     X(rubble_resize, 40)              \
     X(rubble_voxel_box, 40)           \
+    X(rubble_body_settings, 112)      \
+    X(rubble_voxel_run, 8)            \
+    X(rubble_shape_settings, 136)     \
+    X(rubble_prefab, 96)              \
+    X(rubble_prefab_row, 16)          \
+    X(rubble_refusal, 16)             \
     X(rubble_environment, 280)        \
     X(rubble_light_settings, 168)     \
     X(rubble_renderer_settings, 32)   \

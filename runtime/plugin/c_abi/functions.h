@@ -24,6 +24,10 @@ void setStateFunctions(rubble_api& api);
 void setFireFunctions(rubble_api& api);
 /// Sets the edits of whole shapes, read_voxels(), write_voxels() and detach_joint().
 void setShapeFunctions(rubble_api& api);
+/// Sets create_body(), create_shape() and get_refusals().
+void setCreateFunctions(rubble_api& api);
+/// Sets create_prefab().
+void setPrefabFunctions(rubble_api& api);
 /// Sets read_rows().
 void setRowFunctions(rubble_api& api);
 /// Sets ray casts, shape casts, overlap queries and find_closest_point().

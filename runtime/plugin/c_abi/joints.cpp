@@ -18,16 +18,16 @@ JointMotor readMotor(uint32_t mode, double target, double maxForce) {
             readSize(maxForce, "motor_max_force")};
 }
 
-/// The joint with its ends, from where its shapes are now.
+/// The joint with its ends, placed in the world.
 Joint readEnds(const World& world, const rubble_joint_settings& given) {
     const JointKind kind = JointKind(readEnum(given.kind, RUBBLE_JOINT_WHEEL, "kind"));
     std::array<ShapeHandle, 2> shapes;
     for (size_t i = 0; i < 2; ++i)
         shapes[i] = readOptionalHandle<HandleType::Shape>(world.shapes(), given.shapes[i], "shapes");
     const Pose frame{readVector(given.position, "position"), readRotation(given.rotation, "rotation")};
-    Joint joint = jointAt(world, kind, shapes[0], shapes[1], frame);
-    if (kind == JointKind::Rope)
-        joint.ends[1] = jointAt(world, kind, {}, shapes[1], {readVector(given.rope_end, "rope_end")}).ends[1];
+    Joint joint{.kind = kind};
+    for (size_t i = 0; i < 2; ++i) joint.ends[i].shape = shapes[i], joint.ends[i].frame = frame;
+    if (kind == JointKind::Rope) joint.ends[1].frame = {readVector(given.rope_end, "rope_end")};
     const double radius =
         readOrDefault(given.anchor_radius, ranges::kAnchorRadius, joint.ends[0].radius, "anchor_radius");
     joint.ends[0].radius = joint.ends[1].radius = radius;
@@ -57,7 +57,7 @@ AddJointEdit readJoint(const World& world, const rubble_joint_settings& given) {
                    readOrDefault(given.steer_rate, ranges::kSteerRate, joint.wheel.steerRate, "steer_rate")};
     requireNoError(jointError(joint));
     requireNoError(jointEndsError(joint));
-    return {joint};
+    return {joint, true};
 }
 
 SetJointMotorEdit readJointMotor(const World& world, const rubble_joint_motor& given) {
@@ -91,6 +91,9 @@ ReleaseEdit readRelease(const World&, const rubble_release& given) {
 
 rubble_result addJoint(rubble_world world, const rubble_joint_settings* settings) {
     return pushEdit("add_joint", world, settings, readJoint);
+}
+rubble_result createJoint(rubble_world world, const rubble_joint_settings* settings, rubble_joint* out) {
+    return pushMaker("create_joint", world, settings, out, &World::joints, readJoint);
 }
 rubble_result removeJoint(rubble_world world, rubble_joint joint) {
     return removeOne<RemoveJointEdit, HandleType::Joint>("remove_joint", world, joint, "joint", &World::joints);
@@ -143,6 +146,7 @@ void writeRows(const HostedWorld& hosted, RowWriter<rubble_joint_state>& rows) {
 
 void setJointFunctions(rubble_api& api) {
     api.add_joint = addJoint;
+    api.create_joint = createJoint;
     api.remove_joint = removeJoint;
     api.set_joint_motor = setJointMotor;
     api.drive_wheels = driveWheels;

@@ -154,15 +154,20 @@ rubble_result getLightSettings(rubble_world world, rubble_light light, rubble_li
 
 rubble_result setLight(rubble_world world, const rubble_light_settings* light) {
     return pushEdit("set_light", world, light, [](const World& in, const rubble_light_settings& given) {
-        const Light* present = findLight(in, given.light);
-        return SetLightEdit{LightHandle{given.light}, readLight(in, given, present ? *present : Light{})};
+        const LightHandle handle = readLiveHandle<HandleType::Light>(in.lights(), given.light, "light");
+        const Light* present = in.lights().find(handle);  // null: it is made by the step
+        return SetLightEdit{handle, readLight(in, given, present ? *present : Light{})};
     });
 }
 
+AddLightEdit readNewLight(const World& world, const rubble_light_settings& given) {
+    return {readLight(world, given, {})};
+}
 rubble_result addLight(rubble_world world, const rubble_light_settings* light) {
-    return pushEdit("add_light", world, light, [](const World& in, const rubble_light_settings& given) {
-        return AddLightEdit{readLight(in, given, {})};
-    });
+    return pushEdit("add_light", world, light, readNewLight);
+}
+rubble_result createLight(rubble_world world, const rubble_light_settings* light, rubble_light* out) {
+    return pushMaker("create_light", world, light, out, &World::lights, readNewLight);
 }
 
 rubble_result removeLight(rubble_world world, rubble_light light) {
@@ -187,6 +192,7 @@ void setLightFunctions(rubble_api& api) {
     api.get_light_settings = getLightSettings;
     api.set_light = setLight;
     api.add_light = addLight;
+    api.create_light = createLight;
     api.remove_light = removeLight;
     api.get_added_lights = getAddedLights;
 }

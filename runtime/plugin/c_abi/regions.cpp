@@ -46,6 +46,9 @@ AddTriggerEdit readTrigger(const World&, const rubble_trigger_settings& given) {
 rubble_result addWater(rubble_world world, const rubble_water_settings* water) {
     return pushEdit("add_water", world, water, readWater);
 }
+rubble_result createWater(rubble_world world, const rubble_water_settings* water, rubble_water* out) {
+    return pushMaker("create_water", world, water, out, &World::waters, readWater);
+}
 rubble_result removeWater(rubble_world world, rubble_water water) {
     return removeOne<RemoveWaterEdit, HandleType::Water>("remove_water", world, water, "water", &World::waters);
 }
@@ -55,6 +58,9 @@ rubble_result getWaters(rubble_world world, rubble_water* out, uint32_t capacity
 
 rubble_result addTrigger(rubble_world world, const rubble_trigger_settings* trigger) {
     return pushEdit("add_trigger", world, trigger, readTrigger);
+}
+rubble_result createTrigger(rubble_world world, const rubble_trigger_settings* trigger, rubble_trigger* out) {
+    return pushMaker("create_trigger", world, trigger, out, &World::triggers, readTrigger);
 }
 rubble_result removeTrigger(rubble_world world, rubble_trigger trigger) {
     return removeOne<RemoveTriggerEdit, HandleType::Trigger>("remove_trigger", world, trigger, "trigger",
@@ -87,9 +93,11 @@ void writeRows(const HostedWorld& hosted, RowWriter<rubble_trigger_event>& rows)
 
 void setRegionFunctions(rubble_api& api) {
     api.add_water = addWater;
+    api.create_water = createWater;
     api.remove_water = removeWater;
     api.get_waters = getWaters;
     api.add_trigger = addTrigger;
+    api.create_trigger = createTrigger;
     api.remove_trigger = removeTrigger;
     api.get_triggers = getTriggers;
     api.get_trigger_events = getTriggerEvents;

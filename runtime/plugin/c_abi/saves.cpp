@@ -26,33 +26,12 @@ rubble_result loadGame(rubble_world world, const char* path) {
     });
 }
 
-template <class Map>
-bool isKnown(const Map& map, uint64_t bits) {
-    return map.find({bits}) != nullptr;
-}
-
-/// Whether a handle names something in the World; those of worlds and renderers do not.
+/// Whether a handle names something in the World, or will after the next step; those of worlds and renderers do not.
 bool namesSomething(const World& world, uint64_t bits) {
-    switch (Handle<HandleType::None>{bits}.type()) {
-        case HandleType::Body:
-            return isKnown(world.bodies(), bits);
-        case HandleType::Shape:
-            return isKnown(world.shapes(), bits);
-        case HandleType::Light:
-            return isKnown(world.lights(), bits);
-        case HandleType::LightGroup:
-            return isKnown(world.lightGroups(), bits);
-        case HandleType::Water:
-            return isKnown(world.waters(), bits);
-        case HandleType::Trigger:
-            return isKnown(world.triggers(), bits);
-        case HandleType::Character:
-            return isKnown(world.characters(), bits);
-        case HandleType::Joint:
-            return isKnown(world.joints(), bits);
-        default:
-            return false;
-    }
+    bool out = false;
+    withMapOf(static_cast<const WorldObjects&>(world.data()), AnyHandle{bits},
+              [&](const auto& map, auto handle) { out = map.find(handle) || map.isReserved(handle); });
+    return out;
 }
 
 rubble_result translateHandle(rubble_world world, uint64_t handle, uint64_t* out) {

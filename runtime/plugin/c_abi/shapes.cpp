@@ -42,7 +42,8 @@ rubble_result mergeShape(rubble_world world, rubble_shape shape, rubble_shape in
         const MergeShapeEdit edit{readLiveHandle<HandleType::Shape>(shapes, shape, "shape"),
                                   readOptionalHandle<HandleType::Shape>(shapes, into, "into")};
         if (isRefused()) return;
-        if (edit.into && shapes.at(edit.into).body != shapes.at(edit.shape).body)
+        const Shape *moved = shapes.find(edit.shape), *target = shapes.find(edit.into);  // null: made by the step
+        if (moved && target && moved->body != target->body)
             refuse(RUBBLE_ERROR_ARGUMENT, "into is on another body, expected a shape of the same one");
         if (edit.into == edit.shape) refuse(RUBBLE_ERROR_ARGUMENT, "into is the shape, expected another one");
         push(hosted, edit);
@@ -82,17 +83,19 @@ rubble_result writeVoxels(rubble_world world, const rubble_voxel_box* box, const
         if (isRefused() || !isGiven(voxels, "voxels")) return;
         readEnum(given.what, RUBBLE_VOXEL_INDEX, "box->what");
         const CellBox cells = readBoxOf(given.low, given.size);
-        const Shape* shape = findLive<HandleType::Shape>(hosted.loop.world().shapes(), given.shape, "box->shape");
+        const auto& shapes = hosted.loop.world().shapes();
+        const auto handle = readLiveHandle<HandleType::Shape>(shapes, given.shape, "box->shape");
         if (isRefused()) return;
         const uint64_t needed = uint64_t(given.size[0]) * uint64_t(given.size[1]) * uint64_t(given.size[2]);
         if (size != needed)
             return refuse(RUBBLE_ERROR_ARGUMENT, "size is {}, expected {}, a byte each cell", size, needed);
-        const glm::ivec3 grid = shape->grid.size();
+        const Shape* shape = shapes.find(handle);  // null: it is made by the step
+        const glm::ivec3 grid = shape ? shape->grid.size() : glm::ivec3(kMaxGridSize);
         for (int a = 0; a < 3; ++a)
             if (cells.low[a] < 0 || cells.high[a] > grid[a])
                 return refuse(RUBBLE_ERROR_ARGUMENT, "the box has cells {} to {} of axis {}, expected 0 to {} at most",
                               cells.low[a], cells.high[a] - 1, a, grid[a] - 1);
-        push(hosted, WriteVoxelsEdit{{given.shape}, cells, {voxels, voxels + needed}});
+        push(hosted, WriteVoxelsEdit{handle, cells, {voxels, voxels + needed}});
     });
 }
 

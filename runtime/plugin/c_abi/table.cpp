@@ -19,6 +19,8 @@ rubble_api makeTable() {
     setStateFunctions(api);
     setFireFunctions(api);
     setShapeFunctions(api);
+    setCreateFunctions(api);
+    setPrefabFunctions(api);
     setRowFunctions(api);
     setQueryFunctions(api);
     setSaveFunctions(api);

@@ -15,7 +15,9 @@ struct SetBodyEdit {
     glm::dvec3 velocity{0.0};         ///< of the centre of mass, m/s; a static body takes none
     glm::dvec3 angularVelocity{0.0};  ///< rad/s, world axes
     bool setsSleep = false;
-    bool asleep = false;  ///< true: it stops and sleeps; false: it wakes
+    bool setsKind = false;  ///< before all else
+    bool isStatic = false;  ///< true: it stands still, and its shapes are held to the world; false: it is free
+    bool asleep = false;    ///< true: it stops and sleeps; false: it wakes
 };
 
 /// Erases a body with its shapes and all that is in them, without dust or pieces.

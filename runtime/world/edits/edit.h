@@ -11,6 +11,7 @@
 #include "runtime/core/handle.h"
 #include "runtime/destruction/brush.h"
 #include "runtime/world/edits/body_edits.h"
+#include "runtime/world/edits/create_edits.h"
 #include "runtime/world/edits/joint_edits.h"
 #include "runtime/world/edits/light_edits.h"
 #include "runtime/world/edits/shape_edits.h"
@@ -186,12 +187,14 @@ using AnyEdit =
                  RemoveTriggerEdit, AddCharacterEdit, RemoveCharacterEdit, MoveCharacterEdit, TeleportCharacterEdit,
                  AddJointEdit, RemoveJointEdit, SetJointMotorEdit, DetachJointEdit, GrabEdit, ReleaseEdit, DriveEdit,
                  SetEnvironmentEdit, SetLightEdit, AddLightEdit, RemoveLightEdit, SetBoundsEdit, SetCollisionShapeEdit,
-                 SetBodyEdit, DestroyBodyEdit, WriteVoxelsEdit, DestroyShapeEdit>;
+                 SetBodyEdit, DestroyBodyEdit, WriteVoxelsEdit, DestroyShapeEdit, CreateBodyEdit, CreateShapeEdit>;
 /// One command for the World: any of the kinds above. It is a class of its own so that its copies, moves and
 /// destructor, which are long over so many kinds, are compiled once (edit.cpp) and not wherever a list of edits is
 /// held.
 struct Edit : AnyEdit {
     using AnyEdit::AnyEdit;
+    /// Of an edit that makes something: the handle that it gets, which is reserved (SlotMap::reserve()); empty: any.
+    AnyHandle made;
     Edit();                 ///< an empty carve, for containers and readers
     Edit(const Edit&);      ///< compiled once
     Edit(Edit&&) noexcept;  ///< compiled once

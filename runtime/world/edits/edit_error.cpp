@@ -52,7 +52,9 @@ constexpr const char* kNames[] = {"carve",
                                   "set_body",
                                   "destroy_body",
                                   "write_voxels",
-                                  "destroy_shape"};
+                                  "destroy_shape",
+                                  "create_body",
+                                  "create_shape"};
 static_assert(std::size(kNames) == std::variant_size_v<AnyEdit>);
 
 /// About a number of an enum whose last is `last`.
@@ -140,6 +142,39 @@ std::string errorOf(const WriteVoxelsEdit& edit) {
         cells *= uint64_t(std::max<int64_t>(0, int64_t(edit.box.high[a]) - edit.box.low[a]));
     }
     return check.require(cells && cells == edit.entries.size(), "expected a byte for each cell of a box").error();
+}
+std::string errorOf(const CreateBodyEdit& edit) {
+    return objectError(edit.body);
+}
+/// About the paint of a grid: its colours are numbered from 1.
+std::string paintError(const VoxelGrid& grid, const PaintColorsRef& colors) {
+    const int count = colors ? colors->count : 0;
+    int highest = 0;
+    grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
+        if (brick->paint)
+            highest = std::max(highest, *std::max_element(brick->paint->begin(), brick->paint->end()) >> 4);
+    });
+    return RangeCheck().number("paint", highest, {0.0, double(count)}).error();
+}
+std::string errorOf(const CreateShapeEdit& edit) {
+    const LevelShape& shape = edit.shape;
+    RangeCheck check = checkEnum("source", edit.source, ShapeSource::Copy);
+    const bool keepsSize = edit.source == ShapeSource::Copy && shape.voxelSize == 0.0f;
+    check.text("name", shape.name)
+        .include(shapeError(shape.local, keepsSize ? 1.0f : shape.voxelSize, shape.strength))
+        .include(checkEnum("collision_shape", shape.collisionShape, CollisionShape::CylinderZ).error())
+        .include(paintError(shape.grid, shape.paintColors));
+    if (shape.palette)
+        for (const PaletteEntry& entry : *shape.palette)
+            if (!isWithin(double(entry.emission), ranges::kEmission)) check.include(objectError(entry));
+    for (const std::string& tag : shape.tags) check.text("a tag", tag);
+    if (edit.source == ShapeSource::Copy) return check.error();
+    const glm::ivec3 size = edit.source == ShapeSource::Grid ? shape.grid.size() : edit.size;
+    for (int a = 0; a < 3; ++a) check.number("size", size[a], {1, kMaxGridSize});
+    if (edit.source == ShapeSource::Grid || !check.error().empty()) return check.error();
+    return check.number("cells", double(size.x) * double(size.y) * double(size.z), ranges::kSolidCells)
+        .number("index", edit.entry, {1, 255})
+        .error();
 }
 std::string errorOf(const HeatEdit& edit) {
     return RangeCheck()

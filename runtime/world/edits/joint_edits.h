@@ -6,6 +6,7 @@ namespace rubble {
 /// Makes a joint; FrameChanges::jointsCreated names it. Refused, and logged, if an end has no voxel to hold on to.
 struct AddJointEdit {
     Joint joint;
+    bool inWorld = false;  ///< the frames of its ends are in the world: the step finds where that is in their shapes
 };
 
 /// Removes or breaks a joint; FrameChanges::jointsBroken gets the reason. A rope that is cut parts at its point nearest

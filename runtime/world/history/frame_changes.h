@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "runtime/core/handle.h"
@@ -99,6 +100,12 @@ struct JointBroken {
     glm::dvec3 position;  ///< world
 };
 
+/// A handle that an edit should have made, which names nothing and never will.
+struct RefusedHandle {
+    AnyHandle handle;
+    std::string reason;
+};
+
 /// The journal: everything that one step changed. Physics, shadow volume, renderer, recordings and undo read it and
 /// nothing else. Handles refer to the World after the step, except in the destroyed lists. Each list is in the order of
 /// events. A step in which nothing happens allocates nothing.
@@ -145,6 +152,7 @@ struct FrameChanges {
     std::vector<JointHandle> jointsChanged;  ///< motor, place of an end, length: read them from the World
     std::vector<LightHandle> lightsAdded;    ///< one for each AddLightEdit; an empty handle: refused
     bool environmentChanged = false;         ///< read it from the World
+    std::vector<RefusedHandle> refused;      ///< in the order of their edits; nothing else has to follow them
 
     /// How much the lists and counts hold, but for the bricks and shapes that edits of voxels share with an undo: what
     /// they remove, paint or make is counted. Grows with all that happens but heat.

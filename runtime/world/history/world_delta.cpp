@@ -56,12 +56,19 @@ void journalBricks(ShapeHandle handle, const Shape& was, const Shape& is, FrameC
         changes.filters.push_back(handle);
 }
 
-/// Whether a static body has another place now: its shapes are other ones to physics, shadow volume and renderer.
+/// Whether a body is static now and was free, or the other way round: it is another one to physics.
+bool isOfOtherKind(const std::pair<BodyHandle, std::optional<Body>>& was, const WorldData& world) {
+    const Body* now = was.second ? world.bodies.find(was.first) : nullptr;
+    return now && now->isStatic != was.second->isStatic;
+}
+
+/// Whether a static body has another place now, or a body is of another kind: its shapes are other ones to physics,
+/// shadow volume and renderer.
 bool isMovedStatic(const WorldDelta& before, const WorldData& world, BodyHandle body) {
     const auto was = before.bodies.find(body.slot());
     if (was == before.bodies.end() || was->second.first != body) return false;
     const Body* now = world.bodies.find(body);
-    return now && now->isStatic && now->pose != was->second.second->pose;
+    return now && (isOfOtherKind(was->second, world) || (now->isStatic && now->pose != was->second.second->pose));
 }
 
 void journalShape(ShapeHandle was, const std::optional<Shape>& before, ShapeHandle is, const Shape* now, bool isMoved,
@@ -99,8 +106,9 @@ void journalBodiesAndShapes(const WorldDelta& before, WorldData& world, FrameCha
     }
     for (const auto& [slot, was] : before.bodies) {
         const BodyHandle is = world.bodies.handleAt(slot);
-        if (was.first && was.first != is) changes.bodiesDestroyed.push_back(was.first);
-        if (is && was.first != is) changes.bodiesCreated.push_back(is);
+        const bool isOther = was.first != is || isOfOtherKind(was, world);
+        if (was.first && isOther) changes.bodiesDestroyed.push_back(was.first);
+        if (is && isOther) changes.bodiesCreated.push_back(is);
         if (is && was.first == is && !sameState(*was.second, world.bodies.at(is))) changes.teleported.push_back(is);
         world.updateDebris(was.first);
         if (!is) continue;

@@ -62,15 +62,19 @@ std::string attachJoint(const WorldObjects& objects, Joint& joint) {
     return "";
 }
 
+void placeEnd(const WorldObjects& objects, JointEnd& end) {
+    if (!objects.shapes.find(end.shape)) return;
+    const Pose pose = shapeToWorld(objects, end.shape);
+    end.frame = {pose.inversePoint(end.frame.position), glm::conjugate(pose.rotation) * end.frame.rotation};
+}
+
 Joint jointAt(const WorldObjects& objects, JointKind kind, ShapeHandle first, ShapeHandle second, const Pose& frame) {
     Joint joint{.kind = kind};
     const std::array<ShapeHandle, 2> shapes = {first, second};
     for (size_t i = 0; i < 2; ++i) {
         joint.ends[i].shape = shapes[i];
         joint.ends[i].frame = frame;
-        if (!objects.shapes.find(shapes[i])) continue;
-        const Pose pose = shapeToWorld(objects, shapes[i]);
-        joint.ends[i].frame = {pose.inversePoint(frame.position), glm::conjugate(pose.rotation) * frame.rotation};
+        placeEnd(objects, joint.ends[i]);
     }
     return joint;
 }

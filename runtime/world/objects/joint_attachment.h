@@ -10,6 +10,10 @@ namespace rubble {
 /// and its points, on a straight line. Rotations are normalised. Returns what is wrong; empty: nothing.
 std::string attachJoint(const WorldObjects& objects, Joint& joint);
 
+/// Moves the frame of an end from the world into the shape that the end is on, as that is placed now. An end without a
+/// live shape stays.
+void placeEnd(const WorldObjects& objects, JointEnd& end);
+
 /// A joint between two shapes, or a shape and the world (an empty handle), as they are placed now. `frame` is in the
 /// world, and its x axis is the joint's.
 Joint jointAt(const WorldObjects& objects, JointKind kind, ShapeHandle first, ShapeHandle second, const Pose& frame);

@@ -10,6 +10,12 @@ uint32_t highestGeneration(const WorldObjects& objects) {
     return highest;
 }
 
+bool isReserved(const WorldObjects& objects, AnyHandle handle) {
+    bool out = false;
+    withMapOf(objects, handle, [&](const auto& map, auto typed) { out = map.isReserved(typed); });
+    return out;
+}
+
 ObjectKinds<FreeSlots> freeSlotsOf(const WorldObjects& objects) {
     ObjectKinds<FreeSlots> out;
     forEachKind([](const auto& map, std::vector<uint32_t>& free) { free = map.freeSlots(); }, objects, out);

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "runtime/core/slot_map.h"
@@ -43,6 +44,18 @@ void forEachKind(F&& f, Sets&&... sets) {
 
 /// All objects of a world, by handle.
 using WorldObjects = ObjectKinds<SlotMap>;
+
+/// Calls f(map, handle) with the slot map that holds what a handle names, and the handle of that type; with nothing if
+/// there is no such map.
+template <class Objects, class F>
+void withMapOf(Objects& objects, AnyHandle handle, F&& f) {
+    const auto call = [&](auto& map) {
+        if (map.kType == handle.type()) f(map, typename std::decay_t<decltype(map)>::HandleOf{handle.bits});
+    };
+    forEachKind(call, objects);
+}
+/// Whether a handle is reserved and names nothing yet; see SlotMap::reserve().
+bool isReserved(const WorldObjects& objects, AnyHandle handle);
 
 /// The slots of one kind that are used next, the last first.
 template <class Handle, class T>

@@ -5,6 +5,7 @@
 #include "runtime/world/objects/body_mass.h"
 #include "runtime/world/stages/shape_lifecycle.h"
 #include "runtime/world/stages/split_stage.h"
+#include "runtime/world/state/load_level.h"
 
 namespace rubble {
 namespace {
@@ -29,6 +30,28 @@ void moveShapes(EditContext& context, const Body& body) {
     }
 }
 
+/// To physics, shadow volume and renderer a static body and a free one are two different ones.
+void setKind(EditContext& context, BodyHandle handle, bool isStatic) {
+    Body& body = context.world.bodies.at(handle);
+    if (body.isStatic == isStatic) return;
+    if (!isStatic) moveShapes(context, body);  // lists them as static ones
+    body.isStatic = isStatic;
+    if (isStatic) {
+        moveShapes(context, body);
+        body.velocity = body.angularVelocity = glm::dvec3(0.0);
+        body.asleep = body.settled = false;
+        body.restingSince = 0;
+        context.motions.erase(handle.slot());
+    }
+    for (const ShapeHandle each : body.shapes) {
+        Shape& shape = context.world.shapes.at(each);
+        if (isStatic && shape.anchors.empty()) shape.anchors = {bottomLayer(shape.grid)};
+    }
+    context.changes.bodiesDestroyed.push_back(handle);
+    context.changes.bodiesCreated.push_back(handle);
+    context.world.updateDebris(handle);
+}
+
 /// Pieces that come off later in this step move as the body does from now on.
 void restartMotion(EditContext& context, BodyHandle handle) {
     const auto known = context.motions.find(handle.slot());
@@ -43,13 +66,14 @@ void apply(EditContext& context, const SetBodyEdit& edit) {
     if (!context.world.bodies.find(edit.body))
         return context.warnStale(edit.body, "set_body: the handle of its body is stale; nothing was changed");
     releaseFragments(context);  // they came off where it was
+    if (edit.setsKind) setKind(context, edit.body, edit.isStatic);
     Body& body = context.world.bodies.at(edit.body);
     if (edit.setsPose) {
         body.pose = edit.pose;
         moveShapes(context, body);
     }
     if (body.isStatic) {
-        if (edit.setsPose) context.changes.teleported.push_back(edit.body);
+        if (edit.setsPose || edit.setsKind) context.changes.teleported.push_back(edit.body);
         return;
     }
     context.wakeBody(edit.body);

@@ -8,7 +8,7 @@ namespace rubble {
 void apply(EditContext& context, const AddCharacterEdit& edit) {
     Character character = edit.character;
     character.ground = {};
-    context.changes.characters.push_back(context.world.characters.insert(std::move(character)));
+    context.changes.characters.push_back(context.make(context.world.characters, std::move(character)));
 }
 
 void apply(EditContext& context, const RemoveCharacterEdit& edit) {

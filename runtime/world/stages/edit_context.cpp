@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "runtime/core/log.h"
+#include "runtime/world/edits/edit_error.h"
 #include "runtime/world/objects/body_mass.h"
 #include "runtime/world/objects/transforms.h"
 
@@ -12,6 +13,17 @@ namespace rubble {
 
 EditContext::EditContext(WorldData& data, FrameChanges& journal)
     : world(data), changes(journal), removedByGroup(data.groups.slotCount()) {}
+
+void EditContext::refuse(const std::string& reason) {
+    refuse(edit ? edit->made : AnyHandle{}, edit ? editName(*edit) : "", reason);
+}
+
+void EditContext::refuse(AnyHandle made, const char* name, const std::string& reason) {
+    logWarning(std::string(name) + ": " + reason + "; nothing was changed");
+    if (!made) return;
+    withMapOf(static_cast<WorldObjects&>(world), made, [](auto& map, auto handle) { map.release(handle); });
+    changes.refused.push_back({made, std::string(name) + ": " + reason});
+}
 
 ShapeEditState& EditContext::editState(ShapeHandle shape) {
     ShapeEditState& out = editStates[shape.slot()];

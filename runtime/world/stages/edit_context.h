@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <set>
+#include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -66,6 +68,23 @@ struct EditContext {
     std::vector<std::variant<ExplodeEdit, ImpulseEdit>> impulses;  ///< wait until the pieces exist
     std::set<uint32_t> cutWires;                                   ///< slots of shapes that lost wire, or pieces
     std::vector<uint64_t> removedByGroup;                          ///< voxels, by slot of the light group
+    std::vector<ShapeHandle> emptyShapes;                          ///< made in this step, without a voxel then
+    const Edit* edit = nullptr;                                    ///< the one that is being carried out
+
+    /// Stores what the edit in turn makes, under the handle that is reserved for it, if there is one.
+    template <class Handle, class T>
+    Handle make(SlotMap<Handle, T>& map, T value) {
+        const Handle wanted{edit ? edit->made.bits : 0};
+        if (!map.isReserved(wanted)) return map.insert(std::move(value));
+        map.fill(wanted, std::move(value));
+        return wanted;
+    }
+    /// Logs why the edit in turn makes nothing. The handle that is reserved for it is stale from now on.
+    void refuse(const std::string& reason);
+    /// The same of a handle that another edit made in this step, by its name.
+    void refuse(AnyHandle made, const char* editName, const std::string& reason);
+    /// Whether an edit of this step made a body, or it came off in this step.
+    bool isNew(BodyHandle body) const { return world.bodies.at(body).createdStep == changes.step; }
 
     /// The shape's entry in editStates, a new one if it has none.
     ShapeEditState& editState(ShapeHandle shape);

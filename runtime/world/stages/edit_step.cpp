@@ -11,6 +11,7 @@
 #include "runtime/world/stages/bounds_stage.h"
 #include "runtime/world/stages/carve_edits.h"
 #include "runtime/world/stages/character_edits.h"
+#include "runtime/world/stages/create_edits.h"
 #include "runtime/world/stages/debris_stage.h"
 #include "runtime/world/stages/drive_edits.h"
 #include "runtime/world/stages/grab_edits.h"
@@ -45,6 +46,7 @@ void EditStep::run(const Edits& edits) {
     takeRestoredBricks();
     if (m_context.world.stress) openCracks(m_context);
     for (const Edit& edit : edits) applyEdit(edit);
+    refuseEmptyShapes(m_context);
     updateWinches(m_context);
     m_fire.update();
     splitShapes(m_context);
@@ -60,10 +62,14 @@ void EditStep::run(const Edits& edits) {
 }
 
 void EditStep::applyEdit(const Edit& edit) {
+    m_context.edit = &edit;
     if (const std::string error = editError(edit); !error.empty()) {
         if (std::holds_alternative<AddLightEdit>(edit)) m_context.changes.lightsAdded.emplace_back();
+        if (edit.made) return m_context.refuse(error);
         return logWarning(std::string(editName(edit)) + ": " + error + "; nothing was changed");
     }
+    if (edit.made && !isReserved(m_context.world, edit.made))
+        return m_context.refuse("an undo, or a game that was loaded, has something else under its handle");
     std::visit(Overloaded{[&](const HeatEdit& each) { m_fire.apply(each); },
                           [&](const ExtinguishEdit& each) { m_fire.apply(each); },
                           [&](const RemoveFiresEdit& each) { m_fire.apply(each); },
@@ -73,6 +79,7 @@ void EditStep::applyEdit(const Edit& edit) {
                           [](const HistoryEdit&) {},  // World::applyEdits() has done it
                           [&](const auto& each) { apply(m_context, each); }},
                edit);
+    if (edit.made && isReserved(m_context.world, edit.made)) m_context.refuse("it makes nothing");
 }
 
 /// Takes the bricks that undo or redo has changed over from the journal: they are listed in the end, each once, as the

@@ -45,9 +45,12 @@ std::vector<JointHandle> copyOf(std::span<const JointHandle> joints) {
 
 void apply(EditContext& context, const AddJointEdit& edit) {
     Joint joint = edit.joint;
-    if (const std::string error = attachJoint(context.world, joint); !error.empty())
-        return logWarning("add_joint: " + error + "; no joint was made");
-    context.changes.jointsCreated.push_back(context.world.addJoint(std::move(joint)));
+    if (edit.inWorld)
+        for (JointEnd& end : joint.ends) placeEnd(context.world, end);
+    if (const std::string error = attachJoint(context.world, joint); !error.empty()) return context.refuse(error);
+    const JointHandle handle = context.make(context.world.joints, std::move(joint));
+    context.world.jointIndex.add(handle, context.world.joints.at(handle));
+    context.changes.jointsCreated.push_back(handle);
 }
 
 void apply(EditContext& context, const RemoveJointEdit& edit) {

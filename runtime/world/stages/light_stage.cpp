@@ -1,6 +1,5 @@
 #include "runtime/world/stages/light_stage.h"
 
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -11,19 +10,16 @@
 namespace rubble {
 namespace {
 
-/// A light as the world will hold it: one of a group that is out stays dark. Nothing, and a warning, if a handle is
-/// stale.
-std::optional<Light> checkedLight(const EditContext& context, const Light& wanted, const char* function) {
-    const LightGroup* group = context.world.groups.find(wanted.group);
-    std::string error;
-    if (wanted.shape && !context.world.shapes.find(wanted.shape)) error = "the handle of its shape is stale";
-    if (wanted.group && !group) error = "the handle of its light group is stale";
-    if (!error.empty()) {
-        logWarning(std::string(function) + ": " + error + "; nothing was changed");
-        return {};
-    }
-    Light light = wanted;
-    light.enabled = wanted.enabled && !(group && group->out);
+/// What a light is on and is not there; null: nothing.
+const char* staleHandleOf(const WorldData& world, const Light& light) {
+    if (light.shape && !world.shapes.find(light.shape)) return "the handle of its shape is stale";
+    return light.group && !world.groups.find(light.group) ? "the handle of its light group is stale" : nullptr;
+}
+
+/// A light as the world will hold it: one of a group that is out stays dark.
+Light knownLight(const WorldData& world, Light light) {
+    const LightGroup* group = world.groups.find(light.group);
+    if (group && group->out) light.enabled = false;
     return light;
 }
 
@@ -37,21 +33,20 @@ void apply(EditContext& context, const SetEnvironmentEdit& edit) {
 
 void apply(EditContext& context, const AddLightEdit& edit) {
     LightHandle& added = context.changes.lightsAdded.emplace_back();
-    const std::optional<Light> light = checkedLight(context, edit.light, "add_light");
-    if (!light) return;
+    if (const char* stale = staleHandleOf(context.world, edit.light)) return context.refuse(stale);
     if (context.world.lights.size() >= kMaxLights)
-        return logWarning("add_light: expected less than " + std::to_string(kMaxLights) + " lights, found " +
-                          std::to_string(context.world.lights.size()) + "; nothing was changed");
-    added = context.world.lights.insert(*light);
+        return context.refuse("expected less than " + std::to_string(kMaxLights) + " lights, found " +
+                              std::to_string(context.world.lights.size()));
+    added = context.make(context.world.lights, knownLight(context.world, edit.light));
     context.changes.lights.push_back(added);
 }
 
 void apply(EditContext& context, const SetLightEdit& edit) {
     Light* light = context.world.lights.find(edit.light);
     if (!light) return logWarning("set_light: the handle of its light is stale; nothing was changed");
-    std::optional<Light> values = checkedLight(context, edit.values, "set_light");
-    if (!values) return;
-    *light = std::move(*values);
+    if (const char* stale = staleHandleOf(context.world, edit.values))
+        return logWarning(std::string("set_light: ") + stale + "; nothing was changed");
+    *light = knownLight(context.world, edit.values);
     context.changes.lights.push_back(edit.light);
 }
 

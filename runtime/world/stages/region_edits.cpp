@@ -23,7 +23,7 @@ void apply(EditContext& context, const SetCollisionShapeEdit& edit) {
 }
 
 void apply(EditContext& context, const AddWaterEdit& edit) {
-    context.changes.waters.push_back(context.world.waters.insert(edit.water));
+    context.changes.waters.push_back(context.make(context.world.waters, edit.water));
 }
 
 void apply(EditContext& context, const RemoveWaterEdit& edit) {
@@ -35,7 +35,7 @@ void apply(EditContext& context, const RemoveWaterEdit& edit) {
 void apply(EditContext& context, const AddTriggerEdit& edit) {
     Trigger trigger = edit.trigger;
     trigger.inside.clear();
-    const TriggerHandle handle = context.world.triggers.insert(std::move(trigger));
+    const TriggerHandle handle = context.make(context.world.triggers, std::move(trigger));
     context.world.triggerBounds.update(handle.slot(), edit.trigger.bounds());
     context.changes.triggers.push_back(handle);
 }

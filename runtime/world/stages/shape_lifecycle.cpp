@@ -110,7 +110,7 @@ void discardPiece(EditContext& context, ShapeHandle parent, const Component& com
                            context.world.bodies.at(shape.body).velocity});
 }
 
-void destroyShape(EditContext& context, ShapeHandle handle) {
+void eraseEmptyShape(EditContext& context, ShapeHandle handle) {
     turnOffLightsOf(context, handle);
     releaseJointsOf(context, handle);
     dropHeat(context, handle);
@@ -118,12 +118,16 @@ void destroyShape(EditContext& context, ShapeHandle handle) {
     context.world.removeShapeBounds(handle);
     context.world.shapes.erase(handle);
     context.changes.shapesDestroyed.push_back(handle);
-    std::vector<ShapeHandle>& left = context.world.bodies.at(body).shapes;
-    std::erase(left, handle);
-    if (left.empty()) {
-        context.world.bodies.erase(body);
-        context.changes.bodiesDestroyed.push_back(body);
-    }
+    std::erase(context.world.bodies.at(body).shapes, handle);
+    context.world.updateDebris(body);
+}
+
+void destroyShape(EditContext& context, ShapeHandle handle) {
+    const BodyHandle body = context.world.shapes.at(handle).body;
+    eraseEmptyShape(context, handle);
+    if (!context.world.bodies.at(body).shapes.empty()) return;
+    context.world.bodies.erase(body);
+    context.changes.bodiesDestroyed.push_back(body);
     context.world.updateDebris(body);
 }
 

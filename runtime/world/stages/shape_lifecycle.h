@@ -18,6 +18,8 @@ void detachToNewBody(EditContext& context, ShapeHandle shape);
 void discardPiece(EditContext& context, ShapeHandle parent, const Component& component);
 /// Erases a shape with its heat, and its body if that has no other. Its lights go dark, its joints break.
 void destroyShape(EditContext& context, ShapeHandle shape);
+/// Erases a shape without voxels; its body stays.
+void eraseEmptyShape(EditContext& context, ShapeHandle shape);
 /// Erases a shape as destroyShape() does, and takes its voxels out of the accounts. No fragment of it may wait.
 void eraseShape(EditContext& context, ShapeHandle shape);
 /// Erases a body and its shapes. Their voxels become dust, a cloud a shape and palette entry.

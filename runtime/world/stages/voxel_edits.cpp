@@ -57,7 +57,7 @@ void apply(EditContext& context, const WriteVoxelsEdit& edit) {
         return logWarning(
             "write_voxels: expected a box within the shape's grid, found one that is not; nothing was "
             "written. Call resize_shape() first");
-    context.recordMotion(shape->body);
+    if (!context.isNew(shape->body)) context.recordMotion(shape->body);
     const WrittenCells cells = writeCells(shape->grid, edit, Densities(*shape->palette, context.world.materials));
     shape->moments -= cells.before;
     shape->moments += cells.now;
@@ -70,7 +70,7 @@ void apply(EditContext& context, const WriteVoxelsEdit& edit) {
     if (!cells.made) return;
     state.lostVoxels = true;  // what was made may touch nothing: all of the shape is tested
     shape->knownConnected = false;
-    context.wakeBody(shape->body);
+    if (!context.isNew(shape->body)) context.wakeBody(shape->body);
 }
 
 void apply(EditContext& context, const DestroyShapeEdit& edit) {

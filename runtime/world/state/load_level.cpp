@@ -19,17 +19,6 @@ namespace {
 
 using ShapeNames = std::unordered_map<std::string, ShapeHandle>;  ///< of several shapes of a name the first
 
-/// The lowest layer of cells with a voxel, as a box over the whole grid.
-CellBox bottomLayer(const VoxelGrid& grid) {
-    int lowest = grid.size().y;
-    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
-        if (position.y * kBrickSize >= lowest) return;
-        forEachVoxel(brick->occupancy,
-                     [&](int i) { lowest = std::min(lowest, position.y * kBrickSize + voxelInBrick(i).y); });
-    });
-    return {{0, lowest, 0}, {grid.size().x, lowest + 1, grid.size().z}};
-}
-
 /// Empty for an empty name and for a name that no shape has.
 ShapeHandle findByName(const ShapeNames& names, const std::string& name) {
     const auto shape = names.find(name);
@@ -37,19 +26,8 @@ ShapeHandle findByName(const ShapeNames& names, const std::string& name) {
 }
 
 ShapeHandle loadShape(WorldData& world, BodyHandle body, bool isStatic, const LevelShape& from) {
-    Shape shape{.name = from.name, .body = body, .local = from.local, .voxelSize = from.voxelSize, .grid = from.grid};
-    shape.palette = from.palette ? from.palette : std::make_shared<const Palette>();
-    shape.paintColors = from.paintColors;
-    shape.tags = from.tags;
-    shape.strength = from.strength;
-    shape.loadBearing = from.loadBearing;
-    shape.collisionLayer = from.collisionLayer;
-    shape.collisionMask = from.collisionMask;
-    shape.collisionShape = from.collisionShape;
-    const bool needsAnchor = isStatic && from.anchors.empty();
-    shape.anchors = needsAnchor ? std::vector{bottomLayer(shape.grid)}
-                                : translatedBoxes(from.anchors, glm::ivec3(0), shape.grid.size());
-    shape.moments = gridMoments(shape.grid, *shape.palette, world.materials);
+    Shape shape = makeShape(from, isStatic, world.materials);
+    shape.body = body;
     world.imported += shape.grid.voxelCount();
     const ShapeHandle handle = world.shapes.insert(std::move(shape));
     world.bodies.at(body).shapes.push_back(handle);
@@ -166,6 +144,40 @@ WorldBox defaultBounds(const WorldData& world) {
 }
 
 }  // namespace
+
+CellBox bottomLayer(const VoxelGrid& grid) {
+    int lowest = grid.empty() ? 0 : grid.size().y;
+    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+        if (position.y * kBrickSize >= lowest) return;
+        forEachVoxel(brick->occupancy,
+                     [&](int i) { lowest = std::min(lowest, position.y * kBrickSize + voxelInBrick(i).y); });
+    });
+    return {{0, lowest, 0}, {grid.size().x, lowest + 1, grid.size().z}};
+}
+
+Shape makeShape(const LevelShape& from, bool isStatic, const MaterialTable& materials) {
+    Shape shape{.name = from.name, .local = from.local, .voxelSize = from.voxelSize, .grid = from.grid};
+    shape.palette = from.palette ? from.palette : std::make_shared<const Palette>();
+    shape.paintColors = from.paintColors;
+    shape.tags = from.tags;
+    shape.strength = from.strength;
+    shape.loadBearing = from.loadBearing;
+    shape.collisionLayer = from.collisionLayer;
+    shape.collisionMask = from.collisionMask;
+    shape.collisionShape = from.collisionShape;
+    const bool needsAnchor = isStatic && from.anchors.empty();
+    shape.anchors = needsAnchor ? std::vector{bottomLayer(shape.grid)}
+                                : translatedBoxes(from.anchors, glm::ivec3(0), shape.grid.size());
+    shape.moments = gridMoments(shape.grid, *shape.palette, materials);
+    return shape;
+}
+
+PaletteRef materialPalette(const MaterialTable& materials) {
+    auto palette = std::make_shared<Palette>();
+    for (size_t i = 1; i < palette->size(); ++i)
+        (*palette)[i].material = uint8_t(std::min(i, std::max<size_t>(materials.materials.size(), 1) - 1));
+    return palette;
+}
 
 void loadLevel(WorldData& world, const Level& level) {
     if (level.autoLightGroups) {

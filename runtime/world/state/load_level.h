@@ -9,6 +9,13 @@ namespace rubble {
 /// logged.
 void loadLevel(WorldData& world, const Level& level);
 
+/// A shape of a world, on no body yet. isStatic: it is anchored, by its lowest layer of voxels if it says nothing else.
+Shape makeShape(const LevelShape& from, bool isStatic, const MaterialTable& materials);
+/// The lowest layer of cells with a voxel, as a box over the whole grid; of an empty grid its lowest layer.
+CellBox bottomLayer(const VoxelGrid& grid);
+/// The palette of shapes that name none: entry i is of material i, entries behind the last material of the last.
+PaletteRef materialPalette(const MaterialTable& materials);
+
 /// The whole world as a level: loading it gives the same hash of bodies and voxels. What burns, waits or moves inside a
 /// rope is not in it; see WorldState for that.
 Level toLevel(const WorldState& world);

@@ -37,6 +37,61 @@ TEST(SlotMap, AfterClearSlotsStartOverAndOldHandlesAreStale) {
     for (const BodyHandle handle : {first, second, third}) EXPECT_EQ(used.find(handle), nullptr);
 }
 
+TEST(SlotMap, AReservedHandleNamesNothingUntilItIsFilled) {
+    SlotMap<BodyHandle, int> map(1);
+    map.erase(map.insert(1));
+    const BodyHandle reserved = map.reserve(), next = map.reserve();
+    EXPECT_EQ(map.find(reserved), nullptr);
+    EXPECT_TRUE(map.isReserved(reserved));
+    EXPECT_EQ(map.size(), 0u);
+    const BodyHandle other = map.insert(5);
+    EXPECT_NE(other.slot(), reserved.slot());
+    map.setFreeSlots({reserved.slot()});
+    EXPECT_NE(map.insert(6).slot(), reserved.slot()) << "it stays reserved";
+    map.fill(reserved, 7);
+    EXPECT_EQ(*map.find(reserved), 7);
+    EXPECT_FALSE(map.isReserved(reserved));
+    map.release(next);
+    EXPECT_FALSE(map.isReserved(next));
+    const BodyHandle later = map.insert(8);
+    EXPECT_EQ(later.slot(), next.slot());
+    EXPECT_EQ(map.find(next), nullptr) << "released is stale for ever";
+}
+
+TEST(SlotMap, AClaimIsWhatReserveGaveElsewhere) {
+    SlotMap<BodyHandle, int> map(1);
+    map.erase(map.insert(1));
+    SlotMap<BodyHandle, int> copy = map;
+    const BodyHandle first = map.reserve(), second = map.reserve(), third = map.reserve();
+    EXPECT_TRUE(copy.claim(first));
+    EXPECT_TRUE(copy.claim(first));
+    EXPECT_FALSE(copy.claim(third)) << "not in the order of the calls";
+    EXPECT_TRUE(copy.claim(second));
+    EXPECT_TRUE(copy.claim(third));
+    EXPECT_EQ(copy.insert(3), map.insert(3));
+    EXPECT_FALSE(copy.claim(BodyHandle::make(2, 1, 9)));
+    EXPECT_FALSE(copy.claim(BodyHandle::make(1, 1, 900)));
+    EXPECT_FALSE(copy.claim({}));
+}
+
+TEST(SlotMap, AReservedSlotCanBeRestoredOverAndCleared) {
+    SlotMap<BodyHandle, int> map(1);
+    const BodyHandle old = map.insert(1);
+    map.erase(old);
+    const BodyHandle reserved = map.reserve();
+    ASSERT_EQ(reserved.slot(), old.slot());
+    map.restore(old, 4);
+    EXPECT_EQ(*map.find(old), 4);
+    EXPECT_FALSE(map.isReserved(reserved));
+    map.erase(old);
+    EXPECT_NE(map.insert(5), reserved);
+    const BodyHandle waiting = map.reserve();
+    map.clear();
+    for (int i = 0; i < 3; ++i) map.insert(i);
+    EXPECT_EQ(map.find(waiting), nullptr);
+    EXPECT_FALSE(map.isReserved(waiting));
+}
+
 TEST(SlotMap, BehavesLikeAMapUnderRandomUse) {
     SlotMap<ShapeHandle, int> map(1);
     std::map<uint64_t, int> expected;

@@ -51,6 +51,9 @@
  *    in the order of the calls, those of undo before all others. An edit whose object is destroyed before its turn does
  * nothing, and what only step() can find out (a joint without a voxel to hold on to, an undo where no marks are kept)
  * is logged.
+ *  - What a call makes (create_body() and its like) has its handle at once: later edits may name it, so that a chain of
+ *    calls needs no step() in between. Reads find it after the next step(). If that could not make it, the handle names
+ *    nothing, and get_refusals() says why; so do handles that wait when a level or game is loaded.
  *  - Reads copy into the host's memory, except get_events(): its arrays live until the next step(), load_level(),
  *    load_game(), play_recording() or destroy_world() of that world.
  *  - Lists are read with an array, its capacity and a count: the function writes the first `capacity` rows and
@@ -255,7 +258,10 @@ enum {
     RUBBLE_SET_POSE = 1,     /* position and rotation */
     RUBBLE_SET_VELOCITY = 2, /* velocity and angular_velocity; of a dynamic body */
     RUBBLE_SET_ASLEEP = 4,   /* stops and sleeps until something wakes it; of a dynamic body */
-    RUBBLE_SET_AWAKE = 8     /* any other change wakes it too; of a dynamic body */
+    RUBBLE_SET_AWAKE = 8,    /* any other change wakes it too; of a dynamic body */
+    /* it stands still where it is: what holds its shapes to the world is as in create_shape() */
+    RUBBLE_SET_STATIC = 16,
+    RUBBLE_SET_DYNAMIC = 32 /* it moves freely, as all in one: nothing holds it any more */
 };
 
 /* Changes where a body is and how it moves. Nothing that it meets on the way holds it back. */
@@ -268,6 +274,86 @@ typedef struct rubble_body_change {
     double velocity[3];         /* m/s, of the centre of mass */
     double angular_velocity[3]; /* rad/s, world axes */
 } rubble_body_change;
+
+/* ---- making things ---- */
+
+/* A body that create_body() makes. */
+typedef struct rubble_body_settings {
+    uint32_t struct_size;
+    uint32_t flags;             /* RUBBLE_BODY_STATIC, or RUBBLE_BODY_ASLEEP; 0: a free body that is awake */
+    double position[3];         /* of its frame, world */
+    double rotation[4];         /* of its frame */
+    double velocity[3];         /* m/s, of the centre of mass; 0 of a body that is static or asleep */
+    double angular_velocity[3]; /* rad/s, world axes; the same */
+} rubble_body_settings;
+
+/* Cells in a row that hold the same. */
+typedef struct rubble_voxel_run {
+    uint32_t cells;
+    uint32_t index; /* of the palette, 1 to 255; 0: no voxel */
+} rubble_voxel_run;
+
+/* Where the voxels of a shape come from. */
+enum {
+    RUBBLE_SHAPE_EMPTY = 0,   /* none: write_voxels() must bring some before the step */
+    RUBBLE_SHAPE_BOX = 1,     /* in each cell `index` */
+    RUBBLE_SHAPE_SPHERE = 2,  /* `index` in the cells of a ball in the middle that is as large as fits; an ellipsoid, if
+                                 the sides are not equally long */
+    RUBBLE_SHAPE_INDICES = 3, /* `indices` */
+    RUBBLE_SHAPE_RUNS = 4,    /* `runs`; cells behind the last have no voxel */
+    RUBBLE_SHAPE_COPY = 5     /* of `copied` as it is when the step carries this out: size, voxels, palette, paint and
+                                 properties */
+};
+
+/* A shape that create_shape() makes. */
+typedef struct rubble_shape_settings {
+    uint32_t struct_size;
+    uint32_t source;              /* RUBBLE_SHAPE_... */
+    rubble_body body;             /* that it is fixed to */
+    double position[3];           /* of the minimum corner of its grid, in metres of the body's frame */
+    double rotation[4];           /* of its grid's axes, in the body's frame */
+    double voxel_size;            /* metres, 0.001 to 1000; 0: 0.1, or that of the copied shape */
+    int32_t size[3];              /* of the grid, in cells: 1 to 4096 each, and 2^30 in all of a box, sphere or runs */
+    uint32_t index;               /* box and sphere: of the palette, 1 to 255; 0: 1 */
+    const uint8_t* indices;       /* a byte each cell, as read_voxels() gives them; copied by the call */
+    const rubble_voxel_run* runs; /* in the same order; copied by the call */
+    uint64_t count;               /* of `indices` or `runs` */
+    rubble_shape copied;
+    /* whose palette it shares. 0: that of the copied shape, or else one whose entry i is white, of material i of the
+     * world: 1 glass, 2 foliage, 3 dirt, 4 rock, 5 wood, 6 concrete, 7 brick, 8 plaster, 9 metal, 10 heavy metal,
+     * 11 plastic, 12 hard metal, 13 hard masonry, 14 ice, 15 generic, 17 snow, 18 wire, 19 rubber and all behind,
+     * unless a level has brought other materials */
+    rubble_shape palette_of;
+} rubble_shape_settings;
+
+/* What create_prefab() places: a level from a file, or from memory. Left out are what load_level() leaves out, and its
+ * sky, light groups, waters, triggers, characters and named places. Its materials are those of the world that have the
+ * same names; free bodies are awake. */
+typedef struct rubble_prefab {
+    uint32_t struct_size;
+    uint32_t reserved;
+    const char* path;     /* .rubble, .vox or .vdb; null: `data` */
+    const char* vdb_tool; /* for .vdb: as in load_level() */
+    const void* data;     /* a .rubble or .vox file in memory; not read after the call */
+    uint64_t size;        /* bytes of `data` */
+    double position[3];   /* of the level's origin, world */
+    double rotation[4];   /* of the level's axes */
+} rubble_prefab;
+
+/* A row of create_prefab(). */
+typedef struct rubble_prefab_row {
+    uint64_t handle; /* rubble_body, rubble_shape, rubble_joint or rubble_light, as `kind` says */
+    uint32_t kind;   /* RUBBLE_PREFAB_... */
+    uint32_t owner;  /* of a shape: the row of its body; else 0 */
+} rubble_prefab_row;
+
+enum { RUBBLE_PREFAB_BODY = 0, RUBBLE_PREFAB_SHAPE = 1, RUBBLE_PREFAB_JOINT = 2, RUBBLE_PREFAB_LIGHT = 3 };
+
+/* A row of get_refusals(). */
+typedef struct rubble_refusal {
+    uint64_t handle;    /* as the call gave it; it names nothing and never will */
+    const char* reason; /* the function, what was expected, what was found: UTF-8; lives as long as events */
+} rubble_refusal;
 
 /* ---- edits and reads of whole shapes ---- */
 
@@ -1007,8 +1093,8 @@ typedef struct rubble_api {
      * numbers of doubles: three for each point. */
     rubble_result (*get_rope_points)(rubble_world world, rubble_joint joint, double* out, uint32_t capacity,
                                      uint32_t* count);
-    /* [main-thread] All volumes of water, in a fixed order. What was added is the last row, unless one was
-     * removed before. */
+    /* [main-thread] All volumes of water, in a fixed order. What add_water() added is the last row, unless one was
+     * removed before, or made by create_water() in that step. */
     rubble_result (*get_waters)(rubble_world world, rubble_water* out, uint32_t capacity, uint32_t* count);
     /* [main-thread] All triggers, in the same order as get_waters(). */
     rubble_result (*get_triggers)(rubble_world world, rubble_trigger* out, uint32_t capacity, uint32_t* count);
@@ -1187,6 +1273,39 @@ typedef struct rubble_api {
      * what hung on voxels that are gone. */
     rubble_result (*write_voxels)(rubble_world world, const rubble_voxel_box* box, const uint8_t* voxels,
                                   uint64_t size);
+
+    /* ---- making things: edits that give a handle at once ---- */
+
+    /* [main-thread] Makes a body without shapes: a frame, which is not simulated until it has one. *out names it: in
+     * edits from now on, in reads after the next step(). */
+    rubble_result (*create_body)(rubble_world world, const rubble_body_settings* settings, rubble_body* out);
+    /* [main-thread] Makes a shape on a body, as a level brings it: on a static body its lowest layer of voxels holds it
+     * to the world (of RUBBLE_SHAPE_EMPTY the lowest cells), and parts of it that touch nothing stay until something is
+     * cut. The centre of mass of a free body moves on as it did. A shape that has no voxels after the edits of the step
+     * is refused. *out as by create_body(). */
+    rubble_result (*create_shape)(rubble_world world, const rubble_shape_settings* settings, rubble_shape* out);
+    /* [main-thread] As add_joint(), with a handle as by create_body(). The joint is placed where its shapes are when
+     * the step carries it out; refused if it finds no voxel to hold on to. */
+    rubble_result (*create_joint)(rubble_world world, const rubble_joint_settings* settings, rubble_joint* out);
+    /* [main-thread] As add_light(), with a handle as by create_body(). */
+    rubble_result (*create_light)(rubble_world world, const rubble_light_settings* settings, rubble_light* out);
+    /* [main-thread] As add_water(), with a handle as by create_body(). */
+    rubble_result (*create_water)(rubble_world world, const rubble_water_settings* settings, rubble_water* out);
+    /* [main-thread] As add_trigger(), with a handle as by create_body(). */
+    rubble_result (*create_trigger)(rubble_world world, const rubble_trigger_settings* settings, rubble_trigger* out);
+    /* [main-thread] As add_character(), with a handle as by create_body(). */
+    rubble_result (*create_character)(rubble_world world, const rubble_character_settings* settings,
+                                      rubble_character* out);
+    /* [main-thread] Places the bodies of a level into the running world, with their shapes, joints and lights; see
+     * rubble_prefab. The rows of `out` are in the order of the file: bodies, shapes, joints, lights; each handle is as
+     * by create_body(). Capacity 0 asks for their number alone; fewer rows than that: RUBBLE_ERROR_CAPACITY, and
+     * nothing is made either way. RUBBLE_ERROR_FILE: the level cannot be read. */
+    rubble_result (*create_prefab)(rubble_world world, const rubble_prefab* prefab, rubble_prefab_row* out,
+                                   uint32_t capacity, uint32_t* count);
+    /* [main-thread] What the last step did not make, though a call gave a handle for it, and why: its body was
+     * destroyed before its turn, it has no voxels, an undo in the same step took its place. In the order of the calls,
+     * but for shapes without voxels, which are last. */
+    rubble_result (*get_refusals)(rubble_world world, rubble_refusal* out, uint32_t capacity, uint32_t* count);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

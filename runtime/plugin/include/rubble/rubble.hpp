@@ -274,7 +274,8 @@ public:
             return api().get_rope_points(m_handle, joint, out, capacity, count);
         });
     }
-    /** All volumes of water, in a fixed order. What was added is the last row, unless one was removed before. */
+    /** All volumes of water, in a fixed order. What add_water() added is the last row, unless one was removed before,
+     * or made by create_water() in that step. */
     std::vector<rubble_water> get_waters() const {
         return rows<rubble_water, uint32_t>([&](rubble_water* out, uint32_t capacity, uint32_t* count) {
             return api().get_waters(m_handle, out, capacity, count);
@@ -548,6 +549,78 @@ public:
     void write_voxels(rubble_voxel_box box, const uint8_t* voxels, uint64_t size) {
         box.struct_size = sizeof box;
         check(api().write_voxels(m_handle, &box, voxels, size));
+    }
+    /** Makes a body without shapes: a frame, which is not simulated until it has one. *out names it: in edits from now
+     * on, in reads after the next step(). */
+    rubble_body create_body(rubble_body_settings settings) {
+        settings.struct_size = sizeof settings;
+        rubble_body out{};
+        check(api().create_body(m_handle, &settings, &out));
+        return out;
+    }
+    /** Makes a shape on a body, as a level brings it: on a static body its lowest layer of voxels holds it to the world
+     * (of RUBBLE_SHAPE_EMPTY the lowest cells), and parts of it that touch nothing stay until something is cut. The
+     * centre of mass of a free body moves on as it did. A shape that has no voxels after the edits of the step is
+     * refused. *out as by create_body(). */
+    rubble_shape create_shape(rubble_shape_settings settings) {
+        settings.struct_size = sizeof settings;
+        rubble_shape out{};
+        check(api().create_shape(m_handle, &settings, &out));
+        return out;
+    }
+    /** As add_joint(), with a handle as by create_body(). The joint is placed where its shapes are when the step
+     * carries it out; refused if it finds no voxel to hold on to. */
+    rubble_joint create_joint(rubble_joint_settings settings) {
+        settings.struct_size = sizeof settings;
+        rubble_joint out{};
+        check(api().create_joint(m_handle, &settings, &out));
+        return out;
+    }
+    /** As add_light(), with a handle as by create_body(). */
+    rubble_light create_light(rubble_light_settings settings) {
+        settings.struct_size = sizeof settings;
+        rubble_light out{};
+        check(api().create_light(m_handle, &settings, &out));
+        return out;
+    }
+    /** As add_water(), with a handle as by create_body(). */
+    rubble_water create_water(rubble_water_settings settings) {
+        settings.struct_size = sizeof settings;
+        rubble_water out{};
+        check(api().create_water(m_handle, &settings, &out));
+        return out;
+    }
+    /** As add_trigger(), with a handle as by create_body(). */
+    rubble_trigger create_trigger(rubble_trigger_settings settings) {
+        settings.struct_size = sizeof settings;
+        rubble_trigger out{};
+        check(api().create_trigger(m_handle, &settings, &out));
+        return out;
+    }
+    /** As add_character(), with a handle as by create_body(). */
+    rubble_character create_character(rubble_character_settings settings) {
+        settings.struct_size = sizeof settings;
+        rubble_character out{};
+        check(api().create_character(m_handle, &settings, &out));
+        return out;
+    }
+    /** Places the bodies of a level into the running world, with their shapes, joints and lights; see rubble_prefab.
+     * The rows of `out` are in the order of the file: bodies, shapes, joints, lights; each handle is as by
+     * create_body(). Capacity 0 asks for their number alone; fewer rows than that: RUBBLE_ERROR_CAPACITY, and nothing
+     * is made either way. RUBBLE_ERROR_FILE: the level cannot be read. */
+    std::vector<rubble_prefab_row> create_prefab(rubble_prefab prefab) {
+        prefab.struct_size = sizeof prefab;
+        return rows<rubble_prefab_row, uint32_t>([&](rubble_prefab_row* out, uint32_t capacity, uint32_t* count) {
+            return api().create_prefab(m_handle, &prefab, out, capacity, count);
+        });
+    }
+    /** What the last step did not make, though a call gave a handle for it, and why: its body was destroyed before its
+     * turn, it has no voxels, an undo in the same step took its place. In the order of the calls, but for shapes
+     * without voxels, which are last. */
+    std::vector<rubble_refusal> get_refusals() const {
+        return rows<rubble_refusal, uint32_t>([&](rubble_refusal* out, uint32_t capacity, uint32_t* count) {
+            return api().get_refusals(m_handle, out, capacity, count);
+        });
     }
 private:
     void release() noexcept {

@@ -1,0 +1,13 @@
+#pragma once
+#include "runtime/world/stages/edit_context.h"
+
+namespace rubble {
+
+/// Makes a body.
+void apply(EditContext& context, const CreateBodyEdit& edit);
+/// Makes a shape on a body.
+void apply(EditContext& context, const CreateShapeEdit& edit);
+/// Refuses the shapes that this step made and that have no voxel. To be called when all edits are carried out.
+void refuseEmptyShapes(EditContext& context);
+
+}  // namespace rubble

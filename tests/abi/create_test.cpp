@@ -1,0 +1,619 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "tests/abi/abi_fixture.h"
+#include "tests/support/temp_folder.h"
+
+namespace rubble {
+namespace {
+
+/// A world with the table of the test level in it.
+class AbiCreate : public Abi {
+protected:
+    static rubble_body_settings bodyAt(double x, double y, uint32_t flags) {
+        auto out = sized<rubble_body_settings>();
+        out.position[0] = x, out.position[1] = y;
+        out.flags = flags;
+        return out;
+    }
+    static rubble_shape_settings shapeOn(rubble_body body, uint32_t source, int32_t side) {
+        auto out = sized<rubble_shape_settings>();
+        out.body = body, out.source = source, out.index = 6;  // concrete
+        std::fill_n(out.size, 3, side);
+        return out;
+    }
+    rubble_body make(const rubble_body_settings& settings) {
+        rubble_body out = 0;
+        EXPECT_EQ(api()->create_body(m_world, &settings, &out), RUBBLE_OK) << api()->get_last_error();
+        return out;
+    }
+    rubble_shape make(const rubble_shape_settings& settings) {
+        rubble_shape out = 0;
+        EXPECT_EQ(api()->create_shape(m_world, &settings, &out), RUBBLE_OK) << api()->get_last_error();
+        return out;
+    }
+    std::vector<rubble_refusal> refusals() {
+        rubble_refusal rows[8] = {};
+        uint32_t count = 0;
+        EXPECT_EQ(api()->get_refusals(m_world, rows, 8, &count), RUBBLE_OK);
+        return {rows, rows + count};
+    }
+    rubble_shape_state state(rubble_shape shape) {
+        for (const rubble_shape_state& each : shapes())
+            if (each.shape == shape) return each;
+        ADD_FAILURE() << "there is no such shape";
+        return {};
+    }
+    rubble_body_state bodyState(rubble_body body) {
+        rubble_body_state out = {};
+        EXPECT_EQ(api()->get_body_state(m_world, body, &out), RUBBLE_OK) << api()->get_last_error();
+        return out;
+    }
+    rubble_voxel_box wholeOf(rubble_shape shape, int32_t side) {
+        auto box = sized<rubble_voxel_box>();
+        box.shape = shape;
+        std::fill_n(box.size, 3, side);
+        return box;
+    }
+    std::vector<uint8_t> read(const rubble_voxel_box& box) {
+        std::vector<uint8_t> out(size_t(box.size[0] * box.size[1] * box.size[2]));
+        uint64_t count = 0;
+        EXPECT_EQ(api()->read_voxels(m_world, &box, out.data(), out.size(), &count), RUBBLE_OK);
+        return out;
+    }
+    bool isStale(uint64_t handle) {
+        uint64_t here = 0;
+        return api()->translate_handle(m_world, handle, &here) == RUBBLE_ERROR_STALE;
+    }
+};
+
+TEST_F(AbiCreate, AChainOfCallsNeedsNoWaiting) {
+    const rubble_body crate = make(bodyAt(5.0, 20.0, 0));
+    const rubble_shape shape = make(shapeOn(crate, RUBBLE_SHAPE_EMPTY, 10));
+    const rubble_voxel_box box = wholeOf(shape, 10);
+    const std::vector<uint8_t> cells(1000, 3);
+    ASSERT_EQ(api()->write_voxels(m_world, &box, cells.data(), cells.size()), RUBBLE_OK) << api()->get_last_error();
+    auto change = sized<rubble_body_change>();
+    change.body = crate, change.fields = RUBBLE_SET_POSE | RUBBLE_SET_VELOCITY;
+    change.position[1] = 30.0, change.velocity[0] = 6.0;
+    ASSERT_EQ(api()->set_body(m_world, &change), RUBBLE_OK) << api()->get_last_error();
+    rubble_body_state before = {};
+    expectRefused(api()->get_body_state(m_world, crate, &before), RUBBLE_ERROR_STALE, "before the next step");
+    step();
+    EXPECT_TRUE(refusals().empty());
+    EXPECT_EQ(state(shape).body, crate);
+    EXPECT_EQ(state(shape).voxel_count, 1000u);
+    EXPECT_EQ(read(box), cells);
+    EXPECT_NEAR(bodyState(crate).position[1], 30.0, 0.01);
+    EXPECT_NEAR(bodyState(crate).velocity[0], 6.0, 1e-9);
+    auto events = sized<rubble_events>();
+    ASSERT_EQ(api()->get_events(m_world, &events), RUBBLE_OK);
+    ASSERT_EQ(events.bodies_created_count, 1u);
+    EXPECT_EQ(events.bodies_created[0], crate);
+    step(20);
+    EXPECT_LT(bodyState(crate).position[1], 29.9) << "it is simulated";
+}
+
+TEST_F(AbiCreate, TheVelocityIsThatOfTheWholeBody) {
+    auto settings = bodyAt(0.0, 50.0, 0);
+    settings.velocity[0] = 2.0, settings.angular_velocity[1] = 3.0;
+    const rubble_body body = make(settings);
+    for (int i = 0; i < 3; ++i) {
+        auto shape = shapeOn(body, RUBBLE_SHAPE_BOX, 4);
+        shape.position[0] = 1.5 * i;
+        make(shape);
+    }
+    step();
+    EXPECT_NEAR(bodyState(body).velocity[0], 2.0, 1e-6);
+    EXPECT_NEAR(bodyState(body).velocity[2], 0.0, 1e-6);
+    EXPECT_EQ(bodyState(body).shape_count, 3u);
+}
+
+TEST_F(AbiCreate, VoxelsComeFromBoxesBallsIndicesRunsAndShapes) {
+    const rubble_body body = make(bodyAt(10.0, 0.0, RUBBLE_BODY_STATIC));
+    const auto at = [&](double x, uint32_t source, int32_t side) {
+        auto out = shapeOn(body, source, side);
+        out.position[0] = x;
+        return out;
+    };
+    auto boxed = at(0.0, RUBBLE_SHAPE_BOX, 40);
+    boxed.index = 7;
+    const rubble_shape box = make(boxed), ball = make(at(5.0, RUBBLE_SHAPE_SPHERE, 21));
+    std::vector<uint8_t> cells(1000);
+    for (size_t i = 0; i < cells.size(); ++i) cells[i] = uint8_t(i % 7);
+    auto dense = at(8.0, RUBBLE_SHAPE_INDICES, 10);
+    dense.indices = cells.data(), dense.count = cells.size(), dense.voxel_size = 0.05;
+    const rubble_shape raw = make(dense);
+    std::vector<rubble_voxel_run> runs;
+    for (const uint8_t cell : cells) runs.push_back({1, cell});
+    auto packed = at(9.0, RUBBLE_SHAPE_RUNS, 10);
+    packed.runs = runs.data(), packed.count = runs.size();
+    const rubble_shape run = make(packed);
+    auto copied = at(11.0, RUBBLE_SHAPE_COPY, 0);
+    copied.copied = raw;
+    const rubble_shape copy = make(copied);
+    step();
+    ASSERT_TRUE(refusals().empty()) << refusals()[0].reason;
+    EXPECT_EQ(read(wholeOf(box, 40)), std::vector<uint8_t>(64000, 7));
+    EXPECT_EQ(read(wholeOf(raw, 10)), cells);
+    EXPECT_EQ(read(wholeOf(run, 10)), cells);
+    EXPECT_EQ(read(wholeOf(copy, 10)), cells);
+    EXPECT_NEAR(state(copy).voxel_size, 0.05, 1e-6);
+    const std::vector<uint8_t> round = read(wholeOf(ball, 21));
+    uint64_t solid = 0;
+    for (int z = 0; z < 21; ++z)
+        for (int y = 0; y < 21; ++y)
+            for (int x = 0; x < 21; ++x) {
+                const int dx = x - 10, dy = y - 10, dz = z - 10;
+                const bool isIn = 4 * (dx * dx + dy * dy + dz * dz) <= 21 * 21;
+                ASSERT_EQ(round[size_t((z * 21 + y) * 21 + x)], isIn ? 6 : 0) << x << " " << y << " " << z;
+                solid += isIn;
+            }
+    EXPECT_EQ(state(ball).voxel_count, solid);
+}
+
+TEST_F(AbiCreate, RefusalsNameTheArgument) {
+    rubble_body body = 9;
+    auto settings = bodyAt(0.0, 0.0, 4);
+    expectRefused(api()->create_body(m_world, &settings, &body), RUBBLE_ERROR_ARGUMENT, "flags");
+    EXPECT_EQ(body, 0u);
+    settings.flags = RUBBLE_BODY_STATIC, settings.velocity[1] = 1.0;
+    expectRefused(api()->create_body(m_world, &settings, &body), RUBBLE_ERROR_ARGUMENT, "velocity");
+    settings.velocity[1] = 0.0, settings.position[2] = 1e10;
+    expectRefused(api()->create_body(m_world, &settings, &body), RUBBLE_ERROR_ARGUMENT, "position[2]");
+    expectRefused(api()->create_body(m_world, &settings, nullptr), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->create_body(m_world, nullptr, &body), RUBBLE_ERROR_NULL, "settings");
+    const rubble_body table = bodies(m_world)[0].body;
+    rubble_shape shape = 0;
+    const auto refused = [&](const rubble_shape_settings& wrong, rubble_result code, const char* word) {
+        expectRefused(api()->create_shape(m_world, &wrong, &shape), code, word);
+    };
+    refused(shapeOn(0, RUBBLE_SHAPE_BOX, 1), RUBBLE_ERROR_STALE, "body is 0");
+    refused(shapeOn(table, RUBBLE_SHAPE_COPY + 1, 1), RUBBLE_ERROR_ARGUMENT, "source is 6");
+    refused(shapeOn(table, RUBBLE_SHAPE_COPY, 1), RUBBLE_ERROR_STALE, "copied is 0");
+    refused(shapeOn(table, RUBBLE_SHAPE_EMPTY, 5000), RUBBLE_ERROR_ARGUMENT, "size[0] is 5000");
+    refused(shapeOn(table, RUBBLE_SHAPE_BOX, 4096), RUBBLE_ERROR_ARGUMENT, "size[0] * size[1] * size[2]");
+    refused(shapeOn(table, RUBBLE_SHAPE_INDICES, 4), RUBBLE_ERROR_NULL, "indices");
+    refused(shapeOn(table, RUBBLE_SHAPE_RUNS, 4), RUBBLE_ERROR_NULL, "runs");
+    auto wrong = shapeOn(table, RUBBLE_SHAPE_INDICES, 4);
+    const uint8_t cells[64] = {};
+    wrong.indices = cells, wrong.count = 63;
+    refused(wrong, RUBBLE_ERROR_ARGUMENT, "count is 63, expected 64");
+    wrong = shapeOn(table, RUBBLE_SHAPE_RUNS, 2);
+    const rubble_voxel_run runs[2] = {{8, 1}, {1, 0}};
+    wrong.runs = runs, wrong.count = 2;
+    refused(wrong, RUBBLE_ERROR_ARGUMENT, "runs[1] ends after 9 cells");
+    wrong = shapeOn(table, RUBBLE_SHAPE_BOX, 2);
+    wrong.index = 256;
+    refused(wrong, RUBBLE_ERROR_ARGUMENT, "index is 256");
+    wrong.index = 6, wrong.voxel_size = 1e-9;
+    refused(wrong, RUBBLE_ERROR_ARGUMENT, "voxel_size");
+    wrong.voxel_size = 0.0, wrong.palette_of = table;
+    refused(wrong, RUBBLE_ERROR_STALE, "palette_of");
+}
+
+TEST_F(AbiCreate, WhatTheStepCannotMakeIsDeadAndSaysWhy) {
+    const rubble_body doomed = make(bodyAt(0.0, 9.0, 0)), empty = make(bodyAt(3.0, 9.0, 0));
+    ASSERT_EQ(api()->destroy_body(m_world, doomed), RUBBLE_OK) << api()->get_last_error();
+    const rubble_shape late = make(shapeOn(doomed, RUBBLE_SHAPE_BOX, 4));
+    const rubble_shape bare = make(shapeOn(empty, RUBBLE_SHAPE_EMPTY, 4));
+    step();
+    const std::vector<rubble_refusal> rows = refusals();
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0].handle, late);
+    EXPECT_EQ(rows[0].reason, std::string("create_shape: the handle of its body is stale"));
+    EXPECT_EQ(rows[1].handle, bare);
+    EXPECT_NE(std::string(rows[1].reason).find("has no voxels"), std::string::npos) << rows[1].reason;
+    for (const uint64_t handle : {doomed, late, bare}) EXPECT_TRUE(isStale(handle));
+    EXPECT_EQ(bodyState(empty).shape_count, 0u) << "a body may wait for its shapes";
+    const rubble_shape now = make(shapeOn(empty, RUBBLE_SHAPE_BOX, 4));
+    EXPECT_NE(now, bare);
+    step(30);
+    EXPECT_TRUE(refusals().empty());
+    EXPECT_LT(bodyState(empty).position[1], 9.0);
+}
+
+TEST_F(AbiCreate, ALevelLoadedInBetweenLeavesDeadHandles) {
+    const rubble_body waiting = make(bodyAt(0.0, 9.0, 0));
+    const rubble_shape shape = make(shapeOn(waiting, RUBBLE_SHAPE_BOX, 4));
+    ASSERT_EQ(api()->load_level(m_world, s_level.c_str(), nullptr), RUBBLE_OK);
+    step();
+    for (int i = 0; i < 5; ++i) {
+        const rubble_body other = make(bodyAt(2.0 * i, 20.0, 0));
+        make(shapeOn(other, RUBBLE_SHAPE_BOX, 2));
+        step();
+        EXPECT_NE(other, waiting);
+        EXPECT_TRUE(isStale(waiting));
+        EXPECT_TRUE(isStale(shape));
+    }
+}
+
+TEST_F(AbiCreate, UndoInTheSameStepMayTakeThePlace) {
+    ASSERT_EQ(api()->set_undo_limit(m_world, 4), RUBBLE_OK);
+    step();
+    ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
+    const rubble_body table = bodies(m_world)[0].body;
+    ASSERT_EQ(api()->destroy_body(m_world, table), RUBBLE_OK);
+    step();
+    const rubble_body made = make(bodyAt(0.0, 9.0, 0));
+    const rubble_shape shape = make(shapeOn(made, RUBBLE_SHAPE_BOX, 4));
+    EXPECT_EQ(made & 0xffffff, table & 0xffffff) << "this test is about a slot that undo needs";
+    ASSERT_EQ(api()->undo(m_world), RUBBLE_OK);
+    step();
+    ASSERT_EQ(refusals().size(), 2u);
+    EXPECT_EQ(refusals()[0].handle, made);
+    EXPECT_TRUE(isStale(made));
+    EXPECT_TRUE(isStale(shape));
+    EXPECT_EQ(bodies(m_world).size(), 1u);
+    EXPECT_EQ(bodies(m_world)[0].body, table);
+}
+
+TEST_F(AbiCreate, IsUndoneAndRedone) {
+    ASSERT_EQ(api()->set_undo_limit(m_world, 4), RUBBLE_OK);
+    step();
+    ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
+    const rubble_body body = make(bodyAt(6.0, 0.0, RUBBLE_BODY_STATIC));
+    const rubble_shape shape = make(shapeOn(body, RUBBLE_SHAPE_SPHERE, 9));
+    step();
+    const rubble_shape_state made = state(shape);
+    ASSERT_EQ(api()->undo(m_world), RUBBLE_OK);
+    step();
+    EXPECT_TRUE(isStale(body));
+    EXPECT_TRUE(isStale(shape));
+    EXPECT_EQ(shapes().size(), 1u);
+    ASSERT_EQ(api()->redo(m_world), RUBBLE_OK);
+    step();
+    EXPECT_EQ(state(shape).voxel_count, made.voxel_count);
+    EXPECT_EQ(bodyState(body).position[0], 6.0);
+}
+
+TEST_F(AbiCreate, IsRecordedAndSavedWithWhatWaits) {
+    const TempFolder folder;
+    const std::string log = folder / "game.rubblelog", save = folder / "game.rubble";
+    std::vector<uint8_t> cells(512, 2);
+    cells[5] = 0;
+    const auto makeSome = [&](double x) {
+        const rubble_body body = make(bodyAt(x, 12.0, 0));
+        make(shapeOn(body, RUBBLE_SHAPE_SPHERE, 12));
+        auto raw = shapeOn(body, RUBBLE_SHAPE_INDICES, 8);
+        raw.position[1] = 1.2, raw.indices = cells.data(), raw.count = cells.size();
+        return make(raw);
+    };
+    makeSome(3.0);
+    ASSERT_EQ(api()->start_recording(m_world, log.c_str()), RUBBLE_OK) << api()->get_last_error();
+    makeSome(5.0);
+    const rubble_explosion explosion = tableExplosion();
+    ASSERT_EQ(api()->explode(m_world, &explosion), RUBBLE_OK);
+    step(2);
+    make(shapeOn(make(bodyAt(9.0, 3.0, 0)), RUBBLE_SHAPE_EMPTY, 3));  // is refused
+    const rubble_shape late = makeSome(7.0);
+    step(5);
+    ASSERT_EQ(api()->stop_recording(m_world), RUBBLE_OK);
+    const uint64_t end = hash();
+    uint64_t steps = 0;
+    ASSERT_EQ(api()->play_recording(m_world, log.c_str(), &steps), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(steps, 7u);
+    EXPECT_EQ(hash(), end);
+    EXPECT_EQ(state(late).voxel_count, 511u);
+
+    const rubble_shape waiting = makeSome(15.0);
+    ASSERT_EQ(api()->save_game(m_world, save.c_str()), RUBBLE_OK) << api()->get_last_error();
+    const rubble_shape after = makeSome(17.0);
+    step(3);
+    const uint64_t live = hash();
+    EXPECT_EQ(state(waiting).voxel_count, 511u);
+    ASSERT_EQ(api()->load_game(m_world, save.c_str()), RUBBLE_OK) << api()->get_last_error();
+    uint64_t translated = 0;
+    EXPECT_EQ(api()->translate_handle(m_world, waiting, &translated), RUBBLE_OK);
+    EXPECT_EQ(translated, waiting);
+    EXPECT_EQ(makeSome(17.0), after) << "what waits in the save has its handle";
+    step(3);
+    EXPECT_EQ(hash(), live);
+    EXPECT_EQ(state(waiting).voxel_count, 511u);
+}
+
+TEST_F(AbiCreate, AddsToABodyThatMoves) {
+    auto settings = bodyAt(0.0, 60.0, 0);
+    settings.angular_velocity[1] = 2.0;
+    const rubble_body body = make(settings);
+    make(shapeOn(body, RUBBLE_SHAPE_BOX, 4));
+    step();
+    auto arm = shapeOn(body, RUBBLE_SHAPE_BOX, 4);
+    arm.position[0] = 2.0;
+    make(arm);
+    step();
+    EXPECT_NEAR(bodyState(body).velocity[2], -2.0, 0.05) << "the centre of mass moves as that point of the body did";
+    EXPECT_NEAR(bodyState(body).angular_velocity[1], 2.0, 0.05);
+}
+
+TEST_F(AbiCreate, AStaticShapeIsHeldByItsLowestLayerAndBreaks) {
+    const rubble_body body = make(bodyAt(10.0, 0.0, RUBBLE_BODY_STATIC));
+    make(shapeOn(body, RUBBLE_SHAPE_BOX, 20));
+    step();
+    auto cut = sized<rubble_carve>();
+    cut.brush = RUBBLE_BRUSH_BOX;
+    cut.position[0] = 11.0, cut.position[1] = 1.0, cut.position[2] = 1.0;
+    cut.half_size[0] = cut.half_size[2] = 2.0, cut.half_size[1] = 0.1;
+    ASSERT_EQ(api()->carve(m_world, &cut), RUBBLE_OK);
+    step();
+    auto events = sized<rubble_events>();
+    ASSERT_EQ(api()->get_events(m_world, &events), RUBBLE_OK);
+    EXPECT_EQ(events.split_count, 1u) << "the upper part comes off";
+    EXPECT_TRUE(bodyState(body).flags & RUBBLE_BODY_STATIC);
+}
+
+TEST_F(AbiCreate, AnEmptyWorldNeedsNoLevel) {
+    auto settings = sized<rubble_world_settings>();
+    settings.flags = RUBBLE_WORLD_NO_RENDERER;
+    const rubble_world before = m_world;
+    ASSERT_EQ(api()->create_world(&settings, &m_world), RUBBLE_OK);
+    auto floor = shapeOn(make(bodyAt(-5.0, -0.4, RUBBLE_BODY_STATIC)), RUBBLE_SHAPE_BOX, 100);
+    floor.size[1] = 4, floor.position[2] = -5.0;
+    make(floor);
+    const rubble_body crate = make(bodyAt(0.0, 1.0, 0));
+    make(shapeOn(crate, RUBBLE_SHAPE_BOX, 8));
+    step(120);
+    EXPECT_NEAR(bodyState(crate).position[1], 0.0, 0.02) << "it has come to rest on the floor";
+    EXPECT_EQ(api()->destroy_world(m_world), RUBBLE_OK);
+    m_world = before;
+}
+
+TEST_F(AbiCreate, AJointOfTwoNewShapesIsPlacedWhereTheyAreThen) {
+    const rubble_body post = make(bodyAt(20.0, 0.0, RUBBLE_BODY_STATIC)), arm = make(bodyAt(0.0, 0.0, 0));
+    const rubble_shape upright = make(shapeOn(post, RUBBLE_SHAPE_BOX, 20)),
+                       beam = make(shapeOn(arm, RUBBLE_SHAPE_BOX, 8));
+    auto change = sized<rubble_body_change>();
+    change.body = arm, change.fields = RUBBLE_SET_POSE;
+    change.position[0] = 22.0, change.position[1] = 1.0, change.position[2] = 0.6;
+    ASSERT_EQ(api()->set_body(m_world, &change), RUBBLE_OK);
+    auto settings = sized<rubble_joint_settings>();
+    settings.kind = RUBBLE_JOINT_FIXED;
+    settings.shapes[0] = upright, settings.shapes[1] = beam;
+    settings.position[0] = 22.0, settings.position[1] = 1.4, settings.position[2] = 1.0;
+    rubble_joint joint = 0;
+    ASSERT_EQ(api()->create_joint(m_world, &settings, &joint), RUBBLE_OK) << api()->get_last_error();
+    auto motor = sized<rubble_joint_motor>();
+    motor.joint = joint;
+    ASSERT_EQ(api()->set_joint_motor(m_world, &motor), RUBBLE_OK) << api()->get_last_error();
+    step(60);
+    rubble_joint_state row = {};
+    uint32_t count = 0;
+    ASSERT_EQ(api()->get_joint_states(m_world, &row, 1, &count), RUBBLE_OK);
+    EXPECT_EQ(row.joint, joint);
+    for (int a = 0; a < 3; ++a) {
+        EXPECT_NEAR(row.first_anchor[a], settings.position[a], 0.01);
+        EXPECT_NEAR(row.second_anchor[a], settings.position[a], 0.02) << "it holds the beam where it was placed";
+    }
+    settings.position[1] = 40.0;
+    rubble_joint nowhere = 0;
+    ASSERT_EQ(api()->create_joint(m_world, &settings, &nowhere), RUBBLE_OK) << api()->get_last_error();
+    step();
+    ASSERT_EQ(refusals().size(), 1u);
+    EXPECT_EQ(refusals()[0].handle, nowhere);
+    EXPECT_EQ(refusals()[0].reason, std::string("add_joint: no voxel to hold on to within the radius of an end"));
+    EXPECT_TRUE(isStale(nowhere));
+}
+
+TEST_F(AbiCreate, LightsWatersTriggersAndCharactersHaveTheirHandlesAtOnce) {
+    const rubble_body body = make(bodyAt(20.0, 5.0, RUBBLE_BODY_STATIC));
+    const rubble_shape shape = make(shapeOn(body, RUBBLE_SHAPE_BOX, 4));
+    auto lamp = sized<rubble_light_settings>();
+    lamp.shape = shape, lamp.flags = RUBBLE_LIGHT_ENABLED, lamp.color[0] = 1.0, lamp.reach = 5.0;
+    rubble_light light = 0;
+    ASSERT_EQ(api()->create_light(m_world, &lamp, &light), RUBBLE_OK) << api()->get_last_error();
+    lamp.light = light, lamp.reach = 7.0;
+    ASSERT_EQ(api()->set_light(m_world, &lamp), RUBBLE_OK) << api()->get_last_error();
+    const double corners[8] = {-1, -1, 1, -1, 1, 1, -1, 1};
+    auto pool = sized<rubble_water_settings>();
+    pool.outline = corners, pool.outline_count = 4;
+    rubble_water water = 0, drained = 0;
+    ASSERT_EQ(api()->create_water(m_world, &pool, &drained), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->create_water(m_world, &pool, &water), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->remove_water(m_world, drained), RUBBLE_OK) << api()->get_last_error();
+    auto region = sized<rubble_trigger_settings>();
+    rubble_trigger trigger = 0;
+    ASSERT_EQ(api()->create_trigger(m_world, &region, &trigger), RUBBLE_OK) << api()->get_last_error();
+    auto walker = sized<rubble_character_settings>();
+    walker.position[1] = 3.0;
+    rubble_character character = 0;
+    ASSERT_EQ(api()->create_character(m_world, &walker, &character), RUBBLE_OK) << api()->get_last_error();
+    auto teleport = sized<rubble_character_teleport>();
+    teleport.character = character, teleport.position[0] = 30.0, teleport.position[1] = 8.0;
+    ASSERT_EQ(api()->teleport_character(m_world, &teleport), RUBBLE_OK) << api()->get_last_error();
+    step();
+    EXPECT_TRUE(refusals().empty());
+    auto known = sized<rubble_light_settings>();
+    ASSERT_EQ(api()->get_light_settings(m_world, light, &known), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(known.reach, 7.0);
+    EXPECT_EQ(known.shape, shape);
+    uint64_t handle = 0;
+    uint32_t count = 0;
+    ASSERT_EQ(api()->get_waters(m_world, &handle, 1, &count), RUBBLE_OK);
+    EXPECT_EQ(handle, water);
+    ASSERT_EQ(api()->get_triggers(m_world, &handle, 1, &count), RUBBLE_OK);
+    EXPECT_EQ(handle, trigger);
+    rubble_character_state row = {};
+    ASSERT_EQ(api()->get_character_states(m_world, &row, 1, &count), RUBBLE_OK);
+    EXPECT_EQ(row.character, character);
+    EXPECT_NEAR(row.position[0], 30.0, 0.1);
+    EXPECT_TRUE(isStale(drained));
+}
+
+TEST_F(AbiCreate, ALightOnADestroyedShapeIsRefused) {
+    const rubble_body body = make(bodyAt(20.0, 5.0, RUBBLE_BODY_STATIC));
+    auto lamp = sized<rubble_light_settings>();
+    lamp.shape = make(shapeOn(body, RUBBLE_SHAPE_BOX, 4));
+    ASSERT_EQ(api()->destroy_shape(m_world, lamp.shape), RUBBLE_OK) << api()->get_last_error();
+    rubble_light light = 0;
+    ASSERT_EQ(api()->create_light(m_world, &lamp, &light), RUBBLE_OK) << api()->get_last_error();
+    step();
+    ASSERT_EQ(refusals().size(), 1u);
+    EXPECT_EQ(refusals()[0].handle, light);
+    EXPECT_TRUE(isStale(light));
+    uint64_t added = 1;
+    uint32_t count = 0;
+    ASSERT_EQ(api()->get_added_lights(m_world, &added, 1, &count), RUBBLE_OK);
+    EXPECT_EQ(count, 1u);
+    EXPECT_EQ(added, 0u);
+}
+
+/// In a world that is drawn too: what is static there is in the shadow volume.
+TEST_F(AbiCreate, ABodyIsMadeStaticAndFree) {
+    auto settings = sized<rubble_world_settings>();
+    settings.flags = RUBBLE_WORLD_SHADOW_INLINE;
+    const rubble_world undrawn = m_world;
+    rubble_world drawn = 0;
+    ASSERT_EQ(api()->create_world(&settings, &drawn), RUBBLE_OK);
+    std::vector<uint64_t> hashes;
+    for (const rubble_world world : {drawn, undrawn}) {
+        m_world = world;
+        ASSERT_EQ(api()->load_level(world, s_level.c_str(), nullptr), RUBBLE_OK);
+        ASSERT_EQ(api()->set_undo_limit(world, 3), RUBBLE_OK);
+        const rubble_body crate = make(bodyAt(8.0, 10.0, 0));
+        const rubble_shape shape = make(shapeOn(crate, RUBBLE_SHAPE_BOX, 8));
+        step(10);
+        ASSERT_EQ(api()->add_undo_mark(world), RUBBLE_OK);
+        auto change = sized<rubble_body_change>();
+        change.body = crate, change.fields = RUBBLE_SET_STATIC;
+        ASSERT_EQ(api()->set_body(world, &change), RUBBLE_OK) << api()->get_last_error();
+        step();
+        const double height = bodyState(crate).position[1];
+        step(30);
+        EXPECT_EQ(bodyState(crate).position[1], height) << "it hangs where it was";
+        EXPECT_TRUE(bodyState(crate).flags & RUBBLE_BODY_STATIC);
+        EXPECT_EQ(state(shape).voxel_count, 512u);
+        const rubble_body ball = make(bodyAt(8.2, height + 1.0, 0));
+        make(shapeOn(ball, RUBBLE_SHAPE_BOX, 4));
+        step(60);
+        EXPECT_NEAR(bodyState(ball).position[1], height + 0.8, 0.03) << "it bears what falls onto it";
+        change.fields = RUBBLE_SET_DYNAMIC | RUBBLE_SET_VELOCITY;
+        change.velocity[0] = 1.0;
+        ASSERT_EQ(api()->set_body(world, &change), RUBBLE_OK) << api()->get_last_error();
+        step(20);
+        EXPECT_LT(bodyState(crate).position[1], height - 0.1);
+        EXPECT_LT(bodyState(ball).position[1], height + 0.7) << "what lay on it falls";
+        EXPECT_FALSE(bodyState(crate).flags & RUBBLE_BODY_STATIC);
+        hashes.push_back(hash());
+        ASSERT_EQ(api()->undo(world), RUBBLE_OK);
+        step(10);
+        EXPECT_FALSE(bodyState(crate).flags & RUBBLE_BODY_STATIC);
+        ASSERT_EQ(api()->redo(world), RUBBLE_OK);
+        step();
+        change.fields = RUBBLE_SET_STATIC | RUBBLE_SET_AWAKE;
+        expectRefused(api()->set_body(world, &change), RUBBLE_ERROR_ARGUMENT, "the body is static");
+        change.fields = RUBBLE_SET_STATIC | RUBBLE_SET_DYNAMIC;
+        expectRefused(api()->set_body(world, &change), RUBBLE_ERROR_ARGUMENT, "expected one of them");
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+    m_world = undrawn;
+    EXPECT_EQ(api()->destroy_world(drawn), RUBBLE_OK);
+}
+
+TEST_F(AbiCreate, UndoMakesAStaticBodyFreeAgain) {
+    ASSERT_EQ(api()->set_undo_limit(m_world, 3), RUBBLE_OK);
+    const rubble_body crate = make(bodyAt(8.0, 50.0, 0));
+    make(shapeOn(crate, RUBBLE_SHAPE_BOX, 8));
+    step(5);
+    ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
+    auto change = sized<rubble_body_change>();
+    change.body = crate, change.fields = RUBBLE_SET_STATIC;
+    ASSERT_EQ(api()->set_body(m_world, &change), RUBBLE_OK);
+    step(2);
+    ASSERT_EQ(api()->undo(m_world), RUBBLE_OK);
+    step(10);
+    EXPECT_FALSE(bodyState(crate).flags & RUBBLE_BODY_STATIC);
+    EXPECT_LT(bodyState(crate).velocity[1], -1.0) << "it falls";
+    ASSERT_EQ(api()->redo(m_world), RUBBLE_OK);
+    step();
+    const double height = bodyState(crate).position[1];
+    step(10);
+    EXPECT_EQ(bodyState(crate).position[1], height);
+}
+
+class AbiPrefab : public AbiCreate {
+protected:
+    std::vector<rubble_prefab_row> place(const rubble_prefab& prefab) {
+        uint32_t count = 0;
+        EXPECT_EQ(api()->create_prefab(m_world, &prefab, nullptr, 0, &count), RUBBLE_OK) << api()->get_last_error();
+        std::vector<rubble_prefab_row> rows(count);
+        EXPECT_EQ(api()->create_prefab(m_world, &prefab, rows.data(), count, &count), RUBBLE_OK)
+            << api()->get_last_error();
+        return rows;
+    }
+    /// The bytes of the test level.
+    static std::vector<char> levelBytes() {
+        std::ifstream file(s_level, std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+};
+
+TEST_F(AbiPrefab, ALevelIsPlacedAsOftenAsWanted) {
+    const std::vector<char> bytes = levelBytes();
+    for (int i = 1; i < 4; ++i) {
+        auto prefab = sized<rubble_prefab>();
+        prefab.position[0] = 5.0 * i;
+        prefab.rotation[1] = prefab.rotation[3] = 0.7071067811865476;
+        if (i == 1)
+            prefab.path = s_level.c_str();
+        else
+            prefab.data = bytes.data(), prefab.size = bytes.size();
+        const std::vector<rubble_prefab_row> rows = place(prefab);
+        ASSERT_EQ(rows.size(), 3u) << "a body, its shape and a light";
+        EXPECT_EQ(rows[0].kind, uint32_t(RUBBLE_PREFAB_BODY));
+        EXPECT_EQ(rows[1].kind, uint32_t(RUBBLE_PREFAB_SHAPE));
+        EXPECT_EQ(rows[1].owner, 0u);
+        EXPECT_EQ(rows[2].kind, uint32_t(RUBBLE_PREFAB_LIGHT));
+        step();
+        EXPECT_EQ(bodyState(rows[0].handle).position[0], 5.0 * i);
+        EXPECT_EQ(state(rows[1].handle).body, rows[0].handle);
+        EXPECT_EQ(state(rows[1].handle).voxel_count, 650u);
+        auto light = sized<rubble_light_settings>();
+        ASSERT_EQ(api()->get_light_settings(m_world, rows[2].handle, &light), RUBBLE_OK);
+        EXPECT_NEAR(light.position[0], 5.0 * i + 1.0, 1e-9);
+        EXPECT_NEAR(light.position[2], -1.0, 1e-9);
+    }
+    EXPECT_EQ(shapes().size(), 4u);
+}
+
+TEST_F(AbiPrefab, IsRecorded) {
+    const TempFolder folder;
+    const std::string log = folder / "game.rubblelog";
+    ASSERT_EQ(api()->start_recording(m_world, log.c_str()), RUBBLE_OK);
+    auto prefab = sized<rubble_prefab>();
+    prefab.path = s_level.c_str(), prefab.position[1] = 4.0;
+    place(prefab);
+    step(3);
+    ASSERT_EQ(api()->stop_recording(m_world), RUBBLE_OK);
+    const uint64_t end = hash();
+    uint64_t steps = 0;
+    ASSERT_EQ(api()->play_recording(m_world, log.c_str(), &steps), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(steps, 3u);
+    EXPECT_EQ(hash(), end);
+}
+
+TEST_F(AbiPrefab, SaysWhatIsWrong) {
+    auto prefab = sized<rubble_prefab>();
+    uint32_t count = 9;
+    expectRefused(api()->create_prefab(m_world, &prefab, nullptr, 0, &count), RUBBLE_ERROR_NULL, "data");
+    EXPECT_EQ(count, 0u);
+    prefab.data = "no level", prefab.size = 8;
+    expectRefused(api()->create_prefab(m_world, &prefab, nullptr, 0, &count), RUBBLE_ERROR_FILE, "data");
+    prefab.path = "no/such/file.rubble";
+    expectRefused(api()->create_prefab(m_world, &prefab, nullptr, 0, &count), RUBBLE_ERROR_FILE, "no/such/file");
+    prefab.path = s_level.c_str();
+    rubble_prefab_row row = {};
+    expectRefused(api()->create_prefab(m_world, &prefab, &row, 1, &count), RUBBLE_ERROR_CAPACITY, "holds 1");
+    EXPECT_EQ(count, 3u);
+    expectRefused(api()->create_prefab(m_world, &prefab, nullptr, 3, &count), RUBBLE_ERROR_NULL, "out");
+    prefab.position[0] = 1e10;
+    expectRefused(api()->create_prefab(m_world, &prefab, nullptr, 0, &count), RUBBLE_ERROR_ARGUMENT, "position[0]");
+    step();
+    EXPECT_EQ(shapes().size(), 1u) << "nothing was placed";
+}
+
+}  // namespace
+}  // namespace rubble
