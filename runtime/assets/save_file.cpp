@@ -13,6 +13,7 @@
 #include "runtime/assets/level_validation.h"
 #include "runtime/assets/state_fields.h"
 #include "runtime/world/objects/object_errors.h"
+#include "runtime/world/queries/notes.h"
 #include "runtime/world/settings/settings_error.h"
 #include "runtime/world/world.h"
 
@@ -128,8 +129,8 @@ SavedGame stateFromBytes(ByteReader& reader, const std::vector<PaletteRef>& pale
 }
 
 /// Checks what a World takes for granted: every shape is on one body that lists it once, joints and heat name shapes
-/// that exist, ropes have points, each hot brick is listed once, inside its shape and in order,
-/// and its heat is in range.
+/// that exist, notes objects that exist, each once, ropes have points, each hot brick is listed once, inside its shape
+/// and in order, and its heat is in range.
 Result<Done> validateHandles(const WorldState& world) {
     std::string error;
     const auto fail = [&](const char* what, uint32_t slot) {
@@ -157,6 +158,10 @@ Result<Done> validateHandles(const WorldState& world) {
             fail("points of joint", handle.slot());
         if (const std::string wrong = jointEndsError(joint); error.empty() && !wrong.empty())
             error = fmt::format("joint {}: {}", handle.slot(), wrong);
+    });
+    std::set<uint64_t> noted;
+    world.notes.forEach([&](NoteHandle handle, const Note& note) {
+        if (!isAlive(world, note.object) || !noted.insert(bitsOf(note.object)).second) fail("note", handle.slot());
     });
     std::set<ShapeHandle> waiting;
     for (const PendingSplit& pending : world.pendingSplits)

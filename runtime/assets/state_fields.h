@@ -63,6 +63,13 @@ template <>
 inline constexpr auto kFields<Light> = lightTable([](auto member) { return member; }, &Light::shape, &Light::group);
 
 template <>
+inline constexpr auto kFields<Note> = std::tuple{
+    Field{"object", &Note::object},      Field{"sets_name", &Note::setsName}, Field{"name", &Note::name},
+    Field{"sets_tags", &Note::setsTags}, Field{"tags", &Note::tags},          Field{"user_value", &Note::userValue},
+    Field{"parent", &Note::parent},      Field{"root", &Note::root},
+};
+
+template <>
 inline constexpr auto kFields<HotBrick> = std::tuple{
     Field{"brick", &HotBrick::brick},   Field{"heat", &HotBrick::heat},
     Field{"burned", &HotBrick::burned}, Field{"burning_for", &HotBrick::burningFor},
@@ -129,6 +136,7 @@ inline constexpr auto kFields<WorldSettings> = std::tuple{
     Field{"paint", &WorldSettings::paint},
     Field{"fire", &WorldSettings::fire},
     Field{"split", &WorldSettings::split},
+    Field{"keep_origins", &WorldSettings::keepOrigins},
 };
 
 template <>
@@ -372,6 +380,28 @@ template <>
 inline constexpr auto kFields<ReleaseEdit> = std::tuple{
     Field{"impulse", &ReleaseEdit::impulse},
     Field{"hand", &ReleaseEdit::hand},
+};
+
+template <>
+inline constexpr auto kFields<SetNameEdit> = std::tuple{
+    Field{"object", &SetNameEdit::object},
+    Field{"name", &SetNameEdit::name},
+};
+template <>
+inline constexpr auto kFields<SetTagEdit> = std::tuple{
+    Field{"object", &SetTagEdit::object},
+    Field{"tag", &SetTagEdit::tag},
+    Field{"value", &SetTagEdit::value},
+};
+template <>
+inline constexpr auto kFields<RemoveTagEdit> = std::tuple{
+    Field{"object", &RemoveTagEdit::object},
+    Field{"tag", &RemoveTagEdit::tag},
+};
+template <>
+inline constexpr auto kFields<SetUserValueEdit> = std::tuple{
+    Field{"object", &SetUserValueEdit::object},
+    Field{"value", &SetUserValueEdit::value},
 };
 
 /// An edit as the variant that it is derived from.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/vector_relational.hpp>
 #include <optional>
+#include <set>
 #include <type_traits>
 
 #include "runtime/assets/binary_archive.h"
@@ -250,7 +251,7 @@ public:
     }
     bool isValid() const {
         return hasValidValues() && changesJointsOfRemovedShapes() && shapesAreOnTheirBodies() &&
-               bodiesHaveTheirShapes();
+               bodiesHaveTheirShapes() && notesHaveTheirObjects();
     }
 
 private:
@@ -330,6 +331,48 @@ private:
                 }
         }
         return true;
+    }
+
+    /// Whether an object of a handle is there after the delta.
+    template <class Handle>
+    bool isThereAfter(Handle handle) const {
+        bool isThere = false;
+        forEachKind(
+            [&](const auto& values, const auto& map) {
+                if constexpr (kIsOf<Handle, decltype(values)>) {
+                    const auto found = values.find(handle.slot());
+                    isThere =
+                        handle && (found == values.end() ? map.find(handle) != nullptr : found->second.first == handle);
+                }
+            },
+            m_delta, static_cast<const WorldObjects&>(m_world.data()));
+        return isThere;
+    }
+    /// Whether notes are about objects that are there after the delta, no two about one, and whether those about
+    /// objects that are gone are in the delta.
+    bool notesHaveTheirObjects() const {
+        const auto& known = m_world.data().noteOf;
+        std::set<uint64_t> noted;
+        for (const auto& [slot, value] : m_delta.notes) {
+            if (!value.first) continue;
+            const AnyObject& object = value.second->object;
+            const auto old = known.find(bitsOf(object));
+            if (!std::visit([&](auto handle) { return isThereAfter(handle); }, object) ||
+                !noted.insert(bitsOf(object)).second ||
+                (old != known.end() && !m_delta.notes.contains(old->second.slot())))
+                return false;
+        }
+        bool isComplete = true;
+        forEachKind(
+            [&](const auto& values, const auto& map) {
+                for (const auto& [slot, value] : values) {
+                    const auto was = map.handleAt(slot);
+                    const auto note = was && was != value.first ? known.find(was.bits) : known.end();
+                    isComplete = isComplete && (note == known.end() || m_delta.notes.contains(note->second.slot()));
+                }
+            },
+            m_delta, static_cast<const WorldObjects&>(m_world.data()));
+        return isComplete;
     }
 
     const WorldDelta& m_delta;

@@ -15,7 +15,8 @@ enum class HandleType : uint8_t {
     Water,
     Trigger,
     Character,
-    Joint
+    Joint,
+    Note
 };
 
 /// Names an object of one World in 64 bits: from the top 8 bits of type, 8 of world, 24 of generation and 24 of slot.
@@ -59,6 +60,7 @@ using WaterHandle = Handle<HandleType::Water>;
 using TriggerHandle = Handle<HandleType::Trigger>;
 using CharacterHandle = Handle<HandleType::Character>;
 using JointHandle = Handle<HandleType::Joint>;
+using NoteHandle = Handle<HandleType::Note>;
 
 }  // namespace rubble
 

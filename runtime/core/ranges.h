@@ -15,6 +15,9 @@ inline constexpr NumberRange kImpulse{-1e16, 1e16};           ///< N s: the larg
 inline constexpr NumberRange kRotationLength2{0.998, 1.002};  ///< of a rotation, its squared length
 inline constexpr double kMaxCharacterSpeed = 1e3;             ///< m/s, the length of a wish or a velocity
 
+// Names
+inline constexpr NumberRange kNameBytes{0, 4'096};  ///< of names, of tags and of their values
+
 // Shapes and materials
 inline constexpr NumberRange kVoxelSize{1e-3, 1e3};         ///< m
 inline constexpr NumberRange kSolidCells{1, 1 << 30};       ///< of a box or sphere that is made

@@ -69,6 +69,8 @@ public:
 
     /// The queue of the edits for the next step. [main-thread]
     EditQueue& edits() { return m_edits; }
+    /// The same, to read it. [main-thread]
+    const EditQueue& edits() const { return m_edits; }
     /// The world as the last step left it. [main-thread]
     World& world() { return m_world; }
     /// The same, to read it. [main-thread]

@@ -312,6 +312,54 @@ static void use_files(void) {
     CHECK(api->load_level(world, game_path, NULL) == RUBBLE_ERROR_FILE);
 }
 
+/* What a host says of objects: names, tags and numbers, by which it finds them; origins of pieces; settings. */
+static void use_objects(void) {
+    const rubble_body body = make_body(60.0, 2.0, 0.0, RUBBLE_BODY_STATIC);
+    const rubble_shape shape = make_box(body, 12, 12, 2, 7);
+    rubble_settings settings = {.struct_size = sizeof settings};
+    rubble_carve carve = {.struct_size = sizeof carve};
+    rubble_shape parent, root, pieces[8];
+    uint64_t found[8], value;
+    uint32_t count;
+    char text[64];
+    OK(api->get_settings(world, &settings));
+    settings.flags |= RUBBLE_SETTING_KEEP_ORIGINS;
+    OK(api->set_settings(world, &settings));
+    OK(api->set_name(world, shape, "door"));
+    OK(api->set_tag(world, shape, "lock", "red"));
+    OK(api->set_tag(world, shape, "old", NULL));
+    OK(api->remove_tag(world, shape, "old"));
+    OK(api->set_user_value(world, shape, 42));
+    steps(1);
+    OK(api->get_name(world, shape, text, sizeof text, &count));
+    CHECK(count == 5 && strcmp(text, "door") == 0);
+    OK(api->get_tag(world, shape, "lock", text, sizeof text, &count));
+    CHECK(count == 4 && strcmp(text, "red") == 0);
+    OK(api->get_tags(world, shape, text, sizeof text, &count));
+    CHECK(count == 9 && strcmp(text, "lock=red") == 0);
+    OK(api->get_user_value(world, shape, &value));
+    CHECK(value == 42);
+    OK(api->find_by_name(world, RUBBLE_KIND_SHAPE, "door", found, 8, &count));
+    CHECK(count == 1 && found[0] == shape);
+    OK(api->find_by_tag(world, RUBBLE_KIND_SHAPE, "lock", NULL, found, 8, &count));
+    CHECK(count == 1 && found[0] == shape);
+    OK(api->get_objects(world, RUBBLE_KIND_BODY, NULL, 0, &count));
+    CHECK(count >= 1);
+    OK(api->get_objects_of(world, body, RUBBLE_KIND_SHAPE, found, 8, &count));
+    CHECK(count == 1 && found[0] == shape);
+    carve.brush = RUBBLE_BRUSH_BOX, carve.shape = shape; /* between its lower and its upper half */
+    carve.position[0] = 60.6, carve.position[1] = 2.6, carve.position[2] = 0.1;
+    carve.half_size[0] = carve.half_size[2] = 2.0, carve.half_size[1] = 0.06;
+    OK(api->carve(world, &carve));
+    steps(1);
+    OK(api->get_pieces(world, shape, pieces, 8, &count));
+    CHECK(count == 1);
+    OK(api->get_origin(world, pieces[0], &parent, &root));
+    CHECK(parent == shape && root == shape);
+    OK(api->get_user_value(world, pieces[0], &value));
+    CHECK(value == 42);
+}
+
 /* Without a GL context there is no renderer, and every call for one says so. */
 static void use_renderer(void) {
     rubble_renderer_settings settings = {.struct_size = sizeof settings};
@@ -341,6 +389,7 @@ int main(int argc, char** argv) {
     use_regions();
     use_light_and_fire();
     use_queries();
+    use_objects();
     use_files();
     use_renderer();
     OK(api->destroy_world(world));

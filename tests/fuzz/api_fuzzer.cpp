@@ -540,11 +540,38 @@ private:
         api().get_bounds(m_world, &bounds);
         bounds.rule = whole(3), place(bounds.low), place(bounds.high);
         if (m_decisions.oneIn(2)) api().set_bounds(m_world, &bounds);
+        callObjects();
         const uint64_t stale = any({});
         api().set_debug_view(stale, "normal");
         api().destroy_renderer(stale);
         api().draw(stale, nullptr);
         api().get_draw_stats(stale, nullptr);
+    }
+    void callObjects() {
+        const char* texts[] = {"", "door", "key=1", "\xff", nullptr};
+        const auto text = [&] { return texts[m_decisions.below(5)]; };
+        const uint64_t object = m_decisions.oneIn(2) ? any(shapes()) : any(bodies());
+        uint64_t found[4];
+        char bytes[16];
+        uint32_t count = 0;
+        api().set_name(m_world, object, text());
+        api().set_tag(m_world, object, text(), text());
+        if (m_decisions.oneIn(3)) api().remove_tag(m_world, object, text());
+        api().set_user_value(m_world, object, m_decisions.bits());
+        api().get_name(m_world, object, bytes, m_decisions.below(17), &count);
+        api().get_tag(m_world, object, text(), bytes, 16, &count);
+        api().get_tags(m_world, object, bytes, 16, &count);
+        api().get_user_value(m_world, object, found);
+        api().get_objects(m_world, whole(8), found, 4, &count);
+        api().get_objects_of(m_world, object, whole(8), found, 4, &count);
+        api().find_by_name(m_world, whole(8), text(), found, 4, &count);
+        api().find_by_tag(m_world, whole(8), text(), text(), found, 4, &count);
+        api().get_origin(m_world, object, &found[0], &found[1]);
+        api().get_pieces(m_world, object, found, 4, &count);
+        auto settings = sized<rubble_settings>();
+        api().get_settings(m_world, &settings);
+        settings.flags = whole(16), settings.impact_radius = number(1.0), settings.split_parts = whole(5);
+        if (m_decisions.oneIn(2)) api().set_settings(m_world, &settings);
     }
     void callUndo() {
         switch (m_decisions.below(4)) {

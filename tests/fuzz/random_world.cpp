@@ -114,7 +114,7 @@ Edit usualEdit(Decisions& decisions, const World& world) {
     const auto character = world.characters().handleAt(decisions.below(uint32_t(world.characters().slotCount())));
     const double size = decisions.within({0.0, 1.5});
     const uint32_t seed = decisions.below(1000);
-    switch (decisions.below(46)) {
+    switch (decisions.below(50)) {
         case 0:
             return CarveEdit{.kind = BrushKind::Box, .position = at, .halfSize = {size, size, 0.3}, .shape = shape};
         case 1:
@@ -238,6 +238,14 @@ Edit usualEdit(Decisions& decisions, const World& world) {
             if (decisions.oneIn(4)) edit.shape.palette = randomPalette(decisions);
             return edit;
         }
+        case 45:
+            return SetNameEdit{light, "night"};
+        case 46:
+            return SetTagEdit{shape, seed % 2 ? "door" : "key", seed % 3 ? "" : "red"};
+        case 47:
+            return RemoveTagEdit{shape, "door"};
+        case 48:
+            return SetUserValueEdit{body, seed};
         default:
             return BreakEdit{.position = at, .radii = randomRadii(decisions), .seed = seed, .shape = shape};
     }

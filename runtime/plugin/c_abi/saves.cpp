@@ -2,6 +2,7 @@
 #include "runtime/assets/save_file.h"
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
+#include "runtime/plugin/c_abi/objects.h"
 
 namespace rubble::abi {
 namespace {
@@ -26,21 +27,14 @@ rubble_result loadGame(rubble_world world, const char* path) {
     });
 }
 
-/// Whether a handle names something in the World, or will after the next step; those of worlds and renderers do not.
-bool namesSomething(const World& world, uint64_t bits) {
-    bool out = false;
-    withMapOf(static_cast<const WorldObjects&>(world.data()), AnyHandle{bits},
-              [&](const auto& map, auto handle) { out = map.find(handle) || map.isReserved(handle); });
-    return out;
-}
-
 rubble_result translateHandle(rubble_world world, uint64_t handle, uint64_t* out) {
     return inWorld("translate_handle", world, [&](const HostedWorld& hosted) {
         if (!isGiven(out, "out")) return;
         *out = 0;
         const World& inside = hosted.loop.world();
         const uint64_t here = withWorld(handle, inside.id());
-        if (!namesSomething(inside, here)) return refuse(RUBBLE_ERROR_STALE, "handle names nothing in this world");
+        if (!findObject(inside, here, Found::Reserved))
+            return refuse(RUBBLE_ERROR_STALE, "handle names nothing in this world");
         *out = here;
     });
 }

@@ -24,6 +24,8 @@ rubble_api makeTable() {
     setRowFunctions(api);
     setQueryFunctions(api);
     setSaveFunctions(api);
+    setObjectFunctions(api);
+    setSettingsFunctions(api);
     setRendererFunctions(api);
     return api;
 }

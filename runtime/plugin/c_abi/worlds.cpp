@@ -3,6 +3,7 @@
 #include "runtime/assets/assets.h"
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
+#include "runtime/plugin/c_abi/settings.h"
 #include "runtime/world/settings/settings_error.h"
 
 namespace rubble::abi {
@@ -83,7 +84,7 @@ rubble_result getBounds(rubble_world world, rubble_bounds* out) {
 
 rubble_result setUndoLimit(rubble_world world, uint32_t marks) {
     return inWorld("set_undo_limit", world, [&](HostedWorld& hosted) {
-        WorldSettings settings = hosted.loop.world().settings();
+        WorldSettings settings = waitingSettings(hosted);
         settings.undoMarks = marks;
         push(hosted, SettingsEdit{settings});
     });

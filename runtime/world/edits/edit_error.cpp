@@ -16,7 +16,7 @@ constexpr const char* kNames[] = {"carve",
                                   "explode",
                                   "paint",
                                   "apply_impulse",
-                                  "settings",
+                                  "set_settings",
                                   "undo",
                                   "heat",
                                   "extinguish",
@@ -54,7 +54,11 @@ constexpr const char* kNames[] = {"carve",
                                   "write_voxels",
                                   "destroy_shape",
                                   "create_body",
-                                  "create_shape"};
+                                  "create_shape",
+                                  "set_name",
+                                  "set_tag",
+                                  "remove_tag",
+                                  "set_user_value"};
 static_assert(std::size(kNames) == std::variant_size_v<AnyEdit>);
 
 /// About a number of an enum whose last is `last`.
@@ -249,6 +253,16 @@ std::string errorOf(const DriveEdit& edit) {
         .number("steer", edit.steer, ranges::kLever)
         .number("brake", edit.brake, ranges::kPedal)
         .error();
+}
+std::string errorOf(const SetNameEdit& edit) {
+    return nameError("name", edit.name);
+}
+std::string errorOf(const SetTagEdit& edit) {
+    const std::string error = tagError(edit.tag);
+    return error.empty() ? nameError("value", edit.value) : error;
+}
+std::string errorOf(const RemoveTagEdit& edit) {
+    return tagError(edit.tag);
 }
 std::string errorOf(const SetEnvironmentEdit& edit) {
     return environmentError(edit.environment);

@@ -150,6 +150,7 @@ struct FrameChanges {
     std::vector<JointMoved> jointsMoved;      ///< by splits and merges
     std::vector<JointBroken> jointsBroken;
     std::vector<JointHandle> jointsChanged;  ///< motor, place of an end, length: read them from the World
+    std::vector<NoteHandle> notes;           ///< made, changed or gone; some more than once
     std::vector<LightHandle> lightsAdded;    ///< one for each AddLightEdit; an empty handle: refused
     bool environmentChanged = false;         ///< read it from the World
     std::vector<RefusedHandle> refused;      ///< in the order of their edits; nothing else has to follow them
@@ -161,7 +162,7 @@ struct FrameChanges {
                splits.size() + palettes.size() + unanchored.size() + removed.size() + lights.size() + groupsOut.size() +
                impulses.size() + paintedVoxels + firesLit.size() + filters.size() + waters.size() + triggers.size() +
                characters.size() + jointsCreated.size() + jointsMoved.size() + jointsBroken.size() +
-               jointsChanged.size() + environmentChanged;
+               jointsChanged.size() + notes.size() + environmentChanged;
     }
     /// Whether nothing changed that physics, renderer, undo or recordings have to follow.
     bool empty() const {
@@ -170,7 +171,7 @@ struct FrameChanges {
                lights.empty() && groupsOut.empty() && impulses.empty() && settled.empty() && unsettled.empty() &&
                groups.empty() && teleported.empty() && !firesChanged && filters.empty() && waters.empty() &&
                triggers.empty() && characters.empty() && jointsCreated.empty() && jointsMoved.empty() &&
-               jointsBroken.empty() && jointsChanged.empty();
+               jointsBroken.empty() && jointsChanged.empty() && notes.empty();
     }
 };
 

@@ -87,6 +87,7 @@ WorldDelta WorldBaseline::update(const WorldData& world, const FrameChanges& cha
         for (const JointHandle handle : *list) joint(handle);
     for (const JointMoved& moved : changes.jointsMoved) joint(moved.joint);
     for (const JointBroken& broken : changes.jointsBroken) joint(broken.joint);
+    for (const NoteHandle handle : changes.notes) updateSlot(world.notes, m_last.notes, handle, before.notes);
     if (changes.environmentChanged) before.environment = std::exchange(m_last.environment, world.environment);
     m_last.imported = world.imported;
     m_last.removed = world.removed;

@@ -142,6 +142,14 @@ void journalTriggers(const WorldDelta& before, WorldData& world, FrameChanges& c
     journalSlots(before.triggers, world.triggers, changes.triggers);
 }
 
+void journalNotes(const WorldDelta& before, WorldData& world, FrameChanges& changes) {
+    for (const auto& [slot, was] : before.notes)
+        if (was.first) world.noteOf.erase(bitsOf(was.second->object));
+    for (const auto& [slot, was] : before.notes)
+        if (const NoteHandle is = world.notes.handleAt(slot)) world.noteOf[bitsOf(world.notes.at(is).object)] = is;
+    journalSlots(before.notes, world.notes, changes.notes);
+}
+
 }  // namespace
 
 bool WorldDelta::empty() const {
@@ -171,6 +179,7 @@ WorldDelta swapObjects(WorldData& world, WorldDelta target, FrameChanges& change
     journalSlots(before.waters, world.waters, changes.waters);
     journalTriggers(before, world, changes);
     journalSlots(before.characters, world.characters, changes.characters);
+    journalNotes(before, world, changes);
     return before;
 }
 

@@ -136,6 +136,26 @@ std::string objectError(const Character& c) {
         .error();
 }
 
+std::string nameError(const char* what, std::string_view text) {
+    return RangeCheck().text(what, text).number("its bytes", double(text.size()), ranges::kNameBytes).error();
+}
+
+std::string tagError(std::string_view tag) {
+    return RangeCheck()
+        .include(nameError("tag", tag))
+        .require(!tag.empty() && tag.find('=') == tag.npos, "tag: expected a name of at least one byte, without \"=\"")
+        .error();
+}
+
+std::string objectError(const Note& note) {
+    std::string error = nameError("name", note.name);
+    for (const std::string& tag : note.tags) {
+        if (error.empty()) error = tagError(tagName(tag));
+        if (error.empty()) error = nameError("value", tagValue(tag));
+    }
+    return error;
+}
+
 std::string objectError(const Joint& joint) {
     return RangeCheck().text("name", joint.name).include(jointError(joint)).error();
 }

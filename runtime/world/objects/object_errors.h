@@ -1,11 +1,13 @@
 #pragma once
 #include <string>
+#include <string_view>
 
 #include "runtime/voxel/material.h"
 #include "runtime/world/objects/body.h"
 #include "runtime/world/objects/character.h"
 #include "runtime/world/objects/joint.h"
 #include "runtime/world/objects/lights.h"
+#include "runtime/world/objects/note.h"
 #include "runtime/world/objects/shape.h"
 #include "runtime/world/objects/trigger.h"
 #include "runtime/world/objects/water.h"
@@ -39,6 +41,12 @@ std::string objectError(const WorldBox& box);
 std::string objectError(const Character& character);
 /// See jointError().
 std::string objectError(const Joint& joint);
+/// About the texts of a note.
+std::string objectError(const Note& note);
+/// About a name, or the value of a tag: `what` it is.
+std::string nameError(const char* what, std::string_view text);
+/// About the name of a tag, which is not empty and has no "=".
+std::string tagError(std::string_view tag);
 /// About the velocity that a character has or wishes; `name`: of it.
 std::string characterVelocityError(const char* name, const glm::dvec3& velocity);
 

@@ -8,6 +8,7 @@
 #include "runtime/world/objects/character.h"
 #include "runtime/world/objects/joint.h"
 #include "runtime/world/objects/lights.h"
+#include "runtime/world/objects/note.h"
 #include "runtime/world/objects/shape.h"
 #include "runtime/world/objects/trigger.h"
 #include "runtime/world/objects/water.h"
@@ -26,6 +27,7 @@ struct ObjectKinds {
     Container<TriggerHandle, Trigger> triggers;
     Container<CharacterHandle, Character> characters;
     Container<JointHandle, Joint> joints;
+    Container<NoteHandle, Note> notes;
 };
 
 /// Calls f with the containers of each kind in turn, one from every set: f(a.bodies, b.bodies), f(a.shapes,
@@ -40,6 +42,7 @@ void forEachKind(F&& f, Sets&&... sets) {
     f(sets.triggers...);
     f(sets.characters...);
     f(sets.joints...);
+    f(sets.notes...);
 }
 
 /// All objects of a world, by handle.
@@ -56,6 +59,18 @@ void withMapOf(Objects& objects, AnyHandle handle, F&& f) {
 }
 /// Whether a handle is reserved and names nothing yet; see SlotMap::reserve().
 bool isReserved(const WorldObjects& objects, AnyHandle handle);
+/// The map of the objects that a kind of handle names.
+template <class Handle>
+const auto& mapOf(const WorldObjects& objects) {
+    if constexpr (std::is_same_v<Handle, BodyHandle>) return objects.bodies;
+    if constexpr (std::is_same_v<Handle, ShapeHandle>) return objects.shapes;
+    if constexpr (std::is_same_v<Handle, LightHandle>) return objects.lights;
+    if constexpr (std::is_same_v<Handle, LightGroupHandle>) return objects.groups;
+    if constexpr (std::is_same_v<Handle, WaterHandle>) return objects.waters;
+    if constexpr (std::is_same_v<Handle, TriggerHandle>) return objects.triggers;
+    if constexpr (std::is_same_v<Handle, CharacterHandle>) return objects.characters;
+    if constexpr (std::is_same_v<Handle, JointHandle>) return objects.joints;
+}
 
 /// The slots of one kind that are used next, the last first.
 template <class Handle, class T>

@@ -87,6 +87,7 @@ uint64_t resolvedHash(const WorldState& world) {
     addAll(world.waters);
     addAll(world.triggers);
     addAll(world.characters);
+    addAll(world.notes);
     hasher.add(world.environment.hash());
     world.joints.forEach([&](JointHandle handle, const Joint& joint) {
         hasher.state = hashJoint(joint, hashValue(handle.slot(), hasher.state));

@@ -20,6 +20,7 @@ struct WorldSettings {
     double impactRadiusLimit = 0.6;  ///< metres, the largest such hole
     size_t impactsPerStep = 8;       ///< impacts that break something in one step, the hardest first
     size_t undoMarks = 0;            ///< marks that can be undone; 0: no history, at no cost
+    bool keepOrigins = false;        ///< notes say of all pieces what they came off, not only of those that have notes
     BoundsSettings bounds;
     DebrisSettings debris;
     PaintSettings paint;

@@ -19,6 +19,7 @@
 #include "runtime/world/stages/joint_stage.h"
 #include "runtime/world/stages/light_group_stage.h"
 #include "runtime/world/stages/light_stage.h"
+#include "runtime/world/stages/note_edits.h"
 #include "runtime/world/stages/paint_edits.h"
 #include "runtime/world/stages/region_edits.h"
 #include "runtime/world/stages/rope_stage.h"
@@ -59,6 +60,7 @@ void EditStep::run(const Edits& edits) {
     if (m_context.world.stress) runStressAnalysis(m_context);
     listChangedBricks();
     if (m_context.world.triggers.size()) updateTriggers(m_context);
+    dropNotes(m_context);
 }
 
 void EditStep::applyEdit(const Edit& edit) {

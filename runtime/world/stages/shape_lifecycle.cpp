@@ -8,6 +8,7 @@
 #include "runtime/world/stages/heat_moves.h"
 #include "runtime/world/stages/joint_stage.h"
 #include "runtime/world/stages/light_stage.h"
+#include "runtime/world/stages/note_edits.h"
 
 namespace rubble {
 
@@ -47,6 +48,7 @@ ShapeHandle createPiece(EditContext& context, ShapeHandle parentHandle, Piece pi
     context.world.updateDebris(bodyHandle);
     context.changes.bodiesCreated.push_back(bodyHandle);
     context.changes.shapesCreated.push_back(handle);
+    inheritNote(context, parentHandle, handle);
     return handle;
 }
 
@@ -64,6 +66,7 @@ ShapeHandle createSplitShape(EditContext& context, ShapeHandle handle, Piece pie
     context.world.updateShapeBounds(sibling);
     context.world.updateDebris(body);
     context.changes.shapesCreated.push_back(sibling);
+    inheritNote(context, handle, sibling);
     return sibling;
 }
 

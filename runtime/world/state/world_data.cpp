@@ -19,6 +19,7 @@ void WorldData::clear() {
     forEachKind([](auto& map) { map.clear(); }, *this);
     stress.reset();
     jointIndex.clear();
+    noteOf.clear();
     fire = {};
     shapeBounds.clear();
     triggerBounds.clear();
@@ -35,6 +36,7 @@ void WorldData::clear() {
 void WorldData::rebuildIndexes() {
     wire = materials.find("wire");
     joints.forEach([&](JointHandle handle, const Joint& joint) { jointIndex.add(handle, joint); });
+    notes.forEach([&](NoteHandle handle, const Note& note) { noteOf[bitsOf(note.object)] = handle; });
     shapes.forEach([&](ShapeHandle handle, const Shape&) { updateShapeBounds(handle); });
     bodies.forEach([&](BodyHandle handle, const Body&) { updateDebris(handle); });
     groups.forEach([&](LightGroupHandle, const LightGroup& group) { flickeringGroups += group.failingSince != 0; });
@@ -106,6 +108,17 @@ JointHandle WorldData::addJoint(Joint joint) {
     const JointHandle handle = joints.insert(std::move(joint));
     jointIndex.add(handle, joints.at(handle));
     return handle;
+}
+
+const Note* WorldData::findNote(uint64_t object) const {
+    if (noteOf.empty()) return nullptr;
+    const auto found = noteOf.find(object);
+    return found == noteOf.end() ? nullptr : notes.find(found->second);
+}
+
+NoteHandle WorldData::addNote(Note note) {
+    const uint64_t object = bitsOf(note.object);
+    return noteOf[object] = notes.insert(std::move(note));
 }
 
 void WorldData::restartStress() {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "runtime/core/bounds_tree.h"
@@ -28,8 +29,9 @@ struct WorldData : WorldState {
     std::vector<BodyHandle> movedBodies;  ///< since triggers were last updated; empty if there are no triggers
     std::vector<BodyHandle> leftBounds;   ///< found outside since the last step; may hold one twice, or stale ones
     JointIndex jointIndex;
-    DebrisQueue debris;                 ///< the pieces under the budgets of DebrisSettings
-    std::optional<WorldStress> stress;  ///< none: StressSettings are off, or a delta came last
+    std::unordered_map<uint64_t, NoteHandle> noteOf;  ///< the notes by the bits of their objects
+    DebrisQueue debris;                               ///< the pieces under the budgets of DebrisSettings
+    std::optional<WorldStress> stress;                ///< none: StressSettings are off, or a delta came last
 
     /// Erases all objects and forgets all work; handles from before go stale. Materials, environment, settings, name
     /// and locations stay.
@@ -58,6 +60,11 @@ struct WorldData : WorldState {
     void checkBounds(BodyHandle body);
     /// Inserts a joint, whose ends must be attached (attachJoint()), and lists it in the index.
     JointHandle addJoint(Joint joint);
+
+    /// What edits have said about an object, by the bits of its handle; null: nothing.
+    const Note* findNote(uint64_t object) const;
+    /// Inserts a note about an object that has none, and lists it in the index.
+    NoteHandle addNote(Note note);
 
     /// Starts the stress analysis of every standing shape again, or ends all of them if they are off.
     void restartStress();

@@ -840,6 +840,65 @@ typedef struct rubble_row_list {
     rubble_body body; /* RUBBLE_ROWS_SHAPES: of this body only; 0: of all */
 } rubble_row_list;
 
+/* ---- objects of any kind ---- */
+
+/* Kinds of objects, for lists of them. */
+enum {
+    RUBBLE_KIND_BODY = 0,
+    RUBBLE_KIND_SHAPE = 1,
+    RUBBLE_KIND_LIGHT = 2,
+    RUBBLE_KIND_LIGHT_GROUP = 3,
+    RUBBLE_KIND_WATER = 4,
+    RUBBLE_KIND_TRIGGER = 5,
+    RUBBLE_KIND_CHARACTER = 6,
+    RUBBLE_KIND_JOINT = 7
+};
+
+/* ---- settings of a world ---- */
+
+enum {
+    RUBBLE_SETTING_STRESS = 1,      /* standing shapes break under their own weight and under impacts */
+    RUBBLE_SETTING_FIRE = 2,        /* off: nothing burns */
+    RUBBLE_SETTING_PAINT_LAYER = 4, /* paint is a layer over the voxels; off: it blends palette entries */
+    /* get_origin() knows of all pieces what they came off; off: of those only whose shape had been given a name, a tag
+     * or a user value. Costs some 200 bytes a piece */
+    RUBBLE_SETTING_KEEP_ORIGINS = 8
+};
+
+/* How a world breaks, burns and remembers. Zeros are values here, not defaults: read the present ones with
+ * get_settings(), change some, set all. Budgets count work, never time: results are the same on every machine. Bounds
+ * are apart (rubble_bounds), and so is gravity (rubble_environment). */
+typedef struct rubble_settings {
+    uint32_t struct_size;
+    uint32_t flags;               /* RUBBLE_SETTING_... */
+    uint64_t min_piece_voxels;    /* smaller pieces are removed */
+    double impact_threshold;      /* N s below which an impact breaks nothing, 0 to 1e12 */
+    double impact_speed;          /* m/s that an impact must change the heavier body by to break it, 0 to 1e6 */
+    double impact_radius;         /* metres of a hole at the threshold, 0 to 4 */
+    double impact_radius_limit;   /* metres of the largest such hole, 0 to 4 */
+    uint64_t split_parts;         /* parts that a step tests for what came off; 0: all, in the step of the cut */
+    uint64_t debris_voxels;       /* of all pieces together; beyond, pieces become dust */
+    uint64_t largest_debris;      /* voxels; a larger piece is no debris: not counted, never removed */
+    uint32_t debris_bodies;       /* pieces in all */
+    uint32_t awake_debris_bodies; /* pieces that are awake */
+    uint32_t settle_steps;        /* a piece that has slept for so long settles: contacts no longer wake it */
+    uint32_t fragments_per_break; /* that one break makes of one shape, 1 to 100000 */
+    uint32_t impacts_per_step;    /* that break something, the hardest first, 1 to 1000 */
+    uint32_t cracks_per_step;     /* of one shape under stress */
+    double strength_scale;        /* multiple of all materials' strengths under weight, 1e-6 to 1e6 */
+    uint64_t stress_work;         /* a step, in units of about 20 ns, 1 to 1e12 */
+    double contact_time;          /* s: an impact's force is its impulse over that, 1e-4 to 10 */
+    double min_load_impulse;      /* N s below which an impact loads nothing, 0 to 1e12 */
+    uint32_t min_struck_voxels;   /* of a piece; a smaller one breaks only where it is hit */
+    uint32_t largest_stressed;    /* bricks; a larger shape does not break under its weight */
+    uint32_t max_fires;           /* parts of shapes that burn at a time */
+    uint32_t max_hot;             /* parts of shapes that are hot, burning or wet */
+    uint32_t max_fire_lights;     /* lights for the biggest fires */
+    uint32_t reserved;
+    double fire_spread;    /* multiple of the heat that fires pass on, 0 to 100 */
+    double fire_burn_time; /* multiple of the materials' times, 0.001 to 1000 */
+} rubble_settings;
+
 /* ---- sky, sun, air and lights ---- */
 
 /* Sky, sun, air, exposure and gravity. Zeros are values here, not defaults: read the present ones with
@@ -1306,6 +1365,64 @@ typedef struct rubble_api {
      * destroyed before its turn, it has no voxels, an undo in the same step took its place. In the order of the calls,
      * but for shapes without voxels, which are last. */
     rubble_result (*get_refusals)(rubble_world world, rubble_refusal* out, uint32_t capacity, uint32_t* count);
+
+    /* ---- names, tags and values of objects ---- */
+
+    /* `object` is the handle of a body, shape, light, light group, water, trigger, character or joint. What a level
+     * says of names and tags is there after load_level(). A piece has the name, the tags and the user value of the
+     * shape that it came off; its body has the name alone. Objects of which a host says nothing cost nothing. */
+
+    /* [main-thread] Gives an object a name: UTF-8, at most 4096 bytes. Names need not be unique. */
+    rubble_result (*set_name)(rubble_world world, uint64_t object, const char* name);
+    /* [main-thread] The name of an object, with a zero byte at its end, which *count counts. Fewer bytes of capacity:
+     * RUBBLE_ERROR_CAPACITY, and nothing is written. */
+    rubble_result (*get_name)(rubble_world world, uint64_t object, char* out, uint32_t capacity, uint32_t* count);
+    /* [main-thread] Gives an object a tag, or a tag that it has another value. tag: UTF-8, 1 to 4096 bytes without "=".
+     * value: as a name; may be null, as "". */
+    rubble_result (*set_tag)(rubble_world world, uint64_t object, const char* tag, const char* value);
+    /* [main-thread] Takes a tag away; an object without it stays as it is. */
+    rubble_result (*remove_tag)(rubble_world world, uint64_t object, const char* tag);
+    /* [main-thread] The value of a tag, as get_name() gives a name; *count is 0 if the object has no such tag, and 1 if
+     * it has it without a value. */
+    rubble_result (*get_tag)(rubble_world world, uint64_t object, const char* tag, char* out, uint32_t capacity,
+                             uint32_t* count);
+    /* [main-thread] All tags of an object, as get_name() gives a name: "TAG" or "TAG=VALUE", each with a zero byte at
+     * its end. */
+    rubble_result (*get_tags)(rubble_world world, uint64_t object, char* out, uint32_t capacity, uint32_t* count);
+    /* [main-thread] Gives an object a number of the host's own, such as a pointer or an index. */
+    rubble_result (*set_user_value)(rubble_world world, uint64_t object, uint64_t value);
+    /* [main-thread] That number; 0 if there is none. */
+    rubble_result (*get_user_value)(rubble_world world, uint64_t object, uint64_t* out);
+
+    /* ---- lists of objects ---- */
+
+    /* [main-thread] All objects of a kind, RUBBLE_KIND_..., in a fixed order. */
+    rubble_result (*get_objects)(rubble_world world, uint32_t kind, uint64_t* out, uint32_t capacity, uint32_t* count);
+    /* [main-thread] What belongs to an object, in a fixed order: shapes, joints and lights of a body, joints and lights
+     * of a shape, lights of a light group. Other pairs of kinds are RUBBLE_ERROR_ARGUMENT. */
+    rubble_result (*get_objects_of)(rubble_world world, uint64_t owner, uint32_t kind, uint64_t* out, uint32_t capacity,
+                                    uint32_t* count);
+    /* [main-thread] The objects of a kind that have a name, in a fixed order. Costs a look at each of that kind. */
+    rubble_result (*find_by_name)(rubble_world world, uint32_t kind, const char* name, uint64_t* out, uint32_t capacity,
+                                  uint32_t* count);
+    /* [main-thread] The objects of a kind that have a tag, in a fixed order. value: that it has; null: any. */
+    rubble_result (*find_by_tag)(rubble_world world, uint32_t kind, const char* tag, const char* value, uint64_t* out,
+                                 uint32_t capacity, uint32_t* count);
+    /* [main-thread] What a piece came off: *parent is the shape that it was a part of, *root the first shape of that
+     * line, which is no piece. Either may be gone by now. 0: the shape is no piece, or nobody asked for it; see
+     * RUBBLE_SETTING_KEEP_ORIGINS. */
+    rubble_result (*get_origin)(rubble_world world, rubble_shape shape, rubble_shape* parent, rubble_shape* root);
+    /* [main-thread] What became of a shape: the pieces that have it as their parent or root, in a fixed order. The
+     * shape may be gone; if it is not, it is what is left of itself and not in the list. */
+    rubble_result (*get_pieces)(rubble_world world, rubble_shape shape, rubble_shape* out, uint32_t capacity,
+                                uint32_t* count);
+
+    /* ---- settings ---- */
+
+    /* [main-thread] Replaces the settings of the world from the next step on. Saves and recordings keep them. */
+    rubble_result (*set_settings)(rubble_world world, const rubble_settings* settings);
+    /* [main-thread] The settings in use, as the last step() knew them. */
+    rubble_result (*get_settings)(rubble_world world, rubble_settings* out);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

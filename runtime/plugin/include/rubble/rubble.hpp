@@ -622,6 +622,101 @@ public:
             return api().get_refusals(m_handle, out, capacity, count);
         });
     }
+    /** Gives an object a name: UTF-8, at most 4096 bytes. Names need not be unique. */
+    void set_name(uint64_t object, const char* name) {
+        check(api().set_name(m_handle, object, name));
+    }
+    /** The name of an object, with a zero byte at its end, which *count counts. Fewer bytes of capacity:
+     * RUBBLE_ERROR_CAPACITY, and nothing is written. */
+    std::vector<char> get_name(uint64_t object) const {
+        return rows<char, uint32_t>([&](char* out, uint32_t capacity, uint32_t* count) {
+            return api().get_name(m_handle, object, out, capacity, count);
+        });
+    }
+    /** Gives an object a tag, or a tag that it has another value. tag: UTF-8, 1 to 4096 bytes without "=". value: as a
+     * name; may be null, as "". */
+    void set_tag(uint64_t object, const char* tag, const char* value) {
+        check(api().set_tag(m_handle, object, tag, value));
+    }
+    /** Takes a tag away; an object without it stays as it is. */
+    void remove_tag(uint64_t object, const char* tag) {
+        check(api().remove_tag(m_handle, object, tag));
+    }
+    /** The value of a tag, as get_name() gives a name; *count is 0 if the object has no such tag, and 1 if it has it
+     * without a value. */
+    std::vector<char> get_tag(uint64_t object, const char* tag) const {
+        return rows<char, uint32_t>([&](char* out, uint32_t capacity, uint32_t* count) {
+            return api().get_tag(m_handle, object, tag, out, capacity, count);
+        });
+    }
+    /** All tags of an object, as get_name() gives a name: "TAG" or "TAG=VALUE", each with a zero byte at its end. */
+    std::vector<char> get_tags(uint64_t object) const {
+        return rows<char, uint32_t>([&](char* out, uint32_t capacity, uint32_t* count) {
+            return api().get_tags(m_handle, object, out, capacity, count);
+        });
+    }
+    /** Gives an object a number of the host's own, such as a pointer or an index. */
+    void set_user_value(uint64_t object, uint64_t value) {
+        check(api().set_user_value(m_handle, object, value));
+    }
+    /** That number; 0 if there is none. */
+    uint64_t get_user_value(uint64_t object) const {
+        uint64_t out{};
+        check(api().get_user_value(m_handle, object, &out));
+        return out;
+    }
+    /** All objects of a kind, RUBBLE_KIND_..., in a fixed order. */
+    std::vector<uint64_t> get_objects(uint32_t kind) const {
+        return rows<uint64_t, uint32_t>([&](uint64_t* out, uint32_t capacity, uint32_t* count) {
+            return api().get_objects(m_handle, kind, out, capacity, count);
+        });
+    }
+    /** What belongs to an object, in a fixed order: shapes, joints and lights of a body, joints and lights of a shape,
+     * lights of a light group. Other pairs of kinds are RUBBLE_ERROR_ARGUMENT. */
+    std::vector<uint64_t> get_objects_of(uint64_t owner, uint32_t kind) const {
+        return rows<uint64_t, uint32_t>([&](uint64_t* out, uint32_t capacity, uint32_t* count) {
+            return api().get_objects_of(m_handle, owner, kind, out, capacity, count);
+        });
+    }
+    /** The objects of a kind that have a name, in a fixed order. Costs a look at each of that kind. */
+    std::vector<uint64_t> find_by_name(uint32_t kind, const char* name) const {
+        return rows<uint64_t, uint32_t>([&](uint64_t* out, uint32_t capacity, uint32_t* count) {
+            return api().find_by_name(m_handle, kind, name, out, capacity, count);
+        });
+    }
+    /** The objects of a kind that have a tag, in a fixed order. value: that it has; null: any. */
+    std::vector<uint64_t> find_by_tag(uint32_t kind, const char* tag, const char* value) const {
+        return rows<uint64_t, uint32_t>([&](uint64_t* out, uint32_t capacity, uint32_t* count) {
+            return api().find_by_tag(m_handle, kind, tag, value, out, capacity, count);
+        });
+    }
+    /** What a piece came off: *parent is the shape that it was a part of, *root the first shape of that line, which is
+     * no piece. Either may be gone by now. 0: the shape is no piece, or nobody asked for it; see
+     * RUBBLE_SETTING_KEEP_ORIGINS. */
+    rubble_shape get_origin(rubble_shape shape, rubble_shape* parent) const {
+        rubble_shape out{};
+        check(api().get_origin(m_handle, shape, parent, &out));
+        return out;
+    }
+    /** What became of a shape: the pieces that have it as their parent or root, in a fixed order. The shape may be
+     * gone; if it is not, it is what is left of itself and not in the list. */
+    std::vector<rubble_shape> get_pieces(rubble_shape shape) const {
+        return rows<rubble_shape, uint32_t>([&](rubble_shape* out, uint32_t capacity, uint32_t* count) {
+            return api().get_pieces(m_handle, shape, out, capacity, count);
+        });
+    }
+    /** Replaces the settings of the world from the next step on. Saves and recordings keep them. */
+    void set_settings(rubble_settings settings) {
+        settings.struct_size = sizeof settings;
+        check(api().set_settings(m_handle, &settings));
+    }
+    /** The settings in use, as the last step() knew them. */
+    rubble_settings get_settings() const {
+        rubble_settings out{};
+        out.struct_size = sizeof out;
+        check(api().get_settings(m_handle, &out));
+        return out;
+    }
 private:
     void release() noexcept {
         if (m_handle) api().destroy_world(std::exchange(m_handle, 0));
