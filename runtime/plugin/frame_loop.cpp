@@ -55,7 +55,7 @@ void FrameLoop::load(SavedGame game) {
     endRecording();
     m_world.setState(std::move(game.world));
     m_pending = std::move(game.pending);
-    m_world.claim(m_pending);  // before a host reserves more
+    claimHandles(m_world, m_pending);  // before a host reserves more
 }
 
 /// The game as it is now, with `waiting` behind the edits that it has made itself.

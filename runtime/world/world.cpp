@@ -57,15 +57,14 @@ FrameChanges World::beginStep() {
     return changes;
 }
 
-void World::claim(const Edits& edits) {
+void claimHandles(World& world, const Edits& edits) {
     for (const Edit& edit : edits)
-        if (edit.made)
-            withMapOf(static_cast<WorldObjects&>(m_data), edit.made, [](auto& map, auto handle) { map.claim(handle); });
+        if (edit.made) withMapOf(objectsToReserve(world), edit.made, [](auto& map, auto handle) { map.claim(handle); });
 }
 
 FrameChanges World::applyEdits(const Edits& edits, const Edits& damage) {
-    claim(damage);  // before undo, as where the handles were given out
-    claim(edits);
+    claimHandles(*this, damage);  // before undo, as where the handles were given out
+    claimHandles(*this, edits);
     FrameChanges changes = beginStep();
     limitUndo(m_undo, m_data, m_data.settings.undoMarks);
     // The first step after a load has edits that waited in the save among the damage.

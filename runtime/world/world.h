@@ -41,14 +41,6 @@ public:
     /// Replaces everything by the level, and all handles from before go stale; the next applyEdits() reports
     /// levelReplaced. Undo starts again.
     void load(const Level& level);
-    /// Reserves the handle of something that an edit for the next step makes (Edit::made): an edit for that step may
-    /// name it already. `map`: as bodies() and its like give it. Empty if the map is full.
-    template <class Handle, class T>
-    Handle reserve(const SlotMap<Handle, T>& map) {
-        return const_cast<SlotMap<Handle, T>&>(map).reserve();
-    }
-    /// Reserves the handles of edits that another copy of this world has reserved, in their order.
-    void claim(const Edits& edits);
     /// One step: undo or redo, then the edits in their order, then all that follows from them and from time. Counts the
     /// step. Invalid edits are logged and do nothing. damage: what impacts of the step before do; it comes before the
     /// edits, and an undo or redo drops it, because its impacts are undone.
@@ -111,6 +103,7 @@ public:
     operator const WorldData&() const { return m_data; }
 
 private:
+    friend WorldObjects& objectsToReserve(World& world);
     bool runHistory(const Edits& edits, FrameChanges& changes, bool wasUndoOrRedo);
     void resetSearches(const FrameChanges& changes);
     FrameChanges beginStep();
@@ -118,5 +111,18 @@ private:
     WorldData m_data;
     std::vector<UndoHistory> m_undo;  ///< one, or none if nothing is to be remembered
 };
+
+/// The slot maps of a world, to reserve handles in and for nothing else.
+inline WorldObjects& objectsToReserve(World& world) {
+    return world.m_data;
+}
+/// Reserves the handle of something that an edit for the next step makes (Edit::made): an edit for that step may name
+/// it already. Empty if the map is full.
+template <class Handle, class T>
+Handle reserveHandle(World& world, SlotMap<Handle, T> WorldObjects::*map) {
+    return (objectsToReserve(world).*map).reserve();
+}
+/// Reserves the handles of edits that another copy of this world has reserved, in their order.
+void claimHandles(World& world, const Edits& edits);
 
 }  // namespace rubble

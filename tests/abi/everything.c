@@ -219,7 +219,7 @@ static void use_regions(void) {
 static void use_light_and_fire(void) {
     const double low[3] = {-5, -5, -5}, high[3] = {60, 60, 60}, sun[3] = {0.2, 1.0, 0.1};
     rubble_environment sky = {.struct_size = sizeof sky};
-    rubble_light_settings lamp = {.struct_size = sizeof lamp};
+    rubble_light_settings bulb = {.struct_size = sizeof bulb};
     rubble_heat heat = {.struct_size = sizeof heat};
     rubble_extinguish water = {.struct_size = sizeof water};
     rubble_light light, rows[4];
@@ -229,19 +229,19 @@ static void use_light_and_fire(void) {
     OK(api->apply_sky_model(&sky, sun));
     sky.gravity[1] = -9.81;
     OK(api->set_environment(world, &sky));
-    lamp.flags = RUBBLE_LIGHT_ENABLED, lamp.color[0] = 10.0, lamp.reach = 5.0;
-    OK(api->add_light(world, &lamp));
-    OK(api->create_light(world, &lamp, &light));
-    lamp.light = light, lamp.reach = 6.0;
-    OK(api->set_light(world, &lamp));
+    bulb.flags = RUBBLE_LIGHT_ENABLED, bulb.color[0] = 10.0, bulb.reach = 5.0;
+    OK(api->add_light(world, &bulb));
+    OK(api->create_light(world, &bulb, &light));
+    bulb.light = light, bulb.reach = 6.0;
+    OK(api->set_light(world, &bulb));
     heat.flags = RUBBLE_HEAT_IGNITE, heat.radius = 20.0;
     OK(api->heat(world, &heat));
     steps(1);
     OK(api->get_added_lights(world, rows, 4, &count));
     CHECK(count == 2 && rows[1] == light);
     OK(api->get_lights(world, rows, 4, &count));
-    OK(api->get_light_settings(world, light, &lamp));
-    CHECK(lamp.reach == 6.0);
+    OK(api->get_light_settings(world, light, &bulb));
+    CHECK(bulb.reach == 6.0);
     OK(api->get_fires(world, fires, 0, &count));
     water.radius = 1.0;
     OK(api->extinguish(world, &water));

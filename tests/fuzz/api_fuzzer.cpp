@@ -334,8 +334,8 @@ private:
             if (m_decisions.oneIn(3)) api().create_joint(m_world, &joint, &held);
             auto light = sized<rubble_light_settings>();
             light.shape = made, light.reach = number(5.0);
-            rubble_light lamp = 0;
-            if (m_decisions.oneIn(4)) api().create_light(m_world, &light, &lamp);
+            rubble_light heldLight = 0;
+            if (m_decisions.oneIn(4)) api().create_light(m_world, &light, &heldLight);
         }
         auto change = sized<rubble_body_change>();
         change.fields = whole(64), change.body = body, place(change.position), fill(change.velocity, 5.0);

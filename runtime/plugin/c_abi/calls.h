@@ -136,13 +136,12 @@ rubble_result pushEdit(const char* function, rubble_world world, const HostEdit*
 }
 
 /// Queues an edit that makes something, unless reading the host's arguments has refused the call, and gives the host
-/// the handle that is reserved for it. `all`: the World's map of such objects.
+/// the handle that is reserved for it. `map`: of such objects.
 template <class EditType, class Map>
-void pushMaker(HostedWorld& hosted, EditType&& edit, const Map& (World::*all)() const, uint64_t* out) {
+void pushMaker(HostedWorld& hosted, EditType&& edit, Map WorldObjects::*map, uint64_t* out) {
     if (isRefused()) return;
-    World& world = hosted.loop.world();
     Edit queued(std::forward<EditType>(edit));
-    queued.made = {world.reserve((world.*all)()).bits};
+    queued.made = {reserveHandle(hosted.loop.world(), map).bits};
     if (!queued.made) return refuse(RUBBLE_ERROR_CAPACITY, "the world is full: 16,777,215 of these were made");
     const uint64_t made = queued.made.bits;
     change(hosted, [&] { hosted.loop.edits().push(std::move(queued)); });  // a handle without its edit breaks the world
@@ -152,12 +151,12 @@ void pushMaker(HostedWorld& hosted, EditType&& edit, const Map& (World::*all)() 
 /// A function that queues an edit which makes something: convert(world, struct) makes the edit from the host's struct.
 template <class HostEdit, class Map, class Convert>
 rubble_result pushMaker(const char* function, rubble_world world, const HostEdit* edit, uint64_t* out,
-                        const Map& (World::*all)() const, Convert&& convert) {
+                        Map WorldObjects::*map, Convert&& convert) {
     return inWorld(function, world, [&](HostedWorld& hosted) {
         if (!isGiven(out, "out")) return;
         *out = 0;
         const HostEdit given = readStruct(edit, "settings");
-        if (!isRefused()) pushMaker(hosted, convert(hosted.loop.world(), given), all, out);
+        if (!isRefused()) pushMaker(hosted, convert(hosted.loop.world(), given), map, out);
     });
 }
 

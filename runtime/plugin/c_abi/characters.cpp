@@ -58,7 +58,7 @@ rubble_result addCharacter(rubble_world world, const rubble_character_settings* 
     return pushEdit("add_character", world, character, readCharacter);
 }
 rubble_result createCharacter(rubble_world world, const rubble_character_settings* character, rubble_character* out) {
-    return pushMaker("create_character", world, character, out, &World::characters, readCharacter);
+    return pushMaker("create_character", world, character, out, &WorldObjects::characters, readCharacter);
 }
 rubble_result removeCharacter(rubble_world world, rubble_character character) {
     return removeOne<RemoveCharacterEdit, HandleType::Character>("remove_character", world, character, "character",

@@ -104,12 +104,12 @@ CreateShapeEdit readShapeSettings(const World& world, const rubble_shape_setting
 }
 
 rubble_result createBody(rubble_world world, const rubble_body_settings* settings, rubble_body* out) {
-    return pushMaker("create_body", world, settings, out, &World::bodies,
+    return pushMaker("create_body", world, settings, out, &WorldObjects::bodies,
                      [](const World&, const rubble_body_settings& given) { return readBodySettings(given); });
 }
 
 rubble_result createShape(rubble_world world, const rubble_shape_settings* settings, rubble_shape* out) {
-    return pushMaker("create_shape", world, settings, out, &World::shapes, readShapeSettings);
+    return pushMaker("create_shape", world, settings, out, &WorldObjects::shapes, readShapeSettings);
 }
 
 rubble_result getRefusals(rubble_world world, rubble_refusal* out, uint32_t capacity, uint32_t* count) {

@@ -93,7 +93,7 @@ rubble_result addJoint(rubble_world world, const rubble_joint_settings* settings
     return pushEdit("add_joint", world, settings, readJoint);
 }
 rubble_result createJoint(rubble_world world, const rubble_joint_settings* settings, rubble_joint* out) {
-    return pushMaker("create_joint", world, settings, out, &World::joints, readJoint);
+    return pushMaker("create_joint", world, settings, out, &WorldObjects::joints, readJoint);
 }
 rubble_result removeJoint(rubble_world world, rubble_joint joint) {
     return removeOne<RemoveJointEdit, HandleType::Joint>("remove_joint", world, joint, "joint", &World::joints);

@@ -167,7 +167,7 @@ rubble_result addLight(rubble_world world, const rubble_light_settings* light) {
     return pushEdit("add_light", world, light, readNewLight);
 }
 rubble_result createLight(rubble_world world, const rubble_light_settings* light, rubble_light* out) {
-    return pushMaker("create_light", world, light, out, &World::lights, readNewLight);
+    return pushMaker("create_light", world, light, out, &WorldObjects::lights, readNewLight);
 }
 
 rubble_result removeLight(rubble_world world, rubble_light light) {

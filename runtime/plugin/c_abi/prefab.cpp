@@ -74,19 +74,19 @@ public:
             rows[i].kind = made.kind;
             uint64_t* const handle = &rows[i].handle;
             if (made.kind == RUBBLE_PREFAB_BODY) {
-                pushMaker(hosted, std::move(made.edit), &World::bodies, handle);
+                pushMaker(hosted, std::move(made.edit), &WorldObjects::bodies, handle);
             } else if (made.kind == RUBBLE_PREFAB_SHAPE) {
                 rows[i].owner = uint32_t(made.on[0]);
                 std::get<CreateShapeEdit>(made.edit).body = {rows[made.on[0]].handle};
-                pushMaker(hosted, std::move(made.edit), &World::shapes, handle);
+                pushMaker(hosted, std::move(made.edit), &WorldObjects::shapes, handle);
             } else if (made.kind == RUBBLE_PREFAB_JOINT) {
                 for (size_t end = 0; end < 2; ++end)
                     if (made.on[end] != kNone)
                         std::get<AddJointEdit>(made.edit).joint.ends[end].shape = {rows[made.on[end]].handle};
-                pushMaker(hosted, std::move(made.edit), &World::joints, handle);
+                pushMaker(hosted, std::move(made.edit), &WorldObjects::joints, handle);
             } else {
                 if (made.on[0] != kNone) std::get<AddLightEdit>(made.edit).light.shape = {rows[made.on[0]].handle};
-                pushMaker(hosted, std::move(made.edit), &World::lights, handle);
+                pushMaker(hosted, std::move(made.edit), &WorldObjects::lights, handle);
             }
         }
         return rows;

@@ -47,7 +47,7 @@ rubble_result addWater(rubble_world world, const rubble_water_settings* water) {
     return pushEdit("add_water", world, water, readWater);
 }
 rubble_result createWater(rubble_world world, const rubble_water_settings* water, rubble_water* out) {
-    return pushMaker("create_water", world, water, out, &World::waters, readWater);
+    return pushMaker("create_water", world, water, out, &WorldObjects::waters, readWater);
 }
 rubble_result removeWater(rubble_world world, rubble_water water) {
     return removeOne<RemoveWaterEdit, HandleType::Water>("remove_water", world, water, "water", &World::waters);
@@ -60,7 +60,7 @@ rubble_result addTrigger(rubble_world world, const rubble_trigger_settings* trig
     return pushEdit("add_trigger", world, trigger, readTrigger);
 }
 rubble_result createTrigger(rubble_world world, const rubble_trigger_settings* trigger, rubble_trigger* out) {
-    return pushMaker("create_trigger", world, trigger, out, &World::triggers, readTrigger);
+    return pushMaker("create_trigger", world, trigger, out, &WorldObjects::triggers, readTrigger);
 }
 rubble_result removeTrigger(rubble_world world, rubble_trigger trigger) {
     return removeOne<RemoveTriggerEdit, HandleType::Trigger>("remove_trigger", world, trigger, "trigger",
