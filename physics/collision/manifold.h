@@ -63,6 +63,7 @@ struct Manifold : ManifoldHead {
 
 /// A manifold that holds its points itself.
 struct LoneManifold : Manifold {
+    /// Without points.
     LoneManifold() { points = own.data(); }
     LoneManifold(const LoneManifold&) = delete;
     LoneManifold& operator=(const LoneManifold&) = delete;

@@ -13,7 +13,7 @@ public:
     /// Of a world that has just been made. `api` must outlive it.
     WorldModel(const rubble_api& api, rubble_world world) : m_api(api), m_world(world) { restart(); }
 
-    /// The world was loaded, saved or recorded: all is read anew.
+    /// The world was loaded, saved or recorded: all is read again.
     void restart();
     /// Nothing but steps, loads, saves and recordings changes what reads give.
     void requireUnchanged() const;
