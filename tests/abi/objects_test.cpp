@@ -107,6 +107,10 @@ TEST_F(AbiObjects, TagsHaveValuesAndAreFound) {
     EXPECT_EQ(tag(shape, "door"), "none");
     expectRefused(api()->set_tag(m_world, shape, "a=b", nullptr), RUBBLE_ERROR_ARGUMENT, "tag");
     expectRefused(api()->remove_tag(m_world, shape, ""), RUBBLE_ERROR_ARGUMENT, "at least one byte");
+    expectRefused(api()->find_by_tag(m_world, RUBBLE_KIND_WATER, nullptr, nullptr, nullptr, 0, &count),
+                  RUBBLE_ERROR_NULL, "tag is null");
+    expectRefused(api()->find_by_name(m_world, RUBBLE_KIND_WATER, nullptr, nullptr, 0, &count), RUBBLE_ERROR_NULL,
+                  "name is null");
     expectRefused(api()->get_objects(m_world, 8, nullptr, 0, &count), RUBBLE_ERROR_ARGUMENT, "kind is 8");
 }
 

@@ -109,14 +109,15 @@ rubble_result getUserValue(rubble_world world, uint64_t object, uint64_t* out) {
     });
 }
 
-/// Lists those objects of a kind that wants(WorldData, handle) wants.
-template <class F>
+/// Lists those objects of a kind that wants(WorldData, handle) wants, unless check() refuses the call.
+template <class Check, class F>
 rubble_result listObjects(const char* function, rubble_world world, uint32_t kind, uint64_t* out, uint32_t capacity,
-                          uint32_t* count, F&& wants) {
+                          uint32_t* count, Check&& check, F&& wants) {
     return listRows<uint64_t>(function, world, out, capacity, count, [&](const HostedWorld& hosted, auto& rows) {
         const WorldData& inside = hosted.loop.world();
         uint32_t number = 0;
         readEnum(kind, RUBBLE_KIND_JOINT, "kind");
+        check();
         if (isRefused()) return;
         const auto list = [&](const auto& map) {
             if (number++ == kind)
@@ -130,24 +131,26 @@ rubble_result listObjects(const char* function, rubble_world world, uint32_t kin
 }
 
 rubble_result getObjects(rubble_world world, uint32_t kind, uint64_t* out, uint32_t capacity, uint32_t* count) {
-    return listObjects("get_objects", world, kind, out, capacity, count, [](const WorldData&, auto) { return true; });
+    return listObjects(
+        "get_objects", world, kind, out, capacity, count, [] {}, [](const WorldData&, auto) { return true; });
 }
 
 rubble_result findByName(rubble_world world, uint32_t kind, const char* name, uint64_t* out, uint32_t capacity,
                          uint32_t* count) {
-    return listObjects("find_by_name", world, kind, out, capacity, count, [&](const WorldData& inside, auto handle) {
-        return isGiven(name, "name") && nameOf(inside, handle) == name;
-    });
+    return listObjects(
+        "find_by_name", world, kind, out, capacity, count, [&] { isGiven(name, "name"); },
+        [&](const WorldData& inside, auto handle) { return nameOf(inside, handle) == name; });
 }
 
 rubble_result findByTag(rubble_world world, uint32_t kind, const char* tag, const char* value, uint64_t* out,
                         uint32_t capacity, uint32_t* count) {
-    return listObjects("find_by_tag", world, kind, out, capacity, count, [&](const WorldData& inside, auto handle) {
-        if (!isGiven(tag, "tag")) return false;
-        const auto& tags = tagsOf(inside, handle);
-        const auto found = findTag(tags, tag);
-        return found != tags.end() && (!value || tagValue(*found) == value);
-    });
+    return listObjects(
+        "find_by_tag", world, kind, out, capacity, count, [&] { isGiven(tag, "tag"); },
+        [&](const WorldData& inside, auto handle) {
+            const auto& tags = tagsOf(inside, handle);
+            const auto found = findTag(tags, tag);
+            return found != tags.end() && (!value || tagValue(*found) == value);
+        });
 }
 
 /// The shapes whose joints and lights belong to a body or shape; none if it is neither.

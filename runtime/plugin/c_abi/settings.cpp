@@ -42,10 +42,12 @@ WorldSettings readSettings(WorldSettings settings, const rubble_settings& given)
         given.flags,
         RUBBLE_SETTING_STRESS | RUBBLE_SETTING_FIRE | RUBBLE_SETTING_PAINT_LAYER | RUBBLE_SETTING_KEEP_ORIGINS,
         "flags");
-    forEachNumber(settings, given, [](auto& to, const auto& from) { to = std::decay_t<decltype(to)>(from); });
-    readInRange(given.fire_spread, ranges::kFireSpread, "fire_spread");  // as floats they could not be cast
+    // What the engine's narrower numbers cannot hold is refused before they take it.
+    readInRange(given.fire_spread, ranges::kFireSpread, "fire_spread");
     readInRange(given.fire_burn_time, ranges::kFireBurnTime, "fire_burn_time");
     readInRange(double(given.stress_work), ranges::kStressWork, "stress_work");
+    if (isRefused()) return settings;
+    forEachNumber(settings, given, [](auto& to, const auto& from) { to = std::decay_t<decltype(to)>(from); });
     settings.stress.on = flags & RUBBLE_SETTING_STRESS;
     settings.fire.enabled = flags & RUBBLE_SETTING_FIRE;
     settings.paint.mode = flags & RUBBLE_SETTING_PAINT_LAYER ? PaintMode::Layer : PaintMode::Blend;

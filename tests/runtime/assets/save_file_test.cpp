@@ -171,7 +171,7 @@ TEST(SaveFile, ANewFieldChangesTheSizesCheckedHere) {
     EXPECT_EQ(sizeof(FireSettings), 24u);
     EXPECT_EQ(sizeof(StressSettings), 56u);
     EXPECT_EQ(sizeof(BoundsSettings), 56u);
-    EXPECT_EQ(sizeof(WorldSettings), 56 + sizeof(BoundsSettings) + sizeof(DebrisSettings) + sizeof(StressSettings) +
+    EXPECT_EQ(sizeof(WorldSettings), 64 + sizeof(BoundsSettings) + sizeof(DebrisSettings) + sizeof(StressSettings) +
                                          sizeof(FireSettings) + sizeof(SplitSettings) + 8u);
     EXPECT_EQ(sizeof(Joint), 480u);
     EXPECT_EQ(sizeof(Light), 192u);
