@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <span>
 #include <utility>
 #include <vector>
@@ -16,21 +17,24 @@ class DynamicBody;
 inline constexpr uint32_t kStaticObject = 0x80000000u;  ///< bit in the number of a static object
 inline constexpr uint32_t kNoBody = ~0u;                ///< what World does not hold: the ground around a level
 
-/// What can be touched, at its pose: all voxels of a dynamic body, or one shape of a static body.
-struct CollisionObject {
-    VoxelCollider collider;
+/// What can be touched, at its pose: all voxels of a dynamic body, or one shape of a static body. What is asked of
+/// every pair comes first, in two lines of the cache.
+struct alignas(64) CollisionObject {
     Pose pose;                       ///< collider's frame -> world
     double radius = 0.0;             ///< of the collider about its frame's origin, metres
-    uint32_t body = 0;               ///< slot, or kNoBody
-    uint32_t number = 0;             ///< unique: a body's slot, or a static shape's slot with kStaticObject
-    DynamicBody* dynamic = nullptr;  ///< null: static
-    bool isNew = true;               ///< no warm start: its mass or shape has changed since the last step
-    CollisionFilter filter;          ///< of all parts together, as of the last setPose()
-    glm::dvec3 low{0.0}, high{0.0};  ///< world bounds, with what it sweeps in the step
     glm::dvec3 displacement{0.0};    ///< in the step, metres
-    uint32_t crowdPairs = 0;         ///< with bodies that it is deep in: see Crowds
-    bool isCrowded = false;          ///< there are many of these, or were
+    double turn = 0.0;               ///< metres by which its spin moves a point in the step, at most
+    double minHalfExtent = 0.0;      ///< half the smallest side of a dynamic body's bounds, metres
+    DynamicBody* dynamic = nullptr;  ///< null: static
+    uint32_t number = 0;             ///< unique: a body's slot, or a static shape's slot with kStaticObject
     uint32_t version = 0;            ///< changes when it is added again or its voxels change
+    CollisionFilter filter;          ///< of all parts together, as of the last setPose()
+    bool isNew = true;               ///< no warm start: its mass or shape has changed since the last step
+    bool isCrowded = false;          ///< it is deep in many others, or was: see Crowds
+    uint32_t crowdPairs = 0;         ///< with those
+    glm::dvec3 low{0.0}, high{0.0};  ///< world bounds, with what it sweeps in the step
+    uint32_t body = 0;               ///< slot, or kNoBody
+    VoxelCollider collider;
 
     /// Sets the pose, and computes the filter and the cell transforms from it. Leaves the bounds to Broadphase::move().
     void setPose(const Pose& newPose);
@@ -43,6 +47,11 @@ private:
     btDbvtNode* m_leaf = nullptr;
     bool m_moves = false;
 };
+
+/// An upper bound of how far points of two objects move against each other in the step, metres.
+inline double maxRelativeDisplacement(const CollisionObject& a, const CollisionObject& b) {
+    return glm::length(a.displacement - b.displacement) + a.turn + b.turn;
+}
 
 /// Two objects, the one with the lower number first. Pairs are sorted by these numbers wherever their order matters.
 using ObjectPair = std::pair<CollisionObject*, CollisionObject*>;

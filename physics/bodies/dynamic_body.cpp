@@ -68,7 +68,7 @@ void DynamicBody::takeState(const World& world) {
     setPose();
     glm::dvec3 low, high;
     object.collider.bounds(low, high);
-    m_minHalfExtent = 0.5 * std::min({high.x - low.x, high.y - low.y, high.z - low.z});
+    object.minHalfExtent = 0.5 * std::min({high.x - low.x, high.y - low.y, high.z - low.z});
 }
 
 bool DynamicBody::updateShape(const World& world, const FrameChanges& changes) {

@@ -54,7 +54,7 @@ public:
     /// Mass (kg), centre and principal inertia (kg m2); the mass is clamped to the limits.
     const MassProperties& mass() const { return m_mass; }
     /// Half the smallest side of the collider's bounds, metres: the radius of the inscribed sphere that may tunnel.
-    double minHalfExtent() const { return m_minHalfExtent; }
+    double minHalfExtent() const { return object.minHalfExtent; }
     /// The pose of World's frame of the body in the frame of `motion`.
     const Pose& bodyInCenter() const { return m_bodyInCenter; }
     /// The world pose of the centre of mass, in principal axes.
@@ -94,7 +94,6 @@ private:
     Pose m_bodyInCenter;
     bool m_hasClampedMass = false;  ///< and it was not counted yet
     BodyPose m_state;
-    double m_minHalfExtent = 0.0;
     bool m_asleep = false;
     bool m_quarantined = false;
 };

@@ -351,26 +351,31 @@ struct BoxMotion {
 }  // namespace
 
 bool collideBoxes(const MovingPart& first, const MovingPart& second, const NarrowphaseSettings& settings,
-                  uint64_t partKey, glm::vec3& axis, std::vector<ContactPoint>& out) {
+                  uint64_t partKey, ContactSearch& search, std::vector<ContactPoint>& out) {
     const Box a(first), b(second);
     const BoxMotion motion(first, a, second, b, settings);
     const float voxel = float(std::min(first.part.voxelSize(), second.part.voxelSize()));
     const float margin = std::min(float(settings.margin), kMaxMargin * voxel);
     AxisTest axes(a, b);
+    glm::vec3& axis = search.axis;
+    const auto setApart = [&](const AxisTest::Best& best) {
+        search.clearance = std::min(search.clearance, best.separation - margin);
+        return false;
+    };
     const auto isApartAlong = [&](const AxisTest::Best& best) {
         axis = axes.normal(best.axis, axes.offset());
         return best.separation > margin + motion.closing(axis);
     };
-    if (isApartAlong(axes.widest(0, 2, axes.offset()))) return false;
+    if (const auto face = axes.widest(0, 2, axes.offset()); isApartAlong(face)) return setApart(face);
     axes.addEdges();
     const AxisTest::Best best = chooseAxis(axes, axes.offset(), kPreference * voxel);
-    if (isApartAlong(best)) return false;
+    if (isApartAlong(best)) return setApart(best);
     if (best.separation > 0.0f && motion.isFast()) {
         AxisTest::Projections drift{};
         axes.place(motion.displacement, AxisTest::kGroups, drift);
         const float time = timeOfMeeting(axes, drift, motion.turn);
         if (time > 1.0f) {
-            if (best.separation > margin) return false;
+            if (best.separation > margin) return setApart(best);
         } else {
             for (size_t i = 0; i < drift.size(); ++i) drift[i] = axes.offset()[i] + drift[i] * float4(time);
             const int met = chooseAxis(axes, drift, kPreference * voxel).axis;

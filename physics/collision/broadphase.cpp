@@ -122,6 +122,7 @@ void Broadphase::setMoving(CollisionObject& object, bool moves) {
 
 void Broadphase::insert(CollisionObject& object, bool moves) {
     object.m_moves = moves;
+    object.turn = 0.0;
     setBounds(object, glm::dvec3(0.0), 0.0);
     Tree& tree = treeOf(object);
     object.m_leaf = tree.nodes.insert(scatteredVolumeOf(object), &object);
@@ -182,10 +183,12 @@ size_t Broadphase::findPairs(std::span<CollisionObject* const> moving, std::vect
             if (other != i && m_bounds[i].overlaps(m_bounds[other])) m_found.push_back(moving[other]);
         const size_t own = out.size();
         for (CollisionObject* other : m_found) {
+            const bool isNear = areCrowded(*object, *other) || areNear(*object, *other);
+            if (!isNear && other->m_moves && object->number > other->number) continue;  // the other finds the pair
             if (!object->filter.meets(other->filter) || !meet(*object, *other)) continue;
-            if (areCrowded(*object, *other) || areNear(*object, *other))
+            if (isNear)
                 m_nearest.add(other);
-            else if (!other->m_moves || object->number < other->number)
+            else
                 out.push_back(inOrder(object, other));
         }
         for (CollisionObject* other : m_nearest.all()) out.push_back(inOrder(object, other));

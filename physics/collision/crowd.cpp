@@ -19,7 +19,7 @@ constexpr double kMinDistance = 1e-6;  ///< metres between centres with a direct
 constexpr float kFriction = 0.5f;
 
 double halfExtents(const CollisionObject& a, const CollisionObject& b) {
-    return a.dynamic->minHalfExtent() + b.dynamic->minHalfExtent();
+    return a.minHalfExtent + b.minHalfExtent;
 }
 
 double squaredDistance(const CollisionObject& a, const CollisionObject& b) {

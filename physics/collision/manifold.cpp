@@ -170,7 +170,7 @@ void reduceContacts(std::vector<ContactPoint>& contacts, const Manifold* before,
     if (before) inheritImpulses(*before, out);
     for (size_t from = 0, i = 0; i < size_t(count); ++i) {
         const size_t kept = std::min(directions[i].kept, size_t(limits.total / count));
-        insetFriction({out.points.data() + from, kept}, directions[i].patchRadius);
+        insetFriction({out.points + from, kept}, directions[i].patchRadius);
         from += kept;
     }
 }

@@ -45,24 +45,28 @@ struct ManifoldHead {
 };
 
 /// The contacts of two objects that are solved. For each direction of normals, these are the deepest point and up to
-/// three that span the widest area with it.
+/// three that span the widest area with it. The points are elsewhere: those of a step lie one after the other, since
+/// most manifolds have two or three, and every stage of a step reads them all.
 struct Manifold : ManifoldHead {
-    std::array<ManifoldPoint, kMaxManifoldPoints> points;
+    ManifoldPoint* points = nullptr;  ///< `count` of them; while it is filled, kMaxManifoldPoints
 
-    /// Without points.
-    Manifold() = default;
-    /// See the assignment.
-    Manifold(const Manifold& other) : ManifoldHead(other) { std::copy_n(other.points.begin(), count, points.begin()); }
-    /// Copies the points in use only: kept contacts are copied in every step.
-    Manifold& operator=(const Manifold& other) {
+    /// The points in use.
+    std::span<ManifoldPoint> all() { return {points, size_t(count)}; }
+    /// The points in use.
+    std::span<const ManifoldPoint> all() const { return {points, size_t(count)}; }
+    /// Becomes equal to another one, with its own points.
+    void copyFrom(const Manifold& other) {
         static_cast<ManifoldHead&>(*this) = other;
-        std::copy_n(other.points.begin(), count, points.begin());
-        return *this;
+        std::copy_n(other.points, count, points);
     }
-    /// The points in use.
-    std::span<ManifoldPoint> all() { return {points.data(), size_t(count)}; }
-    /// The points in use.
-    std::span<const ManifoldPoint> all() const { return {points.data(), size_t(count)}; }
+};
+
+/// A manifold that holds its points itself.
+struct LoneManifold : Manifold {
+    LoneManifold() { points = own.data(); }
+    LoneManifold(const LoneManifold&) = delete;
+    LoneManifold& operator=(const LoneManifold&) = delete;
+    std::array<ManifoldPoint, kMaxManifoldPoints> own;
 };
 
 /// Sets how deep the first object may stay inside the second, which is static. What was deep inside the static world

@@ -70,10 +70,10 @@ void Narrowphase::begin() {
 }
 
 /// The contacts of a pair, from the voxels of its objects.
-void Narrowphase::findPairContacts(std::span<const ObjectPair> pairs, size_t number, const Motion& firstMotion,
-                                   const Motion& secondMotion, const NarrowphaseSettings& settings, double displacement,
-                                   Batch& batch, Pair& pair) {
+void Narrowphase::findPairContacts(std::span<const ObjectPair> pairs, size_t number,
+                                   const NarrowphaseSettings& settings, double displacement, Batch& batch, Pair& pair) {
     const auto [first, second] = pairs[number];
+    const Motion firstMotion = motionOf(*first), secondMotion = motionOf(*second);
     const StaticNeighbours neighbours = neighboursOf(pairs, number);
     const double voxel = std::min(first->collider.smallestVoxel(), second->collider.smallestVoxel());
     NarrowphaseSettings straight = settings;
@@ -92,22 +92,28 @@ void Narrowphase::findPairContacts(std::span<const ObjectPair> pairs, size_t num
 void Narrowphase::collidePair(std::span<const ObjectPair> pairs, size_t number, const NarrowphaseSettings& settings,
                               const Pair* before, Batch& batch, Pair& pair) const {
     const auto [first, second] = pairs[number];
-    const Motion firstMotion = motionOf(*first), secondMotion = motionOf(*second);
     const bool isKnown = before && before->firstVersion == first->version && before->secondVersion == second->version;
-    const double displacement = maxRelativeDisplacement(firstMotion, secondMotion, settings.seconds);
+    const double displacement = maxRelativeDisplacement(*first, *second);
     const bool isSlow = displacement <= settings.margin;
     const RelativePose pose = relativePose(first->pose, second->pose);
     const auto makeManifold = [&]() -> Manifold& {
         Manifold& manifold = batch.manifolds[batch.used++];
+        manifold = {};
+        manifold.points = batch.points.data() + batch.usedPoints;
         pair.manifold = &manifold;
         return manifold;
     };
-    if (isKnown && isSlow && before->isCacheable &&
-        maxPointDisplacement(before->pose, pose, first->radius) < kMaxCachedMotion * settings.margin) {
-        pair = *before;
-        if (before->manifold)
-            updateCachedContacts(makeManifold() = *before->manifold, before->pose, pose, first->pose, second->pose);
-        return;
+    if (isKnown) {
+        const double moved = maxPointDisplacement(before->pose, pose, first->radius);
+        const bool isKept = isSlow && before->isCacheable && moved < kMaxCachedMotion * settings.margin;
+        if (isKept || (moved + displacement < double(before->search.clearance) && !areCrowded(*first, *second))) {
+            pair = *before;
+            if (!before->manifold) return;
+            Manifold& manifold = makeManifold();
+            manifold.copyFrom(*before->manifold);
+            batch.usedPoints += size_t(manifold.count);
+            return updateCachedContacts(manifold, before->pose, pose, first->pose, second->pose);
+        }
     }
     pair = {first->number, second->number, first->version, second->version};
     if (before) pair.search = before->search;
@@ -115,7 +121,7 @@ void Narrowphase::collidePair(std::span<const ObjectPair> pairs, size_t number, 
     if (areCrowded(*first, *second))
         batch.contacts.push_back(crowdContact(*first, *second));
     else
-        findPairContacts(pairs, number, firstMotion, secondMotion, settings, displacement, batch, pair);
+        findPairContacts(pairs, number, settings, displacement, batch, pair);
     pair.pose = pose;
     if (batch.contacts.empty()) return;
     Manifold& manifold = makeManifold();
@@ -123,10 +129,12 @@ void Narrowphase::collidePair(std::span<const ObjectPair> pairs, size_t number, 
     manifold.second = second->number;
     manifold.origin = first->pose.position;
     manifold.objects = pairs[number];
-    const std::optional<Manifold> rested = before ? std::nullopt : m_resting.find(*first, *second);
-    const Manifold* known = before ? before->manifold : rested ? &*rested : nullptr;
+    const Manifold* known = before                                          ? before->manifold
+                            : m_resting.find(*first, *second, batch.rested) ? &batch.rested
+                                                                            : nullptr;
     reduceContacts(batch.contacts, first->isNew || second->isNew ? nullptr : known,
                    2.0 * displacement <= settings.margin ? kRestingLimits : kHitLimits, manifold);
+    batch.usedPoints += size_t(manifold.count);
     manifold.isRound = isTouchedAsRound(manifold);
     cacheContacts(manifold, first->pose, second->pose);
     manifold.allowedPenetration = 0.0f;
@@ -138,8 +146,11 @@ void Narrowphase::collidePair(std::span<const ObjectPair> pairs, size_t number, 
 void Narrowphase::collideBatch(std::span<const ObjectPair> pairs, size_t from, const NarrowphaseSettings& settings,
                                Batch& batch, std::span<Pair> out) const {
     const std::vector<Pair>& known = m_sets[m_now ^ 1].pairs;
-    batch.used = batch.bricksLeftOut = 0;
-    if (batch.manifolds.size() < out.size()) batch.manifolds.resize(out.size());
+    batch.used = batch.usedPoints = batch.bricksLeftOut = 0;
+    if (batch.manifolds.size() < out.size()) {
+        batch.manifolds.resize(out.size());
+        batch.points.resize(out.size() * size_t(kMaxManifoldPoints));
+    }
     auto next = known.end();
     for (size_t i = 0; i < out.size(); ++i) {
         Pair& pair = out[i];

@@ -36,13 +36,15 @@ private:
         uint32_t first = 0, second = 0, firstVersion = 0, secondVersion = 0;
         ContactSearch search;
         bool isCacheable = false;            ///< slow
-        RelativePose pose;                   ///< at which the contacts were found
+        RelativePose pose;                   ///< at which the contacts were found, or none
         const Manifold* manifold = nullptr;  ///< null: no contacts
     };
     struct Batch {
         std::vector<Manifold> manifolds;
-        size_t used = 0, bricksLeftOut = 0;
+        std::vector<ManifoldPoint> points;  ///< of the manifolds, one after the other
+        size_t used = 0, usedPoints = 0, bricksLeftOut = 0;
         std::vector<ContactPoint> contacts;
+        LoneManifold rested;
     };
     struct Set {
         std::vector<std::unique_ptr<Batch>> batches;
@@ -52,9 +54,8 @@ private:
     };
     void collideBatch(std::span<const ObjectPair> pairs, size_t from, const NarrowphaseSettings& settings, Batch& batch,
                       std::span<Pair> out) const;
-    static void findPairContacts(std::span<const ObjectPair> pairs, size_t number, const Motion& firstMotion,
-                                 const Motion& secondMotion, const NarrowphaseSettings& settings, double displacement,
-                                 Batch& batch, Pair& pair);
+    static void findPairContacts(std::span<const ObjectPair> pairs, size_t number, const NarrowphaseSettings& settings,
+                                 double displacement, Batch& batch, Pair& pair);
     void collidePair(std::span<const ObjectPair> pairs, size_t number, const NarrowphaseSettings& settings,
                      const Pair* before, Batch& batch, Pair& pair) const;
 

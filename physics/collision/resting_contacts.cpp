@@ -31,23 +31,23 @@ void RestingContacts::keep(std::span<Manifold* const> manifolds) {
     }
 }
 
-std::optional<Manifold> RestingContacts::find(const CollisionObject& first, const CollisionObject& second) const {
-    if (first.number >= m_pairs.size()) return {};
+bool RestingContacts::find(const CollisionObject& first, const CollisionObject& second, LoneManifold& out) const {
+    if (first.number >= m_pairs.size()) return false;
     const std::vector<Pair>& pairs = m_pairs[first.number];
     const auto at = std::ranges::lower_bound(pairs, second.number, {}, &Pair::second);
     if (at == pairs.end() || at->second != second.number ||
         maxPointDisplacement(at->pose, relativePose(first.pose, second.pose), first.radius) > kMaxMotion)
-        return {};
-    std::optional<Manifold> manifold(std::in_place);
-    manifold->allowedPenetration = at->allowedPenetration;
+        return false;
+    out.count = 0;
+    out.allowedPenetration = at->allowedPenetration;
     for (const Point& kept : at->points) {
-        ManifoldPoint& point = manifold->points[size_t(manifold->count++)];
+        ManifoldPoint& point = out.points[out.count++];
         point.feature = kept.feature;
         point.normal = kept.normal;
         point.normalImpulse = kept.normalImpulse;
         point.frictionImpulse = kept.frictionImpulse;
     }
-    return manifold;
+    return true;
 }
 
 void RestingContacts::forget(const CollisionObject& first) {

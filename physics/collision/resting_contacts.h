@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,9 +14,9 @@ class RestingContacts {
 public:
     /// Keeps the impulses of those manifolds of a step of which both objects are asleep or static by now.
     void keep(std::span<Manifold* const> manifolds);
-    /// What was kept of a pair: the features, normals and impulses of its points, and its allowed penetration. None if
-    /// the two have moved against each other since. [any thread]
-    std::optional<Manifold> find(const CollisionObject& first, const CollisionObject& second) const;
+    /// Sets what was kept of a pair: the features, normals and impulses of its points, and its allowed penetration.
+    /// False if there is nothing, or the two have moved against each other since. [any thread]
+    bool find(const CollisionObject& first, const CollisionObject& second, LoneManifold& out) const;
     /// Forgets what was kept of the pairs of which this is the first object.
     void forget(const CollisionObject& first);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "physics/collision/box_contacts.h"
@@ -204,8 +205,8 @@ void collideVoxels(const CoveredPart& a, const TransformedHull& hullA, const Cov
 }
 
 /// Appends the contacts of part i of the first collider with part k of the second. search: its axis, from the second to
-/// the first, is that of the step before, and is replaced by a better one. Returns whether the parts are near each
-/// other.
+/// the first, is that of the step before, and is replaced by a better one; its clearance shrinks to that of these
+/// parts. Returns whether the parts are near each other.
 bool collideParts(const Surroundings& around, size_t i, size_t k, const RelativeMotion& motion,
                   const NarrowphaseSettings& settings, ContactSearch& search, std::vector<ContactPoint>& out) {
     glm::vec3& axis = search.axis;
@@ -217,7 +218,7 @@ bool collideParts(const Surroundings& around, size_t i, size_t k, const Relative
     if (motion.bothMove && around.empty() && a.box() && b.box())
         return collideBoxes({{a, aCells, nullptr}, {}, motion.firstVelocity, motion.firstSpin},
                             {{b, bCells, nullptr}, motion.offset, motion.secondVelocity, motion.secondSpin}, settings,
-                            key, axis, out);
+                            key, search, out);
     const TransformedHull hullA = transformHull(a, aCells), hullB = transformHull(b, bCells);
     if (!hasAxis) axis = centerAxis(a, hullA, b, hullB);
     const float size = float(std::max(a.voxelSize(), b.voxelSize()));
@@ -226,7 +227,10 @@ bool collideParts(const Surroundings& around, size_t i, size_t k, const Relative
     const float gap = refineSeparatingAxis(hullA, hullB, searched + closing,
                                            hasAxis ? kKnownPairIterations : kNewPairIterations, axis);
     const float near = searched + motion.closingDistance(axis, double(searched));
-    if (gap > near) return false;
+    if (gap > near) {
+        search.clearance = std::min(search.clearance, gap - searched);
+        return false;
+    }
     Cover aCover, bCover;
     if (!around.empty()) around.find(0, i, b, aCover), around.find(1, k, a, bCover);
     const CoveredPart first{a, aCells, aCover.empty() ? nullptr : &aCover},
@@ -257,6 +261,7 @@ bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const V
                               neighbours};
     search.turn += search.leftOut > 0;
     search.leftOut = 0;
+    search.clearance = std::numeric_limits<float>::max();
     bool isNear = false;
     const bool isOnePair = first.parts.size() == 1 && second.parts.size() == 1;
     for (size_t i = 0; i < first.parts.size(); ++i)
@@ -267,6 +272,7 @@ bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const V
             isNear |= collideParts(around, i, k, motion, settings, search, out);
         }
     if (!isOnePair) search.axis = glm::vec3(0.0f);
+    if (isNear) search.clearance = 0.0f;
     return isNear;
 }
 

@@ -38,9 +38,10 @@ inline constexpr size_t kMaxSearchedBricks = 768;
 
 /// What the search for contacts of two bodies leaves for that of the next step.
 struct ContactSearch {
-    glm::vec3 axis{0.0f};  ///< unit vector along which the two may be separated; 0: none is known
-    uint32_t turn = 0;     ///< searches that left bricks out: each begins where the one before ended
-    uint32_t leftOut = 0;  ///< bricks that may touch and were not searched
+    glm::vec3 axis{0.0f};    ///< unit vector along which the two may be separated; 0: none is known
+    float clearance = 0.0f;  ///< metres that points of the two may move against each other before they are near
+    uint32_t turn = 0;       ///< searches that left bricks out: each begins where the one before ended
+    uint32_t leftOut = 0;    ///< bricks that may touch and were not searched
 };
 
 struct NarrowphaseSettings {

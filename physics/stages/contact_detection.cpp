@@ -10,10 +10,6 @@ namespace {
 constexpr double kWakeSpeed = 0.15;        ///< m/s that a hit must give a sleeping body to wake it
 constexpr double kSettledWakeSpeed = 0.6;  ///< the same for a settled one
 
-double broadphaseMargin(const CollisionObject& object, const SolverBody& motion, const PhysicsSettings& settings) {
-    return settings.contactMargin + object.radius * glm::length(motion.angularVelocity) * settings.stepSeconds;
-}
-
 }  // namespace
 
 /// What is woken has contacts of its own, so the search goes on until nothing more wakes.
@@ -29,9 +25,10 @@ void ContactDetection::find(PhysicsBodies& bodies, const JointTable& joints, con
         for (const uint32_t slot : bodies.awake()) {
             DynamicBody& body = bodies.at(slot);
             if (body.pairsFound) continue;
-            body.setPose();
+            if (!(body.object.pose == body.pose())) body.setPose();
+            body.object.turn = body.object.radius * glm::length(body.motion.angularVelocity) * settings.stepSeconds;
             bodies.broadphase().move(body.object, body.motion.velocity * settings.stepSeconds,
-                                     broadphaseMargin(body.object, body.motion, settings));
+                                     settings.contactMargin + body.object.turn);
             m_moving.push_back(&body.object);
         }
         m_pairs.clear();

@@ -102,7 +102,7 @@ struct Heap {
     }
 
     std::vector<SolverBody> bodies;
-    std::deque<Manifold> manifolds;
+    std::deque<LoneManifold> manifolds;
     ContactSet set;
 };
 

@@ -29,7 +29,7 @@ ManifoldPoint contact(glm::vec3 position, glm::vec3 normal) {
 
 TEST(ContactSolver, NoWarmStartWhenTheSupportOfASqueezedBodyIsGone) {
     std::vector<SolverBody> bodies = {{}, body(17e3, glm::dvec3(2e4)), body(1.5, glm::dvec3(0.01))};
-    Manifold manifold;  // the light body comes first; its contact on the other side is gone since the last step
+    LoneManifold manifold;  // the light body comes first; its contact on the other side is gone since the last step
     for (const float y : {-0.05f, 0.05f}) {
         ManifoldPoint point = contact({-0.05f, y, 0.0f}, {1, 0, 0});
         point.normalImpulse = 1000.0f;
@@ -50,7 +50,7 @@ std::vector<bool> loadBearing(size_t count, bool isNew) {
     constexpr float kFall = 10.0f / 360.0f;  // m/s in a substep
     ContactSet set;
     set.states.resize(2 + 2 * count);
-    std::deque<Manifold> manifolds;
+    std::deque<LoneManifold> manifolds;
     set.states[1].inverseMass = 0.01f;
     const auto rest = [&](size_t upper, size_t under, float load) {
         Manifold& manifold = manifolds.emplace_back();
@@ -82,7 +82,7 @@ TEST(ContactSolver, ALoadSpreadOverManyMakesNoneOfThemLoadBearing) {
 TEST(ContactSolver, ALoadedContactWarmStarts) {
     std::vector<SolverBody> bodies = {{}, body(1.5, glm::dvec3(0.01))};
     const double weight = 1.5 * 10.0 * SolverSettings{}.seconds / SolverSettings{}.substeps;
-    Manifold manifold;
+    LoneManifold manifold;
     ManifoldPoint point = contact({0, -0.05f, 0}, {0, 1, 0});
     point.normalImpulse = float(weight);
     manifold.points[size_t(manifold.count++)] = point;
@@ -95,14 +95,14 @@ TEST(ContactSolver, ALoadedContactWarmStarts) {
 }
 
 TEST(ContactSolver, EachImpulseIsInheritedOnce) {
-    Manifold before;
+    LoneManifold before;
     before.points[size_t(before.count++)] = contact({0, 0, 0}, {0, 1, 0});
     before.points[0].feature = 7;
     before.points[0].normalImpulse = 10.0f;
     std::vector<ContactPoint> contacts = {contact({0, 0, 0}, {0, 1, 0}), contact({0.01f, 0, 0}, {0.1f, 0.995f, 0}),
                                           contact({0, 0, 0}, {1, 0, 0})};
     for (ContactPoint& each : contacts) each.feature = 7;
-    Manifold now;
+    LoneManifold now;
     reduceContacts(contacts, &before, kRestingLimits, now);
     float up = 0.0f, aside = 0.0f;
     for (const ManifoldPoint& point : now.all()) (point.normal.y > 0.5f ? up : aside) += point.normalImpulse;
@@ -117,7 +117,7 @@ TEST(ContactSolver, ARotatingRodGainsNoEnergyFromItsContacts) {
         rod.conservesMomentum = true;
         rod.angularVelocity = {5.0, spin, 0.0};
         rod.velocity = {0, -3, 0};
-        Manifold manifold;
+        LoneManifold manifold;
         for (const float z : {-0.2f, 0.2f})
             manifold.points[size_t(manifold.count++)] = contact({0.02f, -0.05f, z}, {0, 1, 0});
         Manifold* const manifolds[] = {&manifold};
