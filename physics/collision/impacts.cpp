@@ -30,15 +30,16 @@ void findImpacts(std::span<Manifold* const> manifolds, double minSpeed, double t
     std::vector<Hit> hits;
     for (const Manifold* manifold : manifolds) {
         double approach = 0.0, total = 0.0;
+        for (const ManifoldPoint& point : manifold->all())
+            if (point.totalImpulse > 0.0f) approach = std::max(approach, double(point.approach));
+        if (!(approach > minSpeed)) continue;
         glm::dvec3 position(0.0), normal(0.0);
         for (const ManifoldPoint& point : manifold->all()) {
             if (!(point.totalImpulse > 0.0f)) continue;
-            approach = std::max(approach, double(point.approach));
             total += double(point.totalImpulse);
             position += (manifold->origin + glm::dvec3(point.position)) * double(point.totalImpulse);
             normal += glm::dvec3(point.normal) * double(point.totalImpulse);
         }
-        if (!(approach > minSpeed)) continue;
         hits.push_back(
             {manifold->objects.first->body, manifold->objects.second->body, position, normal, total, approach});
     }

@@ -7,10 +7,10 @@ namespace rubble {
 
 std::span<const Scene> allScenes() {
     using namespace scenes;
-    static const std::array list = {towerScene(), bridgeScene(),    fireScene(),     wallScene(),
-                                    paneScene(),  lightShopScene(), dominoesScene(), cratersScene(),
-                                    crushScene(), gardenScene(),    craneScene(),    dominoRunScene(),
-                                    raftScene(),  driveScene(),     lightsScene(),   chapelScene()};
+    static const std::array list = {towerScene(),     bridgeScene(),    fireScene(),    wallScene(),  paneScene(),
+                                    lightShopScene(), dominoesScene(),  cratersScene(), crushScene(), gardenScene(),
+                                    craneScene(),     dominoRunScene(), raftScene(),    driveScene(), lightsScene(),
+                                    chapelScene(),    mechanicsScene()};
     return list;
 }
 

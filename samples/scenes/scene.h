@@ -44,6 +44,7 @@ Scene raftScene();       ///< `raft_scene.cpp`
 Scene driveScene();      ///< `drive_scene.cpp`
 Scene lightsScene();     ///< `lights_scene.cpp`
 Scene chapelScene();     ///< `chapel_scene.cpp`
+Scene mechanicsScene();  ///< `mechanics_scene.cpp`
 }  // namespace scenes
 
 }  // namespace rubble

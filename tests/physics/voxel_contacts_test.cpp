@@ -161,6 +161,40 @@ TEST(VoxelContacts, DoNotDependOnTheInitialSeparatingAxis) {
     EXPECT_GT(touching, 100u);
 }
 
+/// Two that are apart have no contacts until points of them have moved against each other by their clearance.
+TEST(VoxelContacts, NothingTouchesWithinTheClearance) {
+    const Level pieces = voronoiPit(40), boxes = boxPit(40);
+    Random random(11);
+    int apart = 0;
+    for (int round = 0; round < 3000; ++round) {
+        const Level& level = round % 2 ? pieces : boxes;
+        const auto anyPose = [&](double size) {
+            return Pose{anyVector(random, size), glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))};
+        };
+        CollisionObject a, b;
+        put(a, level.bodies[1 + size_t(round % 40)], level.materials, anyPose(1.0));
+        put(b, level.bodies[1 + size_t(round * 7 % 40)], level.materials, anyPose(0.0));
+        ContactSearch search;
+        std::vector<ContactPoint> found;
+        const auto touch = [&] {
+            return findContacts(a.collider, {a.pose, a.cellTransforms(), {}, {}, a.radius}, b.collider,
+                                {b.pose, b.cellTransforms(), {}, {}, b.radius}, {}, search, found);
+        };
+        if (touch()) {
+            EXPECT_EQ(search.clearance, 0.0f) << round;
+            continue;
+        }
+        ++apart;
+        ASSERT_GT(search.clearance, 0.0f) << round;
+        const double clearance = 0.999 * double(search.clearance), turn = random.unit() * clearance;
+        const glm::dquat rotation = glm::angleAxis(turn / a.radius, glm::normalize(anyVector(random, 1.0)));
+        a.setPose({a.pose.position - glm::dvec3(search.axis) * (clearance - turn), rotation * a.pose.rotation});
+        touch();
+        EXPECT_TRUE(found.empty()) << round;
+    }
+    EXPECT_GT(apart, 500);
+}
+
 /// A plate of 200 x 200 voxels with bumps on both sides.
 LevelBody roughPlate(uint64_t seed) {
     constexpr int kSide = 200;
