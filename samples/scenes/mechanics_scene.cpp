@@ -11,6 +11,7 @@ namespace rubble::scenes {
 namespace {
 
 constexpr glm::dquat kToZ{kSqrtHalf, 0.0, -kSqrtHalf, 0.0};  ///< turns x, the axis of a hinge's frame, to z
+constexpr glm::vec3 kAwake{0.001f, 0.0f, 0.0f};              ///< m/s: what does not move in a level begins asleep
 
 /// A turn about z by an angle of this cosine. Only square roots: no sine that differs by library.
 glm::dquat turnAboutZ(double cosine) {
@@ -85,6 +86,7 @@ void addCradle(Level& level) {
         body.pose.rotation = turnAboutZ(i == 0 ? 0.8 : 1.0);  // the first is lifted by 37 degrees
         body.pose.position = pivot - body.pose.rotation * inBody;
         addHinge(level, "cradle frame", body.shapes[1].name, pivot - glm::dvec3(corner) * kVoxel, end);
+        if (i == 0) body.velocity = kAwake;
         level.bodies.push_back(std::move(body));
     }
 }
@@ -140,6 +142,7 @@ void addClockPart(Level& level, LevelShape shape, const glm::dvec3& at, const gl
     body.pose.position = (glm::dvec3(kClock) + at) * kVoxel - body.pose.rotation * (inShape * kVoxel);
     addHinge(level, "clock case", shape.name, at * kVoxel, inShape * kVoxel, motor);
     body.shapes.push_back(std::move(shape));
+    body.velocity = kAwake;
     level.bodies.push_back(std::move(body));
 }
 
@@ -185,7 +188,7 @@ Edits mechanicsScript(int, uint64_t) {
 }
 
 Pose mechanicsCamera(double) {
-    return lookAt({17.6, 3.4, 26.0}, {17.6, 1.9, 14.0});
+    return lookAt({17.3, 3.4, 28.5}, {17.3, 2.1, 14.0});
 }
 
 }  // namespace
@@ -193,7 +196,7 @@ Pose mechanicsCamera(double) {
 Scene mechanicsScene() {
     Scene scene{"mechanics", "a Newton's cradle, a spinning plate and a pendulum clock", mechanicsLevel,
                 mechanicsScript, mechanicsCamera};
-    scene.verticalFov = 0.62f;
+    scene.verticalFov = 0.70f;
     scene.steps = 720;
     return scene;
 }
