@@ -11,10 +11,6 @@ namespace rubble {
 /// The velocity, m/s, of the fastest approach of the two bodies along a normal, among the points that they reach within
 /// `seconds`; it points away from the second. Zero: they reach none.
 glm::dvec3 approachVelocity(const Manifold& manifold, double seconds);
-/// The length of approachVelocity().
-inline double approachSpeed(const Manifold& manifold, double seconds) {
-    return glm::length(approachVelocity(manifold, seconds));
-}
 
 /// Appends the impacts of the last solve: one for each pair of bodies, in the order of pairs, whose contacts closed
 /// faster than minSpeed (m/s) and took more than `threshold` (N s) in all. handles: by body slot.

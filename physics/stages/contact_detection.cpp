@@ -18,6 +18,7 @@ void ContactDetection::find(PhysicsBodies& bodies, const JointTable& joints, con
                                      .seconds = settings.stepSeconds,
                                      .sweepThreshold = settings.continuous ? settings.sweepThreshold : 1e300};
     m_narrowphase.begin();
+    m_pushed.clear();
     m_leftOut = 0;
     for (const uint32_t slot : bodies.awake()) bodies.at(slot).pairsFound = false;
     for (bool more = true; more; more = wakeHit(bodies, settings.stepSeconds)) {
@@ -42,8 +43,23 @@ void ContactDetection::find(PhysicsBodies& bodies, const JointTable& joints, con
     }
 }
 
+/// The velocity, away from the hitter, at which it reaches the other within the step: its own, or what it gets from the
+/// hit that has woken it. A hit goes through all that touches, or what sleeps would bear it like a wall.
+glm::dvec3 ContactDetection::pushOf(const Manifold& manifold, const DynamicBody& hitter, double stepSeconds) const {
+    const double side = manifold.objects.second->dynamic == &hitter ? 1.0 : -1.0;  // of normals, from the hitter on
+    glm::dvec3 push = approachVelocity(manifold, stepSeconds) * side;
+    const auto pushed = m_pushed.find(hitter.handle().slot());
+    if (pushed == m_pushed.end()) return push;
+    for (const ManifoldPoint& point : manifold.all()) {
+        const glm::dvec3 away = glm::dvec3(point.normal) * side;
+        const double speed = glm::dot(pushed->second, away);
+        if (speed * stepSeconds > double(point.separation) && speed > glm::length(push)) push = away * speed;
+    }
+    return push;
+}
+
 /// Wakes sleeping bodies that are about to be hit, in time for the solve; true if there were any.
-bool ContactDetection::wakeHit(PhysicsBodies& bodies, double stepSeconds) const {
+bool ContactDetection::wakeHit(PhysicsBodies& bodies, double stepSeconds) {
     bool any = false;
     for (const Manifold* manifold : m_narrowphase.manifolds()) {
         DynamicBody *a = manifold->objects.first->dynamic, *b = manifold->objects.second->dynamic;
@@ -53,7 +69,11 @@ bool ContactDetection::wakeHit(PhysicsBodies& bodies, double stepSeconds) const 
         if (sleeper.quarantined() || !bodies.budget().mayWake(sleeper)) continue;
         const double share = hitter.mass().mass / (hitter.mass().mass + sleeper.mass().mass);
         const double wakeSpeed = sleeper.settled ? kSettledWakeSpeed : kWakeSpeed;
-        if (approachSpeed(*manifold, stepSeconds) * share <= wakeSpeed) continue;
+        const glm::dvec3 push = pushOf(*manifold, hitter, stepSeconds);
+        if (glm::length(push) * share <= wakeSpeed) continue;
+        float restitution = 0.0f;
+        for (const ManifoldPoint& point : manifold->all()) restitution = std::max(restitution, point.restitution);
+        m_pushed[sleeper.handle().slot()] = push * (share * (1.0 + double(restitution)));
         bodies.wake(sleeper);
         any = true;
     }

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <span>
 #include <vector>
 
@@ -29,12 +30,15 @@ public:
     size_t leftOut() const { return m_leftOut; }
 
 private:
-    bool wakeHit(PhysicsBodies& bodies, double stepSeconds) const;
+    bool wakeHit(PhysicsBodies& bodies, double stepSeconds);
+    glm::dvec3 pushOf(const Manifold& manifold, const DynamicBody& hitter, double stepSeconds) const;
 
     Narrowphase m_narrowphase;
     Crowds m_crowds;
     std::vector<CollisionObject*> m_moving;  ///< whose pairs are searched
     std::vector<ObjectPair> m_pairs;
+    /// By slot: about the velocity that a hit of this step gives to a body that it woke, m/s.
+    std::map<uint32_t, glm::dvec3> m_pushed;
     size_t m_leftOut = 0;
 };
 

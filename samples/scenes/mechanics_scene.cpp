@@ -31,8 +31,8 @@ void addHinge(Level& level, const std::string& holder, const std::string& shape,
 // The cradle
 
 constexpr int kBalls = 5, kAcross = 9, kRod = 24;  // cells
-constexpr ivec3 kBeam{96, 36, 140};                // low corner
-constexpr ivec3 kBeamSize{68, 3, 3};
+constexpr ivec3 kBeam{78, 36, 140};                // low corner
+constexpr ivec3 kBeamSize{100, 3, 3};
 
 bool isInBall(ivec3 cell) {
     const ivec3 d = cell - kAcross / 2;
@@ -104,14 +104,14 @@ void addPlate(Level& level) {
     LevelShape shape = c.finish("plate");
     shape.voxelSize = float(0.5 * kVoxel);
     shape.collisionShape = CollisionShape::CylinderZ;
-    addDynamic(level, std::move(shape), {196, 0, 150});
+    addDynamic(level, std::move(shape), {206, 0, 150});
     level.bodies.back().pose.position.y = 0.03;  // its smallest cylinder is a little larger than its voxels
     level.bodies.back().angularVelocity = {0.0f, 9.0f, 0.4f};
 }
 
 // The clock
 
-constexpr ivec3 kClock{238, 0, 136};  // low corner
+constexpr ivec3 kClock{244, 0, 136};  // low corner
 constexpr ivec3 kClockSize{16, 42, 10};
 constexpr int kFace = 33;  // height of the hands' axis in cells
 
@@ -188,7 +188,7 @@ Edits mechanicsScript(int, uint64_t) {
 }
 
 Pose mechanicsCamera(double) {
-    return lookAt({17.3, 3.4, 28.5}, {17.3, 2.1, 14.0});
+    return lookAt({16.9, 3.4, 30.0}, {16.9, 2.1, 14.0});
 }
 
 }  // namespace

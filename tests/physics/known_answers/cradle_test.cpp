@@ -6,6 +6,7 @@
 #include "runtime/core/constants.h"
 #include "tests/physics/scenes/impact_scenes.h"
 #include "tests/physics/scenes/known_scenes.h"
+#include "tests/support/grids.h"
 
 namespace rubble {
 namespace {
@@ -18,6 +19,27 @@ TEST(Cradle, AsManyLeaveAsCameIn) {
             for (const double speed : {0.5, 1.0, 3.0, 10.0, 30.0})
                 EXPECT_LT(known::cradleError({}, areBalls, incoming, speed), 0.02)
                     << incoming << (areBalls ? " balls at " : " cubes at ") << speed << " m/s";
+}
+
+/// What sleeps behind what is hit is woken with it: it is no wall.
+TEST(Cradle, ARowThatSleepsHandsOnWhatHitsIt) {
+    for (const bool isElastic : {true, false}) {
+        PhysicsScene scene;
+        scene.level.environment.gravity = {0, 0, 0};
+        const uint8_t entry = known::setMaterial(scene, 7, 0.0f, isElastic ? 1.0f : 0.0f);
+        for (int i = 0; i < kCradleBodies; ++i)
+            scene.add(solidGrid({8, 8, 8}, entry), {0.8 * i - (i ? 0.0 : 0.23), 0, 0}, false);
+        scene.level.bodies[0].velocity = {6.0f, 0.0f, 0.0f};
+        scene.load(false);  // all but the first are asleep
+        scene.step(30);
+        double momentum = 0.0;
+        for (int i = 0; i < kCradleBodies; ++i) {
+            const double v = double(scene.body(i).velocity.x);
+            momentum += v;
+            if (isElastic) EXPECT_NEAR(v, i + 1 < kCradleBodies ? 0.0 : 6.0, 0.12) << i;
+        }
+        EXPECT_NEAR(momentum, 6.0, 0.06) << (isElastic ? "elastic" : "plastic");
+    }
 }
 
 TEST(Cradle, ARowThatLosesSpeedGainsNoEnergyAndKeepsItsMomentum) {
