@@ -137,7 +137,7 @@ std::string errorOf(const WriteVoxelsEdit& edit) {
     uint64_t cells = 1;
     for (int a = 0; a < 3; ++a) {
         check.number("low", edit.box.low[a], {0, kMaxGridSize}).number("high", edit.box.high[a], {1, kMaxGridSize});
-        cells *= uint64_t(std::max(0, edit.box.high[a] - edit.box.low[a]));
+        cells *= uint64_t(std::max<int64_t>(0, int64_t(edit.box.high[a]) - edit.box.low[a]));
     }
     return check.require(cells && cells == edit.entries.size(), "expected a byte for each cell of a box").error();
 }
