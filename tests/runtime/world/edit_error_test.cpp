@@ -64,7 +64,7 @@ TEST(EditError, AWorldLeavesInvalidEditsOutAndSaysSo) {
     EXPECT_EQ(changes.lightsAdded, std::vector{LightHandle{}}) << "one row for each edit";
     ASSERT_EQ(warnings.size(), 3u);
     EXPECT_EQ(warnings[0], "carve: radii is -1, expected 0 to 100; nothing was changed");
-    EXPECT_EQ(warnings[1], "settings: contact_time is 0, expected 0.0001 to 10; nothing was changed");
+    EXPECT_EQ(warnings[1], "set_settings: contact_time is 0, expected 0.0001 to 10; nothing was changed");
 }
 
 }  // namespace
