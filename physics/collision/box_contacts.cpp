@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "physics/math/simd4.h"
+#include "runtime/voxel/cell_box.h"
 
 // Contacts of two boxes, by separating axes.
 //
@@ -55,7 +56,7 @@ struct Box {
     uint8_t entryAt(const glm::vec3& point) const {
         if (surface.entry) return surface.entry;
         const glm::vec3 cell = surface.center + alongAxes(point - center) / float(part.voxelSize());
-        return part.grid().at(glm::clamp(glm::ivec3(glm::floor(cell)), part.bounds().low, part.bounds().high - 1));
+        return part.grid().at(glm::clamp(cellAt(cell), part.bounds().low, part.bounds().high - 1));
     }
 };
 

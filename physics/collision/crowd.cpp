@@ -6,6 +6,7 @@
 
 #include "physics/bodies/dynamic_body.h"
 #include "runtime/core/random.h"
+#include "runtime/voxel/cell_box.h"
 
 namespace rubble {
 namespace {
@@ -33,7 +34,7 @@ bool isInside(const glm::dvec3& point, const CollisionObject& object) {
         const ColliderPart& part = *object.collider.parts[i];
         const CellTransform& cells = object.cellTransforms()[i];
         const glm::dvec3 cell = metresToCells(cells, part.voxelSize()) * (point - object.pose.position - cells.corner);
-        if (part.grid().at(glm::ivec3(glm::floor(cell)))) return true;
+        if (part.grid().at(cellAt(cell))) return true;
     }
     return false;
 }

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "runtime/voxel/cell_box.h"
 #include "runtime/voxel/ray_walk.h"
 
 // A place of a rope is a ball. Its centre is swept through the cells from where it was: at the first face that it goes
@@ -25,7 +26,7 @@ const std::array<glm::ivec3, 6> kSides = {{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0
 glm::dvec3 exitFromNeighbours(const VoxelGrid& grid, glm::ivec3 cell, glm::dvec3 center, double radius) {
     glm::dvec3 out(0.0);
     for (const glm::ivec3& side : kSides) {
-        const glm::ivec3 next = glm::ivec3(glm::floor(center + glm::dvec3(side) * radius));
+        const glm::ivec3 next = cellAt(center + glm::dvec3(side) * radius);
         if (next == cell || !grid.at(next)) continue;
         for (int a = 0; a < 3; ++a) {
             if (side[a] > 0) out[a] += double(next[a]) - radius - center[a];
@@ -69,7 +70,7 @@ glm::dvec3 exitFromGrid(const VoxelGrid& grid, glm::dvec3 before, glm::dvec3 cen
         if (!hit.hit || hit.axis < 0) break;
         place[hit.axis] = double(hit.cell[hit.axis] + (hit.sign > 0 ? 1 : 0)) + hit.sign * radius;
     }
-    const glm::ivec3 cell = glm::ivec3(glm::floor(place));
+    const glm::ivec3 cell = cellAt(place);
     place += grid.at(cell) ? exitFromInside(grid, cell, place, radius) : exitFromNeighbours(grid, cell, place, radius);
     return place - center;
 }
@@ -101,7 +102,7 @@ double depthInside(const CollisionObject& object, glm::dvec3 place) {
     for (size_t i = 0; i < object.collider.parts.size(); ++i) {
         const ColliderPart& part = *object.collider.parts[i];
         const glm::dvec3 center = toCells(object, i, place);
-        const glm::ivec3 cell = glm::ivec3(glm::floor(center));
+        const glm::ivec3 cell = cellAt(center);
         if (misses(part.grid(), center, center, 0.0) || !part.grid().at(cell)) continue;
         depth = std::max(depth, glm::length(exitFromInside(part.grid(), cell, center, 0.0)) * part.voxelSize());
     }

@@ -19,6 +19,13 @@ struct CellBox {
     friend bool operator==(const CellBox&, const CellBox&) = default;
 };
 
+/// The cell that holds a point (in cells). A point farther than a billion cells from the origin, or not a number,
+/// counts as one at that distance: cells near it, and differences between cells, are integers too.
+inline glm::ivec3 cellAt(const glm::dvec3& point) {
+    constexpr double kFarthest = 1e9;
+    return glm::ivec3(glm::floor(glm::min(glm::max(glm::dvec3(-kFarthest), point), kFarthest)));
+}
+
 /// The smallest box that holds both. An empty box adds nothing.
 inline CellBox joined(const CellBox& a, const CellBox& b) {
     if (a.empty() || b.empty()) return a.empty() ? b : a;

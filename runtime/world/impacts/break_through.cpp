@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "runtime/destruction/fragment_style.h"
+#include "runtime/voxel/cell_box.h"
 #include "runtime/world/objects/body_mass.h"
 #include "runtime/world/objects/transforms.h"
 
@@ -72,8 +73,7 @@ private:
         return m_hole.radii[size_t(hardness)] * m_hole.radii[size_t(hardness)];
     }
     const Material* materialAt(glm::dvec3 point) const {
-        const uint8_t entry =
-            m_shape.grid.at(glm::ivec3(glm::floor(m_pose.inversePoint(point) / double(m_shape.voxelSize))));
+        const uint8_t entry = m_shape.grid.at(cellAt(m_pose.inversePoint(point) / double(m_shape.voxelSize)));
         return entry ? &m_world.materials[(*m_shape.palette)[entry].material] : nullptr;
     }
 

@@ -6,6 +6,7 @@
 
 #include "runtime/core/random.h"
 #include "runtime/destruction/fragment_style.h"
+#include "runtime/voxel/cell_box.h"
 #include "runtime/voxel/nearest_voxel.h"
 #include "runtime/world/objects/body_mass.h"
 #include "runtime/world/objects/transforms.h"
@@ -22,7 +23,7 @@ constexpr int kContactCells = 2;        ///< how far from the contact that physi
 uint8_t materialAt(const WorldData& world, ShapeHandle handle, glm::dvec3 point) {
     const Shape& shape = world.shapes.at(handle);
     const glm::dvec3 pointCells = shapeToWorld(world, handle).inversePoint(point) / double(shape.voxelSize);
-    const glm::ivec3 middle(glm::floor(pointCells));
+    const glm::ivec3 middle = cellAt(pointCells);
     const auto cell = nearestVoxel(shape.grid, pointCells, {middle - kContactCells, middle + kContactCells + 1});
     return cell ? (*shape.palette)[shape.grid.at(*cell)].material : uint8_t(0);
 }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "runtime/core/ranges.h"
+#include "runtime/voxel/cell_box.h"
 #include "runtime/voxel/nearest_voxel.h"
 #include "runtime/world/objects/transforms.h"
 
@@ -20,7 +21,7 @@ constexpr int kMaxSearchCells = 32;   ///< around an end, in which its voxel is 
 std::optional<glm::ivec3> findHeldCell(const VoxelGrid& grid, glm::dvec3 point, double radius) {
     const glm::dvec3 inside =
         glm::clamp(point, glm::dvec3(-kMaxSearchCells), glm::dvec3(grid.size() + kMaxSearchCells));
-    const glm::ivec3 middle = glm::ivec3(glm::floor(inside));
+    const glm::ivec3 middle = cellAt(inside);
     const int r = int(std::min(std::ceil(radius), double(kMaxSearchCells)));
     const double limit = radius + 0.9;  // half the diagonal of a cell more: a surface's own voxels count
     return nearestVoxel(grid, point, {middle - r, middle + r + 1}, limit * limit);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "runtime/core/random.h"
+#include "runtime/voxel/cell_box.h"
 #include "runtime/voxel/nearest_voxel.h"
 #include "runtime/world/objects/transforms.h"
 #include "runtime/world/stages/stress_stage.h"
@@ -16,7 +17,7 @@ constexpr int kMaxSearchCells = 8;  ///< around an impact, whose own voxels may 
 
 /// The voxel nearest to a point, both in cells, in ever larger cubes around it.
 std::optional<glm::ivec3> findStruckCell(const VoxelGrid& grid, glm::dvec3 point) {
-    const glm::ivec3 middle(glm::floor(glm::clamp(point, -1e6, 1e6)));
+    const glm::ivec3 middle = cellAt(point);
     for (int radius = 1; radius <= kMaxSearchCells; radius *= 2)
         if (const auto cell = nearestVoxel(grid, point, {middle - radius, middle + radius + 1})) return cell;
     return {};

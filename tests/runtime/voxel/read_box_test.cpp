@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <vector>
 
 #include "runtime/core/random.h"
@@ -50,6 +51,15 @@ TEST(ReadBox, GivesEveryCellOfAnyBox) {
                     ASSERT_EQ(paint[at], brick ? brick->paintAt(voxelIndex(cellInBrick(cell))) : 0);
                 }
     }
+}
+
+TEST(CellAt, IsTheCellThatHoldsAPointAndAFarOneForFarPoints) {
+    constexpr int kFarthest = 1000000000;
+    EXPECT_EQ(cellAt({0.5, -0.5, 7.0}), glm::ivec3(0, -1, 7));
+    EXPECT_EQ(cellAt({6e9, -1.2e10, 0.0}), glm::ivec3(kFarthest, -kFarthest, 0));
+    const double infinity = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(cellAt({infinity, -infinity, -std::numeric_limits<double>::quiet_NaN()}),
+              glm::ivec3(kFarthest, -kFarthest, -kFarthest));
 }
 
 }  // namespace
