@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "physics/math/simd4.h"
-#include "runtime/voxel/cell_box.h"
 
 // Contacts of two boxes, by separating axes.
 //

@@ -6,7 +6,6 @@
 
 #include "physics/bodies/dynamic_body.h"
 #include "runtime/core/random.h"
-#include "runtime/voxel/cell_box.h"
 
 namespace rubble {
 namespace {

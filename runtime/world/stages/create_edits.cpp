@@ -87,7 +87,7 @@ void apply(EditContext& context, const CreateShapeEdit& edit) {
 void refuseEmptyShapes(EditContext& context) {
     for (const ShapeHandle handle : context.emptyShapes) {
         const Shape* shape = context.world.shapes.find(handle);
-        if (!shape || !shape->grid.empty()) continue;
+        if (!shape || !shape->grid.empty() || context.editState(handle).lostVoxels) continue;
         eraseEmptyShape(context, handle);
         context.refuse(AnyHandle{handle.bits}, "create_shape", "the shape has no voxels: write some before the step");
     }

@@ -34,7 +34,7 @@ struct ShapeEditState {
     BrickSet filled;  ///< bricks that got voxels of another shape, or other voxels by undo
     BrickSet painted;
     std::vector<DetachedFragment> fragments;  ///< no longer in the grid; bodies of their own after the edits
-    bool lostVoxels = false;  ///< before its frame of cells changed: all of it is tested for connectivity
+    bool lostVoxels = false;  ///< where `lost` and `carved` do not tell: all of it is tested for connectivity
 };
 
 /// How a free body moved before anything was taken from it.

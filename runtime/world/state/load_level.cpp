@@ -158,7 +158,7 @@ CellBox bottomLayer(const VoxelGrid& grid) {
 Shape makeShape(const LevelShape& from, bool isStatic, const MaterialTable& materials) {
     Shape shape{.name = from.name, .local = from.local, .voxelSize = from.voxelSize, .grid = from.grid};
     shape.palette = from.palette ? from.palette : std::make_shared<const Palette>();
-    shape.paintColors = from.paintColors;
+    if (from.paintColors && from.paintColors->count) shape.paintColors = from.paintColors;
     shape.tags = from.tags;
     shape.strength = from.strength;
     shape.loadBearing = from.loadBearing;
