@@ -148,12 +148,10 @@ std::string tagError(std::string_view tag) {
 }
 
 std::string objectError(const Note& note) {
-    std::string error = nameError("name", note.name);
-    for (const std::string& tag : note.tags) {
-        if (error.empty()) error = tagError(tagName(tag));
-        if (error.empty()) error = nameError("value", tagValue(tag));
-    }
-    return error;
+    RangeCheck check;
+    check.include(nameError("name", note.name));
+    for (const std::string& tag : note.tags) check.text("a tag", tag);  // of a level they may be any text
+    return check.error();
 }
 
 std::string objectError(const Joint& joint) {

@@ -31,6 +31,19 @@ TEST(ObjectErrors, TagsAreUtf8) {
     Shape shape;
     shape.tags = {kBad};
     EXPECT_NE(objectError(shape), "");
+    Note note;
+    note.tags = {kBad};
+    EXPECT_NE(objectError(note), "");
+}
+
+TEST(ObjectErrors, ANoteHoldsWhatTagsALevelMayGive) {
+    const std::vector<std::string> tags = {"", "=", "=value", std::string(5000, 'x')};
+    Shape shape;
+    shape.tags = tags;
+    EXPECT_EQ(objectError(shape), "");
+    Note note;
+    note.tags = tags;
+    EXPECT_EQ(objectError(note), "") << "set_tag copies those of the level";
 }
 
 }  // namespace
