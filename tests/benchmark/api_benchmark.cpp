@@ -149,7 +149,8 @@ void apiCalls(benchmark::State& state) {
 }
 BENCHMARK(apiCalls)->Unit(benchmark::kMillisecond);
 
-/// Voxels between host and plugin, a byte each: made into a shape, read back, and copied by memcpy beside it.
+/// Voxels between host and plugin, a byte each: made into a shape, read back, written over by a call and a step,
+/// and copied by memcpy beside it.
 void apiVoxels(benchmark::State& state) {
     constexpr int kSide = 128;
     const HostWorld world(false);
@@ -157,7 +158,9 @@ void apiVoxels(benchmark::State& state) {
     for (size_t i = 0; i < cells.size(); ++i) cells[i] = uint8_t(1 + i / 777 % 9);
     rubble_body_settings frame = {};
     frame.struct_size = sizeof frame, frame.flags = RUBBLE_BODY_STATIC;
-    double make = 0.0, read = 0.0, copy = 0.0;
+    double make = 0.0, read = 0.0, write = 0.0, step = 0.0, copy = 0.0;
+    std::vector<uint8_t> others(cells);
+    for (uint8_t& cell : others) ++cell;
     for (auto _ : state) {
         rubble_body body = 0;
         rubble_shape_settings settings = {};
@@ -178,6 +181,12 @@ void apiVoxels(benchmark::State& state) {
         read += threadMs() - start;
         if (back != cells) throw std::runtime_error("other voxels were read than written");
         start = threadMs();
+        require(api().write_voxels(world, &box, others.data(), others.size()));
+        write += threadMs() - start;
+        start = threadMs();
+        require(api().step(world));
+        step += threadMs() - start;
+        start = threadMs();
         std::copy(cells.begin(), cells.end(), back.begin());
         benchmark::DoNotOptimize(back.data());
         copy += threadMs() - start;
@@ -187,6 +196,8 @@ void apiVoxels(benchmark::State& state) {
     const double bytes = double(cells.size()) * double(state.iterations());
     state.counters["make_GB_s"] = bytes / make * 1e-6;
     state.counters["read_GB_s"] = bytes / read * 1e-6;
+    state.counters["write_GB_s"] = bytes / write * 1e-6;
+    state.counters["write_step_ms"] = step / double(state.iterations());
     state.counters["make_over_copy"] = make / copy;
     state.counters["read_over_copy"] = read / copy;
 }

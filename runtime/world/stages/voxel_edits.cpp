@@ -2,10 +2,10 @@
 
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
-#include <vector>
+#include <utility>
 
 #include "runtime/core/log.h"
-#include "runtime/voxel/read_box.h"
+#include "runtime/voxel/write_box.h"
 #include "runtime/world/stages/entry_counts.h"
 #include "runtime/world/stages/shape_lifecycle.h"
 #include "runtime/world/stages/split_stage.h"
@@ -18,30 +18,32 @@ struct WrittenCells {
     EntryCounts lost{};       ///< voxels that were there, by entry
     uint64_t made = 0;        ///< voxels that are there now
     MassMoments before, now;  ///< of those
-    CellBox emptied;          ///< around cells that had a voxel and have none
+    CellBox emptied;          ///< around the cells that had a voxel and have none
     BrickSet carved, filled;  ///< bricks with such cells; with cells that got or changed a voxel
 };
 
-/// Cells whose entry stays keep their paint.
 WrittenCells writeCells(VoxelGrid& grid, const WriteVoxelsEdit& edit, const Densities& densities) {
     WrittenCells out;
-    std::vector<uint8_t> present(edit.entries.size());
-    readBox(grid, edit.box, CellByte::Index, present);
-    GridWriter writer(grid);
-    size_t next = 0;
-    for (int z = edit.box.low.z; z < edit.box.high.z; ++z)
-        for (int y = edit.box.low.y; y < edit.box.high.y; ++y)
-            for (int x = edit.box.low.x; x < edit.box.high.x; ++x) {
-                const glm::ivec3 cell(x, y, z);
-                const uint8_t was = present[next], is = edit.entries[next];
-                ++next;
-                if (was == is) continue;
-                writer.set(cell, is);
-                (is ? out.filled : out.carved).insert(brickOfCell(cell));
-                if (was) ++out.lost[was], out.before.add(cell, densities.byEntry[was]);
-                if (is) ++out.made, out.now.add(cell, densities.byEntry[is]);
-                if (!is) out.emptied = joined(out.emptied, {cell, cell + 1});
+    const glm::ivec3 low = brickOfCell(edit.box.low), high = brickOfCell(edit.box.high - 1);
+    for (int z = low.z; z <= high.z; ++z)
+        for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x) {
+                const glm::ivec3 brick(x, y, z), corner = brick * kBrickSize;
+                BrickWrite write = writtenBrick(grid, brick, edit.box, edit.entries);
+                if (!write.any()) continue;
+                const BrickBits lost = write.lost(), made = write.made();
+                if (write.before) out.before += brickMoments(*write.before, lost, brick, densities);
+                if (write.after) out.now += brickMoments(*write.after, made, brick, densities);
+                if (write.before) addEntries(*write.before, lost, out.lost);
+                if (made != BrickBits{}) out.filled.insert(brick);
+                if (made != write.changed) {
+                    out.carved.insert(brick);
+                    out.emptied = joined(
+                        out.emptied, {glm::max(edit.box.low, corner), glm::min(edit.box.high, corner + kBrickSize)});
+                }
+                grid.setBrick(brick, std::move(write.after));
             }
+    out.made = out.now.voxels;
     return out;
 }
 
