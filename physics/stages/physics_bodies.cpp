@@ -65,6 +65,7 @@ void PhysicsBodies::updateStatic(const World& world, ShapeHandle handle, const F
     m_broadphase.remove(object);
     object.collider.parts[0]->update(world.shapes().at(handle), bricks, world.materials());
     if (!object.collider.empty()) m_broadphase.add(object, false);
+    if (bricks.empty()) return wakeTouching(object.low, object.high);  // it is of other materials
     wakeAtBricks(object, bricks);
 }
 

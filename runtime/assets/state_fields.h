@@ -404,6 +404,14 @@ inline constexpr auto kFields<SetUserValueEdit> = std::tuple{
     Field{"value", &SetUserValueEdit::value},
 };
 
+template <>
+inline constexpr auto kFields<SetPaletteEdit> = std::tuple{
+    Field{"shape", &SetPaletteEdit::shape},
+    Field{"all", &SetPaletteEdit::all},
+    Field{"first", &SetPaletteEdit::first},
+    Field{"entries", &SetPaletteEdit::entries},
+};
+
 /// An edit as the variant that it is derived from.
 struct AsVariant {
     AnyEdit& operator()(Edit& edit) const { return edit; }

@@ -98,6 +98,8 @@ static void use_bodies(void) {
     rubble_body_change change = {.struct_size = sizeof change};
     rubble_impulse push = {.struct_size = sizeof push};
     rubble_row_list list = {.struct_size = sizeof list};
+    rubble_palette_range entries = {.struct_size = sizeof entries};
+    rubble_palette_entry wood;
     rubble_body_state state;
     rubble_shape_state shapes[4];
     rubble_refusal refused;
@@ -117,6 +119,10 @@ static void use_bodies(void) {
     steps(1);
     OK(api->get_refusals(world, &refused, 1, &count));
     CHECK(count == 0);
+    entries.shape = first, entries.first = 5, entries.count = 1;
+    OK(api->get_palette(world, &entries, &wood));
+    wood.color[0] = 90, wood.color[1] = 60, wood.color[2] = 30;
+    OK(api->set_palette(world, &entries, &wood));
     OK(api->get_body_state(world, body, &state));
     CHECK(state.shape_count == 1 && state.velocity[1] > 1.0);
     OK(api->get_body_states(world, NULL, 0, &count));

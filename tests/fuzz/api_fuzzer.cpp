@@ -167,11 +167,30 @@ void RandomHost::callState() {
     bounds.rule = whole(3), place(bounds.low), place(bounds.high);
     if (m_decisions.oneIn(2)) api().set_bounds(m_world, &bounds);
     callObjects();
+    callPalette();
     const uint64_t stale = any({});
     api().set_debug_view(stale, "normal");
     api().destroy_renderer(stale);
     api().draw(stale, nullptr);
     api().get_draw_stats(stale, nullptr);
+}
+
+void RandomHost::callPalette() {
+    auto range = sized<rubble_palette_range>();
+    range.shape = any(shapes());
+    range.first = whole(8), range.count = 1 + whole(4);
+    range.entry_size = m_decisions.oneIn(8) ? whole(64) : 0;
+    constexpr size_t kLargest = 4096;  // bytes of a row that a host may name
+    const size_t bytes = 255 * (range.entry_size ? kLargest : sizeof(rubble_palette_entry));
+    std::vector<rubble_palette_entry> entries(bytes / sizeof(rubble_palette_entry));
+    api().get_palette(m_world, &range, entries.data());
+    entries[0].material = uint8_t(whole(20)), entries[0].emission = number(4.0);
+    const auto groups = [](rubble_world world, uint64_t* out, uint32_t capacity, uint32_t* count) {
+        return api().get_objects(world, RUBBLE_KIND_LIGHT_GROUP, out, capacity, count);
+    };
+    if (m_decisions.oneIn(4)) entries[0].light_group = any(list(groups));
+    range.flags = whole(2);
+    api().set_palette(m_world, &range, entries.data());
 }
 
 void RandomHost::callUndo() {

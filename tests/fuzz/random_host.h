@@ -140,6 +140,7 @@ private:
     void callQuery();
     void callState();
     void callObjects();
+    void callPalette();
     void callUndo();
     void callFile();
     void saveAndLoad();

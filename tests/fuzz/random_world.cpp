@@ -114,7 +114,7 @@ Edit usualEdit(Decisions& decisions, const World& world) {
     const auto character = world.characters().handleAt(decisions.below(uint32_t(world.characters().slotCount())));
     const double size = decisions.within({0.0, 1.5});
     const uint32_t seed = decisions.below(1000);
-    switch (decisions.below(50)) {
+    switch (decisions.below(52)) {
         case 0:
             return CarveEdit{.kind = BrushKind::Box, .position = at, .halfSize = {size, size, 0.3}, .shape = shape};
         case 1:
@@ -246,6 +246,13 @@ Edit usualEdit(Decisions& decisions, const World& world) {
             return RemoveTagEdit{shape, "door"};
         case 48:
             return SetUserValueEdit{body, seed};
+        case 49: {
+            SetPaletteEdit edit{shape, decisions.oneIn(2), uint8_t(1 + decisions.below(6)), {}};
+            const PaletteRef palette = randomPalette(decisions);
+            for (uint32_t i = 1 + decisions.below(4); i-- > 0;) edit.entries.push_back((*palette)[1 + i]);
+            edit.entries[0].lightGroup = decisions.below(3);
+            return edit;
+        }
         default:
             return BreakEdit{.position = at, .radii = randomRadii(decisions), .seed = seed, .shape = shape};
     }

@@ -58,6 +58,8 @@ namespace rubble::abi {
     X(rubble_prefab_row, 16)          \
     X(rubble_refusal, 16)             \
     X(rubble_settings, 168)           \
+    X(rubble_palette_entry, 32)       \
+    X(rubble_palette_range, 32)       \
     X(rubble_environment, 280)        \
     X(rubble_light_settings, 168)     \
     X(rubble_renderer_settings, 32)   \

@@ -40,5 +40,7 @@ void setRendererFunctions(rubble_api& api);
 void setObjectFunctions(rubble_api& api);
 /// Sets set_settings() and get_settings().
 void setSettingsFunctions(rubble_api& api);
+/// Sets set_palette() and get_palette().
+void setPaletteFunctions(rubble_api& api);
 
 }  // namespace rubble::abi

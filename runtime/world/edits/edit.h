@@ -14,6 +14,7 @@
 #include "runtime/world/edits/create_edits.h"
 #include "runtime/world/edits/joint_edits.h"
 #include "runtime/world/edits/light_edits.h"
+#include "runtime/world/edits/material_edits.h"
 #include "runtime/world/edits/note_edits.h"
 #include "runtime/world/edits/shape_edits.h"
 #include "runtime/world/objects/character.h"
@@ -189,7 +190,7 @@ using AnyEdit =
                  AddJointEdit, RemoveJointEdit, SetJointMotorEdit, DetachJointEdit, GrabEdit, ReleaseEdit, DriveEdit,
                  SetEnvironmentEdit, SetLightEdit, AddLightEdit, RemoveLightEdit, SetBoundsEdit, SetCollisionShapeEdit,
                  SetBodyEdit, DestroyBodyEdit, WriteVoxelsEdit, DestroyShapeEdit, CreateBodyEdit, CreateShapeEdit,
-                 SetNameEdit, SetTagEdit, RemoveTagEdit, SetUserValueEdit>;
+                 SetNameEdit, SetTagEdit, RemoveTagEdit, SetUserValueEdit, SetPaletteEdit>;
 /// One command for the World: any of the kinds above. It is a class of its own so that its copies, moves and
 /// destructor, which are long over so many kinds, are compiled once (edit.cpp) and not wherever a list of edits is
 /// held.

@@ -58,7 +58,8 @@ constexpr const char* kNames[] = {"carve",
                                   "set_name",
                                   "set_tag",
                                   "remove_tag",
-                                  "set_user_value"};
+                                  "set_user_value",
+                                  "set_palette"};
 static_assert(std::size(kNames) == std::variant_size_v<AnyEdit>);
 
 /// About a number of an enum whose last is `last`.
@@ -263,6 +264,15 @@ std::string errorOf(const SetTagEdit& edit) {
 }
 std::string errorOf(const RemoveTagEdit& edit) {
     return tagError(edit.tag);
+}
+std::string errorOf(const SetPaletteEdit& edit) {
+    RangeCheck check;
+    check.number("first", edit.first, {1, 255})
+        .number("count", double(edit.entries.size()), {1.0, 256.0 - edit.first})
+        .require(std::all_of(edit.entries.begin(), edit.entries.end(),
+                             [](const PaletteEntry& entry) { return objectError(entry).empty(); }),
+                 "emission: expected 0 to 1e6 of each entry");
+    return check.error();
 }
 std::string errorOf(const SetEnvironmentEdit& edit) {
     return environmentError(edit.environment);

@@ -118,7 +118,8 @@ struct FrameChanges {
     std::vector<ShapeHandle> shapesDestroyed;  ///< before shapesCreated: a shape whose grid got another box is in both
     std::vector<ShapeSplit> splits;
     std::vector<BrickChange> bricks;    ///< carved or painted, each brick once, of shapes that existed before, by slot
-    std::vector<ShapeHandle> carved;    ///< shapes whose occupancy changed, so mass and collider too, each once
+    /// Shapes whose occupancy or materials changed, so mass and collider too, each once.
+    std::vector<ShapeHandle> carved;
     std::vector<ShapeHandle> palettes;  ///< shapes whose palette or paint colours changed
     /// Shapes that lost their last anchor: each is now on a body of its own, which is in bodiesCreated.
     std::vector<ShapeHandle> unanchored;

@@ -1,5 +1,7 @@
 #include "runtime/world/history/world_delta.h"
 
+#include <algorithm>
+
 namespace rubble {
 namespace {
 
@@ -42,8 +44,15 @@ bool sameState(const Body& a, const Body& b) {
            a.restingSince == b.restingSince;
 }
 
+/// Whether entries of two palettes are of other materials.
+bool haveOtherMaterials(const PaletteRef& a, const PaletteRef& b) {
+    return a != b &&
+           !std::equal(a->begin(), a->end(), b->begin(),
+                       [](const PaletteEntry& one, const PaletteEntry& two) { return one.material == two.material; });
+}
+
 void journalBricks(ShapeHandle handle, const Shape& was, const Shape& is, FrameChanges& changes) {
-    bool isCarved = false;
+    bool isCarved = haveOtherMaterials(was.palette, is.palette);
     is.grid.forEachUnshared(was.grid, [&](glm::ivec3 position) {
         const Brick *before = was.grid.brickAt(position), *now = is.grid.brickAt(position);
         isCarved = isCarved || (before ? before->occupancy : BrickBits{}) != (now ? now->occupancy : BrickBits{});

@@ -75,6 +75,7 @@ uint64_t resolvedHash(const WorldState& world) {
     world.groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {
         hasher.add(handle.slot());
         hasher.add(group.removedVoxels << 1 | uint64_t(group.out));
+        hasher.add(group.initialVoxels);
         hasher.add(group.failingSince << 1 | uint64_t(group.dark));
     });
     const auto addAll = [&](const auto& map) {

@@ -6,23 +6,12 @@
 
 #include "runtime/voxel/make_grid.h"
 #include "runtime/world/objects/transforms.h"
+#include "runtime/world/stages/palette_edits.h"
 #include "runtime/world/stages/shape_lifecycle.h"
 #include "runtime/world/state/load_level.h"
 
 namespace rubble {
 namespace {
-
-/// What the world has not that a palette names; empty: nothing.
-std::string paletteError(const WorldData& world, const Palette& palette) {
-    for (size_t i = 1; i < palette.size(); ++i) {
-        if (palette[i].material >= world.materials.materials.size())
-            return "its palette names material " + std::to_string(palette[i].material) + ", the world has " +
-                   std::to_string(world.materials.materials.size());
-        if (palette[i].lightGroup > world.groups.slotCount())
-            return "its palette names light group " + std::to_string(palette[i].lightGroup) + ", which is not there";
-    }
-    return "";
-}
 
 /// A copy of `from` that is placed and named as the edit says.
 Shape copyShape(const Shape& from, const CreateShapeEdit& edit, bool isStatic) {
@@ -64,7 +53,8 @@ void apply(EditContext& context, const CreateShapeEdit& edit) {
     const Shape* painted = edit.paletteOf ? context.world.shapes.find(edit.paletteOf) : nullptr;
     if (edit.paletteOf && !painted) return context.refuse("the handle of the shape with its palette is stale");
     const PaletteRef& palette = painted ? painted->palette : isCopy ? copied->palette : edit.shape.palette;
-    if (const std::string error = palette ? paletteError(context.world, *palette) : ""; !error.empty())
+    if (const std::string error = palette ? paletteError(context.world, std::span(*palette).subspan(1)) : "";
+        !error.empty())
         return context.refuse(error);
     Shape shape = isCopy ? copyShape(*copied, edit, body->isStatic) : makeNew(context.world, edit, body->isStatic);
     if (painted) {

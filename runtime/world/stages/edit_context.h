@@ -34,6 +34,8 @@ struct ShapeEditState {
     BrickSet filled;  ///< bricks that got voxels of another shape, or other voxels by undo
     BrickSet painted;
     std::vector<DetachedFragment> fragments;  ///< no longer in the grid; bodies of their own after the edits
+    /// Its voxels are of other materials: mass, strength and contacts follow.
+    bool otherMaterials = false;
     bool lostVoxels = false;  ///< where `lost` and `carved` do not tell: all of it is tested for connectivity
 };
 

@@ -21,6 +21,7 @@
 #include "runtime/world/stages/light_stage.h"
 #include "runtime/world/stages/note_edits.h"
 #include "runtime/world/stages/paint_edits.h"
+#include "runtime/world/stages/palette_edits.h"
 #include "runtime/world/stages/region_edits.h"
 #include "runtime/world/stages/rope_stage.h"
 #include "runtime/world/stages/shape_edits.h"
@@ -84,10 +85,11 @@ void EditStep::applyEdit(const Edit& edit) {
     if (edit.made && isReserved(m_context.world, edit.made)) m_context.refuse("it makes nothing");
 }
 
-/// Takes the bricks that undo or redo has changed over from the journal: they are listed in the end, each once, as the
-/// step leaves them, or not at all if their shape gets another grid.
+/// Takes the bricks and materials that undo or redo has changed over from the journal: they are listed in the end, each
+/// once, as the step leaves them, or not at all if their shape gets another grid.
 void EditStep::takeRestoredBricks() {
     const std::vector<ShapeHandle> refilled = std::exchange(m_context.changes.carved, {});
+    for (const ShapeHandle shape : refilled) m_context.editState(shape).otherMaterials = true;  // or it has bricks
     for (const BrickChange& each : std::exchange(m_context.changes.bricks, {})) {
         ShapeEditState& state = m_context.editState(each.shape);
         const bool isRefilled = std::find(refilled.begin(), refilled.end(), each.shape) != refilled.end();
@@ -103,7 +105,7 @@ void EditStep::listChangedBricks() {
         if (!shape) continue;
         if (!each.carved.empty()) m_context.markBroken(shape->body);
         each.carved.insert(each.filled);
-        if (!each.carved.empty()) m_context.changes.carved.push_back(each.shape);
+        if (!each.carved.empty() || each.otherMaterials) m_context.changes.carved.push_back(each.shape);
         each.carved.insert(each.painted);
         each.carved.forEachNode([&](glm::ivec3, BrickMask bricks) { count += size_t(std::popcount(bricks)); });
     }

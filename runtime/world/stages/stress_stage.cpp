@@ -64,7 +64,13 @@ void runStressAnalysis(EditContext& context) {
     for (const ShapeHandle handle : context.changes.unanchored) stress.remove(handle);
     for (const ShapeHandle handle : context.changes.shapesCreated)
         if (context.world.shapes.find(handle)) context.world.addStress(handle);
-    for (const auto& [slot, each] : context.editStates)
+    for (const auto& [slot, each] : context.editStates) {
+        if (WorldStress::Entry* entry = each.otherMaterials ? stress.find(each.shape) : nullptr) {
+            entry->palette = nullptr;  // the strengths are looked up again
+            entry->cracks.clear();
+            entry->analysis.restart();
+            stress.wake(each.shape);
+        }
         if (WorldStress::Entry* entry = stress.find(each.shape);
             entry && !(each.carved.empty() && each.filled.empty())) {
             std::vector<glm::ivec3> bricks;
@@ -73,6 +79,7 @@ void runStressAnalysis(EditContext& context) {
             entry->analysis.markChanged(bricks);
             stress.wake(each.shape);
         }
+    }
     int64_t work = context.world.settings.stress.workPerStep;
     for (const ShapeHandle handle : stress.busy()) {
         if (work <= 0) break;

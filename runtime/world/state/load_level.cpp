@@ -176,6 +176,8 @@ PaletteRef materialPalette(const MaterialTable& materials) {
     auto palette = std::make_shared<Palette>();
     for (size_t i = 1; i < palette->size(); ++i)
         (*palette)[i].material = uint8_t(std::min(i, std::max<size_t>(materials.materials.size(), 1) - 1));
+    const uint8_t glass = materials.find("glass"), generic = materials.find("generic");
+    if (glass == 1 && generic) std::swap((*palette)[glass].material, (*palette)[generic].material);
     return palette;
 }
 

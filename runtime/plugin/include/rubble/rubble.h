@@ -319,10 +319,10 @@ typedef struct rubble_shape_settings {
     const rubble_voxel_run* runs; /* in the same order; copied by the call */
     uint64_t count;               /* of `indices` or `runs` */
     rubble_shape copied;
-    /* whose palette it shares. 0: that of the copied shape, or else one whose entry i is white, of material i of the
-     * world: 1 glass, 2 foliage, 3 dirt, 4 rock, 5 wood, 6 concrete, 7 brick, 8 plaster, 9 metal, 10 heavy metal,
-     * 11 plastic, 12 hard metal, 13 hard masonry, 14 ice, 15 generic, 17 snow, 18 wire, 19 rubber and all behind,
-     * unless a level has brought other materials */
+    /* whose palette it shares. 0: that of the copied shape, or else one whose entry i is white and opaque, of material
+     * i of the world, but for 1 and 15, which change places: 1 generic, 2 foliage, 3 dirt, 4 rock, 5 wood, 6 concrete,
+     * 7 brick, 8 plaster, 9 metal, 10 heavy metal, 11 plastic, 12 hard metal, 13 hard masonry, 14 ice, 15 glass,
+     * 17 snow, 18 wire, 19 rubber and all behind, unless a level has brought other materials; set_palette() */
     rubble_shape palette_of;
 } rubble_shape_settings;
 
@@ -380,6 +380,35 @@ typedef struct rubble_voxel_box {
     int32_t low[3];  /* the first cell: -4096 to 4096 */
     int32_t size[3]; /* cells along each axis, 1 to 4096 */
 } rubble_voxel_box;
+
+/* ---- palettes ---- */
+
+/* An entry of a shape's palette: the looks and the material of the voxels that have its index. Rows of arrays: see
+ * rubble_palette_range. */
+typedef struct rubble_palette_entry {
+    uint8_t color[3];     /* sRGB */
+    uint8_t opacity;      /* 255ths; below 255: transparent, as glass */
+    uint8_t roughness;    /* 255ths: 0 is a mirror */
+    uint8_t metallic;     /* 255ths */
+    uint8_t reflectivity; /* 255ths, of what is no metal, seen from straight above; plastic: 10 */
+    uint8_t material;     /* index into the world's materials; 0: without weight, touched by nothing */
+    uint32_t reserved;
+    double emission;                /* radiance in multiples of the linear colour, 0 to 1e6; 0: does not glow */
+    rubble_light_group light_group; /* that it glows with; 0: none. While the group is out it does not glow */
+} rubble_palette_entry;
+
+enum { RUBBLE_PALETTE_ALL_EQUAL = 1 /* of all shapes whose palette has the same entries as that of the shape */ };
+
+/* Entries of a palette, one after the other. */
+typedef struct rubble_palette_range {
+    uint32_t struct_size;
+    uint32_t flags; /* RUBBLE_PALETTE_...; 0 for get_palette() */
+    rubble_shape shape;
+    uint32_t first;      /* the entry of the first row, 1 to 255; 0: 1 */
+    uint32_t count;      /* rows of the host's array: at least 1; the last entry is 255 at most */
+    uint32_t entry_size; /* sizeof(rubble_palette_entry) of the host; 0: that of version 1 */
+    uint32_t reserved;
+} rubble_palette_range;
 
 /* ---- fire ---- */
 
@@ -1423,6 +1452,17 @@ typedef struct rubble_api {
     rubble_result (*set_settings)(rubble_world world, const rubble_settings* settings);
     /* [main-thread] The settings in use, as the last step() knew them. */
     rubble_result (*get_settings)(rubble_world world, rubble_settings* out);
+
+    /* ---- palettes ---- */
+
+    /* [main-thread] Replaces entries of a shape's palette from the next step on: `range->count` rows. Voxels look,
+     * weigh, break, burn and slide as their new material does; those that change their light group count in the new
+     * one. Shapes that share the palette keep theirs, but with RUBBLE_PALETTE_ALL_EQUAL. Paint that blends takes
+     * entries that have no material and no voxel. */
+    rubble_result (*set_palette)(rubble_world world, const rubble_palette_range* range,
+                                 const rubble_palette_entry* entries);
+    /* [main-thread] Reads entries of a shape's palette: `range->count` rows. */
+    rubble_result (*get_palette)(rubble_world world, const rubble_palette_range* range, rubble_palette_entry* out);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

@@ -717,6 +717,21 @@ public:
         check(api().get_settings(m_handle, &out));
         return out;
     }
+    /** Replaces entries of a shape's palette from the next step on: `range->count` rows. Voxels look, weigh, break,
+     * burn and slide as their new material does; those that change their light group count in the new one. Shapes that
+     * share the palette keep theirs, but with RUBBLE_PALETTE_ALL_EQUAL. Paint that blends takes entries that have no
+     * material and no voxel. */
+    void set_palette(rubble_palette_range range, const rubble_palette_entry& entries) {
+        range.struct_size = sizeof range;
+        check(api().set_palette(m_handle, &range, &entries));
+    }
+    /** Reads entries of a shape's palette: `range->count` rows. */
+    rubble_palette_entry get_palette(rubble_palette_range range) const {
+        range.struct_size = sizeof range;
+        rubble_palette_entry out{};
+        check(api().get_palette(m_handle, &range, &out));
+        return out;
+    }
 private:
     void release() noexcept {
         if (m_handle) api().destroy_world(std::exchange(m_handle, 0));

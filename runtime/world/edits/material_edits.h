@@ -1,0 +1,20 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "runtime/core/handle.h"
+#include "runtime/voxel/palette.h"
+
+namespace rubble {
+
+/// Replaces entries of a shape's palette: its voxels look, weigh, break and burn as the new ones say from this step on.
+/// Entries of a light group that is out do not shine. Refused, and logged, if one names a material or a light group
+/// that is not there.
+struct SetPaletteEdit {
+    ShapeHandle shape;
+    bool all = false;   ///< also of all shapes whose palette has the same entries as that of the shape
+    uint8_t first = 1;  ///< the entry that the first row replaces, 1 to 255
+    std::vector<PaletteEntry> entries;
+};
+
+}  // namespace rubble

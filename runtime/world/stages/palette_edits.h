@@ -1,0 +1,15 @@
+#pragma once
+#include <span>
+#include <string>
+
+#include "runtime/world/stages/edit_context.h"
+
+namespace rubble {
+
+/// Replaces entries of a shape's palette, or of all palettes that are equal to it.
+void apply(EditContext& context, const SetPaletteEdit& edit);
+
+/// What the world has not that some of a palette's entries name; empty: nothing.
+std::string paletteError(const WorldData& world, std::span<const PaletteEntry> entries);
+
+}  // namespace rubble
