@@ -33,6 +33,12 @@ inline constexpr auto kFields<CharacterMove> = std::tuple{
     Field{"ground", &CharacterMove::ground},
 };
 template <>
+inline constexpr auto kFields<HostMotion> = std::tuple{
+    Field{"poses", &HostMotion::poses},
+    Field{"damage", &HostMotion::damage},
+};
+/// Without hostMotion, which is behind the others if there is one.
+template <>
 inline constexpr auto kFields<RecordedStep> = std::tuple{
     Field{"step", &RecordedStep::step},
     Field{"physics_rebuilt", &RecordedStep::physicsRebuilt},
@@ -59,6 +65,11 @@ std::FILE* openAlone(const std::string& path) {
     ::close(descriptor);
     errno = reason;
     return nullptr;
+}
+
+void putStep(BinaryOutputArchive& out, const RecordedStep& step) {
+    out.put(step);
+    if (step.hostMotion) out.put(*step.hostMotion);
 }
 
 }  // namespace
@@ -110,7 +121,7 @@ void RecordingWriter::add(const RecordedStep& step) {
     std::vector<uint8_t> bytes;
     PaletteList unused;
     BinaryOutputArchive archive(bytes, unused);
-    archive.put(step);
+    putStep(archive, step);
     ChunkWriter chunk;
     chunk.add({'S', 'T', 'E', 'P'}, bytes, archive.memory() + listMemory(1, sizeof(RecordedStep)));
     if (m_isFull || m_bytes + chunk.bytes().size() > kMaxFileBytes / 2) {  // the rest is room for padding
@@ -143,7 +154,8 @@ Result<Done> RecordingWriter::close() {
 std::vector<uint8_t> recordedStepToBytes(const RecordedStep& step) {
     std::vector<uint8_t> bytes;
     PaletteList unused;
-    BinaryOutputArchive(bytes, unused).put(step);
+    BinaryOutputArchive archive(bytes, unused);
+    putStep(archive, step);
     return bytes;
 }
 
@@ -155,9 +167,13 @@ Result<RecordedStep> recordedStepFromBytes(std::span<const uint8_t> bytes, const
 /// About the motion of bodies and characters in a step; empty: nothing.
 static std::string motionError(const RecordedStep& step) {
     RangeCheck check;
-    for (const BodyPose& pose : step.poses)
-        check.include(
-            objectError(Body{.pose = pose.pose, .velocity = pose.velocity, .angularVelocity = pose.angularVelocity}));
+    const auto includePoses = [&](const std::vector<BodyPose>& poses) {
+        for (const BodyPose& pose : poses)
+            check.include(objectError(
+                Body{.pose = pose.pose, .velocity = pose.velocity, .angularVelocity = pose.angularVelocity}));
+    };
+    includePoses(step.poses);
+    if (step.hostMotion) includePoses(step.hostMotion->poses);
     for (const CharacterMove& move : step.characters)
         check.vector("position", move.position, ranges::kPlace)
             .include(characterVelocityError("velocity", move.velocity));
@@ -166,7 +182,9 @@ static std::string motionError(const RecordedStep& step) {
 
 Result<RecordedStep> recordedStepFrom(ByteReader& reader, const std::string& name, uint8_t world) {
     RecordedStep step;
-    BinaryInputArchive(reader, {}, world).get(step);
+    BinaryInputArchive archive(reader, {}, world);
+    archive.get(step);
+    if (reader.remaining() > 0) archive.get(step.hostMotion.emplace());
     reader.expectEnd("step");
     if (!reader.failed())
         if (const std::string error = motionError(step); !error.empty()) reader.fail("motion within its ranges", error);

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,17 +14,24 @@
 
 namespace rubble {
 
+/// What the host's own physics did between two steps.
+struct HostMotion {
+    std::vector<BodyPose> poses;  ///< of bodies that it moved, in the order in which it said so
+    Edits damage;                 ///< by impacts
+};
+
 /// One step of a recording: the edits of the host, and what they came to.
 struct RecordedStep {
     uint64_t step = 0;
     bool physicsRebuilt = false;  ///< physics was rebuilt from the World before this step
     Edits edits;  ///< of the host; those of impacts follow from physics, and their effect is in the delta
     std::vector<uint8_t> delta;   ///< what the edits changed, see stepDeltaToBytes()
-    std::vector<BodyPose> poses;  ///< of bodies that physics moved
+    std::vector<BodyPose> poses;  ///< of bodies that physics moved; after the step
     std::vector<CharacterMove> characters;
     uint64_t hash = 0;          ///< World::hash() after the step
     uint64_t resolvedHash = 0;  ///< World::resolvedHash(): what delta, poses and characters alone must come to
     uint64_t voxelHash = 0;     ///< World::voxelHash(): what the delta alone must come to
+    std::optional<HostMotion> hostMotion;  ///< before the step; none: the world has physics of its own
 };
 
 /// Writes a recording: a chunk file with a saved game (GAME) and a chunk for each step (STEP). Until close() the file's

@@ -1,10 +1,10 @@
 #include "runtime/plugin/frame_loop.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "runtime/core/log.h"
+#include "runtime/plugin/layers.h"
 #include "runtime/world/impacts/break_through.h"
 #include "runtime/world/impacts/impact_damage.h"
 
@@ -13,7 +13,7 @@ namespace rubble {
 FrameLoop::FrameLoop(const FrameLoopSettings& settings)
     : m_world(settings.worldId, settings.firstGeneration),
       m_threads(settings.physicsThreads > 1 ? std::make_unique<ThreadPool>(settings.physicsThreads) : nullptr),
-      m_physics(withThreads(settings.physics)),
+      m_physics(settings.hostPhysics ? nullptr : makePhysics(withThreads(settings.physics))),
       m_snapshots(settings.particles),
       m_publish(settings.publish),
       m_waitForShadow(settings.waitForShadow) {
@@ -45,6 +45,7 @@ void FrameLoop::load(const Level& level) {
     dropWaitingEdits();
     m_changes = {};
     m_pending.clear();
+    forgetHostMotion();
     endRecording();
     m_world.load(level);
 }
@@ -52,6 +53,7 @@ void FrameLoop::load(const Level& level) {
 void FrameLoop::load(SavedGame game) {
     dropWaitingEdits();
     m_changes = {};
+    forgetHostMotion();
     endRecording();
     m_world.setState(std::move(game.world));
     m_pending = std::move(game.pending);
@@ -89,6 +91,7 @@ Result<Done> FrameLoop::startRecording(const std::string& path) {
     if (!writer) return Error{writer.error()};
     endRecording();
     goOnAsLoaded(true);
+    forgetHostMotion();  // it is in the saved game
     m_recorder = std::make_unique<Recorder>(std::move(*writer), m_world);
     return Done{};
 }
@@ -113,62 +116,108 @@ void FrameLoop::step() {
 void FrameLoop::replay(const RecordedStep& step) {
     m_rebuildPhysics = step.physicsRebuilt;
     if (m_rebuildPhysics) m_world.resetCaches();
+    if (step.hostMotion) {
+        moveBodies(step.hostMotion->poses);
+        addHostDamage(step.hostMotion->damage);
+    }
     stepWith(step.edits);
+}
+
+void FrameLoop::moveBodies(std::span<const BodyPose> poses) {
+    m_world.setPoses(poses);
+    m_hostMotion.poses.insert(m_hostMotion.poses.end(), poses.begin(), poses.end());
+}
+
+void FrameLoop::addImpacts(std::span<const Impact> impacts) {
+    addHostDamage(damageOf(impacts));
+    m_hostImpacts.insert(m_hostImpacts.end(), impacts.begin(), impacts.end());
+}
+
+void FrameLoop::addHostDamage(const Edits& damage) {
+    m_pending.insert(m_pending.end(), damage.begin(), damage.end());
+    m_hostMotion.damage.insert(m_hostMotion.damage.end(), damage.begin(), damage.end());
+}
+
+void FrameLoop::forgetHostMotion() {
+    m_hostMotion.poses.clear();
+    m_hostMotion.damage.clear();
+    m_hostImpacts.clear();
 }
 
 void FrameLoop::stepWith(const Edits& hostEdits) {
     std::fill_n(m_times.ms.begin(), size_t(Stage::Apply), 0.0);  // the stages from Apply on are the render thread's
     loadPhysics();
     applyEdits(hostEdits);
-    stepPhysics();
-    collectDamage();
-    if (!m_mustPublishAll.exchange(false)) return publish(m_changes);
-    FrameChanges all = m_changes;
-    all.levelReplaced = true;
-    publish(all);
+    m_physics ? stepPhysics() : followHost();
+    if (m_mustPublishAll.exchange(false)) {
+        FrameChanges all = m_changes;
+        all.levelReplaced = true;
+        publish(all);
+    } else {
+        publish(m_changes);
+    }
+    forgetHostMotion();
 }
 
 /// Before the edits, so that physics can tell what they change.
 void FrameLoop::loadPhysics() {
-    if (!m_rebuildPhysics && !m_world.data().levelReplaced) return;
+    if (!m_physics || (!m_rebuildPhysics && !m_world.data().levelReplaced)) return;
     const ScopedTimer timer(m_times[Stage::Physics]);
-    m_physics.load(m_world);
+    m_physics->load(m_world);
 }
 
 void FrameLoop::applyEdits(const Edits& hostEdits) {
     const ScopedTimer timer(m_times[Stage::ApplyEdits]);
     m_changes = m_world.applyEdits(hostEdits, std::exchange(m_pending, {}));
-    if (m_recorder) m_recorder->recordEdits(hostEdits, m_changes, m_world, m_rebuildPhysics);
+    if (m_recorder) {
+        m_recorder->recordEdits(hostEdits, m_changes, m_world, m_rebuildPhysics);
+        if (!m_physics) m_recorder->recordHostMotion(m_hostMotion);
+    }
     m_rebuildPhysics = false;
 }
 
 void FrameLoop::stepPhysics() {
     {
         const ScopedTimer timer(m_times[Stage::Physics]);
-        m_physics.apply(m_changes, m_world);
-        m_physics.step();
+        m_physics->apply(m_changes, m_world);
+        m_physics->step();
     }
-    const ScopedTimer timer(m_times[Stage::Poses]);
-    copyMotion(m_physics, m_world);
-    if (m_recorder) m_recorder->recordMotion(m_physics.poses(), m_physics.characters(), m_world);
-}
-
-/// What impacts and forces break is carried out in the next step: no stage runs twice in one.
-void FrameLoop::collectDamage() {
+    {
+        const ScopedTimer timer(m_times[Stage::Poses]);
+        copyMotion(*m_physics, m_world);
+        if (m_recorder) m_recorder->recordMotion(m_physics->poses(), m_physics->characters(), m_world);
+    }
     const ScopedTimer timer(m_times[Stage::Impacts]);
-    m_pending = impactDamage(m_world, m_physics.impacts());
-    addBreakThroughImpulses(m_world, m_physics.impacts(), m_pending);
-    for (const JointHandle joint : m_physics.jointBreaks())
+    m_pending = damageOf(m_physics->impacts());
+    for (const JointHandle joint : m_physics->jointBreaks())
         m_pending.emplace_back(RemoveJointEdit{joint, JointBreak::Force});
 }
 
+/// Where the bodies are now that the host has moved before the edits of this step, which may have moved them on.
+void FrameLoop::followHost() {
+    const ScopedTimer timer(m_times[Stage::Poses]);
+    m_movedByHost.clear();
+    for (const BodyPose& moved : m_hostMotion.poses) addPose(moved.body, m_movedByHost);
+    if (m_recorder) m_recorder->recordMotion(m_movedByHost, {}, m_world);
+}
+
+/// What impacts and forces break is carried out in the next step: no stage runs twice in one.
+Edits FrameLoop::damageOf(std::span<const Impact> impacts) const {
+    Edits damage = impactDamage(m_world, impacts);
+    addBreakThroughImpulses(m_world, impacts, damage);
+    return damage;
+}
+
+void FrameLoop::addPose(BodyHandle handle, std::vector<BodyPose>& out) const {
+    if (const Body* body = m_world.bodies().find(handle))
+        out.push_back({handle, body->pose, body->velocity, body->angularVelocity, body->asleep});
+}
+
 std::span<const BodyPose> FrameLoop::changedPoses() {
-    const std::span<const BodyPose> poses = m_physics.poses();
+    const std::span<const BodyPose> poses = m_physics ? m_physics->poses() : m_movedByHost;
     if (m_changes.teleported.empty()) return poses;
     m_changedPoses.assign(poses.begin(), poses.end());
-    for (const BodyHandle handle : m_changes.teleported)
-        if (const Body* body = m_world.bodies().find(handle))
-            m_changedPoses.push_back({handle, body->pose, body->velocity, body->angularVelocity, body->asleep});
+    for (const BodyHandle handle : m_changes.teleported) addPose(handle, m_changedPoses);
     return m_changedPoses;
 }
 
@@ -178,32 +227,20 @@ void FrameLoop::publish(const FrameChanges& changes) {
         m_shadow->submit(changes, changedPoses(), m_world);
     }
     const ScopedTimer timer(m_times[Stage::Publish]);
+    const std::span<const Impact> impacts = m_physics ? m_physics->impacts() : m_hostImpacts;
     if (!m_shadow) {
-        if (m_publish) m_snapshots.publishWithoutShadow(changes, changedPoses(), m_world, m_physics.impacts());
+        if (m_publish) m_snapshots.publishWithoutShadow(changes, changedPoses(), m_world, impacts);
         return;
     }
     m_shadowLag = changes.step - m_shadow->publishedVersion();
     if (m_waitForShadow) m_shadow->waitFor(changes.step);
     std::vector<ShadowPatches> patches = m_shadow->takePatches();
-    if (m_publish) m_snapshots.publish(changes, changedPoses(), m_world, std::move(patches), m_physics.impacts());
+    if (m_publish) m_snapshots.publish(changes, changedPoses(), m_world, std::move(patches), impacts);
 }
 
 void FrameLoop::restartDrawing() {
     m_awaitsAll = true;
     m_mustPublishAll = true;
-}
-
-void FrameLoop::draw(Renderer& renderer, const View& view, float alpha) {
-    {
-        m_times[Stage::Apply] = 0.0;
-        const ScopedTimer timer(m_times[Stage::Apply]);
-        std::optional<FrameSnapshot> snapshot = m_snapshots.take();
-        if (snapshot && snapshot->replacesAll) m_awaitsAll = false;
-        if (snapshot && !m_awaitsAll) renderer.apply(std::move(*snapshot));
-    }
-    m_times[Stage::Draw] = 0.0;
-    const ScopedTimer timer(m_times[Stage::Draw]);
-    renderer.draw(view, alpha);
 }
 
 }  // namespace rubble

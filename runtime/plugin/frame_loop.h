@@ -20,6 +20,9 @@ namespace rubble {
 struct FrameLoopSettings {
     uint8_t worldId = 1;           ///< 1 to 255, part of every handle, so that a handle of another world is recognised
     uint32_t firstGeneration = 1;  ///< of handles; see World
+    /// No physics runs: the host moves the bodies by moveBodies() and says what hits them by addImpacts(). Joints,
+    /// ropes and characters are data that nothing moves.
+    bool hostPhysics = false;
     PhysicsSettings physics;
     int physicsThreads = 1;  ///< with the one that steps; above 1: they replace physics.parallelFor, with the same bits
     ShadowWorker::Mode shadow = ShadowWorker::Mode::Thread;
@@ -30,7 +33,7 @@ struct FrameLoopSettings {
 };
 
 /// A world with its physics, shadow volume and snapshots: the only class that knows every module. A frame calls step()
-/// as often as time demands, then draw().
+/// as often as time demands, then draw(). A library may lack physics and the renderer: see layers.h.
 class FrameLoop {
 public:
     /// Makes an empty world.
@@ -54,11 +57,16 @@ public:
     Result<Done> startRecording(const std::string& path);
     /// [main-thread] Completes the file; without a recording it does nothing.
     Result<Done> stopRecording();
-    /// [main-thread] Repeats a recorded step from its edits. If World and physics are in the state before that step,
-    /// the hash after it is the recorded one.
+    /// [main-thread] Repeats a recorded step from its edits and what the host's physics did before it. If World and
+    /// physics are in the state before that step, the hash after it is the recorded one.
     void replay(const RecordedStep& step);
     /// [main-thread] Advances by exactly 1/60 s: queued edits, physics, damage by impacts, shadow volume, snapshot.
     void step();
+    /// [main-thread] What the host's physics has done since the last step. Stale handles are skipped.
+    void moveBodies(std::span<const BodyPose> poses);
+    /// [main-thread] What hit what in the host's physics, at the places where bodies are now. The next step breaks what
+    /// they break.
+    void addImpacts(std::span<const Impact> impacts);
     /// [render-thread] Hands the newest snapshot to the renderer and draws. alpha in [0, 1]: interpolates between the
     /// poses of the last two steps.
     void draw(Renderer& renderer, const View& view, float alpha);
@@ -77,8 +85,8 @@ public:
     const World& world() const { return m_world; }
     /// Runs work on the threads that the world's physics has. [main-thread]
     ParallelFor parallelFor() const;
-    /// Its physics, for statistics and settings. [main-thread]
-    PhysicsWorld& physics() { return m_physics; }
+    /// Its physics, for statistics; null: the host moves the bodies. [main-thread]
+    const PhysicsWorld* physics() const { return m_physics.get(); }
     /// Keeps the shadow volume up to date; null without one. [main-thread]
     ShadowWorker* shadow() { return m_shadow.get(); }
     /// The journal of the last step's edits; valid until the next step. Empty where the world was replaced.
@@ -98,21 +106,29 @@ private:
     void loadPhysics();
     void applyEdits(const Edits& hostEdits);
     void stepPhysics();
-    void collectDamage();
+    void followHost();
+    void addHostDamage(const Edits& damage);
+    void forgetHostMotion();
+    Edits damageOf(std::span<const Impact> impacts) const;
+    /// Adds a body as it is now, if it is there.
+    void addPose(BodyHandle handle, std::vector<BodyPose>& out) const;
     void publish(const FrameChanges& changes);
     void endRecording();
-    /// The poses that physics has just handed over, and those of bodies that edits teleported.
+    /// The poses that physics or the host has just handed over, and those of bodies that edits teleported.
     std::span<const BodyPose> changedPoses();
 
     World m_world;
-    std::unique_ptr<ThreadPool> m_threads;  ///< of physics; null: it has none of its own
-    PhysicsWorld m_physics;
+    std::unique_ptr<ThreadPool> m_threads;    ///< of physics; null: it has none of its own
+    std::unique_ptr<PhysicsWorld> m_physics;  ///< null: the host moves the bodies
     std::unique_ptr<ShadowWorker> m_shadow;
     Snapshots m_snapshots;
     EditQueue m_edits;
     /// Edits of the last step's impacts, and those that waited when the game was saved. They come before the host's.
     Edits m_pending;
-    bool m_rebuildPhysics = false;  ///< in the next step
+    bool m_rebuildPhysics = false;        ///< in the next step
+    HostMotion m_hostMotion;              ///< since the last step
+    std::vector<Impact> m_hostImpacts;    ///< the same
+    std::vector<BodyPose> m_movedByHost;  ///< in the last step
     std::unique_ptr<Recorder> m_recorder;
     FrameChanges m_changes;
     std::vector<BodyPose> m_changedPoses;

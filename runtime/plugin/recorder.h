@@ -15,6 +15,8 @@ public:
 
     /// Begins a step; call it after World::applyEdits(). physicsRebuilt: this step rebuilds physics from the World.
     void recordEdits(const Edits& hostEdits, const FrameChanges& changes, const World& world, bool physicsRebuilt);
+    /// Adds what the host's physics did before the step; call it after recordEdits().
+    void recordHostMotion(const HostMotion& motion) { m_step.hostMotion = motion; }
     /// Ends the step and writes it; call it after setPoses() and setCharacters().
     void recordMotion(std::span<const BodyPose> poses, std::span<const CharacterMove> characters, const World& world);
     /// Completes the file; says what could not be written.

@@ -360,6 +360,46 @@ static void use_objects(void) {
     CHECK(value == 42);
 }
 
+/* What a host with rigid bodies of its own reads, and what it says of them in a world that it moves. */
+static void use_host_physics(void) {
+    const rubble_body body = make_body(70.0, 2.0, 0.0, 0);
+    rubble_world_settings settings = {.struct_size = sizeof settings};
+    rubble_impulse push = {.struct_size = sizeof push};
+    rubble_rigid_body rigid;
+    rubble_body_box solid[4];
+    rubble_body_impulse pushed;
+    rubble_body_state state;
+    rubble_impact impact;
+    rubble_world own = world;
+    uint32_t layers, count;
+    OK(api->get_layers(&layers));
+    CHECK(layers == (RUBBLE_LAYER_PHYSICS | RUBBLE_LAYER_RENDERER));
+    make_box(body, 6, 6, 6, 5);
+    steps(1);
+    OK(api->get_body_boxes(world, body, solid, 4, &count));
+    CHECK(count == 1);
+    settings.flags = RUBBLE_WORLD_HOST_PHYSICS;
+    OK(api->create_world(&settings, &world));
+    push.body = make_body(0.0, 2.0, 0.0, 0), push.impulse[0] = 5.0;
+    make_box(push.body, 6, 6, 6, 5);
+    OK(api->apply_impulse(world, &push));
+    steps(1);
+    OK(api->get_rigid_bodies(world, RUBBLE_BODIES_CHANGED, &rigid, 1, &count));
+    CHECK(count == 1 && rigid.body == push.body && rigid.mass > 0.0);
+    OK(api->get_body_impulses(world, &pushed, 1, &count));
+    CHECK(count == 1 && pushed.impulse[0] == 5.0);
+    OK(api->get_body_state(world, push.body, &state));
+    state.velocity[1] = -20.0;
+    OK(api->set_body_states(world, &state, 1));
+    memset(&impact, 0, sizeof impact);
+    impact.body = push.body, impact.position[1] = 2.0, impact.normal[1] = 1.0;
+    impact.impulse = 20.0 * rigid.mass, impact.speed = 20.0;
+    OK(api->report_impacts(world, &impact, 1));
+    steps(1);
+    OK(api->destroy_world(world));
+    world = own;
+}
+
 /* Without a GL context there is no renderer, and every call for one says so. */
 static void use_renderer(void) {
     rubble_renderer_settings settings = {.struct_size = sizeof settings};
@@ -391,6 +431,7 @@ int main(int argc, char** argv) {
     use_queries();
     use_objects();
     use_files();
+    use_host_physics();
     use_renderer();
     OK(api->destroy_world(world));
     puts("good");

@@ -49,6 +49,7 @@ const rubble_api& api() {
 }
 
 void RandomHost::run() {
+    m_isHostMoved = m_decisions.oneIn(8);
     m_world = makeWorld();
     if (!writeRubble(scratchPath("level.rubble"), randomLevel(m_decisions))) return;
     load(m_world);
@@ -75,6 +76,7 @@ void RandomHost::run() {
 }
 
 void RandomHost::call() {
+    if (m_decisions.oneIn(m_isHostMoved ? 4 : 16)) callHostPhysics();
     switch (m_decisions.below(15)) {
         case 13:
         case 14:
@@ -212,6 +214,7 @@ rubble_world RandomHost::makeWorld() {
     rubble_world_settings settings = {};
     settings.struct_size = sizeof settings;
     settings.flags = m_decisions.oneIn(8) ? RUBBLE_WORLD_SHADOW_INLINE : RUBBLE_WORLD_NO_RENDERER;
+    if (m_isHostMoved) settings.flags |= RUBBLE_WORLD_HOST_PHYSICS;
     settings.physics_threads = m_decisions.oneIn(16) ? 3 : 0;
     rubble_world world = 0;
     if (api().create_world(&settings, &world) != RUBBLE_OK) fail("create_world");

@@ -141,6 +141,8 @@ private:
     void callState();
     void callObjects();
     void callUndo();
+    /// What a host with physics of its own reads, and what it says in a world that it moves.
+    void callHostPhysics();
     void callFile();
     void saveAndLoad();
     rubble_world makeWorld();
@@ -162,7 +164,8 @@ private:
     std::vector<uint64_t> m_foreign;        ///< handles of the other
     std::optional<WorldModel> m_model;
     bool m_isObserved = false;                       ///< each call is followed by a hash
-    bool m_isRecorded = false, m_hasLoaded = false;  ///< since the last call: loaded, saved or recorded
+    bool m_isHostMoved = false;                      ///< both worlds have no physics of their own
+    bool m_isRecorded = false, m_hasLoaded = false;  ///< since the last call: loaded, saved, recorded or moved
 };
 
 }  // namespace rubble

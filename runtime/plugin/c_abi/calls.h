@@ -135,6 +135,23 @@ rubble_result pushEdit(const char* function, rubble_world world, const HostEdit*
     });
 }
 
+/// Refuses what only a world's own physics does, where the host's moves the bodies.
+inline void requirePhysics(const HostedWorld& hosted) {
+    if (!hosted.loop.physics())
+        refuse(RUBBLE_ERROR_UNSUPPORTED,
+               "the world has RUBBLE_WORLD_HOST_PHYSICS: expected one with physics of its own");
+}
+
+/// A function that queues an edit which only a world's own physics carries out.
+template <class HostEdit, class Convert>
+rubble_result pushMotionEdit(const char* function, rubble_world world, const HostEdit* edit, Convert&& convert) {
+    return inWorld(function, world, [&](HostedWorld& hosted) {
+        requirePhysics(hosted);
+        const HostEdit given = readStruct(edit, function);
+        if (!isRefused()) push(hosted, convert(hosted.loop.world(), given));
+    });
+}
+
 /// Queues an edit that makes something, unless reading the host's arguments has refused the call, and gives the host
 /// the handle that is reserved for it. `map`: of such objects.
 template <class EditType, class Map>

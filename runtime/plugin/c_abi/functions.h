@@ -40,5 +40,7 @@ void setRendererFunctions(rubble_api& api);
 void setObjectFunctions(rubble_api& api);
 /// Sets set_settings() and get_settings().
 void setSettingsFunctions(rubble_api& api);
+/// Sets get_layers() and the functions of worlds that the host's physics moves.
+void setHostPhysicsFunctions(rubble_api& api);
 
 }  // namespace rubble::abi

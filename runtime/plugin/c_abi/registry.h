@@ -30,10 +30,13 @@ struct HostedWorld {
     bool hadRenderer = false;                ///< [render-thread] another one has taken what was published until now
 };
 
+/// A renderer with what deletes it, so that a library without renderers links.
+using RendererOwner = std::unique_ptr<Renderer, void (*)(Renderer*)>;
+
 /// A renderer of the host and the world that it draws.
 struct HostedRenderer {
     std::weak_ptr<HostedWorld> world;
-    std::unique_ptr<Renderer> renderer;
+    RendererOwner renderer{nullptr, nullptr};
     double applyMs = 0.0, drawMs = 0.0;  ///< of the last draw()
     std::string damage;                  ///< what has left it in no defined state; empty: nothing
     std::atomic<bool> isInCall = false;

@@ -49,7 +49,7 @@ rubble_result createRenderer(rubble_world world, const rubble_renderer_settings*
         if (std::exchange(hosted->hadRenderer, true)) hosted->loop.restartDrawing();
         const auto made = std::make_shared<HostedRenderer>();
         made->world = hosted;
-        made->renderer = std::move(*renderer);
+        made->renderer = RendererOwner(renderer->release(), [](Renderer* owned) { delete owned; });
         hosted->renderer = made;
         *out = Registry::instance().addRenderer(made).bits;
     });

@@ -49,6 +49,11 @@ rubble_result stopRecording(rubble_world world) {
     return inWorld("stop_recording", world, [](HostedWorld& hosted) { requireDone(hosted.loop.stopRecording()); });
 }
 
+/// Whether the host's physics moved the bodies of the world that was recorded.
+bool hasHostMotion(const Recording& recording) {
+    return !recording.steps.empty() && recording.steps.front().hostMotion;
+}
+
 rubble_result playRecording(rubble_world world, const char* path, uint64_t* steps) {
     if (steps) *steps = 0;
     return inWorld("play_recording", world, [&](HostedWorld& hosted) {
@@ -56,6 +61,10 @@ rubble_result playRecording(rubble_world world, const char* path, uint64_t* step
         FrameLoop& loop = hosted.loop;
         Result<Recording> recording = readRecording(path, loop.world().id());
         if (!recording) return refuse(RUBBLE_ERROR_FILE, "{}", recording.error());
+        if (!recording->steps.empty() && hasHostMotion(*recording) != !loop.physics())
+            return refuse(RUBBLE_ERROR_ARGUMENT,
+                          "{}: expected a recording of a world {} physics of its own, as this one, found one {}", path,
+                          loop.physics() ? "with" : "without", loop.physics() ? "without" : "with");
         change(hosted, [&] { loop.load(std::move(recording->start)); });
         hosted.events.clear();
         for (const RecordedStep& step : recording->steps) {

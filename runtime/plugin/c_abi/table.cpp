@@ -26,6 +26,7 @@ rubble_api makeTable() {
     setSaveFunctions(api);
     setObjectFunctions(api);
     setSettingsFunctions(api);
+    setHostPhysicsFunctions(api);
     setRendererFunctions(api);
     return api;
 }

@@ -4,6 +4,7 @@
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
 #include "runtime/plugin/c_abi/settings.h"
+#include "runtime/plugin/layers.h"
 #include "runtime/world/settings/settings_error.h"
 
 namespace rubble::abi {
@@ -13,10 +14,17 @@ constexpr NumberRange kPhysicsThreads{1, 64};
 
 FrameLoopSettings loopSettings(const rubble_world_settings& given) {
     const uint32_t flags = given.flags;
-    readFlags(flags, RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_INLINE | RUBBLE_WORLD_WAIT_FOR_SHADOW,
+    readFlags(flags,
+              RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_INLINE | RUBBLE_WORLD_WAIT_FOR_SHADOW |
+                  RUBBLE_WORLD_HOST_PHYSICS,
               "settings->flags");
     FrameLoopSettings settings;
-    settings.publish = settings.shadowVolume = !(flags & RUBBLE_WORLD_NO_RENDERER);
+    settings.publish = settings.shadowVolume = hasRenderer() && !(flags & RUBBLE_WORLD_NO_RENDERER);
+    settings.hostPhysics = flags & RUBBLE_WORLD_HOST_PHYSICS;
+    if (!settings.hostPhysics && !hasPhysics())
+        refuse(RUBBLE_ERROR_UNSUPPORTED,
+               "this library has no physics: expected settings->flags with RUBBLE_WORLD_HOST_PHYSICS, or the library "
+               "rubble::physics");
     settings.shadow = flags & RUBBLE_WORLD_SHADOW_INLINE ? ShadowWorker::Mode::Inline : ShadowWorker::Mode::Thread;
     settings.waitForShadow = flags & RUBBLE_WORLD_WAIT_FOR_SHADOW;
     settings.physicsThreads =

@@ -149,7 +149,7 @@ TEST(FrameLoop, UndoRestoresTheTowerWhileItFalls) {
     EXPECT_EQ(voxelHash(loop.world()), voxels);
     for (int step = 0; step < 20; ++step) loop.step();
     EXPECT_EQ(voxelHash(loop.world()), voxels);
-    EXPECT_EQ(loop.physics().stats().bodies, 0);
+    EXPECT_EQ(loop.physics()->stats().bodies, 0);
 }
 
 TEST(FrameLoop, ARecordingThatCannotBeWrittenIsAnError) {
@@ -376,7 +376,7 @@ TEST(FrameLoop, AFileThatCannotBeWrittenChangesNothing) {
         each->step();
     }
     EXPECT_EQ(loop.world().hash(), other.world().hash());
-    EXPECT_EQ(loop.physics().stats().contacts, other.physics().stats().contacts);
+    EXPECT_EQ(loop.physics()->stats().contacts, other.physics()->stats().contacts);
 }
 
 }  // namespace

@@ -123,7 +123,9 @@ enum {
     /* the world or renderer is in another call: of another thread, or around a callback */
     RUBBLE_ERROR_BUSY = 11,
     /* a bug of the plugin has left the world or renderer in no defined state: destroy it */
-    RUBBLE_ERROR_BROKEN = 12
+    RUBBLE_ERROR_BROKEN = 12,
+    /* this library lacks the layer that does it, see get_layers(); or the host's physics does it in this world */
+    RUBBLE_ERROR_UNSUPPORTED = 13
 };
 
 /* ---- host and worlds ---- */
@@ -154,7 +156,9 @@ enum {
     /* step() updates the shadow volume itself; without the flag a thread of the world does */
     RUBBLE_WORLD_SHADOW_INLINE = 2,
     /* step() waits for the shadow volume: frames do not depend on the timing of threads */
-    RUBBLE_WORLD_WAIT_FOR_SHADOW = 4
+    RUBBLE_WORLD_WAIT_FOR_SHADOW = 4,
+    /* the host's own physics moves the bodies; see rubble_rigid_body */
+    RUBBLE_WORLD_HOST_PHYSICS = 8
 };
 
 typedef struct rubble_world_settings {
@@ -899,6 +903,73 @@ typedef struct rubble_settings {
     double fire_burn_time; /* multiple of the materials' times, 0.001 to 1000 */
 } rubble_settings;
 
+/* ---- layers, and worlds that the host's physics moves ---- */
+
+/* What is in a library beside the runtime, which has worlds, edits, what breaks, queries and files. */
+enum {
+    RUBBLE_LAYER_PHYSICS = 1, /* without it, worlds are made with RUBBLE_WORLD_HOST_PHYSICS */
+    RUBBLE_LAYER_RENDERER = 2 /* without it, create_renderer() and its like are RUBBLE_ERROR_UNSUPPORTED */
+};
+
+/* Which bodies get_rigid_bodies() lists. */
+enum {
+    RUBBLE_BODIES_CHANGED = 0, /* made or changed by the last step; all, if that was the first of a level or a game */
+    RUBBLE_BODIES_ALL = 1
+};
+
+/* What a body needs of the host's physics. */
+enum {
+    RUBBLE_RIGID_NEW = 1,   /* it is to be made */
+    RUBBLE_RIGID_SOLID = 2, /* its voxels are others: mass, centre, inertia and boxes */
+    RUBBLE_RIGID_MOVED = 4  /* an edit has set its pose or motion, put it to sleep, woken it or changed its kind */
+};
+
+/* A row of get_rigid_bodies(). In a world with RUBBLE_WORLD_HOST_PHYSICS, a frame of the host is: step(); rigid bodies
+ * of its own as get_events() lists bodies_destroyed and get_rigid_bodies() the others; get_body_impulses(); a step of
+ * its physics; set_body_states() and report_impacts(). Joints, ropes and waters are data there, which the host may
+ * follow: nothing in the plugin moves them. Hands, wheels and characters are RUBBLE_ERROR_UNSUPPORTED. Bodies that fall
+ * asleep in the host's physics are to be set asleep: debris settles then. */
+typedef struct rubble_rigid_body {
+    rubble_body body;
+    uint32_t changes;           /* RUBBLE_RIGID_... */
+    uint32_t flags;             /* RUBBLE_BODY_... */
+    double mass;                /* kg; 0: no voxel has a weight */
+    double center[3];           /* of mass, in metres of the body's frame */
+    double inertia[3];          /* kg m2: principal moments about that centre */
+    double inertia_rotation[4]; /* of the principal axes, in the body's frame */
+    double position[3];         /* of its frame, world */
+    double rotation[4];         /* of its frame */
+    double velocity[3];         /* m/s, of the centre of mass */
+    double angular_velocity[3]; /* rad/s, world axes */
+} rubble_rigid_body;
+
+/* A row of get_body_boxes(). The boxes hold the voxels that collide, each once, and no other place. */
+typedef struct rubble_body_box {
+    rubble_shape shape;  /* whose voxels it holds */
+    double center[3];    /* metres, in the body's frame */
+    double rotation[4];  /* in the body's frame: all boxes of a shape have the same */
+    double half_size[3]; /* metres */
+    uint32_t layer;      /* collision layer and mask of the shape, bits; see rubble_collision_filter */
+    uint32_t mask;
+} rubble_body_box;
+
+/* A row of get_body_impulses(). */
+typedef struct rubble_body_impulse {
+    rubble_body body;
+    double position[3]; /* world: where it acts */
+    double impulse[3];  /* N s, world */
+} rubble_body_impulse;
+
+/* A row of report_impacts(): a hit in the host's physics. */
+typedef struct rubble_impact {
+    rubble_body body;   /* 0: something of the host */
+    rubble_body other;  /* the same; not both */
+    double position[3]; /* world: where they touch */
+    double normal[3];   /* the direction in which `body` is pushed; any length but zero */
+    double impulse;     /* N s, in all of the hit, 0 to 1e16 */
+    double speed;       /* m/s at which they met, 0 to 1e9 */
+} rubble_impact;
+
 /* ---- sky, sun, air and lights ---- */
 
 /* Sky, sun, air, exposure and gravity. Zeros are values here, not defaults: read the present ones with
@@ -1423,6 +1494,32 @@ typedef struct rubble_api {
     rubble_result (*set_settings)(rubble_world world, const rubble_settings* settings);
     /* [main-thread] The settings in use, as the last step() knew them. */
     rubble_result (*get_settings)(rubble_world world, rubble_settings* out);
+
+    /* ---- layers, and worlds that the host's physics moves ---- */
+
+    /* [any-thread] What this library has beside the runtime: bits of RUBBLE_LAYER_... */
+    rubble_result (*get_layers)(uint32_t* layers);
+    /* [main-thread] Mass, centre, inertia and motion of bodies, in a fixed order. which: RUBBLE_BODIES_CHANGED or
+     * RUBBLE_BODIES_ALL. Costs the bodies that are listed. Of worlds with physics of their own as well. */
+    rubble_result (*get_rigid_bodies)(rubble_world world, uint32_t which, rubble_rigid_body* out, uint32_t capacity,
+                                      uint32_t* count);
+    /* [main-thread] Boxes for a collider of the host: a compound, in the body's frame. Costs the bricks of its shapes.
+     */
+    rubble_result (*get_body_boxes)(rubble_world world, rubble_body body, rubble_body_box* out, uint32_t capacity,
+                                    uint32_t* count);
+    /* [main-thread] The impulses that edits of the last step gave to free bodies, as explosions and apply_impulse()
+     * do, in their order. A physics of the world's own has applied them; the host's has to. */
+    rubble_result (*get_body_impulses)(rubble_world world, rubble_body_impulse* out, uint32_t capacity,
+                                       uint32_t* count);
+    /* [main-thread] What a step of the host's physics has made of bodies, at once: later reads see it, and edits of the
+     * next step. `count` rows as get_body_states() gives them; shape_count is not read. Only of free bodies: what is
+     * static moves by set_body(). Recordings keep it. RUBBLE_ERROR_UNSUPPORTED: the world has physics of its own. */
+    rubble_result (*set_body_states)(rubble_world world, const rubble_body_state* states, uint32_t count);
+    /* [main-thread] Hits of the host's physics, at places as the last set_body_states() left them: the next step breaks
+     * what they break by strength, impulse and rubble_settings, the hardest first. What has broken through something
+     * gets the rest of its momentum back by get_body_impulses(). A hit that lasts for several steps is reported once,
+     * and resting contacts not at all. Recordings keep it. RUBBLE_ERROR_UNSUPPORTED: as by set_body_states(). */
+    rubble_result (*report_impacts)(rubble_world world, const rubble_impact* impacts, uint32_t count);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

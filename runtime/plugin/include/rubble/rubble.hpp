@@ -717,6 +717,39 @@ public:
         check(api().get_settings(m_handle, &out));
         return out;
     }
+    /** Mass, centre, inertia and motion of bodies, in a fixed order. which: RUBBLE_BODIES_CHANGED or RUBBLE_BODIES_ALL.
+     * Costs the bodies that are listed. Of worlds with physics of their own as well. */
+    std::vector<rubble_rigid_body> get_rigid_bodies(uint32_t which) const {
+        return rows<rubble_rigid_body, uint32_t>([&](rubble_rigid_body* out, uint32_t capacity, uint32_t* count) {
+            return api().get_rigid_bodies(m_handle, which, out, capacity, count);
+        });
+    }
+    /** Boxes for a collider of the host: a compound, in the body's frame. Costs the bricks of its shapes. */
+    std::vector<rubble_body_box> get_body_boxes(rubble_body body) const {
+        return rows<rubble_body_box, uint32_t>([&](rubble_body_box* out, uint32_t capacity, uint32_t* count) {
+            return api().get_body_boxes(m_handle, body, out, capacity, count);
+        });
+    }
+    /** The impulses that edits of the last step gave to free bodies, as explosions and apply_impulse() do, in their
+     * order. A physics of the world's own has applied them; the host's has to. */
+    std::vector<rubble_body_impulse> get_body_impulses() const {
+        return rows<rubble_body_impulse, uint32_t>([&](rubble_body_impulse* out, uint32_t capacity, uint32_t* count) {
+            return api().get_body_impulses(m_handle, out, capacity, count);
+        });
+    }
+    /** What a step of the host's physics has made of bodies, at once: later reads see it, and edits of the next step.
+     * `count` rows as get_body_states() gives them; shape_count is not read. Only of free bodies: what is static moves
+     * by set_body(). Recordings keep it. RUBBLE_ERROR_UNSUPPORTED: the world has physics of its own. */
+    void set_body_states(const rubble_body_state* states, uint32_t count) {
+        check(api().set_body_states(m_handle, states, count));
+    }
+    /** Hits of the host's physics, at places as the last set_body_states() left them: the next step breaks what they
+     * break by strength, impulse and rubble_settings, the hardest first. What has broken through something gets the
+     * rest of its momentum back by get_body_impulses(). A hit that lasts for several steps is reported once, and
+     * resting contacts not at all. Recordings keep it. RUBBLE_ERROR_UNSUPPORTED: as by set_body_states(). */
+    void report_impacts(const rubble_impact* impacts, uint32_t count) {
+        check(api().report_impacts(m_handle, impacts, count));
+    }
 private:
     void release() noexcept {
         if (m_handle) api().destroy_world(std::exchange(m_handle, 0));
