@@ -5,12 +5,14 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
 #include <new>
 #include <utility>
 
 #include "runtime/assets/binary_archive.h"
 #include "runtime/assets/chunk_file.h"
 #include "runtime/assets/file_bytes.h"
+#include "runtime/assets/file_hooks.h"
 #include "runtime/assets/state_fields.h"
 #include "runtime/core/log.h"
 #include "runtime/core/range_check.h"
@@ -75,16 +77,10 @@ void putStep(BinaryOutputArchive& out, const RecordedStep& step) {
 }  // namespace
 
 Result<RecordingWriter> RecordingWriter::open(const std::string& path, const SavedGame& start) {
-    const Result<std::string> target = fileToWrite(path);
-    if (!target) return Error{target.error()};
     RecordingWriter writer;
-    writer.m_path = *target;
-    const Result<std::string> part = fileToWrite(writer.partPath());
-    if (!part) return Error{part.error()};
-    writer.m_file.reset(openAlone(*part));
-    if (!writer.m_file && errno == EWOULDBLOCK)
-        return Error{path + ": expected a file of its own, found one that a recording is being written to"};
-    if (!writer.m_file) return fileError(*part, "cannot write", errno);
+    writer.m_path = path;
+    if (!fileHooks().write)
+        if (const Result<Done> opened = writer.openPart(); !opened) return Error{opened.error()};
     ChunkWriter chunks;
     uint64_t memory = 0;
     const std::vector<uint8_t> game = gameToBytes(start, &memory);
@@ -95,19 +91,37 @@ Result<RecordingWriter> RecordingWriter::open(const std::string& path, const Sav
     writer.write(chunks);
     writer.flush();
     if (!writer.m_failure) return writer;
-    std::remove(part->c_str());
+    std::remove(writer.partPath().c_str());
     return fileError(path, "cannot write", writer.m_failure);
+}
+
+/// The file that has its name after close().
+Result<Done> RecordingWriter::openPart() {
+    const std::string path = m_path;
+    const Result<std::string> target = fileToWrite(path);
+    if (!target) return Error{target.error()};
+    m_path = *target;
+    const Result<std::string> part = fileToWrite(partPath());
+    if (!part) return Error{part.error()};
+    m_file.reset(openAlone(*part));
+    if (!m_file && errno == EWOULDBLOCK)
+        return Error{path + ": expected a file of its own, found one that a recording is being written to"};
+    if (!m_file) return fileError(*part, "cannot write", errno);
+    return Done{};
 }
 
 void RecordingWriter::flush() {
     errno = 0;
-    if (!m_failure && std::fflush(m_file.get()) != 0) m_failure = errno ? errno : EIO;
+    if (m_file && !m_failure && std::fflush(m_file.get()) != 0) m_failure = errno ? errno : EIO;
 }
 
 void RecordingWriter::write(std::span<const uint8_t> bytes) {
     if (m_failure) return;
     errno = 0;
-    if (std::fwrite(bytes.data(), 1, bytes.size(), m_file.get()) != bytes.size()) m_failure = errno ? errno : EIO;
+    if (!m_file)
+        m_whole.insert(m_whole.end(), bytes.begin(), bytes.end());
+    else if (std::fwrite(bytes.data(), 1, bytes.size(), m_file.get()) != bytes.size())
+        m_failure = errno ? errno : EIO;
     m_bytes += bytes.size();
 }
 
@@ -140,6 +154,7 @@ Result<Done> RecordingWriter::close() {
     write(padding);
     const FileHeader header = makeFileHeader(m_chunks, m_lastHash);
     std::FILE* file = m_file.get();
+    if (!file) return handOver(header);
     errno = 0;
     const bool isWritten = !m_failure && std::fseek(file, 0, SEEK_SET) == 0 &&
                            std::fwrite(&header, sizeof header, 1, file) == 1 && std::fflush(file) == 0 &&
@@ -149,6 +164,11 @@ Result<Done> RecordingWriter::close() {
     if (isWritten) return Done{};
     std::remove(partPath().c_str());
     return fileError(m_path, "cannot write", reason);
+}
+
+Result<Done> RecordingWriter::handOver(const FileHeader& header) {
+    std::memcpy(m_whole.data(), &header, sizeof header);
+    return writeFileAtomically(m_path, m_whole, kMaxFileBytes);
 }
 
 std::vector<uint8_t> recordedStepToBytes(const RecordedStep& step) {

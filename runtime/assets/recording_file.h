@@ -35,7 +35,7 @@ struct RecordedStep {
 };
 
 /// Writes a recording: a chunk file with a saved game (GAME) and a chunk for each step (STEP). Until close() the file's
-/// name ends in ".part".
+/// name ends in ".part"; where the host writes files (file_hooks.h) it is kept in memory and written as a whole.
 class RecordingWriter {
 public:
     /// Opens the file and writes the saved game. An error if that cannot be written, if the file could not get its
@@ -50,13 +50,16 @@ private:
     struct Closer {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
+    Result<Done> openPart();
     void write(std::span<const uint8_t> bytes);
     void write(const ChunkWriter& chunks);
     void flush();
+    Result<Done> handOver(const FileHeader& header);
     std::string partPath() const { return m_path + ".part"; }
 
     std::string m_path;
-    std::unique_ptr<std::FILE, Closer> m_file;
+    std::unique_ptr<std::FILE, Closer> m_file;  ///< null: m_whole
+    std::vector<uint8_t> m_whole;               ///< for the host
     uint32_t m_chunks = 0;
     uint64_t m_bytes = 0, m_memory = 0;  ///< of the file so far; that reading it takes
     uint64_t m_lastHash = 0;

@@ -12,8 +12,11 @@ namespace rubble {
 
 FrameLoop::FrameLoop(const FrameLoopSettings& settings)
     : m_world(settings.worldId, settings.firstGeneration),
-      m_threads(settings.physicsThreads > 1 ? std::make_unique<ThreadPool>(settings.physicsThreads) : nullptr),
-      m_physics(settings.hostPhysics ? nullptr : makePhysics(withThreads(settings.physics))),
+      m_threads(settings.physicsThreads > 1 && !settings.parallelFor
+                    ? std::make_unique<ThreadPool>(settings.physicsThreads)
+                    : nullptr),
+      m_parallelFor(chooseThreads(settings)),
+      m_physics(settings.hostPhysics ? nullptr : makePhysics(withThreads(settings))),
       m_snapshots(settings.particles),
       m_publish(settings.publish),
       m_waitForShadow(settings.waitForShadow) {
@@ -24,16 +27,18 @@ FrameLoop::~FrameLoop() {
     endRecording();
 }
 
-ParallelFor FrameLoop::parallelFor() const {
+ParallelFor FrameLoop::chooseThreads(const FrameLoopSettings& settings) const {
+    if (settings.parallelFor) return settings.parallelFor;
     if (!m_threads) return serialFor;
     return [threads = m_threads.get()](size_t count, const std::function<void(size_t)>& body) {
         threads->run(count, body);
     };
 }
 
-PhysicsSettings FrameLoop::withThreads(PhysicsSettings settings) const {
-    if (m_threads) settings.parallelFor = parallelFor();
-    return settings;
+PhysicsSettings FrameLoop::withThreads(const FrameLoopSettings& settings) const {
+    PhysicsSettings out = settings.physics;
+    if (m_threads || settings.parallelFor) out.parallelFor = m_parallelFor;
+    return out;
 }
 
 void FrameLoop::dropWaitingEdits() {
@@ -72,6 +77,12 @@ SavedGame FrameLoop::save() {
     SavedGame game = savedGame(m_edits.waiting());
     goOnAsLoaded(false);
     return game;
+}
+
+Result<Done> FrameLoop::save(const std::function<Result<Done>(std::span<const uint8_t>)>& write) {
+    Result<Done> written = write(gameToBytes(savedGame(m_edits.waiting())));
+    if (written) goOnAsLoaded(false);
+    return written;
 }
 
 Result<Done> FrameLoop::save(const std::string& path) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -25,6 +26,7 @@ struct FrameLoopSettings {
     bool hostPhysics = false;
     PhysicsSettings physics;
     int physicsThreads = 1;  ///< with the one that steps; above 1: they replace physics.parallelFor, with the same bits
+    ParallelFor parallelFor;  ///< of a host, in place of physicsThreads; none: those
     ShadowWorker::Mode shadow = ShadowWorker::Mode::Thread;
     bool shadowVolume = true;    ///< false: nothing is drawn with rays, and step() does no work for them
     bool publish = true;         ///< false: for worlds that nobody draws
@@ -49,6 +51,8 @@ public:
     /// [main-thread] The game as it is now, with its queue of edits. The next step rebuilds physics from the World, as
     /// loading does, so that playing on and loading give the same result.
     SavedGame save();
+    /// [main-thread] The same as the bytes of a file for `write`. If it gives an error, nothing changes.
+    Result<Done> save(const std::function<Result<Done>(std::span<const uint8_t>)>& write);
     /// [main-thread] The same into a file, whole or not at all. If it cannot be written, nothing changes.
     Result<Done> save(const std::string& path);
     /// [main-thread] Records every step from here on, beginning with a saved game. Stops a recording that is running;
@@ -84,7 +88,7 @@ public:
     /// The same, to read it. [main-thread]
     const World& world() const { return m_world; }
     /// Runs work on the threads that the world's physics has. [main-thread]
-    ParallelFor parallelFor() const;
+    const ParallelFor& parallelFor() const { return m_parallelFor; }
     /// Its physics, for statistics; null: the host moves the bodies. [main-thread]
     const PhysicsWorld* physics() const { return m_physics.get(); }
     /// Keeps the shadow volume up to date; null without one. [main-thread]
@@ -98,7 +102,8 @@ public:
     uint64_t shadowLag() const { return m_shadowLag; }
 
 private:
-    PhysicsSettings withThreads(PhysicsSettings settings) const;
+    ParallelFor chooseThreads(const FrameLoopSettings& settings) const;
+    PhysicsSettings withThreads(const FrameLoopSettings& settings) const;
     void dropWaitingEdits();
     SavedGame savedGame(const Edits& waiting) const;
     void goOnAsLoaded(bool dropMarks);
@@ -119,6 +124,7 @@ private:
 
     World m_world;
     std::unique_ptr<ThreadPool> m_threads;    ///< of physics; null: it has none of its own
+    ParallelFor m_parallelFor;                ///< on those threads, or the host's
     std::unique_ptr<PhysicsWorld> m_physics;  ///< null: the host moves the bodies
     std::unique_ptr<ShadowWorker> m_shadow;
     Snapshots m_snapshots;

@@ -312,6 +312,23 @@ static void use_files(void) {
     CHECK(api->load_level(world, game_path, NULL) == RUBBLE_ERROR_FILE);
 }
 
+/* The same from and to memory. */
+static void use_memory(void) {
+    uint64_t size, hash, again, steps_played;
+    uint8_t* data;
+    OK(api->get_state_hash(world, &hash));
+    OK(api->save_game_data(world, NULL, 0, &size));
+    data = malloc(size);
+    CHECK(data != NULL);
+    OK(api->save_game_data(world, data, size, &size));
+    OK(api->load_game_data(world, data, size));
+    OK(api->get_state_hash(world, &again));
+    CHECK(hash == again);
+    CHECK(api->load_level_data(world, data, size) == RUBBLE_ERROR_FILE); /* a game is no level, nor a recording */
+    CHECK(api->play_recording_data(world, data, size, &steps_played) == RUBBLE_ERROR_FILE);
+    free(data);
+}
+
 /* What a host says of objects: names, tags and numbers, by which it finds them; origins of pieces; settings. */
 static void use_objects(void) {
     const rubble_body body = make_body(60.0, 2.0, 0.0, RUBBLE_BODY_STATIC);
@@ -431,6 +448,7 @@ int main(int argc, char** argv) {
     use_queries();
     use_objects();
     use_files();
+    use_memory();
     use_host_physics();
     use_renderer();
     OK(api->destroy_world(world));

@@ -191,6 +191,7 @@ void RandomHost::callUndo() {
 
 void RandomHost::callFile() {
     m_isRecorded = false, m_hasLoaded = true;
+    if (m_decisions.oneIn(4)) return loadData();
     if (m_decisions.oneIn(2)) return saveAndLoad();
     api().start_recording(m_world, scratchPath("game.rubblelog").c_str());
     for (uint32_t i = m_decisions.below(4); i-- > 0;) callEdit(), m_model->step();
@@ -208,6 +209,19 @@ void RandomHost::saveAndLoad() {
     api().get_state_hash(m_world, &after);
     if (before != after) fail("another hash after load_game");
     m_isRecorded = false, m_hasLoaded = true;
+}
+
+void RandomHost::loadData() {
+    uint64_t size = 0, steps = 0;
+    if (api().save_game_data(m_world, nullptr, 0, &size) != RUBBLE_OK) fail("save_game_data");
+    std::vector<uint8_t> data(size);
+    if (api().save_game_data(m_world, data.data(), size, &size) != RUBBLE_OK) fail("save_game_data");
+    for (uint32_t i = m_decisions.below(3); i-- > 0;)
+        data[m_decisions.below(uint32_t(size))] ^= uint8_t(m_decisions.bits());
+    if (m_decisions.oneIn(4)) size = m_decisions.below(uint32_t(size));
+    if (api().load_game_data(m_world, data.data(), size) == RUBBLE_OK) reached("games loaded from memory");
+    api().load_level_data(m_world, data.data(), size);
+    api().play_recording_data(m_world, data.data(), size, &steps);
 }
 
 rubble_world RandomHost::makeWorld() {

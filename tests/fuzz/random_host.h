@@ -145,6 +145,7 @@ private:
     void callHostPhysics();
     void callFile();
     void saveAndLoad();
+    void loadData();
     rubble_world makeWorld();
     void load(rubble_world world);
     void startRecording();

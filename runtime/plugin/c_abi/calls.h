@@ -46,7 +46,10 @@ void useIntact(Hosted& hosted, const char* name, F&& body) {
 template <class F>
 rubble_result inWorld(const char* function, rubble_world world, F&& body) {
     return guarded(function, [&] {
-        if (const auto hosted = Registry::instance().world(world)) useIntact(*hosted, "world", body);
+        const auto hosted = Registry::instance().world(world);
+        if (!hosted) return;
+        const ServiceScope services(hosted->options.services);
+        useIntact(*hosted, "world", body);
     });
 }
 

@@ -40,6 +40,8 @@ void setRendererFunctions(rubble_api& api);
 void setObjectFunctions(rubble_api& api);
 /// Sets set_settings() and get_settings().
 void setSettingsFunctions(rubble_api& api);
+/// Sets the functions of files in memory.
+void setDataFileFunctions(rubble_api& api);
 /// Sets get_layers() and the functions of worlds that the host's physics moves.
 void setHostPhysicsFunctions(rubble_api& api);
 

@@ -27,6 +27,7 @@ rubble_api makeTable() {
     setObjectFunctions(api);
     setSettingsFunctions(api);
     setHostPhysicsFunctions(api);
+    setDataFileFunctions(api);
     setRendererFunctions(api);
     return api;
 }

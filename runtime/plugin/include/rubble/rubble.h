@@ -70,7 +70,7 @@
  *    writes has a temporary neighbour while it is written; a .vdb level is baked in a folder of $TMPDIR meanwhile),
  *    and restores the GL state that it changes (or resets it: RUBBLE_RENDERER_RESET_STATE).
  *
- * Not included: network, sound, input, textured triangles, use of the host's job system or allocator. */
+ * Not included: network, sound, input, textured triangles, use of the host's allocator. */
 #ifndef RUBBLE_RUBBLE_H
 #define RUBBLE_RUBBLE_H
 #include <stddef.h>
@@ -125,7 +125,8 @@ enum {
     /* a bug of the plugin has left the world or renderer in no defined state: destroy it */
     RUBBLE_ERROR_BROKEN = 12,
     /* this library lacks the layer that does it, see get_layers(); or the host's physics does it in this world */
-    RUBBLE_ERROR_UNSUPPORTED = 13
+    RUBBLE_ERROR_UNSUPPORTED = 13,
+    RUBBLE_ERROR_THREAD = 14 /* a call from another thread than that of the world; see RUBBLE_WORLD_ONE_THREAD */
 };
 
 /* ---- host and worlds ---- */
@@ -148,7 +149,18 @@ typedef struct rubble_host {
      * thread where it failed, before the call returns RUBBLE_ERROR_BROKEN: the place for a breakpoint or a report. It
      * may call nothing of the plugin. Null: nothing is called. The process goes on either way. */
     void (*assertion_failed)(void* user, const char* message);
+    /* Files of the host, as in an archive or in memory, by the paths that calls name; called from any thread. The bytes
+     * of a file that is read; RUBBLE_FILE_ON_DISK: the host does not have it. Null: it has none. Files for rubble-vdb,
+     * .vdb levels, are on the disk. */
+    uint64_t (*file_size)(void* user, const char* path);
+    /* Reads a whole file into `out`; 0: it cannot, which is RUBBLE_ERROR_FILE. Null only if file_size is. */
+    int32_t (*read_file)(void* user, const char* path, void* out, uint64_t size);
+    /* Writes a whole file; above 0: done, 0: it cannot, below 0: it belongs on the disk. A recording is kept in memory
+     * until then. Null: all belong there. */
+    int32_t (*write_file)(void* user, const char* path, const void* bytes, uint64_t size);
 } rubble_host;
+
+#define RUBBLE_FILE_ON_DISK UINT64_MAX
 
 enum {
     /* for servers and for hosts that draw themselves: nothing is prepared for a renderer */
@@ -158,7 +170,10 @@ enum {
     /* step() waits for the shadow volume: frames do not depend on the timing of threads */
     RUBBLE_WORLD_WAIT_FOR_SHADOW = 4,
     /* the host's own physics moves the bodies; see rubble_rigid_body */
-    RUBBLE_WORLD_HOST_PHYSICS = 8
+    RUBBLE_WORLD_HOST_PHYSICS = 8,
+    /* for tests of a host: a [main-thread] call from another thread than that of create_world() is refused
+     * (RUBBLE_ERROR_THREAD), also if the two do not meet */
+    RUBBLE_WORLD_ONE_THREAD = 16
 };
 
 typedef struct rubble_world_settings {
@@ -166,6 +181,15 @@ typedef struct rubble_world_settings {
     uint32_t flags;           /* RUBBLE_WORLD_... */
     uint32_t physics_threads; /* with the one that calls step(), 1 to 64; 0: 1. Results do not depend on it */
     uint32_t reserved;
+    void* user; /* passed to the functions below, which are this world's: null ones are those of rubble_host */
+    /* As rubble_host.log, for what the calls of this world say. What its threads say goes to rubble_host. */
+    void (*log)(void* user, int32_t level, const char* message);
+    /* As rubble_host.assertion_failed, for the calls of this world. */
+    void (*assertion_failed)(void* user, const char* message);
+    /* Calls job(context, i) once for each i below count, in any order, on any threads, and returns when all have
+     * returned: the host's job system, in place of physics_threads. Results do not depend on it. One that leaves calls
+     * out breaks the world. */
+    void (*parallel_for)(void* user, uint32_t count, void (*job)(void* context, uint32_t index), void* context);
 } rubble_world_settings;
 
 /* Where the world ends. A free body that has left the box with all of its voxels is removed in the next step, and its
@@ -1520,6 +1544,19 @@ typedef struct rubble_api {
      * gets the rest of its momentum back by get_body_impulses(). A hit that lasts for several steps is reported once,
      * and resting contacts not at all. Recordings keep it. RUBBLE_ERROR_UNSUPPORTED: as by set_body_states(). */
     rubble_result (*report_impacts)(rubble_world world, const rubble_impact* impacts, uint32_t count);
+
+    /* ---- files in memory ---- */
+
+    /* [main-thread] As load_level(), of a .rubble or .vox file in memory, which is not read after the call. */
+    rubble_result (*load_level_data)(rubble_world world, const void* data, uint64_t size);
+    /* [main-thread] As save_game(), into memory: `capacity` is in bytes; *count becomes the size of the file. Capacity
+     * 0 asks for that alone and saves nothing; fewer bytes than that: RUBBLE_ERROR_CAPACITY, and nothing is saved. */
+    rubble_result (*save_game_data)(rubble_world world, uint8_t* out, uint64_t capacity, uint64_t* count);
+    /* [main-thread] As load_game(), of a saved game in memory, which is not read after the call. */
+    rubble_result (*load_game_data)(rubble_world world, const void* data, uint64_t size);
+    /* [main-thread] As play_recording(), of a recording in memory. rubble_host.write_file takes recordings into memory.
+     */
+    rubble_result (*play_recording_data)(rubble_world world, const void* data, uint64_t size, uint64_t* steps);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

@@ -750,6 +750,27 @@ public:
     void report_impacts(const rubble_impact* impacts, uint32_t count) {
         check(api().report_impacts(m_handle, impacts, count));
     }
+    /** As load_level(), of a .rubble or .vox file in memory, which is not read after the call. */
+    void load_level_data(const void* data, uint64_t size) {
+        check(api().load_level_data(m_handle, data, size));
+    }
+    /** As save_game(), into memory: `capacity` is in bytes; *count becomes the size of the file. Capacity 0 asks for
+     * that alone and saves nothing; fewer bytes than that: RUBBLE_ERROR_CAPACITY, and nothing is saved. */
+    std::vector<uint8_t> save_game_data() {
+        return rows<uint8_t, uint64_t>([&](uint8_t* out, uint64_t capacity, uint64_t* count) {
+            return api().save_game_data(m_handle, out, capacity, count);
+        });
+    }
+    /** As load_game(), of a saved game in memory, which is not read after the call. */
+    void load_game_data(const void* data, uint64_t size) {
+        check(api().load_game_data(m_handle, data, size));
+    }
+    /** As play_recording(), of a recording in memory. rubble_host.write_file takes recordings into memory. */
+    uint64_t play_recording_data(const void* data, uint64_t size) {
+        uint64_t out{};
+        check(api().play_recording_data(m_handle, data, size, &out));
+        return out;
+    }
 private:
     void release() noexcept {
         if (m_handle) api().destroy_world(std::exchange(m_handle, 0));
