@@ -69,11 +69,6 @@ std::FILE* openAlone(const std::string& path) {
     return nullptr;
 }
 
-void putStep(BinaryOutputArchive& out, const RecordedStep& step) {
-    out.put(step);
-    if (step.hostMotion) out.put(*step.hostMotion);
-}
-
 }  // namespace
 
 Result<RecordingWriter> RecordingWriter::open(const std::string& path, const SavedGame& start) {
@@ -132,12 +127,10 @@ void RecordingWriter::write(const ChunkWriter& chunks) {
 }
 
 void RecordingWriter::add(const RecordedStep& step) {
-    std::vector<uint8_t> bytes;
-    PaletteList unused;
-    BinaryOutputArchive archive(bytes, unused);
-    putStep(archive, step);
+    uint64_t memory = 0;
+    const std::vector<uint8_t> bytes = recordedStepToBytes(step, &memory);
     ChunkWriter chunk;
-    chunk.add({'S', 'T', 'E', 'P'}, bytes, archive.memory() + listMemory(1, sizeof(RecordedStep)));
+    chunk.add({'S', 'T', 'E', 'P'}, bytes, memory);
     if (m_isFull || m_bytes + chunk.bytes().size() > kMaxFileBytes / 2) {  // the rest is room for padding
         if (!std::exchange(m_isFull, true))
             logWarning(m_path + ": the recording is as long as a file may get; it ends before step " +
@@ -171,11 +164,13 @@ Result<Done> RecordingWriter::handOver(const FileHeader& header) {
     return writeFileAtomically(m_path, m_whole, kMaxFileBytes);
 }
 
-std::vector<uint8_t> recordedStepToBytes(const RecordedStep& step) {
+std::vector<uint8_t> recordedStepToBytes(const RecordedStep& step, uint64_t* memory) {
     std::vector<uint8_t> bytes;
     PaletteList unused;
     BinaryOutputArchive archive(bytes, unused);
-    putStep(archive, step);
+    archive.put(step);
+    if (step.hostMotion) archive.put(*step.hostMotion);
+    if (memory) *memory = archive.memory() + listMemory(1, sizeof(RecordedStep));
     return bytes;
 }
 

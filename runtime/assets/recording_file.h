@@ -73,8 +73,9 @@ struct Recording {
     std::vector<RecordedStep> steps;
 };
 
-/// The content of a STEP chunk. A network host can send it to a client that joins late.
-std::vector<uint8_t> recordedStepToBytes(const RecordedStep& step);
+/// The content of a STEP chunk. A network host can send it to a client that joins late. `memory`: gets what reading it
+/// takes (MemoryBudget).
+std::vector<uint8_t> recordedStepToBytes(const RecordedStep& step, uint64_t* memory = nullptr);
 /// Reads it. `world`: number of the World whose handles the handles become.
 Result<RecordedStep> recordedStepFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/assets/file_bytes.h"
 #include "runtime/core/log.h"
 #include "runtime/plugin/layers.h"
 #include "runtime/world/impacts/break_through.h"
@@ -52,6 +53,8 @@ void FrameLoop::load(const Level& level) {
     m_pending.clear();
     forgetHostMotion();
     endRecording();
+    keepDeltas(false);
+    m_followedStart = ~uint64_t(0);
     m_world.load(level);
 }
 
@@ -60,6 +63,8 @@ void FrameLoop::load(SavedGame game) {
     m_changes = {};
     forgetHostMotion();
     endRecording();
+    keepDeltas(false);
+    m_followedStart = ~uint64_t(0);
     m_world.setState(std::move(game.world));
     m_pending = std::move(game.pending);
     claimHandles(m_world, m_pending);  // before a host reserves more
@@ -85,10 +90,8 @@ Result<Done> FrameLoop::save(const std::function<Result<Done>(std::span<const ui
     return written;
 }
 
-Result<Done> FrameLoop::save(const std::string& path) {
-    Result<Done> written = writeSave(path, savedGame(m_edits.waiting()));
-    if (written) goOnAsLoaded(false);
-    return written;
+Result<Done> saveTo(const std::string& path, FrameLoop& loop) {
+    return loop.save([&](std::span<const uint8_t> bytes) { return writeFileAtomically(path, bytes, kMaxFileBytes); });
 }
 
 void FrameLoop::goOnAsLoaded(bool dropMarks) {
@@ -103,14 +106,17 @@ Result<Done> FrameLoop::startRecording(const std::string& path) {
     endRecording();
     goOnAsLoaded(true);
     forgetHostMotion();  // it is in the saved game
-    m_recorder = std::make_unique<Recorder>(std::move(*writer), m_world);
+    m_recording = std::make_unique<RecordingWriter>(std::move(*writer));
+    m_recorder =
+        std::make_unique<Recorder>(m_world, [to = m_recording.get()](const RecordedStep& step) { to->add(step); });
     return Done{};
 }
 
 Result<Done> FrameLoop::stopRecording() {
-    if (!m_recorder) return Done{};
-    const std::unique_ptr<Recorder> recorder = std::move(m_recorder);
-    return recorder->close();
+    if (!m_recording) return Done{};
+    m_recorder.reset();
+    const std::unique_ptr<RecordingWriter> writer = std::move(m_recording);
+    return writer->close();
 }
 
 /// Stops a recording that nobody waits for.
@@ -180,10 +186,7 @@ void FrameLoop::loadPhysics() {
 void FrameLoop::applyEdits(const Edits& hostEdits) {
     const ScopedTimer timer(m_times[Stage::ApplyEdits]);
     m_changes = m_world.applyEdits(hostEdits, std::exchange(m_pending, {}));
-    if (m_recorder) {
-        m_recorder->recordEdits(hostEdits, m_changes, m_world, m_rebuildPhysics);
-        if (!m_physics) m_recorder->recordHostMotion(m_hostMotion);
-    }
+    recordEdits(hostEdits);
     m_rebuildPhysics = false;
 }
 
@@ -196,7 +199,7 @@ void FrameLoop::stepPhysics() {
     {
         const ScopedTimer timer(m_times[Stage::Poses]);
         copyMotion(*m_physics, m_world);
-        if (m_recorder) m_recorder->recordMotion(m_physics->poses(), m_physics->characters(), m_world);
+        recordMotion(m_physics->poses(), m_physics->characters());
     }
     const ScopedTimer timer(m_times[Stage::Impacts]);
     m_pending = damageOf(m_physics->impacts());
@@ -209,7 +212,20 @@ void FrameLoop::followHost() {
     const ScopedTimer timer(m_times[Stage::Poses]);
     m_movedByHost.clear();
     for (const BodyPose& moved : m_hostMotion.poses) addPose(moved.body, m_movedByHost);
-    if (m_recorder) m_recorder->recordMotion(m_movedByHost, {}, m_world);
+    recordMotion(m_movedByHost, {});
+}
+
+void FrameLoop::recordEdits(const Edits& hostEdits) {
+    for (Recorder* recorder : {m_recorder.get(), m_deltaRecorder.get()}) {
+        if (!recorder) continue;
+        recorder->recordEdits(hostEdits, m_changes, m_world, m_rebuildPhysics);
+        if (!m_physics) recorder->recordHostMotion(m_hostMotion);
+    }
+}
+
+void FrameLoop::recordMotion(std::span<const BodyPose> poses, std::span<const CharacterMove> characters) {
+    for (Recorder* recorder : {m_recorder.get(), m_deltaRecorder.get()})
+        if (recorder) recorder->recordMotion(poses, characters, m_world);
 }
 
 /// What impacts and forces break is carried out in the next step: no stage runs twice in one.
@@ -233,20 +249,23 @@ std::span<const BodyPose> FrameLoop::changedPoses() {
 }
 
 void FrameLoop::publish(const FrameChanges& changes) {
+    publish(changes, changedPoses(), m_physics ? m_physics->impacts() : m_hostImpacts);
+}
+
+void FrameLoop::publish(const FrameChanges& changes, std::span<const BodyPose> moved, std::span<const Impact> impacts) {
     if (m_shadow) {
         const ScopedTimer timer(m_times[Stage::Shadow]);
-        m_shadow->submit(changes, changedPoses(), m_world);
+        m_shadow->submit(changes, moved, m_world);
     }
     const ScopedTimer timer(m_times[Stage::Publish]);
-    const std::span<const Impact> impacts = m_physics ? m_physics->impacts() : m_hostImpacts;
     if (!m_shadow) {
-        if (m_publish) m_snapshots.publishWithoutShadow(changes, changedPoses(), m_world, impacts);
+        if (m_publish) m_snapshots.publishWithoutShadow(changes, moved, m_world, impacts);
         return;
     }
     m_shadowLag = changes.step - m_shadow->publishedVersion();
     if (m_waitForShadow) m_shadow->waitFor(changes.step);
     std::vector<ShadowPatches> patches = m_shadow->takePatches();
-    if (m_publish) m_snapshots.publish(changes, changedPoses(), m_world, std::move(patches), impacts);
+    if (m_publish) m_snapshots.publish(changes, moved, m_world, std::move(patches), impacts);
 }
 
 void FrameLoop::restartDrawing() {

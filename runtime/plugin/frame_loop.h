@@ -9,6 +9,7 @@
 
 #include "physics/physics_world.h"
 #include "render/renderer.h"
+#include "runtime/assets/delta_file.h"
 #include "runtime/core/profile.h"
 #include "runtime/core/thread_pool.h"
 #include "runtime/frame/snapshots.h"
@@ -53,14 +54,20 @@ public:
     SavedGame save();
     /// [main-thread] The same as the bytes of a file for `write`. If it gives an error, nothing changes.
     Result<Done> save(const std::function<Result<Done>(std::span<const uint8_t>)>& write);
-    /// [main-thread] The same into a file, whole or not at all. If it cannot be written, nothing changes.
-    Result<Done> save(const std::string& path);
     /// [main-thread] Records every step from here on, beginning with a saved game. Stops a recording that is running;
     /// the log says what of that one could not be written. Undo reaches back to here only. The file gets its name in
     /// stopRecording(). If it cannot be written, nothing changes: a recording that is running goes on.
     Result<Done> startRecording(const std::string& path);
     /// [main-thread] Completes the file; without a recording it does nothing.
     Result<Done> stopRecording();
+    /// [main-thread] From here on each step is kept for worlds that follow; `on` false: no more, at no cost.
+    void keepDeltas(bool on);
+    /// [main-thread] The steps that were kept; null: none are kept.
+    DeltaWriter* deltas() { return m_deltas.get(); }
+    /// [main-thread] Carries out what another world's deltas say, if this one is what that was before them: edits
+    /// that wait here, and damage of this world's impacts, wait on. After an error the World is as after the last good
+    /// step. The next step() rebuilds physics.
+    Result<Done> follow(const Deltas& deltas);
     /// [main-thread] Repeats a recorded step from its edits and what the host's physics did before it. If World and
     /// physics are in the state before that step, the hash after it is the recorded one.
     void replay(const RecordedStep& step);
@@ -118,7 +125,11 @@ private:
     /// Adds a body as it is now, if it is there.
     void addPose(BodyHandle handle, std::vector<BodyPose>& out) const;
     void publish(const FrameChanges& changes);
+    void publish(const FrameChanges& changes, std::span<const BodyPose> moved, std::span<const Impact> impacts);
     void endRecording();
+    void recordEdits(const Edits& hostEdits);
+    void recordMotion(std::span<const BodyPose> poses, std::span<const CharacterMove> characters);
+    Result<Done> followStep(const RecordedStep& step);
     /// The poses that physics or the host has just handed over, and those of bodies that edits teleported.
     std::span<const BodyPose> changedPoses();
 
@@ -135,7 +146,12 @@ private:
     HostMotion m_hostMotion;              ///< since the last step
     std::vector<Impact> m_hostImpacts;    ///< the same
     std::vector<BodyPose> m_movedByHost;  ///< in the last step
-    std::unique_ptr<Recorder> m_recorder;
+    std::unique_ptr<RecordingWriter> m_recording;
+    std::unique_ptr<DeltaWriter> m_deltas;
+    /// Of the recording and of the deltas; null: there is none.
+    std::unique_ptr<Recorder> m_recorder, m_deltaRecorder;
+    uint64_t m_followedStart = ~uint64_t(0);     ///< of the deltas that this world follows
+    std::vector<PaletteRef> m_followedPalettes;  ///< that they brought
     FrameChanges m_changes;
     std::vector<BodyPose> m_changedPoses;
     StageTimes m_times;
@@ -145,5 +161,8 @@ private:
     std::atomic<bool> m_mustPublishAll = false;  ///< in the next step
     bool m_awaitsAll = false;                    ///< [render-thread] the renderer has not seen the whole world
 };
+
+/// [main-thread] FrameLoop::save() into a file, whole or not at all. If it cannot be written, nothing changes.
+Result<Done> saveTo(const std::string& path, FrameLoop& loop);
 
 }  // namespace rubble

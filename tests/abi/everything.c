@@ -329,6 +329,34 @@ static void use_memory(void) {
     free(data);
 }
 
+/* A world that follows this one. */
+static void use_deltas(void) {
+    rubble_world other;
+    uint64_t size, hash, again;
+    uint8_t* data;
+    OK(api->create_world(NULL, &other));
+    OK(api->keep_deltas(world, 1));
+    OK(api->save_game_data(world, NULL, 0, &size));
+    data = malloc(size);
+    CHECK(data != NULL);
+    OK(api->save_game_data(world, data, size, &size));
+    OK(api->load_game_data(other, data, size));
+    free(data);
+    make_box(make_body(90.0, 0.0, 0.0, RUBBLE_BODY_STATIC), 5, 5, 5, 5);
+    steps(2);
+    OK(api->take_deltas(world, NULL, 0, &size));
+    data = malloc(size);
+    CHECK(data != NULL);
+    OK(api->take_deltas(world, data, size, &size));
+    OK(api->apply_deltas(other, data, size));
+    free(data);
+    OK(api->get_resolved_hash(world, &hash));
+    OK(api->get_resolved_hash(other, &again));
+    CHECK(hash == again);
+    OK(api->keep_deltas(world, 0));
+    OK(api->destroy_world(other));
+}
+
 /* What a host says of objects: names, tags and numbers, by which it finds them; origins of pieces; settings. */
 static void use_objects(void) {
     const rubble_body body = make_body(60.0, 2.0, 0.0, RUBBLE_BODY_STATIC);
@@ -449,6 +477,7 @@ int main(int argc, char** argv) {
     use_objects();
     use_files();
     use_memory();
+    use_deltas();
     use_host_physics();
     use_renderer();
     OK(api->destroy_world(world));

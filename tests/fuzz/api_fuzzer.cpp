@@ -192,6 +192,7 @@ void RandomHost::callUndo() {
 void RandomHost::callFile() {
     m_isRecorded = false, m_hasLoaded = true;
     if (m_decisions.oneIn(4)) return loadData();
+    if (m_decisions.oneIn(4)) return followByDeltas();
     if (m_decisions.oneIn(2)) return saveAndLoad();
     api().start_recording(m_world, scratchPath("game.rubblelog").c_str());
     for (uint32_t i = m_decisions.below(4); i-- > 0;) callEdit(), m_model->step();

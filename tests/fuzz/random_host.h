@@ -146,6 +146,8 @@ private:
     void callFile();
     void saveAndLoad();
     void loadData();
+    /// Another world follows this one by deltas, some of which have other bytes.
+    void followByDeltas();
     rubble_world makeWorld();
     void load(rubble_world world);
     void startRecording();

@@ -14,7 +14,7 @@ void requireDone(const Result<Done>& done) {
 
 rubble_result saveGame(rubble_world world, const char* path) {
     return inWorld("save_game", world, [&](HostedWorld& hosted) {
-        if (isGiven(path, "path")) requireDone(hosted.loop.save(path));
+        if (isGiven(path, "path")) requireDone(saveTo(path, hosted.loop));
     });
 }
 

@@ -28,6 +28,7 @@ rubble_api makeTable() {
     setSettingsFunctions(api);
     setHostPhysicsFunctions(api);
     setDataFileFunctions(api);
+    setDeltaFunctions(api);
     setRendererFunctions(api);
     return api;
 }

@@ -1557,6 +1557,24 @@ typedef struct rubble_api {
     /* [main-thread] As play_recording(), of a recording in memory. rubble_host.write_file takes recordings into memory.
      */
     rubble_result (*play_recording_data)(rubble_world world, const void* data, uint64_t size, uint64_t* steps);
+
+    /* ---- deltas: a world that follows another ---- */
+
+    /* [main-thread] From now on each step keeps what it changed, for worlds that are equal to this one now, such as one
+     * that loads save_game_data() of now. on: 1; 0 ends it, as loading does, and costs nothing. */
+    rubble_result (*keep_deltas)(rubble_world world, uint32_t on);
+    /* [main-thread] Takes what steps have kept since the last call that gave it. `capacity` is in bytes; *count becomes
+     * the size. Capacity 0 asks for that alone; fewer bytes than that: RUBBLE_ERROR_CAPACITY; nothing is taken either
+     * way. RUBBLE_ERROR_ARGUMENT: none are kept. */
+    rubble_result (*take_deltas)(rubble_world world, uint8_t* out, uint64_t capacity, uint64_t* count);
+    /* [main-thread] Carries out steps of another world: objects, voxels and motion become those, without edits or
+     * physics. Each take of the other world is applied once, in their order, from the first after keep_deltas() on.
+     * get_events() tells of the last of the steps. Heat, ropes between their ends and what is still to split are left
+     * out, see get_resolved_hash(). RUBBLE_ERROR_FILE: the bytes are wrong, steps are missing, or this world was
+     * another one; it is as after the last good step. */
+    rubble_result (*apply_deltas)(rubble_world world, const void* data, uint64_t size);
+    /* [main-thread] A hash of what deltas keep equal: all objects, voxels and settings. */
+    rubble_result (*get_resolved_hash)(rubble_world world, uint64_t* out);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

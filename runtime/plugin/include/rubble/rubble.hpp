@@ -771,6 +771,33 @@ public:
         check(api().play_recording_data(m_handle, data, size, &out));
         return out;
     }
+    /** From now on each step keeps what it changed, for worlds that are equal to this one now, such as one that loads
+     * save_game_data() of now. on: 1; 0 ends it, as loading does, and costs nothing. */
+    void keep_deltas(uint32_t on) {
+        check(api().keep_deltas(m_handle, on));
+    }
+    /** Takes what steps have kept since the last call that gave it. `capacity` is in bytes; *count becomes the size.
+     * Capacity 0 asks for that alone; fewer bytes than that: RUBBLE_ERROR_CAPACITY; nothing is taken either way.
+     * RUBBLE_ERROR_ARGUMENT: none are kept. */
+    std::vector<uint8_t> take_deltas() {
+        return rows<uint8_t, uint64_t>([&](uint8_t* out, uint64_t capacity, uint64_t* count) {
+            return api().take_deltas(m_handle, out, capacity, count);
+        });
+    }
+    /** Carries out steps of another world: objects, voxels and motion become those, without edits or physics. Each take
+     * of the other world is applied once, in their order, from the first after keep_deltas() on. get_events() tells of
+     * the last of the steps. Heat, ropes between their ends and what is still to split are left out, see
+     * get_resolved_hash(). RUBBLE_ERROR_FILE: the bytes are wrong, steps are missing, or this world was another one; it
+     * is as after the last good step. */
+    void apply_deltas(const void* data, uint64_t size) {
+        check(api().apply_deltas(m_handle, data, size));
+    }
+    /** A hash of what deltas keep equal: all objects, voxels and settings. */
+    uint64_t get_resolved_hash() const {
+        uint64_t out{};
+        check(api().get_resolved_hash(m_handle, &out));
+        return out;
+    }
 private:
     void release() noexcept {
         if (m_handle) api().destroy_world(std::exchange(m_handle, 0));
