@@ -107,10 +107,4 @@ PhysicsStats PhysicsWorld::stats() const {
     return stats;
 }
 
-void copyMotion(const PhysicsWorld& physics, World& world) {
-    world.setPoses(physics.poses());
-    world.setRopes(physics.ropes());
-    world.setCharacters(physics.characters());
-}
-
 }  // namespace rubble

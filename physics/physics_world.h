@@ -26,37 +26,38 @@ struct PhysicsStats {
 /// Rigid bodies made of voxels, with joints, ropes, water and characters. It follows a World: load() begins, apply()
 /// takes over its changes, step() moves the bodies, and copyMotion() writes the result back. Positions are double; each
 /// pair is computed in float about one of its bodies. The same changes and steps give the same bits, with the same
-/// build and any number of threads. [main-thread]
+/// build and any number of threads. Its functions are virtual so that a library without physics, which never makes one,
+/// links without it. [main-thread]
 class PhysicsWorld {
 public:
     /// Empty until load().
     explicit PhysicsWorld(const PhysicsSettings& settings = {});
-    ~PhysicsWorld();
+    virtual ~PhysicsWorld();
     PhysicsWorld(const PhysicsWorld&) = delete;
     PhysicsWorld& operator=(const PhysicsWorld&) = delete;
 
     /// Creates everything from World as it is between two steps, in slot order; nothing of the past remains but the
     /// counts of stats(). A World whose level was replaced is loaded before its next applyEdits(), so that the edits of
     /// that step wake what they wake in any other.
-    void load(const World& world);
+    virtual void load(const World& world);
     /// Takes over what World changed: bodies, shapes, joints, waters, characters, gravity, then impulses. A new piece
     /// starts with the motion that World gave it.
-    void apply(const FrameChanges& changes, const World& world);
+    virtual void apply(const FrameChanges& changes, const World& world);
     /// Moves everything by settings.stepSeconds. What the functions below return is valid until the next step().
-    void step();
+    virtual void step();
     /// Bodies that moved, fell asleep or woke in the last step, in slot order.
-    std::span<const BodyPose> poses() const;
+    virtual std::span<const BodyPose> poses() const;
     /// Characters that moved or changed in the last step, in slot order.
-    std::span<const CharacterMove> characters() const;
+    virtual std::span<const CharacterMove> characters() const;
     /// Impacts above the settings' threshold in the last step, one for each pair of bodies, in a fixed order. Normals
     /// point from `other` to `body`.
-    std::span<const Impact> impacts() const;
+    virtual std::span<const Impact> impacts() const;
     /// Joints whose force or torque in the last step was more than they can stand, in slot order.
-    std::span<const JointHandle> jointBreaks() const;
+    virtual std::span<const JointHandle> jointBreaks() const;
     /// Ropes that moved in the last step, in slot order.
-    std::span<const RopeMotion> ropes() const;
+    virtual std::span<const RopeMotion> ropes() const;
     /// Counts of now and of the last step.
-    PhysicsStats stats() const;
+    virtual PhysicsStats stats() const;
 
 private:
     struct Impl;
@@ -64,6 +65,10 @@ private:
 };
 
 /// Writes to World what moved in the last step: the poses of bodies, ropes and characters.
-void copyMotion(const PhysicsWorld& physics, World& world);
+inline void copyMotion(const PhysicsWorld& physics, World& world) {
+    world.setPoses(physics.poses());
+    world.setRopes(physics.ropes());
+    world.setCharacters(physics.characters());
+}
 
 }  // namespace rubble

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <glm/gtc/type_precision.hpp>
+#include <memory>
+#include <mutex>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace rubble {
 namespace {
@@ -115,11 +119,41 @@ glm::ivec3 FeatureList::cellOf(const Pack& pack, size_t i) {
     return (glm::ivec3(pack.x[i], pack.y[i], pack.z[i]) - halfCellOffset(pack.kind[i])) / 2;
 }
 
+namespace {
+
+/// Bricks by the thousand are searched one after the other: what they need on the way keeps its memory.
+struct Scratch {
+    std::vector<std::vector<Feature>> found;
+    FeatureList features;
+};
+
+/// Not thread_local: a thread that has something to destroy keeps the library in memory after dlclose().
+class ScratchPool {
+public:
+    std::unique_ptr<Scratch> take() {
+        const std::lock_guard lock(m_mutex);
+        if (m_free.empty()) return std::make_unique<Scratch>();
+        std::unique_ptr<Scratch> out = std::move(m_free.back());
+        m_free.pop_back();
+        return out;
+    }
+    void give(std::unique_ptr<Scratch> scratch) {
+        const std::lock_guard lock(m_mutex);
+        m_free.push_back(std::move(scratch));
+    }
+
+private:
+    std::mutex m_mutex;
+    std::vector<std::unique_ptr<Scratch>> m_free;
+};
+
+}  // namespace
+
 FeatureList findFeatures(const SolidRows& rows) {
     const glm::ivec3 size = rows.box().high - rows.box().low, clusters = (size + kClusterSize - 1) / kClusterSize;
-    // Bricks by the thousand are searched one after the other: what they need on the way keeps its memory.
-    thread_local std::vector<std::vector<Feature>> found;
-    thread_local FeatureList scratch;
+    static ScratchPool pool;
+    std::unique_ptr<Scratch> lent = pool.take();
+    auto& [found, scratch] = *lent;
     if (const size_t needed = size_t(clusters.x) * size_t(clusters.y); found.size() < needed) found.resize(needed);
     scratch.packs.clear(), scratch.clusters.clear(), scratch.count = 0;
     size_t number = 0;
@@ -131,7 +165,9 @@ FeatureList findFeatures(const SolidRows& rows) {
             cluster.clear();
         }
     }
-    return scratch;
+    FeatureList out = scratch;
+    pool.give(std::move(lent));
+    return out;
 }
 
 }  // namespace rubble

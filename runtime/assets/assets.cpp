@@ -1,6 +1,11 @@
 #include "runtime/assets/assets.h"
 
+#include <algorithm>
 #include <filesystem>
+
+#include "runtime/assets/chunk_file.h"
+#include "runtime/assets/rubble_file.h"
+#include "runtime/assets/vox_import.h"
 
 namespace rubble {
 
@@ -24,6 +29,13 @@ Result<Level> readLevel(const std::string& path, const std::string& vdbTool, Imp
     Result<Level> level = readRubble(path);
     if (level && report) report->count(*level);
     return level;
+}
+
+Result<Level> levelFromBytes(std::span<const uint8_t> bytes, const std::string& name) {
+    const bool isRubble =
+        bytes.size() >= kFileMagic.size() && std::equal(kFileMagic.begin(), kFileMagic.end(), bytes.begin(),
+                                                        [](char a, uint8_t b) { return uint8_t(a) == b; });
+    return isRubble ? levelFromRubble(bytes, name) : importVoxBytes(bytes, name, {});
 }
 
 }  // namespace rubble

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,9 @@ Result<Done> writeVdb(const std::string& path, const Level& level, const std::st
 
 /// Reads a file of the format that its name's ending says: .rubble, .vdb or .vox.
 Result<Level> readLevel(const std::string& path, const std::string& vdbTool, ImportReport* report = nullptr);
+
+/// Reads a .rubble or .vox file in memory, told apart by its first bytes. `name`: of the file, for messages.
+Result<Level> levelFromBytes(std::span<const uint8_t> bytes, const std::string& name);
 
 /// Hash of everything in a level: two levels with equal hashes give equal files.
 uint64_t hashLevel(const Level& level);

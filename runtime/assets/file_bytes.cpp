@@ -12,6 +12,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "runtime/assets/file_hooks.h"
+
 namespace rubble {
 namespace {
 
@@ -20,13 +22,34 @@ struct Closer {
 };
 using File = std::unique_ptr<std::FILE, Closer>;
 
+FileHooks g_hooks;
+
+Result<std::vector<uint8_t>> readHosted(const std::string& path, uint64_t size, uint64_t limit) {
+    if (size > limit) return Error{fmt::format("{}: expected at most {} bytes, found {}", path, limit, size)};
+    std::vector<uint8_t> bytes(static_cast<size_t>(size));
+    if (!g_hooks.read(g_hooks.user, path.c_str(), bytes.data(), size))
+        return Error{path + ": cannot read: the host's read_file() gave 0"};
+    return bytes;
+}
+
 }  // namespace
+
+void setFileHooks(const FileHooks& hooks) {
+    g_hooks = hooks;
+}
+
+const FileHooks& fileHooks() {
+    return g_hooks;
+}
 
 Error fileError(const std::string& path, const char* what, int code) {
     return {path + ": " + what + (code ? std::string(": ") + std::strerror(code) : "")};
 }
 
 Result<std::vector<uint8_t>> readFileBytes(const std::string& path, uint64_t limit) {
+    if (g_hooks.size)
+        if (const uint64_t size = g_hooks.size(g_hooks.user, path.c_str()); size != FileHooks::kOnDisk)
+            return readHosted(path, size, limit);
     const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     const File file(descriptor < 0 ? nullptr : fdopen(descriptor, "rb"));
     struct stat status {};
@@ -62,6 +85,9 @@ Result<std::string> fileToWrite(const std::string& path) {
 Result<Done> writeFileAtomically(const std::string& path, std::span<const uint8_t> bytes, uint64_t limit) {
     if (bytes.size() > limit)
         return Error{fmt::format("{}: expected at most {} bytes to write, found {}", path, limit, bytes.size())};
+    if (g_hooks.write)
+        if (const int32_t done = g_hooks.write(g_hooks.user, path.c_str(), bytes.data(), bytes.size()); done >= 0)
+            return done > 0 ? Result<Done>(Done{}) : Error{path + ": cannot write: the host's write_file() gave 0"};
     const Result<std::string> target = fileToWrite(path);
     if (!target) return Error{target.error()};
     static std::atomic<unsigned> calls{0};  // worlds of other threads may write the same file

@@ -8,14 +8,15 @@
 
 namespace rubble {
 
-/// Reads a whole file. An error if it is no regular file, cannot be read, or is larger than `limit` bytes. Never waits
-/// for a writer, as the other end of a pipe.
+/// Reads a whole file: of the host, if it has it (file_hooks.h). An error if it is no regular file, cannot be read, or
+/// is larger than `limit` bytes. Never waits for a writer, as the other end of a pipe.
 Result<std::vector<uint8_t>> readFileBytes(const std::string& path, uint64_t limit);
 /// The file that writing to `path` replaces or makes: `path` itself, or where a symbolic link leads. An error if
 /// something that is no regular file is there, such as a folder or a device.
 Result<std::string> fileToWrite(const std::string& path);
 /// Writes a temporary file beside fileToWrite(), flushes it to the disk and renames it: readers see the old file or the
-/// whole new one, even after a power failure. An error if there are more than `limit` bytes.
+/// whole new one, even after a power failure. Or hands it to the host (file_hooks.h). An error if there are more than
+/// `limit` bytes.
 Result<Done> writeFileAtomically(const std::string& path, std::span<const uint8_t> bytes, uint64_t limit);
 /// "PATH: WHAT: why errno says that it failed"; without a reason if it says none. `code`: the errno of the failure.
 Error fileError(const std::string& path, const char* what, int code);

@@ -5,12 +5,14 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
 #include <new>
 #include <utility>
 
 #include "runtime/assets/binary_archive.h"
 #include "runtime/assets/chunk_file.h"
 #include "runtime/assets/file_bytes.h"
+#include "runtime/assets/file_hooks.h"
 #include "runtime/assets/state_fields.h"
 #include "runtime/core/log.h"
 #include "runtime/core/range_check.h"
@@ -32,6 +34,12 @@ inline constexpr auto kFields<CharacterMove> = std::tuple{
     Field{"crouched", &CharacterMove::crouched},   Field{"swimming", &CharacterMove::swimming},
     Field{"ground", &CharacterMove::ground},
 };
+template <>
+inline constexpr auto kFields<HostMotion> = std::tuple{
+    Field{"poses", &HostMotion::poses},
+    Field{"damage", &HostMotion::damage},
+};
+/// Without hostMotion, which is behind the others if there is one.
 template <>
 inline constexpr auto kFields<RecordedStep> = std::tuple{
     Field{"step", &RecordedStep::step},
@@ -64,16 +72,10 @@ std::FILE* openAlone(const std::string& path) {
 }  // namespace
 
 Result<RecordingWriter> RecordingWriter::open(const std::string& path, const SavedGame& start) {
-    const Result<std::string> target = fileToWrite(path);
-    if (!target) return Error{target.error()};
     RecordingWriter writer;
-    writer.m_path = *target;
-    const Result<std::string> part = fileToWrite(writer.partPath());
-    if (!part) return Error{part.error()};
-    writer.m_file.reset(openAlone(*part));
-    if (!writer.m_file && errno == EWOULDBLOCK)
-        return Error{path + ": expected a file of its own, found one that a recording is being written to"};
-    if (!writer.m_file) return fileError(*part, "cannot write", errno);
+    writer.m_path = path;
+    if (!fileHooks().write)
+        if (const Result<Done> opened = writer.openPart(); !opened) return Error{opened.error()};
     ChunkWriter chunks;
     uint64_t memory = 0;
     const std::vector<uint8_t> game = gameToBytes(start, &memory);
@@ -84,19 +86,37 @@ Result<RecordingWriter> RecordingWriter::open(const std::string& path, const Sav
     writer.write(chunks);
     writer.flush();
     if (!writer.m_failure) return writer;
-    std::remove(part->c_str());
+    std::remove(writer.partPath().c_str());
     return fileError(path, "cannot write", writer.m_failure);
+}
+
+/// The file that has its name after close().
+Result<Done> RecordingWriter::openPart() {
+    const std::string path = m_path;
+    const Result<std::string> target = fileToWrite(path);
+    if (!target) return Error{target.error()};
+    m_path = *target;
+    const Result<std::string> part = fileToWrite(partPath());
+    if (!part) return Error{part.error()};
+    m_file.reset(openAlone(*part));
+    if (!m_file && errno == EWOULDBLOCK)
+        return Error{path + ": expected a file of its own, found one that a recording is being written to"};
+    if (!m_file) return fileError(*part, "cannot write", errno);
+    return Done{};
 }
 
 void RecordingWriter::flush() {
     errno = 0;
-    if (!m_failure && std::fflush(m_file.get()) != 0) m_failure = errno ? errno : EIO;
+    if (m_file && !m_failure && std::fflush(m_file.get()) != 0) m_failure = errno ? errno : EIO;
 }
 
 void RecordingWriter::write(std::span<const uint8_t> bytes) {
     if (m_failure) return;
     errno = 0;
-    if (std::fwrite(bytes.data(), 1, bytes.size(), m_file.get()) != bytes.size()) m_failure = errno ? errno : EIO;
+    if (!m_file)
+        m_whole.insert(m_whole.end(), bytes.begin(), bytes.end());
+    else if (std::fwrite(bytes.data(), 1, bytes.size(), m_file.get()) != bytes.size())
+        m_failure = errno ? errno : EIO;
     m_bytes += bytes.size();
 }
 
@@ -107,12 +127,10 @@ void RecordingWriter::write(const ChunkWriter& chunks) {
 }
 
 void RecordingWriter::add(const RecordedStep& step) {
-    std::vector<uint8_t> bytes;
-    PaletteList unused;
-    BinaryOutputArchive archive(bytes, unused);
-    archive.put(step);
+    uint64_t memory = 0;
+    const std::vector<uint8_t> bytes = recordedStepToBytes(step, &memory);
     ChunkWriter chunk;
-    chunk.add({'S', 'T', 'E', 'P'}, bytes, archive.memory() + listMemory(1, sizeof(RecordedStep)));
+    chunk.add({'S', 'T', 'E', 'P'}, bytes, memory);
     if (m_isFull || m_bytes + chunk.bytes().size() > kMaxFileBytes / 2) {  // the rest is room for padding
         if (!std::exchange(m_isFull, true))
             logWarning(m_path + ": the recording is as long as a file may get; it ends before step " +
@@ -129,6 +147,7 @@ Result<Done> RecordingWriter::close() {
     write(padding);
     const FileHeader header = makeFileHeader(m_chunks, m_lastHash);
     std::FILE* file = m_file.get();
+    if (!file) return handOver(header);
     errno = 0;
     const bool isWritten = !m_failure && std::fseek(file, 0, SEEK_SET) == 0 &&
                            std::fwrite(&header, sizeof header, 1, file) == 1 && std::fflush(file) == 0 &&
@@ -140,10 +159,18 @@ Result<Done> RecordingWriter::close() {
     return fileError(m_path, "cannot write", reason);
 }
 
-std::vector<uint8_t> recordedStepToBytes(const RecordedStep& step) {
+Result<Done> RecordingWriter::handOver(const FileHeader& header) {
+    std::memcpy(m_whole.data(), &header, sizeof header);
+    return writeFileAtomically(m_path, m_whole, kMaxFileBytes);
+}
+
+std::vector<uint8_t> recordedStepToBytes(const RecordedStep& step, uint64_t* memory) {
     std::vector<uint8_t> bytes;
     PaletteList unused;
-    BinaryOutputArchive(bytes, unused).put(step);
+    BinaryOutputArchive archive(bytes, unused);
+    archive.put(step);
+    if (step.hostMotion) archive.put(*step.hostMotion);
+    if (memory) *memory = archive.memory() + listMemory(1, sizeof(RecordedStep));
     return bytes;
 }
 
@@ -155,9 +182,13 @@ Result<RecordedStep> recordedStepFromBytes(std::span<const uint8_t> bytes, const
 /// About the motion of bodies and characters in a step; empty: nothing.
 static std::string motionError(const RecordedStep& step) {
     RangeCheck check;
-    for (const BodyPose& pose : step.poses)
-        check.include(
-            objectError(Body{.pose = pose.pose, .velocity = pose.velocity, .angularVelocity = pose.angularVelocity}));
+    const auto includePoses = [&](const std::vector<BodyPose>& poses) {
+        for (const BodyPose& pose : poses)
+            check.include(objectError(
+                Body{.pose = pose.pose, .velocity = pose.velocity, .angularVelocity = pose.angularVelocity}));
+    };
+    includePoses(step.poses);
+    if (step.hostMotion) includePoses(step.hostMotion->poses);
     for (const CharacterMove& move : step.characters)
         check.vector("position", move.position, ranges::kPlace)
             .include(characterVelocityError("velocity", move.velocity));
@@ -166,7 +197,9 @@ static std::string motionError(const RecordedStep& step) {
 
 Result<RecordedStep> recordedStepFrom(ByteReader& reader, const std::string& name, uint8_t world) {
     RecordedStep step;
-    BinaryInputArchive(reader, {}, world).get(step);
+    BinaryInputArchive archive(reader, {}, world);
+    archive.get(step);
+    if (reader.remaining() > 0) archive.get(step.hostMotion.emplace());
     reader.expectEnd("step");
     if (!reader.failed())
         if (const std::string error = motionError(step); !error.empty()) reader.fail("motion within its ranges", error);

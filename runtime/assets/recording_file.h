@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,21 +14,28 @@
 
 namespace rubble {
 
+/// What the host's own physics did between two steps.
+struct HostMotion {
+    std::vector<BodyPose> poses;  ///< of bodies that it moved, in the order in which it said so
+    Edits damage;                 ///< by impacts
+};
+
 /// One step of a recording: the edits of the host, and what they came to.
 struct RecordedStep {
     uint64_t step = 0;
     bool physicsRebuilt = false;  ///< physics was rebuilt from the World before this step
     Edits edits;  ///< of the host; those of impacts follow from physics, and their effect is in the delta
     std::vector<uint8_t> delta;   ///< what the edits changed, see stepDeltaToBytes()
-    std::vector<BodyPose> poses;  ///< of bodies that physics moved
+    std::vector<BodyPose> poses;  ///< of bodies that physics moved; after the step
     std::vector<CharacterMove> characters;
     uint64_t hash = 0;          ///< World::hash() after the step
     uint64_t resolvedHash = 0;  ///< World::resolvedHash(): what delta, poses and characters alone must come to
     uint64_t voxelHash = 0;     ///< World::voxelHash(): what the delta alone must come to
+    std::optional<HostMotion> hostMotion;  ///< before the step; none: the world has physics of its own
 };
 
 /// Writes a recording: a chunk file with a saved game (GAME) and a chunk for each step (STEP). Until close() the file's
-/// name ends in ".part".
+/// name ends in ".part"; where the host writes files (file_hooks.h) it is kept in memory and written as a whole.
 class RecordingWriter {
 public:
     /// Opens the file and writes the saved game. An error if that cannot be written, if the file could not get its
@@ -42,13 +50,16 @@ private:
     struct Closer {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
+    Result<Done> openPart();
     void write(std::span<const uint8_t> bytes);
     void write(const ChunkWriter& chunks);
     void flush();
+    Result<Done> handOver(const FileHeader& header);
     std::string partPath() const { return m_path + ".part"; }
 
     std::string m_path;
-    std::unique_ptr<std::FILE, Closer> m_file;
+    std::unique_ptr<std::FILE, Closer> m_file;  ///< null: m_whole
+    std::vector<uint8_t> m_whole;               ///< for the host
     uint32_t m_chunks = 0;
     uint64_t m_bytes = 0, m_memory = 0;  ///< of the file so far; that reading it takes
     uint64_t m_lastHash = 0;
@@ -62,8 +73,9 @@ struct Recording {
     std::vector<RecordedStep> steps;
 };
 
-/// The content of a STEP chunk. A network host can send it to a client that joins late.
-std::vector<uint8_t> recordedStepToBytes(const RecordedStep& step);
+/// The content of a STEP chunk. A network host can send it to a client that joins late. `memory`: gets what reading it
+/// takes (MemoryBudget).
+std::vector<uint8_t> recordedStepToBytes(const RecordedStep& step, uint64_t* memory = nullptr);
 /// Reads it. `world`: number of the World whose handles the handles become.
 Result<RecordedStep> recordedStepFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world);
 

@@ -89,8 +89,28 @@ void setLogSink(LogSink sink, void* user) {
     theLog().setSink(sink, user);
 }
 
+static thread_local LogScope* t_scope = nullptr;
+
+LogScope::LogScope(LogSink sink, void* user) : m_outer(t_scope), m_sink(sink), m_user(user) {
+    t_scope = this;
+}
+
+LogScope::~LogScope() {
+    t_scope = m_outer;
+}
+
 void log(LogLevel level, std::string_view message) {
-    theLog().send(level, message);
+    LogScope* scope = t_scope;
+    if (!scope) return theLog().send(level, message);
+    if (scope->m_inSink) return writeToStderr(nullptr, level, message);
+    scope->m_inSink = true;
+    try {
+        scope->m_sink(scope->m_user, level, message);
+    } catch (...) {
+        scope->m_inSink = false;
+        throw;
+    }
+    scope->m_inSink = false;
 }
 
 }  // namespace rubble

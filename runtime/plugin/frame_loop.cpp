@@ -1,10 +1,11 @@
 #include "runtime/plugin/frame_loop.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
+#include "runtime/assets/file_bytes.h"
 #include "runtime/core/log.h"
+#include "runtime/plugin/layers.h"
 #include "runtime/world/impacts/break_through.h"
 #include "runtime/world/impacts/impact_damage.h"
 
@@ -12,8 +13,11 @@ namespace rubble {
 
 FrameLoop::FrameLoop(const FrameLoopSettings& settings)
     : m_world(settings.worldId, settings.firstGeneration),
-      m_threads(settings.physicsThreads > 1 ? std::make_unique<ThreadPool>(settings.physicsThreads) : nullptr),
-      m_physics(withThreads(settings.physics)),
+      m_threads(settings.physicsThreads > 1 && !settings.parallelFor
+                    ? std::make_unique<ThreadPool>(settings.physicsThreads)
+                    : nullptr),
+      m_parallelFor(chooseThreads(settings)),
+      m_physics(settings.hostPhysics ? nullptr : makePhysics(withThreads(settings))),
       m_snapshots(settings.particles),
       m_publish(settings.publish),
       m_waitForShadow(settings.waitForShadow) {
@@ -24,16 +28,18 @@ FrameLoop::~FrameLoop() {
     endRecording();
 }
 
-ParallelFor FrameLoop::parallelFor() const {
+ParallelFor FrameLoop::chooseThreads(const FrameLoopSettings& settings) const {
+    if (settings.parallelFor) return settings.parallelFor;
     if (!m_threads) return serialFor;
     return [threads = m_threads.get()](size_t count, const std::function<void(size_t)>& body) {
         threads->run(count, body);
     };
 }
 
-PhysicsSettings FrameLoop::withThreads(PhysicsSettings settings) const {
-    if (m_threads) settings.parallelFor = parallelFor();
-    return settings;
+PhysicsSettings FrameLoop::withThreads(const FrameLoopSettings& settings) const {
+    PhysicsSettings out = settings.physics;
+    if (m_threads || settings.parallelFor) out.parallelFor = m_parallelFor;
+    return out;
 }
 
 void FrameLoop::dropWaitingEdits() {
@@ -45,14 +51,20 @@ void FrameLoop::load(const Level& level) {
     dropWaitingEdits();
     m_changes = {};
     m_pending.clear();
+    forgetHostMotion();
     endRecording();
+    keepDeltas(false);
+    m_followedStart = ~uint64_t(0);
     m_world.load(level);
 }
 
 void FrameLoop::load(SavedGame game) {
     dropWaitingEdits();
     m_changes = {};
+    forgetHostMotion();
     endRecording();
+    keepDeltas(false);
+    m_followedStart = ~uint64_t(0);
     m_world.setState(std::move(game.world));
     m_pending = std::move(game.pending);
     claimHandles(m_world, m_pending);  // before a host reserves more
@@ -72,10 +84,14 @@ SavedGame FrameLoop::save() {
     return game;
 }
 
-Result<Done> FrameLoop::save(const std::string& path) {
-    Result<Done> written = writeSave(path, savedGame(m_edits.waiting()));
+Result<Done> FrameLoop::save(const std::function<Result<Done>(std::span<const uint8_t>)>& write) {
+    Result<Done> written = write(gameToBytes(savedGame(m_edits.waiting())));
     if (written) goOnAsLoaded(false);
     return written;
+}
+
+Result<Done> saveTo(const std::string& path, FrameLoop& loop) {
+    return loop.save([&](std::span<const uint8_t> bytes) { return writeFileAtomically(path, bytes, kMaxFileBytes); });
 }
 
 void FrameLoop::goOnAsLoaded(bool dropMarks) {
@@ -89,14 +105,18 @@ Result<Done> FrameLoop::startRecording(const std::string& path) {
     if (!writer) return Error{writer.error()};
     endRecording();
     goOnAsLoaded(true);
-    m_recorder = std::make_unique<Recorder>(std::move(*writer), m_world);
+    forgetHostMotion();  // it is in the saved game
+    m_recording = std::make_unique<RecordingWriter>(std::move(*writer));
+    m_recorder =
+        std::make_unique<Recorder>(m_world, [to = m_recording.get()](const RecordedStep& step) { to->add(step); });
     return Done{};
 }
 
 Result<Done> FrameLoop::stopRecording() {
-    if (!m_recorder) return Done{};
-    const std::unique_ptr<Recorder> recorder = std::move(m_recorder);
-    return recorder->close();
+    if (!m_recording) return Done{};
+    m_recorder.reset();
+    const std::unique_ptr<RecordingWriter> writer = std::move(m_recording);
+    return writer->close();
 }
 
 /// Stops a recording that nobody waits for.
@@ -113,97 +133,144 @@ void FrameLoop::step() {
 void FrameLoop::replay(const RecordedStep& step) {
     m_rebuildPhysics = step.physicsRebuilt;
     if (m_rebuildPhysics) m_world.resetCaches();
+    if (step.hostMotion) {
+        moveBodies(step.hostMotion->poses);
+        addHostDamage(step.hostMotion->damage);
+    }
     stepWith(step.edits);
+}
+
+void FrameLoop::moveBodies(std::span<const BodyPose> poses) {
+    m_world.setPoses(poses);
+    m_hostMotion.poses.insert(m_hostMotion.poses.end(), poses.begin(), poses.end());
+}
+
+void FrameLoop::addImpacts(std::span<const Impact> impacts) {
+    addHostDamage(damageOf(impacts));
+    m_hostImpacts.insert(m_hostImpacts.end(), impacts.begin(), impacts.end());
+}
+
+void FrameLoop::addHostDamage(const Edits& damage) {
+    m_pending.insert(m_pending.end(), damage.begin(), damage.end());
+    m_hostMotion.damage.insert(m_hostMotion.damage.end(), damage.begin(), damage.end());
+}
+
+void FrameLoop::forgetHostMotion() {
+    m_hostMotion.poses.clear();
+    m_hostMotion.damage.clear();
+    m_hostImpacts.clear();
 }
 
 void FrameLoop::stepWith(const Edits& hostEdits) {
     std::fill_n(m_times.ms.begin(), size_t(Stage::Apply), 0.0);  // the stages from Apply on are the render thread's
     loadPhysics();
     applyEdits(hostEdits);
-    stepPhysics();
-    collectDamage();
-    if (!m_mustPublishAll.exchange(false)) return publish(m_changes);
-    FrameChanges all = m_changes;
-    all.levelReplaced = true;
-    publish(all);
+    m_physics ? stepPhysics() : followHost();
+    if (m_mustPublishAll.exchange(false)) {
+        FrameChanges all = m_changes;
+        all.levelReplaced = true;
+        publish(all);
+    } else {
+        publish(m_changes);
+    }
+    forgetHostMotion();
 }
 
 /// Before the edits, so that physics can tell what they change.
 void FrameLoop::loadPhysics() {
-    if (!m_rebuildPhysics && !m_world.data().levelReplaced) return;
+    if (!m_physics || (!m_rebuildPhysics && !m_world.data().levelReplaced)) return;
     const ScopedTimer timer(m_times[Stage::Physics]);
-    m_physics.load(m_world);
+    m_physics->load(m_world);
 }
 
 void FrameLoop::applyEdits(const Edits& hostEdits) {
     const ScopedTimer timer(m_times[Stage::ApplyEdits]);
     m_changes = m_world.applyEdits(hostEdits, std::exchange(m_pending, {}));
-    if (m_recorder) m_recorder->recordEdits(hostEdits, m_changes, m_world, m_rebuildPhysics);
+    recordEdits(hostEdits);
     m_rebuildPhysics = false;
 }
 
 void FrameLoop::stepPhysics() {
     {
         const ScopedTimer timer(m_times[Stage::Physics]);
-        m_physics.apply(m_changes, m_world);
-        m_physics.step();
+        m_physics->apply(m_changes, m_world);
+        m_physics->step();
     }
-    const ScopedTimer timer(m_times[Stage::Poses]);
-    copyMotion(m_physics, m_world);
-    if (m_recorder) m_recorder->recordMotion(m_physics.poses(), m_physics.characters(), m_world);
-}
-
-/// What impacts and forces break is carried out in the next step: no stage runs twice in one.
-void FrameLoop::collectDamage() {
+    {
+        const ScopedTimer timer(m_times[Stage::Poses]);
+        copyMotion(*m_physics, m_world);
+        recordMotion(m_physics->poses(), m_physics->characters());
+    }
     const ScopedTimer timer(m_times[Stage::Impacts]);
-    m_pending = impactDamage(m_world, m_physics.impacts());
-    addBreakThroughImpulses(m_world, m_physics.impacts(), m_pending);
-    for (const JointHandle joint : m_physics.jointBreaks())
+    m_pending = damageOf(m_physics->impacts());
+    for (const JointHandle joint : m_physics->jointBreaks())
         m_pending.emplace_back(RemoveJointEdit{joint, JointBreak::Force});
 }
 
+/// Where the bodies are now that the host has moved before the edits of this step, which may have moved them on.
+void FrameLoop::followHost() {
+    const ScopedTimer timer(m_times[Stage::Poses]);
+    m_movedByHost.clear();
+    for (const BodyPose& moved : m_hostMotion.poses) addPose(moved.body, m_movedByHost);
+    recordMotion(m_movedByHost, {});
+}
+
+void FrameLoop::recordEdits(const Edits& hostEdits) {
+    for (Recorder* recorder : {m_recorder.get(), m_deltaRecorder.get()}) {
+        if (!recorder) continue;
+        recorder->recordEdits(hostEdits, m_changes, m_world, m_rebuildPhysics);
+        if (!m_physics) recorder->recordHostMotion(m_hostMotion);
+    }
+}
+
+void FrameLoop::recordMotion(std::span<const BodyPose> poses, std::span<const CharacterMove> characters) {
+    for (Recorder* recorder : {m_recorder.get(), m_deltaRecorder.get()})
+        if (recorder) recorder->recordMotion(poses, characters, m_world);
+}
+
+/// What impacts and forces break is carried out in the next step: no stage runs twice in one.
+Edits FrameLoop::damageOf(std::span<const Impact> impacts) const {
+    Edits damage = impactDamage(m_world, impacts);
+    addBreakThroughImpulses(m_world, impacts, damage);
+    return damage;
+}
+
+void FrameLoop::addPose(BodyHandle handle, std::vector<BodyPose>& out) const {
+    if (const Body* body = m_world.bodies().find(handle))
+        out.push_back({handle, body->pose, body->velocity, body->angularVelocity, body->asleep});
+}
+
 std::span<const BodyPose> FrameLoop::changedPoses() {
-    const std::span<const BodyPose> poses = m_physics.poses();
+    const std::span<const BodyPose> poses = m_physics ? m_physics->poses() : m_movedByHost;
     if (m_changes.teleported.empty()) return poses;
     m_changedPoses.assign(poses.begin(), poses.end());
-    for (const BodyHandle handle : m_changes.teleported)
-        if (const Body* body = m_world.bodies().find(handle))
-            m_changedPoses.push_back({handle, body->pose, body->velocity, body->angularVelocity, body->asleep});
+    for (const BodyHandle handle : m_changes.teleported) addPose(handle, m_changedPoses);
     return m_changedPoses;
 }
 
 void FrameLoop::publish(const FrameChanges& changes) {
+    publish(changes, changedPoses(), m_physics ? m_physics->impacts() : m_hostImpacts);
+}
+
+void FrameLoop::publish(const FrameChanges& changes, std::span<const BodyPose> moved, std::span<const Impact> impacts) {
     if (m_shadow) {
         const ScopedTimer timer(m_times[Stage::Shadow]);
-        m_shadow->submit(changes, changedPoses(), m_world);
+        m_shadow->submit(changes, moved, m_world);
     }
     const ScopedTimer timer(m_times[Stage::Publish]);
     if (!m_shadow) {
-        if (m_publish) m_snapshots.publishWithoutShadow(changes, changedPoses(), m_world, m_physics.impacts());
+        if (m_publish) m_snapshots.publishWithoutShadow(changes, moved, m_world, impacts);
         return;
     }
     m_shadowLag = changes.step - m_shadow->publishedVersion();
     if (m_waitForShadow) m_shadow->waitFor(changes.step);
     std::vector<ShadowPatches> patches = m_shadow->takePatches();
-    if (m_publish) m_snapshots.publish(changes, changedPoses(), m_world, std::move(patches), m_physics.impacts());
+    if (m_publish) m_snapshots.publish(changes, moved, m_world, std::move(patches), impacts);
 }
 
 void FrameLoop::restartDrawing() {
     m_awaitsAll = true;
     m_mustPublishAll = true;
-}
-
-void FrameLoop::draw(Renderer& renderer, const View& view, float alpha) {
-    {
-        m_times[Stage::Apply] = 0.0;
-        const ScopedTimer timer(m_times[Stage::Apply]);
-        std::optional<FrameSnapshot> snapshot = m_snapshots.take();
-        if (snapshot && snapshot->replacesAll) m_awaitsAll = false;
-        if (snapshot && !m_awaitsAll) renderer.apply(std::move(*snapshot));
-    }
-    m_times[Stage::Draw] = 0.0;
-    const ScopedTimer timer(m_times[Stage::Draw]);
-    renderer.draw(view, alpha);
 }
 
 }  // namespace rubble

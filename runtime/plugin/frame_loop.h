@@ -1,6 +1,7 @@
 #pragma once
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "physics/physics_world.h"
 #include "render/renderer.h"
+#include "runtime/assets/delta_file.h"
 #include "runtime/core/profile.h"
 #include "runtime/core/thread_pool.h"
 #include "runtime/frame/snapshots.h"
@@ -20,8 +22,12 @@ namespace rubble {
 struct FrameLoopSettings {
     uint8_t worldId = 1;           ///< 1 to 255, part of every handle, so that a handle of another world is recognised
     uint32_t firstGeneration = 1;  ///< of handles; see World
+    /// No physics runs: the host moves the bodies by moveBodies() and says what hits them by addImpacts(). Joints,
+    /// ropes and characters are data that nothing moves.
+    bool hostPhysics = false;
     PhysicsSettings physics;
     int physicsThreads = 1;  ///< with the one that steps; above 1: they replace physics.parallelFor, with the same bits
+    ParallelFor parallelFor;  ///< of a host, in place of physicsThreads; none: those
     ShadowWorker::Mode shadow = ShadowWorker::Mode::Thread;
     bool shadowVolume = true;    ///< false: nothing is drawn with rays, and step() does no work for them
     bool publish = true;         ///< false: for worlds that nobody draws
@@ -30,7 +36,7 @@ struct FrameLoopSettings {
 };
 
 /// A world with its physics, shadow volume and snapshots: the only class that knows every module. A frame calls step()
-/// as often as time demands, then draw().
+/// as often as time demands, then draw(). A library may lack physics and the renderer: see layers.h.
 class FrameLoop {
 public:
     /// Makes an empty world.
@@ -46,19 +52,32 @@ public:
     /// [main-thread] The game as it is now, with its queue of edits. The next step rebuilds physics from the World, as
     /// loading does, so that playing on and loading give the same result.
     SavedGame save();
-    /// [main-thread] The same into a file, whole or not at all. If it cannot be written, nothing changes.
-    Result<Done> save(const std::string& path);
+    /// [main-thread] The same as the bytes of a file for `write`. If it gives an error, nothing changes.
+    Result<Done> save(const std::function<Result<Done>(std::span<const uint8_t>)>& write);
     /// [main-thread] Records every step from here on, beginning with a saved game. Stops a recording that is running;
     /// the log says what of that one could not be written. Undo reaches back to here only. The file gets its name in
     /// stopRecording(). If it cannot be written, nothing changes: a recording that is running goes on.
     Result<Done> startRecording(const std::string& path);
     /// [main-thread] Completes the file; without a recording it does nothing.
     Result<Done> stopRecording();
-    /// [main-thread] Repeats a recorded step from its edits. If World and physics are in the state before that step,
-    /// the hash after it is the recorded one.
+    /// [main-thread] From here on each step is kept for worlds that follow; `on` false: no more, at no cost.
+    void keepDeltas(bool on);
+    /// [main-thread] The steps that were kept; null: none are kept.
+    DeltaWriter* deltas() { return m_deltas.get(); }
+    /// [main-thread] Carries out what another world's deltas say, if this one is what that was before them: edits
+    /// that wait here, and damage of this world's impacts, wait on. After an error the World is as after the last good
+    /// step. The next step() rebuilds physics.
+    Result<Done> follow(const Deltas& deltas);
+    /// [main-thread] Repeats a recorded step from its edits and what the host's physics did before it. If World and
+    /// physics are in the state before that step, the hash after it is the recorded one.
     void replay(const RecordedStep& step);
     /// [main-thread] Advances by exactly 1/60 s: queued edits, physics, damage by impacts, shadow volume, snapshot.
     void step();
+    /// [main-thread] What the host's physics has done since the last step. Stale handles are skipped.
+    void moveBodies(std::span<const BodyPose> poses);
+    /// [main-thread] What hit what in the host's physics, at the places where bodies are now. The next step breaks what
+    /// they break.
+    void addImpacts(std::span<const Impact> impacts);
     /// [render-thread] Hands the newest snapshot to the renderer and draws. alpha in [0, 1]: interpolates between the
     /// poses of the last two steps.
     void draw(Renderer& renderer, const View& view, float alpha);
@@ -76,9 +95,9 @@ public:
     /// The same, to read it. [main-thread]
     const World& world() const { return m_world; }
     /// Runs work on the threads that the world's physics has. [main-thread]
-    ParallelFor parallelFor() const;
-    /// Its physics, for statistics and settings. [main-thread]
-    PhysicsWorld& physics() { return m_physics; }
+    const ParallelFor& parallelFor() const { return m_parallelFor; }
+    /// Its physics, for statistics; null: the host moves the bodies. [main-thread]
+    const PhysicsWorld* physics() const { return m_physics.get(); }
     /// Keeps the shadow volume up to date; null without one. [main-thread]
     ShadowWorker* shadow() { return m_shadow.get(); }
     /// The journal of the last step's edits; valid until the next step. Empty where the world was replaced.
@@ -90,7 +109,8 @@ public:
     uint64_t shadowLag() const { return m_shadowLag; }
 
 private:
-    PhysicsSettings withThreads(PhysicsSettings settings) const;
+    ParallelFor chooseThreads(const FrameLoopSettings& settings) const;
+    PhysicsSettings withThreads(const FrameLoopSettings& settings) const;
     void dropWaitingEdits();
     SavedGame savedGame(const Edits& waiting) const;
     void goOnAsLoaded(bool dropMarks);
@@ -98,22 +118,40 @@ private:
     void loadPhysics();
     void applyEdits(const Edits& hostEdits);
     void stepPhysics();
-    void collectDamage();
+    void followHost();
+    void addHostDamage(const Edits& damage);
+    void forgetHostMotion();
+    Edits damageOf(std::span<const Impact> impacts) const;
+    /// Adds a body as it is now, if it is there.
+    void addPose(BodyHandle handle, std::vector<BodyPose>& out) const;
     void publish(const FrameChanges& changes);
+    void publish(const FrameChanges& changes, std::span<const BodyPose> moved, std::span<const Impact> impacts);
     void endRecording();
-    /// The poses that physics has just handed over, and those of bodies that edits teleported.
+    void recordEdits(const Edits& hostEdits);
+    void recordMotion(std::span<const BodyPose> poses, std::span<const CharacterMove> characters);
+    Result<Done> followStep(const RecordedStep& step);
+    /// The poses that physics or the host has just handed over, and those of bodies that edits teleported.
     std::span<const BodyPose> changedPoses();
 
     World m_world;
-    std::unique_ptr<ThreadPool> m_threads;  ///< of physics; null: it has none of its own
-    PhysicsWorld m_physics;
+    std::unique_ptr<ThreadPool> m_threads;    ///< of physics; null: it has none of its own
+    ParallelFor m_parallelFor;                ///< on those threads, or the host's
+    std::unique_ptr<PhysicsWorld> m_physics;  ///< null: the host moves the bodies
     std::unique_ptr<ShadowWorker> m_shadow;
     Snapshots m_snapshots;
     EditQueue m_edits;
     /// Edits of the last step's impacts, and those that waited when the game was saved. They come before the host's.
     Edits m_pending;
-    bool m_rebuildPhysics = false;  ///< in the next step
-    std::unique_ptr<Recorder> m_recorder;
+    bool m_rebuildPhysics = false;        ///< in the next step
+    HostMotion m_hostMotion;              ///< since the last step
+    std::vector<Impact> m_hostImpacts;    ///< the same
+    std::vector<BodyPose> m_movedByHost;  ///< in the last step
+    std::unique_ptr<RecordingWriter> m_recording;
+    std::unique_ptr<DeltaWriter> m_deltas;
+    /// Of the recording and of the deltas; null: there is none.
+    std::unique_ptr<Recorder> m_recorder, m_deltaRecorder;
+    uint64_t m_followedStart = ~uint64_t(0);     ///< of the deltas that this world follows
+    std::vector<PaletteRef> m_followedPalettes;  ///< that they brought
     FrameChanges m_changes;
     std::vector<BodyPose> m_changedPoses;
     StageTimes m_times;
@@ -123,5 +161,8 @@ private:
     std::atomic<bool> m_mustPublishAll = false;  ///< in the next step
     bool m_awaitsAll = false;                    ///< [render-thread] the renderer has not seen the whole world
 };
+
+/// [main-thread] FrameLoop::save() into a file, whole or not at all. If it cannot be written, nothing changes.
+Result<Done> saveTo(const std::string& path, FrameLoop& loop);
 
 }  // namespace rubble

@@ -19,7 +19,7 @@ void Recorder::recordMotion(std::span<const BodyPose> poses, std::span<const Cha
     m_step.hash = world.hash();
     m_step.resolvedHash = resolvedHash(world);
     m_step.voxelHash = voxelHash(world);
-    m_writer.add(m_step);
+    m_take(m_step);
 }
 
 }  // namespace rubble

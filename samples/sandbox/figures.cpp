@@ -34,7 +34,7 @@ void Figures::addStep(FrameLoop& loop, uint64_t allocations) {
     for (const Stage stage :
          {Stage::ApplyEdits, Stage::Physics, Stage::Poses, Stage::Impacts, Stage::Shadow, Stage::Publish})
         series(fmt::format("step: {} ms", kStageNames[size_t(stage)])).push_back(loop.times()[stage]);
-    const PhysicsStats physics = loop.physics().stats();
+    const PhysicsStats physics = loop.physics()->stats();
     series("bodies").push_back(double(loop.world().bodies().size()));
     series("bodies awake").push_back(physics.awake);
     if (loop.shadow()) series("shadow age, steps").push_back(double(loop.shadowLag()));

@@ -137,7 +137,7 @@ RoundResult playRound(const Round& round, FrameLoop& loop, const std::function<v
         const double before = processorMs();
         loop.step();
         ms.push_back(processorMs() - before);
-        energy.update(loop.world(), loop.changes(), loop.physics().stats().work);
+        energy.update(loop.world(), loop.changes(), loop.physics()->stats().work);
         for (const ShapeSplit& split : loop.changes().splits) result.pieces += split.children.size();
         for (const RemovedVoxels& removed : loop.changes().removed) result.removed += removed.count;
         result.maxBodies = std::max(result.maxBodies, loop.world().bodies().size());

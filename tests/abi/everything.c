@@ -318,6 +318,51 @@ static void use_files(void) {
     CHECK(api->load_level(world, game_path, NULL) == RUBBLE_ERROR_FILE);
 }
 
+/* The same from and to memory. */
+static void use_memory(void) {
+    uint64_t size, hash, again, steps_played;
+    uint8_t* data;
+    OK(api->get_state_hash(world, &hash));
+    OK(api->save_game_data(world, NULL, 0, &size));
+    data = malloc(size);
+    CHECK(data != NULL);
+    OK(api->save_game_data(world, data, size, &size));
+    OK(api->load_game_data(world, data, size));
+    OK(api->get_state_hash(world, &again));
+    CHECK(hash == again);
+    CHECK(api->load_level_data(world, data, size) == RUBBLE_ERROR_FILE); /* a game is no level, nor a recording */
+    CHECK(api->play_recording_data(world, data, size, &steps_played) == RUBBLE_ERROR_FILE);
+    free(data);
+}
+
+/* A world that follows this one. */
+static void use_deltas(void) {
+    rubble_world other;
+    uint64_t size, hash, again;
+    uint8_t* data;
+    OK(api->create_world(NULL, &other));
+    OK(api->keep_deltas(world, 1));
+    OK(api->save_game_data(world, NULL, 0, &size));
+    data = malloc(size);
+    CHECK(data != NULL);
+    OK(api->save_game_data(world, data, size, &size));
+    OK(api->load_game_data(other, data, size));
+    free(data);
+    make_box(make_body(90.0, 0.0, 0.0, RUBBLE_BODY_STATIC), 5, 5, 5, 5);
+    steps(2);
+    OK(api->take_deltas(world, NULL, 0, &size));
+    data = malloc(size);
+    CHECK(data != NULL);
+    OK(api->take_deltas(world, data, size, &size));
+    OK(api->apply_deltas(other, data, size));
+    free(data);
+    OK(api->get_resolved_hash(world, &hash));
+    OK(api->get_resolved_hash(other, &again));
+    CHECK(hash == again);
+    OK(api->keep_deltas(world, 0));
+    OK(api->destroy_world(other));
+}
+
 /* What a host says of objects: names, tags and numbers, by which it finds them; origins of pieces; settings. */
 static void use_objects(void) {
     const rubble_body body = make_body(60.0, 2.0, 0.0, RUBBLE_BODY_STATIC);
@@ -366,6 +411,46 @@ static void use_objects(void) {
     CHECK(value == 42);
 }
 
+/* What a host with rigid bodies of its own reads, and what it says of them in a world that it moves. */
+static void use_host_physics(void) {
+    const rubble_body body = make_body(70.0, 2.0, 0.0, 0);
+    rubble_world_settings settings = {.struct_size = sizeof settings};
+    rubble_impulse push = {.struct_size = sizeof push};
+    rubble_rigid_body rigid;
+    rubble_body_box solid[4];
+    rubble_body_impulse pushed;
+    rubble_body_state state;
+    rubble_impact impact;
+    rubble_world own = world;
+    uint32_t layers, count;
+    OK(api->get_layers(&layers));
+    CHECK(layers == (RUBBLE_LAYER_PHYSICS | RUBBLE_LAYER_RENDERER));
+    make_box(body, 6, 6, 6, 5);
+    steps(1);
+    OK(api->get_body_boxes(world, body, solid, 4, &count));
+    CHECK(count == 1);
+    settings.flags = RUBBLE_WORLD_HOST_PHYSICS;
+    OK(api->create_world(&settings, &world));
+    push.body = make_body(0.0, 2.0, 0.0, 0), push.impulse[0] = 5.0;
+    make_box(push.body, 6, 6, 6, 5);
+    OK(api->apply_impulse(world, &push));
+    steps(1);
+    OK(api->get_rigid_bodies(world, RUBBLE_BODIES_CHANGED, &rigid, 1, &count));
+    CHECK(count == 1 && rigid.body == push.body && rigid.mass > 0.0);
+    OK(api->get_body_impulses(world, &pushed, 1, &count));
+    CHECK(count == 1 && pushed.impulse[0] == 5.0);
+    OK(api->get_body_state(world, push.body, &state));
+    state.velocity[1] = -20.0;
+    OK(api->set_body_states(world, &state, 1));
+    memset(&impact, 0, sizeof impact);
+    impact.body = push.body, impact.position[1] = 2.0, impact.normal[1] = 1.0;
+    impact.impulse = 20.0 * rigid.mass, impact.speed = 20.0;
+    OK(api->report_impacts(world, &impact, 1));
+    steps(1);
+    OK(api->destroy_world(world));
+    world = own;
+}
+
 /* Without a GL context there is no renderer, and every call for one says so. */
 static void use_renderer(void) {
     rubble_renderer_settings settings = {.struct_size = sizeof settings};
@@ -397,6 +482,9 @@ int main(int argc, char** argv) {
     use_queries();
     use_objects();
     use_files();
+    use_memory();
+    use_deltas();
+    use_host_physics();
     use_renderer();
     OK(api->destroy_world(world));
     puts("good");

@@ -23,7 +23,7 @@ struct Library {
 
 const std::vector<Library>& libraries() {
     static const std::vector<Library> table = {
-        {"Bullet", {"bt", "Bullet", "LinearMath/"}, {"physics/", "tests/physics/"}},
+        {"Bullet", {"bt", "Bullet", "LinearMath/"}, {"physics/", "tests/physics/", "tests/abi/layers/"}},
         {"OpenVDB",
          {"openvdb/", "nanovdb/", "tbb/", "OpenEXR/", "Imath/"},
          {"runtime/assets/vdb/", "tests/runtime/assets/vdb/", "tests/fuzz/vdb/", "tests/benchmark/openvdb/"}},

@@ -49,6 +49,7 @@ const rubble_api& api() {
 }
 
 void RandomHost::run() {
+    m_isHostMoved = m_decisions.oneIn(8);
     m_world = makeWorld();
     if (!writeRubble(scratchPath("level.rubble"), randomLevel(m_decisions))) return;
     load(m_world);
@@ -75,6 +76,7 @@ void RandomHost::run() {
 }
 
 void RandomHost::call() {
+    if (m_decisions.oneIn(m_isHostMoved ? 4 : 16)) callHostPhysics();
     switch (m_decisions.below(15)) {
         case 13:
         case 14:
@@ -208,6 +210,8 @@ void RandomHost::callUndo() {
 
 void RandomHost::callFile() {
     m_isRecorded = false, m_hasLoaded = true;
+    if (m_decisions.oneIn(4)) return loadData();
+    if (m_decisions.oneIn(4)) return followByDeltas();
     if (m_decisions.oneIn(2)) return saveAndLoad();
     api().start_recording(m_world, scratchPath("game.rubblelog").c_str());
     for (uint32_t i = m_decisions.below(4); i-- > 0;) callEdit(), m_model->step();
@@ -227,10 +231,24 @@ void RandomHost::saveAndLoad() {
     m_isRecorded = false, m_hasLoaded = true;
 }
 
+void RandomHost::loadData() {
+    uint64_t size = 0, steps = 0;
+    if (api().save_game_data(m_world, nullptr, 0, &size) != RUBBLE_OK) fail("save_game_data");
+    std::vector<uint8_t> data(size);
+    if (api().save_game_data(m_world, data.data(), size, &size) != RUBBLE_OK) fail("save_game_data");
+    for (uint32_t i = m_decisions.below(3); i-- > 0;)
+        data[m_decisions.below(uint32_t(size))] ^= uint8_t(m_decisions.bits());
+    if (m_decisions.oneIn(4)) size = m_decisions.below(uint32_t(size));
+    if (api().load_game_data(m_world, data.data(), size) == RUBBLE_OK) reached("games loaded from memory");
+    api().load_level_data(m_world, data.data(), size);
+    api().play_recording_data(m_world, data.data(), size, &steps);
+}
+
 rubble_world RandomHost::makeWorld() {
     rubble_world_settings settings = {};
     settings.struct_size = sizeof settings;
     settings.flags = m_decisions.oneIn(8) ? RUBBLE_WORLD_SHADOW_INLINE : RUBBLE_WORLD_NO_RENDERER;
+    if (m_isHostMoved) settings.flags |= RUBBLE_WORLD_HOST_PHYSICS;
     settings.physics_threads = m_decisions.oneIn(16) ? 3 : 0;
     rubble_world world = 0;
     if (api().create_world(&settings, &world) != RUBBLE_OK) fail("create_world");

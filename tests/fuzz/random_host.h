@@ -142,8 +142,13 @@ private:
     void callObjects();
     void callPalette();
     void callUndo();
+    /// What a host with physics of its own reads, and what it says in a world that it moves.
+    void callHostPhysics();
     void callFile();
     void saveAndLoad();
+    void loadData();
+    /// Another world follows this one by deltas, some of which have other bytes.
+    void followByDeltas();
     rubble_world makeWorld();
     void load(rubble_world world);
     void startRecording();
@@ -163,7 +168,8 @@ private:
     std::vector<uint64_t> m_foreign;        ///< handles of the other
     std::optional<WorldModel> m_model;
     bool m_isObserved = false;                       ///< each call is followed by a hash
-    bool m_isRecorded = false, m_hasLoaded = false;  ///< since the last call: loaded, saved or recorded
+    bool m_isHostMoved = false;                      ///< both worlds have no physics of their own
+    bool m_isRecorded = false, m_hasLoaded = false;  ///< since the last call: loaded, saved, recorded or moved
 };
 
 }  // namespace rubble

@@ -34,6 +34,14 @@ run(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK}/c
 run(${CMAKE_COMMAND} --build ${WORK}/consumer)
 run(${WORK}/consumer/consumer)
 message("${output}")
+foreach(layers "physics;1" "runtime;0")
+    list(GET layers 0 library)
+    list(GET layers 1 bits)
+    run(${WORK}/consumer/consumer_${library})
+    if(NOT output STREQUAL "layers ${bits}\n")
+        message(SEND_ERROR "rubble::${library}: expected layers ${bits}, found ${output}")
+    endif()
+endforeach()
 
 # Only configured: to build it would take minutes.
 file(REMOVE_RECURSE ${WORK}/parent)

@@ -146,7 +146,7 @@ def method(function, sized, kinds):
     is_list = names[-3:] == ["out", "capacity", "count"]
     fills = arguments[-1]["type"] if arguments else ""
     is_read = not is_list and fills.endswith("*") and not fills.startswith("const")
-    counted = is_read and "count" in names  # one row out for each row in
+    counted = "count" in names and not is_list  # an array in, and perhaps one row out for each of its rows
     given = arguments[:-3] if is_list else arguments[:-1] if is_read else arguments
     for argument in given:
         kind, name = argument["type"], argument["name"]
@@ -173,7 +173,7 @@ def method(function, sized, kinds):
         count = arguments[-2]["type"]
         result = f"std::vector<{row}>"
         after = list_method(function, given, row, count, passed, kinds)
-    elif counted:
+    elif is_read and counted:
         result = f"std::vector<{row}>"
         before.append(f"std::vector<{row}> out(count);")
         after = f"check(api().{function['name']}({', '.join(passed + ['out.data()'])}));\nreturn out;"

@@ -1,10 +1,13 @@
 #include "runtime/plugin/c_abi/call.h"
 
+#include <array>
+
 namespace rubble::abi {
 namespace {
 
 thread_local Call* t_call = nullptr;
-thread_local std::string t_lastError;
+/// No std::string: a thread that has something to destroy keeps the library in memory after dlclose().
+thread_local std::array<char, 4096> t_lastError{};
 
 }  // namespace
 
@@ -36,14 +39,15 @@ void Call::locate(std::string_view place) {
 
 rubble_result Call::finish() {
     if (m_code != RUBBLE_OK) {
-        t_lastError.clear();
-        t_lastError.append(m_function).append(": ").append(m_text.data(), m_text.size());
+        const auto end = fmt::format_to_n(t_lastError.data(), t_lastError.size() - 1, "{}: {}", m_function,
+                                          fmt::string_view(m_text.data(), m_text.size()));
+        *end.out = '\0';
     }
     return m_code;
 }
 
 const char* lastError() {
-    return t_lastError.c_str();
+    return t_lastError.data();
 }
 
 }  // namespace rubble::abi

@@ -48,7 +48,7 @@ inline bool isRefused() {
     return Call::current().result() != RUBBLE_OK;
 }
 
-/// The text of the last refused call of this thread.
+/// The text of the last refused call of this thread; what is longer than 4095 bytes is cut.
 const char* lastError();
 
 }  // namespace rubble::abi

@@ -46,7 +46,10 @@ void useIntact(Hosted& hosted, const char* name, F&& body) {
 template <class F>
 rubble_result inWorld(const char* function, rubble_world world, F&& body) {
     return guarded(function, [&] {
-        if (const auto hosted = Registry::instance().world(world)) useIntact(*hosted, "world", body);
+        const auto hosted = Registry::instance().world(world);
+        if (!hosted) return;
+        const ServiceScope services(hosted->options.services);
+        useIntact(*hosted, "world", body);
     });
 }
 
@@ -130,6 +133,23 @@ void push(HostedWorld& hosted, EditType&& edit) {
 template <class HostEdit, class Convert>
 rubble_result pushEdit(const char* function, rubble_world world, const HostEdit* edit, Convert&& convert) {
     return inWorld(function, world, [&](HostedWorld& hosted) {
+        const HostEdit given = readStruct(edit, function);
+        if (!isRefused()) push(hosted, convert(hosted.loop.world(), given));
+    });
+}
+
+/// Refuses what only a world's own physics does, where the host's moves the bodies.
+inline void requirePhysics(const HostedWorld& hosted) {
+    if (!hosted.loop.physics())
+        refuse(RUBBLE_ERROR_UNSUPPORTED,
+               "the world has RUBBLE_WORLD_HOST_PHYSICS: expected one with physics of its own");
+}
+
+/// A function that queues an edit which only a world's own physics carries out.
+template <class HostEdit, class Convert>
+rubble_result pushMotionEdit(const char* function, rubble_world world, const HostEdit* edit, Convert&& convert) {
+    return inWorld(function, world, [&](HostedWorld& hosted) {
+        requirePhysics(hosted);
         const HostEdit given = readStruct(edit, function);
         if (!isRefused()) push(hosted, convert(hosted.loop.world(), given));
     });

@@ -55,20 +55,26 @@ rubble_character_state characterState(CharacterHandle handle, const Character& c
 }
 
 rubble_result addCharacter(rubble_world world, const rubble_character_settings* character) {
-    return pushEdit("add_character", world, character, readCharacter);
+    return pushMotionEdit("add_character", world, character, readCharacter);
 }
 rubble_result createCharacter(rubble_world world, const rubble_character_settings* character, rubble_character* out) {
-    return pushMaker("create_character", world, character, out, &WorldObjects::characters, readCharacter);
+    return inWorld("create_character", world, [&](HostedWorld& hosted) {
+        if (!isGiven(out, "out")) return;
+        *out = 0;
+        requirePhysics(hosted);
+        const rubble_character_settings given = readStruct(character, "settings");
+        if (!isRefused()) pushMaker(hosted, readCharacter(hosted.loop.world(), given), &WorldObjects::characters, out);
+    });
 }
 rubble_result removeCharacter(rubble_world world, rubble_character character) {
     return removeOne<RemoveCharacterEdit, HandleType::Character>("remove_character", world, character, "character",
                                                                  &World::characters);
 }
 rubble_result moveCharacter(rubble_world world, const rubble_character_move* move) {
-    return pushEdit("move_character", world, move, readMove);
+    return pushMotionEdit("move_character", world, move, readMove);
 }
 rubble_result teleportCharacter(rubble_world world, const rubble_character_teleport* teleport) {
-    return pushEdit("teleport_character", world, teleport, readTeleport);
+    return pushMotionEdit("teleport_character", world, teleport, readTeleport);
 }
 
 rubble_result getCharacterStates(rubble_world world, rubble_character_state* out, uint32_t capacity, uint32_t* count) {

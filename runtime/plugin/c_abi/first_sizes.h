@@ -60,6 +60,10 @@ namespace rubble::abi {
     X(rubble_settings, 168)           \
     X(rubble_palette_entry, 32)       \
     X(rubble_palette_range, 32)       \
+    X(rubble_rigid_body, 208)         \
+    X(rubble_body_box, 96)            \
+    X(rubble_body_impulse, 56)        \
+    X(rubble_impact, 80)              \
     X(rubble_environment, 280)        \
     X(rubble_light_settings, 168)     \
     X(rubble_renderer_settings, 32)   \

@@ -42,5 +42,11 @@ void setObjectFunctions(rubble_api& api);
 void setSettingsFunctions(rubble_api& api);
 /// Sets set_palette() and get_palette().
 void setPaletteFunctions(rubble_api& api);
+/// Sets the functions of files in memory.
+void setDataFileFunctions(rubble_api& api);
+/// Sets the functions of deltas.
+void setDeltaFunctions(rubble_api& api);
+/// Sets get_layers() and the functions of worlds that the host's physics moves.
+void setHostPhysicsFunctions(rubble_api& api);
 
 }  // namespace rubble::abi

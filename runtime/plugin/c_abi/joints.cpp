@@ -102,13 +102,13 @@ rubble_result setJointMotor(rubble_world world, const rubble_joint_motor* motor)
     return pushEdit("set_joint_motor", world, motor, readJointMotor);
 }
 rubble_result driveWheels(rubble_world world, const rubble_drive* edit) {
-    return pushEdit("drive_wheels", world, edit, readDrive);
+    return pushMotionEdit("drive_wheels", world, edit, readDrive);
 }
 rubble_result grabBody(rubble_world world, const rubble_grab* edit) {
-    return pushEdit("grab_body", world, edit, readGrab);
+    return pushMotionEdit("grab_body", world, edit, readGrab);
 }
 rubble_result releaseBody(rubble_world world, const rubble_release* edit) {
-    return pushEdit("release_body", world, edit, readRelease);
+    return pushMotionEdit("release_body", world, edit, readRelease);
 }
 
 rubble_joint_state jointState(const World& world, JointHandle handle, const Joint& joint) {

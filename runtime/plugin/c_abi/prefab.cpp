@@ -6,9 +6,6 @@
 #include <vector>
 
 #include "runtime/assets/assets.h"
-#include "runtime/assets/chunk_file.h"
-#include "runtime/assets/rubble_file.h"
-#include "runtime/assets/vox_import.h"
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
 
@@ -17,11 +14,7 @@ namespace {
 
 Result<Level> readGiven(const rubble_prefab& given) {
     if (given.path) return readLevel(given.path, given.vdb_tool ? given.vdb_tool : "");
-    const std::span<const uint8_t> bytes(static_cast<const uint8_t*>(given.data), size_t(given.size));
-    const bool isRubble =
-        bytes.size() >= kFileMagic.size() && std::equal(kFileMagic.begin(), kFileMagic.end(), bytes.begin(),
-                                                        [](char a, uint8_t b) { return uint8_t(a) == b; });
-    return isRubble ? levelFromRubble(bytes, "data") : importVoxBytes(bytes, "data", {});
+    return levelFromBytes({static_cast<const uint8_t*>(given.data), size_t(given.size)}, "data");
 }
 
 /// Palettes of a level as those of a world that has other materials, each made once.

@@ -1,6 +1,7 @@
 #include "runtime/plugin/c_abi/registry.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "runtime/plugin/c_abi/checks.h"
 
@@ -15,6 +16,15 @@ auto* lookUp(Map& map, Id id, const char* name) {
     auto* value = map.find(id);
     if (!value) refuse(RUBBLE_ERROR_STALE, "{}{}", name, id ? " is stale" : " is 0");
     return value;
+}
+
+/// Whether this thread may call the world's functions; refuses the call if not.
+bool isOfThisThread(const HostedWorld& hosted) {
+    const std::thread::id thread = hosted.options.thread;
+    if (thread == std::thread::id() || thread == std::this_thread::get_id()) return true;
+    refuse(RUBBLE_ERROR_THREAD,
+           "world was made with RUBBLE_WORLD_ONE_THREAD: expected the thread of create_world(), found another");
+    return false;
 }
 
 }  // namespace
@@ -39,7 +49,7 @@ Registry::~Registry() {
         [](RendererId, std::shared_ptr<HostedRenderer>& hosted) { static_cast<void>(hosted->renderer.release()); });
 }
 
-WorldId Registry::createWorld(FrameLoopSettings settings, bool drawable) {
+WorldId Registry::createWorld(FrameLoopSettings settings, const WorldOptions& options) {
     const std::lock_guard lock(m_mutex);
     if (m_worlds.size() >= kMaxWorlds) {
         refuse(RUBBLE_ERROR_CAPACITY, "255 worlds exist already: destroy one first");
@@ -50,25 +60,34 @@ WorldId Registry::createWorld(FrameLoopSettings settings, bool drawable) {
     settings.worldId = uint8_t(id.slot() + 1);
     settings.firstGeneration = std::max(1u, m_firstGeneration[settings.worldId]);
     try {
-        m_worlds.at(id) = std::make_shared<HostedWorld>(settings);
+        m_worlds.at(id) = std::make_shared<HostedWorld>(settings, options);
     } catch (...) {
         m_worlds.erase(id);
         throw;
     }
-    m_worlds.at(id)->drawable = drawable;
     return id;
 }
 
 void Registry::destroyWorld(WorldId id) {
+    WorldServices services;
+    std::optional<ServiceScope> scope;  // for what is logged while it is destroyed
     std::shared_ptr<HostedWorld> last;  // destroyed after the lock is released, because that joins a thread
     const std::lock_guard lock(m_mutex);
     std::shared_ptr<HostedWorld>* found = lookUp(m_worlds, id, "world");
-    if (!found || !beginUse((*found)->isInCall, "world")) return;
+    if (!found || !isOfThisThread(**found) || !beginUse((*found)->isInCall, "world")) return;
     last = std::move(*found);
+    services = last->options.services;
+    scope.emplace(services);
     m_worlds.erase(id);
     const World& world = last->loop.world();
     uint32_t& first = m_firstGeneration[world.id()];
     first = std::max(first, highestGeneration(world.data()) + 1);
+}
+
+Use<HostedWorld> Registry::world(uint64_t handle) {
+    std::shared_ptr<HostedWorld> found = findWorld(handle);
+    if (found && !isOfThisThread(*found)) found.reset();
+    return Use(std::move(found), "world");
 }
 
 std::shared_ptr<HostedWorld> Registry::findWorld(uint64_t handle) {

@@ -4,10 +4,12 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "runtime/core/slot_map.h"
 #include "runtime/plugin/c_abi/event_rows.h"
+#include "runtime/plugin/c_abi/host.h"
 #include "runtime/plugin/frame_loop.h"
 
 namespace rubble::abi {
@@ -17,23 +19,33 @@ using RendererId = Handle<HandleType::Renderer>;
 
 struct HostedRenderer;
 
+/// How a host uses a world.
+struct WorldOptions {
+    bool drawable = true;
+    WorldServices services;
+    std::thread::id thread;  ///< that alone may call [main-thread] functions; none: any one at a time
+};
+
 /// A world of the host and the events of its last step.
 struct HostedWorld {
     /// Makes an empty world.
-    explicit HostedWorld(const FrameLoopSettings& settings) : loop(settings) {}
+    HostedWorld(const FrameLoopSettings& settings, const WorldOptions& given) : options(given), loop(settings) {}
+    WorldOptions options;
     FrameLoop loop;
     EventRows events;
-    bool drawable = true;
     std::atomic<bool> isInCall = false;      ///< of a [main-thread] function
     std::string damage;                      ///< what has left it in no defined state; empty: nothing
     std::weak_ptr<HostedRenderer> renderer;  ///< [render-thread] the one that draws it
     bool hadRenderer = false;                ///< [render-thread] another one has taken what was published until now
 };
 
+/// A renderer with what deletes it, so that a library without renderers links.
+using RendererOwner = std::unique_ptr<Renderer, void (*)(Renderer*)>;
+
 /// A renderer of the host and the world that it draws.
 struct HostedRenderer {
     std::weak_ptr<HostedWorld> world;
-    std::unique_ptr<Renderer> renderer;
+    RendererOwner renderer{nullptr, nullptr};
     double applyMs = 0.0, drawMs = 0.0;  ///< of the last draw()
     std::string damage;                  ///< what has left it in no defined state; empty: nothing
     std::atomic<bool> isInCall = false;
@@ -74,12 +86,12 @@ public:
 
     /// Makes a world whose handles carry its number; those of destroyed worlds that had it are stale. Refused
     /// if there are 255.
-    WorldId createWorld(FrameLoopSettings settings, bool drawable);
-    /// Refused for a stale handle, and if the world is in use.
+    WorldId createWorld(FrameLoopSettings settings, const WorldOptions& options);
+    /// Refused for a stale handle, and if the world is in use or of another thread.
     void destroyWorld(WorldId id);
     /// The world of a handle of any kind, for a [main-thread] call. None, and the call is refused, if it is not that of
-    /// a world, or stale, or in use.
-    Use<HostedWorld> world(uint64_t handle) { return Use(findWorld(handle), "world"); }
+    /// a world, or stale, or in use, or of another thread.
+    Use<HostedWorld> world(uint64_t handle);
     /// The same for a [render-thread] call, which may run beside one of the main thread.
     std::shared_ptr<HostedWorld> findWorld(uint64_t handle);
 

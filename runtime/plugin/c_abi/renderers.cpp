@@ -39,7 +39,8 @@ rubble_result createRenderer(rubble_world world, const rubble_renderer_settings*
         const RenderSettings wanted = readSettings(read);
         if (!host().gl_get_proc_address)
             refuse(RUBBLE_ERROR_GL, "the host has set no gl_get_proc_address: call set_host() with one first");
-        if (!hosted->drawable) refuse(RUBBLE_ERROR_ARGUMENT, "the world was created with RUBBLE_WORLD_NO_RENDERER");
+        if (!hosted->options.drawable)
+            refuse(RUBBLE_ERROR_ARGUMENT, "the world was created with RUBBLE_WORLD_NO_RENDERER");
         if (!hosted->renderer.expired())
             refuse(RUBBLE_ERROR_ARGUMENT, "the world has a renderer; destroy that one first");
         if (isRefused()) return;
@@ -49,7 +50,7 @@ rubble_result createRenderer(rubble_world world, const rubble_renderer_settings*
         if (std::exchange(hosted->hadRenderer, true)) hosted->loop.restartDrawing();
         const auto made = std::make_shared<HostedRenderer>();
         made->world = hosted;
-        made->renderer = std::move(*renderer);
+        made->renderer = RendererOwner(renderer->release(), [](Renderer* owned) { delete owned; });
         hosted->renderer = made;
         *out = Registry::instance().addRenderer(made).bits;
     });

@@ -3,6 +3,7 @@
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
 #include "runtime/plugin/c_abi/objects.h"
+#include "runtime/plugin/c_abi/recordings.h"
 
 namespace rubble::abi {
 namespace {
@@ -13,7 +14,7 @@ void requireDone(const Result<Done>& done) {
 
 rubble_result saveGame(rubble_world world, const char* path) {
     return inWorld("save_game", world, [&](HostedWorld& hosted) {
-        if (isGiven(path, "path")) requireDone(hosted.loop.save(path));
+        if (isGiven(path, "path")) requireDone(saveTo(path, hosted.loop));
     });
 }
 
@@ -49,29 +50,40 @@ rubble_result stopRecording(rubble_world world) {
     return inWorld("stop_recording", world, [](HostedWorld& hosted) { requireDone(hosted.loop.stopRecording()); });
 }
 
+/// Whether the host's physics moved the bodies of the world that was recorded.
+bool hasHostMotion(const Recording& recording) {
+    return !recording.steps.empty() && recording.steps.front().hostMotion;
+}
+
 rubble_result playRecording(rubble_world world, const char* path, uint64_t* steps) {
     if (steps) *steps = 0;
     return inWorld("play_recording", world, [&](HostedWorld& hosted) {
-        if (!isGiven(path, "path")) return;
-        FrameLoop& loop = hosted.loop;
-        Result<Recording> recording = readRecording(path, loop.world().id());
-        if (!recording) return refuse(RUBBLE_ERROR_FILE, "{}", recording.error());
-        change(hosted, [&] { loop.load(std::move(recording->start)); });
-        hosted.events.clear();
-        for (const RecordedStep& step : recording->steps) {
-            change(hosted, [&] { loop.replay(step); });
-            hosted.events.fill(loop.changes());
-            if (loop.world().hash() != step.hash)
-                return refuse(RUBBLE_ERROR_FILE,
-                              "{}: step {}: expected the recorded state hash, found another: the recording was made by "
-                              "another build",
-                              path, step.step);
-            if (steps) ++*steps;
-        }
+        if (isGiven(path, "path")) play(hosted, readRecording(path, hosted.loop.world().id()), path, steps);
     });
 }
 
 }  // namespace
+
+void play(HostedWorld& hosted, Result<Recording> recording, const std::string& name, uint64_t* steps) {
+    FrameLoop& loop = hosted.loop;
+    if (!recording) return refuse(RUBBLE_ERROR_FILE, "{}", recording.error());
+    if (!recording->steps.empty() && hasHostMotion(*recording) != !loop.physics())
+        return refuse(RUBBLE_ERROR_ARGUMENT,
+                      "{}: expected a recording of a world {} physics of its own, as this one, found one {}", name,
+                      loop.physics() ? "with" : "without", loop.physics() ? "without" : "with");
+    change(hosted, [&] { loop.load(std::move(recording->start)); });
+    hosted.events.clear();
+    for (const RecordedStep& step : recording->steps) {
+        change(hosted, [&] { loop.replay(step); });
+        hosted.events.fill(loop.changes());
+        if (loop.world().hash() != step.hash)
+            return refuse(RUBBLE_ERROR_FILE,
+                          "{}: step {}: expected the recorded state hash, found another: the recording was made by "
+                          "another build",
+                          name, step.step);
+        if (steps) ++*steps;
+    }
+}
 
 void setSaveFunctions(rubble_api& api) {
     api.translate_handle = translateHandle;

@@ -78,7 +78,7 @@ rubble_result getStateHash(rubble_world world, uint64_t* out) {
 rubble_result getStepStats(rubble_world world, rubble_step_stats* out) {
     return inWorld("get_step_stats", world, [&](HostedWorld& hosted) {
         FrameLoop& loop = hosted.loop;
-        const PhysicsStats physics = loop.physics().stats();
+        const PhysicsStats physics = loop.physics() ? loop.physics()->stats() : PhysicsStats{};
         const StageTimes& times = loop.times();
         rubble_step_stats row = {};
         row.bodies = uint32_t(physics.bodies);

@@ -27,6 +27,9 @@ rubble_api makeTable() {
     setObjectFunctions(api);
     setSettingsFunctions(api);
     setPaletteFunctions(api);
+    setHostPhysicsFunctions(api);
+    setDataFileFunctions(api);
+    setDeltaFunctions(api);
     setRendererFunctions(api);
     return api;
 }

@@ -3,7 +3,9 @@
 #include "runtime/assets/assets.h"
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
+#include "runtime/plugin/c_abi/host_jobs.h"
 #include "runtime/plugin/c_abi/settings.h"
+#include "runtime/plugin/layers.h"
 #include "runtime/world/settings/settings_error.h"
 
 namespace rubble::abi {
@@ -13,24 +15,38 @@ constexpr NumberRange kPhysicsThreads{1, 64};
 
 FrameLoopSettings loopSettings(const rubble_world_settings& given) {
     const uint32_t flags = given.flags;
-    readFlags(flags, RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_INLINE | RUBBLE_WORLD_WAIT_FOR_SHADOW,
+    readFlags(flags,
+              RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_INLINE | RUBBLE_WORLD_WAIT_FOR_SHADOW |
+                  RUBBLE_WORLD_HOST_PHYSICS | RUBBLE_WORLD_ONE_THREAD,
               "settings->flags");
     FrameLoopSettings settings;
-    settings.publish = settings.shadowVolume = !(flags & RUBBLE_WORLD_NO_RENDERER);
+    settings.publish = settings.shadowVolume = hasRenderer() && !(flags & RUBBLE_WORLD_NO_RENDERER);
+    settings.hostPhysics = flags & RUBBLE_WORLD_HOST_PHYSICS;
+    if (!settings.hostPhysics && !hasPhysics())
+        refuse(RUBBLE_ERROR_UNSUPPORTED,
+               "this library has no physics: expected settings->flags with RUBBLE_WORLD_HOST_PHYSICS, or the library "
+               "rubble::physics");
     settings.shadow = flags & RUBBLE_WORLD_SHADOW_INLINE ? ShadowWorker::Mode::Inline : ShadowWorker::Mode::Thread;
     settings.waitForShadow = flags & RUBBLE_WORLD_WAIT_FOR_SHADOW;
     settings.physicsThreads =
         int(readOrDefault(given.physics_threads, kPhysicsThreads, 1, "settings->physics_threads"));
+    if (given.parallel_for) settings.parallelFor = HostJobs{given.user, given.parallel_for};
     return settings;
+}
+
+WorldOptions worldOptions(const rubble_world_settings& given, const FrameLoopSettings& loop) {
+    WorldOptions out{.drawable = loop.publish, .services = {given.user, given.log, given.assertion_failed}};
+    if (given.flags & RUBBLE_WORLD_ONE_THREAD) out.thread = std::this_thread::get_id();
+    return out;
 }
 
 rubble_result createWorld(const rubble_world_settings* settings, rubble_world* out) {
     return guarded("create_world", [&] {
         if (!isGiven(out, "out")) return;
         *out = 0;
-        const FrameLoopSettings read =
-            loopSettings(settings ? readStruct(settings, "settings") : rubble_world_settings{});
-        if (!isRefused()) *out = Registry::instance().createWorld(read, read.publish).bits;
+        const auto given = settings ? readStruct(settings, "settings") : rubble_world_settings{};
+        const FrameLoopSettings read = loopSettings(given);
+        if (!isRefused()) *out = Registry::instance().createWorld(read, worldOptions(given, read)).bits;
     });
 }
 

@@ -123,6 +123,7 @@ struct FrameChanges {
     std::vector<ShapeHandle> palettes;  ///< shapes whose palette or paint colours changed
     /// Shapes that lost their last anchor: each is now on a body of its own, which is in bodiesCreated.
     std::vector<ShapeHandle> unanchored;
+    std::vector<BodyHandle> lostShapes;  ///< bodies that lost a shape and are still there; some more than once
     std::vector<RemovedVoxels> removed;  ///< one for each edit, shape and entry
     std::vector<LightHandle> lights;  ///< lights created, changed, moved to another shape or body, switched or removed
     std::vector<LightGroupHandle> groupsOut;

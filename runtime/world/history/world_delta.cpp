@@ -119,6 +119,7 @@ void journalBodiesAndShapes(const WorldDelta& before, WorldData& world, FrameCha
         if (was.first && isOther) changes.bodiesDestroyed.push_back(was.first);
         if (is && isOther) changes.bodiesCreated.push_back(is);
         if (is && was.first == is && !sameState(*was.second, world.bodies.at(is))) changes.teleported.push_back(is);
+        if (is && was.first == is && was.second->shapes != world.bodies.at(is).shapes) changes.lostShapes.push_back(is);
         world.updateDebris(was.first);
         if (!is) continue;
         world.updateDebris(is);

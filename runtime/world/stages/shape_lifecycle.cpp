@@ -81,6 +81,7 @@ void detachToNewBody(EditContext& context, ShapeHandle handle) {
     const BodyHandle oldBody = shape.body;
     std::vector<ShapeHandle>& left = context.world.bodies.at(oldBody).shapes;
     std::erase(left, handle);
+    context.changes.lostShapes.push_back(oldBody);
     if (left.empty()) {
         context.world.bodies.erase(oldBody);
         context.changes.bodiesDestroyed.push_back(oldBody);
@@ -122,6 +123,7 @@ void eraseEmptyShape(EditContext& context, ShapeHandle handle) {
     context.world.shapes.erase(handle);
     context.changes.shapesDestroyed.push_back(handle);
     std::erase(context.world.bodies.at(body).shapes, handle);
+    context.changes.lostShapes.push_back(body);
     context.world.updateDebris(body);
 }
 

@@ -36,11 +36,11 @@ class Receivers {
 public:
     void step(FrameLoop& loop) {
         const FrameChanges& changes = loop.changes();
-        std::vector<BodyPose> moved(loop.physics().poses().begin(), loop.physics().poses().end());
+        std::vector<BodyPose> moved(loop.physics()->poses().begin(), loop.physics()->poses().end());
         for (const BodyHandle handle : changes.teleported)
             if (const Body* body = loop.world().bodies().find(handle))
                 moved.push_back({handle, body->pose, body->velocity, body->angularVelocity, body->asleep});
-        m_snapshots.publishWithoutShadow(changes, moved, loop.world(), loop.physics().impacts());
+        m_snapshots.publishWithoutShadow(changes, moved, loop.world(), loop.physics()->impacts());
         if (auto snapshot = m_snapshots.take()) apply(*snapshot);
         const auto never = [] { return false; };
         ShadowPatches publication;
@@ -118,7 +118,7 @@ TEST_F(RandomPlay, AllWhoFollowTheJournalAgreeWithTheWorld) {
             loop.step();
             receivers.step(loop);
             if (step % 8 == 0) receivers.expectEqual(loop.world());
-            EXPECT_EQ(loop.physics().stats().bodies, dynamicBodies(loop.world()));
+            EXPECT_EQ(loop.physics()->stats().bodies, dynamicBodies(loop.world()));
             EXPECT_TRUE(voxelAccounting(loop.world()).balances());
             loop.edits().push(edits.next(loop.world(), true));
         }

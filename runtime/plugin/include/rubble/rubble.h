@@ -70,7 +70,7 @@
  *    writes has a temporary neighbour while it is written; a .vdb level is baked in a folder of $TMPDIR meanwhile),
  *    and restores the GL state that it changes (or resets it: RUBBLE_RENDERER_RESET_STATE).
  *
- * Not included: network, sound, input, textured triangles, use of the host's job system or allocator. */
+ * Not included: network, sound, input, textured triangles, use of the host's allocator. */
 #ifndef RUBBLE_RUBBLE_H
 #define RUBBLE_RUBBLE_H
 #include <stddef.h>
@@ -123,7 +123,10 @@ enum {
     /* the world or renderer is in another call: of another thread, or around a callback */
     RUBBLE_ERROR_BUSY = 11,
     /* a bug of the plugin has left the world or renderer in no defined state: destroy it */
-    RUBBLE_ERROR_BROKEN = 12
+    RUBBLE_ERROR_BROKEN = 12,
+    /* this library lacks the layer that does it, see get_layers(); or the host's physics does it in this world */
+    RUBBLE_ERROR_UNSUPPORTED = 13,
+    RUBBLE_ERROR_THREAD = 14 /* a call from another thread than that of the world; see RUBBLE_WORLD_ONE_THREAD */
 };
 
 /* ---- host and worlds ---- */
@@ -146,7 +149,18 @@ typedef struct rubble_host {
      * thread where it failed, before the call returns RUBBLE_ERROR_BROKEN: the place for a breakpoint or a report. It
      * may call nothing of the plugin. Null: nothing is called. The process goes on either way. */
     void (*assertion_failed)(void* user, const char* message);
+    /* Files of the host, as in an archive or in memory, by the paths that calls name; called from any thread. The bytes
+     * of a file that is read; RUBBLE_FILE_ON_DISK: the host does not have it. Null: it has none. Files for rubble-vdb,
+     * .vdb levels, are on the disk. */
+    uint64_t (*file_size)(void* user, const char* path);
+    /* Reads a whole file into `out`; 0: it cannot, which is RUBBLE_ERROR_FILE. Null only if file_size is. */
+    int32_t (*read_file)(void* user, const char* path, void* out, uint64_t size);
+    /* Writes a whole file; above 0: done, 0: it cannot, below 0: it belongs on the disk. A recording is kept in memory
+     * until then. Null: all belong there. */
+    int32_t (*write_file)(void* user, const char* path, const void* bytes, uint64_t size);
 } rubble_host;
+
+#define RUBBLE_FILE_ON_DISK UINT64_MAX
 
 enum {
     /* for servers and for hosts that draw themselves: nothing is prepared for a renderer */
@@ -154,7 +168,12 @@ enum {
     /* step() updates the shadow volume itself; without the flag a thread of the world does */
     RUBBLE_WORLD_SHADOW_INLINE = 2,
     /* step() waits for the shadow volume: frames do not depend on the timing of threads */
-    RUBBLE_WORLD_WAIT_FOR_SHADOW = 4
+    RUBBLE_WORLD_WAIT_FOR_SHADOW = 4,
+    /* the host's own physics moves the bodies; see rubble_rigid_body */
+    RUBBLE_WORLD_HOST_PHYSICS = 8,
+    /* for tests of a host: a [main-thread] call from another thread than that of create_world() is refused
+     * (RUBBLE_ERROR_THREAD), also if the two do not meet */
+    RUBBLE_WORLD_ONE_THREAD = 16
 };
 
 typedef struct rubble_world_settings {
@@ -162,6 +181,15 @@ typedef struct rubble_world_settings {
     uint32_t flags;           /* RUBBLE_WORLD_... */
     uint32_t physics_threads; /* with the one that calls step(), 1 to 64; 0: 1. Results do not depend on it */
     uint32_t reserved;
+    void* user; /* passed to the functions below, which are this world's: null ones are those of rubble_host */
+    /* As rubble_host.log, for what the calls of this world say. What its threads say goes to rubble_host. */
+    void (*log)(void* user, int32_t level, const char* message);
+    /* As rubble_host.assertion_failed, for the calls of this world. */
+    void (*assertion_failed)(void* user, const char* message);
+    /* Calls job(context, i) once for each i below count, in any order, on any threads, and returns when all have
+     * returned: the host's job system, in place of physics_threads. Results do not depend on it. One that leaves calls
+     * out breaks the world. */
+    void (*parallel_for)(void* user, uint32_t count, void (*job)(void* context, uint32_t index), void* context);
 } rubble_world_settings;
 
 /* Where the world ends. A free body that has left the box with all of its voxels is removed in the next step, and its
@@ -928,6 +956,73 @@ typedef struct rubble_settings {
     double fire_burn_time; /* multiple of the materials' times, 0.001 to 1000 */
 } rubble_settings;
 
+/* ---- layers, and worlds that the host's physics moves ---- */
+
+/* What is in a library beside the runtime, which has worlds, edits, what breaks, queries and files. */
+enum {
+    RUBBLE_LAYER_PHYSICS = 1, /* without it, worlds are made with RUBBLE_WORLD_HOST_PHYSICS */
+    RUBBLE_LAYER_RENDERER = 2 /* without it, create_renderer() and its like are RUBBLE_ERROR_UNSUPPORTED */
+};
+
+/* Which bodies get_rigid_bodies() lists. */
+enum {
+    RUBBLE_BODIES_CHANGED = 0, /* made or changed by the last step; all, if that was the first of a level or a game */
+    RUBBLE_BODIES_ALL = 1
+};
+
+/* What a body needs of the host's physics. */
+enum {
+    RUBBLE_RIGID_NEW = 1,   /* it is to be made */
+    RUBBLE_RIGID_SOLID = 2, /* its voxels are others: mass, centre, inertia and boxes */
+    RUBBLE_RIGID_MOVED = 4  /* an edit has set its pose or motion, put it to sleep, woken it or changed its kind */
+};
+
+/* A row of get_rigid_bodies(). In a world with RUBBLE_WORLD_HOST_PHYSICS, a frame of the host is: step(); rigid bodies
+ * of its own as get_events() lists bodies_destroyed and get_rigid_bodies() the others; get_body_impulses(); a step of
+ * its physics; set_body_states() and report_impacts(). Joints, ropes and waters are data there, which the host may
+ * follow: nothing in the plugin moves them. Hands, wheels and characters are RUBBLE_ERROR_UNSUPPORTED. Bodies that fall
+ * asleep in the host's physics are to be set asleep: debris settles then. */
+typedef struct rubble_rigid_body {
+    rubble_body body;
+    uint32_t changes;           /* RUBBLE_RIGID_... */
+    uint32_t flags;             /* RUBBLE_BODY_... */
+    double mass;                /* kg; 0: no voxel has a weight */
+    double center[3];           /* of mass, in metres of the body's frame */
+    double inertia[3];          /* kg m2: principal moments about that centre */
+    double inertia_rotation[4]; /* of the principal axes, in the body's frame */
+    double position[3];         /* of its frame, world */
+    double rotation[4];         /* of its frame */
+    double velocity[3];         /* m/s, of the centre of mass */
+    double angular_velocity[3]; /* rad/s, world axes */
+} rubble_rigid_body;
+
+/* A row of get_body_boxes(). The boxes hold the voxels that collide, each once, and no other place. */
+typedef struct rubble_body_box {
+    rubble_shape shape;  /* whose voxels it holds */
+    double center[3];    /* metres, in the body's frame */
+    double rotation[4];  /* in the body's frame: all boxes of a shape have the same */
+    double half_size[3]; /* metres */
+    uint32_t layer;      /* collision layer and mask of the shape, bits; see rubble_collision_filter */
+    uint32_t mask;
+} rubble_body_box;
+
+/* A row of get_body_impulses(). */
+typedef struct rubble_body_impulse {
+    rubble_body body;
+    double position[3]; /* world: where it acts */
+    double impulse[3];  /* N s, world */
+} rubble_body_impulse;
+
+/* A row of report_impacts(): a hit in the host's physics. */
+typedef struct rubble_impact {
+    rubble_body body;   /* 0: something of the host */
+    rubble_body other;  /* the same; not both */
+    double position[3]; /* world: where they touch */
+    double normal[3];   /* the direction in which `body` is pushed; any length but zero */
+    double impulse;     /* N s, in all of the hit, 0 to 1e16 */
+    double speed;       /* m/s at which they met, 0 to 1e9 */
+} rubble_impact;
+
 /* ---- sky, sun, air and lights ---- */
 
 /* Sky, sun, air, exposure and gravity. Zeros are values here, not defaults: read the present ones with
@@ -1463,6 +1558,63 @@ typedef struct rubble_api {
                                  const rubble_palette_entry* entries);
     /* [main-thread] Reads entries of a shape's palette: `range->count` rows. */
     rubble_result (*get_palette)(rubble_world world, const rubble_palette_range* range, rubble_palette_entry* out);
+
+    /* ---- layers, and worlds that the host's physics moves ---- */
+
+    /* [any-thread] What this library has beside the runtime: bits of RUBBLE_LAYER_... */
+    rubble_result (*get_layers)(uint32_t* layers);
+    /* [main-thread] Mass, centre, inertia and motion of bodies, in a fixed order. which: RUBBLE_BODIES_CHANGED or
+     * RUBBLE_BODIES_ALL. Costs the bodies that are listed. Of worlds with physics of their own as well. */
+    rubble_result (*get_rigid_bodies)(rubble_world world, uint32_t which, rubble_rigid_body* out, uint32_t capacity,
+                                      uint32_t* count);
+    /* [main-thread] Boxes for a collider of the host: a compound, in the body's frame. Costs the bricks of its shapes.
+     */
+    rubble_result (*get_body_boxes)(rubble_world world, rubble_body body, rubble_body_box* out, uint32_t capacity,
+                                    uint32_t* count);
+    /* [main-thread] The impulses that edits of the last step gave to free bodies, as explosions and apply_impulse()
+     * do, in their order. A physics of the world's own has applied them; the host's has to. */
+    rubble_result (*get_body_impulses)(rubble_world world, rubble_body_impulse* out, uint32_t capacity,
+                                       uint32_t* count);
+    /* [main-thread] What a step of the host's physics has made of bodies, at once: later reads see it, and edits of the
+     * next step. `count` rows as get_body_states() gives them; shape_count is not read. Only of free bodies: what is
+     * static moves by set_body(). Recordings keep it. RUBBLE_ERROR_UNSUPPORTED: the world has physics of its own. */
+    rubble_result (*set_body_states)(rubble_world world, const rubble_body_state* states, uint32_t count);
+    /* [main-thread] Hits of the host's physics, at places as the last set_body_states() left them: the next step breaks
+     * what they break by strength, impulse and rubble_settings, the hardest first. What has broken through something
+     * gets the rest of its momentum back by get_body_impulses(). A hit that lasts for several steps is reported once,
+     * and resting contacts not at all. Recordings keep it. RUBBLE_ERROR_UNSUPPORTED: as by set_body_states(). */
+    rubble_result (*report_impacts)(rubble_world world, const rubble_impact* impacts, uint32_t count);
+
+    /* ---- files in memory ---- */
+
+    /* [main-thread] As load_level(), of a .rubble or .vox file in memory, which is not read after the call. */
+    rubble_result (*load_level_data)(rubble_world world, const void* data, uint64_t size);
+    /* [main-thread] As save_game(), into memory: `capacity` is in bytes; *count becomes the size of the file. Capacity
+     * 0 asks for that alone and saves nothing; fewer bytes than that: RUBBLE_ERROR_CAPACITY, and nothing is saved. */
+    rubble_result (*save_game_data)(rubble_world world, uint8_t* out, uint64_t capacity, uint64_t* count);
+    /* [main-thread] As load_game(), of a saved game in memory, which is not read after the call. */
+    rubble_result (*load_game_data)(rubble_world world, const void* data, uint64_t size);
+    /* [main-thread] As play_recording(), of a recording in memory. rubble_host.write_file takes recordings into memory.
+     */
+    rubble_result (*play_recording_data)(rubble_world world, const void* data, uint64_t size, uint64_t* steps);
+
+    /* ---- deltas: a world that follows another ---- */
+
+    /* [main-thread] From now on each step keeps what it changed, for worlds that are equal to this one now, such as one
+     * that loads save_game_data() of now. on: 1; 0 ends it, as loading does, and costs nothing. */
+    rubble_result (*keep_deltas)(rubble_world world, uint32_t on);
+    /* [main-thread] Takes what steps have kept since the last call that gave it. `capacity` is in bytes; *count becomes
+     * the size. Capacity 0 asks for that alone; fewer bytes than that: RUBBLE_ERROR_CAPACITY; nothing is taken either
+     * way. RUBBLE_ERROR_ARGUMENT: none are kept. */
+    rubble_result (*take_deltas)(rubble_world world, uint8_t* out, uint64_t capacity, uint64_t* count);
+    /* [main-thread] Carries out steps of another world: objects, voxels and motion become those, without edits or
+     * physics. Each take of the other world is applied once, in their order, from the first after keep_deltas() on.
+     * get_events() tells of the last of the steps. Heat, ropes between their ends and what is still to split are left
+     * out, see get_resolved_hash(). RUBBLE_ERROR_FILE: the bytes are wrong, steps are missing, or this world was
+     * another one; it is as after the last good step. */
+    rubble_result (*apply_deltas)(rubble_world world, const void* data, uint64_t size);
+    /* [main-thread] A hash of what deltas keep equal: all objects, voxels and settings. */
+    rubble_result (*get_resolved_hash)(rubble_world world, uint64_t* out);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

@@ -732,6 +732,87 @@ public:
         check(api().get_palette(m_handle, &range, &out));
         return out;
     }
+    /** Mass, centre, inertia and motion of bodies, in a fixed order. which: RUBBLE_BODIES_CHANGED or RUBBLE_BODIES_ALL.
+     * Costs the bodies that are listed. Of worlds with physics of their own as well. */
+    std::vector<rubble_rigid_body> get_rigid_bodies(uint32_t which) const {
+        return rows<rubble_rigid_body, uint32_t>([&](rubble_rigid_body* out, uint32_t capacity, uint32_t* count) {
+            return api().get_rigid_bodies(m_handle, which, out, capacity, count);
+        });
+    }
+    /** Boxes for a collider of the host: a compound, in the body's frame. Costs the bricks of its shapes. */
+    std::vector<rubble_body_box> get_body_boxes(rubble_body body) const {
+        return rows<rubble_body_box, uint32_t>([&](rubble_body_box* out, uint32_t capacity, uint32_t* count) {
+            return api().get_body_boxes(m_handle, body, out, capacity, count);
+        });
+    }
+    /** The impulses that edits of the last step gave to free bodies, as explosions and apply_impulse() do, in their
+     * order. A physics of the world's own has applied them; the host's has to. */
+    std::vector<rubble_body_impulse> get_body_impulses() const {
+        return rows<rubble_body_impulse, uint32_t>([&](rubble_body_impulse* out, uint32_t capacity, uint32_t* count) {
+            return api().get_body_impulses(m_handle, out, capacity, count);
+        });
+    }
+    /** What a step of the host's physics has made of bodies, at once: later reads see it, and edits of the next step.
+     * `count` rows as get_body_states() gives them; shape_count is not read. Only of free bodies: what is static moves
+     * by set_body(). Recordings keep it. RUBBLE_ERROR_UNSUPPORTED: the world has physics of its own. */
+    void set_body_states(const rubble_body_state* states, uint32_t count) {
+        check(api().set_body_states(m_handle, states, count));
+    }
+    /** Hits of the host's physics, at places as the last set_body_states() left them: the next step breaks what they
+     * break by strength, impulse and rubble_settings, the hardest first. What has broken through something gets the
+     * rest of its momentum back by get_body_impulses(). A hit that lasts for several steps is reported once, and
+     * resting contacts not at all. Recordings keep it. RUBBLE_ERROR_UNSUPPORTED: as by set_body_states(). */
+    void report_impacts(const rubble_impact* impacts, uint32_t count) {
+        check(api().report_impacts(m_handle, impacts, count));
+    }
+    /** As load_level(), of a .rubble or .vox file in memory, which is not read after the call. */
+    void load_level_data(const void* data, uint64_t size) {
+        check(api().load_level_data(m_handle, data, size));
+    }
+    /** As save_game(), into memory: `capacity` is in bytes; *count becomes the size of the file. Capacity 0 asks for
+     * that alone and saves nothing; fewer bytes than that: RUBBLE_ERROR_CAPACITY, and nothing is saved. */
+    std::vector<uint8_t> save_game_data() {
+        return rows<uint8_t, uint64_t>([&](uint8_t* out, uint64_t capacity, uint64_t* count) {
+            return api().save_game_data(m_handle, out, capacity, count);
+        });
+    }
+    /** As load_game(), of a saved game in memory, which is not read after the call. */
+    void load_game_data(const void* data, uint64_t size) {
+        check(api().load_game_data(m_handle, data, size));
+    }
+    /** As play_recording(), of a recording in memory. rubble_host.write_file takes recordings into memory. */
+    uint64_t play_recording_data(const void* data, uint64_t size) {
+        uint64_t out{};
+        check(api().play_recording_data(m_handle, data, size, &out));
+        return out;
+    }
+    /** From now on each step keeps what it changed, for worlds that are equal to this one now, such as one that loads
+     * save_game_data() of now. on: 1; 0 ends it, as loading does, and costs nothing. */
+    void keep_deltas(uint32_t on) {
+        check(api().keep_deltas(m_handle, on));
+    }
+    /** Takes what steps have kept since the last call that gave it. `capacity` is in bytes; *count becomes the size.
+     * Capacity 0 asks for that alone; fewer bytes than that: RUBBLE_ERROR_CAPACITY; nothing is taken either way.
+     * RUBBLE_ERROR_ARGUMENT: none are kept. */
+    std::vector<uint8_t> take_deltas() {
+        return rows<uint8_t, uint64_t>([&](uint8_t* out, uint64_t capacity, uint64_t* count) {
+            return api().take_deltas(m_handle, out, capacity, count);
+        });
+    }
+    /** Carries out steps of another world: objects, voxels and motion become those, without edits or physics. Each take
+     * of the other world is applied once, in their order, from the first after keep_deltas() on. get_events() tells of
+     * the last of the steps. Heat, ropes between their ends and what is still to split are left out, see
+     * get_resolved_hash(). RUBBLE_ERROR_FILE: the bytes are wrong, steps are missing, or this world was another one; it
+     * is as after the last good step. */
+    void apply_deltas(const void* data, uint64_t size) {
+        check(api().apply_deltas(m_handle, data, size));
+    }
+    /** A hash of what deltas keep equal: all objects, voxels and settings. */
+    uint64_t get_resolved_hash() const {
+        uint64_t out{};
+        check(api().get_resolved_hash(m_handle, &out));
+        return out;
+    }
 private:
     void release() noexcept {
         if (m_handle) api().destroy_world(std::exchange(m_handle, 0));

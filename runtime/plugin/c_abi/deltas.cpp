@@ -1,0 +1,64 @@
+#include <cstring>
+#include <new>
+
+#include "runtime/plugin/c_abi/calls.h"
+#include "runtime/plugin/c_abi/functions.h"
+
+namespace rubble::abi {
+namespace {
+
+rubble_result keepDeltas(rubble_world world, uint32_t on) {
+    return inWorld("keep_deltas", world, [&](HostedWorld& hosted) {
+        const bool keeps = readEnum(on, 1, "on");
+        if (!isRefused()) change(hosted, [&] { hosted.loop.keepDeltas(keeps); });
+    });
+}
+
+rubble_result takeDeltas(rubble_world world, uint8_t* out, uint64_t capacity, uint64_t* count) {
+    return inWorld("take_deltas", world, [&](HostedWorld& hosted) {
+        if (!isGiven(count, "count")) return;
+        *count = 0;
+        if (capacity) isGiven(out, "out");
+        DeltaWriter* kept = hosted.loop.deltas();
+        if (!kept) refuse(RUBBLE_ERROR_ARGUMENT, "the world keeps no deltas: call keep_deltas() first");
+        if (isRefused()) return;
+        const std::vector<uint8_t> bytes = kept->file();
+        *count = bytes.size();
+        if (!capacity) return;
+        if (capacity < bytes.size())
+            return refuse(RUBBLE_ERROR_CAPACITY, "there are {} bytes, the array holds {}", bytes.size(), capacity);
+        std::memcpy(out, bytes.data(), bytes.size());
+        kept->clear();
+    });
+}
+
+rubble_result applyDeltas(rubble_world world, const void* data, uint64_t size) {
+    return inWorld("apply_deltas", world, [&](HostedWorld& hosted) {
+        if (!isGiven(data, "data")) return;
+        const Result<Deltas> deltas =
+            deltasFromBytes({static_cast<const uint8_t*>(data), size_t(size)}, "data", hosted.loop.world().id());
+        if (!deltas) return refuse(RUBBLE_ERROR_FILE, "{}", deltas.error());
+        change(hosted, [&] {
+            if (const Result<Done> done = hosted.loop.follow(*deltas); !done)
+                refuse(RUBBLE_ERROR_FILE, "data: {}", done.error());
+        });
+        hosted.events.fill(hosted.loop.changes());
+    });
+}
+
+rubble_result getResolvedHash(rubble_world world, uint64_t* out) {
+    return inWorld("get_resolved_hash", world, [&](const HostedWorld& hosted) {
+        if (isGiven(out, "out")) *out = resolvedHash(hosted.loop.world());
+    });
+}
+
+}  // namespace
+
+void setDeltaFunctions(rubble_api& api) {
+    api.keep_deltas = keepDeltas;
+    api.take_deltas = takeDeltas;
+    api.apply_deltas = applyDeltas;
+    api.get_resolved_hash = getResolvedHash;
+}
+
+}  // namespace rubble::abi

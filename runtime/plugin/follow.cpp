@@ -1,0 +1,47 @@
+// How a world keeps what its steps change, and how another one follows it.
+#include <fmt/format.h>
+
+#include "runtime/plugin/frame_loop.h"
+
+namespace rubble {
+
+void FrameLoop::keepDeltas(bool on) {
+    m_deltaRecorder.reset();
+    m_deltas.reset();
+    if (!on) return;
+    m_deltas = std::make_unique<DeltaWriter>(m_world.step());
+    m_deltaRecorder =
+        std::make_unique<Recorder>(m_world, [to = m_deltas.get()](const RecordedStep& step) { to->add(step); });
+}
+
+Result<Done> FrameLoop::follow(const Deltas& deltas) {
+    for (const RecordedStep& step : deltas.steps) {
+        if (step.step == deltas.start + 1) m_followedStart = deltas.start, m_followedPalettes.clear();
+        if (step.step != m_world.step() + 1 || deltas.start != m_followedStart)
+            return Error{
+                fmt::format("expected the delta of step {}, of those kept since step {}, found that of step {}, "
+                            "since step {}",
+                            m_world.step() + 1, m_followedStart, step.step, deltas.start)};
+        if (Result<Done> done = followStep(step); !done) return done;
+    }
+    return Done{};
+}
+
+Result<Done> FrameLoop::followStep(const RecordedStep& step) {
+    Result<FrameChanges> applied =
+        applyStepDelta(step.delta, fmt::format("step {}", step.step), m_world, m_followedPalettes);
+    if (!applied) return Error{applied.error()};
+    m_changes = std::move(*applied);
+    m_rebuildPhysics = true;
+    m_world.setPoses(step.poses);
+    m_world.setCharacters(step.characters);
+    m_movedByHost.assign(step.poses.begin(), step.poses.end());
+    publish(m_changes, m_movedByHost, {});
+    if (resolvedHash(m_world) == step.resolvedHash) return Done{};
+    return Error{
+        fmt::format("step {}: expected the state of the world that made the delta, found another: the two were "
+                    "not equal before",
+                    step.step)};
+}
+
+}  // namespace rubble

@@ -1,0 +1,9 @@
+#include "runtime/plugin/layers.h"
+
+namespace rubble {
+
+bool hasRenderer() {
+    return false;
+}
+
+}  // namespace rubble
