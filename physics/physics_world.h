@@ -42,6 +42,8 @@ public:
     /// Takes over what World changed: bodies, shapes, joints, waters, characters, gravity, then impulses. A new piece
     /// starts with the motion that World gave it.
     void apply(const FrameChanges& changes, const World& world);
+    /// Other settings from the next step on.
+    void setSettings(const PhysicsSettings& settings);
     /// Moves everything by settings.stepSeconds. What the functions below return is valid until the next step().
     void step();
     /// Bodies that moved, fell asleep or woke in the last step, in slot order.

@@ -10,8 +10,27 @@
 
 namespace rubble {
 
+namespace {
+
+PhysicsSettings settingsOf(PhysicsPreset preset, const PhysicsSettings& given) {
+    switch (preset) {
+        case PhysicsPreset::Given:
+            return given;
+        case PhysicsPreset::Fast:
+            return fastPhysics();
+        case PhysicsPreset::Balanced:
+            return balancedPhysics();
+        case PhysicsPreset::Accurate:
+            return accuratePhysics();
+    }
+    return given;
+}
+
+}  // namespace
+
 FrameLoop::FrameLoop(const FrameLoopSettings& settings)
     : m_world(settings.worldId, settings.firstGeneration),
+      m_givenPhysics(settings.physics),
       m_threads(settings.physicsThreads > 1 ? std::make_unique<ThreadPool>(settings.physicsThreads) : nullptr),
       m_physics(withThreads(settings.physics)),
       m_snapshots(settings.particles),
@@ -34,6 +53,17 @@ ParallelFor FrameLoop::parallelFor() const {
 PhysicsSettings FrameLoop::withThreads(PhysicsSettings settings) const {
     if (m_threads) settings.parallelFor = parallelFor();
     return settings;
+}
+
+void FrameLoop::setPhysicsThreads(int threads) {
+    m_threads = threads > 1 ? std::make_unique<ThreadPool>(threads) : nullptr;
+    m_physics.setSettings(withThreads(settingsOf(m_preset, m_givenPhysics)));
+}
+
+/// Follows the preset of the world's settings.
+void FrameLoop::updatePhysicsSettings() {
+    if (std::exchange(m_preset, m_world.settings().physics) == m_preset) return;
+    m_physics.setSettings(withThreads(settingsOf(m_preset, m_givenPhysics)));
 }
 
 void FrameLoop::dropWaitingEdits() {
@@ -145,6 +175,7 @@ void FrameLoop::applyEdits(const Edits& hostEdits) {
 void FrameLoop::stepPhysics() {
     {
         const ScopedTimer timer(m_times[Stage::Physics]);
+        updatePhysicsSettings();
         m_physics.apply(m_changes, m_world);
         m_physics.step();
     }

@@ -77,6 +77,9 @@ public:
     const World& world() const { return m_world; }
     /// Runs work on the threads that the world's physics has. [main-thread]
     ParallelFor parallelFor() const;
+    /// Gives physics so many threads, with the one that steps, from the next step on. Results do not depend on it.
+    /// [main-thread]
+    void setPhysicsThreads(int threads);
     /// Its physics, for statistics and settings. [main-thread]
     PhysicsWorld& physics() { return m_physics; }
     /// Keeps the shadow volume up to date; null without one. [main-thread]
@@ -91,6 +94,7 @@ public:
 
 private:
     PhysicsSettings withThreads(PhysicsSettings settings) const;
+    void updatePhysicsSettings();
     void dropWaitingEdits();
     SavedGame savedGame(const Edits& waiting) const;
     void goOnAsLoaded(bool dropMarks);
@@ -105,7 +109,9 @@ private:
     std::span<const BodyPose> changedPoses();
 
     World m_world;
-    std::unique_ptr<ThreadPool> m_threads;  ///< of physics; null: it has none of its own
+    PhysicsSettings m_givenPhysics;
+    PhysicsPreset m_preset = PhysicsPreset::Given;  ///< that physics has
+    std::unique_ptr<ThreadPool> m_threads;          ///< of physics; null: it has none of its own
     PhysicsWorld m_physics;
     std::unique_ptr<ShadowWorker> m_shadow;
     Snapshots m_snapshots;

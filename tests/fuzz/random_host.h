@@ -141,6 +141,8 @@ private:
     void callState();
     void callObjects();
     void callPalette();
+    void callMaterials();
+    void callProperties();
     void callUndo();
     void callFile();
     void saveAndLoad();

@@ -27,6 +27,9 @@ rubble_api makeTable() {
     setObjectFunctions(api);
     setSettingsFunctions(api);
     setPaletteFunctions(api);
+    setMaterialFunctions(api);
+    setPropertyFunctions(api);
+    setLightGroupFunctions(api);
     setRendererFunctions(api);
     return api;
 }
