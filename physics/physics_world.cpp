@@ -29,6 +29,10 @@ void PhysicsWorld::apply(const FrameChanges& changes, const World& world) {
     impl.bodies.budget().setDebrisLimit(world.settings().debris.awakeBodies);
 }
 
+void PhysicsWorld::setSettings(const PhysicsSettings& settings) {
+    m_impl->settings = settings;
+}
+
 void PhysicsWorld::step() {
     Impl& impl = *m_impl;
     const PhysicsSettings& settings = impl.settings;
@@ -44,16 +48,17 @@ void PhysicsWorld::step() {
         for (const uint32_t slot : impl.bodies.awake()) {
             DynamicBody& body = impl.bodies.at(slot);
             body.inWater = false;
-            body.motion.gravityScale = 1.0f;
+            body.motion.gravityScale = float(body.gravityScale);
+            impl.work += body.damp(settings.stepSeconds);
             if (waters) impl.work += waters->applyForces(body, impl.gravity, settings.stepSeconds);
             impl.bodies.limits().clamp(body);  // contacts are searched along the motion
         }
         impl.contacts.find(impl.bodies, impl.joints.table(), settings);
         impl.contacts.recordTouching(impl.bodies);
         impl.solver.solve(impl.bodies, impl.contacts.manifolds(), impl.joints, impl.gravity, settings);
-        if (waters)
-            for (const uint32_t slot : impl.bodies.awake())
-                impl.work += buoyancyWork(impl.bodies.at(slot), impl.gravity);
+        for (const uint32_t slot : impl.bodies.awake())
+            if (const DynamicBody& body = impl.bodies.at(slot); body.motion.gravityScale != 1.0f)
+                impl.work += buoyancyWork(body, impl.gravity);
         if (impl.continuous.stop(impl.bodies, impl.joints.table(), settings, impl.gravity))
             impl.solver.keepMomentum(impl.bodies);
         impl.work += impl.joints.work();

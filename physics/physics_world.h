@@ -43,6 +43,8 @@ public:
     /// Takes over what World changed: bodies, shapes, joints, waters, characters, gravity, then impulses. A new piece
     /// starts with the motion that World gave it.
     virtual void apply(const FrameChanges& changes, const World& world);
+    /// Other settings from the next step on.
+    virtual void setSettings(const PhysicsSettings& settings);
     /// Moves everything by settings.stepSeconds. What the functions below return is valid until the next step().
     virtual void step();
     /// Bodies that moved, fell asleep or woke in the last step, in slot order.

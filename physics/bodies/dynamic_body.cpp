@@ -50,6 +50,8 @@ void DynamicBody::takeState(const World& world) {
     m_mass.principalInertia *= mass / m_mass.mass;
     m_mass.mass = mass;
     m_state = {m_handle, body.pose, body.velocity, body.angularVelocity, body.asleep};
+    gravityScale = body.gravityScale;
+    linearDamping = body.linearDamping, angularDamping = body.angularDamping;
     const Pose centerInBody{m_mass.center, m_mass.principalAxes};
     m_bodyInCenter = inverse(centerInBody);
 
@@ -127,6 +129,14 @@ bool DynamicBody::clamp(LimitCounts& counts) {
     const bool mass = std::exchange(m_hasClampedMass, false);
     counts[size_t(LimitKind::Mass)] += mass;
     return speed || spin || mass;
+}
+
+double DynamicBody::damp(double seconds) {
+    if (linearDamping == 0.0 && angularDamping == 0.0) return 0.0;
+    const double before = kineticEnergy(motion);
+    motion.velocity /= 1.0 + seconds * linearDamping;  // the implicit step: stable at any rate
+    motion.angularVelocity /= 1.0 + seconds * angularDamping;
+    return kineticEnergy(motion) - before;
 }
 
 void DynamicBody::restore() {

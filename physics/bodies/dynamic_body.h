@@ -41,6 +41,8 @@ public:
     bool isFartherThan(double distance, glm::dvec3 origin) const;
     /// Clamps speed and spin to the limits; true if anything was beyond, mass included. counts: incremented by kind.
     bool clamp(LimitCounts& counts);
+    /// Slows it down by its damping. Returns joules: what its motion lost, below 0.
+    double damp(double seconds);
     /// Goes back to the pose of the last refresh(), at rest.
     void restore();
 
@@ -77,12 +79,14 @@ public:
     std::vector<uint32_t> sleepersTouched;  ///< slots of bodies that it must wake when it moves
     bool touching = false;                  ///< had a contact in the last step
     bool inWater = false;                   ///< was in water in the last step
-    bool isDebris = false;                  ///< counts in the budget of awake debris
-    bool settled = false;                   ///< only a hard hit wakes it
-    bool rests = false;                     ///< is at rest: see SleepTimer
-    bool wantsSleep = false;                ///< may sleep, but what it is jointed to may not
-    int solverIndex = 0;                    ///< in the solver's list of bodies, if it is awake
-    bool pairsFound = false;                ///< contact detection has searched its pairs in this step
+    double gravityScale = 1.0;              ///< of World's body, as what follows
+    double linearDamping = 0.0, angularDamping = 0.0;
+    bool isDebris = false;    ///< counts in the budget of awake debris
+    bool settled = false;     ///< only a hard hit wakes it
+    bool rests = false;       ///< is at rest: see SleepTimer
+    bool wantsSleep = false;  ///< may sleep, but what it is jointed to may not
+    int solverIndex = 0;      ///< in the solver's list of bodies, if it is awake
+    bool pairsFound = false;  ///< contact detection has searched its pairs in this step
 
 private:
     /// Takes mass, frame and motion from World and moves the collider's parts to the new centre of mass.

@@ -75,7 +75,7 @@ void JointSolver::begin(std::span<JointConstraint* const> joints, std::span<Solv
     for (JointConstraint* c : joints) {
         JointRows& e = m_joints.emplace_back();
         e.c = c;
-        e.isInSystem = c->joint->kind != JointKind::Rope && c->joint->maxForce == 0.0 &&
+        e.isInSystem = c->joint->kind != JointKind::Rope && c->joint->maxForce == 0.0 && c->joint->maxTorque == 0.0 &&
                        (c->joint->spring.hertz == 0.0 || hasFreeAxisSpring(*c->joint));
         c->force = c->torque = glm::dvec3(0.0);
         c->work = c->joint->hand ? std::numeric_limits<double>::infinity() : 0.0;
@@ -262,6 +262,10 @@ void JointSolver::solveLockedRows(JointRows& e, SolverState& A, SolverState& B, 
     if (c.joint->maxForce > 0.0 && e.rows >= 3) {  // the first three rows are those of the common point
         const glm::dvec3 pull = clampedLength({sum[0], sum[1], sum[2]}, c.joint->maxForce * m_seconds);
         sum[0] = pull.x, sum[1] = pull.y, sum[2] = pull.z;
+    }
+    if (c.joint->maxTorque > 0.0 && e.rows == 6) {  // a fixed joint: the last three rows are those of the rotation
+        const glm::dvec3 turn = clampedLength({sum[3], sum[4], sum[5]}, c.joint->maxTorque * m_seconds);
+        sum[3] = turn.x, sum[4] = turn.y, sum[5] = turn.z;
     }
     for (size_t i = 0; i < size_t(e.rows); ++i) applyLocked(e, i, A, B, sum[i] - c.lockedImpulse[i]);
     c.lockedImpulse = sum;

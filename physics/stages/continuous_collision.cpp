@@ -224,7 +224,7 @@ bool ContinuousCollision::stop(PhysicsBodies& bodies, const JointTable& joints, 
         SolverBody& motion = body.motion;
         // The height that it did not fall is not in its speed.
         const double speed2 = glm::dot(motion.velocity, motion.velocity),
-                     fallen = 2.0 * glm::dot(gravity, motion.position - pose.position);
+                     fallen = 2.0 * body.gravityScale * glm::dot(gravity, motion.position - pose.position);
         if (fallen > 0.0 && speed2 > 0.0) motion.velocity *= std::sqrt(std::max(0.0, speed2 - fallen) / speed2);
         motion.position = pose.position;
         turnBack(motion, pose.rotation);

@@ -52,7 +52,8 @@ void putToSleep(PhysicsBodies& bodies, std::span<Manifold* const> manifolds, con
     for (const uint32_t slot : bodies.awake()) {
         DynamicBody& body = bodies.at(slot);
         body.rests = body.sleepTimer.rests(body.pose(), body.object.radius, limits);
-        body.wantsSleep = body.rests && (body.touching || body.inWater || isWeightless || joints.isJointed(slot));
+        body.wantsSleep = body.rests && (body.touching || body.inWater || isWeightless || body.gravityScale == 0.0 ||
+                                         joints.isJointed(slot));
         any = any || body.wantsSleep;
     }
     if (any) keepBorneAwake(manifolds, gravity, settings.stepSeconds / settings.substeps);

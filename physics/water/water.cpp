@@ -70,9 +70,8 @@ double WaterVolumes::applyForces(DynamicBody& body, glm::dvec3 gravity, double s
         angularVelocity += worldInverseInertia(motion) * glm::cross(sum.moment / sum.volume, lift);
     }
     body.inWater = displaced > 0.0;
-    motion.gravityScale = 1.0f;
     if (!body.inWater) return 0.0;
-    motion.gravityScale = float(1.0 - displaced);
+    motion.gravityScale = float(body.gravityScale - displaced);
     const glm::dvec3 fall = gravity * (seconds * double(motion.gravityScale));
     if (drag > 0.0) flow /= drag;
     const double damping = 1.0 + std::max(0.0, spring - 1.0);

@@ -16,8 +16,8 @@ public:
     std::optional<WorldBox> set(uint32_t slot, const Water* water);
     /// Whether there is no water.
     bool empty() const { return m_count == 0; }
-    /// The forces of a step on an awake body, before contacts: sets its gravityScale and inWater, and changes its
-    /// velocities; see water.cpp for the formulas. gravity: m/s2. Returns joules: the work of drag and torques.
+    /// The forces of a step on an awake body, before contacts: lowers its gravityScale, sets its inWater, and changes
+    /// its velocities; see water.cpp for the formulas. gravity: m/s2. Returns joules: the work of drag and torques.
     double applyForces(DynamicBody& body, glm::dvec3 gravity, double seconds);
     /// The water that a point is in, world; null: none.
     const Water* at(glm::dvec3 point) const;
@@ -29,7 +29,7 @@ private:
     size_t m_count = 0;
 };
 
-/// Joules that buoyancy gave a body in the last solve. gravity: m/s2.
+/// Joules that buoyancy, and a gravity of its own, gave a body in the last solve beside gravity (m/s2).
 double buoyancyWork(const DynamicBody& body, glm::dvec3 gravity);
 
 }  // namespace rubble

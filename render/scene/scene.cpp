@@ -44,6 +44,8 @@ void Scene::applyNow(FrameSnapshot& snapshot) {
     if (snapshot.replacesAll) {
         m_bodies.clear();
         m_bodies.setMaterials(snapshot.materials);
+    } else if (!snapshot.materials.empty()) {
+        m_bodies.setMaterials(snapshot.materials);  // palettes of what was renamed are listed
     }
     for (ShapeHandle shape : snapshot.destroyed) m_bodies.destroy(shape);
     for (const SnapshotShape& shape : snapshot.created) m_bodies.create(shape);

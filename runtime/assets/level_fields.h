@@ -90,6 +90,8 @@ inline constexpr auto kFields<LevelShape> = std::tuple{
     Field{"collision_layer", &LevelShape::collisionLayer},
     Field{"collision_mask", &LevelShape::collisionMask},
     Field{"collision_shape", &LevelShape::collisionShape},
+    Field{"density", &LevelShape::density},
+    Field{"emission", &LevelShape::emission},
 };
 template <>
 inline constexpr auto kFields<LevelBody> = std::tuple{
@@ -138,6 +140,7 @@ inline constexpr auto kFields<LightGroup> = std::tuple{
     Field{"initial_voxels", &LightGroup::initialVoxels},
     Field{"removed_voxels", &LightGroup::removedVoxels},
     Field{"out", &LightGroup::out},
+    Field{"off", &LightGroup::off},
     Field{"supply_shape", &LightGroup::supplyShape},
     Field{"supply_cell", &LightGroup::supplyCell},
     Field{"flicker_steps", &LightGroup::flickerSteps},
@@ -284,6 +287,7 @@ inline constexpr auto kFields<Joint> = std::tuple{
     Field{"spring", &Joint::spring},
     Field{"friction", &Joint::friction},
     Field{"most_force", &Joint::maxForce},
+    Field{"most_torque", &Joint::maxTorque},
     Field{"break_force", &Joint::breakForce},
     Field{"break_torque", &Joint::breakTorque},
     Field{"steer", &Joint::steer},

@@ -93,6 +93,7 @@ private:
     void checkRanges(const Pose& pose) { require("a valid pose", RangeCheck().pose("it", pose).error()); }
     void checkRanges(const LevelShape& shape) {
         require("a valid shape", shapeError(shape.local, shape.voxelSize, shape.strength));
+        require("a valid shape", factorsError(shape.density, shape.emission));
         checkPaint(shape);
     }
     void checkRanges(const LevelBody& body) {

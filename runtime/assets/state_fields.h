@@ -15,6 +15,8 @@ inline constexpr std::array<const char*, 3> kEnumNames<BrushKind> = {"sphere", "
 template <>
 inline constexpr std::array<const char*, 3> kEnumNames<BoundsRule> = {"dust", "keep", "ground"};
 template <>
+inline constexpr std::array<const char*, 4> kEnumNames<PhysicsPreset> = {"given", "fast", "balanced", "accurate"};
+template <>
 inline constexpr std::array<const char*, 3> kEnumNames<PaintMode> = {"default", "blend", "layer"};
 template <>
 inline constexpr std::array<const char*, 3> kEnumNames<HistoryAction> = {"mark", "undo", "redo"};
@@ -39,6 +41,9 @@ inline constexpr auto kFields<Body> = std::tuple{
     Field{"broken", &Body::broken},
     Field{"created_step", &Body::createdStep},
     Field{"resting_since", &Body::restingSince},
+    Field{"gravity_scale", &Body::gravityScale},
+    Field{"linear_damping", &Body::linearDamping},
+    Field{"angular_damping", &Body::angularDamping},
 };
 template <>
 inline constexpr auto kFields<Shape> = std::tuple{
@@ -58,6 +63,8 @@ inline constexpr auto kFields<Shape> = std::tuple{
     Field{"collision_layer", &Shape::collisionLayer},
     Field{"collision_mask", &Shape::collisionMask},
     Field{"collision_shape", &Shape::collisionShape},
+    Field{"density", &Shape::density},
+    Field{"emission", &Shape::emission},
 };
 template <>
 inline constexpr auto kFields<Light> = lightTable([](auto member) { return member; }, &Light::shape, &Light::group);
@@ -137,6 +144,7 @@ inline constexpr auto kFields<WorldSettings> = std::tuple{
     Field{"fire", &WorldSettings::fire},
     Field{"split", &WorldSettings::split},
     Field{"keep_origins", &WorldSettings::keepOrigins},
+    Field{"physics", &WorldSettings::physics},
 };
 
 template <>
@@ -255,6 +263,11 @@ inline constexpr auto kFields<SetBodyEdit> = std::tuple{
     Field{"asleep", &SetBodyEdit::asleep},
     Field{"sets_kind", &SetBodyEdit::setsKind},
     Field{"is_static", &SetBodyEdit::isStatic},
+    Field{"sets_gravity_scale", &SetBodyEdit::setsGravityScale},
+    Field{"gravity_scale", &SetBodyEdit::gravityScale},
+    Field{"sets_damping", &SetBodyEdit::setsDamping},
+    Field{"linear_damping", &SetBodyEdit::linearDamping},
+    Field{"angular_damping", &SetBodyEdit::angularDamping},
 };
 template <>
 inline constexpr auto kFields<DestroyBodyEdit> = std::tuple{
@@ -373,8 +386,15 @@ inline constexpr auto kFields<DetachJointEdit> = std::tuple{
 };
 template <>
 inline constexpr auto kFields<GrabEdit> = std::tuple{
-    Field{"body", &GrabEdit::body},          Field{"point", &GrabEdit::point}, Field{"target", &GrabEdit::target},
-    Field{"max_force", &GrabEdit::maxForce}, Field{"hertz", &GrabEdit::hertz}, Field{"hand", &GrabEdit::hand},
+    Field{"body", &GrabEdit::body},
+    Field{"point", &GrabEdit::point},
+    Field{"target", &GrabEdit::target},
+    Field{"max_force", &GrabEdit::maxForce},
+    Field{"hertz", &GrabEdit::hertz},
+    Field{"hand", &GrabEdit::hand},
+    Field{"turns", &GrabEdit::turns},
+    Field{"rotation", &GrabEdit::rotation},
+    Field{"max_torque", &GrabEdit::maxTorque},
 };
 template <>
 inline constexpr auto kFields<ReleaseEdit> = std::tuple{
@@ -410,6 +430,42 @@ inline constexpr auto kFields<SetPaletteEdit> = std::tuple{
     Field{"all", &SetPaletteEdit::all},
     Field{"first", &SetPaletteEdit::first},
     Field{"entries", &SetPaletteEdit::entries},
+};
+
+template <>
+inline constexpr auto kFields<SetMaterialsEdit> = std::tuple{
+    Field{"first", &SetMaterialsEdit::first},
+    Field{"materials", &SetMaterialsEdit::materials},
+};
+
+template <>
+inline constexpr auto kFields<SetShapeEdit> = std::tuple{
+    Field{"shape", &SetShapeEdit::shape},
+    Field{"sets_strength", &SetShapeEdit::setsStrength},
+    Field{"strength", &SetShapeEdit::strength},
+    Field{"sets_density", &SetShapeEdit::setsDensity},
+    Field{"density", &SetShapeEdit::density},
+    Field{"sets_emission", &SetShapeEdit::setsEmission},
+    Field{"emission", &SetShapeEdit::emission},
+    Field{"sets_load", &SetShapeEdit::setsLoad},
+    Field{"load_bearing", &SetShapeEdit::loadBearing},
+    Field{"sets_anchors", &SetShapeEdit::setsAnchors},
+    Field{"anchors", &SetShapeEdit::anchors},
+};
+template <>
+inline constexpr auto kFields<CreateLightGroupEdit> = std::tuple{
+    Field{"group", &CreateLightGroupEdit::group},
+};
+template <>
+inline constexpr auto kFields<SetLightGroupEdit> = std::tuple{
+    Field{"group", &SetLightGroupEdit::group},
+    Field{"switches", &SetLightGroupEdit::switches},
+    Field{"on", &SetLightGroupEdit::on},
+    Field{"sets_threshold", &SetLightGroupEdit::setsThreshold},
+    Field{"threshold", &SetLightGroupEdit::threshold},
+    Field{"sets_supply", &SetLightGroupEdit::setsSupply},
+    Field{"supply", &SetLightGroupEdit::supply},
+    Field{"supply_cell", &SetLightGroupEdit::supplyCell},
 };
 
 /// An edit as the variant that it is derived from.

@@ -10,6 +10,8 @@
 #include "runtime/assets/level_bytes.h"
 #include "runtime/assets/level_validation.h"
 #include "runtime/assets/state_fields.h"
+#include "runtime/core/range_check.h"
+#include "runtime/core/ranges.h"
 #include "runtime/voxel/mass_properties.h"
 #include "runtime/world/objects/object_errors.h"
 
@@ -100,8 +102,8 @@ void putValues(BinaryOutputArchive& out, const SlotValues<Handle, T>& before, co
     }
 }
 
-/// Whether a container of SlotValues holds the objects that `Handle` names. Two kinds differ in forEachKind(): shapes
-/// are written brick by brick, and light groups come from levels alone, so that their free slots never change.
+/// Whether a container of SlotValues holds the objects that `Handle` names. One kind differs in forEachKind(): shapes
+/// are written brick by brick.
 template <class Handle, class Values>
 constexpr bool kIsOf = std::is_same_v<typename std::decay_t<Values>::mapped_type::first_type, Handle>;
 
@@ -123,14 +125,13 @@ public:
         bool hasEnvironment = false;
         m_in.get(hasEnvironment);
         if (hasEnvironment) m_in.get(delta.environment.emplace());
+        bool hasMaterials = false;
+        m_in.get(hasMaterials);
+        if (hasMaterials) m_in.get(delta.materials.emplace().materials);
         for (uint32_t i = m_reader.readCount(5, "shapes");
              i-- > 0 && m_reader.takeMemory(listMemory(1, sizeof(Shape)));)
             readShape(delta);
-        forEachKind(
-            [&](auto& values, auto& free) {
-                if constexpr (!kIsOf<LightGroupHandle, decltype(values)>) m_in.get(free);
-            },
-            delta, delta.freeSlots);
+        forEachKind([&](auto&, auto& free) { m_in.get(free); }, delta, delta.freeSlots);
         return delta;
     }
 
@@ -178,7 +179,8 @@ private:
         if (isChanged && from->paintColors && from->paintColors->count > colors)
             shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) { checkPaint(brick.get(), colors); });
         if (m_reader.failed()) return;
-        shape.moments = gridMoments(shape.grid, *shape.palette, m_world.materials());
+        const MaterialTable& materials = delta.materials ? *delta.materials : m_world.materials();
+        shape.moments = gridMoments(shape.grid, *shape.palette, materials);
         shape.anchors = translatedBoxes(shape.anchors, glm::ivec3(0), shape.grid.size());
         value = std::move(shape);
     }
@@ -280,7 +282,7 @@ private:
                (!isRope || !joint.points.empty());
     }
     bool hasValidValues() const {
-        bool isValid = !m_delta.environment || environmentError(*m_delta.environment).empty();
+        bool isValid = (!m_delta.environment || environmentError(*m_delta.environment).empty()) && hasValidMaterials();
         forEachKind(
             [&](const auto& values) {
                 for (const auto& [slot, value] : values)
@@ -293,11 +295,35 @@ private:
             isValid = isValid && (!value.first || hasValidPalette(*value.second));
         return isValid;
     }
+    static bool namesRowsOf(const Palette& palette, const std::vector<Material>& rows) {
+        return std::all_of(palette.begin(), palette.end(),
+                           [&](const PaletteEntry& entry) { return entry.material < rows.size(); });
+    }
+    /// Whether all rows are within their ranges, and none is gone that a palette names: an undo takes back rows that
+    /// were added.
+    bool hasValidMaterials() const {
+        if (!m_delta.materials) return true;
+        const std::vector<Material>& rows = m_delta.materials->materials;
+        bool isNamed = true;
+        if (rows.size() < m_world.materials().materials.size())
+            m_world.shapes().forEach([&](ShapeHandle handle, const Shape& shape) {
+                isNamed = isNamed && (m_delta.shapes.contains(handle.slot()) || namesRowsOf(*shape.palette, rows));
+            });
+        return isNamed && isWithin(double(rows.size()), ranges::kMaterials) &&
+               std::all_of(rows.begin(), rows.end(), [](const Material& row) {
+                   const std::string texts =
+                       RangeCheck().text("name", row.name).text("fragments", row.fragments).error();
+                   return texts.empty() && objectError(row).empty();
+               });
+    }
     /// Whether the entries are within their ranges and name materials and light groups that there are.
     bool hasValidPalette(const Shape& shape) const {
+        const MaterialTable& materials = m_delta.materials ? *m_delta.materials : m_world.materials();
+        const size_t made = m_delta.groups.empty() ? 0 : m_delta.groups.rbegin()->first + size_t(1);
+        const size_t groups = std::max<size_t>(m_world.lightGroups().slotCount(), made);
         return std::all_of(shape.palette->begin(), shape.palette->end(), [&](const PaletteEntry& entry) {
-            return objectError(entry).empty() && entry.material < m_world.materials().materials.size() &&
-                   entry.lightGroup <= m_world.lightGroups().slotCount();
+            return objectError(entry).empty() && entry.material < materials.materials.size() &&
+                   entry.lightGroup <= groups;
         });
     }
     bool changesJointsOfRemovedShapes() const {
@@ -395,13 +421,11 @@ std::vector<uint8_t> stepDeltaToBytes(const WorldDelta& before, const FrameChang
         before, after.data());
     out.put(before.environment.has_value());
     if (before.environment) out.put(after.environment());
+    out.put(before.materials.has_value());
+    if (before.materials) out.put(after.materials().materials);
     out.put(uint32_t(before.shapes.size()));
     for (const auto& [slot, was] : before.shapes) putShape(out, delta, slot, before, changes, after);
-    forEachKind(
-        [&](const auto& was, const auto& now) {
-            if constexpr (!kIsOf<LightGroupHandle, decltype(was)>) out.put(now.freeSlots());
-        },
-        before, after.data());
+    forEachKind([&](const auto&, const auto& now) { out.put(now.freeSlots()); }, before, after.data());
     std::vector<uint8_t> bytes =
         palettesToBytes({palettes.palettes().begin() + std::ptrdiff_t(known), palettes.palettes().end()});
     bytes.insert(bytes.end(), delta.begin(), delta.end());

@@ -13,6 +13,8 @@ inline constexpr NumberRange kQuerySize{0.0, 1e4};            ///< m: radii of r
 inline constexpr NumberRange kVelocity{-1e9, 1e9};            ///< m/s and rad/s, of bodies: physics clamps far below
 inline constexpr NumberRange kImpulse{-1e16, 1e16};           ///< N s: the largest mass at twice the highest speed
 inline constexpr NumberRange kRotationLength2{0.998, 1.002};  ///< of a rotation, its squared length
+inline constexpr NumberRange kGravityScale{-100.0, 100.0};    ///< of a body, multiple of the world's gravity
+inline constexpr NumberRange kDamping{0.0, 1e3};              ///< 1/s, of a body's velocities
 inline constexpr double kMaxCharacterSpeed = 1e3;             ///< m/s, the length of a wish or a velocity
 
 // Names
@@ -22,6 +24,9 @@ inline constexpr NumberRange kNameBytes{0, 4'096};  ///< of names, of tags and o
 inline constexpr NumberRange kVoxelSize{1e-3, 1e3};         ///< m
 inline constexpr NumberRange kSolidCells{1, 1 << 30};       ///< of a box or sphere that is made
 inline constexpr NumberRange kStrength{1e-6, 1e6};          ///< of a shape, multiple of its materials'
+inline constexpr NumberRange kDensityFactor{1e-3, 1e3};     ///< of a shape, multiple of its materials' density
+inline constexpr NumberRange kEmissionFactor{0.0, 1e3};     ///< of a shape, multiple of its palette's emission
+inline constexpr NumberRange kAnchors{0, 10'000};           ///< of a shape, by an edit
 inline constexpr NumberRange kEmission{0.0, 1e6};           ///< of a palette entry
 inline constexpr NumberRange kMaterials{1, 256};            ///< in a level
 inline constexpr NumberRange kDensity{0, 30'000};           ///< kg/m3: moments of the largest grid fit into 64 bits

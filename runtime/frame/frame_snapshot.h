@@ -97,7 +97,7 @@ struct FrameSnapshot {
     uint64_t version = 0;
     uint64_t newestStep = 0;             ///< the last step simulated: newestStep - version is the age of what is drawn
     bool replacesAll = false;            ///< a level was loaded: all earlier objects are gone
-    std::vector<std::string> materials;  ///< names by index, if replacesAll; none: those of the default table
+    std::vector<std::string> materials;  ///< names by index, if replacesAll or they changed; else none
     std::vector<ShapeHandle> destroyed;  ///< applied first
     std::vector<SnapshotShape> created;
     std::vector<BrickChange> bricks;

@@ -13,6 +13,7 @@ void SnapshotMerger::add(FrameSnapshot&& later) {
     sort();
     m_all->version = std::max(m_all->version, later.version);
     m_all->newestStep = std::max(m_all->newestStep, later.newestStep);
+    if (!later.materials.empty()) m_all->materials = std::move(later.materials);
     for (const ShapeHandle shape : later.destroyed) destroy(shape);
     for (SnapshotShape& shape : later.created) {
         const ShapeHandle handle = shape.shape;

@@ -11,8 +11,8 @@ namespace {
 
 constexpr size_t kMaxPosted = 16;  ///< snapshots in the queue before the main thread merges them: nobody draws
 
-SnapshotShape describeShape(ShapeHandle handle, const Shape& shape) {
-    SnapshotShape out{handle, shape.grid.size(), shape.voxelSize, shape.palette, {}, shape.paintColors};
+SnapshotShape describeShape(ShapeHandle handle, const Shape& shape, PaletteRef palette) {
+    SnapshotShape out{handle, shape.grid.size(), shape.voxelSize, std::move(palette), {}, shape.paintColors};
     out.bricks.reserve(shape.grid.brickCount());
     shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
         out.bricks.push_back({handle, brick, content});
@@ -23,7 +23,7 @@ SnapshotShape describeShape(ShapeHandle handle, const Shape& shape) {
 bool showsNothing(const FrameSnapshot& s) {
     return !s.replacesAll && s.destroyed.empty() && s.created.empty() && s.bricks.empty() && s.palettes.empty() &&
            s.poses.empty() && !s.lightsChanged && !s.particlesChanged && !s.ropesChanged && !s.watersChanged &&
-           !s.ripplesChanged && !s.environmentChanged;
+           !s.ripplesChanged && !s.environmentChanged && s.materials.empty();
 }
 
 }  // namespace
@@ -90,8 +90,9 @@ void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> m
     FrameSnapshot out;
     out.version = out.newestStep = changes.step;
     out.replacesAll = out.shadowReplacesAll = changes.levelReplaced;
-    if (changes.levelReplaced)
+    if (changes.levelReplaced || changes.materialsChanged)
         for (const Material& material : world.materials().materials) out.materials.push_back(material.name);
+    m_palettes.update(changes, world);
     addCreated(changes, world, out);
     addChanged(changes, world, out);
     addPoses(moved, world, out);
@@ -119,7 +120,7 @@ void Snapshots::addCreated(const FrameChanges& changes, const World& world, Fram
     const auto add = [&](ShapeHandle handle, const Shape& shape) {
         if (m_lastPoses.size() <= handle.slot()) m_lastPoses.resize(world.shapes().slotCount());
         m_lastPoses[handle.slot()] = {handle, shapeToWorld(world, handle), 0};
-        out.created.push_back(describeShape(handle, shape));
+        out.created.push_back(describeShape(handle, shape, m_palettes.of(shape)));
     };
     if (changes.levelReplaced) return world.shapes().forEach(add);
     for (const ShapeHandle handle : changes.shapesCreated)
@@ -136,14 +137,14 @@ void Snapshots::addCreated(const FrameChanges& changes, const World& world, Fram
         }
 }
 
-void Snapshots::addChanged(const FrameChanges& changes, const World& world, FrameSnapshot& out) const {
+void Snapshots::addChanged(const FrameChanges& changes, const World& world, FrameSnapshot& out) {
     if (changes.levelReplaced) return;
     out.destroyed = changes.shapesDestroyed;
     for (const BrickChange& brick : changes.bricks)
         if (world.shapes().find(brick.shape)) out.bricks.push_back(brick);
     for (const ShapeHandle handle : changes.palettes)
         if (const Shape* shape = world.shapes().find(handle))
-            out.palettes.push_back({handle, shape->palette, shape->paintColors});
+            out.palettes.push_back({handle, m_palettes.of(*shape), shape->paintColors});
 }
 
 void Snapshots::addPose(ShapeHandle shape, const World& world, FrameSnapshot& out) {
@@ -199,7 +200,7 @@ bool Snapshots::updateLights(const FrameChanges& changes, std::span<const BodyPo
     world.lights().forEach([&](LightHandle handle, const Light& light) {
         if (const Shape* shape = world.shapes().find(light.shape)) m_lightBodies.push_back(shape->body);
         const LightGroup* group = world.lightGroups().find(light.group);
-        if (!light.enabled || (group && (group->out || group->dark))) return;
+        if (!light.enabled || (group && (group->out || group->off || group->dark))) return;
         const Pose pose = lightToWorld(world, light);
         const glm::vec3 direction(pose.rotation * glm::dvec3(0.0, 0.0, -1.0));
         const glm::vec3 right(pose.rotation * glm::dvec3(1.0, 0.0, 0.0));

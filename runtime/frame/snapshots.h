@@ -8,6 +8,7 @@
 #include "runtime/frame/frame_snapshot.h"
 #include "runtime/frame/particles.h"
 #include "runtime/frame/ripples.h"
+#include "runtime/frame/shown_palettes.h"
 #include "runtime/frame/snapshot_merger.h"
 #include "runtime/world/world.h"
 
@@ -47,7 +48,7 @@ private:
     void enqueue(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
                  std::span<const Impact> impacts);
     void addCreated(const FrameChanges& changes, const World& world, FrameSnapshot& out);
-    void addChanged(const FrameChanges& changes, const World& world, FrameSnapshot& out) const;
+    void addChanged(const FrameChanges& changes, const World& world, FrameSnapshot& out);
     void addPoses(std::span<const BodyPose> moved, const World& world, FrameSnapshot& out);
     /// Adds a shape's pose, unless the snapshot holds it already.
     void addPose(ShapeHandle shape, const World& world, FrameSnapshot& out);
@@ -76,6 +77,7 @@ private:
     std::vector<SnapshotLight> m_lights;    ///< of the world and its fires
     bool m_hadGlow = false;                 ///< the newest list of lights has some of particles
     std::optional<Environment> m_environment;
+    ShownPalettes m_palettes;
     Particles m_particles;
     Ripples m_ripples;
     std::vector<SnapshotRope> m_ropes;  ///< as the newest snapshot shows them

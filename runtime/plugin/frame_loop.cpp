@@ -13,14 +13,13 @@ namespace rubble {
 
 FrameLoop::FrameLoop(const FrameLoopSettings& settings)
     : m_world(settings.worldId, settings.firstGeneration),
-      m_threads(settings.physicsThreads > 1 && !settings.parallelFor
-                    ? std::make_unique<ThreadPool>(settings.physicsThreads)
-                    : nullptr),
-      m_parallelFor(chooseThreads(settings)),
-      m_physics(settings.hostPhysics ? nullptr : makePhysics(withThreads(settings))),
+      m_givenPhysics(settings.physics),
+      m_hostParallelFor(settings.parallelFor),
       m_snapshots(settings.particles),
       m_publish(settings.publish),
       m_waitForShadow(settings.waitForShadow) {
+    useThreads(settings.physicsThreads);
+    if (!settings.hostPhysics) m_physics = makePhysics(physicsSettings());
     if (settings.shadowVolume) m_shadow = std::make_unique<ShadowWorker>(settings.shadow);
 }
 
@@ -28,18 +27,29 @@ FrameLoop::~FrameLoop() {
     endRecording();
 }
 
-ParallelFor FrameLoop::chooseThreads(const FrameLoopSettings& settings) const {
-    if (settings.parallelFor) return settings.parallelFor;
-    if (!m_threads) return serialFor;
-    return [threads = m_threads.get()](size_t count, const std::function<void(size_t)>& body) {
-        threads->run(count, body);
+/// Those of the host, or a pool of so many.
+void FrameLoop::useThreads(int threads) {
+    m_threads = threads > 1 && !m_hostParallelFor ? std::make_unique<ThreadPool>(threads) : nullptr;
+    m_parallelFor = m_hostParallelFor ? m_hostParallelFor : serialFor;
+    if (!m_threads) return;
+    m_parallelFor = [pool = m_threads.get()](size_t count, const std::function<void(size_t)>& body) {
+        pool->run(count, body);
     };
 }
 
-PhysicsSettings FrameLoop::withThreads(const FrameLoopSettings& settings) const {
-    PhysicsSettings out = settings.physics;
-    if (m_threads || settings.parallelFor) out.parallelFor = m_parallelFor;
+PhysicsSettings FrameLoop::physicsSettings() const {
+    PhysicsSettings out = physicsPreset(m_preset, m_givenPhysics);
+    out.parallelFor = m_threads || m_hostParallelFor ? m_parallelFor : m_givenPhysics.parallelFor;
     return out;
+}
+
+void FrameLoop::setPhysicsThreads(int threads) {
+    useThreads(threads);
+    if (m_physics) m_physics->setSettings(physicsSettings());
+}
+
+void FrameLoop::followPhysicsPreset() {
+    if (std::exchange(m_preset, m_world.settings().physics) != m_preset) m_physics->setSettings(physicsSettings());
 }
 
 void FrameLoop::dropWaitingEdits() {
@@ -193,6 +203,7 @@ void FrameLoop::applyEdits(const Edits& hostEdits) {
 void FrameLoop::stepPhysics() {
     {
         const ScopedTimer timer(m_times[Stage::Physics]);
+        followPhysicsPreset();
         m_physics->apply(m_changes, m_world);
         m_physics->step();
     }

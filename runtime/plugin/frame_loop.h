@@ -96,6 +96,9 @@ public:
     const World& world() const { return m_world; }
     /// Runs work on the threads that the world's physics has. [main-thread]
     const ParallelFor& parallelFor() const { return m_parallelFor; }
+    /// Gives physics so many threads, with the one that steps, from the next step on; those of a host's parallelFor
+    /// stay. Results do not depend on it. [main-thread]
+    void setPhysicsThreads(int threads);
     /// Its physics, for statistics; null: the host moves the bodies. [main-thread]
     const PhysicsWorld* physics() const { return m_physics.get(); }
     /// Keeps the shadow volume up to date; null without one. [main-thread]
@@ -109,8 +112,11 @@ public:
     uint64_t shadowLag() const { return m_shadowLag; }
 
 private:
-    ParallelFor chooseThreads(const FrameLoopSettings& settings) const;
-    PhysicsSettings withThreads(const FrameLoopSettings& settings) const;
+    void useThreads(int threads);
+    /// Those of the preset, on the threads in use.
+    PhysicsSettings physicsSettings() const;
+    /// Follows the preset of the world's settings.
+    void followPhysicsPreset();
     void dropWaitingEdits();
     SavedGame savedGame(const Edits& waiting) const;
     void goOnAsLoaded(bool dropMarks);
@@ -134,6 +140,9 @@ private:
     std::span<const BodyPose> changedPoses();
 
     World m_world;
+    PhysicsSettings m_givenPhysics;
+    PhysicsPreset m_preset = PhysicsPreset::Given;  ///< that physics has
+    ParallelFor m_hostParallelFor;
     std::unique_ptr<ThreadPool> m_threads;    ///< of physics; null: it has none of its own
     ParallelFor m_parallelFor;                ///< on those threads, or the host's
     std::unique_ptr<PhysicsWorld> m_physics;  ///< null: the host moves the bodies

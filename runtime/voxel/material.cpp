@@ -1,5 +1,9 @@
 #include "runtime/voxel/material.h"
 
+#include <array>
+
+#include "runtime/core/hash.h"
+
 namespace rubble {
 namespace {
 
@@ -43,6 +47,22 @@ uint8_t MaterialTable::find(std::string_view name) const {
     for (size_t i = 1; i < materials.size(); ++i)
         if (materials[i].name == name) return uint8_t(i);
     return 0;
+}
+
+uint64_t MaterialTable::hash() const {
+    uint64_t hash = materials.size();
+    for (const Material& m : materials) {
+        const std::array<float, 8> numbers = {
+            m.tensileStrength, m.compressiveStrength, m.shearStrength,       m.friction,
+            m.restitution,     m.heatCapacity,        m.ignitionTemperature, m.burnTime};
+        hash = hashBytes(m.name.data(), m.name.size(), hash);
+        hash = hashBytes(m.fragments.data(), m.fragments.size(), hash);
+        hash = hashBytes(numbers.data(), sizeof numbers, hash);
+        hash = hashValue(uint64_t(m.density) << 16 | uint64_t(m.hardness) << 8 | uint64_t(m.sledge) << 3 |
+                             uint64_t(m.torch) << 2 | uint64_t(m.gun) << 1 | uint64_t(m.explosive),
+                         hash);
+    }
+    return hash;
 }
 
 bool breaksWith(const Material& material, Tool tool) {

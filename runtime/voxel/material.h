@@ -41,6 +41,8 @@ struct MaterialTable {
 
     /// The index of a name; 0 if there is none.
     uint8_t find(std::string_view name) const;
+    /// A hash of all rows.
+    uint64_t hash() const;
     const Material& operator[](uint8_t index) const { return materials[index < materials.size() ? index : 0]; }
     friend bool operator==(const MaterialTable&, const MaterialTable&) = default;
 };

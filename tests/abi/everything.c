@@ -100,6 +100,8 @@ static void use_bodies(void) {
     rubble_row_list list = {.struct_size = sizeof list};
     rubble_palette_range entries = {.struct_size = sizeof entries};
     rubble_palette_entry wood;
+    rubble_material oak = {.struct_size = sizeof oak};
+    uint32_t index;
     rubble_body_state state;
     rubble_shape_state shapes[4];
     rubble_refusal refused;
@@ -123,6 +125,14 @@ static void use_bodies(void) {
     OK(api->get_palette(world, &entries, &wood));
     wood.color[0] = 90, wood.color[1] = 60, wood.color[2] = 30;
     OK(api->set_palette(world, &entries, &wood));
+    OK(api->find_material(world, "wood", &index));
+    OK(api->get_material(world, index, &oak));
+    oak.name = "oak", oak.density = 700;
+    OK(api->get_material_count(world, &count));
+    OK(api->set_materials(world, count, &oak, 1));
+    steps(1);
+    OK(api->find_material(world, "oak", &index));
+    CHECK(index == count);
     OK(api->get_body_state(world, body, &state));
     CHECK(state.shape_count == 1 && state.velocity[1] > 1.0);
     OK(api->get_body_states(world, NULL, 0, &count));
@@ -249,6 +259,8 @@ static void use_light_and_fire(void) {
     OK(api->get_light_settings(world, light, &bulb));
     CHECK(bulb.reach == 6.0);
     OK(api->get_fires(world, fires, 0, &count));
+    OK(api->find_closest_fire(world, low, 100.0, fires));
+    OK(api->count_fires(world, low, high, &count));
     water.radius = 1.0;
     OK(api->extinguish(world, &water));
     OK(api->remove_fires(world, low, high));
@@ -375,7 +387,9 @@ static void use_objects(void) {
     char text[64];
     OK(api->get_settings(world, &settings));
     settings.flags |= RUBBLE_SETTING_KEEP_ORIGINS;
+    settings.physics_preset = RUBBLE_PHYSICS_FAST;
     OK(api->set_settings(world, &settings));
+    OK(api->set_physics_threads(world, 2));
     OK(api->set_name(world, shape, "door"));
     OK(api->set_tag(world, shape, "lock", "red"));
     OK(api->set_tag(world, shape, "old", NULL));
@@ -451,6 +465,38 @@ static void use_host_physics(void) {
     world = own;
 }
 
+/* What bodies and shapes are beside their voxels. */
+static void use_properties(void) {
+    const rubble_body body = make_body(70.0, 5.0, 0.0, 0);
+    const rubble_shape shape = make_box(body, 4, 4, 4, 6),
+                       base = make_box(make_body(70.0, 0.0, 0.0, RUBBLE_BODY_STATIC), 4, 4, 4, 6);
+    rubble_body_change change = {.struct_size = sizeof change};
+    rubble_body_properties weight = {.struct_size = sizeof weight};
+    rubble_shape_change heavier = {.struct_size = sizeof heavier};
+    rubble_shape_properties properties = {.struct_size = sizeof properties};
+    rubble_light_group_settings bulb = {.struct_size = sizeof bulb};
+    rubble_light_group_change off = {.struct_size = sizeof off};
+    rubble_light_group_state group = {.struct_size = sizeof group};
+    rubble_cell_box anchor;
+    uint32_t count;
+    OK(api->create_light_group(world, &bulb, &off.group));
+    off.fields = RUBBLE_GROUP_SWITCH;
+    OK(api->set_light_group(world, &off));
+    change.body = body, change.fields = RUBBLE_SET_GRAVITY_SCALE | RUBBLE_SET_DAMPING, change.linear_damping = 0.5;
+    OK(api->set_body(world, &change));
+    heavier.shape = shape, heavier.fields = RUBBLE_SHAPE_DENSITY, heavier.density = 2.0;
+    OK(api->set_shape(world, &heavier));
+    steps(1);
+    OK(api->get_body_properties(world, body, &weight));
+    CHECK(weight.mass > 307.0 && weight.mass < 308.0 && weight.gravity_scale == 0.0 && weight.linear_damping == 0.5);
+    OK(api->get_shape_properties(world, shape, &properties));
+    CHECK(properties.density == 2.0 && properties.strength == 1.0 && properties.bears_load == 1);
+    OK(api->get_light_group(world, off.group, &group));
+    CHECK(group.flags == 0 && group.threshold > 0.39);
+    OK(api->get_anchors(world, base, &anchor, 1, &count));
+    CHECK(count == 1 && anchor.low[1] == 0 && anchor.size[1] == 1);
+}
+
 /* Without a GL context there is no renderer, and every call for one says so. */
 static void use_renderer(void) {
     rubble_renderer_settings settings = {.struct_size = sizeof settings};
@@ -481,6 +527,7 @@ int main(int argc, char** argv) {
     use_light_and_fire();
     use_queries();
     use_objects();
+    use_properties();
     use_files();
     use_memory();
     use_deltas();

@@ -110,6 +110,19 @@ TEST_F(AbiShapes, FiresAreLitCountedAndPutOut) {
     std::vector<rubble_fire> rows(lit);
     uint32_t count = 0;
     ASSERT_EQ(api()->get_fires(m_world, rows.data(), lit, &count), RUBBLE_OK);
+    double before[3], behind[3];  // it
+    for (int a = 0; a < 3; ++a) before[a] = rows[0].position[a] - 1e-3, behind[a] = before[a] + 2e-3;
+    const double far[3] = {1e3, 0.0, 0.0};
+    uint32_t there = 0;
+    rubble_fire closest = {};
+    ASSERT_EQ(api()->count_fires(m_world, before, behind, &there), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(there, 1u);
+    ASSERT_EQ(api()->find_closest_fire(m_world, behind, 0.1, &closest), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(closest.shape, rows[0].shape);
+    EXPECT_EQ(closest.position[1], rows[0].position[1]);
+    ASSERT_EQ(api()->find_closest_fire(m_world, far, 10.0, &closest), RUBBLE_OK);
+    EXPECT_EQ(closest.shape, 0u);
+    expectRefused(api()->count_fires(m_world, behind, before, &there), RUBBLE_ERROR_ARGUMENT, "low[0]");
     EXPECT_EQ(rows[0].shape, shapes()[0].shape);
     EXPECT_GT(rows[0].intensity, 0.0);
     EXPECT_GT(rows[0].position[1], 0.0);

@@ -170,11 +170,59 @@ void RandomHost::callState() {
     if (m_decisions.oneIn(2)) api().set_bounds(m_world, &bounds);
     callObjects();
     callPalette();
+    callMaterials();
+    callProperties();
     const uint64_t stale = any({});
     api().set_debug_view(stale, "normal");
     api().destroy_renderer(stale);
     api().draw(stale, nullptr);
     api().get_draw_stats(stale, nullptr);
+}
+
+void RandomHost::callMaterials() {
+    const char* names[] = {"wood", "own", "", "\xff", nullptr};
+    const char* styles[] = {"chunk", "pane", "none", "dust", nullptr};
+    auto row = sized<rubble_material>();
+    uint32_t count = 0;
+    api().get_material_count(m_world, &count);
+    api().find_material(m_world, names[m_decisions.below(5)], &count);
+    if (api().get_material(m_world, whole(21), &row) != RUBBLE_OK || !m_decisions.oneIn(3)) return;
+    if (m_decisions.oneIn(4)) row.name = names[m_decisions.below(5)];
+    if (m_decisions.oneIn(4)) row.fragments = styles[m_decisions.below(5)];
+    row.density = whole(9000), row.hardness = whole(6), row.tools = whole(16);
+    row.friction = number(1.0), row.restitution = number(1.0), row.burn_time = number(20.0);
+    api().set_materials(m_world, whole(22), &row, m_decisions.oneIn(m_wildness * 4) ? 0 : 1);
+}
+
+void RandomHost::callProperties() {
+    auto body = sized<rubble_body_properties>();
+    api().get_body_properties(m_world, any(bodies()), &body);
+    auto properties = sized<rubble_shape_properties>();
+    rubble_cell_box boxes[4] = {};
+    uint32_t count = 0;
+    api().get_shape_properties(m_world, any(shapes()), &properties);
+    api().get_anchors(m_world, any(shapes()), boxes, 4, &count);
+    auto change = sized<rubble_shape_change>();
+    change.shape = any(shapes()), change.fields = whole(32);
+    change.strength = number(3.0), change.density = number(3.0), change.emission = number(3.0);
+    change.bears_load = whole(2);
+    for (rubble_cell_box& box : boxes)
+        for (int a = 0; a < 3; ++a) box.low[a] = int32_t(whole(8)) - 2, box.size[a] = int32_t(1 + whole(4));
+    change.anchors = boxes, change.anchor_count = m_decisions.below(5);
+    if (m_decisions.oneIn(4)) api().set_shape(m_world, &change);
+    const auto groups = [](rubble_world world, uint64_t* out, uint32_t capacity, uint32_t* all) {
+        return api().get_objects(world, RUBBLE_KIND_LIGHT_GROUP, out, capacity, all);
+    };
+    auto state = sized<rubble_light_group_state>();
+    auto made = sized<rubble_light_group_settings>();
+    made.flicker_steps = whole(9), made.threshold = number(1.0);
+    rubble_light_group held = 0;
+    if (m_decisions.oneIn(8)) api().create_light_group(m_world, &made, &held);
+    auto group = sized<rubble_light_group_change>();
+    group.group = any(list(groups)), group.fields = whole(8), group.on = whole(2), group.threshold = number(1.0);
+    group.supply_shape = any(shapes());
+    api().get_light_group(m_world, group.group, &state);
+    if (m_decisions.oneIn(4)) api().set_light_group(m_world, &group);
 }
 
 void RandomHost::callPalette() {

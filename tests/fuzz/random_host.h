@@ -141,6 +141,8 @@ private:
     void callState();
     void callObjects();
     void callPalette();
+    void callMaterials();
+    void callProperties();
     void callUndo();
     /// What a host with physics of its own reads, and what it says in a world that it moves.
     void callHostPhysics();

@@ -8,7 +8,8 @@ void RandomHost::callWhole() {
     switch (m_decisions.below(10)) {
         case 0: {
             auto change = sized<rubble_body_change>();
-            change.fields = whole(16), change.body = any(bodies());
+            change.fields = m_decisions.oneIn(3) ? whole(256) : whole(16), change.body = any(bodies());
+            change.gravity_scale = number(2.0), change.linear_damping = number(9.0);
             place(change.position), rotation(change.rotation);
             fill(change.velocity, 20.0), fill(change.angular_velocity, 20.0);
             return void(api().set_body(m_world, &change));
@@ -78,14 +79,16 @@ void RandomHost::callFire() {
     rubble_fire fires[4];
     uint32_t count = 0;
     api().get_fires(m_world, fires, 4, &count);
+    double low[3], high[3];
+    place(low), place(high);
+    api().find_closest_fire(m_world, low, number(5.0), fires);
+    api().count_fires(m_world, low, high, &count);
     if (count) reached("lists of fires");
     if (m_decisions.oneIn(3)) {
         auto water = sized<rubble_extinguish>();
         place(water.position), water.radius = number(2.0), water.wet_seconds = number(60.0);
         api().extinguish(m_world, &water);
     }
-    double low[3], high[3];
-    place(low), place(high);
     if (m_decisions.oneIn(3)) api().remove_fires(m_world, low, high);
 }
 
@@ -217,6 +220,7 @@ void RandomHost::callJoint() {
             grab.hand = whole(3), grab.body = any(bodies());
             place(grab.point), place(grab.target);
             grab.max_force = number(1e4), grab.spring_hertz = number(10.0);
+            grab.flags = whole(2), rotation(grab.rotation), grab.max_torque = number(1e3);
             return void(api().grab_body(m_world, &grab));
         }
         default: {
@@ -312,6 +316,8 @@ void RandomHost::callObjects() {
     auto settings = sized<rubble_settings>();
     api().get_settings(m_world, &settings);
     settings.flags = whole(16), settings.impact_radius = number(1.0), settings.split_parts = whole(5);
+    settings.physics_preset = whole(4);
+    if (m_decisions.oneIn(64)) api().set_physics_threads(m_world, whole(4));
     if (m_decisions.oneIn(2)) api().set_settings(m_world, &settings);
 }
 

@@ -114,7 +114,7 @@ Edit usualEdit(Decisions& decisions, const World& world) {
     const auto character = world.characters().handleAt(decisions.below(uint32_t(world.characters().slotCount())));
     const double size = decisions.within({0.0, 1.5});
     const uint32_t seed = decisions.below(1000);
-    switch (decisions.below(52)) {
+    switch (decisions.below(57)) {
         case 0:
             return CarveEdit{.kind = BrushKind::Box, .position = at, .halfSize = {size, size, 0.3}, .shape = shape};
         case 1:
@@ -130,6 +130,7 @@ Edit usualEdit(Decisions& decisions, const World& world) {
         case 5: {
             WorldSettings settings = world.settings();
             settings.stress.on = decisions.oneIn(2);
+            settings.physics = PhysicsPreset(decisions.below(4));
             settings.undoMarks = decisions.below(4);
             settings.split.partsPerStep = decisions.oneIn(2) ? 0 : decisions.below(40);
             settings.debris.bodies = decisions.oneIn(4) ? decisions.below(10) : 10'000;
@@ -187,7 +188,7 @@ Edit usualEdit(Decisions& decisions, const World& world) {
         case 27:
             return DetachJointEdit{joint, shape};
         case 28:
-            return GrabEdit{.body = body, .point = at, .target = at + 1.0, .hand = seed % 3};
+            return GrabEdit{.body = body, .point = at, .target = at + 1.0, .hand = seed % 3, .turns = seed % 2 == 0};
         case 29:
             return ReleaseEdit{{size * 10.0, 0.0, 0.0}, seed % 3};
         case 30:
@@ -246,6 +247,36 @@ Edit usualEdit(Decisions& decisions, const World& world) {
             return RemoveTagEdit{shape, "door"};
         case 48:
             return SetUserValueEdit{body, seed};
+        case 54:
+            return CreateLightGroupEdit{{.name = "made", .threshold = float(seed % 3) * 0.5f}};
+        case 51: {
+            SetShapeEdit edit{.shape = shape, .setsStrength = decisions.oneIn(2), .strength = float(1 + seed % 3)};
+            edit.setsDensity = decisions.oneIn(2), edit.density = 0.5f * float(1 + seed % 5);
+            edit.setsEmission = decisions.oneIn(2), edit.emission = float(seed % 3);
+            edit.setsLoad = decisions.oneIn(2), edit.loadBearing = seed % 2;
+            edit.setsAnchors = decisions.oneIn(2);
+            if (seed % 3) edit.anchors = {{glm::ivec3(0), glm::ivec3(1 + seed % 4)}};
+            return edit;
+        }
+        case 52:
+            return SetLightGroupEdit{.group = world.lightGroups().handleAt(decisions.below(3)),
+                                     .switches = decisions.oneIn(2),
+                                     .on = seed % 2 == 0,
+                                     .setsSupply = decisions.oneIn(3),
+                                     .supply = shape};
+        case 53:
+            return SetBodyEdit{.body = body,
+                               .setsGravityScale = decisions.oneIn(2),
+                               .gravityScale = decisions.within({-2.0, 2.0}),
+                               .setsDamping = decisions.oneIn(2),
+                               .linearDamping = decisions.within({0.0, 9.0}),
+                               .angularDamping = decisions.within({0.0, 9.0})};
+        case 50: {
+            const auto row = uint8_t(1 + decisions.below(uint32_t(world.materials().materials.size())));
+            SetMaterialsEdit edit{row, {defaultMaterials()[uint8_t(1 + seed % 19)]}};
+            if (decisions.oneIn(2)) edit.materials[0].name = seed % 2 ? "own" : "wire";
+            return edit;
+        }
         case 49: {
             SetPaletteEdit edit{shape, decisions.oneIn(2), uint8_t(1 + decisions.below(6)), {}};
             const PaletteRef palette = randomPalette(decisions);

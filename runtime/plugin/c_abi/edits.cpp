@@ -112,7 +112,8 @@ SetBodyEdit readBodyChange(const World& world, const rubble_body_change& given) 
     constexpr uint32_t kSleep = RUBBLE_SET_ASLEEP | RUBBLE_SET_AWAKE;
     constexpr uint32_t kMotion = RUBBLE_SET_VELOCITY | kSleep;
     constexpr uint32_t kKind = RUBBLE_SET_STATIC | RUBBLE_SET_DYNAMIC;
-    const uint32_t fields = readFlags(given.fields, RUBBLE_SET_POSE | kMotion | kKind, "fields");
+    constexpr uint32_t kForces = RUBBLE_SET_GRAVITY_SCALE | RUBBLE_SET_DAMPING;
+    const uint32_t fields = readFlags(given.fields, RUBBLE_SET_POSE | kMotion | kKind | kForces, "fields");
     const BodyHandle handle = readLiveHandle<HandleType::Body>(world.bodies(), given.body, "body");
     const Body* body = world.bodies().find(handle);  // null: it is made by the step
     if (fields == 0) refuse(RUBBLE_ERROR_ARGUMENT, "fields is 0, expected RUBBLE_SET_...: nothing would change");
@@ -135,6 +136,14 @@ SetBodyEdit readBodyChange(const World& world, const rubble_body_change& given) 
     edit.isStatic = isStatic;
     edit.setsSleep = fields & kSleep;
     edit.asleep = fields & RUBBLE_SET_ASLEEP;
+    edit.setsGravityScale = fields & RUBBLE_SET_GRAVITY_SCALE;
+    if (edit.setsGravityScale)
+        edit.gravityScale = readInRange(given.gravity_scale, ranges::kGravityScale, "gravity_scale");
+    edit.setsDamping = fields & RUBBLE_SET_DAMPING;
+    if (edit.setsDamping) {
+        edit.linearDamping = readInRange(given.linear_damping, ranges::kDamping, "linear_damping");
+        edit.angularDamping = readInRange(given.angular_damping, ranges::kDamping, "angular_damping");
+    }
     return edit;
 }
 

@@ -32,14 +32,19 @@ rubble_result extinguish(rubble_world world, const rubble_extinguish* edit) {
     return pushEdit("extinguish", world, edit, readExtinguish);
 }
 
+WorldBox readBox(const double* low, const double* high) {
+    const WorldBox box{readVectorAt(low, "low"), readVectorAt(high, "high")};
+    for (int a = 0; a < 3; ++a)
+        if (box.low[a] > box.high[a])
+            refuse(RUBBLE_ERROR_ARGUMENT, "low[{}] is {}, expected at most high[{}], {}", a, box.low[a], a,
+                   box.high[a]);
+    return box;
+}
+
 rubble_result removeFires(rubble_world world, const double low[3], const double high[3]) {
     return inWorld("remove_fires", world, [&](HostedWorld& hosted) {
-        const RemoveFiresEdit edit{readVectorAt(low, "low"), readVectorAt(high, "high")};
-        for (int a = 0; a < 3; ++a)
-            if (edit.low[a] > edit.high[a])
-                refuse(RUBBLE_ERROR_ARGUMENT, "low[{}] is {}, expected at most high[{}], {}", a, edit.low[a], a,
-                       edit.high[a]);
-        push(hosted, edit);
+        const WorldBox box = readBox(low, high);
+        push(hosted, RemoveFiresEdit{box.low, box.high});
     });
 }
 
@@ -56,6 +61,33 @@ rubble_result getFires(rubble_world world, rubble_fire* out, uint32_t capacity, 
     return listRows("get_fires", world, out, capacity, count);
 }
 
+rubble_result findClosestFire(rubble_world world, const double position[3], double maxDistance, rubble_fire* out) {
+    return inWorld("find_closest_fire", world, [&](const HostedWorld& hosted) {
+        if (!isGiven(out, "out")) return;
+        const glm::dvec3 from = readVectorAt(position, "position");
+        double best = readInRange(maxDistance, ranges::kDistance, "max_distance");
+        if (isRefused()) return;
+        rubble_fire closest = {};
+        for (const Fire& fire : findFires(hosted.loop.world())) {
+            const double distance = glm::distance(fire.position, from);
+            if (distance > best || (distance == best && closest.shape)) continue;
+            best = distance;
+            closest = fireRow(fire);
+        }
+        writeRow(out, closest, kFirstSize<rubble_fire>);
+    });
+}
+
+rubble_result countFires(rubble_world world, const double low[3], const double high[3], uint32_t* count) {
+    return inWorld("count_fires", world, [&](const HostedWorld& hosted) {
+        if (!isGiven(count, "count")) return;
+        *count = 0;
+        const WorldBox box = readBox(low, high);
+        if (isRefused()) return;
+        for (const Fire& fire : findFires(hosted.loop.world())) *count += box.overlaps({fire.position, fire.position});
+    });
+}
+
 }  // namespace
 
 void writeRows(const HostedWorld& hosted, RowWriter<rubble_fire>& rows) {
@@ -67,6 +99,8 @@ void setFireFunctions(rubble_api& api) {
     api.extinguish = extinguish;
     api.remove_fires = removeFires;
     api.get_fires = getFires;
+    api.find_closest_fire = findClosestFire;
+    api.count_fires = countFires;
 }
 
 }  // namespace rubble::abi

@@ -20,7 +20,7 @@ void setCharacterFunctions(rubble_api& api);
 void setLightFunctions(rubble_api& api);
 /// Sets get_events() and the functions that read bodies, shapes, voxel accounting, hash and statistics.
 void setStateFunctions(rubble_api& api);
-/// Sets heat(), extinguish(), remove_fires() and get_fires().
+/// Sets the edits of heat and the reads of fires.
 void setFireFunctions(rubble_api& api);
 /// Sets the edits of whole shapes, read_voxels(), write_voxels() and detach_joint().
 void setShapeFunctions(rubble_api& api);
@@ -48,5 +48,11 @@ void setDataFileFunctions(rubble_api& api);
 void setDeltaFunctions(rubble_api& api);
 /// Sets get_layers() and the functions of worlds that the host's physics moves.
 void setHostPhysicsFunctions(rubble_api& api);
+/// Sets the functions of the table of materials.
+void setMaterialFunctions(rubble_api& api);
+/// Sets the functions of the properties of bodies and shapes.
+void setPropertyFunctions(rubble_api& api);
+/// Sets create_light_group(), set_light_group() and get_light_group().
+void setLightGroupFunctions(rubble_api& api);
 
 }  // namespace rubble::abi

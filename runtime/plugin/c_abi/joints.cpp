@@ -81,6 +81,10 @@ GrabEdit readGrab(const World& world, const rubble_grab& given) {
     edit.maxForce = readOrDefault(given.max_force, ranges::kForce, edit.maxForce, "max_force");
     edit.hertz = readOrDefault(given.spring_hertz, ranges::kGrabHertz, edit.hertz, "spring_hertz");
     edit.hand = uint32_t(readInRange(given.hand, ranges::kHand, "hand"));
+    edit.turns = readFlags(given.flags, RUBBLE_GRAB_TURNS, "flags") & RUBBLE_GRAB_TURNS;
+    if (!edit.turns) return edit;
+    edit.rotation = readRotation(given.rotation, "rotation");
+    edit.maxTorque = readInRange(given.max_torque, ranges::kForce, "max_torque");
     return edit;
 }
 

@@ -1,5 +1,6 @@
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
+#include "runtime/plugin/c_abi/materials.h"
 
 namespace rubble::abi {
 namespace {
@@ -30,14 +31,11 @@ PaletteEntry readEntry(const HostedWorld& hosted, const rubble_palette_entry& gi
     out.material = given.material;
     out.emission = float(readInRange(given.emission, ranges::kEmission, "emission"));
     const World& world = hosted.loop.world();
-    if (given.light_group) {
-        const auto group = readHandle<HandleType::LightGroup>(given.light_group, "light_group");
-        if (findLive<HandleType::LightGroup>(world.lightGroups(), group.bits, "light_group"))
-            out.lightGroup = group.slot() + 1;
-    }
-    if (given.material >= world.materials().materials.size())
-        refuse(RUBBLE_ERROR_ARGUMENT, "material is {}, expected 0 to {}", given.material,
-               world.materials().materials.size() - 1);
+    const auto group =
+        readOptionalHandle<HandleType::LightGroup>(world.lightGroups(), given.light_group, "light_group");
+    if (group) out.lightGroup = group.slot() + 1;
+    if (given.material >= world.materials().materials.size() && given.material >= waitingMaterials(hosted))
+        refuse(RUBBLE_ERROR_ARGUMENT, "material is {}, expected 0 to {}", given.material, waitingMaterials(hosted) - 1);
     return out;
 }
 

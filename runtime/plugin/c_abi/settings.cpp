@@ -51,6 +51,7 @@ WorldSettings readSettings(WorldSettings settings, const rubble_settings& given)
     settings.stress.on = flags & RUBBLE_SETTING_STRESS;
     settings.fire.enabled = flags & RUBBLE_SETTING_FIRE;
     settings.paint.mode = flags & RUBBLE_SETTING_PAINT_LAYER ? PaintMode::Layer : PaintMode::Blend;
+    settings.physics = PhysicsPreset(readEnum(given.physics_preset, RUBBLE_PHYSICS_ACCURATE, "physics_preset"));
     settings.keepOrigins = flags & RUBBLE_SETTING_KEEP_ORIGINS;
     requireNoError(settingsError(settings));
     return settings;
@@ -72,6 +73,7 @@ rubble_result getSettings(rubble_world world, rubble_settings* out) {
                     (settings.fire.enabled ? RUBBLE_SETTING_FIRE : 0) |
                     (settings.paint.mode == PaintMode::Layer ? RUBBLE_SETTING_PAINT_LAYER : 0) |
                     (settings.keepOrigins ? RUBBLE_SETTING_KEEP_ORIGINS : 0);
+        all.physics_preset = uint32_t(settings.physics);
         writeStruct(out, all);
     });
 }

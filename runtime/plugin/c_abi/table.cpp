@@ -30,6 +30,9 @@ rubble_api makeTable() {
     setHostPhysicsFunctions(api);
     setDataFileFunctions(api);
     setDeltaFunctions(api);
+    setMaterialFunctions(api);
+    setPropertyFunctions(api);
+    setLightGroupFunctions(api);
     setRendererFunctions(api);
     return api;
 }

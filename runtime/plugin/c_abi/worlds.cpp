@@ -96,6 +96,13 @@ rubble_result getBounds(rubble_world world, rubble_bounds* out) {
     });
 }
 
+rubble_result setPhysicsThreads(rubble_world world, uint32_t threads) {
+    return inWorld("set_physics_threads", world, [&](HostedWorld& hosted) {
+        const int count = int(readInRange(threads, kPhysicsThreads, "threads"));
+        if (!isRefused()) hosted.loop.setPhysicsThreads(count);
+    });
+}
+
 // ---- undo ----
 
 rubble_result setUndoLimit(rubble_world world, uint32_t marks) {
@@ -137,6 +144,7 @@ void setWorldFunctions(rubble_api& api) {
     api.destroy_world = destroyWorld;
     api.load_level = loadLevel;
     api.step = step;
+    api.set_physics_threads = setPhysicsThreads;
     api.set_bounds = setBounds;
     api.get_bounds = getBounds;
     api.set_undo_limit = setUndoLimit;

@@ -18,6 +18,10 @@ struct SetBodyEdit {
     bool setsKind = false;  ///< before all else
     bool isStatic = false;  ///< true: it stands still, and its shapes are held to the world; false: it is free
     bool asleep = false;    ///< true: it stops and sleeps; false: it wakes
+    bool setsGravityScale = false;
+    double gravityScale = 1.0;  ///< see Body, as for what follows
+    bool setsDamping = false;
+    double linearDamping = 0.0, angularDamping = 0.0;
 };
 
 /// Erases a body with its shapes and all that is in them, without dust or pieces.

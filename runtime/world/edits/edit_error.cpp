@@ -5,6 +5,7 @@
 
 #include "runtime/core/range_check.h"
 #include "runtime/core/ranges.h"
+#include "runtime/destruction/fragment_style.h"
 #include "runtime/world/objects/object_errors.h"
 #include "runtime/world/settings/settings_error.h"
 
@@ -59,7 +60,11 @@ constexpr const char* kNames[] = {"carve",
                                   "set_tag",
                                   "remove_tag",
                                   "set_user_value",
-                                  "set_palette"};
+                                  "set_palette",
+                                  "set_materials",
+                                  "set_shape",
+                                  "set_light_group",
+                                  "create_light_group"};
 static_assert(std::size(kNames) == std::variant_size_v<AnyEdit>);
 
 /// About a number of an enum whose last is `last`.
@@ -137,6 +142,10 @@ std::string errorOf(const SetBodyEdit& edit) {
     if (edit.setsVelocity)
         check.vector("velocity", edit.velocity, ranges::kVelocity)
             .vector("angular_velocity", edit.angularVelocity, ranges::kVelocity);
+    if (edit.setsGravityScale) check.number("gravity_scale", edit.gravityScale, ranges::kGravityScale);
+    if (edit.setsDamping)
+        check.number("linear_damping", edit.linearDamping, ranges::kDamping)
+            .number("angular_damping", edit.angularDamping, ranges::kDamping);
     return check.error();
 }
 std::string errorOf(const WriteVoxelsEdit& edit) {
@@ -167,6 +176,7 @@ std::string errorOf(const CreateShapeEdit& edit) {
     const bool keepsSize = edit.source == ShapeSource::Copy && shape.voxelSize == 0.0f;
     check.text("name", shape.name)
         .include(shapeError(shape.local, keepsSize ? 1.0f : shape.voxelSize, shape.strength))
+        .include(factorsError(shape.density, shape.emission))
         .include(checkEnum("collision_shape", shape.collisionShape, CollisionShape::CylinderZ).error())
         .include(paintError(shape.grid, shape.paintColors));
     if (shape.palette)
@@ -240,6 +250,8 @@ std::string errorOf(const GrabEdit& edit) {
         .number("max_force", edit.maxForce, ranges::kForce)
         .number("spring_hertz", edit.hertz, ranges::kGrabHertz)
         .number("hand", edit.hand, ranges::kHand)
+        .rotation("rotation", edit.rotation)
+        .number("max_torque", edit.maxTorque, ranges::kForce)
         .error();
 }
 std::string errorOf(const ReleaseEdit& edit) {
@@ -272,6 +284,40 @@ std::string errorOf(const SetPaletteEdit& edit) {
         .require(std::all_of(edit.entries.begin(), edit.entries.end(),
                              [](const PaletteEntry& entry) { return objectError(entry).empty(); }),
                  "emission: expected 0 to 1e6 of each entry");
+    return check.error();
+}
+std::string errorOf(const SetMaterialsEdit& edit) {
+    RangeCheck check;
+    check.number("first", edit.first, {1, 255})
+        .number("count", double(edit.materials.size()), {1.0, 256.0 - edit.first});
+    for (const Material& material : edit.materials)
+        check.include(nameError("name", material.name))
+            .require(!material.name.empty(), "name: expected one of at least one byte")
+            .include(checkEnum("hardness", material.hardness, Hardness::Unphysical).error())
+            .include(objectError(material))
+            .require(fragmentStyle(material.fragments).name == material.fragments,
+                     "fragments: expected chunk, bond, splinter, pane, tear, crumble or none");
+    return check.error();
+}
+std::string errorOf(const SetShapeEdit& edit) {
+    RangeCheck check;
+    check.number("strength", double(edit.strength), ranges::kStrength)
+        .include(factorsError(edit.density, edit.emission))
+        .number("anchor_count", double(edit.anchors.size()), ranges::kAnchors);
+    constexpr NumberRange kCell{-kMaxGridSize, 2.0 * kMaxGridSize};
+    for (const CellBox& anchor : edit.anchors)
+        check.vector("anchors", anchor.low, kCell)
+            .vector("anchors", anchor.high, kCell)
+            .require(glm::all(glm::lessThan(anchor.low, anchor.high)), "anchors: expected boxes of at least one cell");
+    return check.error();
+}
+std::string errorOf(const CreateLightGroupEdit& edit) {
+    return objectError(edit.group);
+}
+std::string errorOf(const SetLightGroupEdit& edit) {
+    RangeCheck check;
+    check.number("threshold", double(edit.threshold), ranges::kThreshold);
+    if (edit.setsSupply) check.vector("supply_cell", edit.supplyCell, {-double(kMaxGridSize), double(kMaxGridSize)});
     return check.error();
 }
 std::string errorOf(const SetEnvironmentEdit& edit) {

@@ -40,8 +40,8 @@ struct DetachJointEdit {
     ShapeHandle shape;
 };
 
-/// Pulls a body by a point toward a target with a limited force. A hand holds one body: grabbing the same one again
-/// moves the target, grabbing another one releases the first.
+/// Pulls a body by a point toward a target with a limited force, and may turn it. A hand holds one body: grabbing the
+/// same one again moves the target, grabbing another one releases the first.
 struct GrabEdit {
     BodyHandle body;
     glm::dvec3 point{0.0};     ///< world; where it is held: read when the grab begins
@@ -49,6 +49,9 @@ struct GrabEdit {
     double maxForce = 1000.0;  ///< N
     double hertz = 4.0;        ///< of the spring that pulls
     uint32_t hand = 0;         ///< which hand; each holds one body
+    bool turns = false;        ///< it turns the body's frame toward `rotation` too; else the body hangs at the point
+    glm::dquat rotation{1, 0, 0, 0};  ///< world
+    double maxTorque = 0.0;           ///< N m; 0: no limit
 };
 
 /// Releases what a hand holds, with a push.

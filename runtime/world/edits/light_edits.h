@@ -25,4 +25,22 @@ struct RemoveLightEdit {
     LightHandle light;
 };
 
+/// Makes a light group, which palette entries and lights may name from now on. It goes out when its share of the voxels
+/// that then came to it is lost.
+struct CreateLightGroupEdit {
+    LightGroup group;  ///< its name, threshold and flicker steps are read
+};
+
+/// Switches a light group, says when it goes out, or feeds it by wire. One that is out stays dark.
+struct SetLightGroupEdit {
+    LightGroupHandle group;
+    bool switches = false;  ///< else `on` is not read, and so on
+    bool on = true;
+    bool setsThreshold = false;
+    float threshold = 0.4f;  ///< see LightGroup
+    bool setsSupply = false;
+    ShapeHandle supply;        ///< empty: it needs no supply
+    glm::ivec3 supplyCell{0};  ///< where the wire begins; the group fails if none leads from there to its voxels
+};
+
 }  // namespace rubble

@@ -44,6 +44,21 @@ struct WriteVoxelsEdit {
     std::vector<uint8_t> entries;  ///< of the palette, 0: none; a byte each cell: x fastest, then y, then z
 };
 
+/// Changes what a shape is beside its voxels.
+struct SetShapeEdit {
+    ShapeHandle shape;
+    bool setsStrength = false;  ///< else `strength` is not read, and so on
+    float strength = 1.0f;      ///< see Shape, as for what follows
+    bool setsDensity = false;
+    float density = 1.0f;
+    bool setsEmission = false;
+    float emission = 1.0f;
+    bool setsLoad = false;
+    bool loadBearing = true;
+    bool setsAnchors = false;
+    std::vector<CellBox> anchors;  ///< what no anchor holds comes off in this step
+};
+
 /// Erases a shape with its voxels, without dust or pieces; its body too, if that has no other.
 struct DestroyShapeEdit {
     ShapeHandle shape;

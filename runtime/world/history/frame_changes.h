@@ -117,7 +117,7 @@ struct FrameChanges {
     std::vector<ShapeHandle> shapesCreated;    ///< read their grid from the World: their bricks are not in `bricks`
     std::vector<ShapeHandle> shapesDestroyed;  ///< before shapesCreated: a shape whose grid got another box is in both
     std::vector<ShapeSplit> splits;
-    std::vector<BrickChange> bricks;    ///< carved or painted, each brick once, of shapes that existed before, by slot
+    std::vector<BrickChange> bricks;  ///< carved or painted, each brick once, of shapes that existed before, by slot
     /// Shapes whose occupancy or materials changed, so mass and collider too, each once.
     std::vector<ShapeHandle> carved;
     std::vector<ShapeHandle> palettes;  ///< shapes whose palette or paint colours changed
@@ -143,7 +143,7 @@ struct FrameChanges {
     uint64_t firesRefused = 0;                ///< bricks that did not ignite because of FireSettings::maxFires
     uint64_t heatLost = 0;                    ///< deposits of heat that FireSettings::maxHot refused
     std::vector<CrackOpened> cracks;          ///< their voxels are in `removed` too
-    std::vector<ShapeHandle> filters;         ///< shapes with another collision layer, mask or shape
+    std::vector<ShapeHandle> filters;         ///< shapes of which something else changed: collision, strength, anchors
     std::vector<WaterHandle> waters;          ///< created, changed or removed
     std::vector<TriggerHandle> triggers;      ///< created, removed, or with other bodies inside
     std::vector<CharacterHandle> characters;  ///< created, removed, placed, or with another wish
@@ -155,6 +155,7 @@ struct FrameChanges {
     std::vector<NoteHandle> notes;           ///< made, changed or gone; some more than once
     std::vector<LightHandle> lightsAdded;    ///< one for each AddLightEdit; an empty handle: refused
     bool environmentChanged = false;         ///< read it from the World
+    bool materialsChanged = false;           ///< read them from the World; shapes that are of them are in `carved`
     std::vector<RefusedHandle> refused;      ///< in the order of their edits; nothing else has to follow them
 
     /// How much the lists and counts hold, but for the bricks and shapes that edits of voxels share with an undo: what
@@ -164,16 +165,16 @@ struct FrameChanges {
                splits.size() + palettes.size() + unanchored.size() + removed.size() + lights.size() + groupsOut.size() +
                impulses.size() + paintedVoxels + firesLit.size() + filters.size() + waters.size() + triggers.size() +
                characters.size() + jointsCreated.size() + jointsMoved.size() + jointsBroken.size() +
-               jointsChanged.size() + notes.size() + environmentChanged;
+               jointsChanged.size() + notes.size() + environmentChanged + materialsChanged;
     }
     /// Whether nothing changed that physics, renderer, undo or recordings have to follow.
     bool empty() const {
-        return !levelReplaced && !environmentChanged && bodiesCreated.empty() && bodiesDestroyed.empty() &&
-               shapesCreated.empty() && shapesDestroyed.empty() && bricks.empty() && palettes.empty() &&
-               lights.empty() && groupsOut.empty() && impulses.empty() && settled.empty() && unsettled.empty() &&
-               groups.empty() && teleported.empty() && !firesChanged && filters.empty() && waters.empty() &&
-               triggers.empty() && characters.empty() && jointsCreated.empty() && jointsMoved.empty() &&
-               jointsBroken.empty() && jointsChanged.empty() && notes.empty();
+        return !levelReplaced && !environmentChanged && !materialsChanged && bodiesCreated.empty() &&
+               bodiesDestroyed.empty() && shapesCreated.empty() && shapesDestroyed.empty() && bricks.empty() &&
+               palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty() && settled.empty() &&
+               unsettled.empty() && groups.empty() && teleported.empty() && !firesChanged && filters.empty() &&
+               waters.empty() && triggers.empty() && characters.empty() && jointsCreated.empty() &&
+               jointsMoved.empty() && jointsBroken.empty() && jointsChanged.empty() && notes.empty();
     }
 };
 

@@ -12,6 +12,7 @@ namespace {
 void addMissing(WorldDelta& into, WorldDelta from) {
     forEachKind([](auto& values, auto& earlier) { values.merge(earlier); }, into, from);
     if (!into.environment) into.environment = from.environment;
+    if (!into.materials) into.materials = from.materials;
 }
 
 /// For each slot of `slots`: its value in `first`, or else in `second`.
@@ -66,6 +67,8 @@ WorldDelta UndoHistory::swapEntry(WorldData& world, WorldDelta entry, FrameChang
                 out, slots, drift, was);
     out.environment.reset();
     if (slots.environment) out.environment = drift.environment ? drift.environment : was.environment;
+    out.materials.reset();
+    if (slots.materials) out.materials = drift.materials ? drift.materials : was.materials;
     m_current = m_baseline.emptyDelta();
     m_onlyMotionSinceUndo = true;
     return out;

@@ -89,6 +89,7 @@ WorldDelta WorldBaseline::update(const WorldData& world, const FrameChanges& cha
     for (const JointBroken& broken : changes.jointsBroken) joint(broken.joint);
     for (const NoteHandle handle : changes.notes) updateSlot(world.notes, m_last.notes, handle, before.notes);
     if (changes.environmentChanged) before.environment = std::exchange(m_last.environment, world.environment);
+    if (changes.materialsChanged) before.materials = std::exchange(m_last.materials, world.materials);
     m_last.imported = world.imported;
     m_last.removed = world.removed;
     m_freeSlots = freeSlotsOf(world);

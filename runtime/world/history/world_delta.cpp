@@ -41,7 +41,8 @@ void journalSlots(const SlotValues<Handle, T>& before, const Map& now, std::vect
 bool sameState(const Body& a, const Body& b) {
     return a.pose == b.pose && a.velocity == b.velocity && a.angularVelocity == b.angularVelocity &&
            a.asleep == b.asleep && a.settled == b.settled && a.isStatic == b.isStatic && a.shapes == b.shapes &&
-           a.restingSince == b.restingSince;
+           a.restingSince == b.restingSince && a.gravityScale == b.gravityScale && a.linearDamping == b.linearDamping &&
+           a.angularDamping == b.angularDamping;
 }
 
 /// Whether entries of two palettes are of other materials.
@@ -52,16 +53,19 @@ bool haveOtherMaterials(const PaletteRef& a, const PaletteRef& b) {
 }
 
 void journalBricks(ShapeHandle handle, const Shape& was, const Shape& is, FrameChanges& changes) {
-    bool isCarved = haveOtherMaterials(was.palette, is.palette);
+    bool isCarved =
+        changes.materialsChanged || was.density != is.density || haveOtherMaterials(was.palette, is.palette);
     is.grid.forEachUnshared(was.grid, [&](glm::ivec3 position) {
         const Brick *before = was.grid.brickAt(position), *now = is.grid.brickAt(position);
         isCarved = isCarved || (before ? before->occupancy : BrickBits{}) != (now ? now->occupancy : BrickBits{});
         changes.bricks.push_back({handle, position, is.grid.shareBrick(position)});
     });
     if (isCarved) changes.carved.push_back(handle);
-    if (was.palette != is.palette || was.paintColors != is.paintColors) changes.palettes.push_back(handle);
+    if (was.palette != is.palette || was.paintColors != is.paintColors || was.emission != is.emission)
+        changes.palettes.push_back(handle);
     if (was.collisionLayer != is.collisionLayer || was.collisionMask != is.collisionMask ||
-        was.collisionShape != is.collisionShape)
+        was.collisionShape != is.collisionShape || was.strength != is.strength || was.density != is.density ||
+        was.loadBearing != is.loadBearing || was.anchors != is.anchors)
         changes.filters.push_back(handle);
 }
 
@@ -132,12 +136,26 @@ void journalBodiesAndShapes(const WorldDelta& before, WorldData& world, FrameCha
     }
 }
 
+/// Where a switch has changed, all that shines with the group is listed.
+void journalSwitch(LightGroupHandle group, const WorldData& world, FrameChanges& changes) {
+    world.lights.forEach([&](LightHandle light, const Light& each) {
+        if (each.group == group) changes.lights.push_back(light);
+    });
+    world.shapes.forEach([&](ShapeHandle shape, const Shape& each) {
+        const Palette& palette = *each.palette;
+        if (std::any_of(palette.begin(), palette.end(),
+                        [&](const PaletteEntry& entry) { return entry.lightGroup == group.slot() + 1; }))
+            changes.palettes.push_back(shape);
+    });
+}
+
 void journalGroups(const WorldDelta& before, WorldData& world, FrameChanges& changes) {
     for (const auto& [slot, was] : before.groups) {
         const LightGroupHandle is = world.groups.handleAt(slot);
         world.flickeringGroups -= uint32_t(was.second && was.second->failingSince != 0);
         if (!is) continue;
         changes.groups.push_back(is);
+        if (was.second && was.second->off != world.groups.at(is).off) journalSwitch(is, world, changes);
         world.flickeringGroups += uint32_t(world.groups.at(is).failingSince != 0);
         if (world.groups.at(is).out && !(was.second && was.second->out)) changes.groupsOut.push_back(is);
     }
@@ -163,7 +181,7 @@ void journalNotes(const WorldDelta& before, WorldData& world, FrameChanges& chan
 }  // namespace
 
 bool WorldDelta::empty() const {
-    bool isEmpty = !environment;
+    bool isEmpty = !environment && !materials;
     forEachKind([&](const auto& values) { isEmpty = isEmpty && values.empty(); }, *this);
     return isEmpty;
 }
@@ -177,6 +195,11 @@ WorldDelta swapObjects(WorldData& world, WorldDelta target, FrameChanges& change
     if (target.environment) {
         before.environment = world.swapEnvironment(*target.environment);
         changes.environmentChanged = true;
+    }
+    if (target.materials) {
+        before.materials = std::exchange(world.materials, std::move(*target.materials));
+        world.wire = world.materials.find("wire");
+        changes.materialsChanged = true;
     }
     before.freeSlots = freeSlotsOf(world);
     forEachKind([](auto& map, auto& wanted, auto& was) { was = swapSlots(map, std::move(wanted)); }, world, target,

@@ -17,13 +17,14 @@ using SlotValues = std::map<uint32_t, std::pair<Handle, std::optional<T>>>;
 /// Some objects of a World as they were, or as they are to be, and the numbers that belong to no object. Bricks,
 /// directories and palettes are shared.
 struct WorldDelta : ObjectKinds<SlotValues> {
-    ObjectKinds<FreeSlots> freeSlots;  ///< that are used next; light groups are made by levels alone and need none
+    ObjectKinds<FreeSlots> freeSlots;  ///< that are used next
     uint64_t imported = 0, removed = 0;
     FireState fire;
     std::vector<ShapeHandle> waiting;        ///< for their split, see WorldState::pendingSplits
     std::optional<Environment> environment;  ///< none: it has not changed
+    std::optional<MaterialTable> materials;  ///< the same
 
-    /// Whether it holds no object and no environment.
+    /// Whether it holds no object, no environment and no materials.
     bool empty() const;
 };
 

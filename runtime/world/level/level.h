@@ -35,6 +35,8 @@ struct LevelShape {
     uint8_t collisionLayer = 1;  ///< bits; two shapes touch if each one's layer is in the other's mask
     uint8_t collisionMask = 255;
     CollisionShape collisionShape = CollisionShape::Voxels;  ///< what it is touched as
+    float density = 1.0f;                                    ///< multiple of its materials' densities
+    float emission = 1.0f;                                   ///< multiple of what its palette's entries emit
 };
 
 /// A body as data, with its shapes.

@@ -23,6 +23,8 @@ struct Body {
     bool broken = false;        ///< has lost voxels
     uint64_t createdStep = 0;   ///< 0: came with the level
     uint64_t restingSince = 0;  ///< step at which it fell asleep; 0 while awake
+    double gravityScale = 1.0;  ///< multiple of the world's gravity that acts on it
+    double linearDamping = 0.0, angularDamping = 0.0;  ///< 1/s: rates at which its velocities decay
 };
 
 /// A body's new state, as physics hands it over: world space, metres, m/s and rad/s.

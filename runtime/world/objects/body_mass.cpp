@@ -13,17 +13,26 @@ glm::dmat3 inertiaMatrix(const std::array<double, 6>& t) {
 
 }  // namespace
 
+MassProperties massOf(const Shape& shape, const MassMoments& moments) {
+    MassProperties mass = massProperties(moments, shape.voxelSize);
+    if (shape.density == 1.0f) return mass;
+    mass.mass *= double(shape.density);
+    for (double& each : mass.inertia) each *= double(shape.density);
+    mass.principalInertia *= double(shape.density);
+    return mass;
+}
+
 MassProperties bodyMass(const WorldObjects& objects, BodyHandle handle) {
     const Body& body = objects.bodies.at(handle);
     if (body.shapes.size() == 1)  // as all pieces are
         if (const Shape& only = objects.shapes.at(body.shapes[0]); only.local == Pose{})
-            return massProperties(only.moments, only.voxelSize);
+            return massOf(only, only.moments);
     MassProperties sum;
     std::vector<std::pair<const Shape*, MassProperties>> parts;
     parts.reserve(body.shapes.size());
     for (const ShapeHandle shapeHandle : body.shapes) {
         const Shape& shape = objects.shapes.at(shapeHandle);
-        parts.emplace_back(&shape, massProperties(shape.moments, shape.voxelSize));
+        parts.emplace_back(&shape, massOf(shape, shape.moments));
         sum.mass += parts.back().second.mass;
         sum.center += parts.back().second.mass * shape.local.transformPoint(parts.back().second.center);
     }

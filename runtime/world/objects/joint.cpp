@@ -38,6 +38,7 @@ std::string jointError(const Joint& joint) {
                                                       {"spring_damping_ratio", joint.spring.dampingRatio},
                                                       {"friction", joint.friction},
                                                       {"max_force", joint.maxForce},
+                                                      {"max_torque", joint.maxTorque},
                                                       {"break_force", joint.breakForce},
                                                       {"break_torque", joint.breakTorque},
                                                       {"rope_length", joint.rope.length},
@@ -73,10 +74,10 @@ uint64_t hashJoint(const Joint& joint, uint64_t seed) {
         hash = hashValue(uint64_t(end.isFree) << 33 | uint64_t(bool(end.shape)) << 32 | end.shape.slot(), hash);
         hash = hashBytes(&end.cell, sizeof end.cell, hashPose(end.frame, hash));
     }
-    for (const double value :
-         {joint.limits.low, joint.limits.high, joint.motor.target, joint.motor.maxForce, joint.spring.hertz,
-          joint.spring.dampingRatio, joint.friction, joint.maxForce, joint.breakForce, joint.breakTorque, joint.steer,
-          joint.rope.length, joint.rope.radius, joint.rope.massPerMetre, joint.rope.stretch, joint.rope.strength})
+    for (const double value : {joint.limits.low, joint.limits.high, joint.motor.target, joint.motor.maxForce,
+                               joint.spring.hertz, joint.spring.dampingRatio, joint.friction, joint.maxForce,
+                               joint.maxTorque, joint.breakForce, joint.breakTorque, joint.steer, joint.rope.length,
+                               joint.rope.radius, joint.rope.massPerMetre, joint.rope.stretch, joint.rope.strength})
         hash = hashValue(value, hash);
     static_assert(sizeof(WheelSettings) == 5 * sizeof(double), "hashed as bytes");
     hash = hashBytes(&joint.wheel, sizeof joint.wheel, hash);

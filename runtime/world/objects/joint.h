@@ -91,8 +91,9 @@ struct Joint {
     JointLimits limits;
     JointMotor motor;
     JointSpring spring;
-    double friction = 0.0;  ///< N m, of a prismatic joint N, against the free motion; of a wheel: its brake
-    double maxForce = 0.0;  ///< N that it pulls with at most; 0: no limit
+    double friction = 0.0;   ///< N m, of a prismatic joint N, against the free motion; of a wheel: its brake
+    double maxForce = 0.0;   ///< N that it pulls with at most; 0: no limit
+    double maxTorque = 0.0;  ///< N m that a fixed joint turns with at most; 0: no limit
     double breakForce = 0.0, breakTorque = 0.0;  ///< N and N m, mean of a step, at which it breaks; 0: never
     double steer = 0.0;                          ///< of a wheel: radians about y
     WheelSettings wheel;

@@ -74,6 +74,7 @@ struct LightGroup {
     uint64_t initialVoxels = 0;
     uint64_t removedVoxels = 0;
     bool out = false;
+    bool off = false;           ///< switched off: dark until it is switched on
     std::string supplyShape;    ///< "" = needs none
     glm::ivec3 supplyCell{0};   ///< cell of that shape at which the wire begins
     uint32_t flickerSteps = 0;  ///< how long it flickers before it goes out

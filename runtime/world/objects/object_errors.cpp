@@ -41,7 +41,10 @@ std::string objectError(const Body& body) {
     check.text("name", body.name)
         .pose("pose", body.pose)
         .vector("velocity", body.velocity, ranges::kVelocity)
-        .vector("angular_velocity", body.angularVelocity, ranges::kVelocity);
+        .vector("angular_velocity", body.angularVelocity, ranges::kVelocity)
+        .number("gravity_scale", body.gravityScale, ranges::kGravityScale)
+        .number("linear_damping", body.linearDamping, ranges::kDamping)
+        .number("angular_damping", body.angularDamping, ranges::kDamping);
     for (const std::string& tag : body.tags) check.text("a tag", tag);
     return check.error();
 }
@@ -54,9 +57,18 @@ std::string shapeError(const Pose& local, float voxelSize, float strength) {
         .error();
 }
 
+std::string factorsError(float density, float emission) {
+    return RangeCheck()
+        .number("density", double(density), ranges::kDensityFactor)
+        .number("emission", double(emission), ranges::kEmissionFactor)
+        .error();
+}
+
 std::string objectError(const Shape& shape) {
     RangeCheck check;
-    check.text("name", shape.name).include(shapeError(shape.local, shape.voxelSize, shape.strength));
+    check.text("name", shape.name)
+        .include(shapeError(shape.local, shape.voxelSize, shape.strength))
+        .include(factorsError(shape.density, shape.emission));
     for (const std::string& tag : shape.tags) check.text("a tag", tag);
     return check.error();
 }

@@ -27,6 +27,8 @@ std::string objectError(const Body& body);
 std::string objectError(const Shape& shape);
 /// The same of the shape's own numbers, for shapes that are no Shape.
 std::string shapeError(const Pose& local, float voxelSize, float strength);
+/// About the factors of a shape's density and emission.
+std::string factorsError(float density, float emission);
 /// See lightError().
 std::string objectError(const Light& light);
 /// About a light group.

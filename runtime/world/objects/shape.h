@@ -30,6 +30,8 @@ struct Shape {
     bool knownConnected = false;  ///< connected since its last split: only the surroundings of a cut need a test
     bool loadBearing = true;      ///< false: left out of the stress analysis
     float strength = 1.0f;        ///< multiple of its materials' strengths
+    float density = 1.0f;         ///< multiple of its materials' densities, which `moments` are without
+    float emission = 1.0f;        ///< multiple of what its palette's entries emit
     uint8_t collisionLayer = 1;   ///< bits; two shapes touch if each one's layer is in the other's mask
     uint8_t collisionMask = 255;
     CollisionShape collisionShape = CollisionShape::Voxels;  ///< what it is touched as

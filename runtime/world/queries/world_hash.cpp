@@ -56,6 +56,7 @@ uint64_t resolvedHash(const WorldState& world) {
         hasher.add(uint64_t(body.settled) << 2 | uint64_t(body.isStatic) << 1 | uint64_t(body.asleep));
         hasher.add(body.createdStep);
         hasher.add(body.restingSince);
+        hasher.add(glm::dvec3(body.gravityScale, body.linearDamping, body.angularDamping));
     });
     const Palette* lastPalette = nullptr;
     uint64_t paletteHash = 0;
@@ -69,14 +70,20 @@ uint64_t resolvedHash(const WorldState& world) {
         hasher.add(shape.local);
         hasher.add(shape.grid.contentHash());
         hasher.add(paletteHash);
-        hasher.add(uint64_t(shape.collisionShape) << 16 | uint64_t(shape.collisionLayer) << 8 | shape.collisionMask);
+        hasher.add(glm::dvec3(shape.strength, shape.density, shape.emission));
+        hasher.state = hashBytes(shape.anchors.data(), shape.anchors.size() * sizeof(CellBox), hasher.state);
+        hasher.add(uint64_t(shape.loadBearing) << 24 | uint64_t(shape.collisionShape) << 16 |
+                   uint64_t(shape.collisionLayer) << 8 | shape.collisionMask);
         if (shape.paintColors) hasher.add(hashBytes(shape.paintColors.get(), sizeof(PaintColors)));
     });
     world.groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {
         hasher.add(handle.slot());
         hasher.add(group.removedVoxels << 1 | uint64_t(group.out));
         hasher.add(group.initialVoxels);
-        hasher.add(group.failingSince << 1 | uint64_t(group.dark));
+        hasher.add(group.failingSince << 2 | uint64_t(group.off) << 1 | uint64_t(group.dark));
+        hasher.add(uint64_t(group.supply.slot()) << 32 | uint64_t(bool(group.supply)));
+        hasher.state = hashBytes(&group.supplyCell, sizeof group.supplyCell, hasher.state);
+        hasher.add(glm::dvec3(group.threshold));
     });
     const auto addAll = [&](const auto& map) {
         map.forEach([&](auto handle, const auto& value) {
@@ -90,6 +97,7 @@ uint64_t resolvedHash(const WorldState& world) {
     addAll(world.characters);
     addAll(world.notes);
     hasher.add(world.environment.hash());
+    hasher.add(world.materials.hash());
     world.joints.forEach([&](JointHandle handle, const Joint& joint) {
         hasher.state = hashJoint(joint, hashValue(handle.slot(), hasher.state));
     });

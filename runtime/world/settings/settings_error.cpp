@@ -25,6 +25,7 @@ std::string settingsError(const WorldSettings& s) {
         .number("impact_radius_limit", s.impactRadiusLimit, ranges::kImpactRadius)
         .number("impacts_per_step", double(s.impactsPerStep), ranges::kImpactsPerStep)
         .number("fragments_per_break", double(s.debris.fragmentsPerBreak), ranges::kFragments)
+        .number("physics_preset", double(s.physics), {0.0, double(PhysicsPreset::Accurate)})
         .number("mode", double(s.paint.mode), {0.0, double(PaintMode::Layer)})
         .number("strength_scale", s.stress.strengthScale, ranges::kStrengthScale)
         .number("work_per_step", double(s.stress.workPerStep), ranges::kStressWork)

@@ -11,6 +11,14 @@
 
 namespace rubble {
 
+/// How accurately bodies move, at what cost: see fastPhysics().
+enum class PhysicsPreset : uint8_t {
+    Given,  ///< as the physics of the world were made
+    Fast,
+    Balanced,
+    Accurate
+};
+
 /// How a world breaks, burns and remembers. Budgets count work, never time: results are the same on every machine.
 struct WorldSettings {
     uint64_t minPieceVoxels = 1;      ///< smaller pieces are removed
@@ -21,6 +29,7 @@ struct WorldSettings {
     size_t impactsPerStep = 8;       ///< impacts that break something in one step, the hardest first
     size_t undoMarks = 0;            ///< marks that can be undone; 0: no history, at no cost
     bool keepOrigins = false;        ///< notes say of all pieces what they came off, not only of those that have notes
+    PhysicsPreset physics = PhysicsPreset::Given;
     BoundsSettings bounds;
     DebrisSettings debris;
     PaintSettings paint;

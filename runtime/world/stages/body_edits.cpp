@@ -68,12 +68,15 @@ void apply(EditContext& context, const SetBodyEdit& edit) {
     releaseFragments(context);  // they came off where it was
     if (edit.setsKind) setKind(context, edit.body, edit.isStatic);
     Body& body = context.world.bodies.at(edit.body);
+    if (edit.setsGravityScale) body.gravityScale = edit.gravityScale;
+    if (edit.setsDamping) body.linearDamping = edit.linearDamping, body.angularDamping = edit.angularDamping;
     if (edit.setsPose) {
         body.pose = edit.pose;
         moveShapes(context, body);
     }
     if (body.isStatic) {
-        if (edit.setsPose || edit.setsKind) context.changes.teleported.push_back(edit.body);
+        if (edit.setsPose || edit.setsKind || edit.setsGravityScale || edit.setsDamping)
+            context.changes.teleported.push_back(edit.body);
         return;
     }
     context.wakeBody(edit.body);

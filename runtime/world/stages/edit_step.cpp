@@ -19,6 +19,7 @@
 #include "runtime/world/stages/joint_stage.h"
 #include "runtime/world/stages/light_group_stage.h"
 #include "runtime/world/stages/light_stage.h"
+#include "runtime/world/stages/material_edits.h"
 #include "runtime/world/stages/note_edits.h"
 #include "runtime/world/stages/paint_edits.h"
 #include "runtime/world/stages/palette_edits.h"

@@ -12,13 +12,23 @@ namespace {
 
 constexpr double kGrabFriction = 0.1;  ///< N m against the rotation of what is held, for each N of its largest force
 
+JointKind kindOf(const GrabEdit& edit) {
+    return edit.turns ? JointKind::Fixed : JointKind::Ball;
+}
+/// Where a grab pulls the body's point, and the body's axes if it turns them.
+Pose targetOf(const GrabEdit& edit) {
+    return {edit.target, edit.turns ? edit.rotation : glm::dquat(1, 0, 0, 0)};
+}
+
 /// Gives a grab another target or strength.
 void updateGrab(EditContext& context, JointHandle handle, const GrabEdit& edit) {
     Joint& grab = context.world.joints.at(handle);
-    if (grab.ends[1].frame.position == edit.target && grab.maxForce == edit.maxForce && grab.spring.hertz == edit.hertz)
+    if (grab.ends[1].frame == targetOf(edit) && grab.maxForce == edit.maxForce && grab.spring.hertz == edit.hertz &&
+        grab.maxTorque == edit.maxTorque)
         return;
-    grab.ends[1].frame.position = edit.target;
+    grab.ends[1].frame = targetOf(edit);
     grab.maxForce = edit.maxForce;
+    grab.maxTorque = edit.maxTorque;
     grab.spring.hertz = edit.hertz;
     context.changes.jointsChanged.push_back(handle);
 }
@@ -33,20 +43,22 @@ void apply(EditContext& context, const GrabEdit& edit) {
     for (const JointHandle handle : copyOf(context.world.jointIndex.grabs())) {
         const Joint& grab = context.world.joints.at(handle);
         if (grab.hand != edit.hand + 1) continue;
-        if (context.world.shapes.at(grab.ends[0].shape).body != edit.body) {
+        if (context.world.shapes.at(grab.ends[0].shape).body != edit.body || grab.kind != kindOf(edit)) {
             breakJoint(context, handle, JointBreak::Removed, edit.point);
             continue;
         }
         return updateGrab(context, handle, edit);
     }
     for (const ShapeHandle shape : body->shapes) {
-        Joint grab = jointAt(context.world, JointKind::Ball, shape, {}, {edit.point});
+        const glm::dquat axes = edit.turns ? body->pose.rotation : glm::dquat(1, 0, 0, 0);
+        Joint grab = jointAt(context.world, kindOf(edit), shape, {}, {edit.point, axes});
         grab.name = "grab";
-        grab.ends[1].frame.position = edit.target;
+        grab.ends[1].frame = targetOf(edit);
         grab.collides = true;
         grab.spring = {edit.hertz, 1.0};
         grab.maxForce = edit.maxForce;
-        grab.friction = kGrabFriction * edit.maxForce;
+        grab.maxTorque = edit.maxTorque;
+        if (!edit.turns) grab.friction = kGrabFriction * edit.maxForce;
         grab.hand = edit.hand + 1;
         if (!attachJoint(context.world, grab).empty()) continue;
         context.changes.jointsCreated.push_back(context.world.addJoint(std::move(grab)));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/core/log.h"
 #include "runtime/core/random.h"
 #include "runtime/world/state/power_supply.h"
 
@@ -64,7 +65,48 @@ void updateFlicker(EditContext& context, LightGroupHandle handle, LightGroup& gr
     });
 }
 
+/// Lists all that shines with a group.
+void listGroup(EditContext& context, LightGroupHandle handle) {
+    context.changes.groups.push_back(handle);
+    context.world.lights.forEach([&](LightHandle light, const Light& each) {
+        if (each.group == handle) context.changes.lights.push_back(light);
+    });
+    const Palette* last = nullptr;  // shapes that share one follow each other
+    bool isIn = false;
+    context.world.shapes.forEach([&](ShapeHandle shape, const Shape& each) {
+        if (each.palette.get() != last)
+            last = each.palette.get(), isIn = std::any_of(last->begin(), last->end(), [&](const PaletteEntry& entry) {
+                                           return entry.lightGroup == handle.slot() + 1;
+                                       });
+        if (isIn) context.listPalette(shape);
+    });
+}
+
 }  // namespace
+
+void apply(EditContext& context, const CreateLightGroupEdit& edit) {
+    LightGroup group{.name = edit.group.name, .threshold = edit.group.threshold};
+    group.flickerSteps = edit.group.flickerSteps;
+    context.changes.groups.push_back(context.make(context.world.groups, std::move(group)));
+    context.removedByGroup.resize(context.world.groups.slotCount());
+}
+
+void apply(EditContext& context, const SetLightGroupEdit& edit) {
+    LightGroup* group = context.world.groups.find(edit.group);
+    if (!group) return logWarning("set_light_group: the handle of its group is stale; nothing was changed");
+    const Shape* supply = edit.setsSupply ? context.world.shapes.find(edit.supply) : nullptr;
+    if (edit.setsSupply && edit.supply && !supply)
+        return logWarning("set_light_group: the handle of its supply is stale; nothing was changed");
+    context.changes.groups.push_back(edit.group);
+    if (edit.setsThreshold) group->threshold = edit.threshold;
+    if (edit.setsSupply) {
+        group->supply = edit.supply;
+        group->supplyShape = supply ? supply->name : "";
+        group->supplyCell = edit.supplyCell;
+        if (supply) context.cutWires.insert(edit.supply.slot());  // whether wire leads there is looked up
+    }
+    if (edit.switches && std::exchange(group->off, !edit.on) == edit.on) listGroup(context, edit.group);
+}
 
 void updateLightGroups(EditContext& context) {
     context.world.groups.forEach([&](LightGroupHandle handle, LightGroup& group) {

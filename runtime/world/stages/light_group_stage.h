@@ -7,4 +7,9 @@ namespace rubble {
 /// LightGroup::flickerSteps and then goes out with its lights and its glowing voxels.
 void updateLightGroups(EditContext& context);
 
+/// Makes a light group.
+void apply(EditContext& context, const CreateLightGroupEdit& edit);
+/// Switches a light group, or changes what puts it out.
+void apply(EditContext& context, const SetLightGroupEdit& edit);
+
 }  // namespace rubble

@@ -44,11 +44,7 @@ void changeMatter(EditContext& context, ShapeHandle handle, const Palette& befor
         if (wire && before[i].material == wire && now[i].material != wire) context.cutWires.insert(handle.slot());
         if (before[i].lightGroup != now[i].lightGroup) context.cutWires.insert(handle.slot());
     });
-    if (!isOther) return;
-    if (!context.isNew(shape.body)) context.recordMotion(shape.body);
-    shape.moments = gridMoments(shape.grid, now, context.world.materials);
-    context.editState(handle).otherMaterials = true;
-    if (!context.isNew(shape.body)) context.wakeBody(shape.body);
+    if (isOther) updateMatter(context, handle);
 }
 
 void replacePalette(EditContext& context, ShapeHandle handle, const PaletteRef& now) {
@@ -84,6 +80,14 @@ std::string paletteError(const WorldData& world, std::span<const PaletteEntry> e
             return "its palette names light group " + std::to_string(entry.lightGroup) + ", which is not there";
     }
     return "";
+}
+
+void updateMatter(EditContext& context, ShapeHandle handle) {
+    Shape& shape = context.world.shapes.at(handle);
+    if (!context.isNew(shape.body)) context.recordMotion(shape.body);
+    shape.moments = gridMoments(shape.grid, *shape.palette, context.world.materials);
+    context.editState(handle).otherMaterials = true;
+    if (!context.isNew(shape.body)) context.wakeBody(shape.body);
 }
 
 void apply(EditContext& context, const SetPaletteEdit& edit) {

@@ -12,4 +12,7 @@ void apply(EditContext& context, const SetPaletteEdit& edit);
 /// What the world has not that some of a palette's entries name; empty: nothing.
 std::string paletteError(const WorldData& world, std::span<const PaletteEntry> entries);
 
+/// Mass, strength and contacts of a shape follow its palette and the materials, and its body wakes.
+void updateMatter(EditContext& context, ShapeHandle shape);
+
 }  // namespace rubble

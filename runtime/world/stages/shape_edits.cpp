@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "runtime/core/log.h"
+#include "runtime/world/objects/body_mass.h"
 #include "runtime/world/objects/transforms.h"
 #include "runtime/world/stages/entry_counts.h"
 #include "runtime/world/stages/heat_moves.h"
@@ -149,7 +150,7 @@ void apply(EditContext& context, const SplitShapeEdit& edit) {
             continue;
         }
         Piece piece = takePiece(shape->grid, component);
-        const MassProperties mass = massProperties(moments, shape->voxelSize);
+        const MassProperties mass = massOf(*shape, moments);
         split.motions.push_back({shapeToWorld(context.world, edit.shape).transformPoint(mass.center), body.velocity,
                                  body.angularVelocity, mass.mass});
         split.parentOffset.push_back(piece.offset);

@@ -12,4 +12,7 @@ void apply(EditContext& context, const TrimShapeEdit& edit);
 /// Gives a shape's grid another box of cells.
 void apply(EditContext& context, const ResizeShapeEdit& edit);
 
+/// Changes what a shape is beside its voxels.
+void apply(EditContext& context, const SetShapeEdit& edit);
+
 }  // namespace rubble

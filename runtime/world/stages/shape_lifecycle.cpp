@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/world/objects/body_mass.h"
 #include "runtime/world/objects/transforms.h"
 #include "runtime/world/stages/entry_counts.h"
 #include "runtime/world/stages/heat_moves.h"
@@ -12,6 +13,17 @@
 
 namespace rubble {
 
+namespace {
+
+/// What a body that came off another keeps of how that moves.
+void inheritMotion(const Body& from, Body& body) {
+    body.gravityScale = from.gravityScale;
+    body.linearDamping = from.linearDamping;
+    body.angularDamping = from.angularDamping;
+}
+
+}  // namespace
+
 ShapeHandle createPiece(EditContext& context, ShapeHandle parentHandle, Piece piece, const MassMoments& moments,
                         PieceMotion& motion) {
     const Shape& parent = context.world.shapes.at(parentHandle);
@@ -20,7 +32,8 @@ ShapeHandle createPiece(EditContext& context, ShapeHandle parentHandle, Piece pi
     body.isStatic = false;
     body.pose = shapeToWorld(context.world, parentHandle) * Pose{glm::dvec3(piece.offset) * double(parent.voxelSize)};
     body.createdStep = context.changes.step;
-    const MassProperties mass = massProperties(moments.shifted(-piece.offset), parent.voxelSize);
+    inheritMotion(from, body);
+    const MassProperties mass = massOf(parent, moments.shifted(-piece.offset));
     motion = {.center = body.pose.transformPoint(mass.center), .mass = mass.mass};
     if (!from.isStatic) {
         const BodyMotion& before = context.motions.at(parent.body.slot());
@@ -35,6 +48,8 @@ ShapeHandle createPiece(EditContext& context, ShapeHandle parentHandle, Piece pi
     shape.tags = parent.tags;
     shape.loadBearing = parent.loadBearing;
     shape.strength = parent.strength;
+    shape.density = parent.density;
+    shape.emission = parent.emission;
     shape.collisionLayer = parent.collisionLayer;
     shape.collisionMask = parent.collisionMask;
     shape.collisionShape = parent.collisionShape;
@@ -76,6 +91,7 @@ void detachToNewBody(EditContext& context, ShapeHandle handle) {
     body.pose = shapeToWorld(context.world, handle);
     body.shapes = {handle};
     body.createdStep = context.changes.step;
+    inheritMotion(context.world.bodies.at(context.world.shapes.at(handle).body), body);
     const BodyHandle newBody = context.world.bodies.insert(std::move(body));
     Shape& shape = context.world.shapes.at(handle);
     const BodyHandle oldBody = shape.body;

@@ -20,7 +20,7 @@ void runShapeAnalysis(EditContext& context, WorldStress::Entry& entry, int64_t& 
     const glm::dvec3 gravity = glm::conjugate(shapeToWorld(context.world, entry.shape).rotation) *
                                glm::dvec3(context.world.environment.gravity);
     const StressedShape stressed{shape.grid, shape.anchors,   entry.entries,
-                                 gravity,    shape.voxelSize, settings.strengthScale * shape.strength,
+                                 gravity,    shape.voxelSize, settings.strengthScale * shape.strength / shape.density,
                                  entry.weak};
     entry.analysis.run(stressed, work, settings.cracksPerStep, entry.cracks);
     if (!entry.analysis.isIdle()) return;

@@ -165,6 +165,8 @@ Shape makeShape(const LevelShape& from, bool isStatic, const MaterialTable& mate
     shape.collisionLayer = from.collisionLayer;
     shape.collisionMask = from.collisionMask;
     shape.collisionShape = from.collisionShape;
+    shape.density = from.density;
+    shape.emission = from.emission;
     const bool needsAnchor = isStatic && from.anchors.empty();
     shape.anchors = needsAnchor ? std::vector{bottomLayer(shape.grid)}
                                 : translatedBoxes(from.anchors, glm::ivec3(0), shape.grid.size());
@@ -228,7 +230,8 @@ Level toLevel(const WorldState& world) {
             const Shape& shape = world.shapes.at(handle);
             out.shapes.push_back({shape.name, shape.local, shape.voxelSize, shape.grid, shape.palette, shape.anchors,
                                   shape.tags, false, shape.paintColors, shape.strength, shape.loadBearing,
-                                  shape.collisionLayer, shape.collisionMask, shape.collisionShape});
+                                  shape.collisionLayer, shape.collisionMask, shape.collisionShape, shape.density,
+                                  shape.emission});
             shapeNames[handle.slot()] = shape.name;
         }
         level.bodies.push_back(std::move(out));

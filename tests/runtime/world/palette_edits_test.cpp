@@ -14,7 +14,7 @@ struct TwoCubes {
         Level level = test::oneShapeLevel(solidGrid({8, 8, 8}), false);
         level.bodies.push_back({.name = "standing", .pose = {{5.0, 0.0, 0.0}}});
         level.bodies[1].shapes.push_back(test::levelShape("standing", solidGrid({8, 8, 8})));
-        level.lightGroups = {{.name = "lamp", .threshold = 0.5f}, {.name = "burnt out", .out = true}};
+        level.lightGroups = {{.name = "bulb", .threshold = 0.5f}, {.name = "burnt out", .out = true}};
         world.load(level);
         world.applyEdits({});
     }
@@ -69,16 +69,16 @@ TEST_F(PaletteEdits, WhatIsNotThereIsRefused) {
 
 TEST_F(PaletteEdits, VoxelsCountInTheirNewLightGroupAndPutItOut) {
     set({.material = 1, .emission = 5.0f, .lightGroup = 1});
-    const LightGroupHandle lamp = world.lightGroups().handleAt(0);
-    EXPECT_EQ(world.lightGroups().at(lamp).initialVoxels, 512u);
+    const LightGroupHandle bulb = world.lightGroups().handleAt(0);
+    EXPECT_EQ(world.lightGroups().at(bulb).initialVoxels, 512u);
     CarveEdit half{.kind = BrushKind::Box, .position = {0.4, 0.2, 0.4}, .halfSize = {1.0, 0.31, 1.0}};
     half.radii.fill(1.0);
     world.applyEdits({half});
-    EXPECT_TRUE(world.lightGroups().at(lamp).out);
+    EXPECT_TRUE(world.lightGroups().at(bulb).out);
     EXPECT_EQ(entryOf(first).emission, 0.0f);
     set({.material = 1, .emission = 5.0f, .lightGroup = 2});
     EXPECT_EQ(entryOf(first).emission, 0.0f) << "of a group that is out";
-    EXPECT_EQ(world.lightGroups().at(lamp).initialVoxels, world.lightGroups().at(lamp).removedVoxels);
+    EXPECT_EQ(world.lightGroups().at(bulb).initialVoxels, world.lightGroups().at(bulb).removedVoxels);
 }
 
 TEST_F(PaletteEdits, AreUndoneAndRedoneWithTheirMass) {

@@ -217,7 +217,14 @@ enum {
     RUBBLE_TOOL_EXPLOSIVE = 4
 };
 /* Hardness classes of materials. RUBBLE_HARDNESS_DEFAULT stands for RUBBLE_HARDNESS_HARD. */
-enum { RUBBLE_HARDNESS_DEFAULT = 0, RUBBLE_HARDNESS_SOFT = 1, RUBBLE_HARDNESS_MEDIUM = 2, RUBBLE_HARDNESS_HARD = 3 };
+enum {
+    RUBBLE_HARDNESS_DEFAULT = 0,
+    RUBBLE_HARDNESS_SOFT = 1,
+    RUBBLE_HARDNESS_MEDIUM = 2,
+    RUBBLE_HARDNESS_HARD = 3,
+    RUBBLE_HARDNESS_UNBREAKABLE = 4, /* of materials alone: nothing removes it */
+    RUBBLE_HARDNESS_UNPHYSICAL = 5   /* of materials alone: it is seen; nothing breaks it or touches it */
+};
 
 /* Removes the voxels inside a brush, depending on the hardness of their material. Positions are in the world. */
 typedef struct rubble_carve {
@@ -289,7 +296,9 @@ enum {
     RUBBLE_SET_AWAKE = 8,    /* any other change wakes it too; of a dynamic body */
     /* it stands still where it is: what holds its shapes to the world is as in create_shape() */
     RUBBLE_SET_STATIC = 16,
-    RUBBLE_SET_DYNAMIC = 32 /* it moves freely, as all in one: nothing holds it any more */
+    RUBBLE_SET_DYNAMIC = 32, /* it moves freely, as all in one: nothing holds it any more */
+    RUBBLE_SET_GRAVITY_SCALE = 64,
+    RUBBLE_SET_DAMPING = 128 /* linear_damping and angular_damping */
 };
 
 /* Changes where a body is and how it moves. Nothing that it meets on the way holds it back. */
@@ -301,7 +310,20 @@ typedef struct rubble_body_change {
     double rotation[4];
     double velocity[3];         /* m/s, of the centre of mass */
     double angular_velocity[3]; /* rad/s, world axes */
+    double gravity_scale;       /* multiple of the world's gravity that acts on it, -100 to 100. Pieces inherit it */
+    double linear_damping;      /* 1/s, 0 to 1000: the rate at which its velocity decays. Pieces inherit it */
+    double angular_damping;     /* 1/s: the same of its angular velocity */
 } rubble_body_change;
+
+/* What a body weighs and how it moves, as get_body_properties() gives it. */
+typedef struct rubble_body_properties {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double mass;       /* kg */
+    double center[3];  /* of mass, in the body's frame */
+    double inertia[6]; /* kg m2 about the centre, in the axes of the body's frame: xx, yy, zz, xy, yz, xz */
+    double gravity_scale, linear_damping, angular_damping; /* as in rubble_body_change */
+} rubble_body_properties;
 
 /* ---- making things ---- */
 
@@ -409,6 +431,50 @@ typedef struct rubble_voxel_box {
     int32_t size[3]; /* cells along each axis, 1 to 4096 */
 } rubble_voxel_box;
 
+/* ---- properties of shapes ---- */
+
+/* A box of cells of a shape's grid, in arrays. */
+typedef struct rubble_cell_box {
+    int32_t low[3];  /* the first cell */
+    int32_t size[3]; /* cells along each axis, 1 to 4096 */
+} rubble_cell_box;
+
+enum {
+    RUBBLE_SHAPE_STRENGTH = 1,
+    RUBBLE_SHAPE_DENSITY = 2,
+    RUBBLE_SHAPE_EMISSION = 4,
+    RUBBLE_SHAPE_LOAD = 8, /* bears_load */
+    RUBBLE_SHAPE_ANCHORS = 16
+};
+
+/* Changes what a shape is beside its voxels. Pieces inherit all of it but the anchors. */
+typedef struct rubble_shape_change {
+    uint32_t struct_size;
+    uint32_t fields; /* RUBBLE_SHAPE_...: what changes; the other values are not read */
+    rubble_shape shape;
+    double strength;     /* multiple of its materials' strengths under load, 1e-6 to 1e6 */
+    double density;      /* multiple of its materials' densities, 0.001 to 1000 */
+    double emission;     /* multiple of what its palette's entries emit, 0 to 1000 */
+    uint32_t bears_load; /* 0: neither weight nor impacts break it; 1: they do, if the settings say so */
+    /* boxes of `anchors`, at most 10000, each of which reaches into the grid: what of a static shape none of them
+     * holds comes off in the same step; 0: all of it */
+    uint32_t anchor_count;
+    const rubble_cell_box* anchors; /* copied by the call */
+} rubble_shape_change;
+
+/* What a shape is beside its voxels, as get_shape_properties() gives it. */
+typedef struct rubble_shape_properties {
+    uint32_t struct_size;
+    uint32_t bears_load;
+    double strength, density, emission; /* as in rubble_shape_change */
+    uint32_t collision_layer;           /* bits, see rubble_collision_filter */
+    uint32_t collision_mask;            /* bits */
+    uint32_t collision_shape;           /* RUBBLE_COLLISION_VOXELS ... */
+    uint32_t is_piece;                  /* 1: it came off another shape, or lost its last anchor */
+    uint32_t anchor_count;              /* of get_anchors() */
+    uint32_t reserved;
+} rubble_shape_properties;
+
 /* ---- palettes ---- */
 
 /* An entry of a shape's palette: the looks and the material of the voxels that have its index. Rows of arrays: see
@@ -437,6 +503,32 @@ typedef struct rubble_palette_range {
     uint32_t entry_size; /* sizeof(rubble_palette_entry) of the host; 0: that of version 1 */
     uint32_t reserved;
 } rubble_palette_range;
+
+/* ---- materials ---- */
+
+/* Which tools break a material, besides RUBBLE_TOOL_ANY. */
+enum {
+    RUBBLE_BREAKS_BY_SLEDGE = 1,
+    RUBBLE_BREAKS_BY_TORCH = 2,
+    RUBBLE_BREAKS_BY_GUN = 4,
+    RUBBLE_BREAKS_BY_EXPLOSIVE = 8
+};
+
+/* A row of the world's table of materials. Zeros are values here, not defaults. */
+typedef struct rubble_material {
+    uint32_t struct_size;
+    uint32_t hardness;     /* RUBBLE_HARDNESS_SOFT ... RUBBLE_HARDNESS_UNPHYSICAL */
+    const char* name;      /* UTF-8, 1 to 4096 bytes; copied by the call, and read: lives until the next step() */
+    const char* fragments; /* how it breaks: "chunk", "bond", "splinter", "pane", "tear", "crumble", "none" */
+    uint32_t density;      /* kg/m3, 0 to 30000 */
+    uint32_t tools;        /* RUBBLE_BREAKS_BY_... */
+    double tensile_strength, compressive_strength, shear_strength; /* Pa, 0 to 1e15 */
+    double friction;             /* Coulomb coefficient, 0 to 100; of two that touch the geometric mean holds */
+    double restitution;          /* speed after an impact over that before, 0 to 1; the same */
+    double heat_capacity;        /* J/(kg K), 0 to 1e6 */
+    double ignition_temperature; /* K, 0 to 1e5; 0: does not burn */
+    double burn_time;            /* s until a voxel that burns is gone, 0 to 1e6 */
+} rubble_material;
 
 /* ---- fire ---- */
 
@@ -555,8 +647,10 @@ typedef struct rubble_joint_state {
     double rope_length;                       /* metres */
 } rubble_joint_state;
 
-/* Pulls a body by a point toward a target. A hand holds one body: the same hand and body again moves the target,
- * another body lets go of the first. */
+enum { RUBBLE_GRAB_TURNS = 1 /* turns the body toward `rotation` too; without it the body hangs at the point */ };
+
+/* Pulls a body by a point toward a target, and may turn it. A hand holds one body: the same hand and body again moves
+ * the target, another body lets go of the first. Holds until release_body(). */
 typedef struct rubble_grab {
     uint32_t struct_size;
     uint32_t hand; /* any number that the host chooses, below 4294967295 */
@@ -565,6 +659,10 @@ typedef struct rubble_grab {
     double target[3];    /* world: where that point shall go */
     double max_force;    /* N; 0: 1000 */
     double spring_hertz; /* stiffness of the pull as a frequency, 0.1 to 60 Hz; 0: 4 */
+    uint32_t flags;      /* RUBBLE_GRAB_... */
+    uint32_t reserved;
+    double rotation[4]; /* RUBBLE_GRAB_TURNS: that the body's frame shall have, world */
+    double max_torque;  /* RUBBLE_GRAB_TURNS: N m; 0: no limit */
 } rubble_grab;
 
 /* Lets go of what a hand holds and may throw it. */
@@ -922,6 +1020,14 @@ enum {
     RUBBLE_SETTING_KEEP_ORIGINS = 8
 };
 
+/* How accurately bodies move, at what cost. The default is "balanced". */
+enum {
+    RUBBLE_PHYSICS_DEFAULT = 0,
+    RUBBLE_PHYSICS_FAST = 1,
+    RUBBLE_PHYSICS_BALANCED = 2,
+    RUBBLE_PHYSICS_ACCURATE = 3
+};
+
 /* How a world breaks, burns and remembers. Zeros are values here, not defaults: read the present ones with
  * get_settings(), change some, set all. Budgets count work, never time: results are the same on every machine. Bounds
  * are apart (rubble_bounds), and so is gravity (rubble_environment). */
@@ -951,7 +1057,7 @@ typedef struct rubble_settings {
     uint32_t max_fires;           /* parts of shapes that burn at a time */
     uint32_t max_hot;             /* parts of shapes that are hot, burning or wet */
     uint32_t max_fire_lights;     /* lights for the biggest fires */
-    uint32_t reserved;
+    uint32_t physics_preset;      /* RUBBLE_PHYSICS_... */
     double fire_spread;    /* multiple of the heat that fires pass on, 0 to 100 */
     double fire_burn_time; /* multiple of the materials' times, 0.001 to 1000 */
 } rubble_settings;
@@ -1082,6 +1188,50 @@ typedef struct rubble_light_settings {
     double width;       /* metres, along x */
     double height;      /* metres, along y */
 } rubble_light_settings;
+
+/* ---- light groups ---- */
+
+enum {
+    RUBBLE_GROUP_SWITCH = 1, /* on */
+    RUBBLE_GROUP_THRESHOLD = 2,
+    RUBBLE_GROUP_SUPPLY = 4 /* supply_shape and supply_cell */
+};
+
+/* A light group that create_light_group() makes. */
+typedef struct rubble_light_group_settings {
+    uint32_t struct_size;
+    uint32_t flicker_steps; /* for which it flickers before it goes out */
+    double threshold;       /* share of its voxels whose loss puts it out, 0 to 1; 0: 0.4 */
+} rubble_light_group_settings;
+
+/* Changes a light group. */
+typedef struct rubble_light_group_change {
+    uint32_t struct_size;
+    uint32_t fields; /* RUBBLE_GROUP_...: what changes; the other values are not read */
+    rubble_light_group group;
+    uint32_t on; /* 0: lights and voxels of the group are dark until it is switched on. One that is out stays dark */
+    uint32_t reserved;
+    double threshold;          /* share of its voxels whose loss puts it out, 0 to 1 */
+    rubble_shape supply_shape; /* 0: it needs no supply */
+    /* a cell of that shape where its wire begins: voxels of the material "wire", which lead to a voxel of the group in
+     * the same shape. It goes out if none do, or when they are cut */
+    int32_t supply_cell[3];
+    uint32_t reserved_2;
+} rubble_light_group_change;
+
+enum { RUBBLE_GROUP_ON = 1, RUBBLE_GROUP_OUT = 2, RUBBLE_GROUP_FAILING = 4 /* it flickers and is about to go out */ };
+
+/* A light group after the last step. */
+typedef struct rubble_light_group_state {
+    uint32_t struct_size;
+    uint32_t flags;            /* RUBBLE_GROUP_ON ... */
+    uint64_t voxels;           /* that it began with */
+    uint64_t removed_voxels;   /* of those */
+    double threshold;          /* as in rubble_light_group_change */
+    rubble_shape supply_shape; /* 0: it needs no supply */
+    int32_t supply_cell[3];
+    uint32_t reserved;
+} rubble_light_group_state;
 
 /* ---- renderer ---- */
 
@@ -1615,6 +1765,56 @@ typedef struct rubble_api {
     rubble_result (*apply_deltas)(rubble_world world, const void* data, uint64_t size);
     /* [main-thread] A hash of what deltas keep equal: all objects, voxels and settings. */
     rubble_result (*get_resolved_hash)(rubble_world world, uint64_t* out);
+
+    /* ---- materials ---- */
+
+    /* [main-thread] Replaces rows of the table of materials from the next step on, or adds rows behind its last one:
+     * row `first` and those behind it, 1 to 255. All that is of them weighs, breaks, burns and slides as they say. Rows
+     * are never removed, because palettes hold their numbers; row 0 is that of no material. */
+    rubble_result (*set_materials)(rubble_world world, uint32_t first, const rubble_material* materials,
+                                   uint32_t count);
+    /* [main-thread] A row of the table. RUBBLE_ERROR_ARGUMENT: there is no such row. */
+    rubble_result (*get_material)(rubble_world world, uint32_t index, rubble_material* out);
+    /* [main-thread] How many rows the table has, with row 0. */
+    rubble_result (*get_material_count)(rubble_world world, uint32_t* count);
+    /* [main-thread] The row of a name; of several the first. 0: there is none. */
+    rubble_result (*find_material)(rubble_world world, const char* name, uint32_t* index);
+
+    /* ---- properties of bodies and shapes ---- */
+
+    /* [main-thread] Mass, gravity and damping of a body; set_body() changes the last two. */
+    rubble_result (*get_body_properties)(rubble_world world, rubble_body body, rubble_body_properties* out);
+    /* [main-thread] Changes strength, density, emission, load or anchors of a shape; see rubble_shape_change. */
+    rubble_result (*set_shape)(rubble_world world, const rubble_shape_change* change);
+    /* [main-thread] What set_shape(), set_collision_filter() and set_collision_shape() set. */
+    rubble_result (*get_shape_properties)(rubble_world world, rubble_shape shape, rubble_shape_properties* out);
+    /* [main-thread] The boxes of cells that hold a static shape to the world. */
+    rubble_result (*get_anchors)(rubble_world world, rubble_shape shape, rubble_cell_box* out, uint32_t capacity,
+                                 uint32_t* count);
+
+    /* [main-thread] How many threads physics has from the next step on, with the one that calls step(): 1 to 64, as in
+     * rubble_world_settings. No edit: results do not depend on it, and neither saves nor recordings keep it. */
+    rubble_result (*set_physics_threads)(rubble_world world, uint32_t threads);
+
+    /* ---- fires at a place ---- */
+
+    /* [main-thread] The fire whose middle is closest to a position; of equals the first of get_fires(). max_distance:
+     * metres, 0 to 1e6. None within it: RUBBLE_OK, out->shape 0. Costs what is hot. */
+    rubble_result (*find_closest_fire)(rubble_world world, const double position[3], double max_distance,
+                                       rubble_fire* out);
+    /* [main-thread] How many fires have their middle in a box along the world's axes. Costs what is hot. */
+    rubble_result (*count_fires)(rubble_world world, const double low[3], const double high[3], uint32_t* count);
+
+    /* ---- light groups ---- */
+
+    /* [main-thread] Makes a light group, with a handle as by create_body(): for lights, and for entries of palettes
+     * whose voxels then count in it. A world keeps its groups for good. */
+    rubble_result (*create_light_group)(rubble_world world, const rubble_light_group_settings* settings,
+                                        rubble_light_group* out);
+    /* [main-thread] Switches a light group, or says what puts it out; see rubble_light_group_change. */
+    rubble_result (*set_light_group)(rubble_world world, const rubble_light_group_change* change);
+    /* [main-thread] One light group; get_objects() lists them. */
+    rubble_result (*get_light_group)(rubble_world world, rubble_light_group group, rubble_light_group_state* out);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

@@ -813,6 +813,94 @@ public:
         check(api().get_resolved_hash(m_handle, &out));
         return out;
     }
+    /** Replaces rows of the table of materials from the next step on, or adds rows behind its last one: row `first` and
+     * those behind it, 1 to 255. All that is of them weighs, breaks, burns and slides as they say. Rows are never
+     * removed, because palettes hold their numbers; row 0 is that of no material. */
+    void set_materials(uint32_t first, const rubble_material* materials, uint32_t count) {
+        check(api().set_materials(m_handle, first, materials, count));
+    }
+    /** A row of the table. RUBBLE_ERROR_ARGUMENT: there is no such row. */
+    rubble_material get_material(uint32_t index) const {
+        rubble_material out{};
+        out.struct_size = sizeof out;
+        check(api().get_material(m_handle, index, &out));
+        return out;
+    }
+    /** How many rows the table has, with row 0. */
+    std::vector<uint32_t> get_material_count() const {
+        std::vector<uint32_t> out(count);
+        check(api().get_material_count(m_handle, out.data()));
+        return out;
+    }
+    /** The row of a name; of several the first. 0: there is none. */
+    uint32_t find_material(const char* name) const {
+        uint32_t out{};
+        check(api().find_material(m_handle, name, &out));
+        return out;
+    }
+    /** Mass, gravity and damping of a body; set_body() changes the last two. */
+    rubble_body_properties get_body_properties(rubble_body body) const {
+        rubble_body_properties out{};
+        out.struct_size = sizeof out;
+        check(api().get_body_properties(m_handle, body, &out));
+        return out;
+    }
+    /** Changes strength, density, emission, load or anchors of a shape; see rubble_shape_change. */
+    void set_shape(rubble_shape_change change) {
+        change.struct_size = sizeof change;
+        check(api().set_shape(m_handle, &change));
+    }
+    /** What set_shape(), set_collision_filter() and set_collision_shape() set. */
+    rubble_shape_properties get_shape_properties(rubble_shape shape) const {
+        rubble_shape_properties out{};
+        out.struct_size = sizeof out;
+        check(api().get_shape_properties(m_handle, shape, &out));
+        return out;
+    }
+    /** The boxes of cells that hold a static shape to the world. */
+    std::vector<rubble_cell_box> get_anchors(rubble_shape shape) const {
+        return rows<rubble_cell_box, uint32_t>([&](rubble_cell_box* out, uint32_t capacity, uint32_t* count) {
+            return api().get_anchors(m_handle, shape, out, capacity, count);
+        });
+    }
+    /** How many threads physics has from the next step on, with the one that calls step(): 1 to 64, as in
+     * rubble_world_settings. No edit: results do not depend on it, and neither saves nor recordings keep it. */
+    void set_physics_threads(uint32_t threads) {
+        check(api().set_physics_threads(m_handle, threads));
+    }
+    /** The fire whose middle is closest to a position; of equals the first of get_fires(). max_distance: metres, 0 to
+     * 1e6. None within it: RUBBLE_OK, out->shape 0. Costs what is hot. */
+    rubble_fire find_closest_fire(const double (&position)[3], double max_distance) const {
+        rubble_fire out{};
+        check(api().find_closest_fire(m_handle, position, max_distance, &out));
+        return out;
+    }
+    /** How many fires have their middle in a box along the world's axes. Costs what is hot. */
+    std::vector<uint32_t> count_fires(const double (&low)[3], const double (&high)[3]) {
+        std::vector<uint32_t> out(count);
+        check(api().count_fires(m_handle, low, high, out.data()));
+        return out;
+    }
+    /** Makes a light group, with a handle as by create_body(): for lights, and for entries of palettes whose voxels
+     * then count in it. A world keeps its groups for good. */
+    rubble_light_group create_light_group(rubble_light_group_settings settings) {
+        settings.struct_size = sizeof settings;
+        rubble_light_group out{};
+        check(api().create_light_group(m_handle, &settings, &out));
+        return out;
+    }
+    /** Switches a light group, or says what puts it out; see rubble_light_group_change. */
+    void set_light_group(rubble_light_group_change change) {
+        change.struct_size = sizeof change;
+        check(api().set_light_group(m_handle, &change));
+    }
+    /** One light group; get_objects() lists them. */
+    rubble_light_group_state get_light_group(rubble_light_group group) const {
+        rubble_light_group_state out{};
+        out.struct_size = sizeof out;
+        check(api().get_light_group(m_handle, group, &out));
+        return out;
+    }
 private:
     void release() noexcept {
         if (m_handle) api().destroy_world(std::exchange(m_handle, 0));

@@ -1,0 +1,46 @@
+#include <utility>
+
+#include "runtime/world/stages/palette_edits.h"
+#include "runtime/world/stages/shape_edits.h"
+
+namespace rubble {
+namespace {
+
+/// A standing shape is analysed again: its strength, weight or supports are others, or it bears no load any more.
+void restartStressOf(EditContext& context, ShapeHandle handle) {
+    if (!context.world.stress) return;
+    context.world.stress->remove(handle);
+    context.world.addStress(handle);
+}
+
+/// What no anchor holds any more comes off, as after a cut.
+void setAnchors(EditContext& context, ShapeHandle handle, const std::vector<CellBox>& anchors) {
+    Shape& shape = context.world.shapes.at(handle);
+    shape.anchors = translatedBoxes(anchors, glm::ivec3(0), shape.grid.size());
+    if (!context.world.bodies.at(shape.body).isStatic) return;
+    shape.knownConnected = false;
+    context.editState(handle).lostVoxels = true;
+}
+
+}  // namespace
+
+void apply(EditContext& context, const SetShapeEdit& edit) {
+    Shape* shape = context.world.shapes.find(edit.shape);
+    if (!shape)
+        return context.warnStale(edit.shape, "set_shape: the handle of its shape is stale; nothing was changed");
+    if (edit.setsEmission && std::exchange(shape->emission, edit.emission) != edit.emission)
+        context.listPalette(edit.shape);
+    if (!(edit.setsStrength || edit.setsDensity || edit.setsLoad || edit.setsAnchors)) return;
+    context.changes.filters.push_back(edit.shape);
+    if (edit.setsStrength) shape->strength = edit.strength;
+    if (edit.setsLoad) shape->loadBearing = edit.loadBearing;
+    if (edit.setsAnchors) setAnchors(context, edit.shape, edit.anchors);
+    if (edit.setsDensity && shape->density != edit.density) {
+        if (!context.isNew(shape->body)) context.recordMotion(shape->body);
+        shape->density = edit.density;
+        updateMatter(context, edit.shape);
+    }
+    restartStressOf(context, edit.shape);
+}
+
+}  // namespace rubble

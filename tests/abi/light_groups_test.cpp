@@ -1,0 +1,131 @@
+#include "tests/abi/create_fixture.h"
+#include "tests/support/temp_folder.h"
+
+namespace rubble {
+namespace {
+
+/// A bulb that a host makes: a bar of wire with a glowing end, in a group of its own.
+class AbiLightGroups : public AbiCreate {
+protected:
+    void SetUp() override {
+        AbiCreate::SetUp();
+        auto settings = sized<rubble_light_group_settings>();
+        settings.threshold = 0.5;
+        ASSERT_EQ(api()->create_light_group(m_world, &settings, &m_group), RUBBLE_OK) << api()->get_last_error();
+        auto bar = shapeOn(make(bodyAt(10.0, 0.0, RUBBLE_BODY_STATIC)), RUBBLE_SHAPE_INDICES, 1);
+        const uint8_t cells[10] = {2, 2, 2, 2, 2, 2, 2, 2, 3, 3};  // 2 wire, 3 the glowing end
+        bar.size[1] = 10, bar.indices = cells, bar.count = 10;
+        m_bulb = make(bar);
+        auto range = sized<rubble_palette_range>();
+        range.shape = m_bulb, range.first = 2, range.count = 2;
+        rubble_palette_entry entries[2] = {};
+        entries[0].material = 18, entries[0].opacity = 255;
+        entries[1].material = 1, entries[1].opacity = 255, entries[1].emission = 8.0, entries[1].light_group = m_group;
+        ASSERT_EQ(api()->set_palette(m_world, &range, entries), RUBBLE_OK) << api()->get_last_error();
+        step();
+    }
+    rubble_light_group_state state() {
+        auto out = sized<rubble_light_group_state>();
+        EXPECT_EQ(api()->get_light_group(m_world, m_group, &out), RUBBLE_OK) << api()->get_last_error();
+        return out;
+    }
+    rubble_light_group_change change(uint32_t fields) {
+        auto out = sized<rubble_light_group_change>();
+        out.group = m_group, out.fields = fields;
+        return out;
+    }
+    void set(const rubble_light_group_change& to) {
+        ASSERT_EQ(api()->set_light_group(m_world, &to), RUBBLE_OK) << api()->get_last_error();
+    }
+    void carveAt(double y) {
+        auto carve = sized<rubble_carve>();
+        carve.brush = RUBBLE_BRUSH_BOX;
+        carve.position[0] = 10.05, carve.position[1] = y, carve.position[2] = 0.05;
+        for (double& half : carve.half_size) half = 0.04;
+        ASSERT_EQ(api()->carve(m_world, &carve), RUBBLE_OK);
+    }
+    rubble_light_group m_group = 0;
+    rubble_shape m_bulb = 0;
+};
+
+TEST_F(AbiLightGroups, VoxelsThatComeToAGroupCountInIt) {
+    EXPECT_EQ(state().voxels, 2u);
+    EXPECT_EQ(state().flags, uint32_t(RUBBLE_GROUP_ON));
+    EXPECT_EQ(state().threshold, 0.5);
+    carveAt(0.95);
+    step();
+    EXPECT_EQ(state().removed_voxels, 1u);
+    EXPECT_TRUE(state().flags & RUBBLE_GROUP_OUT);
+}
+
+TEST_F(AbiLightGroups, AreSwitchedOffAndOnRecordedAndUndone) {
+    const TempFolder folder;
+    const std::string log = folder / "game.rubblelog", save = folder / "game.rubble";
+    ASSERT_EQ(api()->set_undo_limit(m_world, 2), RUBBLE_OK);
+    step();
+    ASSERT_EQ(api()->start_recording(m_world, log.c_str()), RUBBLE_OK);
+    ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
+    const uint64_t lit = hash();
+    set(change(RUBBLE_GROUP_SWITCH));
+    step();
+    EXPECT_EQ(state().flags, 0u);
+    EXPECT_NE(hash(), lit);
+    auto range = sized<rubble_palette_range>();
+    range.shape = m_bulb, range.first = 3, range.count = 1;
+    rubble_palette_entry entry = {};
+    ASSERT_EQ(api()->get_palette(m_world, &range, &entry), RUBBLE_OK);
+    EXPECT_EQ(entry.emission, 8.0) << "a switch forgets nothing";
+    const uint64_t end = hash();
+    ASSERT_EQ(api()->stop_recording(m_world), RUBBLE_OK);
+    ASSERT_EQ(api()->save_game(m_world, save.c_str()), RUBBLE_OK);
+    ASSERT_EQ(api()->undo(m_world), RUBBLE_OK);
+    step();
+    EXPECT_EQ(state().flags, uint32_t(RUBBLE_GROUP_ON));
+    uint64_t steps = 0;
+    ASSERT_EQ(api()->play_recording(m_world, log.c_str(), &steps), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(hash(), end);
+    EXPECT_EQ(state().flags, 0u);
+    ASSERT_EQ(api()->load_game(m_world, save.c_str()), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(hash(), end);
+    EXPECT_EQ(state().flags, 0u);
+}
+
+TEST_F(AbiLightGroups, AWireFeedsAGroupUntilItIsCut) {
+    rubble_light_group_change supply = change(RUBBLE_GROUP_SUPPLY);
+    supply.supply_shape = m_bulb;
+    set(supply);
+    step(2);
+    EXPECT_EQ(state().flags, uint32_t(RUBBLE_GROUP_ON)) << "wire leads from cell 0 to the end";
+    EXPECT_EQ(state().supply_shape, m_bulb);
+    carveAt(0.45);
+    step(2);
+    EXPECT_TRUE(state().flags & RUBBLE_GROUP_OUT);
+}
+
+TEST_F(AbiLightGroups, ASupplyWithoutWireFeedsNothing) {
+    rubble_light_group_change supply = change(RUBBLE_GROUP_SUPPLY);
+    supply.supply_shape = shapes().at(0).shape;
+    set(supply);
+    step(2);
+    EXPECT_TRUE(state().flags & RUBBLE_GROUP_OUT);
+}
+
+TEST_F(AbiLightGroups, BadArgumentsAreRefused) {
+    const auto refused = [&](const rubble_light_group_change& to, rubble_result code, const char* word) {
+        expectRefused(api()->set_light_group(m_world, &to), code, word);
+    };
+    refused(change(0), RUBBLE_ERROR_ARGUMENT, "fields is 0");
+    refused(change(8), RUBBLE_ERROR_ARGUMENT, "fields has unknown bits");
+    rubble_light_group_change wrong = change(RUBBLE_GROUP_THRESHOLD);
+    wrong.threshold = 2.0;
+    refused(wrong, RUBBLE_ERROR_ARGUMENT, "threshold is 2");
+    wrong = change(RUBBLE_GROUP_SWITCH), wrong.on = 2;
+    refused(wrong, RUBBLE_ERROR_ARGUMENT, "on is 2, expected 0 to 1");
+    wrong = change(RUBBLE_GROUP_SWITCH), wrong.group = m_bulb;
+    refused(wrong, RUBBLE_ERROR_STALE, "group");
+    wrong = change(RUBBLE_GROUP_SWITCH), wrong.reserved_2 = 1;
+    refused(wrong, RUBBLE_ERROR_ARGUMENT, "reserved_2 is 1");
+}
+
+}  // namespace
+}  // namespace rubble
