@@ -18,6 +18,7 @@ FrameLoop::FrameLoop(const FrameLoopSettings& settings)
       m_publish(settings.publish),
       m_waitForShadow(settings.waitForShadow) {
     if (settings.shadowVolume) m_shadow = std::make_unique<ShadowWorker>(settings.shadow);
+    if (settings.copyShadow) m_shadowCopy = std::make_unique<ShadowCopy>();
 }
 
 FrameLoop::~FrameLoop() {
@@ -185,6 +186,7 @@ void FrameLoop::publish(const FrameChanges& changes) {
     m_shadowLag = changes.step - m_shadow->publishedVersion();
     if (m_waitForShadow) m_shadow->waitFor(changes.step);
     std::vector<ShadowPatches> patches = m_shadow->takePatches();
+    if (m_shadowCopy) m_shadowCopy->follow(patches);
     if (m_publish) m_snapshots.publish(changes, changedPoses(), m_world, std::move(patches), m_physics.impacts());
 }
 

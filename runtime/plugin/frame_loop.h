@@ -12,6 +12,7 @@
 #include "runtime/core/thread_pool.h"
 #include "runtime/frame/snapshots.h"
 #include "runtime/plugin/recorder.h"
+#include "runtime/shadow/shadow_copy.h"
 #include "runtime/shadow/shadow_worker.h"
 #include "runtime/world/world.h"
 
@@ -24,6 +25,7 @@ struct FrameLoopSettings {
     int physicsThreads = 1;  ///< with the one that steps; above 1: they replace physics.parallelFor, with the same bits
     ShadowWorker::Mode shadow = ShadowWorker::Mode::Thread;
     bool shadowVolume = true;    ///< false: nothing is drawn with rays, and step() does no work for them
+    bool copyShadow = false;     ///< keeps the shadow volume for hosts that draw themselves
     bool publish = true;         ///< false: for worlds that nobody draws
     ParticleSettings particles;  ///< particles are only drawn: they change nothing in the world
     bool waitForShadow = false;  ///< each step waits for its shadow volume: frames do not depend on timing
@@ -81,6 +83,8 @@ public:
     PhysicsWorld& physics() { return m_physics; }
     /// Keeps the shadow volume up to date; null without one. [main-thread]
     ShadowWorker* shadow() { return m_shadow.get(); }
+    /// The shadow volume as last published; null: nobody keeps it. [main-thread]
+    ShadowCopy* shadowCopy() { return m_shadowCopy.get(); }
     /// The journal of the last step's edits; valid until the next step. Empty where the world was replaced.
     /// [main-thread]
     const FrameChanges& changes() const { return m_changes; }
@@ -108,6 +112,7 @@ private:
     std::unique_ptr<ThreadPool> m_threads;  ///< of physics; null: it has none of its own
     PhysicsWorld m_physics;
     std::unique_ptr<ShadowWorker> m_shadow;
+    std::unique_ptr<ShadowCopy> m_shadowCopy;  ///< null: nobody asks for it
     Snapshots m_snapshots;
     EditQueue m_edits;
     /// Edits of the last step's impacts, and those that waited when the game was saved. They come before the host's.

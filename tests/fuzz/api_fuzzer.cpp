@@ -167,6 +167,8 @@ void RandomHost::callState() {
     bounds.rule = whole(3), place(bounds.low), place(bounds.high);
     if (m_decisions.oneIn(2)) api().set_bounds(m_world, &bounds);
     callObjects();
+    callReports();
+    callBricks();
     const uint64_t stale = any({});
     api().set_debug_view(stale, "normal");
     api().destroy_renderer(stale);
@@ -212,6 +214,7 @@ rubble_world RandomHost::makeWorld() {
     rubble_world_settings settings = {};
     settings.struct_size = sizeof settings;
     settings.flags = m_decisions.oneIn(8) ? RUBBLE_WORLD_SHADOW_INLINE : RUBBLE_WORLD_NO_RENDERER;
+    if (m_decisions.oneIn(8)) settings.flags |= RUBBLE_WORLD_SHADOW_DATA;
     settings.physics_threads = m_decisions.oneIn(16) ? 3 : 0;
     rubble_world world = 0;
     if (api().create_world(&settings, &world) != RUBBLE_OK) fail("create_world");

@@ -140,6 +140,10 @@ private:
     void callQuery();
     void callState();
     void callObjects();
+    /// What only those get who ask.
+    void callReports();
+    /// Copies of bricks.
+    void callBricks();
     void callUndo();
     void callFile();
     void saveAndLoad();
@@ -157,7 +161,7 @@ private:
 
     Decisions& m_decisions;
     uint32_t m_wildness;
-    uint64_t m_old = 0;
+    uint64_t m_old = 0, m_brickVersion = 0, m_shadowVersion = 0;
     rubble_world m_world = 0, m_other = 0;  ///< the other: of the same level, or 0
     std::vector<uint64_t> m_foreign;        ///< handles of the other
     std::optional<WorldModel> m_model;

@@ -62,7 +62,19 @@ namespace rubble::abi {
     X(rubble_light_settings, 168)     \
     X(rubble_renderer_settings, 32)   \
     X(rubble_view, 96)                \
-    X(rubble_draw_stats, 48)
+    X(rubble_draw_stats, 48)          \
+    X(rubble_report_filter, 40)       \
+    X(rubble_contact, 128)            \
+    X(rubble_break_report, 48)        \
+    X(rubble_joint_report, 56)        \
+    X(rubble_fire_report, 40)         \
+    X(rubble_water_report, 56)        \
+    X(rubble_footstep, 56)            \
+    X(rubble_reports, 80)             \
+    X(rubble_brick, 16)               \
+    X(rubble_brick_changes, 24)       \
+    X(rubble_mesh_vertex, 36)         \
+    X(rubble_shadow_brick, 536)
 
 /// The size of a struct in the first version that had it; for handles and numbers their size.
 template <class T>

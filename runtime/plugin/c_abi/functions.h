@@ -40,5 +40,9 @@ void setRendererFunctions(rubble_api& api);
 void setObjectFunctions(rubble_api& api);
 /// Sets set_settings() and get_settings().
 void setSettingsFunctions(rubble_api& api);
+/// Sets set_report_filter() and get_reports().
+void setReportFunctions(rubble_api& api);
+/// Sets the functions of bricks: what changed, their meshes and data, and those of the shadow volume.
+void setBrickFunctions(rubble_api& api);
 
 }  // namespace rubble::abi

@@ -23,7 +23,7 @@ rubble_result loadGame(rubble_world world, const char* path) {
         Result<SavedGame> game = readSave(path, hosted.loop.world().id());
         if (!game) return refuse(RUBBLE_ERROR_FILE, "{}", game.error());
         change(hosted, [&] { hosted.loop.load(std::move(*game)); });
-        hosted.events.clear();
+        hosted.forgetSteps();
     });
 }
 
@@ -57,10 +57,10 @@ rubble_result playRecording(rubble_world world, const char* path, uint64_t* step
         Result<Recording> recording = readRecording(path, loop.world().id());
         if (!recording) return refuse(RUBBLE_ERROR_FILE, "{}", recording.error());
         change(hosted, [&] { loop.load(std::move(recording->start)); });
-        hosted.events.clear();
+        hosted.forgetSteps();
         for (const RecordedStep& step : recording->steps) {
             change(hosted, [&] { loop.replay(step); });
-            hosted.events.fill(loop.changes());
+            hosted.listStep();
             if (loop.world().hash() != step.hash)
                 return refuse(RUBBLE_ERROR_FILE,
                               "{}: step {}: expected the recorded state hash, found another: the recording was made by "

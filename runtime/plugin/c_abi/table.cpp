@@ -27,6 +27,8 @@ rubble_api makeTable() {
     setObjectFunctions(api);
     setSettingsFunctions(api);
     setRendererFunctions(api);
+    setReportFunctions(api);
+    setBrickFunctions(api);
     return api;
 }
 
