@@ -2,6 +2,7 @@
 
 #include "physics/collision/impacts.h"
 #include "physics/physics_impl.h"
+#include "physics/stages/physics_reports.h"
 #include "physics/stages/sleep.h"
 
 namespace rubble {
@@ -15,6 +16,7 @@ void PhysicsWorld::load(const World& world) {
     m_impl->bodies.limits().setCounts(counts);
     m_impl->load(world);
     m_impl->ground.update(world, m_impl->bodies, false);
+    if (m_reports && world.data().levelReplaced) m_reports->forget();
 }
 
 void PhysicsWorld::apply(const FrameChanges& changes, const World& world) {
@@ -24,6 +26,7 @@ void PhysicsWorld::apply(const FrameChanges& changes, const World& world) {
     impl.applyChanges(changes, world);
     impl.ground.update(world, impl.bodies, true);
     impl.applyImpulses(changes);
+    if (m_reports) m_reports->addEdited(changes, world);
     for (const BodyHandle handle : changes.settled)
         if (DynamicBody* body = impl.bodies.find(handle)) body->settled = body->asleep();
     impl.bodies.budget().setDebrisLimit(world.settings().debris.awakeBodies);
@@ -44,6 +47,8 @@ void PhysicsWorld::step() {
     impl.joints.begin();
     impl.bodies.wakeWaiting();
     impl.joints.wakeJointed(impl.bodies);
+    PhysicsReports* const reports = m_reports.get();
+    if (reports) reports->begin();
     if (!impl.bodies.awake().empty()) {
         for (const uint32_t slot : impl.bodies.awake()) {
             DynamicBody& body = impl.bodies.at(slot);
@@ -51,6 +56,7 @@ void PhysicsWorld::step() {
             body.motion.gravityScale = float(body.gravityScale);
             impl.work += body.damp(settings.stepSeconds);
             if (waters) impl.work += waters->applyForces(body, impl.gravity, settings.stepSeconds);
+            if (reports && body.inWater) reports->addInWater(body, impl.waters.inSlot(body.waterSlot));
             impl.bodies.limits().clamp(body);  // contacts are searched along the motion
         }
         impl.contacts.find(impl.bodies, impl.joints.table(), settings);
@@ -64,6 +70,7 @@ void PhysicsWorld::step() {
         impl.work += impl.joints.work();
         impl.joints.findBroken();
         impl.bodies.quarantineInvalid();
+        if (reports) reports->addContacts(impl.contacts.manifolds(), impl.bodies);
         putToSleep(impl.bodies, impl.contacts.manifolds(), impl.joints, settings, impl.gravity,
                    impl.solver.bodyCount());
         impl.contacts.keepResting();
@@ -94,6 +101,20 @@ std::span<const JointHandle> PhysicsWorld::jointBreaks() const {
 
 std::span<const RopeMotion> PhysicsWorld::ropes() const {
     return m_impl->joints.ropeMotions();
+}
+
+void PhysicsWorld::report(const ReportFilter& filter) {
+    if (!filter.any()) return m_reports.reset();
+    if (m_reports) return m_reports->setFilter(filter);
+    m_reports = std::make_unique<PhysicsReports>(filter);
+}
+
+std::span<const ReportedContact> PhysicsWorld::contacts() const {
+    return m_reports ? m_reports->contacts() : std::span<const ReportedContact>();
+}
+
+std::span<const WaterEntry> PhysicsWorld::waterEntries() const {
+    return m_reports ? m_reports->waterEntries() : std::span<const WaterEntry>();
 }
 
 PhysicsStats PhysicsWorld::stats() const {

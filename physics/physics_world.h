@@ -6,6 +6,7 @@
 #include "physics/stages/physics_settings.h"
 #include "runtime/world/history/frame_changes.h"
 #include "runtime/world/impacts/impact.h"
+#include "runtime/world/impacts/reported_contact.h"
 #include "runtime/world/world.h"
 
 namespace rubble {
@@ -22,6 +23,8 @@ struct PhysicsStats {
     /// grab. All else can only take energy from them.
     double work = 0.0;
 };
+
+class PhysicsReports;
 
 /// Rigid bodies made of voxels, with joints, ropes, water and characters. It follows a World: load() begins, apply()
 /// takes over its changes, step() moves the bodies, and copyMotion() writes the result back. Positions are double; each
@@ -58,12 +61,19 @@ public:
     virtual std::span<const JointHandle> jointBreaks() const;
     /// Ropes that moved in the last step, in slot order.
     virtual std::span<const RopeMotion> ropes() const;
+    /// What to report of steps from the next one on; by default nothing, at no cost.
+    virtual void report(const ReportFilter& filter);
+    /// Contacts of the last step that were asked for, in a fixed order.
+    virtual std::span<const ReportedContact> contacts() const;
+    /// Bodies that got into water in the last step, if that was asked for, in slot order.
+    virtual std::span<const WaterEntry> waterEntries() const;
     /// Counts of now and of the last step.
     virtual PhysicsStats stats() const;
 
 private:
     struct Impl;
     std::unique_ptr<Impl> m_impl;
+    std::unique_ptr<PhysicsReports> m_reports;  ///< null: nothing is asked for
 };
 
 /// Writes to World what moved in the last step: the poses of bodies, ropes and characters.

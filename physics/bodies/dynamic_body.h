@@ -25,6 +25,8 @@ public:
 
     /// The part of its collider that is one of its shapes; null: it is none of them.
     ColliderPart* partOf(ShapeHandle shape) const;
+    /// The shapes of the collider's parts, in their order.
+    const std::vector<ShapeHandle>& shapes() const { return m_shapes; }
     /// Puts it to sleep, with velocities of 0, or wakes it, with a new sleep timer. The broadphase is not told.
     void setAsleep(bool asleep);
     /// Makes it rest again before it may sleep: what acts on it has changed.
@@ -79,6 +81,7 @@ public:
     std::vector<uint32_t> sleepersTouched;  ///< slots of bodies that it must wake when it moves
     bool touching = false;                  ///< had a contact in the last step
     bool inWater = false;                   ///< was in water in the last step
+    uint32_t waterSlot = 0;                 ///< of that water, of several the lowest
     double gravityScale = 1.0;              ///< of World's body, as what follows
     double linearDamping = 0.0, angularDamping = 0.0;
     bool isDebris = false;    ///< counts in the budget of awake debris

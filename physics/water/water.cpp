@@ -60,6 +60,7 @@ double WaterVolumes::applyForces(DynamicBody& body, glm::dvec3 gravity, double s
             addSubmersion(*body.object.collider.parts[i], body.object.cellTransforms()[i],
                           body.object.pose.position + toMiddle, water, sum);
         if (!(sum.volume > 0.0)) continue;
+        if (!(displaced > 0.0)) body.waterSlot = slot;
         const double share = sum.volume * water.density * motion.inverseMass;
         displaced += share;
         spring += sum.waterline * water.density * glm::length(gravity) * motion.inverseMass * seconds * seconds;

@@ -16,11 +16,14 @@ public:
     std::optional<WorldBox> set(uint32_t slot, const Water* water);
     /// Whether there is no water.
     bool empty() const { return m_count == 0; }
-    /// The forces of a step on an awake body, before contacts: lowers its gravityScale, sets its inWater, and changes
-    /// its velocities; see water.cpp for the formulas. gravity: m/s2. Returns joules: the work of drag and torques.
+    /// The forces of a step on an awake body, before contacts: lowers its gravityScale, sets its inWater and waterSlot,
+    /// and changes its velocities; see water.cpp for the formulas. gravity: m/s2. Returns joules: the work of drag and
+    /// torques.
     double applyForces(DynamicBody& body, glm::dvec3 gravity, double seconds);
     /// The water that a point is in, world; null: none.
     const Water* at(glm::dvec3 point) const;
+    /// The water of a slot, which must have one.
+    const Water& inSlot(uint32_t slot) const { return *m_waters[slot]; }
 
 private:
     std::vector<std::optional<Water>> m_waters;  ///< by slot

@@ -184,11 +184,4 @@ PaintResult paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, std::span<
     return coverLayer(grid, colors, ListedVoxels{cells, paint});
 }
 
-Srgb paintOver(Srgb base, Srgb paint, int steps) {
-    Srgb out;
-    for (size_t i = 0; i < 3; ++i)
-        out[i] = uint8_t((base[i] * (kPaintSteps - steps) + paint[i] * steps + kPaintSteps / 2) / kPaintSteps);
-    return out;
-}
-
 }  // namespace rubble

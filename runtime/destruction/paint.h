@@ -50,7 +50,4 @@ PaintResult paintPalette(VoxelGrid& grid, const PaletteRef& palette, std::span<c
 PaintResult paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, std::span<const BrickSubset> cells,
                        const Paint& paint);
 
-/// Blends `paint` over an sRGB colour with a weight of `steps` sixteenths; shaders/lib/paint.glsl does the same.
-Srgb paintOver(Srgb base, Srgb paint, int steps);
-
 }  // namespace rubble

@@ -14,7 +14,7 @@ void FrameLoop::keepDeltas(bool on) {
         std::make_unique<Recorder>(m_world, [to = m_deltas.get()](const RecordedStep& step) { to->add(step); });
 }
 
-Result<Done> FrameLoop::follow(const Deltas& deltas) {
+Result<Done> FrameLoop::follow(const Deltas& deltas, const std::function<void()>& afterStep) {
     for (const RecordedStep& step : deltas.steps) {
         if (step.step == deltas.start + 1) m_followedStart = deltas.start, m_followedPalettes.clear();
         if (step.step != m_world.step() + 1 || deltas.start != m_followedStart)
@@ -23,6 +23,7 @@ Result<Done> FrameLoop::follow(const Deltas& deltas) {
                             "since step {}",
                             m_world.step() + 1, m_followedStart, step.step, deltas.start)};
         if (Result<Done> done = followStep(step); !done) return done;
+        afterStep();
     }
     return Done{};
 }

@@ -21,6 +21,7 @@ FrameLoop::FrameLoop(const FrameLoopSettings& settings)
     useThreads(settings.physicsThreads);
     if (!settings.hostPhysics) m_physics = makePhysics(physicsSettings());
     if (settings.shadowVolume) m_shadow = std::make_unique<ShadowWorker>(settings.shadow);
+    if (settings.copyShadow) m_shadowCopy = std::make_unique<ShadowCopy>();
 }
 
 FrameLoop::~FrameLoop() {
@@ -46,6 +47,10 @@ PhysicsSettings FrameLoop::physicsSettings() const {
 void FrameLoop::setPhysicsThreads(int threads) {
     useThreads(threads);
     if (m_physics) m_physics->setSettings(physicsSettings());
+}
+
+void FrameLoop::report(const ReportFilter& filter) {
+    if (m_physics) m_physics->report(filter);
 }
 
 void FrameLoop::followPhysicsPreset() {
@@ -276,6 +281,7 @@ void FrameLoop::publish(const FrameChanges& changes, std::span<const BodyPose> m
     m_shadowLag = changes.step - m_shadow->publishedVersion();
     if (m_waitForShadow) m_shadow->waitFor(changes.step);
     std::vector<ShadowPatches> patches = m_shadow->takePatches();
+    if (m_shadowCopy) m_shadowCopy->follow(patches);
     if (m_publish) m_snapshots.publish(changes, moved, m_world, std::move(patches), impacts);
 }
 

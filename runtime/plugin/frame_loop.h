@@ -14,6 +14,7 @@
 #include "runtime/core/thread_pool.h"
 #include "runtime/frame/snapshots.h"
 #include "runtime/plugin/recorder.h"
+#include "runtime/shadow/shadow_copy.h"
 #include "runtime/shadow/shadow_worker.h"
 #include "runtime/world/world.h"
 
@@ -30,6 +31,7 @@ struct FrameLoopSettings {
     ParallelFor parallelFor;  ///< of a host, in place of physicsThreads; none: those
     ShadowWorker::Mode shadow = ShadowWorker::Mode::Thread;
     bool shadowVolume = true;    ///< false: nothing is drawn with rays, and step() does no work for them
+    bool copyShadow = false;     ///< keeps the shadow volume for hosts that draw themselves
     bool publish = true;         ///< false: for worlds that nobody draws
     ParticleSettings particles;  ///< particles are only drawn: they change nothing in the world
     bool waitForShadow = false;  ///< each step waits for its shadow volume: frames do not depend on timing
@@ -66,8 +68,8 @@ public:
     DeltaWriter* deltas() { return m_deltas.get(); }
     /// [main-thread] Carries out what another world's deltas say, if this one is what that was before them: edits
     /// that wait here, and damage of this world's impacts, wait on. After an error the World is as after the last good
-    /// step. The next step() rebuilds physics.
-    Result<Done> follow(const Deltas& deltas);
+    /// step. The next step() rebuilds physics. afterStep: called after each good step, when changes() is of that.
+    Result<Done> follow(const Deltas& deltas, const std::function<void()>& afterStep);
     /// [main-thread] Repeats a recorded step from its edits and what the host's physics did before it. If World and
     /// physics are in the state before that step, the hash after it is the recorded one.
     void replay(const RecordedStep& step);
@@ -101,8 +103,12 @@ public:
     void setPhysicsThreads(int threads);
     /// Its physics, for statistics; null: the host moves the bodies. [main-thread]
     const PhysicsWorld* physics() const { return m_physics.get(); }
+    /// What its physics reports from the next step on; see PhysicsWorld::report(). [main-thread]
+    void report(const ReportFilter& filter);
     /// Keeps the shadow volume up to date; null without one. [main-thread]
     ShadowWorker* shadow() { return m_shadow.get(); }
+    /// The shadow volume as last published; null: nobody keeps it. [main-thread]
+    ShadowCopy* shadowCopy() { return m_shadowCopy.get(); }
     /// The journal of the last step's edits; valid until the next step. Empty where the world was replaced.
     /// [main-thread]
     const FrameChanges& changes() const { return m_changes; }
@@ -147,6 +153,7 @@ private:
     ParallelFor m_parallelFor;                ///< on those threads, or the host's
     std::unique_ptr<PhysicsWorld> m_physics;  ///< null: the host moves the bodies
     std::unique_ptr<ShadowWorker> m_shadow;
+    std::unique_ptr<ShadowCopy> m_shadowCopy;  ///< null: nobody asks for it
     Snapshots m_snapshots;
     EditQueue m_edits;
     /// Edits of the last step's impacts, and those that waited when the game was saved. They come before the host's.

@@ -26,6 +26,14 @@ constexpr int paintSteps(uint8_t paint) {
 
 using Srgb = std::array<uint8_t, 3>;
 
+/// Blends `paint` over an sRGB colour with a weight of `steps` sixteenths; shaders/lib/paint.glsl does the same.
+constexpr Srgb paintOver(Srgb base, Srgb paint, int steps) {
+    Srgb out{};
+    for (size_t i = 0; i < 3; ++i)
+        out[i] = uint8_t((base[i] * (kPaintSteps - steps) + paint[i] * steps + kPaintSteps / 2) / kPaintSteps);
+    return out;
+}
+
 /// The squared distance of two colours in sRGB, 0 to 3 * 255^2.
 constexpr int distanceSquared(const Srgb& a, const Srgb& b) {
     int sum = 0;

@@ -4,7 +4,7 @@ uniform texels1 uPaint;       // 128 texels a painted brick, a byte a voxel: col
 uniform texels1 uPaintColors;  // 16 texels a shape: sRGB colours 1 to 15
 
 /// Colour (sRGB) of a voxel: its material's colour, mixed with its paint by steps of a sixteenth. The same as
-/// paintOver() in runtime/destruction/paint.cpp. slot: of the voxel's brick.
+/// paintOver() in runtime/voxel/paint_colors.h. slot: of the voxel's brick.
 vec3 paintedColor(int body, Layout shape, int slot, ivec3 cell, vec3 color) {
     if ((shape.flags & kHasPaint) == 0u) return color;
     uint brick = fetch1(uPaintSlots, slot);

@@ -497,6 +497,53 @@ static void use_properties(void) {
     CHECK(count == 1 && anchor.low[1] == 0 && anchor.size[1] == 1);
 }
 
+/* What a host hears: a crate that falls on a block. */
+static void use_reports(void) {
+    const rubble_body ground = make_body(80.0, 0.0, 0.0, RUBBLE_BODY_STATIC), crate = make_body(80.2, 1.2, 0.2, 0);
+    const rubble_shape floor = make_box(ground, 10, 10, 10, 6), box = make_box(crate, 4, 4, 4, 5);
+    rubble_report_filter filter = {.struct_size = sizeof filter};
+    rubble_reports reports = {.struct_size = sizeof reports};
+    uint32_t heard = 0;
+    filter.kinds = RUBBLE_REPORT_CONTACT_BEGUN, filter.min_impulse = 0.1;
+    OK(api->set_report_filter(world, &filter));
+    for (int i = 0; i < 60; ++i) {
+        steps(1);
+        OK(api->get_reports(world, &reports));
+        for (uint32_t j = 0; j < reports.contact_count; ++j) {
+            const rubble_contact* contact = &reports.contacts[j];
+            if (contact->shapes[0] != box || contact->shapes[1] != floor) continue;
+            CHECK(contact->materials[0] == 5 && contact->materials[1] == 6 && contact->hit_speed > 0.1);
+            ++heard;
+        }
+    }
+    CHECK(heard > 0); /* it may bounce */
+}
+
+/* A host that draws for itself: meshes and data of bricks. */
+static void use_bricks(void) {
+    const rubble_shape box = make_box(make_body(90.0, 0.0, 0.0, RUBBLE_BODY_STATIC), 12, 8, 8, 6);
+    rubble_brick_changes changes = {.struct_size = sizeof changes};
+    rubble_mesh_vertex vertices[64];
+    rubble_brick bricks[4];
+    uint8_t data[2 * RUBBLE_BRICK_BYTES];
+    const int32_t first[3] = {0, 0, 0};
+    uint32_t count;
+    uint64_t version;
+    steps(1);
+    changes.shape = box, changes.what = RUBBLE_BRICKS_MESHES;
+    OK(api->get_changed_bricks(world, &changes, bricks, 4, &count, &version));
+    CHECK(count == 2 && bricks[1].x == 1 && !bricks[1].is_empty);
+    OK(api->mesh_brick(world, box, first, vertices, 64, &count));
+    CHECK(count == 20 && vertices[0].material == 6); /* the sixth side is hidden by the other brick */
+    OK(api->read_bricks(world, box, bricks, 2, data));
+    CHECK(data[0] == 6 && data[RUBBLE_BRICK_BYTES + 7] == 0);
+    CHECK(api->get_shadow_bricks(world, 0, NULL, 0, &count, &version) == RUBBLE_ERROR_ARGUMENT);
+    changes.since = version;
+    steps(1);
+    OK(api->get_changed_bricks(world, &changes, bricks, 4, &count, &version));
+    CHECK(count == 0);
+}
+
 /* Without a GL context there is no renderer, and every call for one says so. */
 static void use_renderer(void) {
     rubble_renderer_settings settings = {.struct_size = sizeof settings};
@@ -528,6 +575,8 @@ int main(int argc, char** argv) {
     use_queries();
     use_objects();
     use_properties();
+    use_reports();
+    use_bricks();
     use_files();
     use_memory();
     use_deltas();

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -48,13 +49,14 @@ std::string writeField() {
     return path;
 }
 
-/// A world of the host, with that field or empty.
+/// A world of the host, with that field or empty, on so many threads.
 class HostWorld {
 public:
-    explicit HostWorld(bool withField) {
+    explicit HostWorld(bool withField, uint32_t threads = 1) {
         rubble_world_settings settings = {};
         settings.struct_size = sizeof settings;
         settings.flags = RUBBLE_WORLD_NO_RENDERER;
+        settings.physics_threads = threads;
         require(api().create_world(&settings, &m_world));
         if (!withField) return;
         const std::string path = writeField();
@@ -148,6 +150,42 @@ void apiCalls(benchmark::State& state) {
     state.counters["ray_over_batch"] = ray / batch;
 }
 BENCHMARK(apiCalls)->Unit(benchmark::kMillisecond);
+
+/// A median of wall-clock milliseconds, in which threads can share.
+double median(std::vector<double> ms) {
+    std::nth_element(ms.begin(), ms.begin() + ptrdiff_t(ms.size() / 2), ms.end());
+    return ms[ms.size() / 2];
+}
+
+/// 10,000 rays one by one, in a batch on one thread, and in a batch on two: wall-clock time, medians of one process in
+/// alternation.
+void apiRays(benchmark::State& state) {
+    const HostWorld one(true), two(true, 2);
+    const std::vector<rubble_ray> rays = makeRays();
+    std::vector<rubble_hit> hits(rays.size()), batch(rays.size());
+    std::vector<double> single, alone, shared;
+    const auto time = [](std::vector<double>& into, auto&& work) {
+        const auto start = std::chrono::steady_clock::now();
+        work();
+        into.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    };
+    for (auto _ : state) {
+        time(single, [&] {
+            for (size_t i = 0; i < rays.size(); ++i)
+                api().cast_ray(one, rays[i].origin, rays[i].direction, rays[i].max_distance, &hits[i]);
+        });
+        time(alone, [&] { require(api().cast_rays(one, rays.data(), kCalls, nullptr, batch.data())); });
+        for (size_t i = 0; i < rays.size(); ++i)
+            if (hits[i].distance != batch[i].distance) throw std::runtime_error("the batch has another answer");
+        time(shared, [&] { require(api().cast_rays(two, rays.data(), kCalls, nullptr, batch.data())); });
+    }
+    state.counters["single_ms"] = median(single);
+    state.counters["batch_ms"] = median(alone);
+    state.counters["two_threads_ms"] = median(shared);
+    state.counters["single_over_batch"] = median(single) / median(alone);
+    state.counters["single_over_two_threads"] = median(single) / median(shared);
+}
+BENCHMARK(apiRays)->Unit(benchmark::kMillisecond)->UseRealTime()->MinTime(2.0);
 
 /// Voxels between host and plugin, a byte each: made into a shape, read back, written over by a call and a step,
 /// and copied by memcpy beside it.

@@ -143,6 +143,10 @@ private:
     void callPalette();
     void callMaterials();
     void callProperties();
+    /// What only those get who ask.
+    void callReports();
+    /// Copies of bricks.
+    void callBricks();
     void callUndo();
     /// What a host with physics of its own reads, and what it says in a world that it moves.
     void callHostPhysics();
@@ -165,7 +169,7 @@ private:
 
     Decisions& m_decisions;
     uint32_t m_wildness;
-    uint64_t m_old = 0;
+    uint64_t m_old = 0, m_brickVersion = 0, m_shadowVersion = 0;
     rubble_world m_world = 0, m_other = 0;  ///< the other: of the same level, or 0
     std::vector<uint64_t> m_foreign;        ///< handles of the other
     std::optional<WorldModel> m_model;

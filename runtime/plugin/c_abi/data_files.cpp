@@ -26,7 +26,7 @@ rubble_result loadLevelData(rubble_world world, const void* data, uint64_t size)
         const Result<Level> level = levelFromBytes(bytes, "data");
         if (!level) return refuse(RUBBLE_ERROR_FILE, "{}", level.error());
         change(hosted, [&] { hosted.loop.load(*level); });
-        hosted.events.clear();
+        hosted.forgetSteps();
     });
 }
 
@@ -54,7 +54,7 @@ rubble_result loadGameData(rubble_world world, const void* data, uint64_t size) 
         Result<SavedGame> game = gameFromBytes(bytes, "data", hosted.loop.world().id());
         if (!game) return refuse(RUBBLE_ERROR_FILE, "{}", game.error());
         change(hosted, [&] { hosted.loop.load(std::move(*game)); });
-        hosted.events.clear();
+        hosted.forgetSteps();
     });
 }
 

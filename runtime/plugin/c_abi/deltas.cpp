@@ -39,10 +39,15 @@ rubble_result applyDeltas(rubble_world world, const void* data, uint64_t size) {
             deltasFromBytes({static_cast<const uint8_t*>(data), size_t(size)}, "data", hosted.loop.world().id());
         if (!deltas) return refuse(RUBBLE_ERROR_FILE, "{}", deltas.error());
         change(hosted, [&] {
-            if (const Result<Done> done = hosted.loop.follow(*deltas); !done)
+            const FrameLoop& loop = hosted.loop;
+            const auto noteBricks = [&] { hosted.bricks.follow(loop.changes(), loop.world().data()); };
+            if (const Result<Done> done = hosted.loop.follow(*deltas, noteBricks); !done) {
+                hosted.bricks.forget();
                 refuse(RUBBLE_ERROR_FILE, "data: {}", done.error());
+            }
         });
         hosted.events.fill(hosted.loop.changes());
+        hosted.reports.clear();
     });
 }
 

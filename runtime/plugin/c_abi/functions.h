@@ -54,5 +54,9 @@ void setMaterialFunctions(rubble_api& api);
 void setPropertyFunctions(rubble_api& api);
 /// Sets create_light_group(), set_light_group() and get_light_group().
 void setLightGroupFunctions(rubble_api& api);
+/// Sets set_report_filter() and get_reports().
+void setReportFunctions(rubble_api& api);
+/// Sets the functions of bricks: what changed, their meshes and data, and those of the shadow volume.
+void setBrickFunctions(rubble_api& api);
 
 }  // namespace rubble::abi

@@ -6,11 +6,15 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "runtime/core/slot_map.h"
 #include "runtime/plugin/c_abi/event_rows.h"
 #include "runtime/plugin/c_abi/host.h"
+#include "runtime/plugin/c_abi/report_rows.h"
 #include "runtime/plugin/frame_loop.h"
+#include "runtime/voxel/greedy_mesh.h"
+#include "runtime/world/history/brick_versions.h"
 
 namespace rubble::abi {
 
@@ -26,13 +30,28 @@ struct WorldOptions {
     std::thread::id thread;  ///< that alone may call [main-thread] functions; none: any one at a time
 };
 
-/// A world of the host and the events of its last step.
+/// A world of the host with the events and reports of its last step.
 struct HostedWorld {
     /// Makes an empty world.
     HostedWorld(const FrameLoopSettings& settings, const WorldOptions& given) : options(given), loop(settings) {}
+    /// Takes over what the last step did.
+    void listStep() {
+        events.fill(loop.changes());
+        reports.fill(loop);
+        bricks.follow(loop.changes(), loop.world().data());
+    }
+    /// Nothing is known of the steps of a world that was replaced.
+    void forgetSteps() {
+        events.clear();
+        reports.clear();
+        bricks.forget();
+    }
     WorldOptions options;
     FrameLoop loop;
     EventRows events;
+    ReportRows reports;
+    BrickVersions bricks;
+    std::vector<FaceQuad> quads;             ///< scratch of mesh_brick()
     std::atomic<bool> isInCall = false;      ///< of a [main-thread] function
     std::string damage;                      ///< what has left it in no defined state; empty: nothing
     std::weak_ptr<HostedRenderer> renderer;  ///< [render-thread] the one that draws it

@@ -24,7 +24,7 @@ rubble_result loadGame(rubble_world world, const char* path) {
         Result<SavedGame> game = readSave(path, hosted.loop.world().id());
         if (!game) return refuse(RUBBLE_ERROR_FILE, "{}", game.error());
         change(hosted, [&] { hosted.loop.load(std::move(*game)); });
-        hosted.events.clear();
+        hosted.forgetSteps();
     });
 }
 
@@ -72,10 +72,10 @@ void play(HostedWorld& hosted, Result<Recording> recording, const std::string& n
                       "{}: expected a recording of a world {} physics of its own, as this one, found one {}", name,
                       loop.physics() ? "with" : "without", loop.physics() ? "without" : "with");
     change(hosted, [&] { loop.load(std::move(recording->start)); });
-    hosted.events.clear();
+    hosted.forgetSteps();
     for (const RecordedStep& step : recording->steps) {
         change(hosted, [&] { loop.replay(step); });
-        hosted.events.fill(loop.changes());
+        hosted.listStep();
         if (loop.world().hash() != step.hash)
             return refuse(RUBBLE_ERROR_FILE,
                           "{}: step {}: expected the recorded state hash, found another: the recording was made by "

@@ -34,6 +34,8 @@ rubble_api makeTable() {
     setPropertyFunctions(api);
     setLightGroupFunctions(api);
     setRendererFunctions(api);
+    setReportFunctions(api);
+    setBrickFunctions(api);
     return api;
 }
 

@@ -17,10 +17,12 @@ FrameLoopSettings loopSettings(const rubble_world_settings& given) {
     const uint32_t flags = given.flags;
     readFlags(flags,
               RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_INLINE | RUBBLE_WORLD_WAIT_FOR_SHADOW |
-                  RUBBLE_WORLD_HOST_PHYSICS | RUBBLE_WORLD_ONE_THREAD,
+                  RUBBLE_WORLD_HOST_PHYSICS | RUBBLE_WORLD_ONE_THREAD | RUBBLE_WORLD_SHADOW_DATA,
               "settings->flags");
     FrameLoopSettings settings;
-    settings.publish = settings.shadowVolume = hasRenderer() && !(flags & RUBBLE_WORLD_NO_RENDERER);
+    settings.publish = hasRenderer() && !(flags & RUBBLE_WORLD_NO_RENDERER);
+    settings.copyShadow = flags & RUBBLE_WORLD_SHADOW_DATA;
+    settings.shadowVolume = settings.publish || settings.copyShadow;
     settings.hostPhysics = flags & RUBBLE_WORLD_HOST_PHYSICS;
     if (!settings.hostPhysics && !hasPhysics())
         refuse(RUBBLE_ERROR_UNSUPPORTED,
@@ -63,14 +65,14 @@ rubble_result loadLevel(rubble_world world, const char* path, const char* vdbToo
         const Result<Level> level = readLevel(path, vdbTool ? vdbTool : "");
         if (!level) return refuse(RUBBLE_ERROR_FILE, "{}", level.error());
         change(hosted, [&] { hosted.loop.load(*level); });
-        hosted.events.clear();
+        hosted.forgetSteps();
     });
 }
 
 rubble_result step(rubble_world world) {
     return inWorld("step", world, [&](HostedWorld& hosted) {
         change(hosted, [&] { hosted.loop.step(); });
-        hosted.events.fill(hosted.loop.changes());
+        hosted.listStep();
     });
 }
 

@@ -5,93 +5,11 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
-#include "runtime/core/assertion.h"
-#include "runtime/voxel/ray_walk.h"
 #include "runtime/world/objects/transforms.h"
-#include "runtime/world/state/level_ground.h"
+#include "runtime/world/queries/query_parts.h"
 
 namespace rubble {
 namespace {
-
-constexpr size_t kBatch = 64;  ///< queries that one call of a ParallelFor's body answers
-
-/// Whether a ray of unit direction meets a box, grown by `halfExtent`, within a distance. The slab method: the ray's
-/// interval inside a box is the intersection of its intervals between the three pairs of planes (Kay & Kajiya 1986).
-bool intersects(const WorldBox& box, glm::dvec3 halfExtent, glm::dvec3 origin, glm::dvec3 direction, double distance) {
-    double enter = 0.0, leave = distance;
-    for (int a = 0; a < 3; ++a) {
-        const double lowest = box.low[a] - halfExtent[a], highest = box.high[a] + halfExtent[a];
-        if (direction[a] == 0.0) {
-            if (origin[a] < lowest || origin[a] > highest) return false;
-            continue;
-        }
-        const double low = (lowest - origin[a]) / direction[a], high = (highest - origin[a]) / direction[a];
-        enter = std::max(enter, std::min(low, high));
-        leave = std::min(leave, std::max(low, high));
-    }
-    return enter <= leave;
-}
-
-/// A filter applied to shapes, with the accepted palette entries of the last one.
-class ShapeFilter {
-public:
-    ShapeFilter(const WorldData& world, const QueryFilter& filter)
-        : m_world(world), m_filter(filter), m_filtersEntries(filter.rejectTransparent || filter.rejectUnphysical) {
-        if (!filter.rejectStatic && filter.layerMask & Shape{}.collisionLayer) m_ground = groundSlabs(world);
-    }
-
-    /// The solid ground, as far as the query sees it.
-    const std::vector<GroundSlab>& ground() const { return m_ground; }
-
-    bool accepts(ShapeHandle handle, const Shape& shape) const {
-        if (!(shape.collisionLayer & m_filter.layerMask)) return false;
-        if (m_filter.rejectStatic || m_filter.rejectDynamic) {
-            const bool isStatic = m_world.bodies.at(shape.body).isStatic;
-            if (isStatic ? m_filter.rejectStatic : m_filter.rejectDynamic) return false;
-        }
-        return !has(m_filter.rejectedShapes, handle) && !has(m_filter.rejectedBodies, shape.body);
-    }
-    /// Entries of the shape's palette that the query sees; null: all.
-    EntryFilter entries(const Shape& shape) {
-        if (!m_filtersEntries) return nullptr;
-        if (m_palette == shape.palette.get()) return m_all ? nullptr : &m_entries;
-        m_palette = shape.palette.get();
-        for (size_t i = 0; i < 256; ++i) {
-            const PaletteEntry& entry = (*m_palette)[i];
-            const bool isUnphysical = m_world.materials[entry.material].hardness == Hardness::Unphysical;
-            m_entries[i] =
-                !(m_filter.rejectTransparent && entry.opacity < 255) && !(m_filter.rejectUnphysical && isUnphysical);
-        }
-        m_all = std::all_of(m_entries.begin(), m_entries.end(), [](bool accepted) { return accepted; });
-        return m_all ? nullptr : &m_entries;
-    }
-
-private:
-    template <class Handle>
-    static bool has(const std::vector<Handle>& list, Handle handle) {
-        return std::find(list.begin(), list.end(), handle) != list.end();
-    }
-    const WorldData& m_world;
-    const QueryFilter& m_filter;
-    std::vector<GroundSlab> m_ground;
-    bool m_filtersEntries, m_all = true;
-    const Palette* m_palette = nullptr;
-    std::array<bool, 256> m_entries{};
-};
-
-/// Calls f(handle, shape) for the accepted shapes whose bounds, with a margin, satisfy isNear(box); in no order.
-template <class IsNear, class F>
-void forEachShape(const WorldData& world, const ShapeFilter& filter, IsNear&& isNear, F&& f) {
-    world.shapeBounds.find(isNear, [&](uint32_t slot) {
-        const ShapeHandle handle = world.shapes.handleAt(slot);
-        const Shape& shape = world.shapes.at(handle);
-        if (filter.accepts(handle, shape)) f(handle, shape);
-    });
-}
-
-WorldBox boxOf(const GroundSlab& slab) {
-    return {slab.low, slab.low + slab.side * glm::dvec3(slab.cubes.x, 1, slab.cubes.y)};
-}
 
 VoxelGrid gridOf(const GroundSlab& slab) {
     VoxelGrid grid({slab.cubes.x, 1, slab.cubes.y});
@@ -100,70 +18,6 @@ VoxelGrid gridOf(const GroundSlab& slab) {
         for (int x = 0; x < slab.cubes.x; ++x) cubes.set({x, 0, z}, 1);
     cubes.flush();
     return grid;
-}
-
-/// Where a ray enters a box that it does not begin in; false: nowhere nearer than `best`.
-bool enterBox(const WorldBox& box, glm::dvec3 origin, glm::dvec3 direction, WorldHit& best) {
-    if (!intersects(box, glm::dvec3(0.0), origin, direction, best.distance)) return false;
-    double distance = 0.0;
-    int side = -1;
-    for (int a = 0; a < 3; ++a) {
-        if (direction[a] == 0.0) continue;
-        const double enter = ((direction[a] > 0.0 ? box.low[a] : box.high[a]) - origin[a]) / direction[a];
-        if (enter > distance) distance = enter, side = a;
-    }
-    if (best.hit && distance >= best.distance) return false;
-    best = {.hit = true, .distance = distance, .position = origin + direction * distance, .normal = -direction};
-    if (side < 0) return true;
-    best.normal = glm::dvec3(0.0);
-    best.normal[side] = direction[side] > 0.0 ? -1.0 : 1.0;
-    return true;
-}
-
-/// Whether a hit at a distance is better than the best so far: nearer, or as near in a lower slot.
-bool isBetter(double distance, uint32_t slot, const WorldHit& best) {
-    if (!best.hit) return distance <= best.distance;
-    return distance < best.distance || (distance == best.distance && slot < best.shape.slot());
-}
-
-/// The unit vector along a direction of any length; zero for zero. Squares of what is below 1e-154 are zero.
-glm::dvec3 unitVector(glm::dvec3 direction) {
-    const glm::dvec3 size = glm::abs(direction);
-    const double largest = std::max({size.x, size.y, size.z});
-    if (largest < 1e-100 || largest > 1e100) direction /= largest;
-    const double length = glm::length(direction);
-    return length > 0.0 ? direction / length : glm::dvec3(0.0);
-}
-
-WorldHit castRayWith(const WorldData& world, const RayQuery& ray, ShapeFilter& filter) {
-    WorldHit best;
-    const glm::dvec3 direction = unitVector(ray.direction);
-    if (direction == glm::dvec3(0.0) || !(ray.maxDistance > 0.0)) return best;
-    best.distance = ray.maxDistance;
-    const auto visit = [&](ShapeHandle handle, const Shape& shape) {
-        const Pose pose = shapeToWorld(world, handle);
-        const double cellsPerMetre = 1.0 / shape.voxelSize;
-        const CellRay cells{pose.inversePoint(ray.origin) * cellsPerMetre, glm::conjugate(pose.rotation) * direction,
-                            best.distance * cellsPerMetre};
-        const CellHit hit = walkRay(shape.grid, cells, filter.entries(shape));
-        const double distance = hit.t * shape.voxelSize;
-        if (!hit.hit || !isBetter(distance, handle.slot(), best)) return;
-        glm::dvec3 normalLocal(0.0);
-        if (hit.axis >= 0) normalLocal[hit.axis] = hit.sign;
-        best = {true,
-                distance,
-                ray.origin + direction * distance,
-                hit.axis < 0 ? -direction : pose.rotation * normalLocal,
-                handle,
-                hit.cell,
-                shape.grid.at(hit.cell)};
-    };
-    forEachShape(
-        world, filter,
-        [&](const WorldBox& box) { return intersects(box, glm::dvec3(0.0), ray.origin, direction, best.distance); },
-        visit);
-    for (const GroundSlab& slab : filter.ground()) enterBox(boxOf(slab), ray.origin, direction, best);
-    return best;
 }
 
 WorldHit castShapeWith(const WorldData& world, const CastQuery& cast, ShapeFilter& filter) {
@@ -201,16 +55,6 @@ WorldHit castShapeWith(const WorldData& world, const CastQuery& cast, ShapeFilte
             best = {true, distance, pose.transformPoint(touch.point * slab.side), touch.normal};
     }
     return best;
-}
-
-template <class Query, class Answer>
-void inBatches(std::span<const Query> queries, std::span<WorldHit> out, const ParallelFor& parallelFor,
-               Answer&& answer) {
-    RUBBLE_ASSERT(queries.size() == out.size());
-    const size_t count = queries.size();
-    parallelFor((count + kBatch - 1) / kBatch, [&](size_t batch) {
-        answer(queries.subspan(batch * kBatch, std::min(kBatch, count - batch * kBatch)), out.subspan(batch * kBatch));
-    });
 }
 
 template <class Handle>
@@ -259,28 +103,6 @@ CellShape QueryShape::inCells(const Pose& gridToWorld, double voxelSize) const {
     const glm::dmat3 axes = glm::mat3_cast(glm::conjugate(gridToWorld.rotation) * rotation);
     for (int i = 0; i < 3; ++i) out.halfAxes[size_t(i)] = axes[i] * (halfSize[i] / voxelSize);
     return out;
-}
-
-WorldHit castRay(const WorldData& world, const RayQuery& ray, const QueryFilter& filter) {
-    ShapeFilter shapes(world, filter);
-    if (!(ray.radius > 0.0)) return castRayWith(world, ray, shapes);
-    return castShapeWith(world, {{.position = ray.origin, .radius = ray.radius}, ray.direction, ray.maxDistance},
-                         shapes);
-}
-
-void castRays(const WorldData& world, std::span<const RayQuery> rays, std::span<WorldHit> out,
-              const QueryFilter& filter, const ParallelFor& parallelFor) {
-    inBatches(rays, out, parallelFor, [&](std::span<const RayQuery> queries, std::span<WorldHit> hits) {
-        ShapeFilter shapes(world, filter);
-        for (size_t i = 0; i < queries.size(); ++i) {
-            const RayQuery& ray = queries[i];
-            hits[i] = ray.radius > 0.0
-                          ? castShapeWith(
-                                world, {{.position = ray.origin, .radius = ray.radius}, ray.direction, ray.maxDistance},
-                                shapes)
-                          : castRayWith(world, ray, shapes);
-        }
-    });
 }
 
 WorldHit castShape(const WorldData& world, const CastQuery& cast, const QueryFilter& filter) {

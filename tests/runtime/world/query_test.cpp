@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <thread>
 
 #include "runtime/core/random.h"
@@ -401,6 +402,37 @@ TEST(Query, BatchesMatchSingleQueriesOnAnyThreadCount) {
             ASSERT_EQ(hit->cell, one.cell);
         }
     }
+}
+
+/// In a batch a ray is answered from what all of them share; alone, or among too few, it is not.
+TEST(Query, BatchesOfAnySizeMatchSingleQueriesWithFilters) {
+    const Scene scene = randomScene(120);
+    Random random(6);
+    std::vector<RayQuery> rays;
+    for (int i = 0; i < 600; ++i) {
+        const glm::dvec3 origin = pointIn(random, i % 5 ? 4.0 : 1e5);
+        RayQuery ray{origin, pointIn(random, 1.0) - origin, i % 5 ? 10.0 : 1e6};
+        if (i % 7 == 0) ray.direction = glm::dvec3(0.0), ray.direction[i % 3] = i % 2 ? 1.0 : -1.0;
+        if (i % 97 == 0) ray.direction = glm::dvec3(0.0);
+        rays.push_back(ray);
+    }
+    const std::vector<QueryFilter> filters = {
+        {}, {.rejectTransparent = true, .rejectUnphysical = true}, {.layerMask = 1, .rejectStatic = true}};
+    for (const QueryFilter& filter : filters)
+        for (const size_t count : {size_t(3), rays.size()}) {
+            std::vector<WorldHit> hits(count);
+            castRays(scene.world, std::span(rays).first(count), hits, filter);
+            for (size_t i = 0; i < count; ++i) {
+                const WorldHit one = castRay(scene.world, rays[i], filter);
+                ASSERT_EQ(hits[i].hit, one.hit) << i;
+                ASSERT_EQ(hits[i].distance, one.distance) << i;
+                ASSERT_EQ(hits[i].position, one.position) << i;
+                ASSERT_EQ(hits[i].normal, one.normal) << i;
+                ASSERT_EQ(hits[i].shape, one.shape) << i;
+                ASSERT_EQ(hits[i].cell, one.cell) << i;
+                ASSERT_EQ(hits[i].entry, one.entry) << i;
+            }
+        }
 }
 
 }  // namespace

@@ -54,8 +54,8 @@
  *  - What a call makes (create_body() and its like) has its handle at once: later edits may name it, so that a chain of
  *    calls needs no step() in between. Reads find it after the next step(). If that could not make it, the handle names
  *    nothing, and get_refusals() says why; so do handles that wait when a level or game is loaded.
- *  - Reads copy into the host's memory, except get_events(): its arrays live until the next step(), load_level(),
- *    load_game(), play_recording() or destroy_world() of that world.
+ *  - Reads copy into the host's memory, except get_events() and get_reports(): their arrays live until the next
+ *    step(), load_level(), load_game(), play_recording() or destroy_world() of that world.
  *  - Lists are read with an array, its capacity and a count: the function writes the first `capacity` rows and
  *    stores the number of all rows in *count. More rows than capacity: RUBBLE_ERROR_CAPACITY. Capacity 0 asks for
  *    the count alone: the array may be null and the result is RUBBLE_OK.
@@ -173,7 +173,9 @@ enum {
     RUBBLE_WORLD_HOST_PHYSICS = 8,
     /* for tests of a host: a [main-thread] call from another thread than that of create_world() is refused
      * (RUBBLE_ERROR_THREAD), also if the two do not meet */
-    RUBBLE_WORLD_ONE_THREAD = 16
+    RUBBLE_WORLD_ONE_THREAD = 16,
+    /* keeps the shadow volume for get_shadow_bricks(), also with RUBBLE_WORLD_NO_RENDERER */
+    RUBBLE_WORLD_SHADOW_DATA = 32
 };
 
 typedef struct rubble_world_settings {
@@ -530,6 +532,59 @@ typedef struct rubble_material {
     double burn_time;            /* s until a voxel that burns is gone, 0 to 1e6 */
 } rubble_material;
 
+/* ---- bricks: copies that a host keeps of shapes ---- */
+
+/* A brick is 8 x 8 x 8 cells of a shape's grid: brick (x, y, z) begins at cell (8 x, 8 y, 8 z). */
+typedef struct rubble_brick {
+    int32_t x, y, z;
+    uint32_t is_empty; /* 1: it holds no voxel */
+} rubble_brick;
+
+enum {
+    RUBBLE_BRICKS_VOXELS = 0, /* bricks whose voxels or paint have changed */
+    RUBBLE_BRICKS_MESHES = 1 /* bricks whose meshes may have: also those beside them, and all if colours have changed */
+};
+
+/* Which bricks get_changed_bricks() lists. */
+typedef struct rubble_brick_changes {
+    uint32_t struct_size;
+    uint32_t what; /* RUBBLE_BRICKS_... */
+    rubble_shape shape;
+    uint64_t since; /* the version that the call gave when the host took its copy; 0: all bricks with voxels */
+} rubble_brick_changes;
+
+/* The most vertices that mesh_brick() can give. */
+#define RUBBLE_MAX_BRICK_VERTICES 6144u
+
+/* A corner of a rectangle of faces of voxels that look alike. Four vertices are a rectangle, counter-clockwise seen
+ * from outside: its triangles are 0 1 2 and 0 2 3. */
+typedef struct rubble_mesh_vertex {
+    float position[3]; /* metres from the corner of the shape's grid, along its axes; a whole number of voxels */
+    float normal[3];   /* unit, along the same axes */
+    uint8_t color[4];  /* sRGB with paint; the fourth is the opacity, 255: opaque */
+    float emission;    /* radiance as a multiple of the linear colour; 0: none, or its light group is out */
+    uint8_t material;  /* index into the level's materials */
+    uint8_t palette_index;
+    uint8_t roughness, metallic; /* in 255ths */
+} rubble_mesh_vertex;
+
+/* Bytes that read_bricks() writes for a brick: 512 palette indices, then 512 bytes of paint, both with x fastest, then
+ * y, then z, and as read_voxels() gives them. */
+#define RUBBLE_BRICK_BYTES 1024u
+
+/* 16 x 16 x 16 cells of 0.1 m along the world's axes, which hold a cell wherever a voxel that casts shadow is: for rays
+ * through the whole world. Brick (x, y, z) begins at cell (16 x, 16 y, 16 z), 0 at the world's origin. It is made of
+ * words of 4 x 4 x 4 cells: word x + 4 y + 16 z, whose cells are bits x + 4 y + 16 z. */
+typedef struct rubble_shadow_brick {
+    int32_t x, y, z;
+    uint32_t is_empty; /* 1: it holds no cell, and all that follows is 0 */
+    uint64_t occupied; /* bit x + 4 y + 16 z: which words hold cells */
+    /* the cells of a word that holds some. Of another, how far a ray may skip from it: for each octant of directions o
+     * (bit 0: down x, bit 1: down y, bit 2: down z) the size in words of an empty box that begins with this word, less
+     * one: along x in bits 2 o and 2 o + 1, y in those 16 on, z in those 32 on */
+    uint64_t texels[64];
+} rubble_shadow_brick;
+
 /* ---- fire ---- */
 
 enum { RUBBLE_HEAT_IGNITE = 1 /* ignites at once what can burn */ };
@@ -735,6 +790,118 @@ typedef struct rubble_events {
     uint32_t bodies_unsettled_count;
     uint32_t reserved;
 } rubble_events;
+
+/* ---- reports: what happened, for sound and score ---- */
+
+/* Kinds of reports: what a host asks for by set_report_filter(). */
+enum {
+    RUBBLE_REPORT_CONTACT_BEGUN = 1, /* bodies touch that did not, unless an edit of the step has made or cut one */
+    RUBBLE_REPORT_CONTACT_SLID = 2,  /* bodies touch and slide along each other: in each step */
+    RUBBLE_REPORT_CONTACT_HIT = 4,   /* bodies meet, also those that touch already */
+    RUBBLE_REPORT_BREAK = 8,         /* voxels were removed */
+    RUBBLE_REPORT_JOINT = 16,        /* a joint is gone, or an end of it followed its voxel into another shape */
+    RUBBLE_REPORT_FIRE = 32,         /* something was lit or went out */
+    RUBBLE_REPORT_WATER = 64,        /* a body or character got into water */
+    RUBBLE_REPORT_FOOTSTEP = 128     /* a character made a step on the ground, or landed on it */
+};
+
+/* What get_reports() lists. What is not asked for is not collected. */
+typedef struct rubble_report_filter {
+    uint32_t struct_size;
+    uint32_t kinds;        /* RUBBLE_REPORT_...; 0: none */
+    double min_impulse;    /* N s in the step, 0 to 1e12: softer contacts are left out */
+    double min_hit_speed;  /* m/s at which bodies meet, at most 1e6, for RUBBLE_REPORT_CONTACT_HIT; 0: 0.5 */
+    double min_slip_speed; /* m/s along each other, at most 1e6, for RUBBLE_REPORT_CONTACT_SLID; 0: 0.1 */
+    double stride;         /* metres that a character walks from one step to the next, 0.01 to 1000; 0: 0.8 */
+} rubble_report_filter;
+
+/* Two bodies in contact, or a body and one shape of a static body. Characters and ropes are not among them. */
+typedef struct rubble_contact {
+    uint32_t kinds;        /* RUBBLE_REPORT_CONTACT_...: those that were asked for and hold */
+    uint32_t materials[2]; /* indices into the level's materials; 0: not known */
+    uint32_t reserved;
+    rubble_body bodies[2];  /* the second one 0: the ground around the level */
+    rubble_shape shapes[2]; /* where they touch the hardest */
+    double position[3];     /* world: the middle of the points at which they touch */
+    double normal[3];       /* unit, towards bodies[0] */
+    double impulse;         /* N s along the normal, in the step */
+    double hit_speed;       /* m/s at which they came together */
+    double slip_speed;      /* m/s along each other, mean of the points */
+    double size;            /* metres: the largest distance of two of the points, at least the side of a voxel */
+} rubble_contact;
+
+/* Voxels of one material that were removed near each other. */
+typedef struct rubble_break_report {
+    uint32_t material; /* index into the level's materials */
+    uint32_t reserved;
+    uint64_t voxels;
+    double position[3]; /* world: their middle */
+    double radius;      /* metres around it in which they were */
+} rubble_break_report;
+
+enum {
+    RUBBLE_REPORT_JOINT_VOXEL_GONE = 0, /* the voxel that held an end was removed */
+    RUBBLE_REPORT_JOINT_OVERLOADED = 1, /* its force or torque was more than it can stand */
+    RUBBLE_REPORT_JOINT_REMOVED = 2,    /* by an edit */
+    RUBBLE_REPORT_JOINT_CUT = 3,        /* a rope was cut; its first part keeps the handle */
+    RUBBLE_REPORT_JOINT_MOVED = 4       /* an end of it is on another shape now */
+};
+
+/* What became of a joint. */
+typedef struct rubble_joint_report {
+    rubble_joint joint;
+    uint32_t what; /* RUBBLE_REPORT_JOINT_VOXEL_GONE ... */
+    uint32_t reserved;
+    double position[3];    /* world, where it was; of a joint that moved, 0 */
+    rubble_shape from, to; /* of a joint that moved; else 0 */
+} rubble_joint_report;
+
+/* A part of a shape of at most 8 x 8 x 8 voxels that was lit or went out. Fires of destroyed shapes are not listed. */
+typedef struct rubble_fire_report {
+    rubble_shape shape;
+    uint32_t lit; /* 1: lit, 0: out */
+    uint32_t reserved;
+    double position[3]; /* world */
+} rubble_fire_report;
+
+/* What got into water. */
+typedef struct rubble_water_report {
+    rubble_water water;
+    uint64_t object;    /* rubble_body or rubble_character */
+    double position[3]; /* world, at the surface */
+    double speed;       /* m/s, against the water */
+    double mass;        /* kg */
+} rubble_water_report;
+
+enum { RUBBLE_FOOTSTEP_LANDED = 1 /* it comes out of the air */ };
+
+/* A step of a character. */
+typedef struct rubble_footstep {
+    rubble_character character;
+    uint32_t flags;     /* RUBBLE_FOOTSTEP_... */
+    uint32_t material;  /* index into the level's materials; 0: the ground around the level */
+    rubble_shape shape; /* that it steps on; 0: the same */
+    double position[3]; /* of the feet, world */
+    double speed;       /* m/s along the ground; of a landing, downward */
+} rubble_footstep;
+
+/* What get_reports() returns, each list in a fixed order. Rows of these lists do not grow in later versions. */
+typedef struct rubble_reports {
+    uint32_t struct_size;
+    uint32_t kinds; /* that the last step listed */
+    const rubble_contact* contacts;
+    const rubble_break_report* breaks;
+    const rubble_joint_report* joints;
+    const rubble_fire_report* fires;
+    const rubble_water_report* waters;
+    const rubble_footstep* footsteps;
+    uint32_t contact_count;
+    uint32_t break_count;
+    uint32_t joint_count;
+    uint32_t fire_count;
+    uint32_t water_count;
+    uint32_t footstep_count;
+} rubble_reports;
 
 /* ---- state ---- */
 
@@ -1815,6 +1982,40 @@ typedef struct rubble_api {
     rubble_result (*set_light_group)(rubble_world world, const rubble_light_group_change* change);
     /* [main-thread] One light group; get_objects() lists them. */
     rubble_result (*get_light_group)(rubble_world world, rubble_light_group group, rubble_light_group_state* out);
+
+    /* ---- reports for sound and score ---- */
+
+    /* [main-thread] What get_reports() lists from the next step on, until this is called again; see
+     * rubble_report_filter. It belongs to the host, not to the game: levels, saves and recordings do not have it. */
+    rubble_result (*set_report_filter)(rubble_world world, const rubble_report_filter* filter);
+    /* [main-thread] What happened in the last step of what the host has asked for, without copying: the arrays live as
+     * long as those of get_events(). */
+    rubble_result (*get_reports)(rubble_world world, rubble_reports* out);
+
+    /* ---- meshes and data of bricks ---- */
+
+    /* [main-thread] The bricks of a shape that changed after a version, by z, then y, then x. *version becomes that of
+     * now: what the host copies before the next step() is of it. From the first such call on, steps note what changes.
+     * RUBBLE_ERROR_STALE: the shape is gone, or has another grid or, for meshes, other colours since that version: drop
+     * the copy and ask with version 0. */
+    rubble_result (*get_changed_bricks)(rubble_world world, const rubble_brick_changes* changes, rubble_brick* out,
+                                        uint32_t capacity, uint32_t* count, uint64_t* version);
+    /* [main-thread] The faces of a brick that are seen, as rectangles: four vertices each, RUBBLE_MAX_BRICK_VERTICES at
+     * most. Opaque voxels hide the faces of opaque ones, all voxels hide those of transparent ones. The rectangles of
+     * all bricks cover each such face once. Their corners may lie on edges of others (T-junctions): transform equal
+     * positions alike. brick: x, y, z; of one outside the grid, and of an empty one, there are none. */
+    rubble_result (*mesh_brick)(rubble_world world, rubble_shape shape, const int32_t brick[3], rubble_mesh_vertex* out,
+                                uint32_t capacity, uint32_t* count);
+    /* [main-thread] Copies palette indices and paint of bricks of a shape, RUBBLE_BRICK_BYTES each, in the order of
+     * `bricks`; bricks[i].is_empty is not read. All are 0 where there is no brick. `out` holds `count` of them. */
+    rubble_result (*read_bricks)(rubble_world world, rubble_shape shape, const rubble_brick* bricks, uint32_t count,
+                                 uint8_t* out);
+    /* [main-thread] The bricks of the shadow volume that changed after a version, by z, then y, then x; 0: all with
+     * cells. *version becomes that of now, which may be some steps behind; see rubble_step_stats.shadow_lag.
+     * RUBBLE_ERROR_STALE: all has been replaced since that version, as by a level: drop the copy and ask with 0.
+     * RUBBLE_ERROR_ARGUMENT: the world was created without RUBBLE_WORLD_SHADOW_DATA. */
+    rubble_result (*get_shadow_bricks)(rubble_world world, uint64_t since, rubble_shadow_brick* out, uint32_t capacity,
+                                       uint32_t* count, uint64_t* version);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

@@ -901,6 +901,56 @@ public:
         check(api().get_light_group(m_handle, group, &out));
         return out;
     }
+    /** What get_reports() lists from the next step on, until this is called again; see rubble_report_filter. It belongs
+     * to the host, not to the game: levels, saves and recordings do not have it. */
+    void set_report_filter(rubble_report_filter filter) {
+        filter.struct_size = sizeof filter;
+        check(api().set_report_filter(m_handle, &filter));
+    }
+    /** What happened in the last step of what the host has asked for, without copying: the arrays live as long as those
+     * of get_events(). */
+    rubble_reports get_reports() const {
+        rubble_reports out{};
+        out.struct_size = sizeof out;
+        check(api().get_reports(m_handle, &out));
+        return out;
+    }
+    /** The bricks of a shape that changed after a version, by z, then y, then x. *version becomes that of now: what the
+     * host copies before the next step() is of it. From the first such call on, steps note what changes.
+     * RUBBLE_ERROR_STALE: the shape is gone, or has another grid or, for meshes, other colours since that version: drop
+     * the copy and ask with version 0. */
+    std::vector<uint64_t> get_changed_bricks(const rubble_brick_changes* changes, rubble_brick* out, uint32_t capacity,
+        uint32_t* count) const {
+        std::vector<uint64_t> out(count);
+        check(api().get_changed_bricks(m_handle, changes, out, capacity, count, out.data()));
+        return out;
+    }
+    /** The faces of a brick that are seen, as rectangles: four vertices each, RUBBLE_MAX_BRICK_VERTICES at most. Opaque
+     * voxels hide the faces of opaque ones, all voxels hide those of transparent ones. The rectangles of all bricks
+     * cover each such face once. Their corners may lie on edges of others (T-junctions): transform equal positions
+     * alike. brick: x, y, z; of one outside the grid, and of an empty one, there are none. */
+    std::vector<rubble_mesh_vertex> mesh_brick(rubble_shape shape, const int32_t (&brick)[3]) {
+        return rows<rubble_mesh_vertex, uint32_t>([&](rubble_mesh_vertex* out, uint32_t capacity, uint32_t* count) {
+            return api().mesh_brick(m_handle, shape, brick, out, capacity, count);
+        });
+    }
+    /** Copies palette indices and paint of bricks of a shape, RUBBLE_BRICK_BYTES each, in the order of `bricks`;
+     * bricks[i].is_empty is not read. All are 0 where there is no brick. `out` holds `count` of them. */
+    std::vector<uint8_t> read_bricks(rubble_shape shape, const rubble_brick* bricks, uint32_t count) const {
+        std::vector<uint8_t> out(count);
+        check(api().read_bricks(m_handle, shape, bricks, count, out.data()));
+        return out;
+    }
+    /** The bricks of the shadow volume that changed after a version, by z, then y, then x; 0: all with cells. *version
+     * becomes that of now, which may be some steps behind; see rubble_step_stats.shadow_lag. RUBBLE_ERROR_STALE: all
+     * has been replaced since that version, as by a level: drop the copy and ask with 0. RUBBLE_ERROR_ARGUMENT: the
+     * world was created without RUBBLE_WORLD_SHADOW_DATA. */
+    std::vector<uint64_t> get_shadow_bricks(uint64_t since, rubble_shadow_brick* out, uint32_t capacity, uint32_t*
+        count) const {
+        std::vector<uint64_t> out(count);
+        check(api().get_shadow_bricks(m_handle, since, out, capacity, count, out.data()));
+        return out;
+    }
 private:
     void release() noexcept {
         if (m_handle) api().destroy_world(std::exchange(m_handle, 0));

@@ -1,0 +1,176 @@
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "tests/abi/create_fixture.h"
+
+namespace rubble {
+namespace {
+
+using Vertices = std::vector<rubble_mesh_vertex>;
+using Meshes = std::map<std::tuple<int32_t, int32_t, int32_t>, Vertices>;
+
+class AbiBricks : public AbiCreate {
+protected:
+    Vertices mesh(rubble_shape shape, const rubble_brick& brick) {
+        const int32_t place[3] = {brick.x, brick.y, brick.z};
+        Vertices out(RUBBLE_MAX_BRICK_VERTICES);
+        uint32_t count = 0;
+        EXPECT_EQ(api()->mesh_brick(m_world, shape, place, out.data(), uint32_t(out.size()), &count), RUBBLE_OK)
+            << api()->get_last_error();
+        out.resize(count);
+        return out;
+    }
+    rubble_result list(rubble_shape shape, uint32_t what, uint64_t& version, std::vector<rubble_brick>& out) {
+        auto changes = sized<rubble_brick_changes>();
+        changes.shape = shape, changes.what = what, changes.since = version;
+        uint32_t count = 0;
+        rubble_result result = api()->get_changed_bricks(m_world, &changes, nullptr, 0, &count, &version);
+        if (result != RUBBLE_OK) return result;
+        out.resize(count);
+        return api()->get_changed_bricks(m_world, &changes, out.data(), count, &count, &version);
+    }
+    /// Brings a host's meshes of a shape up to date, as it would.
+    void update(rubble_shape shape, uint64_t& version, Meshes& meshes) {
+        std::vector<rubble_brick> bricks;
+        if (list(shape, RUBBLE_BRICKS_MESHES, version, bricks) == RUBBLE_ERROR_STALE) {
+            version = 0, meshes.clear(), ++m_reloads;
+            ASSERT_EQ(list(shape, RUBBLE_BRICKS_MESHES, version, bricks), RUBBLE_OK);
+        }
+        for (const rubble_brick& brick : bricks) {
+            ++m_meshed;
+            const std::tuple place(brick.x, brick.y, brick.z);
+            if (brick.is_empty)
+                meshes.erase(place);
+            else
+                meshes[place] = mesh(shape, brick);
+        }
+    }
+    static bool same(const Meshes& a, const Meshes& b) {
+        const auto equal = [](const Vertices& x, const Vertices& y) {
+            return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof x[0]) == 0;
+        };
+        return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [&](const auto& x, const auto& y) {
+                   return x.first == y.first && equal(x.second, y.second);
+               });
+    }
+    rubble_shape makeWall() {
+        auto settings = shapeOn(make(bodyAt(10.0, 0.0, RUBBLE_BODY_STATIC)), RUBBLE_SHAPE_BOX, 40);
+        settings.size[2] = 16;
+        const rubble_shape wall = make(settings);
+        step();
+        return wall;
+    }
+    int m_reloads = 0, m_meshed = 0;
+};
+
+TEST_F(AbiBricks, MeshesThatFollowChangesEqualRebuiltOnes) {
+    const rubble_shape wall = makeWall();
+    uint64_t version = 0;
+    Meshes meshes;
+    update(wall, version, meshes);
+    EXPECT_EQ(m_meshed, 5 * 5 * 2);
+    for (int i = 0; i < 12; ++i) {
+        auto carve = sized<rubble_carve>();
+        carve.position[0] = 10.0 + 0.3 * i, carve.position[1] = 0.5 + 0.25 * i, carve.position[2] = 0.2 * (i % 8);
+        carve.radii[0] = carve.radii[1] = carve.radii[2] = 0.35, carve.shape = wall;
+        auto paint = sized<rubble_paint>();
+        paint.position[0] = 10.0 + 0.2 * i, paint.position[1] = 3.0, paint.position[2] = 0.0;
+        paint.color[0] = uint8_t(i % 2 * 255), paint.radius = 0.3;
+        ASSERT_EQ(i % 3 ? api()->carve(m_world, &carve) : api()->paint(m_world, &paint), RUBBLE_OK);
+        step();
+        m_meshed = 0, m_reloads = 0;
+        update(wall, version, meshes);
+        EXPECT_GT(m_meshed, 0) << i;
+        EXPECT_TRUE(m_reloads == 0 || i % 3 == 0) << "a cut changes no colour";
+        uint64_t from = 0;
+        Meshes rebuilt;
+        update(wall, from, rebuilt);
+        EXPECT_TRUE(same(meshes, rebuilt)) << i;
+        EXPECT_EQ(from, version);
+    }
+    std::vector<rubble_brick> none;
+    step();
+    uint64_t now = version;
+    ASSERT_EQ(list(wall, RUBBLE_BRICKS_MESHES, now, none), RUBBLE_OK);
+    EXPECT_TRUE(none.empty());
+}
+
+TEST_F(AbiBricks, VerticesHavePlaceColourAndMaterial) {
+    auto settings = shapeOn(make(bodyAt(10.0, 0.0, RUBBLE_BODY_STATIC)), RUBBLE_SHAPE_BOX, 3);
+    settings.voxel_size = 0.5;
+    const rubble_shape box = make(settings);
+    step();
+    const Vertices vertices = mesh(box, {0, 0, 0, 0});
+    ASSERT_EQ(vertices.size(), 24u) << "a rectangle a side";
+    double area = 0.0;
+    for (size_t i = 0; i < 24; i += 4) {
+        double edges[2][3], normal[3];
+        for (int a = 0; a < 3; ++a) {
+            edges[0][a] = double(vertices[i + 1].position[a] - vertices[i].position[a]);
+            edges[1][a] = double(vertices[i + 3].position[a] - vertices[i].position[a]);
+        }
+        for (int a = 0; a < 3; ++a) {
+            const int b = (a + 1) % 3, c = (a + 2) % 3;
+            normal[a] = edges[0][b] * edges[1][c] - edges[0][c] * edges[1][b];
+            area += normal[a] * double(vertices[i].normal[a]);
+        }
+        EXPECT_EQ(vertices[i].material, 6);
+        EXPECT_EQ(vertices[i].palette_index, 6);
+        EXPECT_EQ(vertices[i].color[3], 255);
+        EXPECT_EQ(vertices[i].emission, 0.0f);
+    }
+    EXPECT_NEAR(area, 6 * 1.5 * 1.5, 1e-6) << "every normal looks outward";
+}
+
+TEST_F(AbiBricks, AVersionThatTheShapeNoLongerKnowsIsStale) {
+    const rubble_shape wall = makeWall();
+    std::vector<rubble_brick> bricks;
+    uint64_t version = 7;
+    EXPECT_EQ(list(wall, RUBBLE_BRICKS_VOXELS, version, bricks), RUBBLE_ERROR_STALE) << "nobody had asked";
+    version = 0;
+    ASSERT_EQ(list(wall, RUBBLE_BRICKS_VOXELS, version, bricks), RUBBLE_OK);
+    EXPECT_EQ(bricks.size(), 50u);
+    auto resize = sized<rubble_resize>();
+    resize.shape = wall, resize.size[0] = 40, resize.size[1] = 48, resize.size[2] = 16;
+    ASSERT_EQ(api()->resize_shape(m_world, &resize), RUBBLE_OK);
+    step();
+    expectRefused(list(wall, RUBBLE_BRICKS_VOXELS, version, bricks), RUBBLE_ERROR_STALE, "ask with 0");
+    uint64_t again = 0;
+    ASSERT_EQ(list(wall, RUBBLE_BRICKS_VOXELS, again, bricks), RUBBLE_OK);
+    EXPECT_GT(again, 1u);
+    again += 1;
+    EXPECT_EQ(list(wall, RUBBLE_BRICKS_VOXELS, again, bricks), RUBBLE_ERROR_STALE) << "it is not yet";
+    ASSERT_EQ(api()->load_level(m_world, s_level.c_str(), nullptr), RUBBLE_OK);
+    EXPECT_EQ(list(wall, RUBBLE_BRICKS_VOXELS, version, bricks), RUBBLE_ERROR_STALE);
+    const rubble_shape table = shapes()[0].shape;
+    EXPECT_EQ(list(table, RUBBLE_BRICKS_VOXELS, version, bricks), RUBBLE_ERROR_STALE) << "another world";
+}
+
+TEST_F(AbiBricks, WrongArgumentsAreRefused) {
+    const rubble_shape wall = makeWall();
+    const int32_t far[3] = {-2147483647 - 1, 2147483647, 0};
+    rubble_mesh_vertex vertex = {};
+    uint32_t count = 9;
+    EXPECT_EQ(api()->mesh_brick(m_world, wall, far, nullptr, 0, &count), RUBBLE_OK);
+    EXPECT_EQ(count, 0u);
+    const int32_t first[3] = {};
+    expectRefused(api()->mesh_brick(m_world, wall, first, &vertex, 1, &count), RUBBLE_ERROR_CAPACITY, "rows");
+    EXPECT_GT(count, 4u);
+    expectRefused(api()->mesh_brick(m_world, wall, nullptr, nullptr, 0, &count), RUBBLE_ERROR_NULL, "brick");
+    expectRefused(api()->mesh_brick(m_world, m_world, first, nullptr, 0, &count), RUBBLE_ERROR_STALE, "shape");
+    auto changes = sized<rubble_brick_changes>();
+    uint64_t version = 0;
+    changes.shape = wall, changes.what = 2;
+    expectRefused(api()->get_changed_bricks(m_world, &changes, nullptr, 0, &count, &version), RUBBLE_ERROR_ARGUMENT,
+                  "changes->what is 2");
+    changes.what = 0;
+    expectRefused(api()->get_changed_bricks(m_world, &changes, nullptr, 0, &count, nullptr), RUBBLE_ERROR_NULL,
+                  "version");
+}
+
+}  // namespace
+}  // namespace rubble
