@@ -16,6 +16,7 @@ FrameLoop::FrameLoop(const FrameLoopSettings& settings)
       m_physics(withThreads(settings.physics)),
       m_snapshots(settings.particles),
       m_publish(settings.publish),
+      m_moveParticles(settings.moveParticles),
       m_waitForShadow(settings.waitForShadow) {
     if (settings.shadowVolume) m_shadow = std::make_unique<ShadowWorker>(settings.shadow);
     if (settings.copyShadow) m_shadowCopy = std::make_unique<ShadowCopy>();
@@ -179,6 +180,7 @@ void FrameLoop::publish(const FrameChanges& changes) {
         m_shadow->submit(changes, changedPoses(), m_world);
     }
     const ScopedTimer timer(m_times[Stage::Publish]);
+    if (!m_publish && m_moveParticles) m_snapshots.stepParticles(changes, m_physics.impacts(), m_world);
     if (!m_shadow) {
         if (m_publish) m_snapshots.publishWithoutShadow(changes, changedPoses(), m_world, m_physics.impacts());
         return;

@@ -169,6 +169,7 @@ void RandomHost::callState() {
     callObjects();
     callReports();
     callBricks();
+    callParticles();
     const uint64_t stale = any({});
     api().set_debug_view(stale, "normal");
     api().destroy_renderer(stale);
@@ -215,6 +216,7 @@ rubble_world RandomHost::makeWorld() {
     settings.struct_size = sizeof settings;
     settings.flags = m_decisions.oneIn(8) ? RUBBLE_WORLD_SHADOW_INLINE : RUBBLE_WORLD_NO_RENDERER;
     if (m_decisions.oneIn(8)) settings.flags |= RUBBLE_WORLD_SHADOW_DATA;
+    if (m_decisions.oneIn(8)) settings.flags |= RUBBLE_WORLD_PARTICLES;
     settings.physics_threads = m_decisions.oneIn(16) ? 3 : 0;
     rubble_world world = 0;
     if (api().create_world(&settings, &world) != RUBBLE_OK) fail("create_world");

@@ -144,6 +144,7 @@ private:
     void callReports();
     /// Copies of bricks.
     void callBricks();
+    void callParticles();
     void callUndo();
     void callFile();
     void saveAndLoad();

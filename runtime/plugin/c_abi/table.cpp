@@ -29,6 +29,7 @@ rubble_api makeTable() {
     setRendererFunctions(api);
     setReportFunctions(api);
     setBrickFunctions(api);
+    setParticleFunctions(api);
     return api;
 }
 

@@ -13,12 +13,13 @@ constexpr NumberRange kPhysicsThreads{1, 64};
 
 FrameLoopSettings loopSettings(const rubble_world_settings& given) {
     const uint32_t flags = given.flags;
-    readFlags(
-        flags,
-        RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_INLINE | RUBBLE_WORLD_WAIT_FOR_SHADOW | RUBBLE_WORLD_SHADOW_DATA,
-        "settings->flags");
+    readFlags(flags,
+              RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_INLINE | RUBBLE_WORLD_WAIT_FOR_SHADOW |
+                  RUBBLE_WORLD_SHADOW_DATA | RUBBLE_WORLD_PARTICLES,
+              "settings->flags");
     FrameLoopSettings settings;
     settings.publish = !(flags & RUBBLE_WORLD_NO_RENDERER);
+    settings.moveParticles = flags & RUBBLE_WORLD_PARTICLES;
     settings.copyShadow = flags & RUBBLE_WORLD_SHADOW_DATA;
     settings.shadowVolume = settings.publish || settings.copyShadow;
     settings.shadow = flags & RUBBLE_WORLD_SHADOW_INLINE ? ShadowWorker::Mode::Inline : ShadowWorker::Mode::Thread;
