@@ -121,6 +121,25 @@ void Particles::addDust(const DustCloud& cloud, const World& world) {
     }
 }
 
+void Particles::spawn(const ParticleBurst& burst, const World& world) {
+    m_floorQuery = glm::dvec3(1e30);  // the world may have changed since the last step
+    const double floor = m_settings.maxAlive ? floorBelow(burst.position, world) : 0.0;
+    for (uint32_t i = 0; i < burst.count && m_alive.size() < m_settings.maxAlive; ++i) {
+        Particle p{burst.kind};
+        p.position = burst.position + glm::dvec3(anyDirection()) * (burst.radius * double(m_random.unit()));
+        p.velocity = burst.velocity + anyDirection() * (burst.spread * m_random.unit());
+        p.color = burst.color;
+        p.radius = burst.size;
+        p.growth = burst.growth;
+        p.opacity = burst.opacity;
+        p.life = burst.life;
+        p.glow = burst.glow;
+        p.floor = floor;
+        p.seed = m_random.next();
+        add(p);
+    }
+}
+
 void Particles::addBlast(const Blast& blast, const World& world) {
     const double floor = floorBelow(blast.position, world);
     const float size = float(blast.size);

@@ -22,6 +22,22 @@ struct ParticleSettings {
     glm::vec3 wind{0.9f, 0.0f, -0.25f};  ///< m/s, carries dust and smoke
 };
 
+/// Particles of one kind that a host adds.
+struct ParticleBurst {
+    ParticleKind kind = ParticleKind::Dust;
+    uint32_t count = 1;
+    glm::dvec3 position{0.0};  ///< world
+    double radius = 0.0;       ///< metres around it within which they begin
+    glm::vec3 velocity{0.0f};  ///< m/s
+    float spread = 0.0f;       ///< m/s that each has more, in any direction
+    glm::vec3 color{1.0f};     ///< linear
+    float size = 0.1f;         ///< metres: their radius at birth
+    float growth = 0.0f;       ///< metres a second
+    float opacity = 1.0f;      ///< at its thickest
+    float life = 2.0f;         ///< seconds
+    float glow = 0.0f;         ///< radiant intensity at birth
+};
+
 /// What breaking and burning throw into the air: dust, crumbs, sparks, glints of glass, flames, embers, smoke. Made
 /// from the journal of each step and moved by rules of thumb. They are only drawn: the World and its hash know nothing
 /// of them. Owned by Snapshots. [main-thread]
@@ -33,6 +49,8 @@ public:
     /// Moves what is there by 1/60 s and adds what the step has thrown up. Costs nothing while nothing is in the air.
     void step(const FrameChanges& changes, std::span<const Impact> impacts, std::span<const Fire> fires,
               const World& world);
+    /// Adds what a host throws up, as far as there is room for it. It moves from the next step on.
+    void spawn(const ParticleBurst& burst, const World& world);
     /// Removes all, as a new level does.
     void clear() { m_alive.clear(); }
     /// As they are to be drawn.

@@ -180,6 +180,11 @@ void Snapshots::addParticles(const FrameChanges& changes, std::span<const Impact
     out.particles = m_particles.snapshot();
 }
 
+void Snapshots::stepParticles(const FrameChanges& changes, std::span<const Impact> impacts, const World& world) {
+    if (changes.firesChanged || changes.levelReplaced) m_fires = findFires(world);
+    m_particles.step(changes, impacts, m_fires, world);
+}
+
 void Snapshots::addRipples(std::span<const BodyPose> moved, const World& world, FrameSnapshot& out) {
     const bool before = !m_ripples.empty();
     m_ripples.step(moved, world);

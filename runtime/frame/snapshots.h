@@ -31,6 +31,10 @@ public:
     /// [main-thread] The same where no shadow worker is used: nothing waits.
     void publishWithoutShadow(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
                               std::span<const Impact> impacts = {});
+    /// [main-thread] For worlds of which nothing is published: moves the particles by a step.
+    void stepParticles(const FrameChanges& changes, std::span<const Impact> impacts, const World& world);
+    /// [main-thread] The particles, to list them or to add some.
+    Particles& particles() { return m_particles; }
     /// [render-thread] All posted snapshots merged into one, or nothing. While nobody takes them, each is merged once.
     std::optional<FrameSnapshot> take();
 

@@ -17,6 +17,7 @@ FrameLoop::FrameLoop(const FrameLoopSettings& settings)
       m_hostParallelFor(settings.parallelFor),
       m_snapshots(settings.particles),
       m_publish(settings.publish),
+      m_moveParticles(settings.moveParticles),
       m_waitForShadow(settings.waitForShadow) {
     useThreads(settings.physicsThreads);
     if (!settings.hostPhysics) m_physics = makePhysics(physicsSettings());
@@ -274,6 +275,7 @@ void FrameLoop::publish(const FrameChanges& changes, std::span<const BodyPose> m
         m_shadow->submit(changes, moved, m_world);
     }
     const ScopedTimer timer(m_times[Stage::Publish]);
+    if (!m_publish && m_moveParticles) m_snapshots.stepParticles(changes, impacts, m_world);
     if (!m_shadow) {
         if (m_publish) m_snapshots.publishWithoutShadow(changes, moved, m_world, impacts);
         return;

@@ -33,6 +33,7 @@ struct FrameLoopSettings {
     bool shadowVolume = true;    ///< false: nothing is drawn with rays, and step() does no work for them
     bool copyShadow = false;     ///< keeps the shadow volume for hosts that draw themselves
     bool publish = true;         ///< false: for worlds that nobody draws
+    bool moveParticles = false;  ///< also where nothing is published
     ParticleSettings particles;  ///< particles are only drawn: they change nothing in the world
     bool waitForShadow = false;  ///< each step waits for its shadow volume: frames do not depend on timing
 };
@@ -109,6 +110,8 @@ public:
     ShadowWorker* shadow() { return m_shadow.get(); }
     /// The shadow volume as last published; null: nobody keeps it. [main-thread]
     ShadowCopy* shadowCopy() { return m_shadowCopy.get(); }
+    /// What is in the air; null: nothing is drawn, and nobody asks for it. [main-thread]
+    Particles* particles() { return m_publish || m_moveParticles ? &m_snapshots.particles() : nullptr; }
     /// The journal of the last step's edits; valid until the next step. Empty where the world was replaced.
     /// [main-thread]
     const FrameChanges& changes() const { return m_changes; }
@@ -172,7 +175,7 @@ private:
     std::vector<BodyPose> m_changedPoses;
     StageTimes m_times;
     uint64_t m_shadowLag = 0;
-    bool m_publish;
+    bool m_publish, m_moveParticles;
     bool m_waitForShadow;
     std::atomic<bool> m_mustPublishAll = false;  ///< in the next step
     bool m_awaitsAll = false;                    ///< [render-thread] the renderer has not seen the whole world

@@ -544,6 +544,19 @@ static void use_bricks(void) {
     CHECK(count == 0);
 }
 
+/* Particles: what a host throws, and all of them as rows. */
+static void use_particles(void) {
+    rubble_particle_burst burst = {.struct_size = sizeof burst};
+    rubble_particle rows[64];
+    uint32_t before, count;
+    OK(api->get_particles(world, NULL, 0, &before));
+    burst.kind = RUBBLE_PARTICLE_SPARK, burst.count = 8, burst.position[1] = 50.0;
+    OK(api->spawn_particles(world, &burst));
+    OK(api->get_particles(world, NULL, 0, &count));
+    CHECK(count == before + 8);
+    CHECK(api->get_particles(world, rows, 1, &count) == RUBBLE_ERROR_CAPACITY);
+}
+
 /* Without a GL context there is no renderer, and every call for one says so. */
 static void use_renderer(void) {
     rubble_renderer_settings settings = {.struct_size = sizeof settings};
@@ -577,6 +590,7 @@ int main(int argc, char** argv) {
     use_properties();
     use_reports();
     use_bricks();
+    use_particles();
     use_files();
     use_memory();
     use_deltas();

@@ -196,7 +196,10 @@ void apiVoxels(benchmark::State& state) {
     for (size_t i = 0; i < cells.size(); ++i) cells[i] = uint8_t(1 + i / 777 % 9);
     rubble_body_settings frame = {};
     frame.struct_size = sizeof frame, frame.flags = RUBBLE_BODY_STATIC;
-    double make = 0.0, read = 0.0, write = 0.0, step = 0.0, copy = 0.0;
+    std::vector<rubble_brick> places;
+    for (int i = 0; i < kSide / 8 * kSide / 8 * kSide / 8; ++i) places.push_back({i % 16, i / 16 % 16, i / 256, 0});
+    std::vector<uint8_t> bricks(places.size() * RUBBLE_BRICK_BYTES);
+    double make = 0.0, read = 0.0, brick = 0.0, write = 0.0, step = 0.0, copy = 0.0;
     std::vector<uint8_t> others(cells);
     for (uint8_t& cell : others) ++cell;
     for (auto _ : state) {
@@ -217,6 +220,9 @@ void apiVoxels(benchmark::State& state) {
         start = threadMs();
         require(api().read_voxels(world, &box, back.data(), back.size(), &count));
         read += threadMs() - start;
+        start = threadMs();
+        require(api().read_bricks(world, box.shape, places.data(), uint32_t(places.size()), bricks.data()));
+        brick += threadMs() - start;
         if (back != cells) throw std::runtime_error("other voxels were read than written");
         start = threadMs();
         require(api().write_voxels(world, &box, others.data(), others.size()));
@@ -234,6 +240,7 @@ void apiVoxels(benchmark::State& state) {
     const double bytes = double(cells.size()) * double(state.iterations());
     state.counters["make_GB_s"] = bytes / make * 1e-6;
     state.counters["read_GB_s"] = bytes / read * 1e-6;
+    state.counters["read_bricks_GB_s"] = double(bricks.size()) * double(state.iterations()) / brick * 1e-6;
     state.counters["write_GB_s"] = bytes / write * 1e-6;
     state.counters["write_step_ms"] = step / double(state.iterations());
     state.counters["make_over_copy"] = make / copy;

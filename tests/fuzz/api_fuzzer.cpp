@@ -174,6 +174,7 @@ void RandomHost::callState() {
     callProperties();
     callReports();
     callBricks();
+    callParticles();
     const uint64_t stale = any({});
     api().set_debug_view(stale, "normal");
     api().destroy_renderer(stale);
@@ -300,6 +301,7 @@ rubble_world RandomHost::makeWorld() {
     settings.flags = m_decisions.oneIn(8) ? RUBBLE_WORLD_SHADOW_INLINE : RUBBLE_WORLD_NO_RENDERER;
     if (m_isHostMoved) settings.flags |= RUBBLE_WORLD_HOST_PHYSICS;
     if (m_decisions.oneIn(8)) settings.flags |= RUBBLE_WORLD_SHADOW_DATA;
+    if (m_decisions.oneIn(8)) settings.flags |= RUBBLE_WORLD_PARTICLES;
     settings.physics_threads = m_decisions.oneIn(16) ? 3 : 0;
     rubble_world world = 0;
     if (api().create_world(&settings, &world) != RUBBLE_OK) fail("create_world");

@@ -147,6 +147,7 @@ private:
     void callReports();
     /// Copies of bricks.
     void callBricks();
+    void callParticles();
     void callUndo();
     /// What a host with physics of its own reads, and what it says in a world that it moves.
     void callHostPhysics();

@@ -41,4 +41,17 @@ void RandomHost::callBricks() {
         reached("bricks of the shadow volume");
 }
 
+void RandomHost::callParticles() {
+    auto burst = sized<rubble_particle_burst>();
+    burst.kind = whole(7), burst.count = whole(64), place(burst.position), burst.radius = number(2.0);
+    fill(burst.velocity, 5.0), burst.spread = number(3.0), fill(burst.color, 1.0), burst.size = number(0.2);
+    burst.growth = number(1.0), burst.opacity = number(1.0), burst.life = number(3.0), burst.glow = number(1.0);
+    api().spawn_particles(m_world, &burst);
+    rubble_particle rows[8];
+    uint32_t count = 0;
+    const rubble_result listed = api().get_particles(m_world, rows, 8, &count);
+    if (listed != RUBBLE_ERROR_ARGUMENT && count > 4096) fail("too many particles");
+    if (count) reached("particles");
+}
+
 }  // namespace rubble

@@ -68,58 +68,6 @@ namespace rubble::abi {
     X(rubble_light_settings, 168)      \
     X(rubble_renderer_settings, 32)    \
     X(rubble_view, 96)                 \
-    X(rubble_host, 32)                 \
-    X(rubble_world_settings, 8)        \
-    X(rubble_bounds, 56)               \
-    X(rubble_carve, 152)               \
-    X(rubble_break, 72)                \
-    X(rubble_explosion, 48)            \
-    X(rubble_paint, 56)                \
-    X(rubble_impulse, 64)              \
-    X(rubble_joint_settings, 264)      \
-    X(rubble_joint_motor, 48)          \
-    X(rubble_drive, 40)                \
-    X(rubble_joint_state, 88)          \
-    X(rubble_grab, 80)                 \
-    X(rubble_release, 32)              \
-    X(rubble_removed_voxels, 24)       \
-    X(rubble_shape_split, 32)          \
-    X(rubble_dust_cloud, 72)           \
-    X(rubble_events, 160)              \
-    X(rubble_body_state, 120)          \
-    X(rubble_shape_state, 104)         \
-    X(rubble_voxel_accounting, 40)     \
-    X(rubble_step_stats, 80)           \
-    X(rubble_collision_filter, 24)     \
-    X(rubble_collision_shape, 16)      \
-    X(rubble_water_settings, 80)       \
-    X(rubble_trigger_settings, 120)    \
-    X(rubble_trigger_event, 24)        \
-    X(rubble_character_settings, 112)  \
-    X(rubble_character_move, 40)       \
-    X(rubble_character_teleport, 64)   \
-    X(rubble_character_state, 72)      \
-    X(rubble_query_filter, 40)         \
-    X(rubble_ray, 64)                  \
-    X(rubble_query_shape, 120)         \
-    X(rubble_shape_cast, 152)          \
-    X(rubble_hit, 96)                  \
-    X(rubble_row_list, 24)             \
-    X(rubble_heat, 64)                 \
-    X(rubble_extinguish, 48)           \
-    X(rubble_fire, 48)                 \
-    X(rubble_body_change, 120)         \
-    X(rubble_resize, 40)               \
-    X(rubble_voxel_box, 40)            \
-    X(rubble_body_settings, 112)       \
-    X(rubble_voxel_run, 8)             \
-    X(rubble_shape_settings, 136)      \
-    X(rubble_prefab, 96)               \
-    X(rubble_prefab_row, 16)           \
-    X(rubble_refusal, 16)              \
-    X(rubble_settings, 168)            \
-    X(rubble_palette_entry, 32)        \
-    X(rubble_palette_range, 32)        \
     X(rubble_material, 96)             \
     X(rubble_body_properties, 112)     \
     X(rubble_cell_box, 24)             \
@@ -128,10 +76,6 @@ namespace rubble::abi {
     X(rubble_light_group_settings, 16) \
     X(rubble_light_group_change, 56)   \
     X(rubble_light_group_state, 56)    \
-    X(rubble_environment, 280)         \
-    X(rubble_light_settings, 168)      \
-    X(rubble_renderer_settings, 32)    \
-    X(rubble_view, 96)                 \
     X(rubble_draw_stats, 48)           \
     X(rubble_report_filter, 40)        \
     X(rubble_contact, 128)             \

@@ -58,5 +58,7 @@ void setLightGroupFunctions(rubble_api& api);
 void setReportFunctions(rubble_api& api);
 /// Sets the functions of bricks: what changed, their meshes and data, and those of the shadow volume.
 void setBrickFunctions(rubble_api& api);
+/// Sets spawn_particles() and get_particles().
+void setParticleFunctions(rubble_api& api);
 
 }  // namespace rubble::abi

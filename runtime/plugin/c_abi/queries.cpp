@@ -88,10 +88,12 @@ RowSizes readRowSizes(const rubble_query_filter* filter) {
             readRowSize<rubble_hit>(read.hit_size, "filter->hit_size")};
 }
 
+constexpr size_t kRowsAtOnce = 512;  ///< of hits, that a thread writes
+
 /// Answers each row of the host's array by one of `out`: read(row) makes a query, cast() answers them all.
 template <class Query, class Row, class Read, class Cast>
-void castAll(const World& world, const Row* rows, const char* name, uint32_t count, const rubble_query_filter* filter,
-             rubble_hit* out, Read&& read, Cast&& cast) {
+void castAll(const HostedWorld& hosted, const Row* rows, const char* name, uint32_t count,
+             const rubble_query_filter* filter, rubble_hit* out, Read&& read, Cast&& cast) {
     const QueryFilter rejecting = readFilter(filter);
     const RowSizes sizes = readRowSizes<Row>(filter);
     if (count) isGiven(rows, name), isGiven(out, "out");
@@ -103,23 +105,25 @@ void castAll(const World& world, const Row* rows, const char* name, uint32_t cou
         queries[i] = read(copyStruct<Row>(given + size_t(i) * sizes.query, sizes.query));
         if (isRefused()) return Call::current().locate(fmt::format("{}[{}].", name, i));
     }
-    cast(queries, hits, rejecting);
-    for (uint32_t i = 0; i < count; ++i)
-        writeRow(reinterpret_cast<char*>(out) + size_t(i) * sizes.hit, hitRow(world, hits[i]), sizes.hit);
+    const ParallelFor parallelFor = hosted.loop.parallelFor();
+    cast(queries, hits, rejecting, parallelFor);
+    parallelFor((count + kRowsAtOnce - 1) / kRowsAtOnce, [&](size_t part) {
+        for (size_t i = part * kRowsAtOnce; i < std::min<size_t>(count, (part + 1) * kRowsAtOnce); ++i)
+            writeRow(reinterpret_cast<char*>(out) + i * sizes.hit, hitRow(hosted.loop.world(), hits[i]), sizes.hit);
+    });
 }
 
 rubble_result castManyRays(rubble_world world, const rubble_ray* rays, uint32_t count,
                            const rubble_query_filter* filter, rubble_hit* out) {
     return inWorld("cast_rays", world, [&](HostedWorld& hosted) {
-        const World& inside = hosted.loop.world();
         const auto read = [](const rubble_ray& ray) {
             return RayQuery{readVector(ray.origin, "origin"), readDirection(ray.direction, "direction"),
                             readDistance(ray.max_distance),
                             readOrDefault(ray.radius, ranges::kQuerySize, 0.0, "radius")};
         };
-        castAll<RayQuery>(inside, rays, "rays", count, filter, out, read,
-                          [&](auto& queries, auto& hits, const auto& with) {
-                              castRays(inside, queries, hits, with, hosted.loop.parallelFor());
+        castAll<RayQuery>(hosted, rays, "rays", count, filter, out, read,
+                          [&](auto& queries, auto& hits, const auto& with, const auto& parallelFor) {
+                              castRays(hosted.loop.world(), queries, hits, with, parallelFor);
                           });
     });
 }
@@ -127,14 +131,13 @@ rubble_result castManyRays(rubble_world world, const rubble_ray* rays, uint32_t 
 rubble_result castManyShapes(rubble_world world, const rubble_shape_cast* casts, uint32_t count,
                              const rubble_query_filter* filter, rubble_hit* out) {
     return inWorld("cast_shapes", world, [&](HostedWorld& hosted) {
-        const World& inside = hosted.loop.world();
         const auto read = [](const rubble_shape_cast& cast) {
             return CastQuery{readShape(cast.shape), readDirection(cast.direction, "direction"),
                              readDistance(cast.max_distance)};
         };
-        castAll<CastQuery>(inside, casts, "casts", count, filter, out, read,
-                           [&](auto& queries, auto& hits, const auto& with) {
-                               castShapes(inside, queries, hits, with, hosted.loop.parallelFor());
+        castAll<CastQuery>(hosted, casts, "casts", count, filter, out, read,
+                           [&](auto& queries, auto& hits, const auto& with, const auto& parallelFor) {
+                               castShapes(hosted.loop.world(), queries, hits, with, parallelFor);
                            });
     });
 }

@@ -36,6 +36,7 @@ rubble_api makeTable() {
     setRendererFunctions(api);
     setReportFunctions(api);
     setBrickFunctions(api);
+    setParticleFunctions(api);
     return api;
 }
 

@@ -17,10 +17,12 @@ FrameLoopSettings loopSettings(const rubble_world_settings& given) {
     const uint32_t flags = given.flags;
     readFlags(flags,
               RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_INLINE | RUBBLE_WORLD_WAIT_FOR_SHADOW |
-                  RUBBLE_WORLD_HOST_PHYSICS | RUBBLE_WORLD_ONE_THREAD | RUBBLE_WORLD_SHADOW_DATA,
+                  RUBBLE_WORLD_HOST_PHYSICS | RUBBLE_WORLD_ONE_THREAD | RUBBLE_WORLD_SHADOW_DATA |
+                  RUBBLE_WORLD_PARTICLES,
               "settings->flags");
     FrameLoopSettings settings;
     settings.publish = hasRenderer() && !(flags & RUBBLE_WORLD_NO_RENDERER);
+    settings.moveParticles = flags & RUBBLE_WORLD_PARTICLES;
     settings.copyShadow = flags & RUBBLE_WORLD_SHADOW_DATA;
     settings.shadowVolume = settings.publish || settings.copyShadow;
     settings.hostPhysics = flags & RUBBLE_WORLD_HOST_PHYSICS;

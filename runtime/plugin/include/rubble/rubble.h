@@ -175,7 +175,9 @@ enum {
      * (RUBBLE_ERROR_THREAD), also if the two do not meet */
     RUBBLE_WORLD_ONE_THREAD = 16,
     /* keeps the shadow volume for get_shadow_bricks(), also with RUBBLE_WORLD_NO_RENDERER */
-    RUBBLE_WORLD_SHADOW_DATA = 32
+    RUBBLE_WORLD_SHADOW_DATA = 32,
+    /* moves particles for get_particles(), also with RUBBLE_WORLD_NO_RENDERER */
+    RUBBLE_WORLD_PARTICLES = 64
 };
 
 typedef struct rubble_world_settings {
@@ -584,6 +586,51 @@ typedef struct rubble_shadow_brick {
      * one: along x in bits 2 o and 2 o + 1, y in those 16 on, z in those 32 on */
     uint64_t texels[64];
 } rubble_shadow_brick;
+
+/* ---- particles ---- */
+
+/* How a particle moves and looks. Breaking and burning throw them up by themselves; they change nothing in the world.
+ */
+enum {
+    RUBBLE_PARTICLE_DUST = 0,
+    RUBBLE_PARTICLE_SMOKE = 1,
+    RUBBLE_PARTICLE_FLAME = 2,
+    RUBBLE_PARTICLE_SPARK = 3,
+    RUBBLE_PARTICLE_CRUMB = 4,
+    RUBBLE_PARTICLE_GLINT = 5,
+    RUBBLE_PARTICLE_EMBER = 6
+};
+
+/* Particles that spawn_particles() adds. */
+typedef struct rubble_particle_burst {
+    uint32_t struct_size;
+    uint32_t kind;  /* RUBBLE_PARTICLE_... */
+    uint32_t count; /* 1 to 4096; 0: 1. A world has 4096 at a time: what is beyond is left out */
+    uint32_t reserved;
+    double position[3]; /* world */
+    double radius;      /* metres around it within which they begin, 0 to 100 */
+    double velocity[3]; /* m/s, -1000 to 1000 */
+    double spread;      /* m/s that each has more, in any direction, 0 to 1000 */
+    double color[3];    /* linear, 0 to 1e6; of sparks: of their glow */
+    double size;        /* metres: radius at birth, 0.001 to 10; 0: 0.1 */
+    double growth;      /* metres a second, 0 to 10 */
+    double opacity;     /* 0.001 to 1; 0: 1 */
+    double life;        /* seconds, 0.02 to 60; 0: 2 */
+    double glow;        /* radiant intensity at birth, 0 to 1e6 */
+} rubble_particle_burst;
+
+/* A row of get_particles(). */
+typedef struct rubble_particle {
+    double position[3]; /* world */
+    float velocity[3];  /* m/s */
+    float color[3];     /* linear */
+    float radius;       /* metres, now */
+    float opacity;      /* 0 to 1, now */
+    float age;          /* share of its life, 0 to 1 */
+    uint32_t kind;      /* RUBBLE_PARTICLE_... */
+    uint32_t seed;      /* the same from its first step to its last */
+    uint32_t reserved;
+} rubble_particle;
 
 /* ---- fire ---- */
 
@@ -2016,6 +2063,15 @@ typedef struct rubble_api {
      * RUBBLE_ERROR_ARGUMENT: the world was created without RUBBLE_WORLD_SHADOW_DATA. */
     rubble_result (*get_shadow_bricks)(rubble_world world, uint64_t since, rubble_shadow_brick* out, uint32_t capacity,
                                        uint32_t* count, uint64_t* version);
+
+    /* ---- particles ---- */
+
+    /* [main-thread] Throws particles into the air at once; they move from the next step on. They are only drawn:
+     * recordings and saves do not have them. RUBBLE_ERROR_ARGUMENT, here and below: the world was created with
+     * RUBBLE_WORLD_NO_RENDERER and without RUBBLE_WORLD_PARTICLES. */
+    rubble_result (*spawn_particles)(rubble_world world, const rubble_particle_burst* burst);
+    /* [main-thread] All that is in the air, the oldest first: dust, smoke, flames and what the host has added. */
+    rubble_result (*get_particles)(rubble_world world, rubble_particle* out, uint32_t capacity, uint32_t* count);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

@@ -951,6 +951,19 @@ public:
         check(api().get_shadow_bricks(m_handle, since, out, capacity, count, out.data()));
         return out;
     }
+    /** Throws particles into the air at once; they move from the next step on. They are only drawn: recordings and
+     * saves do not have them. RUBBLE_ERROR_ARGUMENT, here and below: the world was created with
+     * RUBBLE_WORLD_NO_RENDERER and without RUBBLE_WORLD_PARTICLES. */
+    void spawn_particles(rubble_particle_burst burst) {
+        burst.struct_size = sizeof burst;
+        check(api().spawn_particles(m_handle, &burst));
+    }
+    /** All that is in the air, the oldest first: dust, smoke, flames and what the host has added. */
+    std::vector<rubble_particle> get_particles() const {
+        return rows<rubble_particle, uint32_t>([&](rubble_particle* out, uint32_t capacity, uint32_t* count) {
+            return api().get_particles(m_handle, out, capacity, count);
+        });
+    }
 private:
     void release() noexcept {
         if (m_handle) api().destroy_world(std::exchange(m_handle, 0));

@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <vector>
+
+#include "tests/abi/abi_fixture.h"
+
+namespace rubble {
+namespace {
+
+/// A world without a renderer that moves particles.
+class AbiParticles : public Abi {
+protected:
+    void SetUp() override {
+        auto settings = sized<rubble_world_settings>();
+        settings.flags = RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_PARTICLES;
+        ASSERT_EQ(api()->create_world(&settings, &m_world), RUBBLE_OK) << api()->get_last_error();
+        ASSERT_EQ(api()->load_level(m_world, s_level.c_str(), nullptr), RUBBLE_OK);
+        step();
+    }
+    std::vector<rubble_particle> particles() {
+        std::vector<rubble_particle> out(4096);
+        uint32_t count = 0;
+        EXPECT_EQ(api()->get_particles(m_world, out.data(), 4096, &count), RUBBLE_OK) << api()->get_last_error();
+        out.resize(count);
+        return out;
+    }
+    static rubble_particle_burst burst() {
+        auto out = sized<rubble_particle_burst>();
+        out.kind = RUBBLE_PARTICLE_CRUMB, out.count = 20;
+        out.position[0] = 5.0, out.position[1] = 30.0, out.velocity[0] = 3.0, out.color[1] = 0.5;
+        out.size = 0.02, out.life = 0.5;
+        return out;
+    }
+};
+
+TEST_F(AbiParticles, WhatAHostThrowsMovesFallsAndEnds) {
+    const rubble_particle_burst given = burst();
+    ASSERT_EQ(api()->spawn_particles(m_world, &given), RUBBLE_OK) << api()->get_last_error();
+    const uint64_t before = hash();
+    ASSERT_EQ(particles().size(), 20u) << "at once";
+    EXPECT_EQ(particles()[0].position[0], 5.0);
+    step(15);
+    ASSERT_EQ(particles().size(), 20u);
+    for (const rubble_particle& each : particles()) {
+        EXPECT_EQ(each.kind, uint32_t(RUBBLE_PARTICLE_CRUMB));
+        EXPECT_NEAR(each.position[0], 5.0 + 3.0 * 0.25, 0.1);
+        EXPECT_LT(each.position[1], 29.9) << "it falls";
+        EXPECT_NEAR(each.age, 0.5f, 0.01f);
+        EXPECT_EQ(each.color[1], 0.5f);
+        EXPECT_NEAR(each.radius, 0.02f, 1e-6f);
+    }
+    step(16);
+    EXPECT_TRUE(particles().empty());
+    EXPECT_NE(before, 0u);
+}
+
+TEST_F(AbiParticles, TheyChangeNothingInTheWorld) {
+    const rubble_world other = makeWorld();
+    const rubble_particle_burst given = burst();
+    ASSERT_EQ(api()->spawn_particles(m_world, &given), RUBBLE_OK);
+    step(5);
+    for (int i = 0; i < 5; ++i) ASSERT_EQ(api()->step(other), RUBBLE_OK);
+    uint64_t there = 0;
+    ASSERT_EQ(api()->get_state_hash(other, &there), RUBBLE_OK);
+    EXPECT_EQ(hash(), there);
+    uint32_t count = 0;
+    expectRefused(api()->spawn_particles(other, &given), RUBBLE_ERROR_ARGUMENT, "RUBBLE_WORLD_PARTICLES");
+    expectRefused(api()->get_particles(other, nullptr, 0, &count), RUBBLE_ERROR_ARGUMENT, "RUBBLE_WORLD_PARTICLES");
+    EXPECT_EQ(api()->destroy_world(other), RUBBLE_OK);
+}
+
+TEST_F(AbiParticles, WhatBreaksIsSeenByAHostThatDrawsItself) {
+    const rubble_explosion explosion = tableExplosion();
+    ASSERT_EQ(api()->explode(m_world, &explosion), RUBBLE_OK);
+    step();
+    const std::vector<rubble_particle> all = particles();
+    const auto isFlame = [](const rubble_particle& each) { return each.kind == RUBBLE_PARTICLE_FLAME; };
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), isFlame));
+}
+
+TEST_F(AbiParticles, TheBudgetHoldsAndNumbersOutOfRangeAreRefused) {
+    rubble_particle_burst given = burst();
+    given.count = 4096;
+    for (int i = 0; i < 3; ++i) ASSERT_EQ(api()->spawn_particles(m_world, &given), RUBBLE_OK);
+    EXPECT_EQ(particles().size(), 4096u);
+    given.count = 4097;
+    expectRefused(api()->spawn_particles(m_world, &given), RUBBLE_ERROR_ARGUMENT, "burst->count is 4097");
+    given.count = 1, given.kind = 7;
+    expectRefused(api()->spawn_particles(m_world, &given), RUBBLE_ERROR_ARGUMENT, "burst->kind is 7");
+    given.kind = 0, given.life = 1e9;
+    expectRefused(api()->spawn_particles(m_world, &given), RUBBLE_ERROR_ARGUMENT, "burst->life");
+    expectRefused(api()->spawn_particles(m_world, nullptr), RUBBLE_ERROR_NULL, "burst");
+}
+
+}  // namespace
+}  // namespace rubble
