@@ -11,6 +11,7 @@
 #include "runtime/plugin/c_abi/event_rows.h"
 #include "runtime/plugin/c_abi/host.h"
 #include "runtime/plugin/frame_loop.h"
+#include "runtime/plugin/level_loading.h"
 
 namespace rubble::abi {
 
@@ -33,6 +34,7 @@ struct HostedWorld {
     WorldOptions options;
     FrameLoop loop;
     EventRows events;
+    std::unique_ptr<LevelLoading> loading;   ///< of a level that is not in the world yet
     std::atomic<bool> isInCall = false;      ///< of a [main-thread] function
     std::string damage;                      ///< what has left it in no defined state; empty: nothing
     std::weak_ptr<HostedRenderer> renderer;  ///< [render-thread] the one that draws it

@@ -29,6 +29,7 @@ rubble_api makeTable() {
     setHostPhysicsFunctions(api);
     setDataFileFunctions(api);
     setDeltaFunctions(api);
+    setLoadingFunctions(api);
     setRendererFunctions(api);
     return api;
 }
