@@ -7,6 +7,7 @@
 
 #include "runtime/assets/byte_reader.h"
 #include "runtime/assets/level_bytes.h"
+#include "runtime/core/progress.h"
 #include "runtime/voxel/voxel_grid.h"
 
 namespace rubble {
@@ -99,6 +100,7 @@ FileHeader readChunkFile(ByteReader& in, F&& read) {
         ChunkHeader chunk;
         const std::vector<uint8_t> raw = readChunk(in, chunk);
         if (!in.failed()) read(chunk, raw, i);
+        reportProgress(double(i + 1) / double(file.chunks));
     }
     in.expectEnd("file");
     return file;

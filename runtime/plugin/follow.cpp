@@ -15,6 +15,8 @@ void FrameLoop::keepDeltas(bool on) {
 }
 
 Result<Done> FrameLoop::follow(const Deltas& deltas, const std::function<void()>& afterStep) {
+    endRecording();  // it would miss these steps, as would deltas of this world
+    keepDeltas(false);
     for (const RecordedStep& step : deltas.steps) {
         if (step.step == deltas.start + 1) m_followedStart = deltas.start, m_followedPalettes.clear();
         if (step.step != m_world.step() + 1 || deltas.start != m_followedStart)

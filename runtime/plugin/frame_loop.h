@@ -69,7 +69,8 @@ public:
     DeltaWriter* deltas() { return m_deltas.get(); }
     /// [main-thread] Carries out what another world's deltas say, if this one is what that was before them: edits
     /// that wait here, and damage of this world's impacts, wait on. After an error the World is as after the last good
-    /// step. The next step() rebuilds physics. afterStep: called after each good step, when changes() is of that.
+    /// step. Stops a recording, and deltas of this world. The next step() rebuilds physics. afterStep: called after
+    /// each good step, when changes() is of that.
     Result<Done> follow(const Deltas& deltas, const std::function<void()>& afterStep);
     /// [main-thread] Repeats a recorded step from its edits and what the host's physics did before it. If World and
     /// physics are in the state before that step, the hash after it is the recorded one.

@@ -333,6 +333,7 @@ static void use_files(void) {
 /* The same from and to memory. */
 static void use_memory(void) {
     uint64_t size, hash, again, steps_played;
+    double progress;
     uint8_t* data;
     OK(api->get_state_hash(world, &hash));
     OK(api->save_game_data(world, NULL, 0, &size));
@@ -345,6 +346,10 @@ static void use_memory(void) {
     CHECK(api->load_level_data(world, data, size) == RUBBLE_ERROR_FILE); /* a game is no level, nor a recording */
     CHECK(api->play_recording_data(world, data, size, &steps_played) == RUBBLE_ERROR_FILE);
     free(data);
+    OK(api->start_loading(world, "missing.rubble", NULL));
+    OK(api->get_loading_progress(world, &progress));
+    CHECK(progress >= 0.0 && progress <= 1.0);
+    CHECK(api->finish_loading(world) == RUBBLE_ERROR_FILE);
 }
 
 /* A world that follows this one. */

@@ -198,7 +198,7 @@ TEST_F(HostPhysics, ARecordingPlaysInAWorldOfItsKindAlone) {
     for (int i = 0; i < 5; ++i) {
         ASSERT_EQ(moveTo(cube, 5.0 + i, 5.0 - i), RUBBLE_OK);
         const rubble_impact hit = hitOn(cube, 5.0 + i, 5.4 - i, 2e4);
-        if (i == 2) ASSERT_EQ(api()->report_impacts(m_world, &hit, 1), RUBBLE_OK);
+        ASSERT_EQ(api()->report_impacts(m_world, &hit, i == 2), RUBBLE_OK);
         step();
     }
     const uint64_t expected = hash();

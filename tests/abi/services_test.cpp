@@ -192,7 +192,7 @@ TEST_F(Services, EachWorldHasItsOwnLog) {
     for (const rubble_world world : {first, second, m_world}) {
         ASSERT_EQ(api()->undo(world), RUBBLE_OK);  // which step() cannot do, and logs
         ASSERT_EQ(api()->step(world), RUBBLE_OK);
-        if (world == first) EXPECT_TRUE(lines[1].empty() && lines[2].empty());
+        EXPECT_EQ(lines[1].empty(), world == first);
     }
     for (const std::string& each : lines)
         EXPECT_EQ(each, "undo: no marks are kept; call set_undo_limit() with more than 0 first\n");
@@ -273,6 +273,37 @@ TEST_F(Services, AWorldOfOneThreadReportsAnother) {
     EXPECT_EQ(other, RUBBLE_OK) << "a world without the flag";
     EXPECT_EQ(api()->step(world), RUBBLE_OK);
     EXPECT_EQ(api()->destroy_world(world), RUBBLE_OK);
+}
+
+TEST_F(Services, ALevelIsReadWhileTheWorldPlaysOn) {
+    double progress = -1.0;
+    expectRefused(api()->get_loading_progress(m_world, &progress), RUBBLE_ERROR_ARGUMENT, "start_loading() first");
+    expectRefused(api()->finish_loading(m_world), RUBBLE_ERROR_ARGUMENT, "start_loading() first");
+    ASSERT_EQ(api()->load_level(m_world, s_level.c_str(), nullptr), RUBBLE_OK);
+    step();
+    const uint64_t expected = hash();
+    breakTable();
+    ASSERT_EQ(api()->start_loading(m_world, s_level.c_str(), nullptr), RUBBLE_OK) << api()->get_last_error();
+    do {
+        step();
+        ASSERT_EQ(api()->get_loading_progress(m_world, &progress), RUBBLE_OK);
+        ASSERT_TRUE(progress >= 0.0 && progress <= 1.0) << progress;
+    } while (progress < 1.0);
+    ASSERT_EQ(api()->finish_loading(m_world), RUBBLE_OK) << api()->get_last_error();
+    step();
+    EXPECT_EQ(hash(), expected);
+}
+
+TEST_F(Services, ALevelThatCannotBeReadInTheBackgroundLeavesTheWorld) {
+    const uint64_t before = hash();
+    ASSERT_EQ(api()->start_loading(m_world, "no/such.rubble", nullptr), RUBBLE_OK);
+    expectRefused(api()->finish_loading(m_world), RUBBLE_ERROR_FILE, "no/such.rubble: cannot open");
+    expectRefused(api()->finish_loading(m_world), RUBBLE_ERROR_ARGUMENT, "no level is being read");
+    expectRefused(api()->start_loading(m_world, nullptr, nullptr), RUBBLE_ERROR_NULL, "path");
+    EXPECT_EQ(hash(), before);
+    for (int i = 0; i < 3; ++i) ASSERT_EQ(api()->start_loading(m_world, s_level.c_str(), nullptr), RUBBLE_OK);
+    EXPECT_EQ(api()->destroy_world(m_world), RUBBLE_OK) << "while it is read";
+    m_world = makeWorld();
 }
 
 TEST_F(Services, WorldsPlayOnSeveralThreadsAtOnce) {

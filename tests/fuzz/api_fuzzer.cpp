@@ -291,6 +291,10 @@ void RandomHost::loadData() {
         data[m_decisions.below(uint32_t(size))] ^= uint8_t(m_decisions.bits());
     if (m_decisions.oneIn(4)) size = m_decisions.below(uint32_t(size));
     if (api().load_game_data(m_world, data.data(), size) == RUBBLE_OK) reached("games loaded from memory");
+    double progress = 0.0;
+    api().get_loading_progress(m_world, &progress);
+    if (m_decisions.oneIn(2)) api().start_loading(m_world, scratchPath("level.rubble").c_str(), nullptr);
+    if (m_decisions.oneIn(2)) api().finish_loading(m_world);
     api().load_level_data(m_world, data.data(), size);
     api().play_recording_data(m_world, data.data(), size, &steps);
 }

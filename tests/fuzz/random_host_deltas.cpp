@@ -4,6 +4,7 @@
 namespace rubble {
 
 void RandomHost::followByDeltas() {
+    worldInCall = 0;  // the follower logs as well
     const rubble_world follower = makeWorld();
     uint64_t size = 0;
     if (api().keep_deltas(m_world, 1) != RUBBLE_OK) fail("keep_deltas");
@@ -36,6 +37,7 @@ void RandomHost::followByDeltas() {
     }
     api().keep_deltas(m_world, 0);
     api().destroy_world(follower);
+    worldInCall = m_world;
 }
 
 }  // namespace rubble

@@ -46,6 +46,8 @@ void setPaletteFunctions(rubble_api& api);
 void setDataFileFunctions(rubble_api& api);
 /// Sets the functions of deltas.
 void setDeltaFunctions(rubble_api& api);
+/// Sets the functions of loading in the background.
+void setLoadingFunctions(rubble_api& api);
 /// Sets get_layers() and the functions of worlds that the host's physics moves.
 void setHostPhysicsFunctions(rubble_api& api);
 /// Sets the functions of the table of materials.

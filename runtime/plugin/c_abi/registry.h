@@ -13,6 +13,7 @@
 #include "runtime/plugin/c_abi/host.h"
 #include "runtime/plugin/c_abi/report_rows.h"
 #include "runtime/plugin/frame_loop.h"
+#include "runtime/plugin/level_loading.h"
 #include "runtime/voxel/greedy_mesh.h"
 #include "runtime/world/history/brick_versions.h"
 
@@ -52,6 +53,7 @@ struct HostedWorld {
     ReportRows reports;
     BrickVersions bricks;
     std::vector<FaceQuad> quads;             ///< scratch of mesh_brick()
+    std::unique_ptr<LevelLoading> loading;   ///< of a level that is not in the world yet
     std::atomic<bool> isInCall = false;      ///< of a [main-thread] function
     std::string damage;                      ///< what has left it in no defined state; empty: nothing
     std::weak_ptr<HostedRenderer> renderer;  ///< [render-thread] the one that draws it

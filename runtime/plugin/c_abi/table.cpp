@@ -30,6 +30,7 @@ rubble_api makeTable() {
     setHostPhysicsFunctions(api);
     setDataFileFunctions(api);
     setDeltaFunctions(api);
+    setLoadingFunctions(api);
     setMaterialFunctions(api);
     setPropertyFunctions(api);
     setLightGroupFunctions(api);

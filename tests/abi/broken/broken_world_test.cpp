@@ -61,5 +61,23 @@ TEST_F(BrokenWorld, AnswersNoLaterCallAndIsDestroyed) {
     EXPECT_EQ(api()->step(m_world), RUBBLE_OK);
 }
 
+TEST_F(BrokenWorld, AWorldsOwnCallbackHearsOfItsAsserts) {
+    std::string heard;
+    auto settings = sized<rubble_world_settings>();
+    settings.flags = RUBBLE_WORLD_NO_RENDERER;
+    settings.user = &heard;
+    settings.assertion_failed = [](void* user, const char* message) { *static_cast<std::string*>(user) = message; };
+    rubble_world world = 0;
+    ASSERT_EQ(api()->create_world(&settings, &world), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->load_level(world, s_level.c_str(), nullptr), RUBBLE_OK);
+    spoil(world);
+    const rubble_explosion explosion = tableExplosion();
+    ASSERT_EQ(api()->explode(world, &explosion), RUBBLE_OK);
+    EXPECT_EQ(api()->step(world), RUBBLE_ERROR_BROKEN);
+    EXPECT_NE(heard.find("assertion failed"), std::string::npos) << heard;
+    EXPECT_TRUE(m_heard.empty()) << "not the host";
+    EXPECT_EQ(api()->destroy_world(world), RUBBLE_OK);
+}
+
 }  // namespace
 }  // namespace rubble

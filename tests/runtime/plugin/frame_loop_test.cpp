@@ -367,7 +367,7 @@ TEST(FrameLoop, AFileThatCannotBeWrittenChangesNothing) {
         each->edits().push(ExplodeEdit{.position = {2.0, 5.0, 2.0}, .size = 1.0});
         for (int step = 0; step < 30; ++step) {
             if (each == &other) {
-                EXPECT_FALSE(each->save("/no/such/folder/x.rubble"));
+                EXPECT_FALSE(saveTo("/no/such/folder/x.rubble", *each));
                 EXPECT_FALSE(each->startRecording("/no/such/folder/x.rubblelog"));
             }
             each->step();

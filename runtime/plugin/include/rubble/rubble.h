@@ -1973,12 +1973,24 @@ typedef struct rubble_api {
     rubble_result (*take_deltas)(rubble_world world, uint8_t* out, uint64_t capacity, uint64_t* count);
     /* [main-thread] Carries out steps of another world: objects, voxels and motion become those, without edits or
      * physics. Each take of the other world is applied once, in their order, from the first after keep_deltas() on.
-     * get_events() tells of the last of the steps. Heat, ropes between their ends and what is still to split are left
-     * out, see get_resolved_hash(). RUBBLE_ERROR_FILE: the bytes are wrong, steps are missing, or this world was
-     * another one; it is as after the last good step. */
+     * get_events() tells of the last of the steps. It stops a recording, and keep_deltas() of this world. Heat, ropes
+     * between their ends and what is still to split are left out, see get_resolved_hash(). RUBBLE_ERROR_FILE: the bytes
+     * are wrong, steps are missing, or this world was another one; it is as after the last good step. */
     rubble_result (*apply_deltas)(rubble_world world, const void* data, uint64_t size);
     /* [main-thread] A hash of what deltas keep equal: all objects, voxels and settings. */
     rubble_result (*get_resolved_hash)(rubble_world world, uint64_t* out);
+
+    /* ---- loading in the background ---- */
+
+    /* [main-thread] Begins to read a level, as load_level() does, on a thread of its own; the world plays on. A level
+     * that is being read already is dropped, when it has been read. */
+    rubble_result (*start_loading)(rubble_world world, const char* path, const char* vdb_tool);
+    /* [main-thread] How far that is: *out is 0 to 1, by parts of the file; 1: finish_loading() does not wait for it.
+     * RUBBLE_ERROR_ARGUMENT: no level is being read. */
+    rubble_result (*get_loading_progress)(rubble_world world, double* out);
+    /* [main-thread] Replaces the world by that level, as load_level() does. Waits for the rest of it.
+     * RUBBLE_ERROR_ARGUMENT: no level is being read. RUBBLE_ERROR_FILE: as by load_level(). */
+    rubble_result (*finish_loading)(rubble_world world);
 
     /* ---- materials ---- */
 

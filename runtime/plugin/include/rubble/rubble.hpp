@@ -801,9 +801,9 @@ public:
     }
     /** Carries out steps of another world: objects, voxels and motion become those, without edits or physics. Each take
      * of the other world is applied once, in their order, from the first after keep_deltas() on. get_events() tells of
-     * the last of the steps. Heat, ropes between their ends and what is still to split are left out, see
-     * get_resolved_hash(). RUBBLE_ERROR_FILE: the bytes are wrong, steps are missing, or this world was another one; it
-     * is as after the last good step. */
+     * the last of the steps. It stops a recording, and keep_deltas() of this world. Heat, ropes between their ends and
+     * what is still to split are left out, see get_resolved_hash(). RUBBLE_ERROR_FILE: the bytes are wrong, steps are
+     * missing, or this world was another one; it is as after the last good step. */
     void apply_deltas(const void* data, uint64_t size) {
         check(api().apply_deltas(m_handle, data, size));
     }
@@ -812,6 +812,23 @@ public:
         uint64_t out{};
         check(api().get_resolved_hash(m_handle, &out));
         return out;
+    }
+    /** Begins to read a level, as load_level() does, on a thread of its own; the world plays on. A level that is being
+     * read already is dropped, when it has been read. */
+    void start_loading(const char* path, const char* vdb_tool = nullptr) {
+        check(api().start_loading(m_handle, path, vdb_tool));
+    }
+    /** How far that is: *out is 0 to 1, by parts of the file; 1: finish_loading() does not wait for it.
+     * RUBBLE_ERROR_ARGUMENT: no level is being read. */
+    double get_loading_progress() const {
+        double out{};
+        check(api().get_loading_progress(m_handle, &out));
+        return out;
+    }
+    /** Replaces the world by that level, as load_level() does. Waits for the rest of it. RUBBLE_ERROR_ARGUMENT: no
+     * level is being read. RUBBLE_ERROR_FILE: as by load_level(). */
+    void finish_loading() {
+        check(api().finish_loading(m_handle));
     }
     /** Replaces rows of the table of materials from the next step on, or adds rows behind its last one: row `first` and
      * those behind it, 1 to 255. All that is of them weighs, breaks, burns and slides as they say. Rows are never
