@@ -34,6 +34,7 @@ struct alignas(64) CollisionObject {
     uint32_t crowdPairs = 0;         ///< with those
     glm::dvec3 low{0.0}, high{0.0};  ///< world bounds, with what it sweeps in the step
     uint32_t body = 0;               ///< slot, or kNoBody
+    double smallestVoxel = 0.0;      ///< the side of the smallest voxels of its parts, metres, as of the last setPose()
     VoxelCollider collider;
 
     /// Sets the pose, and computes the filter and the cell transforms from it. Leaves the bounds to Broadphase::move().
@@ -46,6 +47,7 @@ private:
     std::vector<CellTransform> m_cellTransforms;
     btDbvtNode* m_leaf = nullptr;
     bool m_moves = false;
+    uint32_t m_place = 0;  ///< among those whose pairs are searched
 };
 
 /// An upper bound of how far points of two objects move against each other in the step, metres.

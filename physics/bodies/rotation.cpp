@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <glm/glm.hpp>
 
 #include "physics/bodies/solver_body.h"
@@ -16,6 +17,8 @@
 
 namespace rubble {
 namespace {
+
+constexpr double kEqualMoments = 1.0 + 1e-6;  ///< ratio of two moments below which they count as equal
 
 /// tan(h) / h for h2 = h^2, radians: the first terms of the Taylor series, the same bits on every machine. The relative
 /// error is about 17/315 h^6: 2e-4 for a rotation by 2 h = 0.8 radians.
@@ -96,6 +99,11 @@ void rotateTorqueFree(SolverBody& body, double seconds) {
 void rotateBody(SolverBody& body, double seconds) {
     if (body.conservesMomentum) return rotateTorqueFree(body, seconds);
     body.rotation = glm::normalize(rotationOf(body.angularVelocity * seconds) * body.rotation);
+}
+
+bool hasEqualMoments(const SolverBody& body) {
+    const glm::dvec3& i = body.inertia;
+    return std::max({i.x, i.y, i.z}) < kEqualMoments * std::min({i.x, i.y, i.z});
 }
 
 glm::dvec3 freeSpinChange(const SolverBody& body, double seconds) {

@@ -76,7 +76,8 @@ bool SleepTimer::rests(const Pose& now, double radius, const RestLimits& limits)
         Window& w = m_windows[size_t(i)];
         const int64_t steps = shortest << i;
         const double h = double(steps) * limits.stepSeconds;
-        w.farthest = std::max(w.farthest, between(w.start, now).farthest(radius));
+        if (w.farthest <= limits.velocity * h)  // else how much farther does not matter
+            w.farthest = std::max(w.farthest, between(w.start, now).farthest(radius));
         w.isQuiet = w.isQuiet && w.farthest <= limits.velocity * h;
         if (m_steps % steps == 0) {
             const Displacement first = between(w.before, w.start), second = between(w.start, now),

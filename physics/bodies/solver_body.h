@@ -29,12 +29,16 @@ struct alignas(64) SolverState {
     bool isLoadBearing = false;      ///< something much heavier lies on it
     bool isJointed = false;
     bool keepsPath = false;  ///< it is hit by something that closes fast, or rotates far
+    bool isSteady = false;   ///< its contacts act as in the substep before: see SteadyBodies
     float gravityScale = 1.0f;
 };
 
 /// Rotates a body through one substep without torque. With conservesMomentum its angular momentum is constant, else its
 /// angular velocity: cheaper, and accurate for slow bodies and for those with nearly equal principal moments.
 void rotateBody(SolverBody& body, double seconds);
+/// Whether all principal moments are equal: then neither the angular velocity nor effective masses change as it
+/// rotates.
+bool hasEqualMoments(const SolverBody& body);
 /// About its centre of mass, world axes, kg m2/s.
 glm::dvec3 angularMomentum(const SolverBody& body);
 /// By how much free rotation through a time changes the angular velocity, rad/s, world.

@@ -6,6 +6,7 @@
 
 #include "physics/math/bullet_math.h"
 #include "runtime/core/random.h"
+#include "runtime/core/rotated_box.h"
 #include "runtime/core/world_box.h"
 
 namespace rubble {
@@ -49,15 +50,32 @@ bool Broadphase::boundsMeet(const CollisionObject& a, const CollisionObject& b) 
     return from <= to;
 }
 
-/// Sorts pairs and drops those that two bodies have added. Those of objects in order are mostly sorted.
-void Broadphase::sortPairs(std::vector<ObjectPair>& pairs, size_t from) {
+/// Appends the unsorted pairs, sorted, without those that two bodies have added. Those of each moving body as the first
+/// are brought together before they are compared; few begin with one at rest.
+void Broadphase::sortPairs(size_t moving, std::vector<ObjectPair>& out) {
     const auto isBefore = [](const ObjectPair& a, const ObjectPair& b) {
         return a.first->number != b.first->number ? a.first->number < b.first->number
                                                   : a.second->number < b.second->number;
     };
-    const auto begin = pairs.begin() + std::ptrdiff_t(from);
-    if (!std::is_sorted(begin, pairs.end(), isBefore)) std::sort(begin, pairs.end(), isBefore);
-    pairs.erase(std::unique(begin, pairs.end()), pairs.end());
+    const auto appended = std::ptrdiff_t(out.size());
+    m_ends.assign(moving + 1, 0);
+    for (const auto& [first, second] : m_unsorted)
+        if (first->m_moves) ++m_ends[first->m_place + 1];
+    for (size_t i = 0; i < moving; ++i) m_ends[i + 1] += m_ends[i];
+    out.resize(out.size() + m_ends.back());
+    for (const ObjectPair& pair : m_unsorted)
+        if (pair.first->m_moves) out[size_t(appended) + m_ends[pair.first->m_place]++] = pair;
+    for (size_t i = 0, from = 0; i < moving; from = m_ends[i++])
+        std::sort(out.begin() + appended + std::ptrdiff_t(from), out.begin() + appended + std::ptrdiff_t(m_ends[i]),
+                  isBefore);
+    if (!std::is_sorted(out.begin() + appended, out.end(), isBefore))  // the objects were not in order
+        std::sort(out.begin() + appended, out.end(), isBefore);
+    const auto ofMoving = std::ptrdiff_t(out.size());
+    for (const ObjectPair& pair : m_unsorted)
+        if (!pair.first->m_moves) out.push_back(pair);
+    std::sort(out.begin() + ofMoving, out.end(), isBefore);
+    std::inplace_merge(out.begin() + appended, out.begin() + ofMoving, out.end(), isBefore);
+    out.erase(std::unique(out.begin() + appended, out.end()), out.end());
 }
 
 /// A moving object is bounded by its parts' hulls, one at rest by their boxes, whose computation touches no voxels.
@@ -68,7 +86,11 @@ void Broadphase::setBounds(CollisionObject& object, glm::dvec3 displacement, dou
         if (part.grid().empty()) continue;
         const glm::mat3 axes(object.m_cellTransforms[i].axes);
         glm::vec3 partLow, partHigh;
-        if (object.m_moves)
+        const BoxSurface* const box = object.m_moves ? part.box() : nullptr;
+        if (box) {
+            const glm::vec3 middle = axes * box->center, half = rotatedHalfExtent(axes, box->half);
+            partLow = middle - half, partHigh = middle + half;
+        } else if (object.m_moves)
             part.hull().bounds(axes, partLow, partHigh);
         else
             HullPoints(part.bounds()).bounds(axes, partLow, partHigh);
@@ -135,8 +157,12 @@ void Broadphase::remove(CollisionObject& object) {
     object.m_leaf = nullptr;
 }
 
-void Broadphase::move(CollisionObject& object, glm::dvec3 displacement, double margin) {
-    setBounds(object, displacement, margin);
+void Broadphase::move(CollisionObject& object) {
+    const btDbvtVolume& leaf = object.m_leaf->volume;
+    const auto toWorld = [&](const btVector3& v) { return glm::dvec3(v.x(), v.y(), v.z()) + m_origin; };
+    const WorldBox now{toWorld(leaf.Mins()), toWorld(leaf.Maxs())};
+    if (glm::all(glm::lessThanEqual(now.low, object.low)) && glm::all(glm::greaterThanEqual(now.high, object.high)))
+        return;
     btDbvtVolume volume = scatteredVolumeOf(object);
     if (m_moving.nodes.update(object.m_leaf, volume, btVector3(0, 0, 0), kFatMargin))
         m_moving.keepShallow(object.m_leaf);
@@ -166,36 +192,50 @@ void Broadphase::find(glm::dvec3 low, glm::dvec3 high, std::vector<CollisionObje
     findIn(m_moving, low, high, out);
 }
 
+/// The bodies that are the nearest to a moving object, of those deep in it or in its crowd.
+NearestBodies& Broadphase::nearestTo(CollisionObject* object) {
+    uint32_t& number = m_nearestOf[object->m_place];
+    if (number == 0) {
+        number = ++m_usedNearest;
+        if (m_nearest.size() < number) m_nearest.emplace_back();
+        m_nearest[number - 1].begin(object);
+    }
+    return m_nearest[number - 1];
+}
+
+/// Takes a pair whose bounds overlap. a: it moves.
+void Broadphase::addPair(CollisionObject* a, CollisionObject* b) {
+    if (!a->filter.meets(b->filter) || !meet(*a, *b)) return;
+    if (!areCrowded(*a, *b) && !areNear(*a, *b)) return m_unsorted.push_back(inOrder(a, b));
+    nearestTo(a).add(b);
+    if (b->m_moves) nearestTo(b).add(a);
+}
+
 size_t Broadphase::findPairs(std::span<CollisionObject* const> moving, std::vector<ObjectPair>& out) {
     m_bounds.clear();
-    for (const CollisionObject* object : moving) m_bounds.push_back({object->low, object->high});
-    m_packed.build(m_bounds, m_origin);
-    const size_t from = out.size();
-    size_t leftOut = 0;
     for (size_t i = 0; i < moving.size(); ++i) {
-        CollisionObject* const object = moving[i];
-        m_found.clear();
-        m_indices.clear();
-        m_nearest.begin(object);
-        findIn(m_resting, object->low, object->high, m_found);
-        m_packed.find(m_bounds[i], m_indices);
-        for (const uint32_t other : m_indices)
-            if (other != i && m_bounds[i].overlaps(m_bounds[other])) m_found.push_back(moving[other]);
-        const size_t own = out.size();
-        for (CollisionObject* other : m_found) {
-            const bool isNear = areCrowded(*object, *other) || areNear(*object, *other);
-            if (!isNear && other->m_moves && object->number > other->number) continue;  // the other finds the pair
-            if (!object->filter.meets(other->filter) || !meet(*object, *other)) continue;
-            if (isNear)
-                m_nearest.add(other);
-            else
-                out.push_back(inOrder(object, other));
-        }
-        for (CollisionObject* other : m_nearest.all()) out.push_back(inOrder(object, other));
-        leftOut += m_nearest.leftOut();
-        sortPairs(out, own);
+        m_bounds.push_back({moving[i]->low, moving[i]->high});
+        moving[i]->m_place = uint32_t(i);
     }
-    sortPairs(out, from);
+    m_packed.build(m_bounds, m_origin);
+    m_indices.clear();
+    m_packed.findPairs(m_indices);
+    m_unsorted.clear();
+    m_nearestOf.assign(moving.size(), 0);
+    m_usedNearest = 0;
+    for (const auto& [i, k] : m_indices)
+        if (m_bounds[i].overlaps(m_bounds[k])) addPair(moving[i], moving[k]);
+    for (CollisionObject* object : moving) {
+        m_found.clear();
+        findIn(m_resting, object->low, object->high, m_found);
+        for (CollisionObject* other : m_found) addPair(object, other);
+    }
+    size_t leftOut = 0;
+    for (const NearestBodies& nearest : std::span(m_nearest).first(m_usedNearest)) {
+        for (CollisionObject* other : nearest.all()) m_unsorted.push_back(inOrder(nearest.object(), other));
+        leftOut += nearest.leftOut();
+    }
+    sortPairs(moving.size(), out);
     return leftOut;
 }
 

@@ -32,9 +32,11 @@ public:
     void remove(CollisionObject& object);
     /// Notes that the object's voxels or filter have changed: cached contacts are dropped.
     void touch(CollisionObject& object) { object.version = ++m_versions; }
-    /// Computes the bounds of a moving object at its pose, widened by `margin` on all sides and by its displacement in
-    /// the step (metres, world axes).
-    void move(CollisionObject& object, glm::dvec3 displacement, double margin);
+    /// Computes the bounds of an object at its pose, widened by `margin` on all sides and by its displacement in the
+    /// step (metres, world axes). move() is to follow. [any thread]
+    void setBounds(CollisionObject& object, glm::dvec3 displacement, double margin) const;
+    /// Notes that a moving object has new bounds.
+    void move(CollisionObject& object);
 
     /// Nodes on the longest path from the root of either tree.
     int depth() const;
@@ -68,9 +70,10 @@ private:
         return glm::dot(path, path) <= size * size || boundsMeet(a, b);
     }
     static bool boundsMeet(const CollisionObject& a, const CollisionObject& b);
-    static void sortPairs(std::vector<ObjectPair>& pairs, size_t from);
+    NearestBodies& nearestTo(CollisionObject* object);
+    void addPair(CollisionObject* a, CollisionObject* b);
+    void sortPairs(size_t moving, std::vector<ObjectPair>& out);
     void insert(CollisionObject& object, bool moves);
-    void setBounds(CollisionObject& object, glm::dvec3 displacement, double margin) const;
     btDbvtVolume volumeOf(glm::dvec3 low, glm::dvec3 high) const;
     btDbvtVolume scatteredVolumeOf(const CollisionObject& object) const;
     Tree& treeOf(const CollisionObject& object) { return object.m_moves ? m_moving : m_resting; }
@@ -81,8 +84,12 @@ private:
     std::vector<CollisionObject*> m_found;
     PackedBoxes m_packed;  ///< bounds of the objects whose pairs are searched
     std::vector<WorldBox> m_bounds;
-    std::vector<uint32_t> m_indices;
-    NearestBodies m_nearest;  ///< of those deep in the object whose pairs are searched, or in its crowd
+    std::vector<std::pair<uint32_t, uint32_t>> m_indices;  ///< of those whose bounds overlap
+    std::vector<ObjectPair> m_unsorted;
+    std::vector<size_t> m_ends;  ///< by moving object: where its pairs end
+    std::vector<NearestBodies> m_nearest;
+    std::vector<uint32_t> m_nearestOf;  ///< by moving object: 1 + its place in m_nearest; 0: none
+    uint32_t m_usedNearest = 0;
     uint32_t m_versions = 0;
 };
 

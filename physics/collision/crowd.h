@@ -26,6 +26,8 @@ class NearestBodies {
 public:
     /// Forgets all, and measures from `object` on.
     void begin(CollisionObject* object) { m_object = object, m_count = m_leftOut = 0; }
+    /// The one that they are near to.
+    CollisionObject* object() const { return m_object; }
     /// Takes a body in if it is one of the nearest so far.
     void add(CollisionObject* other);
     /// Those taken in, the nearest first.

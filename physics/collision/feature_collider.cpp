@@ -71,7 +71,7 @@ bool FeatureCollider::collide(bool isFirst, uint64_t partKey, ContactSearch& sea
     if (m_sweeps) boundSweep();
     if (!mayTouchSolid(near)) return false;
     if (const PartSurface* surface = m_from.whole()) {
-        collideFeatures(surface->features, surface->rows.box().low, near, out);
+        collideFeatures(surface->features(), surface->rows.box().low, near, out);
         return true;
     }
     collideBricks(near, search, out);

@@ -29,6 +29,7 @@ void findImpacts(std::span<Manifold* const> manifolds, double minSpeed, double t
     };
     std::vector<Hit> hits;
     for (const Manifold* manifold : manifolds) {
+        if (!(double(manifold->approach) > minSpeed)) continue;
         double approach = 0.0, total = 0.0;
         for (const ManifoldPoint& point : manifold->all())
             if (point.totalImpulse > 0.0f) approach = std::max(approach, double(point.approach));

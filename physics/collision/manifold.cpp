@@ -117,6 +117,7 @@ void inheritImpulses(const Manifold& before, Manifold& now) {
 size_t groupDirection(std::vector<ContactPoint>& contacts, size_t from, const Manifold* before) {
     size_t deepest = from;
     float lowest = 1e9f;
+    if (contacts.size() <= 4) before = nullptr;  // all are kept
     for (size_t i = from; i < contacts.size(); ++i) {
         const float separation =
             contacts[i].separation - (wasKept(before, contacts[i].feature) ? kKeptDepthBonus : 0.0f);

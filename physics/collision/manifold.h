@@ -39,6 +39,7 @@ struct ManifoldHead {
     std::pair<CollisionObject*, CollisionObject*> objects;
     glm::dvec3 origin{0.0};           ///< positions of points are relative to it: the first's frame origin, world
     float allowedPenetration = 0.0f;  ///< metres: see updateAllowedPenetration()
+    float approach = 0.0f;            ///< m/s: the fastest at which a point closed before the last solve
     int count = 0;
     bool isRound = false;        ///< one of the objects is touched as what is round
     bool isPenetrating = false;  ///< the last solve left a hit deep: see ContactSolver::solve()

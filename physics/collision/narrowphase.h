@@ -26,7 +26,7 @@ public:
     /// Keeps the impulses of contacts of which nothing is awake any more. To be called when bodies have fallen asleep.
     void keepResting() { m_resting.keep(manifolds()); }
     /// How many pairs it was given in this step.
-    size_t candidates() const { return m_sets[m_now].pairs.size(); }
+    size_t candidates() const { return m_sets[m_now].usedPairs; }
     /// Bricks of large bodies that may touch something and were not searched in this step.
     size_t bricksLeftOut() const;
 
@@ -50,7 +50,10 @@ private:
         std::vector<std::unique_ptr<Batch>> batches;
         size_t usedBatches = 0;
         std::vector<Manifold*> list;
-        std::vector<Pair> pairs;  ///< all, sorted
+        std::vector<Pair> pairs;  ///< all, sorted; then unused ones
+        size_t usedPairs = 0;
+        /// Those in use.
+        std::span<const Pair> all() const { return std::span(pairs).first(usedPairs); }
     };
     void collideBatch(std::span<const ObjectPair> pairs, size_t from, const NarrowphaseSettings& settings, Batch& batch,
                       std::span<Pair> out) const;

@@ -74,20 +74,21 @@ void PackedBoxes::addLevel(size_t children) {
     m_nodes.insert(m_nodes.end(), (children + kWidth - 1) / kWidth, empty);
 }
 
-void PackedBoxes::find(const WorldBox& box, std::vector<uint32_t>& out) const {
-    if (m_order.empty()) return;
-    const glm::vec3 low(box.low - m_origin), high(box.high - m_origin);
-    const auto overlapping = [&](const Node& node) {  // bit i: its i-th box
-        uint32_t bits = 0;
-        for (uint32_t half = 0; half < kWidth; half += 4) {
-            Bool4 overlap{-1, -1, -1, -1};
-            for (int axis = 0; axis < 3; ++axis)
-                overlap &= (load(node.low[size_t(axis)].data() + half) <= float4(high[axis])) &
-                           (load(node.high[size_t(axis)].data() + half) >= float4(low[axis]));
-            bits |= bitsOf(overlap) << half;
-        }
-        return bits;
-    };
+/// Bit i: the i-th box of a node overlaps the box.
+uint32_t PackedBoxes::overlaps(const Node& node, const Box& box) {
+    uint32_t bits = 0;
+    for (uint32_t half = 0; half < kWidth; half += 4) {
+        Bool4 overlap{-1, -1, -1, -1};
+        for (int axis = 0; axis < 3; ++axis)
+            overlap &= (load(node.low[size_t(axis)].data() + half) <= float4(box.high[axis])) &
+                       (load(node.high[size_t(axis)].data() + half) >= float4(box.low[axis]));
+        bits |= bitsOf(overlap) << half;
+    }
+    return bits;
+}
+
+/// Appends the leaves from the number `from` on that may hold what overlaps the box.
+void PackedBoxes::findLeaves(const Box& box, uint32_t from, std::vector<uint32_t>& out) const {
     struct Visit {
         uint32_t level, node;  ///< counted from the first of its level
     };
@@ -96,12 +97,41 @@ void PackedBoxes::find(const WorldBox& box, std::vector<uint32_t>& out) const {
     open[count++] = {uint32_t(m_levels.size() - 1), 0};
     while (count) {
         const Visit visit = open[--count];
-        for (uint32_t hits = overlapping(m_nodes[m_levels[visit.level] + visit.node]); hits; hits &= hits - 1) {
+        if (visit.level == 0) {
+            out.push_back(visit.node);
+            continue;
+        }
+        const uint32_t first = from >> 3 * (visit.level - 1);  // of the level below, above `from`
+        for (uint32_t hits = overlaps(m_nodes[m_levels[visit.level] + visit.node], box); hits; hits &= hits - 1) {
             const uint32_t child = visit.node * kWidth + uint32_t(std::countr_zero(hits));
-            if (visit.level)
-                open[count++] = {visit.level - 1, child};
-            else
-                out.push_back(m_order[child].second);
+            if (child >= first) open[count++] = {visit.level - 1, child};
+        }
+    }
+}
+
+/// Leaf by leaf: what overlaps any of its eight boxes is found once for all of them.
+void PackedBoxes::findPairs(std::vector<std::pair<uint32_t, uint32_t>>& out) const {
+    const uint32_t count = uint32_t(m_order.size());
+    std::vector<uint32_t> near;
+    for (uint32_t leaf = 0; leaf * kWidth < count; ++leaf) {
+        const Node& own = m_nodes[leaf];
+        Box all{glm::vec3(kNowhere), glm::vec3(-kNowhere)};
+        for (size_t axis = 0; axis < 3; ++axis) {
+            all.low[int(axis)] = *std::min_element(own.low[axis].begin(), own.low[axis].end());
+            all.high[int(axis)] = *std::max_element(own.high[axis].begin(), own.high[axis].end());
+        }
+        near.clear();
+        findLeaves(all, leaf, near);
+        for (uint32_t i = 0; i < std::min(kWidth, count - leaf * kWidth); ++i) {
+            const Box box{{own.low[0][i], own.low[1][i], own.low[2][i]},
+                          {own.high[0][i], own.high[1][i], own.high[2][i]}};
+            const uint32_t first = m_order[leaf * kWidth + i].second;
+            for (const uint32_t other : near) {
+                uint32_t hits = overlaps(m_nodes[other], box);
+                if (other == leaf) hits &= ~0u << i << 1;
+                for (; hits; hits &= hits - 1)
+                    out.emplace_back(first, m_order[other * kWidth + uint32_t(std::countr_zero(hits))].second);
+            }
         }
     }
 }

@@ -134,7 +134,7 @@ public:
     /// The corners and edges of the other's voxels against the round surface.
     void collideFeatures() {
         if (const PartSurface* surface = m_other.part.whole())
-            return collideList(surface->features, surface->rows.box().low);
+            return collideList(surface->features(), surface->rows.box().low);
         const glm::vec3 reach = m_surface.extent() + m_margin + glm::abs(displacementAt(m_surface.center)) + 1.0f;
         const CellBox& own = m_other.part.bounds();
         const Cell low = brickOfCell(glm::max(cellOf(m_surface.center - reach), own.low)),

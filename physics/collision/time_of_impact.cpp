@@ -90,7 +90,7 @@ public:
         const CellBox near = nearCells();
         if (glm::any(glm::greaterThanEqual(near.low, near.high))) return 2.0f;
         if (const PartSurface* surface = m_from.whole()) {
-            sweepFeatures(surface->features, surface->rows.box().low, near);
+            sweepFeatures(surface->features(), surface->rows.box().low, near);
             return m_first;
         }
         const Cell low = brickOfCell(near.low), high = brickOfCell(near.high - 1);

@@ -38,6 +38,8 @@ constexpr float kSearchDistance = 0.15f;
 constexpr int kNewPairIterations = 4, kKnownPairIterations = 1;
 /// Depth in cells from which a stuck feature counts although other features have contacts.
 constexpr float kMinStuckDepth = 0.25f;
+/// Cells around a part that are looked at for bricks of a large one, which has no tight hull.
+constexpr double kClearCells = 4.0;
 /// Length of the mean normal of contacts below which they oppose each other.
 constexpr float kMinAgreement = 0.5f;
 
@@ -53,7 +55,6 @@ struct RelativeMotion {
         spin = first.angularVelocity - second.angularVelocity;
         maxDisplacement = maxRelativeDisplacement(first, second, seconds);
         sweeps = maxDisplacement > settings.sweepThreshold;
-        bothMove = first.radius > 0.0 && second.radius > 0.0;
         if (second.radius == 0.0 || first.radius < second.radius)
             radius = first.radius, centerVelocity = velocity;
         else
@@ -74,7 +75,7 @@ struct RelativeMotion {
     glm::dvec3 velocity{0.0};  ///< of the first at its origin relative to the second, world axes
     glm::dvec3 spin{0.0};
     double maxDisplacement = 0.0;  ///< of any point of one relative to the other, metres
-    bool sweeps = false, bothMove = false;
+    bool sweeps = false;
     double radius = 0.0;             ///< of the smaller body
     glm::dvec3 centerVelocity{0.0};  ///< the velocity at the smaller body's origin
 };
@@ -126,6 +127,22 @@ ContactPoint stuckContact(const ColliderPart& a, const TransformedHull& hullA, c
 float roundness(const ColliderPart& a, const ColliderPart& b) {
     const auto gap = [](const ColliderPart& part) { return part.round() ? part.voxelSize() : 0.0; };
     return kMaxRoundGap * float(std::max(gap(a), gap(b)));
+}
+
+/// Metres that are free around a part, if no brick of a large one lies within a few of its cells; else 0. Without it,
+/// what is inside of a hollow part would be searched in every step.
+float clearanceIn(const ColliderPart& large, const CellTransform& largeCells, const ColliderPart& part,
+                  const CellTransform& cells) {
+    if (large.whole()) return 0.0f;
+    const double size = large.voxelSize();
+    const glm::dmat3 toLarge = metresToCells(largeCells, size), axes = toLarge * cells.axes;
+    const CellBox& own = part.bounds();
+    const glm::dvec3 half = glm::dvec3(own.high - own.low) * 0.5,
+                     middle = toLarge * (cells.corner - largeCells.corner) + axes * (glm::dvec3(own.low) + half),
+                     around = rotatedHalfExtent(axes, half) + kClearCells;
+    const glm::vec3 low(middle - around), high(middle + around);
+    const bool isFree = !Occupancy(large).mayContainBrick(floorOf(float4(low)), floorOf(float4(high)));
+    return isFree ? float(kClearCells * size) : 0.0f;
 }
 
 /// How near two parts are: a unit vector from the second to the first, their hulls' distance along it, and the one up
@@ -214,16 +231,15 @@ bool collideParts(const Surroundings& around, size_t i, size_t k, const Relative
     const ColliderPart &a = *around.colliders[0]->parts[i], &b = *around.colliders[1]->parts[k];
     const CellTransform aCells = around.at(0, i), bCells = around.at(1, k);
     const uint64_t key = uint64_t(i & 31) << 6 | uint64_t(k & 31) << 1;
-    // What is static often consists of many shapes, whose seams must be no bumps: voxels know them.
-    if (motion.bothMove && around.empty() && a.box() && b.box())
-        return collideBoxes({{a, aCells, nullptr}, {}, motion.firstVelocity, motion.firstSpin},
-                            {{b, bCells, nullptr}, motion.offset, motion.secondVelocity, motion.secondSpin}, settings,
-                            key, search, out);
-    const TransformedHull hullA = transformHull(a, aCells), hullB = transformHull(b, bCells);
-    if (!hasAxis) axis = centerAxis(a, hullA, b, hullB);
     const float size = float(std::max(a.voxelSize(), b.voxelSize()));
     const float searched = float(settings.margin) + kSearchDistance * size + roundness(a, b),
                 closing = motion.sweeps ? float(motion.maxDisplacement) : 0.0f;
+    if (const float clearance = clearanceIn(b, bCells, a, aCells) - searched; clearance > closing) {
+        search.clearance = std::min(search.clearance, clearance);
+        return false;
+    }
+    const TransformedHull hullA = transformHull(a, aCells), hullB = transformHull(b, bCells);
+    if (!hasAxis) axis = centerAxis(a, hullA, b, hullB);
     const float gap = refineSeparatingAxis(hullA, hullB, searched + closing,
                                            hasAxis ? kKnownPairIterations : kNewPairIterations, axis);
     const float near = searched + motion.closingDistance(axis, double(searched));
@@ -243,6 +259,44 @@ bool collideParts(const Surroundings& around, size_t i, size_t k, const Relative
     return true;
 }
 
+/// Whether both are one box each, and can move. What is static often consists of many shapes, whose seams must be no
+/// bumps: voxels know them.
+bool areLoneBoxes(const VoxelCollider& first, const Motion& firstMotion, const VoxelCollider& second,
+                  const Motion& secondMotion) {
+    return firstMotion.radius > 0.0 && secondMotion.radius > 0.0 && first.parts.size() == 1 &&
+           second.parts.size() == 1 && first.parts[0]->box() && second.parts[0]->box();
+}
+
+/// See findContacts().
+bool collideLoneBoxes(const ColliderPart& first, const Motion& firstMotion, const ColliderPart& second,
+                      const Motion& secondMotion, const NarrowphaseSettings& settings, ContactSearch& search,
+                      std::vector<ContactPoint>& out) {
+    if (!first.filter().meets(second.filter())) return false;
+    const glm::dvec3 offset = secondMotion.pose.position - firstMotion.pose.position;
+    const CellTransform& own = secondMotion.cellTransforms[0];
+    const CellTransform secondCells{own.axes, own.corner + offset};
+    return collideBoxes({{first, firstMotion.cellTransforms[0]}, {}, firstMotion.velocity, firstMotion.angularVelocity},
+                        {{second, secondCells}, offset, secondMotion.velocity, secondMotion.angularVelocity}, settings,
+                        0, search, out);
+}
+
+/// See findContacts().
+bool collideAllParts(const Surroundings& around, const RelativeMotion& motion, const NarrowphaseSettings& settings,
+                     ContactSearch& search, std::vector<ContactPoint>& out) {
+    const VoxelCollider &first = *around.colliders[0], &second = *around.colliders[1];
+    bool isNear = false;
+    const bool isOnePair = first.parts.size() == 1 && second.parts.size() == 1;
+    for (size_t i = 0; i < first.parts.size(); ++i)
+        for (size_t k = 0; k < second.parts.size(); ++k) {
+            const ColliderPart &a = *first.parts[i], &b = *second.parts[k];
+            if (a.grid().empty() || b.grid().empty() || !a.filter().meets(b.filter())) continue;
+            if (!isOnePair) search.axis = glm::vec3(0.0f);
+            isNear |= collideParts(around, i, k, motion, settings, search, out);
+        }
+    if (!isOnePair) search.axis = glm::vec3(0.0f);
+    return isNear;
+}
+
 }  // namespace
 
 double maxRelativeDisplacement(const Motion& first, const Motion& second, double seconds) {
@@ -254,24 +308,20 @@ double maxRelativeDisplacement(const Motion& first, const Motion& second, double
 bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const VoxelCollider& second,
                   const Motion& secondMotion, const NarrowphaseSettings& settings, ContactSearch& search,
                   std::vector<ContactPoint>& out, const StaticNeighbours& neighbours) {
-    const RelativeMotion motion(firstMotion, secondMotion, settings);
-    const Surroundings around{{&first, &second},
-                              {firstMotion.cellTransforms, secondMotion.cellTransforms},
-                              {glm::dvec3(0.0), motion.offset},
-                              neighbours};
     search.turn += search.leftOut > 0;
     search.leftOut = 0;
     search.clearance = std::numeric_limits<float>::max();
-    bool isNear = false;
-    const bool isOnePair = first.parts.size() == 1 && second.parts.size() == 1;
-    for (size_t i = 0; i < first.parts.size(); ++i)
-        for (size_t k = 0; k < second.parts.size(); ++k) {
-            const ColliderPart &a = *first.parts[i], &b = *second.parts[k];
-            if (a.grid().empty() || b.grid().empty() || !a.filter().meets(b.filter())) continue;
-            if (!isOnePair) search.axis = glm::vec3(0.0f);
-            isNear |= collideParts(around, i, k, motion, settings, search, out);
-        }
-    if (!isOnePair) search.axis = glm::vec3(0.0f);
+    bool isNear;
+    if (areLoneBoxes(first, firstMotion, second, secondMotion)) {
+        isNear = collideLoneBoxes(*first.parts[0], firstMotion, *second.parts[0], secondMotion, settings, search, out);
+    } else {
+        const RelativeMotion motion(firstMotion, secondMotion, settings);
+        isNear = collideAllParts({{&first, &second},
+                                  {firstMotion.cellTransforms, secondMotion.cellTransforms},
+                                  {glm::dvec3(0.0), motion.offset},
+                                  neighbours},
+                                 motion, settings, search, out);
+    }
     if (isNear) search.clearance = 0.0f;
     return isNear;
 }

@@ -90,9 +90,14 @@ glm::vec3 HullPoints::supportPoint(const glm::vec3& direction) const {
 
 void HullPoints::bounds(const glm::mat3& axes, glm::vec3& low, glm::vec3& high) const {
     for (int k = 0; k < 3; ++k) {
-        const glm::vec3 row(axes[0][k], axes[1][k], axes[2][k]);
-        high[k] = support(row);
-        low[k] = -support(-row);
+        const Float4 x = float4(axes[0][k]), y = float4(axes[1][k]), z = float4(axes[2][k]);
+        Float4 least = float4(1e30f), most = float4(-1e30f);
+        for (const Points& p : m_points) {
+            const Float4 along = load(p.x.data()) * x + load(p.y.data()) * y + load(p.z.data()) * z;
+            least = min4(least, along), most = max4(most, along);
+        }
+        low[k] = std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
+        high[k] = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
     }
 }
 

@@ -29,11 +29,18 @@ struct ContactMaterials {
 struct PartSurface {
     /// bounds: of the solid cells.
     explicit PartSurface(const VoxelGrid& grid, const CellBox& bounds)
-        : rows(grid, bounds), features(findFeatures(rows)), hull(rows), box(findBoxSurface(grid, rows)) {}
+        : rows(grid, bounds), box(findBoxSurface(grid, rows)), hull(box ? HullPoints(bounds) : HullPoints(rows)) {}
+    /// What boxes that meet boxes do not need. [any thread]
+    const FeatureList& features() const {
+        const FeatureList* known = m_features.find();
+        return known ? *known : m_features.keep(std::make_unique<FeatureList>(findFeatures(rows)));
+    }
     SolidRows rows;
-    FeatureList features;
-    HullPoints hull;
     std::optional<BoxSurface> box;
+    HullPoints hull;
+
+private:
+    mutable Lazy<FeatureList> m_features;
 };
 
 /// Two objects collide if a bit of each one's layer is in the other's mask.

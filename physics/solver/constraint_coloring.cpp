@@ -1,6 +1,7 @@
 #include "physics/solver/constraint_coloring.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <tuple>
@@ -39,28 +40,27 @@ void ConstraintColoring::assignStrips(std::span<const SolverBody> bodies, std::s
 
 void ConstraintColoring::build(std::span<const SolverBody> bodies, std::span<const std::pair<int, int>> pairs) {
     m_order.resize(pairs.size());
-    std::iota(m_order.begin(), m_order.end(), 0u);
     m_colors.resize(kColors);
     for (std::vector<Task>& color : m_colors) color.clear();
     const size_t strips = std::min(pairs.size() / kPairsPerStrip, kMaxStrips);
     if (strips < 2) {
+        std::iota(m_order.begin(), m_order.end(), 0u);
         if (!pairs.empty()) m_colors[0].push_back({0, pairs.size()});
         return;
     }
     assignStrips(bodies, pairs, strips);
     m_key.clear();
+    std::array<size_t, size_t(kColors) * kMaxStrips + 1> ends{};  // of the pairs of each key
     for (const auto& [a, b] : pairs) {
         const uint32_t s = m_strip[size_t(a ? a : b)], t = m_strip[size_t(b ? b : a)], low = std::min(s, t),
                        apart = std::max(s, t) - low;
         m_key.push_back(apart == 0 ? low : apart == 1 ? (1 + low % 2) * kMaxStrips + low : (kColors - 1) * kMaxStrips);
+        ++ends[m_key.back() + 1];
     }
-    std::sort(m_order.begin(), m_order.end(),
-              [&](uint32_t p, uint32_t q) { return m_key[p] != m_key[q] ? m_key[p] < m_key[q] : p < q; });
-    for (size_t from = 0, to = 0; from < m_order.size(); from = to) {
-        const uint32_t key = m_key[m_order[from]];
-        while (to < m_order.size() && m_key[m_order[to]] == key) ++to;
-        m_colors[key / kMaxStrips].push_back({from, to});
-    }
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    for (uint32_t i = 0; i < pairs.size(); ++i) m_order[ends[m_key[i]]++] = i;
+    for (size_t key = 0, from = 0; key + 1 < ends.size(); from = ends[key++])
+        if (ends[key] > from) m_colors[key / kMaxStrips].push_back({from, ends[key]});
 }
 
 void ConstraintColoring::replaceRanges(const std::function<std::pair<size_t, size_t>(size_t, size_t)>& f) {

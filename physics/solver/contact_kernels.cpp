@@ -43,7 +43,8 @@ Contact<Float8> load(const Contact<Lanes>& c) {
             load(c.separation),
             load(c.normalMass),
             load(c.tangentMass1),
-            load(c.tangentMass2)};
+            load(c.tangentMass2),
+            load(c.currentSeparation)};
 }
 RoundAnchor<Float8> load(const RoundAnchor<Lanes>& anchor) {
     return {load(anchor.axis), load(anchor.radius), load(anchor.side)};
@@ -86,19 +87,21 @@ VelocityPair<Float8> loadVelocities(const SolverState* states, const PairGroup& 
 }
 
 /// The world's state is not written: several threads read it.
-void storeBody(SolverState* states, const int (&bodies)[kLanes], const Vec& v, const Vec& w,
-               const Float8& inverseMass) {
+void storeBody(SolverState* states, const int (&bodies)[kLanes], const Vec& v, const Vec& w, const Float8& inverseMass,
+               bool storesSteady) {
     float *vRows[kLanes], *wRows[kLanes];
     for (int i = 0; i < kLanes; ++i) {
-        float* const state = bodies[i] ? reinterpret_cast<float*>(states + bodies[i]) : nullptr;
+        SolverState& body = states[bodies[i]];
+        float* const state = bodies[i] && (storesSteady || !body.isSteady) ? reinterpret_cast<float*>(&body) : nullptr;
         vRows[i] = state, wRows[i] = state ? state + kW : nullptr;
     }
     storeRows({{v.x, v.y, v.z, inverseMass}}, vRows);
     storeRows({{w.x, w.y, w.z, Float8(0.0f)}}, wRows);
 }
-void storeVelocities(SolverState* states, const PairGroup& group, const VelocityPair<Float8>& bodies) {
-    storeBody(states, group.a, bodies.vA, bodies.wA, bodies.inverseMassA);
-    storeBody(states, group.b, bodies.vB, bodies.wB, bodies.inverseMassB);
+void storeVelocities(SolverState* states, const PairGroup& group, const VelocityPair<Float8>& bodies,
+                     bool storesSteady = true) {
+    storeBody(states, group.a, bodies.vA, bodies.wA, bodies.inverseMassA, storesSteady);
+    storeBody(states, group.b, bodies.vB, bodies.wB, bodies.inverseMassB, storesSteady);
 }
 
 struct BodyMotion {
@@ -128,22 +131,51 @@ void updateJacobians(const ContactArrays& set, const PairGroup& group, const Mot
     }
 }
 
+/// Two unit vectors across the normal. t1 comes from two of its components; the threshold, about 1 / sqrt(3), sees to
+/// it that these are not both small.
+void tangentsOf(const Vec& n, Vec& t1, Vec& t2) {
+    const Float8 zero(0.0f);
+    const Bool8 isAlongX = larger(n.x, zero - n.x) > Float8(0.57f);
+    const Vec across = {select(isAlongX, n.y, zero), select(isAlongX, zero - n.x, n.z),
+                        select(isAlongX, zero, zero - n.y)};
+    t1 = across * (Float8(1.0f) / rootOf(larger(dot(across, across), Float8(1e-30f))));
+    t2 = cross(n, t1);
+}
+
+/// Computes the tangents, of which the first is the impulse of friction to start with, and its parts along them.
+void beginTangents(const ContactArrays& set, const PairGroup& group) {
+    for (uint32_t i = group.from; i < group.from + group.count; ++i) {
+        Contact<Lanes>& to = set.contacts[i];
+        const Vec impulse = load(to.tangent1);
+        Vec t1, t2;
+        tangentsOf(load(set.starts[i].normal), t1, t2);
+        store(t1, to.tangent1), store(t2, to.tangent2);
+        store(dot(impulse, t1), to.tangentImpulse1), store(dot(impulse, t2), to.tangentImpulse2);
+    }
+}
+
+/// Computes the separations of a group's contacts now.
+void updateSeparations(const ContactArrays& set, const PairGroup& group) {
+    const MotionPair<Float8> motion = loadMotions(set.states, group);
+    for (uint32_t i = group.from; i < group.from + group.count; ++i) {
+        Contact<Lanes>& at = set.contacts[i];
+        if (group.anyRound) {
+            const ContactStart<Float8> start = load(set.starts[i]);
+            store(motion.separation(load(at), &start), at.currentSeparation);
+        } else {
+            store(motion.separation(load(at), nullptr), at.currentSeparation);
+        }
+    }
+}
+
 /// What a contact adds to the normal velocity (m/s), and how soft it is: see Softness.
 struct ContactBias {
     Float8 velocity, massScale, impulseScale;
 };
 /// A point that is still apart may close by its separation within the substep (speculative contact). A penetration is
 /// corrected by a soft constraint, at most at maxPushSpeed.
-ContactBias biasOf(const ContactArrays& set, const PairGroup& group, uint32_t contact, const MotionPair<Float8>& motion,
-                   const ContactPass& pass) {
-    const Float8 zero(0.0f), one(1.0f);
-    Float8 separation;
-    if (group.anyRound) {
-        const ContactStart<Float8> start = load(set.starts[contact]);
-        separation = motion.separation(load(set.contacts[contact]), &start);
-    } else {
-        separation = motion.separation(load(set.contacts[contact]), nullptr);
-    }
+ContactBias biasOf(const ContactArrays& set, const PairGroup& group, uint32_t contact, const ContactPass& pass) {
+    const Float8 zero(0.0f), one(1.0f), separation = load(set.contacts[contact].currentSeparation);
     const Bool8 isApart = separation > zero;
     const Float8 speculative = separation * Float8(pass.inverseSeconds);
     if (!pass.useBias) return {select(isApart, speculative, zero), one, zero};
@@ -184,17 +216,19 @@ void solveHits(const ContactArrays& set, const PairGroup& group, const ContactBi
 /// All normals of two bodies first, then their friction: an impulse that is too large is corrected by the next point's
 /// before it limits friction.
 [[gnu::flatten]] void solveGroup(const ContactArrays& set, const PairGroup& group, const ContactPass& pass) {
+    // Until the bodies move again they stay as they are, but where normals have turned since.
+    if (group.anyFollowed || pass.haveMoved) updateSeparations(set, group);
     VelocityPair<Float8> bodies = loadVelocities(set.states, group);
-    const MotionPair<Float8> motion = loadMotions(set.states, group);
     ContactBias biases[kMaxManifoldPoints];
-    for (uint32_t i = 0; i < group.count; ++i) biases[i] = biasOf(set, group, group.from + i, motion, pass);
+    for (uint32_t i = 0; i < group.count; ++i) biases[i] = biasOf(set, group, group.from + i, pass);
     // What is followed has just moved. With the old effective masses, the impulses on a spinning rod would be larger
     // than it takes to stop it, again and again.
-    if (!pass.useBias && group.anyFollowed) updateJacobians(set, group, motion, bodies);
+    if (!pass.useBias && group.anyFollowed) updateJacobians(set, group, loadMotions(set.states, group), bodies);
     Float8 changed(0.0f), largest(0.0f);
     for (uint32_t i = 0; i < group.count; ++i) {
         Contact<Lanes>& at = set.contacts[group.from + i];
         const Contact<Float8> c = load(at);
+        if (pass.addsTotals) store(c.totalImpulse + c.normalImpulse, at.totalImpulse);
         const Float8 impulse = normalImpulse(c, biases[i], bodies), change = impulse - c.normalImpulse;
         bodies.applyNormalImpulse(c, change);
         store(impulse, at.normalImpulse);
@@ -213,23 +247,26 @@ void solveHits(const ContactArrays& set, const PairGroup& group, const ContactBi
 }
 
 [[gnu::flatten]] void prepare(const ContactArrays& set, size_t from, size_t to) {
-    for (size_t g = from; g < to; ++g)
-        updateJacobians(set, set.groups[g], loadMotions(set.states, set.groups[g]),
-                        loadVelocities(set.states, set.groups[g]));
+    for (size_t g = from; g < to; ++g) {
+        const PairGroup& group = set.groups[g];
+        beginTangents(set, group);
+        updateJacobians(set, group, loadMotions(set.states, group), loadVelocities(set.states, group));
+        for (uint32_t i = group.from; i < group.from + group.count; ++i)
+            set.contacts[i].currentSeparation = set.contacts[i].separation;
+    }
 }
 
 [[gnu::flatten]] void warmStart(const ContactArrays& set, size_t from, size_t to, bool isFirst) {
     for (size_t g = from; g < to; ++g) {
         const PairGroup& group = set.groups[g];
+        if (!isFirst && group.isSteady) continue;
         VelocityPair<Float8> bodies = loadVelocities(set.states, group);
         for (uint32_t i = group.from; i < group.from + group.count; ++i) {
-            Contact<Lanes>& at = set.contacts[i];
-            const Contact<Float8> c = load(at);
-            if (!isFirst) store(c.totalImpulse + c.normalImpulse, at.totalImpulse);
+            const Contact<Float8> c = load(set.contacts[i]);
             bodies.applyNormalImpulse(c, c.normalImpulse);
             bodies.applyFrictionImpulse(c, c.tangentImpulse1, c.tangentImpulse2);
         }
-        storeVelocities(set.states, group, bodies);
+        storeVelocities(set.states, group, bodies, isFirst);
     }
 }
 

@@ -13,10 +13,12 @@ struct ContactStart;
 
 /// A pass over contacts.
 struct ContactPass {
-    float inverseSeconds;  ///< of the substep
-    float maxPushSpeed;    ///< m/s at which overlaps are pushed apart
-    float slop;            ///< metres that contacts may overlap
-    bool useBias;          ///< before the bodies move; false: after they have moved
+    float inverseSeconds;     ///< of the substep
+    float maxPushSpeed;       ///< m/s at which overlaps are pushed apart
+    float slop;               ///< metres that contacts may overlap
+    bool useBias = false;     ///< before the bodies move; false: after they have moved
+    bool addsTotals = false;  ///< first adds the impulses of the substep before to the totals
+    bool haveMoved = false;   ///< the bodies have, since the last pass: separations are computed again
 };
 
 /// What the contact kernels work on: the arrays of a ContactSet.
@@ -32,7 +34,7 @@ struct ContactArrays {
 struct ContactKernels {
     /// Fills in what follows from the start of the contacts.
     void (*prepare)(const ContactArrays& set, size_t from, size_t to);
-    /// Starts a substep with the impulses of the one before, and adds those to the totals, unless it is the first.
+    /// Starts a substep with the impulses of the one before. isFirst: of the step; else steady bodies are left out.
     void (*warmStart)(const ContactArrays& set, size_t from, size_t to, bool isFirst);
     /// An iteration over the contacts.
     void (*solve)(const ContactArrays& set, size_t from, size_t to, const ContactPass& pass);

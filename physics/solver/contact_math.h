@@ -19,6 +19,8 @@ struct Contact {
     Vec3<Real> rA, rB;  ///< from the centre of mass to the point at which both get their impulses
     Real separation;    ///< at the start of the step, along the normal as it is now, metres
     Real normalMass, tangentMass1, tangentMass2;
+    // What follows is computed when the bodies have moved:
+    Real currentSeparation;  ///< metres
 };
 
 /// A touched point of a round surface. It does not turn with the surface's spin about its axis: it stays where the

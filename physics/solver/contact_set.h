@@ -38,6 +38,7 @@ struct PairGroup {
     uint32_t pair[kLanes];               ///< indices of pairs, or kNone
     uint32_t from = 0, count = 0;        ///< of the contacts; a lane with fewer points has empty ones at the end
     bool anyHit = false, anyFollowed = false, anyRound = false;
+    bool isSteady = false;                    ///< all of its bodies are
     Lanes isHit;                              ///< 1, or 0
     Lanes biasRate, massScale, impulseScale;  ///< see Softness
 };
@@ -65,7 +66,7 @@ struct ContactSet {
     void setContact(const PairConstraints& pair, size_t point, const Contact<float>& contact) {
         copyLane<false>(contacts[groups[pair.group].from + point], pair.lane, contact, sizeof contact);
     }
-    /// The same, without what updateJacobian() computes.
+    /// The same, without what prepare() of ContactKernels computes.
     void beginContact(const PairConstraints& pair, size_t point, const Contact<float>& contact) {
         copyLane<false>(contacts[groups[pair.group].from + point], pair.lane, contact,
                         offsetof(Contact<float>, normal));

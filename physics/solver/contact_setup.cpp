@@ -17,14 +17,6 @@ constexpr float kMinSupportSlope = 0.3f;  ///< vertical part of a normal above w
 constexpr float kMaxWarmStartSpeed = 4.0f;
 constexpr int kRejectionRounds = 4;  ///< in which the rejection spreads to neighbours that become unbalanced by it
 
-/// Two unit vectors across the normal. t1 comes from two of its components; the threshold, about 1 / sqrt(3), sees to
-/// it that these are not both small.
-void tangentsOf(const glm::vec3& n, glm::vec3& t1, glm::vec3& t2) {
-    t1 = std::abs(n.x) > 0.57f ? glm::vec3(n.y, -n.x, 0.0f) : glm::vec3(0.0f, n.z, -n.y);
-    t1 /= std::sqrt(glm::dot(t1, t1));
-    t2 = glm::cross(n, t1);
-}
-
 /// The round surface of a part of an object. side: of a normal that points away from it.
 RoundAnchor<float> roundAnchor(const CollisionObject& object, size_t part, float side, const glm::vec3& normal) {
     const ColliderPart& touched = *object.collider.parts[part];
@@ -82,19 +74,15 @@ ContactStart<float> startOf(const Manifold& manifold, const ManifoldPoint& point
 /// originA, originB: the manifold's origin from the centres of mass.
 Contact<float> contactOf(const PairConstraints& pair, const ManifoldPoint& point, const glm::vec3& originA,
                          const glm::vec3& originB) {
-    glm::vec3 tangent1, tangent2;
-    tangentsOf(point.normal, tangent1, tangent2);
     // Before a fast hit the two touched points are far apart.
     const glm::vec3 half = point.normal * (0.5f * point.separation);
     Contact<float> c{};
-    c.tangent1 = toVec3(tangent1), c.tangent2 = toVec3(tangent2);
+    c.tangent1 = toVec3(point.frictionImpulse);  // until they are prepared
     c.anchorA = toVec3(pair.a ? originA + point.position + half : glm::vec3(0.0f));
     c.anchorB = toVec3(pair.b ? originB + point.position - half : glm::vec3(0.0f));
     c.frictionInset = toVec3(point.frictionInset);
     c.friction = point.friction;
     c.normalImpulse = point.normalImpulse;
-    c.tangentImpulse1 = glm::dot(point.frictionImpulse, tangent1);
-    c.tangentImpulse2 = glm::dot(point.frictionImpulse, tangent2);
     return c;
 }
 
@@ -142,6 +130,7 @@ void classifyPair(const ContactSet& set, PairConstraints& pair, std::span<const 
         pair.impulse += impulse;
         pair.angularImpulseA += glm::cross(rA, impulse), pair.angularImpulseB += glm::cross(rB, impulse);
     }
+    pair.manifold->approach = closing;
     pair.isHit = closing > kHitSpeed;
     pair.isFollowed = pair.isHit || (pair.a && pair.b && moving2 > kFollowedSpeed * kFollowedSpeed);
 }

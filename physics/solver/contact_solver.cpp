@@ -56,6 +56,7 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
         m_loadBearing.find(m_set, m_up, float(weight * h), float(settings.loadBearingRatio));
     packGroups(bodies, bodyOf);
     m_restitution.begin(m_set, float(settings.minReboundSpeed));
+    m_steadyBodies.begin(m_set, bodies);
     m_start.resize(bodies.size());
     for (size_t i = 0; i < bodies.size(); ++i) m_start[i] = bodies[i].rotation;
     for (int i = 0; i < settings.substeps; ++i) substep(bodies, gravity, settings, i == 0);
@@ -90,8 +91,9 @@ void ContactSolver::followHits(std::span<SolverBody> bodies, const SolverSetting
     for (const PairConstraints& pair : m_set.pairs) {
         if (!pair.isHit) continue;
         m_set.stateA(pair).keepsPath = m_set.stateB(pair).keepsPath = true;
-        if (settings.hitsConserve)
-            bodies[size_t(pair.a)].conservesMomentum = bodies[size_t(pair.b)].conservesMomentum = true;
+        if (!settings.hitsConserve) continue;
+        for (SolverBody* body : {&bodies[size_t(pair.a)], &bodies[size_t(pair.b)]})
+            body->conservesMomentum |= !hasEqualMoments(*body);
     }
     for (PairConstraints& pair : m_set.pairs)
         pair.isFollowed |= (pair.a && bodies[size_t(pair.a)].conservesMomentum) ||
@@ -126,26 +128,27 @@ void ContactSolver::packGroups(std::span<const SolverBody> bodies, std::span<con
 void ContactSolver::substep(std::span<SolverBody> bodies, glm::dvec3 gravity, const SolverSettings& settings,
                             bool isFirst) {
     const double h = settings.seconds / settings.substeps;
-    const glm::vec3 fall = glm::vec3(gravity * h);
-    for (size_t i = 1; i < bodies.size(); ++i) m_set.states[i].v += fall * m_set.states[i].gravityScale;
+    m_steadyBodies.startSubstep(m_set, glm::vec3(gravity * h), isFirst);
     if (!m_joints.empty()) m_joints.prepare(bodies, m_set.states, h);
     const ContactArrays set = arrays();
     m_coloring.run(m_parallelFor, [&](size_t from, size_t to) { m_kernels->warmStart(set, from, to, isFirst); });
     m_restitution.solve(m_set, float(h), bodies, m_joints);
-    iterate(bodies, settings, h, true);
+    ContactPass pass{float(1.0 / h), float(settings.maxPushSpeed), float(settings.slop)};
+    pass.useBias = true, pass.addsTotals = !isFirst;
+    iterate(bodies, settings, pass);
     move(bodies, h);
     m_restitution.solve(m_set, float(h), bodies, m_joints);
-    iterate(bodies, settings, h, false);
+    pass.useBias = pass.addsTotals = false, pass.haveMoved = true;
+    iterate(bodies, settings, pass);
     if (!m_joints.empty()) m_joints.accumulateForces(settings.seconds);
 }
 
-void ContactSolver::iterate(std::span<const SolverBody> bodies, const SolverSettings& settings, double seconds,
-                            bool useBias) {
+void ContactSolver::iterate(std::span<const SolverBody> bodies, const SolverSettings& settings, ContactPass pass) {
     const ContactArrays set = arrays();
-    const ContactPass pass{float(1.0 / seconds), float(settings.maxPushSpeed), float(settings.slop), useBias};
     for (int i = 0; i < settings.iterations; ++i) {
-        if (!m_joints.empty()) m_joints.solve(bodies, m_set.states, useBias);
+        if (!m_joints.empty()) m_joints.solve(bodies, m_set.states, pass.useBias);
         m_coloring.run(m_parallelFor, [&](size_t from, size_t to) { m_kernels->solve(set, from, to, pass); });
+        pass.addsTotals = pass.haveMoved = false;
         for (int k = 0; k < settings.loadBearingPasses; ++k)
             for (const uint32_t group : m_stiffGroups) m_kernels->solve(set, group, group + 1, pass);
     }

@@ -8,6 +8,7 @@
 #include "physics/solver/joint_solver.h"
 #include "physics/solver/lane_packing.h"
 #include "physics/solver/restitution.h"
+#include "physics/solver/steady_bodies.h"
 #include "runtime/core/pose.h"
 
 namespace rubble {
@@ -47,7 +48,7 @@ private:
     void followHits(std::span<SolverBody> bodies, const SolverSettings& settings);
     void packGroups(std::span<const SolverBody> bodies, std::span<const std::pair<int, int>> bodyOf);
     void substep(std::span<SolverBody> bodies, glm::dvec3 gravity, const SolverSettings& settings, bool isFirst);
-    void iterate(std::span<const SolverBody> bodies, const SolverSettings& settings, double seconds, bool useBias);
+    void iterate(std::span<const SolverBody> bodies, const SolverSettings& settings, ContactPass pass);
     bool isDeep(const PairConstraints& pair);
     void move(std::span<SolverBody> bodies, double seconds);
     static void moveConstrained(SolverBody& body, SolverState& state, const glm::dquat& start, double seconds);
@@ -63,6 +64,7 @@ private:
     LanePacking m_packing;
     WarmStartFilter m_warmStartFilter;
     Restitution m_restitution;
+    SteadyBodies m_steadyBodies;
     const ParallelFor* m_parallelFor = nullptr;
     LoadBearing m_loadBearing;
     std::vector<glm::dquat> m_start;         ///< rotations at the start of the step

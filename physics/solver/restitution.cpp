@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 // Restitution of simultaneous impacts by sequential impacts.
 //
@@ -37,14 +38,21 @@ void Restitution::begin(ContactSet& set, float minRebound) {
     if (m_fast.empty()) return;
     m_isQueued.assign(set.pairs.size(), false);
     m_impacts.assign(set.pairs.size(), 0);
-    m_neighbours.clear();
-    for (size_t i = 0; i < set.pairs.size(); ++i) {
-        const PairConstraints& pair = set.pairs[i];
-        if (!pair.isElastic) continue;
-        for (const int body : {pair.a, pair.b})
-            if (body) m_neighbours.emplace_back(body, i);
-    }
-    std::sort(m_neighbours.begin(), m_neighbours.end());
+    findNeighbours(set);
+}
+
+void Restitution::findNeighbours(const ContactSet& set) {
+    const auto forEachElastic = [&](auto&& f) {
+        for (size_t i = 0; i < set.pairs.size(); ++i)
+            if (set.pairs[i].isElastic)
+                for (const int body : {set.pairs[i].a, set.pairs[i].b})
+                    if (body) f(size_t(body), i);
+    };
+    m_ends.assign(set.states.size() + 1, 0);
+    forEachElastic([&](size_t body, size_t) { ++m_ends[body + 1]; });
+    std::partial_sum(m_ends.begin(), m_ends.end(), m_ends.begin());
+    m_neighbours.resize(m_ends.back());
+    forEachElastic([&](size_t body, size_t pair) { m_neighbours[m_ends[body]++] = pair; });
 }
 
 void Restitution::queue(size_t pair) {
@@ -67,9 +75,8 @@ void Restitution::solve(ContactSet& set, float seconds, std::span<const SolverBo
         ++m_impacts[number];
         collide(set, pair, seconds, bodies, joints);
         for (const int body : {pair.a, pair.b})
-            for (auto at = std::lower_bound(m_neighbours.begin(), m_neighbours.end(), std::pair(body, size_t(0)));
-                 at != m_neighbours.end() && at->first == body; ++at)
-                if (at->second != number) queue(at->second);
+            for (size_t i = body ? m_ends[size_t(body) - 1] : m_ends[0]; i < m_ends[size_t(body)]; ++i)  // none of 0
+                if (m_neighbours[i] != number) queue(m_neighbours[i]);
     }
 }
 
@@ -106,7 +113,8 @@ void Restitution::collide(ContactSet& set, const PairConstraints& pair, float se
         points[i] = set.contact(pair, i);
         updateJacobian(points[i], set.start(pair, i), set.isRound(pair), motion, before);
         const float velocity = before.normalVelocity(points[i]);
-        touches[i].isTouching = set.separation(pair, i, points[i], motion) + velocity * seconds < 0.0f;
+        points[i].currentSeparation = set.separation(pair, i, points[i], motion);
+        touches[i].isTouching = points[i].currentSeparation + velocity * seconds < 0.0f;
         touches[i].target = reboundSpeed(pair.points()[i], velocity);
         fastest = std::max(fastest, -velocity);
     }
@@ -136,6 +144,7 @@ void Restitution::collide(ContactSet& set, const PairConstraints& pair, float se
         points[i].totalImpulse += touches[i].impulse;
         set.setContact(pair, i, points[i]);
     }
+    A.isSteady = B.isSteady = false;
 }
 
 }  // namespace rubble

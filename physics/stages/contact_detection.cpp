@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "physics/collision/impacts.h"
+#include "physics/solver/blockwise.h"
 
 namespace rubble {
 namespace {
@@ -25,13 +26,16 @@ void ContactDetection::find(PhysicsBodies& bodies, const JointTable& joints, con
         m_moving.clear();
         for (const uint32_t slot : bodies.awake()) {
             DynamicBody& body = bodies.at(slot);
-            if (body.pairsFound) continue;
+            if (!body.pairsFound) m_moving.push_back(&body.object);
+        }
+        forEachBlockwise(settings.parallelFor ? &settings.parallelFor : nullptr, m_moving.size(), [&](size_t i) {
+            DynamicBody& body = *m_moving[i]->dynamic;
             if (!(body.object.pose == body.pose())) body.setPose();
             body.object.turn = body.object.radius * glm::length(body.motion.angularVelocity) * settings.stepSeconds;
-            bodies.broadphase().move(body.object, body.motion.velocity * settings.stepSeconds,
-                                     settings.contactMargin + body.object.turn);
-            m_moving.push_back(&body.object);
-        }
+            bodies.broadphase().setBounds(body.object, body.motion.velocity * settings.stepSeconds,
+                                          settings.contactMargin + body.object.turn);
+        });
+        for (CollisionObject* object : m_moving) bodies.broadphase().move(*object);
         m_pairs.clear();
         m_leftOut += bodies.broadphase().findPairs(m_moving, m_pairs);
         if (!joints.empty()) joints.removeNonColliding(m_pairs);

@@ -56,7 +56,7 @@ SweptPose simplified(const DynamicBody& body, std::array<Pose, 2>& ends) {
     const SweptPose whole{body.stepPath};
     ends = {body.stepPath.front(), body.stepPath.back()};
     if (const RoundSurface* round = roundOf(body)) return ends[1] = endWithoutSpin(body, *round), SweptPose{ends};
-    const double tolerance = kMaxBend * body.object.collider.smallestVoxel();
+    const double tolerance = kMaxBend * body.object.smallestVoxel;
     for (size_t i = 1; i + 1 < body.stepPath.size(); ++i) {
         const Pose straight = SweptPose{ends}.at(double(i) / double(body.stepPath.size() - 1));
         if (displacement(straight, body.stepPath[i], body.object.radius) > tolerance) return whole;
@@ -122,7 +122,7 @@ void turnBack(SolverBody& body, const glm::dquat& rotation) {
 
 /// Whether the body may have met what the search for contacts did not see, or has passed what it saw.
 bool needsSweep(const DynamicBody& body, double seconds) {
-    const double voxel = body.object.collider.smallestVoxel(), moved = displacementOf(body);
+    const double voxel = body.object.smallestVoxel, moved = displacementOf(body);
     if (moved <= kMinDisplacement * voxel) return false;
     if (roundOf(body)) return moved > kFarDisplacement * voxel;
     return moved > kFarDisplacement * voxel || body.isPenetrating || deviationOf(body, seconds) > kMaxDeviation * voxel;
@@ -213,7 +213,7 @@ bool ContinuousCollision::stop(PhysicsBodies& bodies, const JointTable& joints, 
             continue;
         }
         const double hit = fractionOf(body, bodies, joints);
-        const double fraction = hit + kOverlap * body.object.collider.smallestVoxel() / displacementOf(body);
+        const double fraction = hit + kOverlap * body.object.smallestVoxel / displacementOf(body);
         body.held = isFree(body) || (body.held < kMaxHeld && hit < kNoProgress) ? body.held + 1 : 0;
         if (fraction < 1.0) m_stops.push_back({slot, fraction});
     }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "physics/solver/blockwise.h"
+
 // When a body sleeps, and when it wakes.
 //
 // A body may fall asleep when it is at rest (sleep_timer.h) and touches something, or is in water, jointed, or without
@@ -49,9 +51,12 @@ void putToSleep(PhysicsBodies& bodies, std::span<Manifold* const> manifolds, con
     const RestLimits limits{settings.sleepTime, settings.sleepVelocity, settings.sleepAcceleration,
                             settings.stepSeconds};
     bool any = false;
+    forEachBlockwise(settings.parallelFor ? &settings.parallelFor : nullptr, bodies.awake().size(), [&](size_t i) {
+        DynamicBody& body = bodies.at(bodies.awake()[i]);
+        body.rests = body.sleepTimer.rests(body.pose(), body.object.radius, limits);
+    });
     for (const uint32_t slot : bodies.awake()) {
         DynamicBody& body = bodies.at(slot);
-        body.rests = body.sleepTimer.rests(body.pose(), body.object.radius, limits);
         body.wantsSleep = body.rests && (body.touching || body.inWater || isWeightless || body.gravityScale == 0.0 ||
                                          joints.isJointed(slot));
         any = any || body.wantsSleep;

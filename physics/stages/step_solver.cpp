@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "physics/solver/blockwise.h"
+
 namespace rubble {
 namespace {
 
@@ -22,7 +24,7 @@ bool conservesMomentum(const SolverBody& body, bool touches, RotationRule rule) 
 glm::dvec3 slowSpinChange(const SolverBody& body, const PhysicsSettings& settings) {
     if (body.conservesMomentum || settings.rotation != RotationRule::WhereNeeded) return glm::dvec3(0.0);
     const double spin = glm::length(body.angularVelocity);
-    if (spin < kRestingSpin || spin * settings.stepSeconds > kMaxTurn) return glm::dvec3(0.0);
+    if (spin < kRestingSpin || spin * settings.stepSeconds > kMaxTurn || hasEqualMoments(body)) return glm::dvec3(0.0);
     return freeSpinChange(body, settings.stepSeconds);
 }
 
@@ -66,8 +68,8 @@ void StepSolver::solve(PhysicsBodies& bodies, std::span<Manifold* const> manifol
             if (object->dynamic) object->dynamic->isPenetrating = true;
     }
     m_energy.enforce(m_bodies, m_bodyOf, activeJoints);
-    for (const uint32_t slot : bodies.awake()) {
-        DynamicBody& body = bodies.at(slot);
+    forEachBlockwise(settings.parallelFor ? &settings.parallelFor : nullptr, bodies.awake().size(), [&](size_t i) {
+        DynamicBody& body = bodies.at(bodies.awake()[i]);
         const std::span<const Pose> path = m_solver.pathOf(body.solverIndex);
         body.stepPath.assign(1, body.pose());
         body.stepPath.insert(body.stepPath.end(), path.begin(), path.end());
@@ -78,7 +80,7 @@ void StepSolver::solve(PhysicsBodies& bodies, std::span<Manifold* const> manifol
         body.motion = solved;
         if (path.empty()) body.stepPath.push_back(body.pose());
         body.setPose();
-    }
+    });
 }
 
 void StepSolver::keepMomentum(PhysicsBodies& bodies) {

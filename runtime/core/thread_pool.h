@@ -12,7 +12,8 @@
 
 namespace rubble {
 
-/// A simple ParallelFor with threads. The calling thread works too.
+/// A simple ParallelFor with threads. The calling thread works too, and waits for no thread that has not begun: on a
+/// busy machine it does all of the work itself.
 class ThreadPool {
 public:
     /// Starts threads - 1 workers. `threads`: with the calling thread.
@@ -28,11 +29,14 @@ public:
             m_body = &body;
             m_count = count;
             m_next = 0;
-            m_busy = m_threads.size();
             m_round.store(m_round + 1);
         }
         m_wake.notify_all();
-        work();
+        work(body, count);
+        {
+            const std::lock_guard lock(m_mutex);
+            m_body = nullptr;  // nobody joins any more
+        }
         for (int i = 0; i < kSpins && m_busy; ++i) pause();
         std::unique_lock lock(m_mutex);
         m_done.wait(lock, [&] { return m_busy == 0; });
@@ -43,22 +47,27 @@ private:
     /// Checks before a thread sleeps: work comes in bursts, and waking takes longer than most of it.
     static constexpr int kSpins = 2000;
     static void pause() { std::this_thread::yield(); }
-    void work() try {
-        for (size_t i = m_next++; i < m_count; i = m_next++) (*m_body)(i);
+    void work(const std::function<void(size_t)>& body, size_t count) try {
+        for (size_t i = m_next++; i < count; i = m_next++) body(i);
     } catch (...) {
         const std::lock_guard lock(m_mutex);
         if (!m_thrown) m_thrown = std::current_exception();
-        m_next = m_count;
+        m_next = count;
     }
     void serve(const std::stop_token& stop) {
         for (uint64_t seen = 0;;) {
             for (int i = 0; i < kSpins && m_round == seen; ++i) pause();
+            const std::function<void(size_t)>* body;
+            size_t count;
             {
                 std::unique_lock lock(m_mutex);
                 if (!m_wake.wait(lock, stop, [&] { return m_round != seen; })) return;
                 seen = m_round;
+                body = m_body, count = m_count;
+                if (!body) continue;
+                ++m_busy;
             }
-            work();
+            work(*body, count);
             const std::lock_guard lock(m_mutex);
             if (--m_busy == 0) m_done.notify_one();
         }
@@ -67,10 +76,10 @@ private:
     std::mutex m_mutex;
     std::condition_variable_any m_wake;
     std::condition_variable m_done;
-    const std::function<void(size_t)>* m_body = nullptr;
-    std::exception_ptr m_thrown;  ///< the first
+    const std::function<void(size_t)>* m_body = nullptr;  ///< null: there is no work
+    std::exception_ptr m_thrown;                          ///< the first
     size_t m_count = 0;
-    std::atomic<size_t> m_next = 0, m_busy = 0;
+    std::atomic<size_t> m_next = 0, m_busy = 0;  ///< busy: threads that have begun
     std::atomic<uint64_t> m_round = 0;
     std::vector<std::jthread> m_threads;  ///< declared last: joined before the members that they use are destroyed
 };

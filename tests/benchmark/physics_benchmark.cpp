@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <string>
 
@@ -97,6 +98,14 @@ void sleepers(benchmark::State& state) {
 }
 BENCHMARK(sleepers)->Name("physics/sleepers")->Arg(10'000)->Unit(benchmark::kMicrosecond);
 
+/// The first line of a file; empty: there is none.
+std::string firstLineOf(const char* path) {
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    return line;
+}
+
 /// The same pile with one and with two threads in alternation, in wall-clock time: meaningless on a busy machine. The
 /// first call of parallelFor in a step is the narrowphase; later calls are the solver's.
 void twoThreads(benchmark::State& state) {
@@ -126,6 +135,8 @@ void twoThreads(benchmark::State& state) {
     state.counters["step_2_ms"] = median(stepMs[1]);
     state.counters["narrowphase_ratio"] = median(narrowMs[0]) / median(narrowMs[1]);
     state.counters["step_ratio"] = median(stepMs[0]) / median(stepMs[1]);
+    state.SetLabel("load " + firstLineOf("/proc/loadavg") + "; processors in the core of the first: " +
+                   firstLineOf("/sys/devices/system/cpu/cpu0/topology/thread_siblings_list"));
 }
 BENCHMARK(twoThreads)->Name("physics/twoThreads")->Arg(500)->Unit(benchmark::kMillisecond)->Iterations(1);
 

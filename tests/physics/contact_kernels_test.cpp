@@ -89,7 +89,7 @@ struct Heap {
         kernels.prepare(arrays, 0, end);
         for (int substep = 0; substep < 2; ++substep) {
             kernels.warmStart(arrays, 0, end, substep == 0);
-            kernels.solve(arrays, 0, end, {360.0f, 1.5f, 2e-4f, true});
+            kernels.solve(arrays, 0, end, {360.0f, 1.5f, 2e-4f, true, substep > 0});
             for (size_t i = 1; i < set.states.size(); ++i) {
                 SolverState& state = set.states[i];
                 state.deltaPosition += state.v * (1.0f / 360.0f);
@@ -97,7 +97,7 @@ struct Heap {
                     glm::mat3(0, state.w.z, -state.w.y, -state.w.z, 0, state.w.x, state.w.y, -state.w.x, 0) *
                     (1.0f / 360.0f);
             }
-            kernels.solve(arrays, 0, end, {360.0f, 1.5f, 2e-4f, false});
+            kernels.solve(arrays, 0, end, {360.0f, 1.5f, 2e-4f, false, false, true});
         }
     }
 

@@ -14,19 +14,32 @@ glm::dvec3 latticePoint(Random& random, uint32_t size) {
     return glm::dvec3(random.below(size), random.below(size), random.below(size)) * 0.125;
 }
 
-/// Finds what overlaps each of the boxes, and compares with all pairs.
-void expectAllOverlaps(const std::vector<WorldBox>& boxes, const glm::dvec3& origin) {
+using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
+
+/// The pairs that overlap, of all, sorted.
+Pairs overlapsOf(const std::vector<WorldBox>& boxes) {
+    Pairs pairs;
+    for (uint32_t i = 0; i < boxes.size(); ++i)
+        for (uint32_t k = i + 1; k < boxes.size(); ++k)
+            if (boxes[i].overlaps(boxes[k])) pairs.emplace_back(i, k);
+    return pairs;
+}
+
+/// The pairs that are found, sorted.
+Pairs findPairs(const std::vector<WorldBox>& boxes, const glm::dvec3& origin) {
     PackedBoxes packed;
     packed.build(boxes, origin);
-    std::vector<uint32_t> found, expected;
-    for (const WorldBox& box : boxes) {
-        found.clear(), expected.clear();
-        packed.find(box, found);
-        std::sort(found.begin(), found.end());
-        for (uint32_t i = 0; i < boxes.size(); ++i)
-            if (boxes[i].overlaps(box)) expected.push_back(i);
-        ASSERT_EQ(found, expected) << "of " << boxes.size();
-    }
+    Pairs found;
+    packed.findPairs(found);
+    for (auto& [a, b] : found)
+        if (a > b) std::swap(a, b);
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+/// Finds the pairs that overlap, and compares with all.
+void expectAllOverlaps(const std::vector<WorldBox>& boxes, const glm::dvec3& origin) {
+    ASSERT_EQ(findPairs(boxes, origin), overlapsOf(boxes)) << "of " << boxes.size();
 }
 
 TEST(PackedBoxes, FindWhatOverlapsWhateverTheirNumberAndSize) {
@@ -58,17 +71,9 @@ TEST(PackedBoxes, MissNothingFarFromTheOrigin) {
             glm::dvec3(1e6, -1e6, 1e6) + 3.0 * glm::dvec3(random.unit(), random.unit(), random.unit());
         boxes.push_back({low, low + 0.1});
     }
-    PackedBoxes packed;
-    packed.build(boxes, glm::dvec3(0.0));
-    std::vector<uint32_t> found;
-    for (const WorldBox& box : boxes) {
-        found.clear();
-        packed.find(box, found);
-        for (uint32_t i = 0; i < boxes.size(); ++i)
-            if (boxes[i].overlaps(box)) {
-                EXPECT_NE(std::find(found.begin(), found.end(), i), found.end()) << i;
-            }
-    }
+    const Pairs found = findPairs(boxes, glm::dvec3(0.0)), overlaps = overlapsOf(boxes);
+    EXPECT_TRUE(std::includes(found.begin(), found.end(), overlaps.begin(), overlaps.end()));
+    EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ TEST(VoxelContacts, FeaturesAreTheConvexCornersAndEdges) {
         put(object, level.bodies[i], level.materials, {});
         const ColliderPart& part = *object.collider.parts[0];
         std::vector<std::array<int, 4>> found, expected;
-        const FeatureList& list = part.whole()->features;
+        const FeatureList& list = part.whole()->features();
         for (const FeatureList::Pack& pack : list.packs)
             for (size_t k = 0; k < 4 && pack.kind[k] != FeatureList::kNoFeature; ++k) {
                 const glm::ivec3 cell = FeatureList::cellOf(pack, k);

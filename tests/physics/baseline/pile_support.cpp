@@ -176,14 +176,15 @@ std::vector<Part> partsOf(const World& world, const Body& body, size_t index) {
     return parts;
 }
 
-}  // namespace
-
-std::vector<BodyHandle> findUnsupported(const World& world) {
+/// The sleeping bodies that neither static ones bear nor those of which `bears` is true.
+template <class Bears>
+std::vector<BodyHandle> findFloating(const World& world, Bears&& bears) {
     std::vector<Item> items;
     std::vector<Part> parts;
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
-        if (!body.isStatic && !body.asleep) return;
-        Item item{.handle = handle, .isStatic = body.isStatic, .held = true};
+        const bool isBase = body.isStatic || bears(handle, body);
+        if (!isBase && !body.asleep) return;
+        Item item{.handle = handle, .isStatic = isBase, .held = true};
         if (!body.isStatic) item.center = body.pose.transformPoint(bodyMass(world, handle).center);
         for (Part& part : partsOf(world, body, items.size())) {
             item.radius = std::max(0.1, 0.25 * glm::length(part.high - part.low));
@@ -214,6 +215,26 @@ std::vector<BodyHandle> findUnsupported(const World& world) {
     for (const Item& item : items)
         if (!item.held) floating.push_back(item.handle);
     return floating;
+}
+
+}  // namespace
+
+std::vector<BodyHandle> findUnsupported(const World& world) {
+    return findFloating(world, [](BodyHandle, const Body&) { return false; });
+}
+
+std::vector<BodyHandle> findHanging(const World& world) {
+    std::set<uint32_t> jointed;  // slots
+    world.joints().forEach([&](JointHandle, const Joint& joint) {
+        for (const JointEnd& end : joint.ends)
+            if (end.shape) jointed.insert(world.shapes().at(end.shape).body.slot());
+    });
+    return findFloating(world, [&](BodyHandle handle, const Body& body) {
+        bool isWet = false;
+        world.waters().forEach(
+            [&](WaterHandle, const Water& water) { isWet = isWet || water.contains(body.pose.position); });
+        return !body.asleep || isWet || jointed.contains(handle.slot());
+    });
 }
 
 std::vector<BodyHandle> findTouching(const World& world, glm::dvec3 low, glm::dvec3 high) {

@@ -10,6 +10,8 @@ namespace rubble {
 /// supported, along the shortest exit, with a friction angle of 45 degrees. A chain of supported bodies must connect it
 /// with something static.
 std::vector<BodyHandle> findUnsupported(const World& world);
+/// The sleeping bodies that nothing bears at this moment, as what is awake, jointed or in water might. They shall wake.
+std::vector<BodyHandle> findHanging(const World& world);
 /// The dynamic bodies with an edge of a voxel within 2 cm of a box, world.
 std::vector<BodyHandle> findTouching(const World& world, glm::dvec3 low, glm::dvec3 high);
 

@@ -9,6 +9,7 @@
 #include "physics/physics_world.h"
 #include "runtime/plugin/frame_loop.h"
 #include "runtime/world/queries/query.h"
+#include "tests/physics/baseline/pile_support.h"
 
 namespace rubble {
 
@@ -107,6 +108,28 @@ TEST_P(EveryScene, BreaksSomethingAndLosesNothing) {
         << "expected edits that remove voxels, or a body that moves from the start";
     EXPECT_TRUE(voxelAccounting(first).balances());
     EXPECT_EQ(first.hash(), second.hash());
+}
+
+/// What bears a body may go in any step; the body must then wake in one of the next.
+TEST_P(EveryScene, WhatSleepsHasSupport) {
+    const Scene& scene = GetParam();
+    FrameLoopSettings settings;
+    settings.shadow = ShadowWorker::Mode::Inline;
+    settings.shadowVolume = settings.publish = false;
+    FrameLoop loop(settings);
+    loop.world().setSettings(scene.settings);
+    loop.load(scene.level(1));
+    const std::vector<BodyHandle> placed = findHanging(loop.world());  // by the level, until the script wakes them
+    std::vector<BodyHandle> before;
+    for (int step = 0; step < scene.steps; ++step) {
+        loop.edits().push(scene.script(step, 1));
+        loop.step();
+        if (step % 60 == 49) before = findHanging(loop.world());
+        if (step % 60 != 59 || before.empty()) continue;
+        for (const BodyHandle body : findHanging(loop.world()))
+            EXPECT_TRUE(!std::ranges::count(before, body) || std::ranges::count(placed, body))
+                << "body " << body.slot() << " hangs in step " << step;
+    }
 }
 
 TEST_P(EveryScene, IsSeenByItsCamera) {
