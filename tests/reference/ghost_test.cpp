@@ -255,7 +255,7 @@ TEST_P(Ghosts, ACameraThatStrafedLeavesNoTrace) {
 TEST_P(Ghosts, ARecolouredLightHasItsNewColour) {
     m_stage.lights[0].color = glm::vec3(0.2f, 0.5f, 1.0f) * m_stage.lights[0].color.r;
     apply();
-    expectNoGhost("recolour", 0.048);
+    expectNoGhost("recolour", 0.047);
 }
 
 TEST_P(Ghosts, ARemovedRoofLetsTheLightIn) {
