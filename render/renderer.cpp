@@ -214,12 +214,11 @@ void Renderer::Impl::drawLight(const FrameContext& frame) {
     clearNoisyLight(frame);
     if (settings.sun && block.sunDirection.y > 0.0f) run("sun", kGBuffer, NoisyLight, [&] { sun.draw(frame); });
     if (settings.sky)
-        run("sky", kGBuffer | kBounceHistory | previous(AccumulatedLight), NoisyLight | HitProximity,
-            [&] { sky.draw(frame); });
+        run("sky", kGBuffer | kBounceHistory | kLightHistory, NoisyLight | HitProximity, [&] { sky.draw(frame); });
     if (LocalLightsPass::needed(frame))
-        run("local lights", kGBuffer | previous(Specular | Surface), NoisyLight | Specular,
+        run("local lights", kGBuffer | kLightHistory | previous(Specular), NoisyLight | Specular,
             [&] { drawLazily(localLights, frame); });
-    run("accumulate", kGBuffer | NoisyLight | HitProximity | previous(AccumulatedLight | Surface | FastHistory),
+    run("accumulate", kGBuffer | NoisyLight | HitProximity | kLightHistory | previous(FastHistory),
         AccumulatedLight | Surface | FastHistory | HistoryConfidence, [&] { accumulate.draw(frame); });
     run("filter", DepthBuffer | AccumulatedLight | Surface, DenoisedLight | DenoisedLightScratch,
         [&] { filter.draw(frame); });
@@ -250,8 +249,8 @@ void Renderer::Impl::drawImage(const FrameContext& frame) {
         run("particles", Depth | DepthBuffer, Radiance, [&] { drawLazily(particles, frame, stepAlpha); });
     if (settings.glare && LocalLightsPass::needed(frame) && !lightGrid->empty())
         run("glare", {}, Radiance, [&] { drawLazily(glare, frame); });
-    run("taa", Radiance | Motion | Surface | GlassSurface | HistoryConfidence | previous(Resolved | Surface), Resolved,
-        [&] { taa.draw(frame); });
+    run("taa", Radiance | Motion | Surface | GlassSurface | HistoryConfidence | kLightHistory | previous(Resolved),
+        Resolved, [&] { taa.draw(frame); });
     if (settings.bloom > 0.0f)
         run("bloom", Resolved, Bloom0 | Bloom1 | Bloom2 | Bloom3 | Bloom4, [&] { bloom.draw(frame); });
     run("exposure", Resolved | previous(Exposure), Exposure, [&] { exposure.draw(frame); });

@@ -107,6 +107,16 @@ const Texture* TargetPool::find(Target id) const {
     return slot.drawn[slot.current] == m_frame ? &slot.textures[slot.current] : nullptr;
 }
 
+const Texture* TargetPool::findPrevious(Target id) const {
+    RUBBLE_ASSERT(mayReadPrevious(id) && declarationOf(id).hasHistory &&
+                  "a pass reads a history that it has not declared: see Renderer::Impl::drawPasses()");
+    const Slot& slot = m_slots[size_t(id)];
+    const int previous = slot.current ^ 1;
+    const bool isCut = m_groups[size_t(declarationOf(id).resolution)].cutFrame == m_frame;
+    return slot.textures[previous] && slot.drawn[previous] + 1 == m_frame && !isCut ? &slot.textures[previous]
+                                                                                    : nullptr;
+}
+
 const Texture& TargetPool::at(Target id) const {
     const Texture* found = find(id);
     RUBBLE_ASSERT(found && "a pass reads a target that no earlier pass has drawn");

@@ -40,6 +40,8 @@ public:
     const Texture& copy(Target source, Target into, const PixelRect& part);
     /// This frame's texture, or nullptr if nothing has drawn it yet.
     const Texture* find(Target id) const;
+    /// What the frame before left in a target with history, or nullptr if that is not valid (see History).
+    const Texture* findPrevious(Target id) const;
     /// This frame's texture, which must have been drawn.
     const Texture& at(Target id) const;
 

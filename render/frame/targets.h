@@ -100,7 +100,7 @@ inline constexpr std::array<TargetDeclaration, kTargetCount> kTargets = [] {
 
         // Denoising.
         {FastHistory, "fastHistory", GL_RGBA16F, Render, 4, kLinear, kHistory},  // passes/light_change.frag
-        {HistoryConfidence, "historyConfidence", GL_RG8, Render, 4, kLinear},
+        {HistoryConfidence, "historyConfidence", GL_RG8, Render, 4, kLinear, kHistory},
         {AccumulatedLight, "accumulatedLight", GL_RGBA16F, Render, 1, kLinear, kHistory},
         {Surface, "surface", GL_RGBA32F, Render, 1, kLinear, kHistory},  // lib/surface_history.glsl
         {DenoisedLight, "denoisedLight", GL_RGBA16F},
@@ -175,6 +175,9 @@ inline constexpr TargetSet kGBuffer =
 /// What is known of the panes of a pixel.
 inline constexpr TargetSet kPanes =
     Target::Depth | Target::GlassTint | Target::GlassSurface | Target::GlassDepth | Target::Reflection;
+/// What the passes of light look up of the frame before.
+inline constexpr TargetSet kLightHistory =
+    previous(Target::AccumulatedLight | Target::Surface | Target::HistoryConfidence);
 /// What indirect light looks up of the frame before (lib/bounce.glsl).
 inline constexpr TargetSet kBounceHistory = previous(Target::Radiance | Target::DiffuseFraction | Target::Surface);
 

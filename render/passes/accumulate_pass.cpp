@@ -4,6 +4,7 @@
 #include "render/passes/fullscreen.h"
 #include "render/passes/gbuffer_pass.h"
 #include "render/passes/known_changes.h"
+#include "render/scene/scene.h"
 
 namespace rubble {
 namespace {
@@ -23,7 +24,7 @@ AccumulatePass::AccumulatePass(ShaderLibrary& shaders)
 const Texture& AccumulatePass::findChanges(const FrameContext& frame, const History& light,
                                            const History& surface) const {
     const History fast = frame.targets.history(Target::FastHistory);
-    const Texture& confidence = frame.targets.target(Target::HistoryConfidence);
+    const Texture& confidence = frame.targets.history(Target::HistoryConfidence).current;
     drawFullscreen(frame, m_change, {{&fast.current, &confidence}}, [&](const Program& program) {
         program.set("uLight", frame.targets.at(Target::NoisyLight));
         program.set("uMotion", frame.targets.at(Target::Motion));
@@ -32,6 +33,7 @@ const Texture& AccumulatePass::findChanges(const FrameContext& frame, const Hist
         program.set("uFastHistory", fast.previous);
         program.set("uHistoryValid", int(light.valid && surface.valid && fast.valid));
         program.set("uDepth", frame.targets.at(Target::Depth));
+        program.set("uHasGlass", int(frame.scene.hasGlass()));
         setKnownChanges(program, frame, kOldestLight);
     });
     return confidence;
@@ -57,6 +59,7 @@ void AccumulatePass::draw(const FrameContext& frame) const {
         program.set("uSurfaceHistory", surface.previous);
         program.set("uHistoryConfidence", confidence);
         program.set("uHasConfidence", int(hasConfidence));
+        setChangeRays(program, frame);
         program.set("uHistoryValid", int(hasHistory));
         setKnownChanges(program, frame, kOldestLight);
     });

@@ -1,5 +1,8 @@
 #include "render/passes/known_changes.h"
 
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <vector>
 
 #include "render/scene/light_grid.h"
@@ -8,14 +11,47 @@
 namespace rubble {
 namespace {
 
+glm::vec3 cornerMetres(glm::ivec3 brick, const Scene& scene) {
+    return glm::vec3(glm::dvec3(brick) * DirtyRegions::kBrickMetres - scene.origin());
+}
+
+void addTexels(std::vector<glm::vec4>& texels, const LightGrid::Sent& sent, const Scene& scene) {
+    texels.emplace_back(glm::vec3(sent.position - scene.origin()), sent.reach);
+    texels.emplace_back(sent.color, sent.extent);
+    texels.push_back(sent.falloff);
+}
+
 /// The regions in which shadow casters have changed.
 void setDirtyRegions(const Program& program, const Scene& scene) {
     std::vector<glm::vec4> corners;
     for (const DirtyRegions::Box& box : scene.dirtyRegions().boxes())
-        for (const glm::ivec3& corner : {box.low, box.high})
-            corners.emplace_back(glm::vec3(glm::dvec3(corner) * DirtyRegions::kBrickMetres - scene.origin()), 0.0f);
+        for (const glm::ivec3& corner : {box.low, box.high}) corners.emplace_back(cornerMetres(corner, scene), 0.0f);
     program.set("uDirtyCornerCount", int(corners.size()));
     if (!corners.empty()) program.set("uDirtyCorners[0]", std::span<const glm::vec4>(corners));
+}
+
+/// The lights that changed voxels may have shadowed or let through; of many those that are brightest there.
+void setShadowedLights(const Program& program, const FrameContext& frame) {
+    program.set("uShadowedLightTexels", 0);
+    const auto& boxes = frame.scene.dirtyRegions().boxes();
+    if (!frame.lightGrid || boxes.empty()) return;
+    std::vector<std::pair<float, const LightGrid::Sent*>> reaching;
+    for (const LightGrid::Sent& sent : frame.lightGrid->sent()) {
+        const glm::vec3 position(sent.position - frame.scene.origin());
+        float nearest = sent.reach;
+        for (const DirtyRegions::Box& box : boxes)
+            nearest = std::min(nearest, glm::distance(position, glm::clamp(position, cornerMetres(box.low, frame.scene),
+                                                                           cornerMetres(box.high, frame.scene))));
+        const float brightest = std::max({sent.color.r, sent.color.g, sent.color.b});
+        if (nearest < sent.reach && brightest > 0.0f)
+            reaching.emplace_back(brightest / std::max(nearest * nearest, 0.01f), &sent);
+    }
+    std::stable_sort(reaching.begin(), reaching.end(), [](auto& a, auto& b) { return a.first > b.first; });
+    std::vector<glm::vec4> lights;
+    for (size_t i = 0; i < std::min(reaching.size(), LightGrid::kMaxChanges); ++i)
+        addTexels(lights, *reaching[i].second, frame.scene);
+    program.set("uShadowedLightTexels", int(lights.size()));
+    if (!lights.empty()) program.set("uShadowedLights[0]", std::span<const glm::vec4>(lights));
 }
 
 void setChangedLights(const Program& program, const FrameContext& frame, int oldest) {
@@ -23,11 +59,8 @@ void setChangedLights(const Program& program, const FrameContext& frame, int old
     for (const LightGrid::Change& change :
          frame.lightGrid ? frame.lightGrid->changes() : std::vector<LightGrid::Change>()) {
         if (change.frames > oldest) continue;
-        for (const LightGrid::Sent* sent : {&change.before, &change.after}) {
-            lights.emplace_back(glm::vec3(sent->position - frame.scene.origin()), sent->reach);
-            lights.emplace_back(sent->color, sent->extent);
-            lights.push_back(sent->falloff);
-        }
+        addTexels(lights, change.before, frame.scene);
+        addTexels(lights, change.after, frame.scene);
     }
     program.set("uChangedLightTexels", int(lights.size()));
     if (!lights.empty()) program.set("uChangedLights[0]", std::span<const glm::vec4>(lights));
@@ -37,8 +70,16 @@ void setChangedLights(const Program& program, const FrameContext& frame, int old
 
 void setKnownChanges(const Program& program, const FrameContext& frame, int oldestLight) {
     setDirtyRegions(program, frame.scene);
+    setShadowedLights(program, frame);
     setChangedLights(program, frame, oldestLight);
     program.set("uMaxHistory", float(frame.settings.historyFrames));
+}
+
+void setChangeRays(const Program& program, const FrameContext& frame) {
+    const Texture* confidence = frame.targets.findPrevious(Target::HistoryConfidence);
+    // Where it is not valid the shader does not read the texture: any one will do.
+    program.set("uLastConfidence", confidence ? *confidence : frame.blueNoise);
+    program.set("uLastConfidenceValid", int(confidence != nullptr));
 }
 
 }  // namespace rubble

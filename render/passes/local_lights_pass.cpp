@@ -4,6 +4,7 @@
 
 #include "render/passes/fullscreen.h"
 #include "render/passes/gbuffer_pass.h"
+#include "render/passes/known_changes.h"
 #include "render/passes/reflections_pass.h"
 #include "render/scene/light_grid.h"
 #include "render/scene/scene.h"
@@ -55,8 +56,11 @@ void LocalLightsPass::draw(const FrameContext& frame) const {
         program.set("uSpecularHistory", specular.previous);
         program.set("uSurfaceHistory", surface.previous);
         program.set("uHistoryValid", int(frame.settings.temporal && specular.valid && surface.valid));
-        program.set("uMaxHistory", float(kMaxHistory));
+        program.set("uMaxHighlightHistory", float(kMaxHistory));
         setChanges(program, frame);
+        setKnownChanges(program, frame);
+        setChangeRays(program, frame);
+        program.set("uLightHistory", frame.targets.history(Target::AccumulatedLight).previous);
         program.set("uHasReflections", int(ReflectionsPass::needed(frame)));
         program.set("uFullRayRadiance", kFullRayRadiance / frame.block.exposure.x);
     });

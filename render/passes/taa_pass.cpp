@@ -1,6 +1,7 @@
 #include "render/passes/taa_pass.h"
 
 #include "render/passes/fullscreen.h"
+#include "render/passes/known_changes.h"
 #include "render/scene/scene.h"
 
 namespace rubble {
@@ -19,6 +20,7 @@ void TaaPass::draw(const FrameContext& frame) const {
         program.set("uHistoryValid", int(frame.settings.temporal && resolved.valid && surface.valid));
         program.set("uHasConfidence", int(confidence != nullptr));
         if (confidence) program.set("uHistoryConfidence", *confidence);
+        setChangeRays(program, frame);
         program.set("uSurface", surface.current);
         program.set("uSurfaceHistory", surface.previous);
         program.set("uMotion", frame.targets.at(Target::Motion));

@@ -46,6 +46,8 @@ public:
         /// Metres around `after` that it reached or reaches; infinite: everywhere.
         float range() const;
     };
+    /// All lights, each as it was when its last change counted.
+    const std::vector<Sent>& sent() const { return m_lastLights; }
     /// If there are more changes, the last one counts as reaching everywhere.
     static constexpr size_t kMaxChanges = shared::kMaxLightChanges;
     static constexpr int kMaxChangeFrames = 32;  ///< frames after which a change is dropped
@@ -76,7 +78,7 @@ private:
 
     void addChange(const Sent& before, const Sent& after);
 
-    std::vector<Sent> m_lastLights;  ///< all lights of the last update(), each as it was when its last change counted
+    std::vector<Sent> m_lastLights;  ///< of the last update(): see sent()
     std::vector<Change> m_changes;
     int m_framesSinceChange = 0;
     glm::ivec3 m_size{0};                 ///< tiles across and up, slices

@@ -75,7 +75,8 @@ vec4 radianceOnScreen(vec3 hitWorld, vec3 normal, float emissionWeight, float ma
     float emissionScale = surface.z < 0.0 && frame.counters.z > 0 ? emissionWeight : 1.0;
     float most = surface.z < 0.0 ? min(maxRadiance, kMaxHitRadiance) : kMaxHitRadiance;
     return vec4(clamp(radiance / (1.0 - haze), vec3(0.0), vec3(most)) * emissionScale,
-                clamp(min(fromEdge.x, fromEdge.y), 1e-3, 1.0) * previousFrameCounts(hitWorld, luminance(radiance)));
+                clamp(min(fromEdge.x, fromEdge.y), 1e-3, 1.0) *
+                    countsOfPreviousFrame(historyLeftAt(hitWorld, luminance(radiance))));
 }
 
 /// The surface where a path started.

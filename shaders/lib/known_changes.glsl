@@ -11,6 +11,9 @@ uniform vec4 uDirtyCorners[2 * kMaxDirtyRegions];  // low and high corners of ch
 uniform int uChangedLightTexels;
 // Before and after by turns, each in three: xyz position, w reach; rgb intensity, w extent; angular falloff.
 uniform vec4 uChangedLights[6 * kMaxLightChanges];
+uniform int uShadowedLightTexels;
+// Lights that changed voxels may have shadowed or let through, each in three as above.
+uniform vec4 uShadowedLights[3 * kMaxLightChanges];
 uniform float uMaxHistory;  // frames
 
 const float kSampleDeviation = 0.25;  // s: of a sample of light after the spatial filter
@@ -37,30 +40,6 @@ float historyNearVoxels(vec3 position) {
     return historyLeft(share * share);
 }
 
-/// About the irradiance that a changed light sends to a place, whichever way its surface faces.
-vec3 changedIrradiance(int light, vec3 position) {
-    vec4 place = uChangedLights[light], color = uChangedLights[light + 1], falloff = uChangedLights[light + 2];
-    vec3 away = position - place.xyz;
-    float range = max(length(away), max(color.w, 0.05)), far = range / place.w;
-    float window = max(1.0 - far * far * far * far, 0.0);
-    float beam = clamp(dot(away / range, falloff.xyz) + falloff.w, 0.0, 1.0);
-    return color.rgb * (window * window * max(beam * beam, kMinFalloff) / (range * range));
-}
-
-/// Around lights that have changed. meanRadiance: luminance of the light that the place had.
-float historyNearLights(vec3 position, float meanRadiance) {
-    vec3 change = vec3(0.0);
-    for (int i = 0; i < uChangedLightTexels; i += 6)
-        change += abs(changedIrradiance(i + 3, position) - changedIrradiance(i, position));
-    return historyLeft(max(change.r, max(change.g, change.b)) / (kPi * max(meanRadiance, 1e-4)));
-}
-
-/// Share by which the previous frame's light of a place counts as light of this one. It brings its whole error with it,
-/// which no later frame averages out: ten frames of history must be left for it to count in full.
-float previousFrameCounts(vec3 position, float meanRadiance) {
-    return min(min(historyNearVoxels(position), historyNearLights(position, meanRadiance)) * uMaxHistory * 0.1, 1.0);
-}
-
 /// Whether a line from `origin` to origin + ray passes through changed voxels, or beside them within `margin`, the sine
 /// of an angle.
 bool meetsChange(vec3 origin, vec3 ray, float margin) {
@@ -73,6 +52,39 @@ bool meetsChange(vec3 origin, vec3 ray, float margin) {
     }
     return false;
 }
+
+/// About the irradiance that a light sends to a place, whichever way its surface faces. The light as in uChangedLights.
+vec3 irradianceOf(vec4 place, vec4 color, vec4 falloff, vec3 position) {
+    vec3 away = position - place.xyz;
+    float range = max(length(away), max(color.w, 0.05)), far = range / place.w;
+    float window = max(1.0 - far * far * far * far, 0.0);
+    float beam = clamp(dot(away / range, falloff.xyz) + falloff.w, 0.0, 1.0);
+    return color.rgb * (window * window * max(beam * beam, kMinFalloff) / (range * range));
+}
+
+/// Around lights that have changed, and where changed voxels lie before a light. meanRadiance: luminance of the light
+/// that the place had.
+float historyNearLights(vec3 position, float meanRadiance) {
+    vec3 change = vec3(0.0);
+    for (int i = 0; i < uChangedLightTexels; i += 6)
+        change += abs(irradianceOf(uChangedLights[i + 3], uChangedLights[i + 4], uChangedLights[i + 5], position) -
+                      irradianceOf(uChangedLights[i], uChangedLights[i + 1], uChangedLights[i + 2], position));
+    for (int i = 0; i < uShadowedLightTexels; i += 3) {
+        vec3 toLight = uShadowedLights[i].xyz - position;
+        if (meetsChange(position, toLight, uShadowedLights[i + 1].w / max(length(toLight), 0.05)))
+            change += irradianceOf(uShadowedLights[i], uShadowedLights[i + 1], uShadowedLights[i + 2], position);
+    }
+    return historyLeft(max(change.r, max(change.g, change.b)) / (kPi * max(meanRadiance, 1e-4)));
+}
+
+/// Share of the longest history that is left to a place.
+float historyLeftAt(vec3 position, float meanRadiance) {
+    return min(historyNearVoxels(position), historyNearLights(position, meanRadiance));
+}
+
+/// Share by which the previous frame's light of a place counts as light of this one. It brings its whole error with it,
+/// which no later frame averages out: ten frames of history must be left for it to count in full.
+float countsOfPreviousFrame(float left) { return min(left * uMaxHistory * 0.1, 1.0); }
 
 /// Whether the view of a place passes through changed voxels, or beside them within `margin`.
 bool isSeenThroughChange(vec3 position, float margin) {

@@ -5,8 +5,8 @@
 // normal must agree; else it was hidden then (disocclusion). With n frames of history a mean has blend = 1 / n. Here it
 // is (1 + 1 / n) / n, which lets the first frames count less, as they know less of bounced light. n is limited by
 // uMaxHistory, by the history confidence (passes/light_change.frag) and by what is known to have changed
-// (lib/known_changes.glsl): there history is dropped, and the filter hides the noise. The second moment of luminance is
-// accumulated likewise, for the filter's variance.
+// (lib/known_changes.glsl): there history is dropped, and more rays are sent (lib/change_rays.glsl). The second moment
+// of luminance is accumulated likewise, for the filter's variance.
 //
 // The sun's share changes far from the voxels that move: where their shadow falls. There it is kept between the least
 // and the most that the pixel and its neighbours see of the sun now (as Lottes clamps colours, "TSSAA", 2011): out of
@@ -18,6 +18,7 @@
 #include "lib/color.glsl"
 #include "lib/surface_history.glsl"
 #include "lib/known_changes.glsl"
+#include "lib/change_rays.glsl"
 
 uniform sampler2D uLight;
 uniform sampler2D uHitProximity;
@@ -100,14 +101,18 @@ void main() {
     vec3 position = worldFromDepth(uv, s.depth);
     History history = reprojectHistory(s, surface.y, position);
     if (history.weight == 0.0) return;
-    float confidence = 1.0;
-    if (uHasConfidence && isSunSeenThroughChange(position))
-        history.light.a = clampToNeighbours(history.light.a, pixel);
-    if (uHasConfidence)
-        confidence = min(texture(uHistoryConfidence, uv).x,
-                         min(historyNearVoxels(position), historyNearLights(position, luminance(history.light.rgb))));
-    float frames = min(min(history.frames, confidence * uMaxHistory) + 1.0, uMaxHistory);
-    float blend = min((1.0 + 1.0 / frames) / frames, 1.0);
+    float left = 1.0, confidence = 1.0;
+    int rays = 1;
+    if (uHasConfidence && isSunSeenThroughChange(position)) history.light.a = clampToNeighbours(history.light.a, pixel);
+    if (uHasConfidence) {
+        left = historyLeftAt(position, luminance(history.light.rgb));
+        confidence = min(texture(uHistoryConfidence, uv).x, left);
+        rays = raysAt(floor(history.frames + 0.01), left, uv - texelFetch(uMotion, pixel, 0).rg);
+    }
+    float added = float(rays), frames = min(min(history.frames, confidence * uMaxHistory) + added, uMaxHistory);
+    // Where the second frame of a change starts again there is no third one.
+    if (left < kDropped && history.frames < kSettledFrames) frames = min(frames, float(kRaysAfterChange) - 1.0);
+    float blend = min((1.0 + 1.0 / frames) * added / frames, 1.0);
     accumulated = stochasticRoundToHalf(mix(history.light, now, blend), pixel, 0);
     surface.z = floor(frames + 0.01) + min(mix(history.hitProximity, hitProximity, blend), kMaxProximity);
     surface.w = s.emission > 0.0 ? -1.0 : mix(history.secondMoment, lum * lum, blend);

@@ -29,7 +29,8 @@ out vec4 filtered;
 const int kTaps = 5;  // the first is the pixel itself
 const float kCentreWeight = 1.5;
 const float kLongHistory = 12.0;  // frames
-const float kLowNoise = 0.10;                          // relative standard deviation of the accumulated light
+const float kNoiseShare = 0.64;   // of the variance between neighbours at a stride of 1
+const float kLowNoise = 0.10;     // relative standard deviation of the accumulated light
 // Deviation of one sample of hit proximity, relative to the largest that a number in [0, 1] with its mean can have.
 const float kProximityDeviation = 0.3;
 
@@ -79,7 +80,8 @@ void main() {
     // Standard deviation of the accumulated light. The moments over time are averaged over the taps too, as a few
     // samples of one pixel may agree by chance.
     float centreLum = lums[0];
-    float spatial = max(squares / total - lum * lum, 0.0);
+    // Neighbours differ by slopes of light too, and the wider the taps the more: the wide steps would level them.
+    float spatial = kNoiseShare / float(max(uStride, 1)) * max(squares / total - lum * lum, 0.0);
     float skyDeviation = sqrt(mix(spatial, temporal / total, clamp((centre.z - 3.0) / 6.0, 0.0, 1.0)));
     float sunDeviation = sqrt(max(sun * (1.0 - sun), 1e-6) / max(uSunRays * centre.z, 1.0));
     // Relative to the mean of the pair, so that both pixels see the same difference.

@@ -10,6 +10,7 @@
 #include "lib/frame.glsl"
 #include "lib/color.glsl"
 #include "lib/known_changes.glsl"
+#include "lib/surface_history.glsl"
 
 uniform sampler2D uLight;
 uniform sampler2D uMotion;
@@ -18,6 +19,7 @@ uniform sampler2D uSurfaceHistory;  // lib/surface_history.glsl
 uniform sampler2D uFastHistory;
 uniform bool uHistoryValid;
 uniform sampler2D uDepth;
+uniform bool uHasGlass;
 
 const float kFastHistoryFrames = 4.0;
 const float kOneFrameScale = 0.3;   // of one frame's difference: it must be many deviations, as 16 samples are few
@@ -31,6 +33,23 @@ float confidenceOf(float difference, float deviation) {
     return 1.0 - smoothstep(2.0, 4.0, abs(difference) / deviation);
 }
 
+/// Luminance of all light that a place had: by the history of light, and the sun by the surface that it shone on.
+float lastRadiance(vec2 lastUv) {
+    vec4 light = texture(uLightHistory, lastUv);
+    float packed_ = texelFetch(uSurfaceHistory, ivec2(lastUv * frame.targetSize.xy), 0).y;
+    float facing = packed_ < 0.0 ? 0.0 : max(dot(unpackNormal(packed_), frame.sunDirection.xyz), 0.0);
+    return luminance(light.rgb + frame.sunColor.rgb * (light.a * facing / kPi));
+}
+
+/// Whether something nearer was seen in the previous frame at pixel i of a tile or at the one beside it outward.
+bool isUncovered(ivec2 pixel, int i, vec3 position, ivec2 high) {
+    ivec2 last = pixel - ivec2(round(texelFetch(uMotion, pixel, 0).rg * frame.targetSize.xy));
+    ivec2 outward = ivec2((i & 3) < 2 ? -1 : 1, i < 8 ? -1 : 1);
+    float before = min(texelFetch(uSurfaceHistory, clamp(last, ivec2(0), high), 0).x,
+                       texelFetch(uSurfaceHistory, clamp(last + outward, ivec2(0), high), 0).x);
+    return before < 0.97 * (frame.previousViewProjection * vec4(position, 1.0)).w - 0.05;
+}
+
 /// The least history that is left to any pixel of a tile. meanRadiance: of the light that the tile had.
 float historyLeftIn(ivec2 tile, ivec2 high, float meanRadiance) {
     float left = 1.0;
@@ -39,8 +58,9 @@ float historyLeftIn(ivec2 tile, ivec2 high, float meanRadiance) {
     for (int i = 0; i < pixels; ++i) {
         ivec2 p = min(tile + ivec2(i & 3, i >> 2), high);
         vec3 position = worldFromDepth((vec2(p) + 0.5) * frame.targetSize.zw, texelFetch(uDepth, p, 0).r);
-        left = min(left, min(historyNearVoxels(position), historyNearLights(position, meanRadiance)));
-        if (isSeenThroughChange(position, margin) || isSunSeenThroughChange(position)) left = 0.0;
+        left = min(left, historyLeftAt(position, meanRadiance));
+        if ((uHasGlass || isUncovered(p, i, position, high)) && isSeenThroughChange(position, margin)) left = 0.0;
+        if (isSunSeenThroughChange(position)) left = 0.0;
     }
     return left;
 }
@@ -60,7 +80,7 @@ void main() {
     if (!uHistoryValid) return;
     ivec2 middle = min(tile + 2, high);
     vec2 lastUv = (vec2(tile) + 2.0) * frame.targetSize.zw - texelFetch(uMotion, middle, 0).rg;
-    confidence.y = historyLeftIn(tile, high, luminance(texture(uLightHistory, lastUv).rgb));
+    confidence.y = historyLeftIn(tile, high, lastRadiance(lastUv));
     if (any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return;
     vec4 lastFastHistory = texture(uFastHistory, lastUv);
     float fastFrames = min(lastFastHistory.w + 1.0, kFastHistoryFrames);

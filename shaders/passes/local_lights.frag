@@ -1,4 +1,5 @@
-// Direct light of local lights with one shadow ray a pixel. lib/local_lights.glsl derives how one light is chosen.
+// Direct light of local lights with one shadow ray a pixel, or some where history was just dropped
+// (lib/change_rays.glsl). lib/local_lights.glsl derives how one light is chosen.
 //
 // The ray's direction serves the diffuse light and the highlight, and they want different densities: the diffuse light
 // that of the light's solid angle (p_light), the highlight that of the BRDF's lobe (p_lobe). So with the probability q
@@ -16,11 +17,14 @@
 #include "lib/shadow_trace.glsl"
 #include "lib/brdf.glsl"
 #include "lib/local_lights.glsl"
+#include "lib/known_changes.glsl"
+#include "lib/change_rays.glsl"
 
 uniform sampler2D uSpecularHistory;
+uniform sampler2D uLightHistory;
 uniform sampler2D uSurfaceHistory;  // x linear depth, z frames accumulated
 uniform bool uHistoryValid;
-uniform float uMaxHistory;  // frames
+uniform float uMaxHighlightHistory;  // frames
 uniform int uLightChangeCount;
 // By turns: xyz where a light has changed, w its reach; x how many frames are remembered there.
 uniform vec4 uLightChange[2 * kMaxLightChanges];
@@ -60,15 +64,15 @@ float lobeProbability(LocalLight localLight, vec3 toCentre, Surface s, vec3 view
 
 /// How many frames the highlights of a place are averaged over.
 float maxHistoryAt(vec3 position) {
-    float maxFrames = uMaxHistory;
+    float maxFrames = uMaxHighlightHistory;
     for (int i = 0; i < uLightChangeCount; i += 2)
         if (distance(position, uLightChange[i].xyz) < uLightChange[i].w)
             maxFrames = min(maxFrames, uLightChange[i + 1].x);
     return maxFrames;
 }
 
-/// This frame's highlight, averaged with the history of the same place.
-vec4 accumulateSpecular(vec4 now, vec3 position, Surface s) {
+/// This frame's highlight of so many rays, averaged with the history of the same place.
+vec4 accumulateSpecular(vec4 now, vec3 position, Surface s, float rays) {
     vec2 motion = texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg, lastUv = uv - motion;
     if (!uHistoryValid || any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return now;
     ivec2 last = ivec2(lastUv * frame.targetSize.xy);
@@ -81,7 +85,54 @@ vec4 accumulateSpecular(vec4 now, vec3 position, Surface s) {
                           normalize(position - frame.previousCameraPosition.xyz));
     float maxFrames = min(maxHistoryAt(position), max(0.25 * ggxAlpha(s.roughness) / max(turn, 1e-6), 1.0));
     if (length(motion * frame.targetSize.xy) >= 0.05) maxFrames = min(maxFrames, kMaxHistoryInMotion);
-    return mix(texelFetch(uSpecularHistory, last, 0), now, 1.0 / clamp(floor(surface.z) + 1.0, 1.0, maxFrames));
+    return mix(texelFetch(uSpecularHistory, last, 0), now,
+               rays / clamp(floor(surface.z) + rays, rays, maxFrames * rays));
+}
+
+/// A pixel and its surface, as its rays see them.
+struct Receiver {
+    ivec2 pixel;
+    Surface surface;
+    vec3 position, view, f0;
+    ivec2 lights;  // lightsAt()
+};
+
+/// One ray to one of the lights. Adds its light and highlight.
+void addSample(Receiver r, int n, inout vec4 light, inout vec4 specular) {
+    int chosen;
+    float sampleWeight =
+        sampleLight(r.lights, r.position, r.surface.normal, blueNoise(r.pixel, 2, n, kR5Steps.xy), chosen);
+    LocalLight localLight = readLight(chosen);
+    vec2 random = blueNoise(r.pixel, 3, n), more = blueNoise(r.pixel, 4, n, kR5Steps.zw);
+    vec3 normal = r.surface.normal, toCentre = toLight(localLight, r.position, more.x);
+    float roughness = r.surface.roughness, lobeChance = lobeProbability(localLight, toCentre, r.surface, r.view, r.f0);
+    bool byLobe = more.y < lobeChance;
+    mat3 basis = orthonormalBasis(normal);
+    vec3 mirrored = reflect(-r.view, basis * sampleVisibleNormal(r.view * basis, ggxAlpha(roughness), random));
+    vec3 direction = byLobe ? mirrored : sampleLightDirection(localLight, toCentre, random);
+    LightSample point = evaluateLight(localLight, toCentre, direction, !byLobe);
+    float pdf = mix(point.pdf, ggxVndfPdf(normal, r.view, direction, roughness), lobeChance);
+    vec3 arriving = point.radiance * (max(dot(direction, normal), 0.0) * sampleWeight / (kPi * pdf));
+    bool dark = luminance(arriving) <= 0.0;
+    vec3 origin = shadowOrigin(r.position, normal), shadowRay = r.position + direction * point.range - origin;
+    float shadowRayLength = max(length(shadowRay), 1e-4), t;
+    // Where nothing would arrive the ray has no length, and costs little.
+    float tMax = dark ? -1.0 : max(shadowRayLength - point.clearance, 0.0);
+    if (shadowTrace(origin, shadowRay / shadowRayLength, tMax, t) || dark) return;
+    arriving = halfRange(arriving);
+    light.rgb += arriving;
+    vec3 mirroredShare =
+        fresnel(r.f0, dot(r.view, normalize(r.view + direction))) * specularLobe(normal, r.view, direction, roughness);
+    specular += vec4(min(mirroredShare * arriving * kPi, vec3(kMaxSpecular)), luminance(arriving));
+}
+
+/// Rays of a pixel in this frame.
+int raysOf(ivec2 pixel, vec3 position) {
+    vec2 lastUv = uv - texelFetch(uMotion, pixel, 0).rg;
+    if (!uHistoryValid || lastUv != clamp(lastUv, vec2(0.0), vec2(0.999))) return 1;
+    ivec2 last = ivec2(lastUv * frame.targetSize.xy);
+    float left = historyLeftAt(position, luminance(texelFetch(uLightHistory, last, 0).rgb));
+    return raysAt(floor(texelFetch(uSurfaceHistory, last, 0).z), left, lastUv);
 }
 
 void main() {
@@ -90,34 +141,11 @@ void main() {
     if (lightsAt(pixel, -1.0).y == 0) discard;
     Surface s = readSurface(pixel);
     vec3 position = worldFromDepth(uv, s.depth);
-    int chosen;
-    float sampleWeight =
-        sampleLight(lightsAt(pixel, s.depth), position, s.normal, blueNoise(pixel, 2, frame.counters.x, kR5Steps.xy),
-                    chosen);
-    LocalLight localLight = readLight(chosen);
-    vec2 random = blueNoise(pixel, 3, frame.counters.x), more = blueNoise(pixel, 4, frame.counters.x, kR5Steps.zw);
-    vec3 view = normalize(frame.cameraPosition.xyz - position), toCentre = toLight(localLight, position, more.x);
-    vec3 f0 = mix(vec3(s.reflectivity), s.albedo, s.metallic);
-    float lobeChance = lobeProbability(localLight, toCentre, s, view, f0);
-    bool byLobe = more.y < lobeChance;
-    mat3 basis = orthonormalBasis(s.normal);
-    vec3 mirrored = reflect(-view, basis * sampleVisibleNormal(view * basis, ggxAlpha(s.roughness), random));
-    vec3 direction = byLobe ? mirrored : sampleLightDirection(localLight, toCentre, random);
-    LightSample point = evaluateLight(localLight, toCentre, direction, !byLobe);
-    float pdf = mix(point.pdf, ggxVndfPdf(s.normal, view, direction, s.roughness), lobeChance);
-    vec3 arriving = point.radiance * (max(dot(direction, s.normal), 0.0) * sampleWeight / (kPi * pdf));
-    bool dark = luminance(arriving) <= 0.0;
-    vec3 origin = shadowOrigin(position, s.normal), shadowRay = position + direction * point.range - origin;
-    float shadowRayLength = max(length(shadowRay), 1e-4), t;
+    Receiver receiver = Receiver(pixel, s, position, normalize(frame.cameraPosition.xyz - position),
+                                 mix(vec3(s.reflectivity), s.albedo, s.metallic), lightsAt(pixel, s.depth));
     light = specular = vec4(0.0);
-    // Where nothing would arrive the ray has no length, and costs little.
-    float tMax = dark ? -1.0 : max(shadowRayLength - point.clearance, 0.0);
-    bool isBlocked = shadowTrace(origin, shadowRay / shadowRayLength, tMax, t);
-    if (!isBlocked && !dark) {
-        light.rgb = halfRange(arriving);
-        vec3 mirroredShare =
-            fresnel(f0, dot(view, normalize(view + direction))) * specularLobe(s.normal, view, direction, s.roughness);
-        specular = vec4(min(mirroredShare * arriving * kPi, vec3(kMaxSpecular)), luminance(light.rgb));
-    }
-    specular = accumulateSpecular(specular, position, s);
+    int rays = raysOf(pixel, position);
+    for (int i = 0; i < rays; ++i) addSample(receiver, frame.counters.x * rays + i, light, specular);
+    light /= float(rays), specular /= float(rays);
+    specular = accumulateSpecular(specular, position, s, float(rays));
 }

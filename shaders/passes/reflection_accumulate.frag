@@ -115,7 +115,7 @@ void main() {
     history.rgb = clamp(history.rgb, around.mean - room, around.mean + room);
     float limit = mix(1.0, kMaxFrames, smoothstep(kGlossy.x, kGlossy.y, m.roughness));
     vec3 seen = m.position + reflect(-m.view, m.normal) * around.metres;
-    float left = min(historyNearVoxels(seen), historyNearLights(seen, luminance(history.rgb)));
+    float left = historyLeftAt(seen, luminance(history.rgb));
     if (meetsChange(m.position, seen - m.position, ggxAlpha(m.roughness))) left = 0.0;
     float frames = min(min(history.a, left * uMaxHistory) + 1.0, limit);
     accumulated = stochasticRoundToHalf(vec4(mix(history.rgb, now.rgb, 1.0 / frames), 0.0), pixel, 8);

@@ -11,6 +11,7 @@
 #include "lib/brdf.glsl"
 #include "lib/sky.glsl"
 #include "lib/bounce.glsl"
+#include "lib/change_rays.glsl"
 
 uniform int uRayCount;
 uniform float uExactDistance;  // metres
@@ -32,12 +33,16 @@ void main() {
     bool known = uHistoryValid && lastUv == clamp(lastUv, vec2(0.0), vec2(0.999));
     ivec2 last = ivec2(lastUv * frame.targetSize.xy);
     PathStart start = startPath(vec3(0.0), s.normal, uBounceLights ? lightsAt(pixel, s.depth) : ivec2(0));
-    if (known)
-        start.light = texelFetch(uLightHistory, last, 0).rgb,
-        start.light *= previousFrameCounts(origin, luminance(start.light)),
-        start.hitProximity = fract(texelFetch(uSurfaceHistory, last, 0).z);
-    for (int i = 0; i < uRayCount; ++i) {
-        int n = frame.counters.x * uRayCount + i;
+    int rays = uRayCount;
+    if (known) {
+        start.light = texelFetch(uLightHistory, last, 0).rgb;
+        float frames = texelFetch(uSurfaceHistory, last, 0).z, left = historyLeftAt(origin, luminance(start.light));
+        start.light *= countsOfPreviousFrame(left);
+        start.hitProximity = fract(frames);
+        rays = max(rays, raysAt(floor(frames), left, lastUv));
+    }
+    for (int i = 0; i < rays; ++i) {
+        int n = frame.counters.x * rays + i;
         vec3 direction = cosineDirection(s.normal, blueNoise(pixel, 1, n));
         start.directionSample = blueNoise(pixel, 7, n, kR5Steps.xy);
         start.random = vec3(blueNoise(pixel, 5, n, kR5Steps.zw), blueNoise(pixel, 6, n, vec2(kR5LastStep)).x);
@@ -50,7 +55,7 @@ void main() {
             light.rgb += skyRadiance(direction);
         }
     }
-    light.rgb /= float(uRayCount);
+    light.rgb /= float(rays);
     light.rgb = halfRange(light.rgb);
-    hitProximity.x /= float(uRayCount);
+    hitProximity.x /= float(rays);
 }

@@ -19,6 +19,7 @@
 #include "lib/noise.glsl"
 #include "lib/half.glsl"
 #include "lib/surface_history.glsl"
+#include "lib/change_rays.glsl"
 
 uniform sampler2D uColor;    // a: share of the surface that shows through particles and panes
 uniform sampler2D uHistory;  // a: packSteadiness()
@@ -45,8 +46,8 @@ const vec2 kUncovered = vec2(0.1, 0.4);  // decrease of what particles cover, fr
 // Where the light has changed: how far outside the clip box history lies, from which on it is dropped. Clipped, it
 // would bring the darkest or brightest colour around.
 const vec2 kOutdated = vec2(1.0, 2.0);
-const float kSharpness = 2.3;            // of the Gaussian around a displayed pixel
-const float kSkyDistance = 4000.0;       // metres: the sky moves over the screen as what is that far away
+const float kSharpness = 2.3;       // of the Gaussian around a displayed pixel
+const float kSkyDistance = 4000.0;  // metres: the sky moves over the screen as what is that far away
 
 in vec2 uv;
 out vec4 resolved;
@@ -205,6 +206,9 @@ void main() {
         covered));
     // Details finer than a pixel change their surface with each jitter: the number of frames drawn counts for them.
     if (deviation > kSubpixelDetail * history.x) frames = max(frames, float(min(frame.counters.x, 64)));
+    // A frame of many rays counts as many frames of light, but as one of edges.
+    if (frames < 3.0 * float(kRaysAfterChange))
+        frames = confidence.y < 0.5 ? 1.0 : wasDropped(before) ? min(frames, 2.0) : frames;
     float blend = clamp(kBlendRamp / (frames + kBlendRamp - 1.0), kMinBlend, kMaxBlend);
     if (confidence.y < 0.5) blend = mix(blend, 1.0, smoothstep(kOutdated.x, kOutdated.y, outside));
     blend = mix(kParticleBlend, blend, n.surfaceShare);

@@ -225,7 +225,7 @@ TEST_F(FullscreenTest, ReloadedShadersDrawTheSame) {
                                          std::filesystem::file_time_type::clock::now() + std::chrono::seconds(seconds));
         return 1 + std::count(text.begin(), text.begin() + ptrdiff_t(place), '\n');
     };
-    const auto line = write("light.rgb /= float(uRayCount);", "light.rgb /= float(uRayCount) * oops;", 10);
+    const auto line = write("light.rgb /= float(rays);", "light.rgb /= float(rays) * oops;", 10);
     for (Renderer* each : {fragment.get(), compute.get()}) {
         EXPECT_FALSE(each->reloadShaders());
         ASSERT_EQ(each->shaderErrors().size(), 1u);

@@ -1,0 +1,24 @@
+// Rays where something is known to have changed. History is dropped there (lib/known_changes.glsl), and one ray a pixel
+// would be too noisy. So such a pixel gets kRaysAfterChange rays in the frame of the change and in the next one. A
+// frame of n rays counts as n frames of history. That also tells how far a pixel is:
+//   long history, now dropped                             the first such frame
+//   kRaysAfterChange frames or more, dropped last frame   the second one
+// What changes in each frame has neither, so that an explosion does not pay for rays which the next frame drops.
+// Needs lib/constants.glsl.
+uniform sampler2D uLastConfidence;  // the previous frame's history confidence
+uniform bool uLastConfidenceValid;
+
+const int kRaysAfterChange = 3;
+const float kDropped = 0.09;       // share of the longest history below which history counts as dropped
+const float kSettledFrames = 8.0;  // from which on history counts as long
+
+/// Whether history was dropped by knowledge in the previous frame. lastUv: the place in that frame.
+bool wasDropped(vec2 lastUv) { return uLastConfidenceValid && texture(uLastConfidence, lastUv).y < kDropped; }
+
+/// Rays of a pixel in this frame. lastFrames: of history in the previous frame; left: the share of the longest history
+/// that is left.
+int raysAt(float lastFrames, float left, vec2 lastUv) {
+    bool isFirst = left < kDropped && lastFrames >= kSettledFrames;
+    bool isSecond = lastFrames >= float(kRaysAfterChange) && lastFrames < kSettledFrames && wasDropped(lastUv);
+    return isFirst || isSecond ? kRaysAfterChange : 1;
+}
