@@ -214,6 +214,38 @@ LevelBody roughPlate(uint64_t seed) {
     return body;
 }
 
+TEST(VoxelContacts, WhatIsInsideOfAHollowPartHasAClearanceInWhichNothingTouches) {
+    const Level level = voronoiPit(20);  // in a pit of 8 m
+    Random random(13);
+    CollisionObject pit;
+    put(pit, level.bodies[0], level.materials, level.bodies[0].pose);
+    int clear = 0;
+    for (int round = 0; round < 500; ++round) {
+        CollisionObject piece;
+        const glm::dvec3 at = glm::dvec3(4.0) + anyVector(random, 4.0);
+        put(piece, level.bodies[1 + size_t(round % 20)], level.materials,
+            {at, glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
+        ContactSearch search;
+        std::vector<ContactPoint> found;
+        const auto touch = [&] {
+            return findContacts(piece.collider, {piece.pose, piece.cellTransforms(), {}, {}, piece.radius},
+                                pit.collider, {pit.pose, pit.cellTransforms()}, {}, search, found);
+        };
+        if (touch()) continue;
+        ++clear;
+        EXPECT_GT(search.clearance, 0.3f) << round;
+        const double clearance = double(search.clearance);
+        for (int k = 0; k < 6; ++k) {
+            glm::dvec3 way(0.0);
+            way[k / 2] = k % 2 ? clearance : -clearance;
+            piece.setPose({at + 0.99 * way, piece.pose.rotation});
+            touch();
+            EXPECT_TRUE(found.empty()) << round << ", " << k;
+        }
+    }
+    EXPECT_GT(clear, 50);
+}
+
 TEST(VoxelContacts, ARoughPlateIsSearchedUntilThereAreEnoughContactsAllOverIt) {
     const MaterialTable materials = voronoiPit(1).materials;
     CollisionObject low, high;
