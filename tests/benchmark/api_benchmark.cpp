@@ -186,6 +186,51 @@ void apiRays(benchmark::State& state) {
     state.counters["single_over_two_threads"] = median(single) / median(shared);
 }
 BENCHMARK(apiRays)->Unit(benchmark::kMillisecond)->UseRealTime()->MinTime(2.0);
+/// The same of palettes, materials and properties: what is read, what is queued, what is refused.
+void apiProperties(benchmark::State& state) {
+    const HostWorld world(true);
+    rubble_shape shape = 0;
+    uint32_t shapes = 0;
+    const rubble_body block = world.freeBody();
+    require(api().get_objects_of(world, block, RUBBLE_KIND_SHAPE, &shape, 1, &shapes));
+    rubble_palette_range one = {};
+    one.struct_size = sizeof one, one.shape = shape, one.count = 1;
+    rubble_palette_range all = one, none = one;
+    all.count = 255, none.count = 0;
+    rubble_palette_entry entries[255] = {};
+    rubble_shape_change change = {};
+    change.struct_size = sizeof change, change.shape = shape, change.fields = RUBBLE_SHAPE_STRENGTH;
+    change.strength = 1.0;
+    rubble_material row = {};
+    row.struct_size = sizeof row;
+    rubble_body_properties weight = {};
+    weight.struct_size = sizeof weight;
+    double readOne = 0.0, readAll = 0.0, readRow = 0.0, mass = 0.0, set = 0.0, setShape = 0.0, setRow = 0.0,
+           refused = 0.0;
+    for (auto _ : state) {
+        timeCalls(readAll, [&](int) { api().get_palette(world, &all, entries); });
+        timeCalls(readOne, [&](int) { api().get_palette(world, &one, entries); });
+        timeCalls(mass, [&](int) { api().get_body_properties(world, block, &weight); });
+        timeCalls(set, [&](int) { api().set_palette(world, &one, entries); });
+        require(api().step(world));
+        timeCalls(setShape, [&](int) { api().set_shape(world, &change); });
+        require(api().step(world));
+        timeCalls(readRow, [&](int) { api().get_material(world, 5, &row); });
+        timeCalls(setRow, [&](int) { api().set_materials(world, 5, &row, 1); });
+        require(api().step(world));
+        timeCalls(refused, [&](int) { api().set_palette(world, &none, entries); });
+    }
+    const double each = 1e6 / (double(kCalls) * double(state.iterations()));
+    state.counters["get_palette_ns"] = readOne * each;
+    state.counters["get_255_entries_ns"] = readAll * each;
+    state.counters["get_material_ns"] = readRow * each;
+    state.counters["get_body_properties_ns"] = mass * each;
+    state.counters["set_palette_ns"] = set * each;
+    state.counters["set_shape_ns"] = setShape * each;
+    state.counters["set_materials_ns"] = setRow * each;
+    state.counters["refused_ns"] = refused * each;
+}
+BENCHMARK(apiProperties)->Unit(benchmark::kMillisecond);
 
 /// Voxels between host and plugin, a byte each: made into a shape, read back, written over by a call and a step,
 /// and copied by memcpy beside it.

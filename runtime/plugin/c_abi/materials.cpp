@@ -61,8 +61,9 @@ rubble_result setMaterials(rubble_world world, uint32_t first, const rubble_mate
     return inWorld("set_materials", world, [&](HostedWorld& hosted) {
         if (!isGiven(materials, "materials")) return;
         SetMaterialsEdit edit;
-        edit.first =
-            uint8_t(readInRange(first, {1.0, double(std::min<size_t>(waitingMaterials(hosted), 255))}, "first"));
+        size_t rows = hosted.loop.world().materials().materials.size();
+        if (first > rows) rows = waitingMaterials(hosted);  // a look at the whole queue
+        edit.first = uint8_t(readInRange(first, {1.0, double(std::min<size_t>(rows, 255))}, "first"));
         readInRange(count, {1.0, 256.0 - edit.first}, "count");
         const size_t stride = isRefused() ? 0 : materials->struct_size;  // all rows are of one size
         const auto* row = reinterpret_cast<const char*>(materials);

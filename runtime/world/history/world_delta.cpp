@@ -153,6 +153,7 @@ void journalGroups(const WorldDelta& before, WorldData& world, FrameChanges& cha
     for (const auto& [slot, was] : before.groups) {
         const LightGroupHandle is = world.groups.handleAt(slot);
         world.flickeringGroups -= uint32_t(was.second && was.second->failingSince != 0);
+        if (was.first && was.first != is) changes.groups.push_back(was.first);
         if (!is) continue;
         changes.groups.push_back(is);
         if (was.second && was.second->off != world.groups.at(is).off) journalSwitch(is, world, changes);

@@ -10,6 +10,7 @@
 #include "runtime/core/log.h"
 #include "runtime/voxel/used_entries.h"
 #include "runtime/world/stages/palette_edits.h"
+#include "runtime/world/stages/split_stage.h"
 
 namespace rubble {
 namespace {
@@ -79,6 +80,7 @@ void apply(EditContext& context, const SetMaterialsEdit& edit) {
     if (edit.first > table.materials.size())
         return logWarning("set_materials: the first row is " + std::to_string(edit.first) + ", expected at most " +
                           std::to_string(table.materials.size()) + "; nothing was changed");
+    releaseFragments(context);  // they weigh what they did when they came off
     const MaterialTable before = table;
     const ChangedRows rows = replaceRows(table.materials, edit);
     if (table == before) return;

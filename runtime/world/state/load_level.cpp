@@ -237,9 +237,10 @@ Level toLevel(const WorldState& world) {
         level.bodies.push_back(std::move(out));
     });
     std::vector<std::string> groupNames(world.groups.slotCount());
+    level.lightGroups.resize(world.groups.slotCount());  // palettes name slots: an empty one has a group without voxels
     world.groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {
         groupNames[handle.slot()] = group.name;
-        level.lightGroups.push_back(group);
+        level.lightGroups[handle.slot()] = group;
     });
     world.lights.forEach([&](LightHandle, const Light& light) {
         LevelLight out{light, world.shapes.find(light.shape) ? shapeNames[light.shape.slot()] : "",

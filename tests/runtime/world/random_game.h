@@ -145,7 +145,9 @@ private:
         return out;
     }
     void add(const World& world, Edits& out) {
-        switch (m_random.below(6)) {
+        switch (m_random.below(7)) {
+            case 6:
+                return addPropertyEdit(world, out);
             case 0:
                 return addShapeEdit(world, out);
             case 1:
@@ -196,6 +198,47 @@ private:
                 if (const Body* owner = at && m_random.below(2) ? world.bodies().find(at->body) : nullptr)
                     into = owner->shapes[m_random.below(uint32_t(owner->shapes.size()))];
                 return out.push_back(MergeShapeEdit{target, into});
+            }
+        }
+    }
+    void addPropertyEdit(const World& world, Edits& out) {
+        const ShapeHandle target = shape(world);
+        const auto rows = uint32_t(world.materials().materials.size());
+        switch (m_random.below(6)) {
+            case 0: {
+                const PaletteRef palette = gamePalette(uint8_t(m_random.below(256)));
+                SetPaletteEdit edit{target, m_random.below(2) == 0, uint8_t(1 + m_random.below(6)), {}};
+                edit.entries = {(*palette)[1 + m_random.below(6)], (*palette)[1 + m_random.below(6)]};
+                edit.entries[0].lightGroup = m_random.below(3);
+                return out.push_back(edit);
+            }
+            case 1: {
+                Material row = defaultMaterials()[uint8_t(1 + m_random.below(19))];
+                if (m_random.below(2)) row.name = "own";
+                return out.push_back(SetMaterialsEdit{uint8_t(1 + m_random.below(rows)), {row}});
+            }
+            case 2:
+                return out.push_back(CreateLightGroupEdit{{.name = "made", .threshold = 0.2f}});
+            case 3:
+                return out.push_back(SetLightGroupEdit{.group = any(m_seen.groups, world.lightGroups()),
+                                                       .switches = true,
+                                                       .on = m_random.below(2) == 0,
+                                                       .setsSupply = m_random.below(3) == 0,
+                                                       .supply = sometimes(target)});
+            case 4:
+                return out.push_back(SetBodyEdit{.body = body(world),
+                                                 .setsGravityScale = true,
+                                                 .gravityScale = 2.0 * unit() - 1.0,
+                                                 .setsDamping = m_random.below(2) == 0,
+                                                 .linearDamping = unit()});
+            default: {
+                SetShapeEdit edit{.shape = target, .setsStrength = m_random.below(2) == 0, .strength = 0.5f};
+                edit.setsDensity = m_random.below(2), edit.density = 0.5f + m_random.unit();
+                edit.setsEmission = m_random.below(2), edit.emission = m_random.unit();
+                edit.setsLoad = m_random.below(2), edit.loadBearing = m_random.below(2);
+                edit.setsAnchors = m_random.below(2);
+                if (m_random.below(2)) edit.anchors = {{glm::ivec3(0), glm::ivec3(1) + cell(glm::ivec3(12))}};
+                return out.push_back(edit);
             }
         }
     }
