@@ -28,10 +28,10 @@ protected:
         auto changes = sized<rubble_brick_changes>();
         changes.shape = shape, changes.what = what, changes.since = version;
         uint32_t count = 0;
-        rubble_result result = api()->get_changed_bricks(m_world, &changes, nullptr, 0, &count, &version);
+        rubble_result result = api()->get_changed_bricks(m_world, &changes, &version, nullptr, 0, &count);
         if (result != RUBBLE_OK) return result;
         out.resize(count);
-        return api()->get_changed_bricks(m_world, &changes, out.data(), count, &count, &version);
+        return api()->get_changed_bricks(m_world, &changes, &version, out.data(), count, &count);
     }
     /// Brings a host's meshes of a shape up to date, as it would.
     void update(rubble_shape shape, uint64_t& version, Meshes& meshes) {
@@ -165,10 +165,10 @@ TEST_F(AbiBricks, WrongArgumentsAreRefused) {
     auto changes = sized<rubble_brick_changes>();
     uint64_t version = 0;
     changes.shape = wall, changes.what = 2;
-    expectRefused(api()->get_changed_bricks(m_world, &changes, nullptr, 0, &count, &version), RUBBLE_ERROR_ARGUMENT,
+    expectRefused(api()->get_changed_bricks(m_world, &changes, &version, nullptr, 0, &count), RUBBLE_ERROR_ARGUMENT,
                   "changes->what is 2");
     changes.what = 0;
-    expectRefused(api()->get_changed_bricks(m_world, &changes, nullptr, 0, &count, nullptr), RUBBLE_ERROR_NULL,
+    expectRefused(api()->get_changed_bricks(m_world, &changes, nullptr, nullptr, 0, &count), RUBBLE_ERROR_NULL,
                   "version");
 }
 

@@ -533,19 +533,19 @@ static void use_bricks(void) {
     uint8_t data[2 * RUBBLE_BRICK_BYTES];
     const int32_t first[3] = {0, 0, 0};
     uint32_t count;
-    uint64_t version;
+    uint64_t version, bytes;
     steps(1);
     changes.shape = box, changes.what = RUBBLE_BRICKS_MESHES;
-    OK(api->get_changed_bricks(world, &changes, bricks, 4, &count, &version));
+    OK(api->get_changed_bricks(world, &changes, &version, bricks, 4, &count));
     CHECK(count == 2 && bricks[1].x == 1 && !bricks[1].is_empty);
     OK(api->mesh_brick(world, box, first, vertices, 64, &count));
     CHECK(count == 20 && vertices[0].material == 6); /* the sixth side is hidden by the other brick */
-    OK(api->read_bricks(world, box, bricks, 2, data));
-    CHECK(data[0] == 6 && data[RUBBLE_BRICK_BYTES + 7] == 0);
-    CHECK(api->get_shadow_bricks(world, 0, NULL, 0, &count, &version) == RUBBLE_ERROR_ARGUMENT);
+    OK(api->read_bricks(world, box, bricks, 2, data, sizeof data, &bytes));
+    CHECK(bytes == sizeof data && data[0] == 6 && data[RUBBLE_BRICK_BYTES + 7] == 0);
+    CHECK(api->get_shadow_bricks(world, 0, &version, NULL, 0, &count) == RUBBLE_ERROR_ARGUMENT);
     changes.since = version;
     steps(1);
-    OK(api->get_changed_bricks(world, &changes, bricks, 4, &count, &version));
+    OK(api->get_changed_bricks(world, &changes, &version, bricks, 4, &count));
     CHECK(count == 0);
 }
 

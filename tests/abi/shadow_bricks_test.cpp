@@ -23,10 +23,10 @@ protected:
     }
     rubble_result list(uint64_t since, std::vector<rubble_shadow_brick>& out, uint64_t& version) {
         uint32_t count = 0;
-        const rubble_result result = api()->get_shadow_bricks(m_world, since, nullptr, 0, &count, &version);
+        const rubble_result result = api()->get_shadow_bricks(m_world, since, &version, nullptr, 0, &count);
         if (result != RUBBLE_OK) return result;
         out.resize(count);
-        return api()->get_shadow_bricks(m_world, since, out.data(), count, &count, &version);
+        return api()->get_shadow_bricks(m_world, since, &version, out.data(), count, &count);
     }
     /// Brings a host's copy up to date; returns how many bricks came.
     size_t update(uint64_t& version, ShadowBricks& bricks) {
@@ -95,7 +95,8 @@ TEST_F(AbiShadow, ReadBricksGivesWhatReadVoxelsGives) {
     for (const rubble_shape_state& shape : shapes()) {
         const rubble_brick bricks[2] = {{0, 0, 0, 0}, {-7, 3, 2, 0}};
         std::vector<uint8_t> data(2 * RUBBLE_BRICK_BYTES, 9);
-        ASSERT_EQ(api()->read_bricks(m_world, shape.shape, bricks, 2, data.data()), RUBBLE_OK)
+        uint64_t bytes = 0;
+        ASSERT_EQ(api()->read_bricks(m_world, shape.shape, bricks, 2, data.data(), data.size(), &bytes), RUBBLE_OK)
             << api()->get_last_error();
         auto box = wholeOf(shape.shape, 8);
         const std::vector<uint8_t> indices = read(box);
@@ -106,18 +107,26 @@ TEST_F(AbiShadow, ReadBricksGivesWhatReadVoxelsGives) {
         EXPECT_EQ(std::count(data.begin() + RUBBLE_BRICK_BYTES, data.end(), 0), ptrdiff_t(RUBBLE_BRICK_BYTES));
     }
     const rubble_brick brick = {};
-    expectRefused(api()->read_bricks(m_world, shapes()[0].shape, &brick, 1, nullptr), RUBBLE_ERROR_NULL, "out");
-    expectRefused(api()->read_bricks(m_world, shapes()[0].shape, nullptr, 1, nullptr), RUBBLE_ERROR_NULL, "bricks");
-    expectRefused(api()->read_bricks(m_world, 0, nullptr, 0, nullptr), RUBBLE_ERROR_STALE, "shape is 0");
+    const rubble_shape shape = shapes()[0].shape;
+    uint8_t byte = 7;
+    uint64_t bytes = 0;
+    ASSERT_EQ(api()->read_bricks(m_world, shape, &brick, 1, nullptr, 0, &bytes), RUBBLE_OK);
+    EXPECT_EQ(bytes, RUBBLE_BRICK_BYTES);
+    expectRefused(api()->read_bricks(m_world, shape, &brick, 1, &byte, 1, &bytes), RUBBLE_ERROR_CAPACITY, "1024 bytes");
+    EXPECT_EQ(byte, 7);
+    expectRefused(api()->read_bricks(m_world, shape, &brick, 1, nullptr, 1, &bytes), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->read_bricks(m_world, shape, nullptr, 1, &byte, 1, &bytes), RUBBLE_ERROR_NULL, "bricks");
+    expectRefused(api()->read_bricks(m_world, shape, &brick, 1, &byte, 1, nullptr), RUBBLE_ERROR_NULL, "count");
+    expectRefused(api()->read_bricks(m_world, 0, nullptr, 0, nullptr, 0, &bytes), RUBBLE_ERROR_STALE, "shape is 0");
 }
 
 TEST_F(AbiShadow, AWorldWithoutTheFlagKeepsNoCopy) {
     const rubble_world other = makeWorld();
     uint32_t count = 0;
     uint64_t version = 0;
-    expectRefused(api()->get_shadow_bricks(other, 0, nullptr, 0, &count, &version), RUBBLE_ERROR_ARGUMENT,
+    expectRefused(api()->get_shadow_bricks(other, 0, &version, nullptr, 0, &count), RUBBLE_ERROR_ARGUMENT,
                   "RUBBLE_WORLD_SHADOW_DATA");
-    expectRefused(api()->get_shadow_bricks(m_world, 0, nullptr, 0, &count, nullptr), RUBBLE_ERROR_NULL, "version");
+    expectRefused(api()->get_shadow_bricks(m_world, 0, nullptr, nullptr, 0, &count), RUBBLE_ERROR_NULL, "version");
     EXPECT_EQ(api()->destroy_world(other), RUBBLE_OK);
 }
 

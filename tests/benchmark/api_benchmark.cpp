@@ -266,7 +266,8 @@ void apiVoxels(benchmark::State& state) {
         require(api().read_voxels(world, &box, back.data(), back.size(), &count));
         read += threadMs() - start;
         start = threadMs();
-        require(api().read_bricks(world, box.shape, places.data(), uint32_t(places.size()), bricks.data()));
+        require(api().read_bricks(world, box.shape, places.data(), uint32_t(places.size()), bricks.data(),
+                                  bricks.size(), &count));
         brick += threadMs() - start;
         if (back != cells) throw std::runtime_error("other voxels were read than written");
         start = threadMs();

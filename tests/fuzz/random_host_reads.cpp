@@ -24,7 +24,7 @@ void RandomHost::callBricks() {
     changes.since = m_decisions.oneIn(2) ? 0 : m_decisions.oneIn(8) ? m_decisions.bits() : m_brickVersion;
     rubble_brick bricks[8] = {};
     uint32_t count = 0;
-    api().get_changed_bricks(m_world, &changes, bricks, 8, &count, &m_brickVersion);
+    api().get_changed_bricks(m_world, &changes, &m_brickVersion, bricks, 8, &count);
     if (changes.since && count) reached("lists of changed bricks");
     static std::vector<rubble_mesh_vertex> vertices(RUBBLE_MAX_BRICK_VERTICES);
     int32_t brick[3] = {bricks[0].x, bricks[0].y, bricks[0].z};
@@ -34,10 +34,11 @@ void RandomHost::callBricks() {
     if (meshed == RUBBLE_ERROR_CAPACITY || (meshed == RUBBLE_OK && count % 4)) fail("mesh_brick");
     if (count) reached("meshes");
     static std::vector<uint8_t> bytes(8 * RUBBLE_BRICK_BYTES);
-    api().read_bricks(m_world, changes.shape, bricks, m_decisions.below(9), bytes.data());
+    uint64_t size = 0;
+    api().read_bricks(m_world, changes.shape, bricks, m_decisions.below(9), bytes.data(), bytes.size(), &size);
     static std::vector<rubble_shadow_brick> shadow(64);
     const uint64_t since = m_decisions.oneIn(2) ? 0 : m_decisions.oneIn(8) ? m_decisions.bits() : m_shadowVersion;
-    if (api().get_shadow_bricks(m_world, since, shadow.data(), 64, &count, &m_shadowVersion) == RUBBLE_OK && count)
+    if (api().get_shadow_bricks(m_world, since, &m_shadowVersion, shadow.data(), 64, &count) == RUBBLE_OK && count)
         reached("bricks of the shadow volume");
 }
 

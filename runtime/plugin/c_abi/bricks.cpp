@@ -9,8 +9,8 @@ const Shape* findShape(const HostedWorld& hosted, rubble_shape bits, const char*
     return findLive<HandleType::Shape>(hosted.loop.world().shapes(), bits, name);
 }
 
-rubble_result getChangedBricks(rubble_world world, const rubble_brick_changes* changes, rubble_brick* out,
-                               uint32_t capacity, uint32_t* count, uint64_t* version) {
+rubble_result getChangedBricks(rubble_world world, const rubble_brick_changes* changes, uint64_t* version,
+                               rubble_brick* out, uint32_t capacity, uint32_t* count) {
     return inWorld("get_changed_bricks", world, [&](HostedWorld& hosted) {
         RowWriter<rubble_brick> rows(out, capacity, count);
         const rubble_brick_changes given = readStruct(changes, "changes");
@@ -79,22 +79,29 @@ rubble_result meshOneBrick(rubble_world world, rubble_shape bits, const int32_t 
     });
 }
 
-rubble_result readBricks(rubble_world world, rubble_shape bits, const rubble_brick* bricks, uint32_t count,
-                         uint8_t* out) {
+void copyBrick(const Brick* brick, uint8_t* out) {
+    BrickIndices indices;
+    expandBrick(brick, indices);
+    std::copy(indices.begin(), indices.end(), out);
+    if (brick && brick->paint)
+        std::copy(brick->paint->begin(), brick->paint->end(), out + kBrickVoxels);
+    else
+        std::fill_n(out + kBrickVoxels, kBrickVoxels, uint8_t(0));
+}
+
+rubble_result readBricks(rubble_world world, rubble_shape bits, const rubble_brick* bricks, uint32_t brickCount,
+                         uint8_t* out, uint64_t capacity, uint64_t* count) {
     return inWorld("read_bricks", world, [&](const HostedWorld& hosted) {
         const Shape* shape = findShape(hosted, bits, "shape");
-        if (count) isGiven(bricks, "bricks"), isGiven(out, "out");
-        if (isRefused()) return;
-        for (uint32_t i = 0; i < count; ++i, out += RUBBLE_BRICK_BYTES) {
-            const Brick* brick = shape->grid.brickAt({bricks[i].x, bricks[i].y, bricks[i].z});
-            BrickIndices indices;
-            expandBrick(brick, indices);
-            std::copy(indices.begin(), indices.end(), out);
-            if (brick && brick->paint)
-                std::copy(brick->paint->begin(), brick->paint->end(), out + kBrickVoxels);
-            else
-                std::fill_n(out + kBrickVoxels, kBrickVoxels, uint8_t(0));
-        }
+        if (brickCount) isGiven(bricks, "bricks");
+        if (capacity) isGiven(out, "out");
+        if (!isGiven(count, "count") || isRefused()) return;
+        *count = uint64_t(brickCount) * RUBBLE_BRICK_BYTES;
+        if (!capacity) return;
+        if (capacity < *count)
+            return refuse(RUBBLE_ERROR_CAPACITY, "there are {} bytes, the array holds {}", *count, capacity);
+        for (uint32_t i = 0; i < brickCount; ++i, out += RUBBLE_BRICK_BYTES)
+            copyBrick(shape->grid.brickAt({bricks[i].x, bricks[i].y, bricks[i].z}), out);
     });
 }
 
@@ -106,8 +113,8 @@ rubble_shadow_brick shadowRow(const BrickPlace& place, const ShadowBrick* brick)
     return row;
 }
 
-rubble_result getShadowBricks(rubble_world world, uint64_t since, rubble_shadow_brick* out, uint32_t capacity,
-                              uint32_t* count, uint64_t* version) {
+rubble_result getShadowBricks(rubble_world world, uint64_t since, uint64_t* version, rubble_shadow_brick* out,
+                              uint32_t capacity, uint32_t* count) {
     return inWorld("get_shadow_bricks", world, [&](HostedWorld& hosted) {
         RowWriter<rubble_shadow_brick> rows(out, capacity, count);
         ShadowCopy* copy = hosted.loop.shadowCopy();

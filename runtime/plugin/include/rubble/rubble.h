@@ -2057,8 +2057,8 @@ typedef struct rubble_api {
      * now: what the host copies before the next step() is of it. From the first such call on, steps note what changes.
      * RUBBLE_ERROR_STALE: the shape is gone, or has another grid or, for meshes, other colours since that version: drop
      * the copy and ask with version 0. */
-    rubble_result (*get_changed_bricks)(rubble_world world, const rubble_brick_changes* changes, rubble_brick* out,
-                                        uint32_t capacity, uint32_t* count, uint64_t* version);
+    rubble_result (*get_changed_bricks)(rubble_world world, const rubble_brick_changes* changes, uint64_t* version,
+                                        rubble_brick* out, uint32_t capacity, uint32_t* count);
     /* [main-thread] The faces of a brick that are seen, as rectangles: four vertices each, RUBBLE_MAX_BRICK_VERTICES at
      * most. Opaque voxels hide the faces of opaque ones, all voxels hide those of transparent ones. The rectangles of
      * all bricks cover each such face once. Their corners may lie on edges of others (T-junctions): transform equal
@@ -2066,15 +2066,16 @@ typedef struct rubble_api {
     rubble_result (*mesh_brick)(rubble_world world, rubble_shape shape, const int32_t brick[3], rubble_mesh_vertex* out,
                                 uint32_t capacity, uint32_t* count);
     /* [main-thread] Copies palette indices and paint of bricks of a shape, RUBBLE_BRICK_BYTES each, in the order of
-     * `bricks`; bricks[i].is_empty is not read. All are 0 where there is no brick. `out` holds `count` of them. */
-    rubble_result (*read_bricks)(rubble_world world, rubble_shape shape, const rubble_brick* bricks, uint32_t count,
-                                 uint8_t* out);
+     * `bricks`, whose is_empty is not read. All are 0 where there is no brick. `capacity` is in bytes; *count becomes
+     * the number of bytes. Capacity 0 asks for that alone; fewer: RUBBLE_ERROR_CAPACITY, and nothing is written. */
+    rubble_result (*read_bricks)(rubble_world world, rubble_shape shape, const rubble_brick* bricks,
+                                 uint32_t brick_count, uint8_t* out, uint64_t capacity, uint64_t* count);
     /* [main-thread] The bricks of the shadow volume that changed after a version, by z, then y, then x; 0: all with
      * cells. *version becomes that of now, which may be some steps behind; see rubble_step_stats.shadow_lag.
      * RUBBLE_ERROR_STALE: all has been replaced since that version, as by a level: drop the copy and ask with 0.
      * RUBBLE_ERROR_ARGUMENT: the world was created without RUBBLE_WORLD_SHADOW_DATA. */
-    rubble_result (*get_shadow_bricks)(rubble_world world, uint64_t since, rubble_shadow_brick* out, uint32_t capacity,
-                                       uint32_t* count, uint64_t* version);
+    rubble_result (*get_shadow_bricks)(rubble_world world, uint64_t since, uint64_t* version, rubble_shadow_brick* out,
+                                       uint32_t capacity, uint32_t* count);
 
     /* ---- particles ---- */
 

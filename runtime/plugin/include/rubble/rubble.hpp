@@ -936,11 +936,11 @@ public:
      * host copies before the next step() is of it. From the first such call on, steps note what changes.
      * RUBBLE_ERROR_STALE: the shape is gone, or has another grid or, for meshes, other colours since that version: drop
      * the copy and ask with version 0. */
-    std::vector<uint64_t> get_changed_bricks(const rubble_brick_changes* changes, rubble_brick* out, uint32_t capacity,
-        uint32_t* count) const {
-        std::vector<uint64_t> out(count);
-        check(api().get_changed_bricks(m_handle, changes, out, capacity, count, out.data()));
-        return out;
+    std::vector<rubble_brick> get_changed_bricks(rubble_brick_changes changes, uint64_t* version) const {
+        changes.struct_size = sizeof changes;
+        return rows<rubble_brick, uint32_t>([&](rubble_brick* out, uint32_t capacity, uint32_t* count) {
+            return api().get_changed_bricks(m_handle, &changes, version, out, capacity, count);
+        });
     }
     /** The faces of a brick that are seen, as rectangles: four vertices each, RUBBLE_MAX_BRICK_VERTICES at most. Opaque
      * voxels hide the faces of opaque ones, all voxels hide those of transparent ones. The rectangles of all bricks
@@ -951,22 +951,22 @@ public:
             return api().mesh_brick(m_handle, shape, brick, out, capacity, count);
         });
     }
-    /** Copies palette indices and paint of bricks of a shape, RUBBLE_BRICK_BYTES each, in the order of `bricks`;
-     * bricks[i].is_empty is not read. All are 0 where there is no brick. `out` holds `count` of them. */
-    std::vector<uint8_t> read_bricks(rubble_shape shape, const rubble_brick* bricks, uint32_t count) const {
-        std::vector<uint8_t> out(count);
-        check(api().read_bricks(m_handle, shape, bricks, count, out.data()));
-        return out;
+    /** Copies palette indices and paint of bricks of a shape, RUBBLE_BRICK_BYTES each, in the order of `bricks`, whose
+     * is_empty is not read. All are 0 where there is no brick. `capacity` is in bytes; *count becomes the number of
+     * bytes. Capacity 0 asks for that alone; fewer: RUBBLE_ERROR_CAPACITY, and nothing is written. */
+    std::vector<uint8_t> read_bricks(rubble_shape shape, const rubble_brick& bricks, uint32_t brick_count) const {
+        return rows<uint8_t, uint64_t>([&](uint8_t* out, uint64_t capacity, uint64_t* count) {
+            return api().read_bricks(m_handle, shape, &bricks, brick_count, out, capacity, count);
+        });
     }
     /** The bricks of the shadow volume that changed after a version, by z, then y, then x; 0: all with cells. *version
      * becomes that of now, which may be some steps behind; see rubble_step_stats.shadow_lag. RUBBLE_ERROR_STALE: all
      * has been replaced since that version, as by a level: drop the copy and ask with 0. RUBBLE_ERROR_ARGUMENT: the
      * world was created without RUBBLE_WORLD_SHADOW_DATA. */
-    std::vector<uint64_t> get_shadow_bricks(uint64_t since, rubble_shadow_brick* out, uint32_t capacity, uint32_t*
-        count) const {
-        std::vector<uint64_t> out(count);
-        check(api().get_shadow_bricks(m_handle, since, out, capacity, count, out.data()));
-        return out;
+    std::vector<rubble_shadow_brick> get_shadow_bricks(uint64_t since, uint64_t* version) const {
+        return rows<rubble_shadow_brick, uint32_t>([&](rubble_shadow_brick* out, uint32_t capacity, uint32_t* count) {
+            return api().get_shadow_bricks(m_handle, since, version, out, capacity, count);
+        });
     }
     /** Throws particles into the air at once; they move from the next step on. They are only drawn: recordings and
      * saves do not have them. RUBBLE_ERROR_ARGUMENT, here and below: the world was created with
