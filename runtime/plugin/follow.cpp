@@ -18,12 +18,14 @@ Result<Done> FrameLoop::follow(const Deltas& deltas, const std::function<void()>
     endRecording();  // it would miss these steps, as would deltas of this world
     keepDeltas(false);
     for (const RecordedStep& step : deltas.steps) {
-        if (step.step == deltas.start + 1) m_followedStart = deltas.start, m_followedPalettes.clear();
-        if (step.step != m_world.step() + 1 || deltas.start != m_followedStart)
+        const bool isFirst = step.step == deltas.start + 1;
+        if (step.step != m_world.step() + 1 || (!isFirst && deltas.start != m_followedStart))
             return Error{
-                fmt::format("expected the delta of step {}, of those kept since step {}, found that of step {}, "
-                            "since step {}",
-                            m_world.step() + 1, m_followedStart, step.step, deltas.start)};
+                fmt::format("expected the delta of step {}, the next of those that were applied, found that of "
+                            "step {}, kept since step {}",
+                            m_world.step() + 1, step.step, deltas.start)};
+        if (isFirst) m_followedPalettes.clear();
+        m_followedStart = deltas.start;
         if (Result<Done> done = followStep(step); !done) return done;
         afterStep();
     }
@@ -31,9 +33,13 @@ Result<Done> FrameLoop::follow(const Deltas& deltas, const std::function<void()>
 }
 
 Result<Done> FrameLoop::followStep(const RecordedStep& step) {
+    const size_t known = m_followedPalettes.size();
     Result<FrameChanges> applied =
         applyStepDelta(step.delta, fmt::format("step {}", step.step), m_world, m_followedPalettes);
-    if (!applied) return Error{applied.error()};
+    if (!applied) {
+        m_followedPalettes.resize(known);
+        return Error{applied.error()};
+    }
     m_changes = std::move(*applied);
     m_rebuildPhysics = true;
     m_world.setPoses(step.poses);

@@ -10,6 +10,11 @@
 #include "runtime/world/impacts/impact_damage.h"
 
 namespace rubble {
+namespace {
+
+constexpr uint64_t kFollowsNone = ~uint64_t(0);
+
+}  // namespace
 
 FrameLoop::FrameLoop(const FrameLoopSettings& settings)
     : m_world(settings.worldId, settings.firstGeneration),
@@ -70,7 +75,7 @@ void FrameLoop::load(const Level& level) {
     forgetHostMotion();
     endRecording();
     keepDeltas(false);
-    m_followedStart = ~uint64_t(0);
+    m_followedStart = kFollowsNone;
     m_world.load(level);
 }
 
@@ -80,7 +85,7 @@ void FrameLoop::load(SavedGame game) {
     forgetHostMotion();
     endRecording();
     keepDeltas(false);
-    m_followedStart = ~uint64_t(0);
+    m_followedStart = kFollowsNone;
     m_world.setState(std::move(game.world));
     m_pending = std::move(game.pending);
     claimHandles(m_world, m_pending);  // before a host reserves more
@@ -179,6 +184,7 @@ void FrameLoop::forgetHostMotion() {
 
 void FrameLoop::stepWith(const Edits& hostEdits) {
     std::fill_n(m_times.ms.begin(), size_t(Stage::Apply), 0.0);  // the stages from Apply on are the render thread's
+    m_followedStart = kFollowsNone;                              // a step of its own is none of those that it follows
     loadPhysics();
     applyEdits(hostEdits);
     m_physics ? stepPhysics() : followHost();
