@@ -23,6 +23,7 @@
 #include "render/passes/particles_pass.h"
 #include "render/passes/reflections_pass.h"
 #include "render/passes/ropes_pass.h"
+#include "render/passes/sampler_reset.h"
 #include "render/passes/show_pass.h"
 #include "render/passes/sky_pass.h"
 #include "render/passes/sun_pass.h"
@@ -76,6 +77,7 @@ struct Renderer::Impl {
         startScene();
         blueNoise = Texture(GL_R8, glm::ivec2(kBlueNoiseSize), Filter::Nearest, Wrap::Repeat);
         blueNoise.upload(makeBlueNoise().data());
+        if (isSoftwareGl()) samplerReset.emplace(shaders);
         shaders.endBatch();
     }
     /// An empty scene.
@@ -123,6 +125,7 @@ struct Renderer::Impl {
     void run(const char* name, TargetSet reads, TargetSet writes, F&& draw) {
         choice.beginPass(name);
         timer.begin(name, int(choice.method()));
+        if (samplerReset) samplerReset->draw(blueNoise, emptyVertexArray);
         history->targets.beginPass(reads, writes);
         draw();
         history->targets.endPass();
@@ -188,6 +191,7 @@ struct Renderer::Impl {
     BloomPass bloom{shaders};
     ExposurePass exposure{shaders};
     TonemapPass tonemap{shaders};
+    std::optional<SamplerReset> samplerReset;
     ShowPass show{shaders};
 };
 
@@ -260,8 +264,7 @@ void Renderer::Impl::drawImage(const FrameContext& frame) {
 void Renderer::Impl::fillBlock(const View& view, glm::ivec2 renderSize) {
     history->camera.begin(view, renderSize, settings.temporal, scene.origin(), block);
     const Environment& e = scene.environment();
-    block.counters.z = int(std::count_if(scene.lights().begin(), scene.lights().end(),
-                                         [](const SnapshotLight& light) { return !light.fleeting; }));
+    block.counters.z = int(std::ranges::count(scene.lights(), false, &SnapshotLight::fleeting));
     block.counters.w = settings.noise == Noise::White;
     block.sunDirection = glm::vec4(glm::normalize(e.sunDirection), e.sunAngle);
     block.sunColor = glm::vec4(e.sunColor, 0.0f);
@@ -278,7 +281,7 @@ void Renderer::Impl::fillBlock(const View& view, glm::ivec2 renderSize) {
 }
 
 const LightGrid* Renderer::Impl::updateLightGrid() {
-    if (scene.lights().empty() && !lightGrid) return nullptr;
+    if (!lightGrid && scene.lights().empty()) return nullptr;
     if (!lightGrid) lightGrid.emplace();
     stats.uploadBytes += lightGrid->update(scene.lights(), block, scene.origin());
     return &*lightGrid;
@@ -290,24 +293,24 @@ void Renderer::Impl::uploadBlock() {
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, blockBuffer.get());
 }
 
-/// Builds the programs of all passes and draws each twice, by each of two methods if both will be tried, into a small
-/// image that is thrown away.
+/// Builds the programs of all passes and draws steps of a scene that needs them all into a small image that is thrown
+/// away, each step twice: by each of two methods if both will be tried.
 void Renderer::Impl::compileAhead() {
     const GlStateGuard hostState = guardHostState();
     const TexelStore::Use use(texels);
     shaders.beginBatch();
     forEachLazyPass([&](auto& pass) { pass.emplace(shaders); });
     shaders.endBatch();
-    const Offscreen image({97, 61});  // no side a power of two, for which some drivers build programs of their own
+    const Offscreen image({kWarmUpSide, kWarmUpSide});
     View view;
     view.position = kWarmUpPosition;
     view.size = image.size();
     view.framebuffer = image.framebuffer();
-    scene.apply(warmUpScene());
     history = &histories.begin(0, view.size, limits);
-    for (int i = 0; i < 2; ++i) drawFrames(view, 1.0f);
-    scene.apply(outsideOfWarmUpScene());
-    drawFrames(view, 1.0f);
+    for (FrameSnapshot& step : warmUpSteps()) {
+        scene.apply(std::move(step));
+        for (int i = 0; i < 2; ++i) drawFrames(view, 1.0f);
+    }
     histories.clear();
     forEachLazyPass([](auto& pass) { pass.reset(); });  // their programs stay in the library
     lightGrid.reset();
@@ -460,12 +463,10 @@ std::vector<std::string> Renderer::shaderErrors() const {
 }
 
 bool Renderer::showPass(std::string_view name) {
-    for (const ShowPass::TargetView& view : ShowPass::views())
-        if (view.name == name) {
-            m_impl->shown = &view;
-            return true;
-        }
-    return false;
+    const auto& views = ShowPass::views();
+    const auto found = std::find_if(views.begin(), views.end(), [&](const auto& view) { return view.name == name; });
+    if (found != views.end()) m_impl->shown = &*found;
+    return found != views.end();
 }
 
 std::vector<std::string> Renderer::passNames() const {
@@ -475,8 +476,7 @@ std::vector<std::string> Renderer::passNames() const {
 }
 
 Result<FloatImage> Renderer::readTarget(std::string_view name) const {
-    const auto declared = std::find_if(kTargets.begin(), kTargets.end(),
-                                       [&](const TargetDeclaration& each) { return each.name == name; });
+    const auto declared = std::ranges::find(kTargets, name, &TargetDeclaration::name);
     const std::string text = "target \"" + std::string(name) + "\": ";
     if (declared == kTargets.end()) return Error{text + "expected a name of render/frame/targets.h"};
     ViewHistory* drawn = m_impl->histories.last();

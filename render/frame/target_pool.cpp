@@ -13,6 +13,11 @@ const TargetDeclaration& declarationOf(Target id) {
     return kTargets[size_t(id)];
 }
 
+/// Of a target, in a frame of this size.
+glm::ivec2 sizeOf(const TargetDeclaration& target, glm::ivec2 frameSize) {
+    return glm::max((frameSize + target.divisor - 1) / target.divisor, glm::ivec2(1));
+}
+
 }  // namespace
 
 void TargetPool::beginFrame(glm::ivec2 renderSize, glm::ivec2 displaySize, bool cut) {
@@ -28,6 +33,9 @@ void TargetPool::setSize(Resolution resolution, glm::ivec2 size, bool cut) {
     if (size != group.size) {
         clear(resolution);
         group.size = size;
+        for (const TargetDeclaration& target : kTargets)
+            if (target.resolution == resolution)
+                m_none[size_t(target.id)] = Texture::none(target.format, sizeOf(target, size), target.filter);
         cut = true;
     }
     if (cut) group.cutFrame = m_frame;
@@ -57,7 +65,7 @@ TargetPool::Slot& TargetPool::slot(Target id) {
     Slot& slot = m_slots[size_t(id)];
     if (!slot.textures[0]) {
         Group& group = m_groups[size_t(declared.resolution)];
-        const glm::ivec2 size = glm::max((group.size + declared.divisor - 1) / declared.divisor, glm::ivec2(1));
+        const glm::ivec2 size = sizeOf(declared, group.size);
         for (int i = 0; i <= int(declared.hasHistory); ++i) {
             slot.textures[i] = Texture(declared.format, size, declared.filter);
             group.allocationFailed |= !slot.textures[i].isAllocated();
@@ -107,14 +115,19 @@ const Texture* TargetPool::find(Target id) const {
     return slot.drawn[slot.current] == m_frame ? &slot.textures[slot.current] : nullptr;
 }
 
-const Texture* TargetPool::findPrevious(Target id) const {
+const Texture& TargetPool::previousOrNone(Target id) const {
     RUBBLE_ASSERT(mayReadPrevious(id) && declarationOf(id).hasHistory &&
                   "a pass reads a history that it has not declared: see Renderer::Impl::drawPasses()");
     const Slot& slot = m_slots[size_t(id)];
     const int previous = slot.current ^ 1;
     const bool isCut = m_groups[size_t(declarationOf(id).resolution)].cutFrame == m_frame;
-    return slot.textures[previous] && slot.drawn[previous] + 1 == m_frame && !isCut ? &slot.textures[previous]
-                                                                                    : nullptr;
+    const bool isValid = slot.textures[previous] && slot.drawn[previous] + 1 == m_frame && !isCut;
+    return isValid ? slot.textures[previous] : m_none[size_t(id)];
+}
+
+const Texture& TargetPool::orNone(Target id) const {
+    const Texture* found = find(id);
+    return found ? *found : m_none[size_t(id)];
 }
 
 const Texture& TargetPool::at(Target id) const {

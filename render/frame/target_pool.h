@@ -40,8 +40,10 @@ public:
     const Texture& copy(Target source, Target into, const PixelRect& part);
     /// This frame's texture, or nullptr if nothing has drawn it yet.
     const Texture* find(Target id) const;
-    /// What the frame before left in a target with history, or nullptr if that is not valid (see History).
-    const Texture* findPrevious(Target id) const;
+    /// This frame's texture, or what stands for it if nothing has drawn it yet: for a sampler that is then not read.
+    const Texture& orNone(Target id) const;
+    /// What the frame before left in a target with history, or what stands for it if that is not valid (see History).
+    const Texture& previousOrNone(Target id) const;
     /// This frame's texture, which must have been drawn.
     const Texture& at(Target id) const;
 
@@ -74,7 +76,8 @@ private:
     bool mayWrite(Target id) const { return !m_isInPass || m_writes.contains(id); }
 
     std::array<Slot, kTargetCount> m_slots;
-    std::array<Group, 2> m_groups;  ///< by Resolution
+    std::array<Texture, kTargetCount> m_none;  ///< what stands for each where nothing has drawn it
+    std::array<Group, 2> m_groups;             ///< by Resolution
     std::map<std::vector<GLuint>, Framebuffer> m_framebuffers;
     bool m_framebufferFailed = false;
     uint64_t m_frame = 0;

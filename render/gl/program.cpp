@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "render/gl/placeholders.h"
 #include "render/gl/program_build.h"
 #include "runtime/core/assertion.h"
 
@@ -105,7 +106,15 @@ void Program::set(std::string_view name, std::span<const glm::vec4> values) cons
     if (const Uniform* u = find(name)) glUniform4fv(u->location, GLsizei(values.size()), glm::value_ptr(values[0]));
 }
 
-void Program::set(std::string_view array, const BufferTexture& texture) const {
+void Program::set(std::string_view sampler, const Texture& given) const {
+    TexelStore* store = TexelStore::current();
+    const Texture& texture = store ? store->placeholders().orOfItsKind(given) : given;
+    bind(sampler, texture.target(), texture.name());
+}
+
+void Program::set(std::string_view array, const BufferTexture& given) const {
+    TexelStore* store = TexelStore::current();
+    const BufferTexture& texture = store ? store->placeholders().orOfItsKind(given) : given;
     const std::string_view shared = texture.sharedSampler();
     bind(shared.empty() ? array : shared, texture.target(), texture.name());
     if (!shared.empty()) set(array, texture.firstTexel());

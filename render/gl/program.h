@@ -43,11 +43,9 @@ public:
     void set(std::string_view uniform, const glm::mat4& value) const;  ///< the same
     /// Sets the first elements of an array, whose name ends in [0].
     void set(std::string_view uniform, std::span<const glm::vec4> values) const;
-    /// Binds a texture to the sampler's unit.
-    void set(std::string_view sampler, const Texture& texture) const {
-        bind(sampler, texture.target(), texture.name());
-    }
-    /// Sets an array of lib/texels.glsl.
+    /// Binds a texture to the sampler's unit. In place of an empty one a placeholder of its kind is bound.
+    void set(std::string_view sampler, const Texture& texture) const;
+    /// Sets an array of lib/texels.glsl; the same for an empty one.
     void set(std::string_view array, const BufferTexture& texture) const;
 
 private:

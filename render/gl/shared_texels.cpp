@@ -4,6 +4,7 @@
 #include <bit>
 #include <utility>
 
+#include "render/gl/placeholders.h"
 #include "render/gl/texture.h"
 #include "runtime/core/assertion.h"
 
@@ -119,7 +120,11 @@ void SharedTexels::upload(const Rows& rows, uint64_t offset, std::span<const std
 }
 
 TexelStore::TexelStore(const GlLimits& limits)
-    : m_limits(limits), m_isShared(limits.bufferTexels < kEnoughTexels || limits.textureUnits < kTextureUnits) {}
+    : m_limits(limits),
+      m_isShared(limits.bufferTexels < kEnoughTexels || limits.textureUnits < kTextureUnits),
+      m_placeholders(std::make_unique<Placeholders>()) {}
+
+TexelStore::~TexelStore() = default;
 
 std::shared_ptr<SharedTexels> TexelStore::of(GLenum internalFormat) {
     if (!m_isShared) return nullptr;

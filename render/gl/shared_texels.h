@@ -11,6 +11,8 @@
 
 namespace rubble {
 
+class Placeholders;
+
 /// Many arrays of texels of one format in one texture, which is a stack of layers of 2D texels. An array is a run of
 /// whole rows; rows go on from layer to layer. [render-thread]
 class SharedTexels {
@@ -65,12 +67,17 @@ class TexelStore {
 public:
     /// Of a context with these limits.
     explicit TexelStore(const GlLimits& limits);
+    ~TexelStore();
+    TexelStore(const TexelStore&) = delete;
+    TexelStore& operator=(const TexelStore&) = delete;
     /// The texture of a format's arrays; null: each array is a buffer texture of its own.
     std::shared_ptr<SharedTexels> of(GLenum internalFormat);
     /// As given to the constructor.
     const GlLimits& limits() const { return m_limits; }
     /// Whether arrays share textures.
     bool isShared() const { return m_isShared; }
+    /// What programs read where there is no texture for a sampler.
+    Placeholders& placeholders() const { return *m_placeholders; }
     /// What shaders must be built with: lib/texels.glsl.
     std::string shaderDefines() const;
 
@@ -93,6 +100,7 @@ private:
     GlLimits m_limits;
     bool m_isShared;
     std::array<std::shared_ptr<SharedTexels>, 3> m_formats;  ///< of one, two and four numbers a texel
+    std::unique_ptr<Placeholders> m_placeholders;
 };
 
 }  // namespace rubble

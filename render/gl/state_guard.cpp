@@ -119,6 +119,8 @@ void setRasterizer(const GlState& s) {
 /// What a draw needs of a new context's state, where it does not set it itself.
 void setForDrawing(const GlUse& use) {
     static const GlState fresh;
+    // Mesa tells apart whether the first target ever had other functions than the rest: it has from here on.
+    setBlendFunctions({.destination = GL_ONE});
     setRasterizer(fresh);
     for (GLuint i = 0; i < GLuint(use.units); ++i) glBindSampler(i, 0);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);

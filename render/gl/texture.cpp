@@ -8,11 +8,14 @@
 namespace rubble {
 namespace {
 
-constexpr uint64_t kStep = 4096;  ///< bytes: buffers are multiples of this
+constexpr uint64_t kStep = 4096;  ///< bytes by which buffers grow
+/// Bytes in a buffer beside its steps: for llvmpipe buffers whose size is a power of two, or a multiple of 64 KiB, are
+/// of another kind, for which it builds a program again.
+constexpr uint64_t kBeside = 256;
 
 /// Capacity for `bytes`: many small growths must not copy the buffer each time.
 uint64_t grown(uint64_t capacity, uint64_t bytes) {
-    return (std::max(bytes, capacity + capacity / 16) + kStep - 1) / kStep * kStep;
+    return (std::max(bytes, capacity + capacity / 16) + kStep - 1) / kStep * kStep + kBeside;
 }
 
 /// Gives the buffer that is bound to COPY_WRITE a new store. False if the GL has no memory for it.
@@ -74,7 +77,11 @@ PixelFormat pixelFormat(GLenum internalFormat) {
 }
 
 Texture::Texture(GLenum internalFormat, glm::ivec2 size, Filter filter, Wrap wrap)
-    : m_name(GlName<TextureKind>::make()), m_internalFormat(internalFormat), m_size(size) {
+    : m_name(GlName<TextureKind>::make()),
+      m_internalFormat(internalFormat),
+      m_size(size),
+      m_filter(filter),
+      m_wrap(wrap) {
     const PixelFormat pixel = pixelFormat(internalFormat);
     bindForUpload(GL_TEXTURE_2D, name());
     glTexImage2D(GL_TEXTURE_2D, 0, GLint(internalFormat), size.x, size.y, 0, pixel.format, pixel.type, nullptr);
@@ -86,6 +93,15 @@ Texture::Texture(GLenum internalFormat, glm::ivec2 size, Filter filter, Wrap wra
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrapGl);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrapGl);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+Texture Texture::none(GLenum internalFormat, glm::ivec2 size, Filter filter, Wrap wrap) {
+    Texture texture;
+    texture.m_internalFormat = internalFormat;
+    texture.m_size = size;
+    texture.m_filter = filter;
+    texture.m_wrap = wrap;
+    return texture;
 }
 
 void Texture::upload(const void* pixels) {

@@ -33,6 +33,9 @@ public:
     Texture() = default;
     /// size: pixels. What it holds is undefined.
     Texture(GLenum internalFormat, glm::ivec2 size, Filter filter = Filter::Nearest, Wrap wrap = Wrap::Clamp);
+    /// What stands for a texture that there is not: Program::set() binds a placeholder of its kind.
+    static Texture none(GLenum internalFormat, glm::ivec2 size, Filter filter = Filter::Nearest,
+                        Wrap wrap = Wrap::Clamp);
 
     /// The GL's name of it; 0: none.
     GLuint name() const { return m_name.get(); }
@@ -40,10 +43,12 @@ public:
     GLenum target() const { return GL_TEXTURE_2D; }
     /// As given to the constructor.
     GLenum internalFormat() const { return m_internalFormat; }
+    Filter filter() const { return m_filter; }  ///< the same
+    Wrap wrap() const { return m_wrap; }        ///< the same
     /// In pixels.
     glm::ivec2 size() const { return m_size; }
     /// GPU memory.
-    uint64_t bytes() const { return uint64_t(m_size.x) * m_size.y * pixelFormat(m_internalFormat).bytes; }
+    uint64_t bytes() const { return !m_name ? 0 : uint64_t(m_size.x) * m_size.y * pixelFormat(m_internalFormat).bytes; }
     explicit operator bool() const { return bool(m_name); }
     /// Whether the GL had memory for it.
     bool isAllocated() const { return m_isAllocated; }
@@ -55,6 +60,8 @@ private:
     GlName<TextureKind> m_name;
     GLenum m_internalFormat = 0;
     glm::ivec2 m_size{0};
+    Filter m_filter = Filter::Nearest;
+    Wrap m_wrap = Wrap::Clamp;
     bool m_isAllocated = false;
 };
 
@@ -71,6 +78,8 @@ public:
 
     /// The GL's name of the texture; 0: nothing was reserved.
     GLuint name() const { return m_shared ? m_shared->name() : m_texture.get(); }
+    /// As given to the constructor.
+    GLenum internalFormat() const { return m_internalFormat; }
     /// The GL's kind of texture.
     GLenum target() const { return m_shared ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_BUFFER; }
     /// The sampler that it is read through, where it is a part of a shared texture; empty where it has its own.

@@ -21,8 +21,7 @@ AccumulatePass::AccumulatePass(ShaderLibrary& shaders)
     : m_change(shaders.loadFullscreen("passes/light_change.frag")),
       m_program(shaders.loadFullscreen("passes/accumulate.frag", {.surfacesOnly = true})) {}
 
-const Texture& AccumulatePass::findChanges(const FrameContext& frame, const History& light,
-                                           const History& surface) const {
+void AccumulatePass::findChanges(const FrameContext& frame, const History& light, const History& surface) const {
     const History fast = frame.targets.history(Target::FastHistory);
     const Texture& confidence = frame.targets.history(Target::HistoryConfidence).current;
     drawFullscreen(frame, m_change, {{&fast.current, &confidence}}, [&](const Program& program) {
@@ -36,7 +35,6 @@ const Texture& AccumulatePass::findChanges(const FrameContext& frame, const Hist
         program.set("uHasGlass", int(frame.scene.hasGlass()));
         setKnownChanges(program, frame, kOldestLight);
     });
-    return confidence;
 }
 
 void AccumulatePass::draw(const FrameContext& frame) const {
@@ -45,8 +43,7 @@ void AccumulatePass::draw(const FrameContext& frame) const {
     const History surface = frame.targets.history(Target::Surface);
     const bool hasHistory = frame.settings.temporal && light.valid && surface.valid;
     const bool hasConfidence = hasHistory && frame.settings.rejectStaleHistory;
-    // Without confidence the shader does not read the texture: any one will do.
-    const Texture& confidence = hasConfidence ? findChanges(frame, light, surface) : frame.blueNoise;
+    if (hasConfidence) findChanges(frame, light, surface);
     const glm::vec4 none(0.0f), sky(shared::kSkyDepth, -1, 0, 0);
     const FullscreenTargets into{
         {&light.current, &surface.current}, &frame.targets.at(Target::DepthBuffer), {none, sky}};
@@ -54,10 +51,10 @@ void AccumulatePass::draw(const FrameContext& frame) const {
         GBufferPass::bind(program, frame.targets);
         program.set("uLight", frame.targets.at(Target::NoisyLight));
         program.set("uHasHitProximity", int(frame.settings.sky));
-        if (frame.settings.sky) program.set("uHitProximity", frame.targets.at(Target::HitProximity));
+        program.set("uHitProximity", frame.targets.orNone(Target::HitProximity));
         program.set("uLightHistory", light.previous);
         program.set("uSurfaceHistory", surface.previous);
-        program.set("uHistoryConfidence", confidence);
+        program.set("uHistoryConfidence", frame.targets.orNone(Target::HistoryConfidence));
         program.set("uHasConfidence", int(hasConfidence));
         setChangeRays(program, frame);
         program.set("uHistoryValid", int(hasHistory));

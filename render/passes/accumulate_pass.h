@@ -13,8 +13,8 @@ public:
     void draw(const FrameContext& frame) const;
 
 private:
-    /// Compares the noisy light with the history in tiles of kConfidenceTile pixels. Returns the history confidence.
-    const Texture& findChanges(const FrameContext& frame, const History& light, const History& surface) const;
+    /// Compares the noisy light with the history in tiles of kConfidenceTile pixels. Fills HistoryConfidence.
+    void findChanges(const FrameContext& frame, const History& light, const History& surface) const;
 
     FullscreenProgram& m_change;
     FullscreenProgram& m_program;

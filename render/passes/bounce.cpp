@@ -29,9 +29,9 @@ void bindBounce(const Program& program, const FrameContext& frame, BounceRays ra
     program.set("uDiffuseOnly", int(isDiffuse));
     const bool hasLocalLights = isDetailed && LocalLightsPass::needed(frame) && !frame.lightGrid->empty();
     program.set("uBounceLights", int(hasLocalLights));
-    if (hasLocalLights) frame.lightGrid->bind(program);
-    program.set("uBodyLevels", 0);  // without bindVoxelsAt() no voxels are looked up
-    if (isDetailed) frame.scene.bindVoxelsAt(program);
+    LightGrid::bind(program, frame.lightGrid);
+    frame.scene.bindVoxelsAt(program);
+    if (!isDetailed) program.set("uBodyLevels", 0);  // no voxels are looked up
     program.set("uSunUp", int(frame.block.sunDirection.y > 0.0f));
 }
 

@@ -12,11 +12,10 @@ namespace rubble {
 namespace {
 
 void bindReflections(const Program& program, const FrameContext& frame) {
-    const bool reflections = ReflectionsPass::needed(frame), glass = frame.scene.hasGlass();
-    program.set("uHasReflections", int(reflections));
-    if (reflections) program.set("uReflection", frame.targets.at(Target::Reflection));
-    program.set("uHasGlass", int(glass));
-    if (glass) program.set("uGlassSurface", frame.targets.at(Target::GlassSurface));
+    program.set("uHasReflections", int(ReflectionsPass::needed(frame)));
+    program.set("uReflection", frame.targets.orNone(Target::Reflection));
+    program.set("uHasGlass", int(frame.scene.hasGlass()));
+    program.set("uGlassSurface", frame.targets.orNone(Target::GlassSurface));
 }
 
 }  // namespace
@@ -38,14 +37,11 @@ void CompositePass::draw(const FrameContext& frame, const GlassShadowPass* glass
         bindReflections(program, frame);
         program.set("uLight", frame.targets.at(Target::DenoisedLight));
         program.set("uHasLocalLights", int(LocalLightsPass::needed(frame)));
-        if (LocalLightsPass::needed(frame)) {
-            program.set("uSpecular", frame.targets.at(Target::Specular));
-            program.set("uSurface", frame.targets.history(Target::Surface).current);
-        }
+        program.set("uSpecular", frame.targets.orNone(Target::Specular));
+        program.set("uSurface", frame.targets.history(Target::Surface).current);
         program.set("uBevel", int(frame.settings.bevel));
         program.set("uDetail", int(GBufferPass::hasDetail(frame)));
-        program.set("uGlassShadow", 0);
-        if (glassShadow) glassShadow->bind(program);
+        GlassShadowPass::bind(program, glassShadow);
     });
     frame.targets.framebuffer({&radiance}, into.depth).begin();
     drawBackground(frame);

@@ -46,7 +46,7 @@ void FogPass::drawLight(const FrameContext& frame) {
     const int frames = maxHistory(frame);
     drawFullscreen(frame, m_light, {{&light.current}}, [&](const Program& program) {
         frame.scene.bindShadow(program);
-        if (lights) frame.lightGrid->bind(program);
+        LightGrid::bind(program, frame.lightGrid);
         program.set("uHasLocalLights", int(lights));
         program.set("uDepth", frame.targets.at(Target::Depth));
         program.set("uBlueNoise", frame.blueNoise);

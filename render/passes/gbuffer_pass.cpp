@@ -34,10 +34,8 @@ void GBufferPass::draw(const FrameContext& frame) {
     frame.scene.bodies().bind(m_program);
     m_tiles.bind(m_program, BodyTiles::Which::All);
     m_program.set("uDetail", int(hasDetail(frame)));
-    if (hasDetail(frame)) {
-        if (!m_details) m_details.emplace();
-        m_program.set("uDetailMaps", m_details->texture());
-    }
+    if (hasDetail(frame) && !m_details) m_details.emplace();
+    m_program.set("uDetailMaps", m_details ? m_details->texture() : m_noDetails);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
     m_tiles.drawTiles(m_program, BodyTiles::Which::All, frame.emptyVertexArray);

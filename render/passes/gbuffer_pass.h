@@ -38,6 +38,7 @@ private:
     const Program& m_program;
     BodyTiles m_tiles;
     std::optional<DetailMaps> m_details;  ///< from the first frame on that needs them
+    Texture m_noDetails = DetailMaps::none();
 };
 
 }  // namespace rubble

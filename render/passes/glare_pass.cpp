@@ -14,7 +14,7 @@ void GlarePass::draw(const FrameContext& frame) const {
     frame.targets.framebuffer({&frame.targets.at(Target::Radiance)}).begin();
     m_program.use();
     frame.scene.bindShadow(m_program);
-    frame.lightGrid->bind(m_program);
+    LightGrid::bind(m_program, frame.lightGrid);
     setBlend({GL_ONE, GL_ONE, GL_ONE, GL_ONE});
     glBindVertexArray(frame.emptyVertexArray.get());
     glDrawArraysInstanced(GL_TRIANGLES, 0, 6, frame.lightGrid->lights());

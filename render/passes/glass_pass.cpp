@@ -60,9 +60,8 @@ void GlassPass::drawPanes(const FrameContext& frame, const BodyTiles& tiles, con
     glDepthFunc(GL_EQUAL);
     program.use();
     tiles.bind(program, BodyTiles::Which::Glass);
-    const bool reflections = ReflectionsPass::needed(frame);
-    program.set("uHasReflections", int(reflections));
-    if (reflections) program.set("uReflection", frame.targets.at(Target::Reflection));
+    program.set("uHasReflections", int(ReflectionsPass::needed(frame)));
+    program.set("uReflection", frame.targets.orNone(Target::Reflection));
     program.set("uDepth", frame.targets.at(Target::Depth));
     program.set("uGlassTint", frame.targets.at(Target::GlassTint));
     program.set("uGlassSurface", frame.targets.at(Target::GlassSurface));
@@ -85,7 +84,7 @@ void GlassPass::drawOver(const FrameContext& frame, const BodyTiles& tiles, bool
     const Texture& behind = frame.targets.copy(Target::Radiance, Target::BehindGlass);
     drawPanes(frame, tiles, m_over, Target::Radiance, [&] {
         m_over.set("uHasPaneLight", int(hasLight));
-        if (hasLight) m_over.set("uPaneLight", frame.targets.at(Target::PaneLight));
+        m_over.set("uPaneLight", frame.targets.orNone(Target::PaneLight));
         m_over.set("uRefraction", int(frame.settings.refraction));
         m_over.set("uBackground", behind);
     });

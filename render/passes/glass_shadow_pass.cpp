@@ -11,6 +11,7 @@
 namespace rubble {
 namespace {
 
+constexpr GLenum kFormat = GL_RGBA16F;
 constexpr int kSide = 512;         ///< texels
 constexpr float kCell = 0.1f;      ///< metres per texel
 constexpr float kStep = 4.0f;      ///< metres by which the map moves with the camera
@@ -22,7 +23,7 @@ constexpr float kNoPane = 1e4f;    ///< metres toward the sun: farther than any 
 
 GlassShadowPass::GlassShadowPass(ShaderLibrary& shaders)
     : m_program(shaders.load("passes/glass_shadow.frag", "passes/glass_shadow.vert")),
-      m_map(GL_RGBA16F, glm::ivec2(kSide)),
+      m_map(kFormat, glm::ivec2(kSide)),
       m_framebuffer({&m_map}) {
     glBindVertexArray(m_vertexArray.get());
     glBindBuffer(GL_ARRAY_BUFFER, m_orderBuffer.get());
@@ -119,12 +120,14 @@ glm::vec4 GlassShadowPass::toMap(glm::vec3 axis) const {
     return {axis * kScale, 0.5f - glm::dot(axis, m_center) * kScale};
 }
 
-void GlassShadowPass::bind(const Program& program) const {
-    program.set("uGlassShadow", 1);
-    program.set("uGlassShadowMap", m_map);
-    program.set("uGlassShadowRight", toMap(m_right));
-    program.set("uGlassShadowUp", toMap(m_up));
-    program.set("uGlassShadowSun", glm::vec4(m_sun, -glm::dot(m_sun, m_center)));
+void GlassShadowPass::bind(const Program& program, const GlassShadowPass* pass) {
+    static const Texture none = Texture::none(kFormat, glm::ivec2(kSide));
+    program.set("uGlassShadow", int(pass != nullptr));
+    program.set("uGlassShadowMap", pass ? pass->m_map : none);
+    if (!pass) return;
+    program.set("uGlassShadowRight", pass->toMap(pass->m_right));
+    program.set("uGlassShadowUp", pass->toMap(pass->m_up));
+    program.set("uGlassShadowSun", glm::vec4(pass->m_sun, -glm::dot(pass->m_sun, pass->m_center)));
 }
 
 }  // namespace rubble

@@ -15,8 +15,9 @@ public:
     explicit GlassShadowPass(ShaderLibrary& shaders);
     /// Draws the map, if it is not up to date.
     void draw(const FrameContext& frame);
-    /// Sets the uniforms of lib/glass_shadow.glsl. The program must be in use.
-    void bind(const Program& program) const;
+    /// Sets the uniforms of lib/glass_shadow.glsl. pass: null if there is no glass in the sun. The program must be in
+    /// use.
+    static void bind(const Program& program, const GlassShadowPass* pass);
 
 private:
     void clear();

@@ -76,10 +76,9 @@ void setKnownChanges(const Program& program, const FrameContext& frame, int olde
 }
 
 void setChangeRays(const Program& program, const FrameContext& frame) {
-    const Texture* confidence = frame.targets.findPrevious(Target::HistoryConfidence);
-    // Where it is not valid the shader does not read the texture: any one will do.
-    program.set("uLastConfidence", confidence ? *confidence : frame.blueNoise);
-    program.set("uLastConfidenceValid", int(confidence != nullptr));
+    const Texture& confidence = frame.targets.previousOrNone(Target::HistoryConfidence);
+    program.set("uLastConfidence", confidence);
+    program.set("uLastConfidenceValid", int(bool(confidence)));
 }
 
 }  // namespace rubble

@@ -51,7 +51,7 @@ void LocalLightsPass::draw(const FrameContext& frame) const {
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
         GBufferPass::bind(program, frame.targets);
         frame.scene.bindShadow(program);
-        frame.lightGrid->bind(program);
+        LightGrid::bind(program, frame.lightGrid);
         program.set("uBlueNoise", frame.blueNoise);
         program.set("uSpecularHistory", specular.previous);
         program.set("uSurfaceHistory", surface.previous);

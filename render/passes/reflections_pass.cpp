@@ -14,10 +14,9 @@ namespace {
 /// Sets the samplers of lib/mirror.glsl and of the G-buffer.
 void bindMirror(const Program& program, const FrameContext& frame) {
     GBufferPass::bind(program, frame.targets);
-    const Texture* pane = frame.targets.find(Target::GlassSurface);
-    const bool glass = pane && frame.scene.hasGlass();
-    program.set("uHasGlass", int(glass));
-    if (glass) program.set("uGlassSurface", *pane);
+    const Texture& pane = frame.targets.orNone(Target::GlassSurface);
+    program.set("uHasGlass", int(pane && frame.scene.hasGlass()));
+    program.set("uGlassSurface", pane);
 }
 
 constexpr int kMaxFilterPasses = 3;  ///< lobes of traced reflections reach no farther

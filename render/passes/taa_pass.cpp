@@ -12,20 +12,19 @@ void TaaPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
     const History resolved = frame.targets.history(Target::Resolved);
     const History surface = frame.targets.history(Target::Surface);
-    const Texture* confidence =
-        frame.settings.rejectStaleHistory ? frame.targets.find(Target::HistoryConfidence) : nullptr;
+    const Texture& confidence = frame.targets.orNone(Target::HistoryConfidence);
     drawFullscreen(frame, m_program, {{&resolved.current}}, [&](const Program& program) {
         program.set("uColor", frame.targets.at(Target::Radiance));
         program.set("uHistory", resolved.previous);
         program.set("uHistoryValid", int(frame.settings.temporal && resolved.valid && surface.valid));
-        program.set("uHasConfidence", int(confidence != nullptr));
-        if (confidence) program.set("uHistoryConfidence", *confidence);
+        program.set("uHasConfidence", int(confidence && frame.settings.rejectStaleHistory));
+        program.set("uHistoryConfidence", confidence);
         setChangeRays(program, frame);
         program.set("uSurface", surface.current);
         program.set("uSurfaceHistory", surface.previous);
         program.set("uMotion", frame.targets.at(Target::Motion));
         program.set("uHasGlass", int(frame.scene.hasGlass()));
-        if (frame.scene.hasGlass()) program.set("uGlassSurface", frame.targets.at(Target::GlassSurface));
+        program.set("uGlassSurface", frame.targets.orNone(Target::GlassSurface));
     });
 }
 

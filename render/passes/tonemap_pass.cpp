@@ -18,7 +18,7 @@ void TonemapPass::draw(const FrameContext& frame) const {
         program.set("uExposure", frame.targets.at(Target::Exposure));
         program.set("uBlueNoise", frame.blueNoise);
         program.set("uBloomShare", frame.settings.bloom);
-        if (frame.settings.bloom > 0.0f) program.set("uBloom", frame.targets.at(Target::Bloom0));
+        program.set("uBloom", frame.targets.orNone(Target::Bloom0));
         program.set("uSharpen", frame.settings.temporal ? kTaaSharpening : 0.0f);
     });
 }

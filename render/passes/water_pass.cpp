@@ -138,11 +138,9 @@ void WaterPass::drawOne(const FrameContext& frame, const VisibleWater& visible, 
         program.set("uBackgroundLow", copied.low);
         program.set("uBackgroundHigh", copied.high - 1);
         program.set("uHasPanes", int(hasPanes));
-        if (hasPanes) {
-            program.set("uGlassTint", frame.targets.at(Target::GlassTint));
-            program.set("uGlassSurface", frame.targets.at(Target::GlassSurface));
-            program.set("uPaneLightBehind", frame.targets.at(Target::PaneLightBehind));
-        }
+        program.set("uGlassTint", frame.targets.orNone(Target::GlassTint));
+        program.set("uGlassSurface", frame.targets.orNone(Target::GlassSurface));
+        program.set("uPaneLightBehind", frame.targets.orNone(Target::PaneLightBehind));
         program.set("uBlueNoise", frame.blueNoise);
         frame.scene.bindShadow(program);
         bindBounce(program, frame, BounceRays::Mirrored);

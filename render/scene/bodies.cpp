@@ -358,7 +358,8 @@ void Bodies::bind(const Program& program) const {
     program.set("uTransforms", m_transforms.texture());
     program.set("uLayouts", m_layouts.texture());
     program.set("uPalettes", m_palettes.texture());
-    if (m_atlas.paint()) m_atlas.paint()->bind(program);
+    static const PaintAtlas none;
+    (m_atlas.paint() ? *m_atlas.paint() : none).bind(program);
 }
 
 uint64_t Bodies::bytes() const {

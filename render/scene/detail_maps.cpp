@@ -97,7 +97,11 @@ std::vector<uint8_t> DetailMaps::make() {
     return texels;
 }
 
-DetailMaps::DetailMaps() : m_texture(GL_RGBA8, glm::ivec2(kSide, kSide * count())) {
+Texture DetailMaps::none() {
+    return Texture::none(GL_RGBA8, {kSide, kSide * count()});
+}
+
+DetailMaps::DetailMaps() : m_texture(GL_RGBA8, {kSide, kSide * count()}) {
     m_texture.upload(make().data());
 }
 

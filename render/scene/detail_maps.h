@@ -30,6 +30,8 @@ public:
     DetailMaps();
     /// All maps, the first one at the bottom.
     const Texture& texture() const { return m_texture; }
+    /// What stands for them where there are none.
+    static Texture none();
 
 private:
     Texture m_texture;

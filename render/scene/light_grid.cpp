@@ -340,12 +340,14 @@ std::vector<int> LightGrid::lightsAt(glm::ivec2 pixel, float depth) const {
     return found;
 }
 
-void LightGrid::bind(const Program& program) const {
-    program.set("uLights", m_lightsTexture);
-    program.set("uLightCells", m_cellsTexture);
-    program.set("uLightList", m_listTexture);
-    program.set("uLightImages", m_imageTexture);
-    program.set("uLightGrid", m_size);
+void LightGrid::bind(const Program& program, const LightGrid* grid) {
+    static const LightGrid none;
+    const LightGrid& bound = grid ? *grid : none;
+    program.set("uLights", bound.m_lightsTexture);
+    program.set("uLightCells", bound.m_cellsTexture);
+    program.set("uLightList", bound.m_listTexture);
+    program.set("uLightImages", bound.m_imageTexture);
+    program.set("uLightGrid", bound.m_size);
 }
 
 }  // namespace rubble

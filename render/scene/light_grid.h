@@ -18,8 +18,8 @@ public:
     /// Rebuilds it for a camera. origin: the point of the world that GPU coordinates are relative to. Returns the bytes
     /// sent.
     uint64_t update(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin);
-    /// Sets the uniforms of lib/local_lights.glsl. The program must be in use.
-    void bind(const Program& program) const;
+    /// Sets the uniforms of lib/local_lights.glsl. grid: null if the scene has none. The program must be in use.
+    static void bind(const Program& program, const LightGrid* grid);
     /// Whether there is a light, in view or not.
     bool hasLights() const { return !m_lastLights.empty(); }
     /// Whether no light reaches into the view.

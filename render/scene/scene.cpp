@@ -114,8 +114,8 @@ uint64_t Scene::updateGrid() {
 
 void Scene::bindVoxelsAt(const Program& program) const {
     m_bodies.bind(program);
-    program.set("uBodyLevels", 0);
-    if (m_grid) m_grid->bind(program);
+    static const BodyGrid none;
+    (m_grid ? *m_grid : none).bind(program);
 }
 
 void Scene::describeShadow(FrameBlock& block) const {

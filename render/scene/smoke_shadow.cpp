@@ -10,6 +10,7 @@
 namespace rubble {
 namespace {
 
+constexpr GLenum kFormat = GL_RGBA32F;
 constexpr int kSide = 64;            ///< texels
 constexpr float kMinCell = 0.0625f;  ///< metres per texel
 constexpr float kThickness = 1.8f;   ///< optical depth of an opaque puff through its centre
@@ -28,8 +29,8 @@ void SmokeShadow::update(std::span<const SnapshotParticle> particles, glm::vec3 
     fitMap();
     m_texels.assign(size_t(kSide) * kSide, glm::vec4(0.0f));
     for (const Puff& puff : m_puffs) splat(puff);
-    if (!m_map) m_map.emplace(GL_RGBA32F, glm::ivec2(kSide), Filter::Linear);
-    m_map->upload(m_texels.data());
+    if (!m_map) m_map = Texture(kFormat, glm::ivec2(kSide), Filter::Linear);
+    m_map.upload(m_texels.data());
 }
 
 void SmokeShadow::listPuffs(std::span<const SnapshotParticle> particles, glm::dvec3 origin) {
@@ -75,9 +76,10 @@ void SmokeShadow::splat(const Puff& puff) {
 
 void SmokeShadow::bind(const Program& program) const {
     program.set("uHasSmoke", int(!m_puffs.empty()));
+    static const Texture none = Texture::none(kFormat, glm::ivec2(kSide), Filter::Linear);
+    program.set("uSmokeMap", m_map ? m_map : none);
     if (m_puffs.empty()) return;
     const float scale = 1.0f / (m_cell * float(kSide));
-    program.set("uSmokeMap", *m_map);
     program.set("uSmokeRight", glm::vec4(m_right * scale, -m_corner.x * scale));
     program.set("uSmokeUp", glm::vec4(m_up * scale, -m_corner.y * scale));
 }

@@ -1,5 +1,4 @@
 #pragma once
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,7 +18,7 @@ public:
     /// Sets the uniforms of lib/smoke_shadow.glsl. The program must be in use.
     void bind(const Program& program) const;
     /// GPU memory.
-    uint64_t bytes() const { return m_map ? m_map->bytes() : 0; }
+    uint64_t bytes() const { return m_map.bytes(); }
 
 private:
     struct Puff {
@@ -30,7 +29,7 @@ private:
     void fitMap();
     void splat(const Puff& puff);
 
-    std::optional<Texture> m_map;
+    Texture m_map;              ///< from the first gas on
     std::vector<Puff> m_puffs;  ///< empty: the sun is clear
     std::vector<glm::vec4> m_texels;
     glm::vec3 m_right{1, 0, 0}, m_up{0, 1, 0}, m_sun{0, 0, 1};

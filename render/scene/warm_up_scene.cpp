@@ -7,8 +7,10 @@ namespace rubble {
 namespace {
 
 constexpr uint8_t kBrickEntry = 1, kMirrorEntry = 2, kGlassEntry = 3, kLampEntry = 4;
+constexpr uint8_t kClear = 60, kOpaque = 255;  ///< opacity of glass
+const ShapeHandle kShape = ShapeHandle::make(1, 1, 0);
 
-PaletteRef makePalette() {
+PaletteRef makePalette(uint8_t glassOpacity) {
     auto palette = std::make_shared<Palette>();
     const auto entry = [&](uint8_t index, const char* material) -> PaletteEntry& {
         (*palette)[index].material = uint8_t(defaultMaterials().find(material));
@@ -16,14 +18,14 @@ PaletteRef makePalette() {
     };
     entry(kBrickEntry, "brick");
     entry(kMirrorEntry, "metal").roughness = 20;
-    entry(kGlassEntry, "glass").opacity = 60;
+    entry(kGlassEntry, "glass").opacity = glassOpacity;
     entry(kLampEntry, "metal").emission = 4.0f;
     return palette;
 }
 
 /// A row of bricks, each of one palette entry; the first one is painted.
-SnapshotShape makeShape(ShapeHandle handle) {
-    SnapshotShape shape{handle, {4 * kBrickSize, kBrickSize, kBrickSize}, 0.1f, makePalette(), {}, {}};
+SnapshotShape makeShape() {
+    SnapshotShape shape{kShape, {4 * kBrickSize, kBrickSize, kBrickSize}, 0.1f, makePalette(kClear), {}, {}};
     shape.paintColors = std::make_shared<PaintColors>();
     for (const uint8_t entry : {kBrickEntry, kMirrorEntry, kGlassEntry, kLampEntry}) {
         auto brick = std::make_shared<Brick>();
@@ -33,7 +35,7 @@ SnapshotShape makeShape(ShapeHandle handle) {
             brick->paint = std::make_unique<BrickIndices>();
             brick->paint->fill(0x1f);
         }
-        shape.bricks.push_back({handle, {entry - kBrickEntry, 0, 0}, brick});
+        shape.bricks.push_back({kShape, {entry - kBrickEntry, 0, 0}, brick});
     }
     return shape;
 }
@@ -58,18 +60,16 @@ std::vector<SnapshotParticle> makeParticles() {
     return particles;
 }
 
-}  // namespace
-
-FrameSnapshot warmUpScene() {
-    const ShapeHandle handle = ShapeHandle::make(1, 1, 0);
+/// Everything.
+FrameSnapshot makeScene() {
     FrameSnapshot scene;
     scene.version = scene.newestStep = 1;
     scene.replacesAll = scene.shadowReplacesAll = true;
     scene.lightsChanged = scene.particlesChanged = scene.ropesChanged = true;
     scene.watersChanged = scene.ripplesChanged = scene.environmentChanged = true;
-    scene.created.push_back(makeShape(handle));
+    scene.created.push_back(makeShape());
     const Pose pose{{-1.0, 0.6, 0.0}, {1, 0, 0, 0}};
-    scene.poses.push_back({handle, pose, pose});
+    scene.poses.push_back({kShape, pose, pose});
     scene.lights = makeLights();
     scene.particles = makeParticles();
     scene.ropes.push_back(
@@ -88,13 +88,29 @@ FrameSnapshot warmUpScene() {
     return scene;
 }
 
-FrameSnapshot outsideOfWarmUpScene() {
+FrameSnapshot makeGlass(uint8_t opacity) {
     FrameSnapshot step;
-    step.version = step.newestStep = 2;
+    step.palettes.push_back({kShape, makePalette(opacity), nullptr});
+    return step;
+}
+
+/// A brick far away, for the paged part of the shadow volume.
+std::vector<ShadowPatch> makeOutside() {
     ShadowWords cells{};
     cells.fill(1);
-    step.shadow.push_back({{4000, 0, 0}, makeShadowBrick(cells)});
-    return step;
+    return {{{4000, 0, 0}, makeShadowBrick(cells)}};
+}
+
+}  // namespace
+
+std::vector<FrameSnapshot> warmUpSteps() {
+    std::vector<FrameSnapshot> steps;
+    steps.push_back(makeScene());
+    steps.push_back(makeGlass(kOpaque));
+    steps.push_back(makeGlass(kClear));
+    steps.back().shadow = makeOutside();
+    for (size_t i = 0; i < steps.size(); ++i) steps[i].version = steps[i].newestStep = i + 1;
+    return steps;
 }
 
 }  // namespace rubble

@@ -1,4 +1,7 @@
+#include <bit>
+
 #include "render/gl/framebuffer.h"
+#include "render/gl/placeholders.h"
 #include "tests/render/gl_calls.h"
 #include "tests/render/gl_fixture.h"
 
@@ -13,6 +16,35 @@ void noteStore(GLenum, GLsizeiptr, const void*, GLenum) {
 }
 void noteData(GLenum, GLintptr, GLsizeiptr, const void*) {
     g_events.push_back(2);
+}
+
+/// llvmpipe builds programs again for buffers of another kind.
+TEST_F(BuffersTest, BuffersOfAllSizesAreOfOneKind) {
+    for (uint64_t bytes = 16; bytes < (1u << 22); bytes += bytes / 3 / 16 * 16 + 16) {
+        BufferTexture texture(GL_RGBA32F);
+        ASSERT_TRUE(texture.reserve(bytes));
+        EXPECT_GE(texture.bytes(), bytes);
+        EXPECT_FALSE(std::has_single_bit(texture.bytes())) << bytes;
+        EXPECT_NE(texture.bytes() % 65536, 0u) << bytes;
+    }
+}
+
+/// Where a scene lacks a texture its sampler reads one of the same kind.
+TEST_F(BuffersTest, AnEmptyTextureIsStoodForByOneOfItsKind) {
+    TexelStore store(GlLimits::ofContext());
+    const TexelStore::Use use(store);
+    const Texture& color = store.placeholders().orOfItsKind(Texture::none(GL_RG8, {640, 64}, Filter::Linear));
+    EXPECT_TRUE(color);
+    EXPECT_EQ(color.internalFormat(), GLenum(GL_RG8));
+    EXPECT_EQ(color.filter(), Filter::Linear);
+    EXPECT_FALSE(std::has_single_bit(unsigned(color.size().x)));
+    EXPECT_TRUE(std::has_single_bit(unsigned(color.size().y)));
+    const GLuint name = color.name();
+    EXPECT_EQ(store.placeholders().orOfItsKind(Texture::none(GL_RG8, {320, 16}, Filter::Linear)).name(), name);
+    EXPECT_NE(store.placeholders().orOfItsKind(Texture::none(GL_RG8, {320, 16})).name(), name);
+    EXPECT_NE(store.placeholders().orOfItsKind(BufferTexture(GL_R32UI)).name(), 0u);
+    const Texture real(GL_RG8, {5, 5}, Filter::Linear);
+    EXPECT_EQ(store.placeholders().orOfItsKind(real).name(), real.name());
 }
 
 /// Data over what a draw still reads would make the driver wait for that draw.
