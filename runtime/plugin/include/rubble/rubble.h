@@ -1972,10 +1972,11 @@ typedef struct rubble_api {
      * way. RUBBLE_ERROR_ARGUMENT: none are kept. */
     rubble_result (*take_deltas)(rubble_world world, uint8_t* out, uint64_t capacity, uint64_t* count);
     /* [main-thread] Carries out steps of another world: objects, voxels and motion become those, without edits or
-     * physics. Each take of the other world is applied once, in their order, from the first after keep_deltas() on.
-     * get_events() tells of the last of the steps. It stops a recording, and keep_deltas() of this world. Heat, ropes
-     * between their ends and what is still to split are left out, see get_resolved_hash(). RUBBLE_ERROR_FILE: the bytes
-     * are wrong, steps are missing, or this world was another one; it is as after the last good step. */
+     * physics. Each take of the other world is applied once, in their order, from the first after keep_deltas() on;
+     * a step() of this world in between ends that. get_events() tells of the last of the steps. It stops a recording,
+     * and keep_deltas() of this world. Heat, ropes between their ends and what is still to split are left out, see
+     * get_resolved_hash(). RUBBLE_ERROR_FILE: the bytes are wrong or steps are missing, and this world is as after the
+     * step before; or a step has shown that it was another one. */
     rubble_result (*apply_deltas)(rubble_world world, const void* data, uint64_t size);
     /* [main-thread] A hash of what deltas keep equal: all objects, voxels and settings. */
     rubble_result (*get_resolved_hash)(rubble_world world, uint64_t* out);

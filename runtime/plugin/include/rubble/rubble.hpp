@@ -800,10 +800,11 @@ public:
         });
     }
     /** Carries out steps of another world: objects, voxels and motion become those, without edits or physics. Each take
-     * of the other world is applied once, in their order, from the first after keep_deltas() on. get_events() tells of
-     * the last of the steps. It stops a recording, and keep_deltas() of this world. Heat, ropes between their ends and
-     * what is still to split are left out, see get_resolved_hash(). RUBBLE_ERROR_FILE: the bytes are wrong, steps are
-     * missing, or this world was another one; it is as after the last good step. */
+     * of the other world is applied once, in their order, from the first after keep_deltas() on; a step() of this world
+     * in between ends that. get_events() tells of the last of the steps. It stops a recording, and keep_deltas() of
+     * this world. Heat, ropes between their ends and what is still to split are left out, see get_resolved_hash().
+     * RUBBLE_ERROR_FILE: the bytes are wrong or steps are missing, and this world is as after the step before; or a
+     * step has shown that it was another one. */
     void apply_deltas(const void* data, uint64_t size) {
         check(api().apply_deltas(m_handle, data, size));
     }
