@@ -146,8 +146,9 @@ def method(function, sized, kinds):
     is_list = names[-3:] == ["out", "capacity", "count"]
     fills = arguments[-1]["type"] if arguments else ""
     is_read = not is_list and fills.endswith("*") and not fills.startswith("const")
-    counted = "count" in names and not is_list  # an array in, and perhaps one row out for each of its rows
     given = arguments[:-3] if is_list else arguments[:-1] if is_read else arguments
+    # an array in, and perhaps one row out for each of its rows
+    counted = not is_list and any(argument["name"] == "count" for argument in given)
     for argument in given:
         kind, name = argument["type"], argument["name"]
         passed.append(name)

@@ -29,46 +29,46 @@
  * Rules that hold for every function and struct:
  *
  *  - Units and spaces: metres, kilograms, seconds, radians, newtons. The world is right-handed with y up. World
- *    positions are doubles. Rotations are unit quaternions x, y, z, w; all zeros means no rotation. Lengths of
- *    vectors are in the unit of the field; a "direction" may have any length but zero. Components of vectors
- *    are at most 1e9. Colours of voxels are sRGB bytes, colours of light are linear.
- *  - Structs: a struct that begins with `struct_size` is filled in by the host: struct_size = sizeof(the struct),
- *    every other field zero or set. Zero selects the default that the comment names. Such structs may grow at their
- *    end in later versions: a field that the host's rubble.h does not have is as if it were zero, and one that this
- *    plugin does not know must be zero. Fields named `reserved` must be zero.
+ *    positions are doubles. Rotations are unit quaternions x, y, z, w; all zeros means no rotation. Lengths of vectors
+ *    are in the unit of the field; a "direction" may have any length but zero. Components of vectors are at most 1e9.
+ *    Colours of voxels are sRGB bytes, colours of light are linear.
+ *  - Structs: a struct that begins with `struct_size` is filled in by the host: struct_size = sizeof(the struct), every
+ *    other field zero or set. Zero selects the default that the comment names. Such structs may grow at their end in
+ *    later versions: a field that the host's rubble.h does not have is as if it were zero, and one that this plugin
+ *    does not know must be zero. Fields named `reserved` must be zero.
  *  - Rows of arrays have no struct_size. They may grow at their end as well: functions with an array write and read
- * rows of the size that they had in the first version, unless the host says how large its rows are (read_rows(),
+ *    rows of the size that they had in the first version, unless the host says how large its rows are (read_rows(),
  *    rubble_query_filter).
  *  - The function table may grow at its end: function f exists if api->struct_size > offsetof(rubble_api, f).
- *  - Handles are 64-bit values, not pointers. 0 names nothing. A handle of something that was destroyed is
- *    recognised and answered with RUBBLE_ERROR_STALE; it is never followed.
+ *  - Handles are 64-bit values, not pointers. 0 names nothing. A handle of something that was destroyed is recognised
+ *    and answered with RUBBLE_ERROR_STALE; it is never followed.
  *  - Errors: a result other than RUBBLE_OK means that the call had no effect, but for lists that are longer than the
  *    array (see below) and where a function says otherwise. get_last_error() says in words what was expected and what
  *    was found. Numbers that are not finite or out of range are RUBBLE_ERROR_ARGUMENT; the errors named at a function
  *    come on top of RUBBLE_ERROR_NULL, _STRUCT_SIZE, _STALE, _ARGUMENT, _BUSY, _BROKEN and _MEMORY, which most
- * functions can give.
- *  - Edits are commands: the call checks them and puts them into the world's queue. The next step() carries them out
- *    in the order of the calls, those of undo before all others. An edit whose object is destroyed before its turn does
- * nothing, and what only step() can find out (a joint without a voxel to hold on to, an undo where no marks are kept)
- * is logged.
+ *    functions can give.
+ *  - Edits are commands: the call checks them and puts them into the world's queue. The next step() carries them out in
+ *    the order of the calls, those of undo before all others. An edit whose object is destroyed before its turn does
+ *    nothing, and what only step() can find out (a joint without a voxel to hold on to, an undo where no marks are
+ *    kept) is logged.
  *  - What a call makes (create_body() and its like) has its handle at once: later edits may name it, so that a chain of
  *    calls needs no step() in between. Reads find it after the next step(). If that could not make it, the handle names
  *    nothing, and get_refusals() says why; so do handles that wait when a level or game is loaded.
- *  - Reads copy into the host's memory, except get_events() and get_reports(): their arrays live until the next
- *    step(), load_level(), load_game(), play_recording() or destroy_world() of that world.
- *  - Lists are read with an array, its capacity and a count: the function writes the first `capacity` rows and
- *    stores the number of all rows in *count. More rows than capacity: RUBBLE_ERROR_CAPACITY. Capacity 0 asks for
- *    the count alone: the array may be null and the result is RUBBLE_OK.
- *  - Threads: [main-thread] functions of one world are called by one thread at a time; different worlds may be
- *    stepped at the same time. [render-thread] functions are called by the thread that has the GL context current,
- *    one at a time; they may run beside the main thread. [any-thread] functions may be called from everywhere.
- *    A call for a world or a renderer that is in another call, of another thread or around a log callback, has no
- *    effect: RUBBLE_ERROR_BUSY. Destroy a world only while its renderer is not drawing.
- *  - Determinism: the same level, edits and number of steps give the same state bit for bit with the same build of
- *    the plugin; get_state_hash() compares. Frame times, threads and the renderer have no influence.
- *  - The plugin opens no window, makes no GL context, opens no file that the host did not name (a file that it
- *    writes has a temporary neighbour while it is written; a .vdb level is baked in a folder of $TMPDIR meanwhile),
- *    and restores the GL state that it changes (or resets it: RUBBLE_RENDERER_RESET_STATE).
+ *  - Reads copy into the host's memory, except get_events() and get_reports(): their arrays live until the next step(),
+ *    load_level(), load_game(), play_recording() or destroy_world() of that world.
+ *  - Lists are read with an array, its capacity and a count: the function writes the first `capacity` rows and stores
+ *    the number of all rows in *count. More rows than capacity: RUBBLE_ERROR_CAPACITY. Capacity 0 asks for the count
+ *    alone: the array may be null and the result is RUBBLE_OK.
+ *  - Threads: [main-thread] functions of one world are called by one thread at a time; different worlds may be stepped
+ *    at the same time. [render-thread] functions are called by the thread that has the GL context current, one at a
+ *    time; they may run beside the main thread. [any-thread] functions may be called from everywhere. A call for a
+ *    world or a renderer that is in another call, of another thread or around a log callback, has no effect:
+ *    RUBBLE_ERROR_BUSY. Destroy a world only while its renderer is not drawing.
+ *  - Determinism: the same level, edits and number of steps give the same state bit for bit with the same build of the
+ *    plugin; get_state_hash() compares. Frame times, threads and the renderer have no influence.
+ *  - The plugin opens no window, makes no GL context, opens no file that the host did not name (a file that it writes
+ *    has a temporary neighbour while it is written; a .vdb level is baked in a folder of $TMPDIR meanwhile), and
+ *    restores the GL state that it changes (or resets it: RUBBLE_RENDERER_RESET_STATE).
  *
  * Not included: network, sound, input, textured triangles, use of the host's allocator. */
 #ifndef RUBBLE_RUBBLE_H
@@ -1235,12 +1235,7 @@ enum {
 };
 
 /* How accurately bodies move, at what cost. The default is "balanced". */
-enum {
-    RUBBLE_PHYSICS_DEFAULT = 0,
-    RUBBLE_PHYSICS_FAST = 1,
-    RUBBLE_PHYSICS_BALANCED = 2,
-    RUBBLE_PHYSICS_ACCURATE = 3
-};
+enum { RUBBLE_PHYSICS_DEFAULT = 0, RUBBLE_PHYSICS_FAST = 1, RUBBLE_PHYSICS_BALANCED = 2, RUBBLE_PHYSICS_ACCURATE = 3 };
 
 /* How a world breaks, burns and remembers. Zeros are values here, not defaults: read the present ones with
  * get_settings(), change some, set all. Budgets count work, never time: results are the same on every machine. Bounds
@@ -1272,8 +1267,8 @@ typedef struct rubble_settings {
     uint32_t max_hot;             /* parts of shapes that are hot, burning or wet */
     uint32_t max_fire_lights;     /* lights for the biggest fires */
     uint32_t physics_preset;      /* RUBBLE_PHYSICS_... */
-    double fire_spread;    /* multiple of the heat that fires pass on, 0 to 100 */
-    double fire_burn_time; /* multiple of the materials' times, 0.001 to 1000 */
+    double fire_spread;           /* multiple of the heat that fires pass on, 0 to 100 */
+    double fire_burn_time;        /* multiple of the materials' times, 0.001 to 1000 */
 } rubble_settings;
 
 /* ---- layers, and worlds that the host's physics moves ---- */

@@ -845,9 +845,9 @@ public:
         return out;
     }
     /** How many rows the table has, with row 0. */
-    std::vector<uint32_t> get_material_count() const {
-        std::vector<uint32_t> out(count);
-        check(api().get_material_count(m_handle, out.data()));
+    uint32_t get_material_count() const {
+        uint32_t out{};
+        check(api().get_material_count(m_handle, &out));
         return out;
     }
     /** The row of a name; of several the first. 0: there is none. */
@@ -894,9 +894,9 @@ public:
         return out;
     }
     /** How many fires have their middle in a box along the world's axes. Costs what is hot. */
-    std::vector<uint32_t> count_fires(const double (&low)[3], const double (&high)[3]) {
-        std::vector<uint32_t> out(count);
-        check(api().count_fires(m_handle, low, high, out.data()));
+    uint32_t count_fires(const double (&low)[3], const double (&high)[3]) {
+        uint32_t out{};
+        check(api().count_fires(m_handle, low, high, &out));
         return out;
     }
     /** Makes a light group, with a handle as by create_body(): for lights, and for entries of palettes whose voxels
