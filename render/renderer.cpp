@@ -77,7 +77,7 @@ struct Renderer::Impl {
         startScene();
         blueNoise = Texture(GL_R8, glm::ivec2(kBlueNoiseSize), Filter::Nearest, Wrap::Repeat);
         blueNoise.upload(makeBlueNoise().data());
-        if (isSoftwareGl()) samplerReset.emplace(shaders);
+        if (isSoftwareGl() && !texels.isShared()) samplerReset.emplace(shaders);
         shaders.endBatch();
     }
     /// An empty scene.

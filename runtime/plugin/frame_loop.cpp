@@ -55,10 +55,6 @@ void FrameLoop::setPhysicsThreads(int threads) {
     if (m_physics) m_physics->setSettings(physicsSettings());
 }
 
-void FrameLoop::report(const ReportFilter& filter) {
-    if (m_physics) m_physics->report(filter);
-}
-
 void FrameLoop::followPhysicsPreset() {
     if (std::exchange(m_preset, m_world.settings().physics) != m_preset) m_physics->setSettings(physicsSettings());
 }
@@ -155,18 +151,15 @@ void FrameLoop::replay(const RecordedStep& step) {
     m_rebuildPhysics = step.physicsRebuilt;
     if (m_rebuildPhysics) m_world.resetCaches();
     if (step.hostMotion) {
-        moveBodies(step.hostMotion->poses);
+        followHost(step.hostMotion->poses, {});
         addHostDamage(step.hostMotion->damage);
     }
     stepWith(step.edits);
 }
 
-void FrameLoop::moveBodies(std::span<const BodyPose> poses) {
+void FrameLoop::followHost(std::span<const BodyPose> poses, std::span<const Impact> impacts) {
     m_world.setPoses(poses);
     m_hostMotion.poses.insert(m_hostMotion.poses.end(), poses.begin(), poses.end());
-}
-
-void FrameLoop::addImpacts(std::span<const Impact> impacts) {
     addHostDamage(damageOf(impacts));
     m_hostImpacts.insert(m_hostImpacts.end(), impacts.begin(), impacts.end());
 }
@@ -187,7 +180,7 @@ void FrameLoop::stepWith(const Edits& hostEdits) {
     m_followedStart = kFollowsNone;                              // a step of its own is none of those that it follows
     loadPhysics();
     applyEdits(hostEdits);
-    m_physics ? stepPhysics() : followHost();
+    m_physics ? stepPhysics() : followHostBodies();
     if (m_mustPublishAll.exchange(false)) {
         FrameChanges all = m_changes;
         all.levelReplaced = true;
@@ -231,7 +224,7 @@ void FrameLoop::stepPhysics() {
 }
 
 /// Where the bodies are now that the host has moved before the edits of this step, which may have moved them on.
-void FrameLoop::followHost() {
+void FrameLoop::followHostBodies() {
     const ScopedTimer timer(m_times[Stage::Poses]);
     m_movedByHost.clear();
     for (const BodyPose& moved : m_hostMotion.poses) addPose(moved.body, m_movedByHost);
@@ -286,7 +279,6 @@ void FrameLoop::publish(const FrameChanges& changes, std::span<const BodyPose> m
         if (m_publish) m_snapshots.publishWithoutShadow(changes, moved, m_world, impacts);
         return;
     }
-    m_shadowLag = changes.step - m_shadow->publishedVersion();
     if (m_waitForShadow) m_shadow->waitFor(changes.step);
     std::vector<ShadowPatches> patches = m_shadow->takePatches();
     if (m_shadowCopy) m_shadowCopy->follow(patches);

@@ -23,7 +23,7 @@ namespace rubble {
 struct FrameLoopSettings {
     uint8_t worldId = 1;           ///< 1 to 255, part of every handle, so that a handle of another world is recognised
     uint32_t firstGeneration = 1;  ///< of handles; see World
-    /// No physics runs: the host moves the bodies by moveBodies() and says what hits them by addImpacts(). Joints,
+    /// No physics runs: the host says by followHost() how bodies move and what hits them. Joints,
     /// ropes and characters are data that nothing moves.
     bool hostPhysics = false;
     PhysicsSettings physics;
@@ -36,6 +36,12 @@ struct FrameLoopSettings {
     bool moveParticles = false;  ///< also where nothing is published
     ParticleSettings particles;  ///< particles are only drawn: they change nothing in the world
     bool waitForShadow = false;  ///< each step waits for its shadow volume: frames do not depend on timing
+};
+
+/// Null: nobody keeps it.
+struct DrawingData {
+    ShadowCopy* shadow = nullptr;    ///< the shadow volume as last published
+    Particles* particles = nullptr;  ///< what is in the air
 };
 
 /// A world with its physics, shadow volume and snapshots: the only class that knows every module. A frame calls step()
@@ -77,11 +83,9 @@ public:
     void replay(const RecordedStep& step);
     /// [main-thread] Advances by exactly 1/60 s: queued edits, physics, damage by impacts, shadow volume, snapshot.
     void step();
-    /// [main-thread] What the host's physics has done since the last step. Stale handles are skipped.
-    void moveBodies(std::span<const BodyPose> poses);
-    /// [main-thread] What hit what in the host's physics, at the places where bodies are now. The next step breaks what
-    /// they break.
-    void addImpacts(std::span<const Impact> impacts);
+    /// [main-thread] What the host's physics has done since the last step: where bodies are, then what hit what at the
+    /// places where they are now. The next step breaks what those hits break. Stale handles are skipped.
+    void followHost(std::span<const BodyPose> poses, std::span<const Impact> impacts);
     /// [render-thread] Hands the newest snapshot to the renderer and draws. alpha in [0, 1]: interpolates between the
     /// poses of the last two steps.
     void draw(Renderer& renderer, const View& view, float alpha);
@@ -103,23 +107,19 @@ public:
     /// Gives physics so many threads, with the one that steps, from the next step on; those of a host's parallelFor
     /// stay. Results do not depend on it. [main-thread]
     void setPhysicsThreads(int threads);
-    /// Its physics, for statistics; null: the host moves the bodies. [main-thread]
-    const PhysicsWorld* physics() const { return m_physics.get(); }
-    /// What its physics reports from the next step on; see PhysicsWorld::report(). [main-thread]
-    void report(const ReportFilter& filter);
+    /// Its physics, for statistics and reports; null: the host moves the bodies. [main-thread]
+    PhysicsWorld* physics() const { return m_physics.get(); }
     /// Keeps the shadow volume up to date; null without one. [main-thread]
     ShadowWorker* shadow() { return m_shadow.get(); }
-    /// The shadow volume as last published; null: nobody keeps it. [main-thread]
-    ShadowCopy* shadowCopy() { return m_shadowCopy.get(); }
-    /// What is in the air; null: nothing is drawn, and nobody asks for it. [main-thread]
-    Particles* particles() { return m_publish || m_moveParticles ? &m_snapshots.particles() : nullptr; }
+    /// What hosts read to draw it themselves. [main-thread]
+    DrawingData drawingData() {
+        return {m_shadowCopy.get(), m_publish || m_moveParticles ? &m_snapshots.particles() : nullptr};
+    }
     /// The journal of the last step's edits; valid until the next step. Empty where the world was replaced.
     /// [main-thread]
     const FrameChanges& changes() const { return m_changes; }
     /// Wall-clock milliseconds of the stages of the last step [main-thread] and the last draw [render-thread].
     const StageTimes& times() const { return m_times; }
-    /// How many steps the shadow volume was behind when the last step was published, before any waiting. [main-thread]
-    uint64_t shadowLag() const { return m_shadowLag; }
 
 private:
     void useThreads(int threads);
@@ -134,7 +134,7 @@ private:
     void loadPhysics();
     void applyEdits(const Edits& hostEdits);
     void stepPhysics();
-    void followHost();
+    void followHostBodies();
     void addHostDamage(const Edits& damage);
     void forgetHostMotion();
     Edits damageOf(std::span<const Impact> impacts) const;
@@ -175,7 +175,6 @@ private:
     FrameChanges m_changes;
     std::vector<BodyPose> m_changedPoses;
     StageTimes m_times;
-    uint64_t m_shadowLag = 0;
     bool m_publish, m_moveParticles;
     bool m_waitForShadow;
     std::atomic<bool> m_mustPublishAll = false;  ///< in the next step

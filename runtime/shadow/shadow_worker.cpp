@@ -75,6 +75,7 @@ struct ShadowWorker::Impl {
     };
     ShadowReplica replica;   ///< [worker]
     bool hasFailed = false;  ///< [worker]
+    uint64_t lag = 0;        ///< [main-thread]
     std::thread thread;      ///< none if inline
 };
 
@@ -108,11 +109,11 @@ void ShadowWorker::submit(const FrameChanges& changes, std::span<const BodyPose>
         if (isQueued) shared.queuedVersion = changes.step;
         step.epoch = shared.epoch;
     }
-    if (!isQueued) return;
-    if (m_impl->thread.joinable())
+    if (isQueued && m_impl->thread.joinable())
         m_impl->queue.post(std::move(step));
-    else
+    else if (isQueued)
         m_impl->work(std::move(step));
+    m_impl->lag = changes.step - publishedVersion();
 }
 
 std::vector<ShadowPatches> ShadowWorker::takePatches() {
@@ -129,6 +130,10 @@ void ShadowWorker::waitFor(uint64_t version) {
 uint64_t ShadowWorker::publishedVersion() const {
     const std::lock_guard lock(m_impl->mutex);
     return m_impl->shared.version();
+}
+
+uint64_t ShadowWorker::lag() const {
+    return m_impl->lag;
 }
 
 }  // namespace rubble

@@ -38,6 +38,8 @@ public:
     void waitFor(uint64_t version);
     /// The step whose world the published volume equals. Steps that change nothing for shadows count at once.
     uint64_t publishedVersion() const;
+    /// How many steps the published volume was behind the last step when that was submitted.
+    uint64_t lag() const;
 
 private:
     struct Impl;

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { GLASS = 1, WOOD = 5, CONCRETE = 6, BRICK = 7, METAL = 9 }; /* entries of a new shape's palette */
+enum { WOOD = 5, CONCRETE = 6, BRICK = 7, METAL = 9, GLASS = 15 }; /* entries of a new shape's palette */
 static const rubble_api* api;
 static rubble_world world;
 

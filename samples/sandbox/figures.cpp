@@ -37,7 +37,7 @@ void Figures::addStep(FrameLoop& loop, uint64_t allocations) {
     const PhysicsStats physics = loop.physics()->stats();
     series("bodies").push_back(double(loop.world().bodies().size()));
     series("bodies awake").push_back(physics.awake);
-    if (loop.shadow()) series("shadow age, steps").push_back(double(loop.shadowLag()));
+    if (loop.shadow()) series("shadow age, steps").push_back(double(loop.shadow()->lag()));
     series("allocations per step").push_back(double(allocations));
     for (const RemovedVoxels& removed : changes.removed) m_removed += removed.count;
     for (const ShapeSplit& split : changes.splits) m_pieces += split.children.size();

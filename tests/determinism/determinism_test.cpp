@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kTownHash = "3f66c07a9d1fd6ae";
+constexpr const char* kTownHash = "bfcc4d00281deccc";
 
 void expectSameInEveryMode(const std::string& scene, int steps) {
     SceneRun run{.scene = scene, .steps = steps, .every = 10, .threads = 1};

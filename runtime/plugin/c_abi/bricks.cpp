@@ -117,7 +117,7 @@ rubble_result getShadowBricks(rubble_world world, uint64_t since, uint64_t* vers
                               uint32_t capacity, uint32_t* count) {
     return inWorld("get_shadow_bricks", world, [&](HostedWorld& hosted) {
         RowWriter<rubble_shadow_brick> rows(out, capacity, count);
-        ShadowCopy* copy = hosted.loop.shadowCopy();
+        ShadowCopy* copy = hosted.loop.drawingData().shadow;
         if (!copy)
             refuse(RUBBLE_ERROR_ARGUMENT, "the world keeps no shadow volume: create it with RUBBLE_WORLD_SHADOW_DATA");
         isGiven(version, "version");

@@ -160,7 +160,7 @@ BodyPose readState(const World& world, const rubble_body_state& given) {
 
 rubble_result setBodyStates(rubble_world world, const rubble_body_state* states, uint32_t count) {
     return takeRows<BodyPose>("set_body_states", world, states, "states", count, readState,
-                              [](FrameLoop& loop, const std::vector<BodyPose>& poses) { loop.moveBodies(poses); });
+                              [](FrameLoop& loop, const std::vector<BodyPose>& poses) { loop.followHost(poses, {}); });
 }
 
 Impact readImpact(const World& world, const rubble_impact& given) {
@@ -180,7 +180,7 @@ Impact readImpact(const World& world, const rubble_impact& given) {
 
 rubble_result reportImpacts(rubble_world world, const rubble_impact* impacts, uint32_t count) {
     return takeRows<Impact>("report_impacts", world, impacts, "impacts", count, readImpact,
-                            [](FrameLoop& loop, const std::vector<Impact>& hits) { loop.addImpacts(hits); });
+                            [](FrameLoop& loop, const std::vector<Impact>& hits) { loop.followHost({}, hits); });
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ ParticleBurst readBurst(const rubble_particle_burst& given) {
 }
 
 Particles* findParticles(HostedWorld& hosted) {
-    Particles* particles = hosted.loop.particles();
+    Particles* particles = hosted.loop.drawingData().particles;
     if (!particles) refuse(RUBBLE_ERROR_ARGUMENT, "the world has no particles: create it with RUBBLE_WORLD_PARTICLES");
     return particles;
 }

@@ -63,7 +63,7 @@ void ReportRows::setFilter(FrameLoop& loop, uint32_t kinds, ReportFilter filter,
     filter.slid = kinds & RUBBLE_REPORT_CONTACT_SLID;
     filter.hit = kinds & RUBBLE_REPORT_CONTACT_HIT;
     filter.water = kinds & RUBBLE_REPORT_WATER;
-    loop.report(filter);
+    if (loop.physics()) loop.physics()->report(filter);
     m_kinds = kinds;
     m_stride = stride;
     if (!(kinds & kCharacterKinds)) m_characters.forget();

@@ -85,7 +85,7 @@ rubble_result getStepStats(rubble_world world, rubble_step_stats* out) {
         row.bodies_awake = uint32_t(physics.awake);
         row.contacts = uint32_t(physics.contacts);
         row.step = loop.world().step();
-        row.shadow_lag = loop.shadowLag();
+        row.shadow_lag = loop.shadow() ? loop.shadow()->lag() : 0;
         row.edits_ms = times[Stage::ApplyEdits];
         row.physics_ms = times[Stage::Physics];
         row.poses_ms = times[Stage::Poses];

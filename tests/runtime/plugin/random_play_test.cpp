@@ -4,6 +4,7 @@
 #include <map>
 
 #include "runtime/core/log.h"
+#include "runtime/frame/shown_palettes.h"
 #include "runtime/frame/snapshots.h"
 #include "runtime/plugin/frame_loop.h"
 #include "tests/runtime/shadow/received_volume.h"
@@ -50,6 +51,10 @@ public:
         m_volume.apply(publication);
     }
     void expectEqual(const World& world) const {
+        ShownPalettes shown;
+        FrameChanges all;
+        all.levelReplaced = true;
+        shown.update(all, world);
         EXPECT_EQ(m_shapes.size(), world.shapes().size()) << "the renderer keeps a ghost, or misses a shape";
         world.shapes().forEach([&](ShapeHandle handle, const Shape& shape) {
             const auto found = m_shapes.find(handle);
@@ -57,7 +62,7 @@ public:
             const Drawn& drawn = found->second;
             EXPECT_EQ(drawn.grid.size(), shape.grid.size());
             EXPECT_EQ(drawn.grid.contentHash(), shape.grid.contentHash());
-            EXPECT_EQ(*drawn.palette, *shape.palette);
+            EXPECT_EQ(*drawn.palette, *shown.of(shape));
             EXPECT_EQ(bool(drawn.paintColors), bool(shape.paintColors));
             if (drawn.paintColors && shape.paintColors) {
                 EXPECT_EQ(*drawn.paintColors, *shape.paintColors);
