@@ -54,8 +54,9 @@ private:
         for (int i = 0; i < 3; ++i) check(v[i]);
     }
     void check(const glm::dquat& q) {
-        const double length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-        if (!(std::abs(length - 1.0) < 1e-3)) fail("a rotation of length 1", fmt::format("{}", length));
+        const double length2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+        if (!isWithin(length2, ranges::kRotationLength2))
+            fail("a rotation of length 1", fmt::format("{}", std::sqrt(length2)));
     }
     void check(const VoxelGrid&) {}
     void check(const PaintColorsRef&) {}

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +13,7 @@
 
 #include "runtime/assets/chunk_file.h"
 #include "runtime/core/hash.h"
+#include "runtime/core/ranges.h"
 #include "tests/runtime/assets/sample_level.h"
 #include "tests/support/temp_folder.h"
 
@@ -114,6 +116,18 @@ TEST(RubbleFile, WrongSizesWithValidChecksumsAreRefused) {
     ASSERT_FALSE(bomb);
     EXPECT_NE(bomb.error().find("possible size"), std::string::npos) << bomb.error();
     ASSERT_FALSE(levelFromRubble(withForgedHeader(bytes, 8, 5000), "t"));
+}
+
+/// Recordings and edits check the squared length: what they take must be readable in the saves that follow.
+TEST(RubbleFile, ARotationIsWhatEditsTakeForOne) {
+    const TempFolder folder;
+    for (const double length2 : {ranges::kRotationLength2.low + 1e-7, ranges::kRotationLength2.high - 1e-7}) {
+        Level level = sampleLevel();
+        level.bodies[0].pose.rotation = glm::dquat(std::sqrt(length2), 0, 0, 0);
+        EXPECT_TRUE(writeRubble(folder / "level.rubble", level)) << length2;
+        const Result<Level> read = readRubble(folder / "level.rubble");
+        EXPECT_TRUE(read) << read.error();
+    }
 }
 
 TEST(RubbleFile, InvalidLevelsAreNotWritten) {
