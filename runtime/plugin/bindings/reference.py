@@ -1,6 +1,27 @@
-"""Writes the reference of rubble.h: a page for each group of functions, with the structs and constants they use."""
+"""Writes the reference of rubble.h: a page for each group of functions, with an example of each function, and with the
+structs and constants they use."""
 
 import re
+
+from examples import place_of
+
+GENERATED = "<!-- Generated from rubble.h and samples/reference by runtime/plugin/bindings/generate.py: change those. -->"
+# The table's order never changes; a reader wants pages in the order of use. Those that are not here come last.
+READING_ORDER = {
+    "Begin": ["start", "worlds", "loading-in-the-background", "bounds", "settings"],
+    "Make and change": ["making-things", "edits-of-bodies-and-voxels", "edits-and-reads-of-whole-shapes",
+                        "properties-of-bodies-and-shapes", "palettes", "materials"],
+    "Break and burn": ["commands-for-the-next-step", "fire", "fires-at-a-place"],
+    "Move": ["joints-wheels-and-grabbing", "collision-layers-water-triggers-and-characters", "collision-shapes"],
+    "Look and hear": ["state", "queries-of-the-world-as-the-last-step-left-it", "reports-for-sound-and-score",
+                      "lists-of-objects", "names-tags-and-values-of-objects"],
+    "Light and draw": ["renderer", "environment-and-lights", "a-model-of-the-sky", "light-groups",
+                       "meshes-and-data-of-bricks", "particles"],
+    "Save, replay, follow": ["undo", "saved-games-and-recordings", "files-in-memory",
+                             "handles-of-saved-games-rows-of-later-versions", "deltas"],
+    "With other physics": ["layers-and-worlds-that-the-host-s-physics-moves"],
+    "More": [],
+}
 
 
 def slug(section):
@@ -71,14 +92,24 @@ def group_table(number, description):
     return lines + [""]
 
 
-def page(section, functions, description):
+def example_of(function, pages_of, examples):
+    """The example of a function, or a link to that which shows it. pages_of: {function: its page}."""
+    section = [name for name, page_name in pages_of.items() if page_name == pages_of[function]]
+    place = place_of(function, examples, section)
+    if place == function:
+        return ["```c", *examples[function].rstrip("\n").split("\n"), "```", ""]
+    file = "" if pages_of[place] == pages_of[function] else pages_of[place]
+    return [f"Example: at [{place}]({file}#{place}).", ""]
+
+
+def page(section, functions, description, pages_of, examples):
     """The page of one section."""
-    lines = ["<!-- Generated from rubble.h by runtime/plugin/bindings/generate.py: change that, not this. -->", "",
-             f"# {title(section)}", ""]
+    lines = [GENERATED, "", f"# {title(section)}", "",
+             "The [first page](README.md) says what `world`, `wall`, `crate` and `OK` of the examples are.", ""]
     for function in functions:
         lines += [f"## {function['name']}", "", "```c", prototype(function), "```", "",
-                  f"{linked(function['doc'])} *({function['thread']} thread)*" if function["thread"] != "any" else
-                  f"{linked(function['doc'])} *(any thread)*", ""]
+                  f"{linked(function['doc'])} *({function['thread']} thread)*", ""]
+        lines += example_of(function["name"], pages_of, examples)
     structs = [s for s in used_structs(functions, description["structs"]) if s["name"] != "rubble_api"]
     if structs:
         lines += ["## Structs", ""]
@@ -92,24 +123,39 @@ def page(section, functions, description):
     return "\n".join(lines).rstrip("\n") + "\n"
 
 
-def pages(description):
-    """{file name: text} of the whole reference."""
+def contents(sections, description):
+    """The first page: what the others hold, handles and results."""
+    lines = [GENERATED, "", "# Reference of rubble.h", "",
+             "The rules that hold for every function stand at the head of `rubble/rubble.h`. [rubble.json](rubble.json) is the",
+             "same as data, for bindings to other languages; `rubble/rubble.hpp` is the interface as C++ classes.", "",
+             "The examples are from [samples/reference](../../samples/reference); tests compile and run them all. Each begins",
+             "with the world of [example.h](../../samples/reference/example.h): a floor, a `wall` of brick, a wooden `crate`",
+             "before it. `OK(call)` ends the program, with the last error, if a call is refused, and `require(what, why)` if",
+             "something does not hold; these, `steps()`, `make_body()`, `make_box()`, `state_of()` and `voxels_gone()` are a",
+             "few lines each in [cookbook.h](../../samples/cookbook/cookbook.h).", ""]
+    left = {slug(section): section for section in sections}
+    for heading, names in READING_ORDER.items():
+        here = [left.pop(name) for name in names] if names else list(left.values())
+        lines += [f"## {heading}", ""] if here else []
+        for section in here:
+            file = f"{slug(section)}.md"
+            functions = ", ".join(f"[{f['name']}]({file}#{f['name']})" for f in sections[section])
+            lines.append(f"* [{title(section)}]({file}): {functions}")
+        lines += [""] if here else []
+    lines += ["## Handles", "", "| handle | names |", "| --- | --- |"]
+    lines += [f"| `{h['name']}` | {linked(h['doc'])} |" for h in description["handles"]
+              if h["name"] != "rubble_result"]
+    lines += ["", "## Results", ""] + group_table(0, description)
+    return "\n".join(lines).rstrip("\n") + "\n"
+
+
+def pages(description, examples):
+    """{file name: text} of the whole reference. examples: {function: code}, some for several functions."""
     sections = {}
     for function in description["functions"]:
         sections.setdefault(function["section"] or "start", []).append(function)
-    files = {f"{slug(section)}.md": page(section, functions, description) for section, functions in sections.items()}
-    lines = ["<!-- Generated from rubble.h by runtime/plugin/bindings/generate.py: change that, not this. -->", "",
-             "# Reference of rubble.h", "",
-             "The rules that hold for every function stand at the head of",
-             "[rubble.h](../../runtime/plugin/include/rubble/rubble.h).",
-             "[rubble.json](rubble.json) is the same as data, for bindings to other languages;",
-             "[rubble.hpp](../../runtime/plugin/include/rubble/rubble.hpp) is the interface as C++ classes.", ""]
-    for section, functions in sections.items():
-        names = ", ".join(f"[{f['name']}]({slug(section)}.md#{f['name']})" for f in functions)
-        lines.append(f"* [{title(section)}]({slug(section)}.md): {names}")
-    handles = ["", "## Handles", "", "| handle | names |", "| --- | --- |"]
-    handles += [f"| `{h['name']}` | {linked(h['doc'])} |" for h in description["handles"]
-                if h["name"] != "rubble_result"]
-    lines += handles + ["", "## Results", ""] + group_table(0, description)
-    files["README.md"] = "\n".join(lines).rstrip("\n") + "\n"
+    pages_of = {f["name"]: f"{slug(section)}.md" for section, functions in sections.items() for f in functions}
+    files = {f"{slug(section)}.md": page(section, functions, description, pages_of, examples)
+             for section, functions in sections.items()}
+    files["README.md"] = contents(sections, description)
     return files

@@ -1,0 +1,88 @@
+/* Examples: undo, saved games, recordings, worlds that follow another. */
+#include "example.h"
+
+EXAMPLE(undo) {
+    rubble_explosion bang = {.struct_size = sizeof bang, .position = {0, 1, 0}};
+    uint64_t gone;
+    OK(api->set_undo_limit(world, 10)); /* of marks; without it there are none */
+    steps(1);
+    OK(api->add_undo_mark(world));
+    OK(api->explode(world, &bang));
+    steps(1);
+    gone = voxels_gone();
+    OK(api->undo(world));
+    steps(1);
+    require(gone > 0 && voxels_gone() == 0, "the wall is whole again");
+    OK(api->redo(world));
+    steps(1);
+    require(voxels_gone() == gone, "and broken again");
+}
+
+EXAMPLE(save_game) {
+    uint64_t saved, loaded;
+    OK(api->save_game(world, "slot1.rubble"));
+    OK(api->get_state_hash(world, &saved));
+    steps(60);
+    OK(api->load_game(world, "slot1.rubble"));
+    OK(api->get_state_hash(world, &loaded));
+    require(saved == loaded, "the world as it was");
+}
+
+EXAMPLE(save_game_data) {
+    uint64_t size;
+    OK(api->save_game_data(world, NULL, 0, &size)); /* how many bytes it takes */
+    require(size <= sizeof bytes, "room for them");
+    OK(api->save_game_data(world, bytes, sizeof bytes, &size));
+    OK(api->load_game_data(world, bytes, size));
+}
+
+EXAMPLE(translate_handle) {
+    rubble_world second;
+    rubble_body same;
+    uint64_t size;
+    OK(api->create_world(NULL, &second));
+    OK(api->save_game_data(world, bytes, sizeof bytes, &size));
+    OK(api->load_game_data(second, bytes, size));
+    OK(api->translate_handle(second, crate, &same)); /* `crate` names it in the world that was saved */
+    OK(api->destroy_body(second, same));
+    OK(api->destroy_world(second));
+}
+
+EXAMPLE(start_recording) {
+    rubble_explosion bang = {.struct_size = sizeof bang, .position = {0, 1, 0}};
+    uint64_t steps_played;
+    OK(api->start_recording(world, "game.rubblelog"));
+    OK(api->explode(world, &bang));
+    steps(30);
+    OK(api->stop_recording(world));
+    OK(api->play_recording(world, "game.rubblelog", &steps_played));
+    require(steps_played == 30, "all steps came out as they were recorded");
+}
+
+EXAMPLE(play_recording_data) {
+    uint64_t size, steps_played;
+    OK(api->start_recording(world, "game.rubblelog"));
+    steps(30);
+    OK(api->stop_recording(world));
+    size = read_file("game.rubblelog");
+    OK(api->play_recording_data(world, bytes, size, &steps_played));
+    require(steps_played == 30, "all steps");
+}
+
+EXAMPLE(apply_deltas) {
+    rubble_explosion bang = {.struct_size = sizeof bang, .position = {0, 1, 0}};
+    uint64_t size, here, there;
+    rubble_world client;
+    OK(api->create_world(NULL, &client));
+    OK(api->keep_deltas(world, 1));
+    OK(api->save_game_data(world, bytes, sizeof bytes, &size)); /* what the client begins with */
+    OK(api->load_game_data(client, bytes, size));
+    OK(api->explode(world, &bang));
+    steps(2);
+    OK(api->take_deltas(world, bytes, sizeof bytes, &size)); /* what goes over the network */
+    OK(api->apply_deltas(client, bytes, size));
+    OK(api->get_resolved_hash(world, &here));
+    OK(api->get_resolved_hash(client, &there));
+    require(here == there, "the client has the same world");
+    OK(api->destroy_world(client));
+}
