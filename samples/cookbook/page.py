@@ -3,7 +3,7 @@
 
 page.py           writes it
 page.py --check   writes nothing; fails, with the command to run, if the page is not what it would write, or if a
-                  recipe is longer than 40 lines or in no chapter
+                  recipe is longer than 40 lines, in no chapter or without an image
 """
 
 import pathlib
@@ -25,7 +25,8 @@ HEAD = """# Cookbook
 
 {count} recipes, each a whole program of at most {longest} lines in C99, from [samples/cookbook](../../samples/cookbook). Tests
 compile and run them all. `cmake --build build/release --target cookbook` builds them as `build/release/bin/cookbook_NAME`.
-This page is written by `samples/cookbook/page.py`.
+This page is written by `samples/cookbook/page.py`; the images show the recipes themselves, drawn by Rubble's renderer with
+colours for the materials: `cmake --build build/release --target cookbook_images`.
 
 All of them include [cookbook.h](../../samples/cookbook/cookbook.h): the function table, a world with a floor, bodies of
 boxes.
@@ -42,7 +43,11 @@ def recipe(name):
         sys.exit(f"samples/cookbook/{name}.c: expected at most {LONGEST} lines, found {text.count(chr(10))}")
     comment, code = re.match(r"/\* (.*?) \*/\n(.*)", text, re.S).groups()
     comment = re.sub(r"\n \* ", "\n", comment)
-    return f"\n### {name.replace('_', ' ').capitalize()}\n\n{comment}\n\n```c\n{code}```\n"
+    image = PAGE.with_name(f"{name}.jpg")
+    if not image.exists():
+        sys.exit(f"docs/cookbook/{image.name} is missing: samples/cookbook/images/images.py draws it")
+    title = name.replace("_", " ").capitalize()
+    return f"\n### {title}\n\n{comment}\n\n![{title}, before and after]({image.name})\n\n```c\n{code}```\n"
 
 
 def page():
