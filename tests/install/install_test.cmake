@@ -29,6 +29,23 @@ foreach(file ${installed})
     endforeach()
 endforeach()
 
+# Links of the installed documents lead to something that is installed.
+file(GLOB_RECURSE pages ${WORK}/moved/share/doc/*.md)
+if(NOT pages)
+    message(SEND_ERROR "expected documents in share/doc, found none")
+endif()
+foreach(page ${pages})
+    file(READ ${page} text)
+    string(REGEX MATCHALL "\\]\\([^):#]+[)#]" links "${text}")
+    get_filename_component(folder ${page} DIRECTORY)
+    foreach(link ${links})
+        string(REGEX REPLACE "^..|.$" "" link "${link}")
+        if(NOT EXISTS ${folder}/${link})
+            message(SEND_ERROR "${page}: expected ${link}, found nothing there")
+        endif()
+    endforeach()
+endforeach()
+
 run(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK}/consumer -DCMAKE_PREFIX_PATH=${WORK}/moved
     -DCMAKE_C_COMPILER=${COMPILER})
 run(${CMAKE_COMMAND} --build ${WORK}/consumer)
