@@ -11,16 +11,21 @@
  *     int main(void) {
  *         const rubble_api* api;
  *         rubble_world world;
- *         rubble_explosion explosion = {.struct_size = sizeof explosion};
+ *         rubble_body_settings body = {.struct_size = sizeof body, .flags = RUBBLE_BODY_STATIC};
+ *         rubble_shape_settings wall = {.struct_size = sizeof wall, .source = RUBBLE_SHAPE_BOX, .size = {40, 25, 3}};
+ *         rubble_explosion explosion = {.struct_size = sizeof explosion, .position = {2, 1, 0}};
  *         rubble_events events = {.struct_size = sizeof events};
+ *         rubble_shape shape;
  *         if (rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK) return 1;
- *         api->create_world(NULL, &world);
- *         if (api->load_level(world, "model.vox", NULL) != RUBBLE_OK) puts(api->get_last_error());
- *         explosion.position[1] = 1.0;
+ *         if (api->create_world(NULL, &world) != RUBBLE_OK) return 1;
+ *         api->create_body(world, &body, &wall.body); // or load_level(world, "model.vox", NULL)
+ *         wall.index = 7;                             // brick
+ *         if (api->create_shape(world, &wall, &shape) != RUBBLE_OK) puts(api->get_last_error());
  *         api->explode(world, &explosion);
  *         for (int i = 0; i < 600; ++i) {
  *             api->step(world);
  *             api->get_events(world, &events);
+ *             if (events.split_count) printf("step %d: %u pieces came off\n", i, (unsigned)events.split_count);
  *         }
  *         api->destroy_world(world);
  *         return 0;
@@ -1853,7 +1858,8 @@ typedef struct rubble_api {
 
     /* `object` is the handle of a body, shape, light, light group, water, trigger, character or joint. What a level
      * says of names and tags is there after load_level(). A piece has the name, the tags and the user value of the
-     * shape that it came off; its body has the name alone. Objects of which a host says nothing cost nothing. */
+     * shape that it came off; its body only the name that a level gave. Objects of which a host says nothing cost
+     * nothing. */
 
     /* [main-thread] Gives an object a name: UTF-8, at most 4096 bytes. Names need not be unique. */
     rubble_result (*set_name)(rubble_world world, uint64_t object, const char* name);
