@@ -114,6 +114,21 @@ Motor turn(const PhysicsSettings& settings) {
     return result;
 }
 
+double missedBy(const PhysicsSettings& settings, JointKind kind, double length, double maxForce) {
+    const bool lifts = kind == JointKind::Prismatic;
+    PhysicsScene scene(settings);
+    scene.add(solidGrid({int(std::lround(10.0 * length)), 5, 5}, 7), {-0.25, -0.25, -0.25}, false);
+    Pose axis;
+    axis.rotation =
+        lifts ? glm::angleAxis(0.5 * kPi, glm::dvec3(0, 0, 1)) : glm::angleAxis(0.5 * kPi, glm::dvec3(0, 1, 0));
+    LevelJoint& joint = addJoint(scene.level, kind, -1, 0, axis);
+    joint.joint.motor = {MotorMode::Position, lifts ? 1.0 : 0.5, maxForce};
+    scene.load();
+    scene.seconds(4.0);
+    const glm::dquat turned = scene.body(0).pose.rotation;
+    return lifts ? scene.center(0).y - 1.0 : 2.0 * std::asin(std::abs(turned.z)) - 0.5;
+}
+
 double springPeriod(const PhysicsSettings& settings, double hertz) {
     PhysicsScene scene(sleepless(settings));
     scene.level.environment.gravity = {0, 0, 0};
