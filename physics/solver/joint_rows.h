@@ -62,6 +62,13 @@ struct FreeAxis {
     double mass = 0.0;             ///< effective, along push
 };
 
+/// A spring along a free axis with the effective mass m: its impulse becomes larger by
+/// -m (pull x + massScale v) - impulseScale times itself, with the free coordinate x and its velocity v.
+struct AxisSpring {
+    double pull = 0.0;  ///< 1/s
+    double massScale = 0.0, impulseScale = 0.0;
+};
+
 /// A joint while it is solved.
 struct JointRows {
     JointConstraint* c = nullptr;
@@ -70,7 +77,8 @@ struct JointRows {
     std::array<double, 6> error{};                 ///< of position, by row
     std::array<std::array<double, 6>, 6> lower{};  ///< L of the L D L^T of J M^-1 J^T
     std::array<double, 6> diagonal{};              ///< D; 0: nothing can move along the row
-    Softness<double> locked, limit, spring;
+    Softness<double> locked, limit;
+    AxisSpring spring;
     FreeAxis freeAxis;
     double startValue = 0.0;           ///< of the free axis, before the bodies moved in this substep
     double servoSpeed = 0.0;           ///< m/s or rad/s that a position motor wants in this substep

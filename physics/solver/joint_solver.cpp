@@ -26,6 +26,7 @@ namespace {
 
 constexpr double kErrorReduction = 0.2;  ///< of a rigid row's error, in a substep
 constexpr double kServoHertz = 2.0;      ///< of the critically damped motion of a position motor without a spring
+constexpr double kMaxSymplectic = 0.25;  ///< (omega h)^2 of the slow springs: sixteen on one body are stable, too
 /// m/s2 or rad/s2 that a position motor without a largest force may give what it moves, besides what its way to the
 /// target needs. Against something that does not give, its impulse would grow for ever.
 constexpr double kMaxServoAcceleration = 1000.0;
@@ -44,6 +45,16 @@ double withinHalfTurn(double angle) {
 
 bool hasPositionMotor(const Joint& joint) {
     return joint.motor.mode == MotorMode::Position && joint.kind != JointKind::Wheel;
+}
+
+/// From -h k x - (h d + theta h^2 k) v, with the velocity v after the impulse. theta is 0 for slow springs: then the
+/// substep is symplectic, and a spring without damping has none. It grows to 1, implicit Euler, for those that would
+/// need shorter substeps.
+AxisSpring makeSpring(const JointSpring& spring, double seconds) {
+    const double turn = kSoftTwoPi * spring.hertz * seconds,
+                 theta = std::max(0.0, 1.0 - kMaxSymplectic / (turn * turn)),
+                 softness = turn * (2.0 * spring.dampingRatio + theta * turn), scale = 1.0 / (1.0 + softness);
+    return {turn * turn / seconds * scale, softness * scale, scale};
 }
 
 /// How far the free coordinate is from the target of a position motor, or from 0; the shorter way round for a hinge.
@@ -139,7 +150,7 @@ void JointSolver::prepareJoint(JointRows& e, SolverState& A, SolverState& B) con
 void JointSolver::prepareFreeAxis(JointRows& e) const {
     const Joint& joint = *e.c->joint;
     e.hasSpring = hasFreeAxisSpring(joint) && joint.spring.hertz > 0.0;
-    if (e.hasSpring) e.spring = makeSoft<double>(joint.spring.hertz, joint.spring.dampingRatio, m_seconds);
+    if (e.hasSpring) e.spring = makeSpring(joint.spring, m_seconds);
     e.hasServo = !e.hasSpring && hasFreeAxisSpring(joint) && hasPositionMotor(joint);
     if (joint.kind == JointKind::Rope) {
         e.isSoft = joint.rope.stretch > 0.0;
@@ -250,10 +261,10 @@ void JointSolver::solveSpring(JointRows& e, SolverState& A, SolverState& B) cons
     JointConstraint& c = *e.c;
     const JointMotor& motor = c.joint->motor;
     const double maxImpulse = hasPositionMotor(*c.joint) && motor.maxForce > 0.0 ? motor.maxForce * m_seconds : 1e30;
-    const double speed = e.freeAxis.row.velocity(A, B) + e.spring.biasRate * targetError(e);
-    const double impulse = -e.freeAxis.mass * e.spring.massScale * speed - e.spring.impulseScale * c.springImpulse;
+    const double change = e.spring.pull * targetError(e) + e.spring.massScale * e.freeAxis.row.velocity(A, B);
+    const double impulse = -e.freeAxis.mass * change - e.spring.impulseScale * c.springImpulse;
     addClamped(c.springImpulse, impulse, maxImpulse,
-               [&](double change) { applyAlong(e, e.freeAxis, A, B, change, &c.work); });
+               [&](double added) { applyAlong(e, e.freeAxis, A, B, added, &c.work); });
 }
 
 /// One limit of the free coordinate. Short of the limit, the coordinate may move up to it within the substep (as a

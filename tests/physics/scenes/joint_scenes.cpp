@@ -148,6 +148,22 @@ double springPeriod(const PhysicsSettings& settings, double hertz) {
     return crossings.size() < 3 ? 0.0 : (crossings.back() - crossings.front()) / (0.5 * double(crossings.size() - 1));
 }
 
+double springKeeps(const PhysicsSettings& settings, double hertz, double dampingRatio) {
+    PhysicsScene scene(sleepless(settings));
+    scene.level.environment.gravity = {0, 0, 0};
+    scene.add(solidGrid({3, 3, 3}, 7), {-0.15, -0.15, -0.15}, false);
+    LevelJoint& slide = addJoint(scene.level, JointKind::Prismatic, -1, 0, {});
+    slide.joint.spring = {hertz, dampingRatio};
+    slide.joint.ends[0].frame.position.x = 0.3;  // its equilibrium
+    scene.load();
+    double most = 0.0;  // from the last time that it is in the middle before
+    for (int i = 1; i <= std::max(int(60.0 * 3.25 / hertz), 100); ++i) {
+        scene.step();
+        if (i > 60.0 * 2.25 / hertz) most = std::max(most, std::abs(scene.center(0).x - 0.3));
+    }
+    return most / 0.3;
+}
+
 double breakFixed(const PhysicsSettings& settings, double force) {
     PhysicsScene scene(settings);
     scene.add(solidGrid({4, 4, 4}, 7), {0.0, 0.0, 0.0}, false);

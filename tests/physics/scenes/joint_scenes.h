@@ -35,6 +35,9 @@ double missedBy(const PhysicsSettings& settings, JointKind kind, double length, 
 /// The period of a block on an undamped prismatic spring, s.
 double springPeriod(const PhysicsSettings& settings, double hertz);
 
+/// The part of its amplitude that a block on a prismatic spring keeps after five half swings from its start.
+double springKeeps(const PhysicsSettings& settings, double hertz, double dampingRatio);
+
 /// The force at which a fixed joint of this break force (N) breaks, as a fraction of it.
 double breakFixed(const PhysicsSettings& settings, double force);
 
