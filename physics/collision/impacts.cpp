@@ -6,6 +6,16 @@
 #include "physics/bodies/dynamic_body.h"
 
 namespace rubble {
+namespace {
+
+/// The velocity of an object at a point before the last solve, world, m/s.
+glm::dvec3 velocityBeforeSolve(const CollisionObject& object, const glm::dvec3& point) {
+    if (!object.dynamic || object.dynamic->asleep()) return glm::dvec3(0.0);
+    const SolverBody& motion = object.dynamic->stepStart;
+    return motion.velocity + glm::cross(motion.angularVelocity, point - motion.position);
+}
+
+}  // namespace
 
 glm::dvec3 approachVelocity(const Manifold& manifold, double seconds) {
     double fastest = 0.0;
@@ -18,6 +28,30 @@ glm::dvec3 approachVelocity(const Manifold& manifold, double seconds) {
         if (speed * seconds > double(point.separation) && speed > fastest) fastest = speed, away = normal * speed;
     }
     return away;
+}
+
+Pose poseBeforeSolve(const CollisionObject& object) {
+    const DynamicBody* body = object.dynamic;
+    if (!body || body->asleep()) return object.pose;
+    return {body->stepStart.position, body->stepStart.rotation};
+}
+
+MeetingPoint meetingPoint(const Manifold& manifold, const ManifoldPoint& point) {
+    const CollisionObject &first = *manifold.objects.first, &second = *manifold.objects.second;
+    const glm::dvec3 middle = manifold.origin + glm::dvec3(point.position),
+                     half = glm::dvec3(point.normal) * (0.5 * double(point.separation));
+    MeetingPoint met{.onFirst = middle + half, .onSecond = middle - half};
+    // The corner or edge that touches is a point of its own body; on the other it is elsewhere when the two meet.
+    if (point.separation > 0.0f && point.approach > 0.0f) {
+        const glm::dvec3 way = (velocityBeforeSolve(first, met.onFirst) - velocityBeforeSolve(second, met.onSecond)) *
+                               (double(point.separation) / double(point.approach));
+        if (point.feature & 1)
+            met.onFirst = met.onSecond - way;
+        else
+            met.onSecond = met.onFirst + way;
+    }
+    met.now = second.pose.transformPoint(poseBeforeSolve(second).inversePoint(met.onSecond));
+    return met;
 }
 
 void findImpacts(std::span<Manifold* const> manifolds, double minSpeed, double threshold,
@@ -38,7 +72,7 @@ void findImpacts(std::span<Manifold* const> manifolds, double minSpeed, double t
         for (const ManifoldPoint& point : manifold->all()) {
             if (!(point.totalImpulse > 0.0f)) continue;
             total += double(point.totalImpulse);
-            position += (manifold->origin + glm::dvec3(point.position)) * double(point.totalImpulse);
+            position += meetingPoint(*manifold, point).now * double(point.totalImpulse);
             normal += glm::dvec3(point.normal) * double(point.totalImpulse);
         }
         hits.push_back(

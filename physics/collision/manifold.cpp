@@ -14,6 +14,8 @@ constexpr float kMinLineDistance = 0.02f;
 // Points that were kept in the last step are preferred, so that the choice does not flicker:
 constexpr float kKeptDepthBonus = 0.001f;    ///< metres by which they count as deeper
 constexpr float kKeptDistanceFactor = 2.0f;  ///< by which they count as farther out
+/// Metres by which a point of a hit that is farther than the deepest one touches later, if at all.
+constexpr float kLater = 0.03f;
 /// Metres inside the static world above which a penetration is no error of stepping.
 constexpr float kMinInitialPenetration = 0.02f;
 
@@ -57,8 +59,7 @@ size_t widenPolygon(std::vector<ContactPoint>& contacts, size_t from, size_t cou
 /// Moves up to `most` of contacts[from, to) to the front: the deepest, which is there already, the one farthest from
 /// it, the one farthest from their line, the one farthest from the line on the other side, and those outside of the
 /// polygon of these. Returns how many.
-size_t chooseWidestPoints(std::vector<ContactPoint>& contacts, size_t from, size_t to, size_t most,
-                          const Manifold* before) {
+size_t chooseWidest(std::vector<ContactPoint>& contacts, size_t from, size_t to, size_t most, const Manifold* before) {
     if (to - from <= 4) return to - from;
     const auto best = [&](size_t first, auto&& score) {
         size_t found = first;
@@ -81,6 +82,19 @@ size_t chooseWidestPoints(std::vector<ContactPoint>& contacts, size_t from, size
     const float sign = across(contacts[from + 2]) > 0 ? -1.0f : 1.0f;
     if (best(from + 3, [&](const ContactPoint& c) { return sign * across(c); }) < inLine) return 3;
     return most > 4 ? widenPolygon(contacts, from, 4, to, most, normal) : 4;
+}
+
+/// As chooseWidest(), but what touches about as soon as the deepest goes before what touches later: a ball that hits a
+/// wall with one layer of voxels would turn about one of its corners if the wider layer behind took the others' places.
+size_t chooseWidestPoints(std::vector<ContactPoint>& contacts, size_t from, size_t to, size_t most,
+                          const Manifold* before) {
+    const float limit = contacts[from].separation + kLater;
+    size_t later = from + 1;
+    for (size_t i = later; i < to; ++i)
+        if (contacts[i].separation <= limit) std::swap(contacts[later++], contacts[i]);
+    if (later == to || later == from + 1) return chooseWidest(contacts, from, to, most, before);
+    const size_t soon = chooseWidest(contacts, from, later, most, before);
+    return widenPolygon(contacts, from, soon, to, most, contacts[from].normal);
 }
 
 /// Warm start: points that were there before get the impulses they had. The impulses of points that are gone are shared

@@ -140,6 +140,21 @@ private:
     glm::dquat m_rotation{1, 0, 0, 0};  ///< of end 1 relative to end 0
 };
 
+/// Whether anything acts along a joint's free axis.
+bool isAxisUsed(const Joint& joint) {
+    return joint.motor.mode != MotorMode::Off || joint.spring.hertz > 0.0 || joint.friction > 0.0 || joint.limits.on;
+}
+
+/// M^-1 of a row: the changes of velocity by a unit impulse along it, of the first body against it.
+JointRow changeBy(const JointRow& row, const SolverState& A, const SolverState& B) {
+    return {row.linearA * double(A.inverseMass), glm::dmat3(A.inverseInertia) * row.angularA,
+            row.linearB * double(B.inverseMass), glm::dmat3(B.inverseInertia) * row.angularB};
+}
+double dot(const JointRow& a, const JointRow& b) {
+    return glm::dot(a.linearA, b.linearA) + glm::dot(a.angularA, b.angularA) + glm::dot(a.linearB, b.linearB) +
+           glm::dot(a.angularB, b.angularB);
+}
+
 }  // namespace
 
 double JointRow::velocity(const SolverState& A, const SolverState& B) const {
@@ -170,7 +185,6 @@ double JointRow::effectiveMass(const SolverState& A, const SolverState& B) const
 
 void computeRows(JointRows& rows, std::span<const SolverBody> bodies) {
     RowBuilder(rows, bodies).build();
-    if (rows.c->joint->kind != JointKind::Wheel) rows.motorAxis = rows.freeAxis;
 }
 
 void factorize(JointRows& e, const SolverState& A, const SolverState& B) {
@@ -209,6 +223,32 @@ void solveBlock(const JointRows& e, std::array<double, 6>& x) {
         x[size_t(i)] = e.diagonal[size_t(i)] > 0.0 ? x[size_t(i)] / e.diagonal[size_t(i)] : 0.0;
     for (int i = e.rows - 1; i >= 0; --i)
         for (int m = i + 1; m < e.rows; ++m) x[size_t(i)] -= e.lower[size_t(m)][size_t(i)] * x[size_t(m)];
+}
+
+void projectFreeAxes(JointRows& e, const SolverState& A, const SolverState& B) {
+    const JointKind kind = e.c->joint->kind;
+    FreeAxis& axis = e.freeAxis;
+    axis.push = axis.row;
+    if (e.isInSystem && (kind == JointKind::Hinge || kind == JointKind::Prismatic) && isAxisUsed(*e.c->joint)) {
+        factorize(e, A, B);
+        const JointRow moved = changeBy(axis.row, A, B);
+        for (size_t r = 0; r < size_t(e.rows); ++r) axis.held[r] = dot(e.row[r], moved);
+        solveBlock(e, axis.held);
+        for (size_t r = 0; r < size_t(e.rows); ++r) {
+            axis.push.linearA -= e.row[r].linearA * axis.held[r],
+                axis.push.angularA -= e.row[r].angularA * axis.held[r];
+            axis.push.linearB -= e.row[r].linearB * axis.held[r],
+                axis.push.angularB -= e.row[r].angularB * axis.held[r];
+        }
+    }
+    axis.mass = axis.push.effectiveMass(A, B);
+    FreeAxis& motor = e.motorAxis;
+    if (kind != JointKind::Wheel) {
+        motor = axis;
+    } else {
+        motor.push = motor.row;
+        motor.mass = motor.push.effectiveMass(A, B);
+    }
 }
 
 double velocityError(const JointRows& e, int row, const SolverState& A, const SolverState& B, bool useBias) {

@@ -22,7 +22,9 @@ struct JointConstraint {
     std::array<double, 6> lockedImpulse{};  ///< along the locked rows
     std::array<double, 2> limitImpulse{};   ///< of the low and the high limit
     double springImpulse = 0.0, motorImpulse = 0.0, frictionImpulse = 0.0;
-    glm::dvec3 ballFriction{0.0};        ///< friction impulse of a ball or cone
+    glm::dvec3 ballFriction{0.0};  ///< friction impulse of a ball or cone
+    /// Of a position motor: the free coordinate at the start of the last substep. NaN: there was none.
+    double lastValue = std::numeric_limits<double>::quiet_NaN();
     std::vector<glm::dvec3> bendPoints;  ///< where a rope lies on something, from end 0 to end 1, world
     /// Of a rope: the longest path that it allows. Infinite until its path is known.
     double ropeLength = std::numeric_limits<double>::infinity();
@@ -54,7 +56,17 @@ void applyCounted(const JointRow& row, SolverState& A, SolverState& B, double im
 struct FreeAxis {
     JointRow row;
     double value = 0.0;  ///< of the joint's coordinate: radians or metres
-    double mass = 0.0;   ///< effective
+    /// The row together with the part of the locked rows that keeps these still: along it impulses act.
+    JointRow push;
+    std::array<double, 6> held{};  ///< that part of each locked row; all 0: what is locked is not considered
+    double mass = 0.0;             ///< effective, along push
+};
+
+/// A spring along a free axis with the effective mass m: its impulse becomes larger by
+/// -m (pull x + massScale v) - impulseScale times itself, with the free coordinate x and its velocity v.
+struct AxisSpring {
+    double pull = 0.0;  ///< 1/s
+    double massScale = 0.0, impulseScale = 0.0;
 };
 
 /// A joint while it is solved.
@@ -65,14 +77,18 @@ struct JointRows {
     std::array<double, 6> error{};                 ///< of position, by row
     std::array<std::array<double, 6>, 6> lower{};  ///< L of the L D L^T of J M^-1 J^T
     std::array<double, 6> diagonal{};              ///< D; 0: nothing can move along the row
-    Softness<double> locked, limit, spring;
+    Softness<double> locked, limit;
+    AxisSpring spring;
     FreeAxis freeAxis;
     double startValue = 0.0;           ///< of the free axis, before the bodies moved in this substep
+    double servoSpeed = 0.0;           ///< m/s or rad/s that a position motor wants in this substep
+    double servoLimit = 0.0;           ///< N s or N m s that it may give
     FreeAxis motorAxis;                ///< the free axis; of a wheel its spin, where the free axis is its suspension
     glm::dmat3 ballFrictionMass{0.0};  ///< effective mass of a ball's rotation
     bool isInSystem = false;           ///< its locked rows are solved by JointSystem
     bool isSoft = false;               ///< the locked rows, or a rope's limit, are a spring
     bool hasSpring = false;            ///< on the free axis
+    bool hasServo = false;             ///< a position motor without a spring
     bool hasBallFriction = false;
 
     /// The state of the joint's first body.
@@ -93,6 +109,9 @@ void computeRows(JointRows& rows, std::span<const SolverBody> bodies);
 void factorize(JointRows& rows, const SolverState& A, const SolverState& B);
 /// Replaces x, a change of velocity by row, by the impulses that make it. Needs factorize().
 void solveBlock(const JointRows& rows, std::array<double, 6>& x);
+/// Sets push and mass of the free axes. A load beside its axis turns if it is pushed along the axis alone: what is
+/// locked would have to stop that, iteration after iteration.
+void projectFreeAxes(JointRows& rows, const SolverState& A, const SolverState& B);
 /// The change of velocity that a locked row needs. useBias: errors of position are corrected too.
 double velocityError(const JointRows& rows, int row, const SolverState& A, const SolverState& B, bool useBias);
 

@@ -15,7 +15,8 @@
 //   * Locked rows of rigid joints: all of them at once (JointSystem). Of joints that are soft or have a largest force:
 //     each joint by itself, its up to six rows at once by L D L^T, and the sum clamped.
 //   * The free axis: spring, motor, friction and limits, one after the other, each with its own accumulated impulse and
-//     its bounds. A limit is an inequality, as a contact is: its impulse is clamped at 0.
+//     its bounds. A limit is an inequality, as a contact is: its impulse is clamped at 0. A position motor is a servo:
+//     it wants the velocity that a damped spring without any load would have, so what it bears does not bend it.
 //   * A rope is a limit on the length of its path.
 // Iterations go through the joints forward and back, so that a load on one end of a chain arrives at the other. After
 // the bodies have moved, the same without bias removes the velocity that corrected positions.
@@ -23,8 +24,12 @@
 namespace rubble {
 namespace {
 
-constexpr double kErrorReduction = 0.2;    ///< of a rigid row's error, in a substep
-constexpr double kMotorHertz = 2.0;        ///< of a position motor, if the joint has no spring
+constexpr double kErrorReduction = 0.2;  ///< of a rigid row's error, in a substep
+constexpr double kServoHertz = 2.0;      ///< of the critically damped motion of a position motor without a spring
+constexpr double kMaxSymplectic = 0.25;  ///< (omega h)^2 of the slow springs: sixteen on one body are stable, too
+/// m/s2 or rad/s2 that a position motor without a largest force may give what it moves, besides what its way to the
+/// target needs. Against something that does not give, its impulse would grow for ever.
+constexpr double kMaxServoAcceleration = 1000.0;
 constexpr double kRopeStretchForce = 1e4;  ///< N under which a rope stretches by its `stretch`
 /// Iterations over joints in a substep: without a system, and with one that has the rigid rows.
 constexpr int kIterations = 4, kIterationsWithSystem = 2;
@@ -34,8 +39,29 @@ bool hasFreeAxisSpring(const Joint& joint) {
     return joint.kind == JointKind::Hinge || joint.kind == JointKind::Prismatic || joint.kind == JointKind::Wheel;
 }
 
+double withinHalfTurn(double angle) {
+    return angle > kPi ? angle - 2.0 * kPi : angle < -kPi ? angle + 2.0 * kPi : angle;
+}
+
 bool hasPositionMotor(const Joint& joint) {
     return joint.motor.mode == MotorMode::Position && joint.kind != JointKind::Wheel;
+}
+
+/// From -h k x - (h d + theta h^2 k) v, with the velocity v after the impulse. theta is 0 for slow springs: then the
+/// substep is symplectic, and a spring without damping has none. It grows to 1, implicit Euler, for those that would
+/// need shorter substeps.
+AxisSpring makeSpring(const JointSpring& spring, double seconds) {
+    const double turn = kSoftTwoPi * spring.hertz * seconds,
+                 theta = std::max(0.0, 1.0 - kMaxSymplectic / (turn * turn)),
+                 softness = turn * (2.0 * spring.dampingRatio + theta * turn), scale = 1.0 / (1.0 + softness);
+    return {turn * turn / seconds * scale, softness * scale, scale};
+}
+
+/// How far the free coordinate is from the target of a position motor, or from 0; the shorter way round for a hinge.
+double targetError(const JointRows& e) {
+    const Joint& joint = *e.c->joint;
+    const double error = e.freeAxis.value - (hasPositionMotor(joint) ? joint.motor.target : 0.0);
+    return joint.kind == JointKind::Hinge ? withinHalfTurn(error) : error;
 }
 
 glm::dvec3 clampedLength(const glm::dvec3& v, double maxLength) {
@@ -51,12 +77,18 @@ void addClamped(double& sum, double impulse, double bound, F&& apply) {
     apply(sum - before);
 }
 
-/// Applies an impulse of a limit. A rope that stretches may add energy.
-void applyLimit(const JointRows& e, SolverState& A, SolverState& B, double impulse) {
-    if (e.isSoft)
-        applyCounted(e.freeAxis.row, A, B, impulse, e.c->work);
+/// Applies an impulse along a free axis, with what keeps the locked rows still. Counts its work, if there is a sum.
+void applyAlong(JointRows& e, const FreeAxis& axis, SolverState& A, SolverState& B, double impulse, double* work) {
+    if (work)
+        applyCounted(axis.push, A, B, impulse, *work);
     else
-        e.freeAxis.row.apply(A, B, impulse);
+        axis.push.apply(A, B, impulse);
+    for (size_t r = 0; r < size_t(e.rows); ++r) e.c->lockedImpulse[r] -= axis.held[r] * impulse;
+}
+
+/// A rope that stretches may add energy.
+double* workOfLimit(const JointRows& e) {
+    return e.isSoft ? &e.c->work : nullptr;
 }
 
 /// Applies an impulse along a locked row. Soft rows may add energy.
@@ -93,8 +125,9 @@ void JointSolver::prepare(std::span<const SolverBody> bodies, std::span<SolverSt
         SolverState &A = e.stateA(states), &B = e.stateB(states);
         if (isSolvedAlone(e)) factorize(e, A, B);
         e.startValue = e.freeAxis.value;
-        updateMasses(e, A, B);
+        projectFreeAxes(e, A, B);
         prepareJoint(e, A, B);
+        if (e.hasServo) prepareServo(e, A, B);
         warmStart(e, A, B);
     }
 }
@@ -116,10 +149,9 @@ void JointSolver::prepareJoint(JointRows& e, SolverState& A, SolverState& B) con
 
 void JointSolver::prepareFreeAxis(JointRows& e) const {
     const Joint& joint = *e.c->joint;
-    e.hasSpring = hasFreeAxisSpring(joint) && (joint.spring.hertz > 0.0 || hasPositionMotor(joint));
-    if (e.hasSpring)
-        e.spring = joint.spring.hertz > 0.0 ? makeSoft<double>(joint.spring.hertz, joint.spring.dampingRatio, m_seconds)
-                                            : makeSoft<double>(kMotorHertz, 1.0, m_seconds);
+    e.hasSpring = hasFreeAxisSpring(joint) && joint.spring.hertz > 0.0;
+    if (e.hasSpring) e.spring = makeSpring(joint.spring, m_seconds);
+    e.hasServo = !e.hasSpring && hasFreeAxisSpring(joint) && hasPositionMotor(joint);
     if (joint.kind == JointKind::Rope) {
         e.isSoft = joint.rope.stretch > 0.0;
         const double stiffness = e.isSoft ? kRopeStretchForce / (joint.rope.stretch * joint.rope.length) : 0.0;
@@ -127,19 +159,35 @@ void JointSolver::prepareFreeAxis(JointRows& e) const {
     }
 }
 
-/// Effective masses along the free axes of now.
-void JointSolver::updateMasses(JointRows& e, const SolverState& A, const SolverState& B) {
-    e.freeAxis.mass = e.freeAxis.row.effectiveMass(A, B);
-    e.motorAxis.mass = e.c->joint->kind == JointKind::Wheel ? e.motorAxis.row.effectiveMass(A, B) : e.freeAxis.mass;
+/// The implicit step of a damped spring from the velocity of the last substep: that of now has gravity in it already.
+void JointSolver::prepareServo(JointRows& e, const SolverState& A, const SolverState& B) const {
+    JointConstraint& c = *e.c;
+    const double moved = e.freeAxis.value - c.lastValue,
+                 way = c.joint->kind == JointKind::Hinge ? withinHalfTurn(moved) : moved,
+                 speed = std::isnan(way) ? e.freeAxis.row.velocity(A, B) : way / m_seconds;
+    const double turn = kSoftTwoPi * kServoHertz * m_seconds, error = targetError(e);
+    c.lastValue = e.freeAxis.value;
+    e.servoSpeed = (speed - turn * turn * error / m_seconds) / (1.0 + 2.0 * turn + turn * turn);
+    e.servoLimit =
+        c.joint->motor.maxForce > 0.0
+            ? c.joint->motor.maxForce * m_seconds
+            : e.freeAxis.mass * (kMaxServoAcceleration * m_seconds + turn * turn * std::abs(error) / m_seconds);
 }
 
+/// What acts along a free axis is taken out of the locked impulses, so that its work is counted by itself.
 void JointSolver::warmStart(const JointRows& e, SolverState& A, SolverState& B) {
     JointConstraint& c = *e.c;
-    for (size_t i = 0; i < size_t(e.rows); ++i) applyLocked(e, i, A, B, c.lockedImpulse[i]);
-    applyLimit(e, A, B, c.limitImpulse[0] - c.limitImpulse[1]);
-    if (c.springImpulse != 0.0) applyCounted(e.freeAxis.row, A, B, c.springImpulse, c.work);
-    if (c.motorImpulse != 0.0) applyCounted(e.motorAxis.row, A, B, c.motorImpulse, c.work);
-    e.motorAxis.row.apply(A, B, c.frictionImpulse);
+    const double limit = c.limitImpulse[0] - c.limitImpulse[1], along = limit + c.springImpulse,
+                 alongMotor = c.motorImpulse + c.frictionImpulse;
+    for (size_t i = 0; i < size_t(e.rows); ++i)
+        applyLocked(e, i, A, B, c.lockedImpulse[i] + e.freeAxis.held[i] * along + e.motorAxis.held[i] * alongMotor);
+    if (e.isSoft)
+        applyCounted(e.freeAxis.push, A, B, limit, c.work);
+    else
+        e.freeAxis.push.apply(A, B, limit);
+    if (c.springImpulse != 0.0) applyCounted(e.freeAxis.push, A, B, c.springImpulse, c.work);
+    if (c.motorImpulse != 0.0) applyCounted(e.motorAxis.push, A, B, c.motorImpulse, c.work);
+    e.motorAxis.push.apply(A, B, c.frictionImpulse);
     if (e.hasBallFriction) JointRow{{}, c.ballFriction, {}, c.ballFriction}.apply(A, B, 1.0);
 }
 
@@ -147,7 +195,7 @@ void JointSolver::solve(std::span<const SolverBody> bodies, std::span<SolverStat
     if (!useBias) {  // the bodies have moved: velocities must be right along the rows of now
         for (JointRows& e : m_joints) {
             computeRows(e, bodies);
-            updateMasses(e, e.stateA(states), e.stateB(states));
+            projectFreeAxes(e, e.stateA(states), e.stateB(states));
             if (isSolvedAlone(e)) factorize(e, e.stateA(states), e.stateB(states));
         }
         m_system.factorize(m_joints, states);
@@ -191,14 +239,17 @@ void JointSolver::solveFreeAxis(JointRows& e, SolverState& A, SolverState& B, bo
     const Joint& joint = *c.joint;
     const FreeAxis& axis = e.motorAxis;
     if (e.hasSpring && useBias) solveSpring(e, A, B);
+    if (e.hasServo)
+        addClamped(c.springImpulse, e.freeAxis.mass * (e.servoSpeed - e.freeAxis.row.velocity(A, B)), e.servoLimit,
+                   [&](double impulse) { applyAlong(e, e.freeAxis, A, B, impulse, &c.work); });
     if (joint.motor.mode == MotorMode::Speed) {
         const double speed = axis.row.velocity(A, B) - joint.motor.target;
         addClamped(c.motorImpulse, -axis.mass * speed, joint.motor.maxForce * m_seconds,
-                   [&](double impulse) { applyCounted(axis.row, A, B, impulse, c.work); });
+                   [&](double impulse) { applyAlong(e, axis, A, B, impulse, &c.work); });
     }
     if (joint.friction > 0.0 && !e.hasBallFriction)
         addClamped(c.frictionImpulse, -axis.mass * axis.row.velocity(A, B), joint.friction * m_seconds,
-                   [&](double impulse) { axis.row.apply(A, B, impulse); });
+                   [&](double impulse) { applyAlong(e, axis, A, B, impulse, nullptr); });
     if (!joint.limits.on && !hasOnlyUpperLimit(joint)) return;
     if (e.isSoft && joint.kind == JointKind::Rope && !useBias) return;
     if (!hasOnlyUpperLimit(joint)) solveLimit(e, A, B, false, useBias);
@@ -208,16 +259,12 @@ void JointSolver::solveFreeAxis(JointRows& e, SolverState& A, SolverState& B, bo
 /// The spring pulls the free coordinate to 0, or to the target of a position motor.
 void JointSolver::solveSpring(JointRows& e, SolverState& A, SolverState& B) const {
     JointConstraint& c = *e.c;
-    const Joint& joint = *c.joint;
-    const bool hasTarget = hasPositionMotor(joint);
-    double error = e.freeAxis.value - (hasTarget ? joint.motor.target : 0.0);
-    if (joint.kind == JointKind::Hinge)
-        error = error > kPi ? error - 2.0 * kPi : error < -kPi ? error + 2.0 * kPi : error;
-    const double maxImpulse = hasTarget && joint.motor.maxForce > 0.0 ? joint.motor.maxForce * m_seconds : 1e30;
-    const double speed = e.freeAxis.row.velocity(A, B) + e.spring.biasRate * error;
-    const double impulse = -e.freeAxis.mass * e.spring.massScale * speed - e.spring.impulseScale * c.springImpulse;
+    const JointMotor& motor = c.joint->motor;
+    const double maxImpulse = hasPositionMotor(*c.joint) && motor.maxForce > 0.0 ? motor.maxForce * m_seconds : 1e30;
+    const double change = e.spring.pull * targetError(e) + e.spring.massScale * e.freeAxis.row.velocity(A, B);
+    const double impulse = -e.freeAxis.mass * change - e.spring.impulseScale * c.springImpulse;
     addClamped(c.springImpulse, impulse, maxImpulse,
-               [&](double change) { applyCounted(e.freeAxis.row, A, B, change, c.work); });
+               [&](double added) { applyAlong(e, e.freeAxis, A, B, added, &c.work); });
 }
 
 /// One limit of the free coordinate. Short of the limit, the coordinate may move up to it within the substep (as a
@@ -238,7 +285,7 @@ void JointSolver::solveLimit(JointRows& e, SolverState& A, SolverState& B, bool 
     double& impulse = e.c->limitImpulse[isHigh ? 1 : 0];
     const double before = impulse, speed = sign * e.freeAxis.row.velocity(A, B);
     impulse = std::max(before - e.freeAxis.mass * massScale * (speed + bias) - impulseScale * before, 0.0);
-    applyLimit(e, A, B, sign * (impulse - before));
+    applyAlong(e, e.freeAxis, A, B, sign * (impulse - before), workOfLimit(e));
 }
 
 /// Friction against the relative rotation of a ball about any axis; the impulse is clamped by its length.

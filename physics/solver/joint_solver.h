@@ -30,7 +30,7 @@ public:
 private:
     void prepareJoint(JointRows& e, SolverState& A, SolverState& B) const;
     void prepareFreeAxis(JointRows& e) const;
-    static void updateMasses(JointRows& e, const SolverState& A, const SolverState& B);
+    void prepareServo(JointRows& e, const SolverState& A, const SolverState& B) const;
     static void warmStart(const JointRows& e, SolverState& A, SolverState& B);
     void solveFreeAxis(JointRows& e, SolverState& A, SolverState& B, bool useBias) const;
     void solveSpring(JointRows& e, SolverState& A, SolverState& B) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/collision/impacts.h"
 #include "runtime/voxel/nearest_voxel.h"
 
 namespace rubble {
@@ -15,20 +16,13 @@ uint64_t pairKey(const Manifold& manifold) {
     return uint64_t(manifold.first) << 32 | manifold.second;
 }
 
-/// Where an object was when its contacts of this step were found.
-Pose poseBefore(const CollisionObject& object) {
-    const DynamicBody* body = object.dynamic;
-    if (!body || body->asleep()) return object.pose;
-    return {body->stepStart.position, body->stepStart.rotation};
-}
-
 /// The voxel of an object that is nearest to a point, in world space when its contacts were found.
 ContactSide sideAt(const CollisionObject& object, glm::dvec3 point, const PhysicsBodies& bodies) {
     ContactSide side;
     if (object.body == kNoBody) return side;
     side.body = bodies.handles()[object.body];
     side.shapeSlot = object.dynamic ? object.dynamic->shapes()[0].slot() : object.number & ~kStaticObject;
-    const glm::dvec3 inObject = poseBefore(object).inversePoint(point);
+    const glm::dvec3 inObject = poseBeforeSolve(object).inversePoint(point);
     double nearest = INFINITY;  // metres squared
     for (size_t i = 0; i < object.collider.parts.size(); ++i) {
         const ColliderPart& part = *object.collider.parts[i];
@@ -133,7 +127,7 @@ void PhysicsReports::addContact(const Manifold& manifold, bool begun, const Phys
         contact.impulse += impulse;
         contact.hitSpeed = std::max(contact.hitSpeed, double(point.approach));
         contact.slipSpeed += glm::length(velocity - up * glm::dot(velocity, up)) * impulse;
-        position += at * impulse, normal += up * impulse;
+        position += meetingPoint(manifold, point).now * impulse, normal += up * impulse;
         if (!hardest || point.totalImpulse > hardest->totalImpulse) hardest = &point;
     }
     if (!hardest || contact.impulse < m_filter.minImpulse) return;
@@ -143,10 +137,9 @@ void PhysicsReports::addContact(const Manifold& manifold, bool begun, const Phys
     contact.slid = m_filter.slid && contact.slipSpeed >= m_filter.minSlipSpeed;
     if (!contact.begun && !contact.hit && !contact.slid) return;
     const CollisionObject &first = *manifold.objects.first, &second = *manifold.objects.second;
-    const glm::dvec3 place = manifold.origin + glm::dvec3(hardest->position);
-    contact.sides = {sideAt(first, place, bodies), sideAt(second, place, bodies)};
-    // Where the first body has it now: it may have come some way to touch.
-    contact.position = first.pose.transformPoint(poseBefore(first).inversePoint(position / contact.impulse));
+    const MeetingPoint place = meetingPoint(manifold, *hardest);
+    contact.sides = {sideAt(first, place.onFirst, bodies), sideAt(second, place.onSecond, bodies)};
+    contact.position = position / contact.impulse;
     const double length = glm::length(normal);
     contact.normal = length > 0.0 ? normal / length : glm::dvec3(0.0, 1.0, 0.0);
     contact.size = std::max({extentOf(manifold), first.collider.smallestVoxel(), second.collider.smallestVoxel()});

@@ -26,6 +26,11 @@ public:
     const Water& inSlot(uint32_t slot) const { return *m_waters[slot]; }
 
 private:
+    /// The mass of the water that a body wholly in those of m_near displaces, over its own.
+    double mostDisplaced(const DynamicBody& body) const;
+    /// The same of the part in the water, as a mean along the body's way in a step. most: see mostDisplaced().
+    double meanDisplaced(const DynamicBody& body, glm::dvec3 gravity, double most, double seconds) const;
+
     std::vector<std::optional<Water>> m_waters;  ///< by slot
     BoundsTree m_tree;
     std::vector<uint32_t> m_near;  ///< slots; scratch of applyForces()

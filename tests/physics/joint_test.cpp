@@ -48,6 +48,23 @@ TEST(Joint, LimitMotorSpringAndBreakForce) {
     EXPECT_NEAR(breakFixed({}, 5000.0), 1.0, 0.05);
 }
 
+TEST(Joint, ASpringWithoutDampingHasNone) {
+    for (const double hertz : {0.5, 1.0, 4.0}) {
+        EXPECT_NEAR(springKeeps({}, hertz, 0.0), 1.0, 0.01) << hertz;
+        EXPECT_NEAR(springKeeps({}, hertz, 0.1) / std::exp(-0.2 * kPi * 0.5 * 5.0), 1.0, 0.05) << hertz;
+    }
+    EXPECT_LT(springKeeps({}, 100.0, 0.0), 1.001) << "nor does it gain";
+}
+
+TEST(Joint, APositionMotorReachesItsTargetWhereverItsLoadIs) {
+    for (const PhysicsSettings& settings : {fastPhysics(), balancedPhysics(), accuratePhysics()})
+        for (const JointKind kind : {JointKind::Prismatic, JointKind::Hinge})
+            for (const double length : {0.5, 1.5, 4.0})
+                for (const double maxForce : {0.0, 1e5})
+                    EXPECT_LT(std::abs(missedBy(settings, kind, length, maxForce)), 1e-3)
+                        << "kind " << int(kind) << ", " << length << " m, largest force " << maxForce;
+}
+
 TEST(Joint, AChainStaysTogether) {
     EXPECT_LT(swingChain({}, 10, 30.0).apart, 1e-3);
     EXPECT_LT(hangHeavy({}, 5, 100.0), 1e-3);

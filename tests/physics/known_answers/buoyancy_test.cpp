@@ -122,6 +122,25 @@ TEST(Buoyancy, BobbingWithoutDragKeepsItsHeight) {
 }
 
 /// In water of 0.3 m.
+/// The work of buoyancy is that of the water which the body displaces, until it is out.
+TEST(Buoyancy, WhatIsLightAndSmallLeapsNoHigherThanTheWaterLiftsIt) {
+    for (const float size : {0.01f, 0.1f})
+        for (const uint32_t density : {5u, 20u, 100u, 300u})
+            for (const double depth : {0.5, 2.0, 5.0}) {  // of its middle, voxels
+                Pool scene(density, 0.0);
+                const double half = 0.5 * double(size), under = depth * double(size);
+                scene.add(solidGrid({1, 1, 1}, 1), {-half, -under - half, -half}, false).shapes[0].voxelSize = size;
+                scene.load();
+                double highest = -under;
+                for (int i = 0; i < 600; ++i) {
+                    scene.step();
+                    highest = std::max(highest, scene.center(0).y);
+                }
+                EXPECT_LT(highest, under * (1000.0 / density - 1.0) * 1.03 + 0.002)
+                    << size << " m, " << density << " kg/m3, " << depth << " voxels deep";
+            }
+}
+
 TEST(Buoyancy, SmallThingsFloatInShallowWater) {
     for (const glm::ivec3 size : {glm::ivec3(1, 1, 1), glm::ivec3(2, 1, 1), glm::ivec3(2, 1, 2), glm::ivec3(3, 1, 2),
                                   glm::ivec3(2, 2, 2), glm::ivec3(8, 1, 1)})

@@ -114,6 +114,21 @@ Motor turn(const PhysicsSettings& settings) {
     return result;
 }
 
+double missedBy(const PhysicsSettings& settings, JointKind kind, double length, double maxForce) {
+    const bool lifts = kind == JointKind::Prismatic;
+    PhysicsScene scene(settings);
+    scene.add(solidGrid({int(std::lround(10.0 * length)), 5, 5}, 7), {-0.25, -0.25, -0.25}, false);
+    Pose axis;
+    axis.rotation =
+        lifts ? glm::angleAxis(0.5 * kPi, glm::dvec3(0, 0, 1)) : glm::angleAxis(0.5 * kPi, glm::dvec3(0, 1, 0));
+    LevelJoint& joint = addJoint(scene.level, kind, -1, 0, axis);
+    joint.joint.motor = {MotorMode::Position, lifts ? 1.0 : 0.5, maxForce};
+    scene.load();
+    scene.seconds(4.0);
+    const glm::dquat turned = scene.body(0).pose.rotation;
+    return lifts ? scene.center(0).y - 1.0 : 2.0 * std::asin(std::abs(turned.z)) - 0.5;
+}
+
 double springPeriod(const PhysicsSettings& settings, double hertz) {
     PhysicsScene scene(sleepless(settings));
     scene.level.environment.gravity = {0, 0, 0};
@@ -131,6 +146,22 @@ double springPeriod(const PhysicsSettings& settings, double hertz) {
         last = now;
     }
     return crossings.size() < 3 ? 0.0 : (crossings.back() - crossings.front()) / (0.5 * double(crossings.size() - 1));
+}
+
+double springKeeps(const PhysicsSettings& settings, double hertz, double dampingRatio) {
+    PhysicsScene scene(sleepless(settings));
+    scene.level.environment.gravity = {0, 0, 0};
+    scene.add(solidGrid({3, 3, 3}, 7), {-0.15, -0.15, -0.15}, false);
+    LevelJoint& slide = addJoint(scene.level, JointKind::Prismatic, -1, 0, {});
+    slide.joint.spring = {hertz, dampingRatio};
+    slide.joint.ends[0].frame.position.x = 0.3;  // its equilibrium
+    scene.load();
+    double most = 0.0;  // from the last time that it is in the middle before
+    for (int i = 1; i <= std::max(int(60.0 * 3.25 / hertz), 100); ++i) {
+        scene.step();
+        if (i > 60.0 * 2.25 / hertz) most = std::max(most, std::abs(scene.center(0).x - 0.3));
+    }
+    return most / 0.3;
 }
 
 double breakFixed(const PhysicsSettings& settings, double force) {

@@ -27,8 +27,16 @@ struct Motor {
 /// A bar rotated about its middle by a motor with a target of 5 rad/s and a torque of 20 N m.
 Motor turn(const PhysicsSettings& settings);
 
+/// How far from its target a position motor ends: metres or radians after 4 s. It lifts a beam of this length (metres),
+/// which it holds at one end, by 1 m along a vertical axis, or turns it about a horizontal one by half a radian.
+/// maxForce: N or N m; 0: no limit.
+double missedBy(const PhysicsSettings& settings, JointKind kind, double length, double maxForce);
+
 /// The period of a block on an undamped prismatic spring, s.
 double springPeriod(const PhysicsSettings& settings, double hertz);
+
+/// The part of its amplitude that a block on a prismatic spring keeps after five half swings from its start.
+double springKeeps(const PhysicsSettings& settings, double hertz, double dampingRatio);
 
 /// The force at which a fixed joint of this break force (N) breaks, as a fraction of it.
 double breakFixed(const PhysicsSettings& settings, double force);
