@@ -145,6 +145,7 @@ static void use_joints(void) {
     OK(api->get_joint_states(world, states, 8, &count));
     CHECK(count == 4 && states[0].joint == hinge);
     OK(api->get_rope_points(world, rope, points, 96, &count));
+    OK(api->get_ropes(world, NULL, 0, &count));
     OK(api->release_body(world, &release));
     OK(api->detach_joint(world, rope, crate));
     OK(api->remove_joint(world, hinge));
