@@ -25,8 +25,9 @@ struct JointProxy {
     std::array<std::optional<glm::dvec3>, 2> leaves;
     JointConstraint constraint;  ///< with the impulses of the last step
 
-    /// Whether a speed motor drives it: then nothing that it joins may sleep.
+    /// Whether a speed motor or a hand drives it: then nothing that it joins may sleep.
     bool isMotorDriven() const {
+        if (joint.drives) return joint.velocity != glm::dvec3(0.0) || joint.angularVelocity != glm::dvec3(0.0);
         return joint.motor.mode == MotorMode::Speed && joint.motor.target != 0.0 && joint.motor.maxForce > 0.0;
     }
 

@@ -45,10 +45,17 @@ public:
                 return buildRope();
         }
     }
+    /// A grab that drives: its rows hold velocities of the body, which is its first end, against the world.
+    void drive() {
+        m_rows.error = {};
+        for (int i = 0; i < m_rows.rows; ++i)
+            m_rows.speed[size_t(i)] = i < 3 ? -m_joint.velocity[i] : -m_joint.angularVelocity[i - 3];
+    }
 
 private:
     void lock(const JointRow& row, double error) {
         m_rows.error[size_t(m_rows.rows)] = error;
+        m_rows.speed[size_t(m_rows.rows)] = 0.0;
         m_rows.row[size_t(m_rows.rows++)] = row;
     }
     /// The velocity of end 1 relative to end 0 along an axis that is fixed to the first body.
@@ -184,7 +191,9 @@ double JointRow::effectiveMass(const SolverState& A, const SolverState& B) const
 }
 
 void computeRows(JointRows& rows, std::span<const SolverBody> bodies) {
-    RowBuilder(rows, bodies).build();
+    RowBuilder builder(rows, bodies);
+    builder.build();
+    if (rows.c->joint->drives) builder.drive();
 }
 
 void factorize(JointRows& e, const SolverState& A, const SolverState& B) {
@@ -254,7 +263,7 @@ void projectFreeAxes(JointRows& e, const SolverState& A, const SolverState& B) {
 double velocityError(const JointRows& e, int row, const SolverState& A, const SolverState& B, bool useBias) {
     const double correction = e.locked.biasRate * e.error[size_t(row)];
     const double bias = useBias ? std::max(-kMaxCorrectionSpeed, std::min(correction, kMaxCorrectionSpeed)) : 0.0;
-    return -e.row[size_t(row)].velocity(A, B) - bias;
+    return e.speed[size_t(row)] - e.row[size_t(row)].velocity(A, B) - bias;
 }
 
 }  // namespace rubble

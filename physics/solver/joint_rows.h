@@ -75,6 +75,7 @@ struct JointRows {
     int rows = 0;  ///< that are locked
     std::array<JointRow, 6> row;
     std::array<double, 6> error{};                 ///< of position, by row
+    std::array<double, 6> speed{};                 ///< that a row shall have, m/s or rad/s
     std::array<std::array<double, 6>, 6> lower{};  ///< L of the L D L^T of J M^-1 J^T
     std::array<double, 6> diagonal{};              ///< D; 0: nothing can move along the row
     Softness<double> locked, limit;

@@ -102,6 +102,9 @@ inline constexpr auto kFields<LevelBody> = std::tuple{
     Field{"angular_velocity", &LevelBody::angularVelocity},
     Field{"shapes", &LevelBody::shapes},
     Field{"tags", &LevelBody::tags},
+    Field{"gravity_scale", &LevelBody::gravityScale},
+    Field{"linear_damping", &LevelBody::linearDamping},
+    Field{"angular_damping", &LevelBody::angularDamping},
 };
 template <>
 inline constexpr auto kFields<LightImage> = std::tuple{
@@ -295,6 +298,9 @@ inline constexpr auto kFields<Joint> = std::tuple{
     Field{"hand", &Joint::hand},
     Field{"rope", &Joint::rope},
     Field{"points", &Joint::points},
+    Field{"drives", &Joint::drives},
+    Field{"velocity", &Joint::velocity},
+    Field{"angular_velocity", &Joint::angularVelocity},
 };
 template <>
 inline constexpr auto kFields<LevelJoint> = std::tuple{

@@ -98,9 +98,12 @@ private:
         checkPaint(shape);
     }
     void checkRanges(const LevelBody& body) {
-        require(
-            "a valid body",
-            objectError(Body{.pose = body.pose, .velocity = body.velocity, .angularVelocity = body.angularVelocity}));
+        require("a valid body", objectError(Body{.pose = body.pose,
+                                                 .velocity = body.velocity,
+                                                 .angularVelocity = body.angularVelocity,
+                                                 .gravityScale = body.gravityScale,
+                                                 .linearDamping = body.linearDamping,
+                                                 .angularDamping = body.angularDamping}));
     }
     void checkRanges(const Material& material) { require("a valid material", objectError(material)); }
     void checkRanges(const LightGroup& group) { require("a valid light group", objectError(group)); }

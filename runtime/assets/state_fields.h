@@ -395,6 +395,9 @@ inline constexpr auto kFields<GrabEdit> = std::tuple{
     Field{"turns", &GrabEdit::turns},
     Field{"rotation", &GrabEdit::rotation},
     Field{"max_torque", &GrabEdit::maxTorque},
+    Field{"drives", &GrabEdit::drives},
+    Field{"velocity", &GrabEdit::velocity},
+    Field{"angular_velocity", &GrabEdit::angularVelocity},
 };
 template <>
 inline constexpr auto kFields<ReleaseEdit> = std::tuple{

@@ -124,6 +124,20 @@ EXAMPLE(get_rope_points) {
     OK(api->detach_joint(world, joint, wall)); /* it falls from the wall */
 }
 
+EXAMPLE(get_ropes) {
+    rubble_joint_settings rope = {.struct_size = sizeof rope, .kind = RUBBLE_JOINT_ROPE, .shapes = {crate_box, wall}};
+    rubble_rope_point points[64];
+    uint32_t count;
+    rope.position[1] = 0.8, rope.position[2] = -1.6;
+    rope.rope_end[1] = 2, rope.rope_length = 2.5;
+    OK(api->add_joint(world, &rope));
+    steps(1);
+    OK(api->get_ropes(world, points, 64, &count));
+    for (uint32_t i = 0; i + 1 < count; ++i)
+        if (!points[i].is_last) require(points[i].joint == points[i + 1].joint, "draw a line from i to i + 1");
+    require(count > 2 && points[count - 1].is_last, "one rope");
+}
+
 EXAMPLE(get_joint_states) {
     rubble_joint_settings hook = {.struct_size = sizeof hook, .kind = RUBBLE_JOINT_BALL, .shapes = {crate_box, 0}};
     rubble_joint_state rows[8];

@@ -56,7 +56,7 @@ const std::map<std::string, std::string> kReads = {
     {"waters", "get_waters"},
     {"triggers", "get_triggers get_trigger_bodies get_trigger_events"},
     {"characters", "get_character_states"},
-    {"joints", "get_joint_states get_rope_points"},
+    {"joints", "get_joint_states get_rope_points get_ropes"},
     {"materials", "get_material get_material_count find_material"},
     {"environment", "get_environment"},
 };

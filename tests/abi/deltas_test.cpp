@@ -49,6 +49,22 @@ protected:
     rubble_world m_other = 0;
 };
 
+TEST_F(AbiDeltas, AWorldThatFollowsHasNoReports) {
+    auto filter = sized<rubble_report_filter>();
+    auto reports = sized<rubble_reports>();
+    filter.kinds = RUBBLE_REPORT_BREAK;
+    for (const rubble_world world : {m_world, m_other})
+        ASSERT_EQ(api()->set_report_filter(world, &filter), RUBBLE_OK) << api()->get_last_error();
+    breakTable();
+    step();
+    ASSERT_EQ(api()->get_reports(m_world, &reports), RUBBLE_OK);
+    EXPECT_GT(reports.break_count, 0u);
+    ASSERT_EQ(apply(take()), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->get_reports(m_other, &reports), RUBBLE_OK);
+    EXPECT_EQ(reports.kinds, 0u);
+    EXPECT_EQ(reports.break_count, 0u);
+}
+
 TEST_F(AbiDeltas, AnotherWorldFollowsStepByStep) {
     ASSERT_EQ(resolved(m_world), resolved(m_other));
     breakTable();

@@ -232,6 +232,14 @@ TEST_F(HostPhysics, AnUndoTellsTheHostWhereBodiesAre) {
 TEST_F(HostPhysics, WhatOnlyPhysicsDoesIsUnsupported) {
     const rubble_body cube = makeCube(5.0, 10.0);
     step();
+    for (const uint32_t kind : {RUBBLE_REPORT_CONTACT_BEGUN, RUBBLE_REPORT_CONTACT_SLID, RUBBLE_REPORT_CONTACT_HIT,
+                                RUBBLE_REPORT_WATER, RUBBLE_REPORT_FOOTSTEP}) {
+        auto filter = sized<rubble_report_filter>();
+        filter.kinds = kind | RUBBLE_REPORT_BREAK;
+        expectRefused(api()->set_report_filter(m_world, &filter), RUBBLE_ERROR_UNSUPPORTED, "filter->kinds");
+        filter.kinds = RUBBLE_REPORT_BREAK | RUBBLE_REPORT_JOINT | RUBBLE_REPORT_FIRE;
+        EXPECT_EQ(api()->set_report_filter(m_world, &filter), RUBBLE_OK) << api()->get_last_error();
+    }
     auto grab = sized<rubble_grab>();
     grab.body = cube;
     expectRefused(api()->grab_body(m_world, &grab), RUBBLE_ERROR_UNSUPPORTED, "grab_body: the world has RUBBLE_WORLD");

@@ -28,6 +28,15 @@ TEST_F(Abi, JointsAreMadeReadAndRemoved) {
               RUBBLE_OK);
     EXPECT_EQ(count, points.size());
     EXPECT_NEAR(points[1], 0.85, 1e-6);
+    std::vector<rubble_rope_point> rope(joints[0].rope_point_count);
+    ASSERT_EQ(api()->get_ropes(m_world, rope.data(), uint32_t(rope.size()), &count), RUBBLE_OK);
+    ASSERT_EQ(count, rope.size());
+    for (size_t i = 0; i < rope.size(); ++i) {
+        EXPECT_EQ(rope[i].joint, joints[0].joint);
+        EXPECT_EQ(rope[i].position[1], points[3 * i + 1]);
+        EXPECT_EQ(rope[i].is_last, i + 1 == rope.size() ? 1u : 0u);
+        EXPECT_NEAR(rope[i].radius, 0.03, 1e-6);
+    }
     auto motor = sized<rubble_joint_motor>();
     motor.joint = joints[0].joint;
     motor.motor = 3;

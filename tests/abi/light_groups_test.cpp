@@ -58,6 +58,30 @@ TEST_F(AbiLightGroups, VoxelsThatComeToAGroupCountInIt) {
     EXPECT_TRUE(state().flags & RUBBLE_GROUP_OUT);
 }
 
+TEST_F(AbiLightGroups, VoxelsThatAreMadeOrWrittenCountInTheirGroup) {
+    auto copy = shapeOn(bodies(m_world).back().body, RUBBLE_SHAPE_COPY, 0);
+    copy.copied = m_bulb, copy.position[0] = 2.0;
+    const rubble_shape second = make(copy);
+    step();
+    EXPECT_EQ(state().voxels, 4u) << "those of the copy too";
+    auto box = sized<rubble_voxel_box>();
+    box.shape = second, box.size[0] = box.size[2] = 1, box.size[1] = 4;
+    const uint8_t cells[4] = {3, 3, 3, 3};
+    ASSERT_EQ(api()->write_voxels(m_world, &box, cells, 4), RUBBLE_OK) << api()->get_last_error();
+    step();
+    EXPECT_EQ(state().voxels, 8u);
+    ASSERT_EQ(api()->write_voxels(m_world, &box, cells, 4), RUBBLE_OK) << api()->get_last_error();
+    step();
+    EXPECT_EQ(state().voxels, 8u) << "the same once more";
+    EXPECT_EQ(state().removed_voxels, 0u);
+    const uint8_t none[4] = {};
+    ASSERT_EQ(api()->write_voxels(m_world, &box, none, 3), RUBBLE_ERROR_ARGUMENT);
+    ASSERT_EQ(api()->write_voxels(m_world, &box, none, 4), RUBBLE_OK) << api()->get_last_error();
+    step();
+    EXPECT_EQ(state().removed_voxels, 4u);
+    EXPECT_TRUE(state().flags & RUBBLE_GROUP_OUT) << "half of them are gone";
+}
+
 TEST_F(AbiLightGroups, AreSwitchedOffAndOnRecordedAndUndone) {
     const TempFolder folder;
     const std::string log = folder / "game.rubblelog", save = folder / "game.rubble";

@@ -82,8 +82,65 @@ TEST_F(AbiProperties, AHandHoldsABodyAtAPlaceAndTurnsIt) {
     EXPECT_NEAR(std::abs(state.rotation[1]), std::sqrt(0.5), 0.01);
     EXPECT_NEAR(state.position[0] + 0.2, 11.0, 0.05) << "the point is 0.2 along the new x and against the new z";
     EXPECT_NEAR(state.position[1] + 0.2, 21.0, 0.05);
-    grab.flags = 2;
+    grab.flags = 4;
     expectRefused(api()->grab_body(m_world, &grab), RUBBLE_ERROR_ARGUMENT, "flags has unknown bits");
+}
+
+TEST_F(AbiProperties, AHandHoldsABodyAtAVelocityAndASpin) {
+    const rubble_body held = crateAt(10.0, 20.0);
+    step();
+    auto grab = sized<rubble_grab>();
+    grab.body = held, grab.flags = RUBBLE_GRAB_TURNS | RUBBLE_GRAB_VELOCITY, grab.max_force = 1e5;
+    grab.point[0] = 10.2, grab.point[1] = 20.2, grab.point[2] = 0.2;  // its centre of mass
+    grab.velocity[0] = 3.0, grab.velocity[1] = 0.5, grab.angular_velocity[1] = 2.0;
+    ASSERT_EQ(api()->grab_body(m_world, &grab), RUBBLE_OK) << api()->get_last_error();
+    step(60);
+    rubble_body_state state = bodyState(held);
+    EXPECT_NEAR(state.velocity[0], 3.0, 0.02) << "gravity does not change it";
+    EXPECT_NEAR(state.velocity[1], 0.5, 0.02);
+    EXPECT_NEAR(state.angular_velocity[1], 2.0, 0.02);
+    const double before = state.position[1];
+    grab.velocity[0] = grab.velocity[1] = grab.angular_velocity[1] = 0.0;
+    ASSERT_EQ(api()->grab_body(m_world, &grab), RUBBLE_OK) << api()->get_last_error();
+    step(60);
+    state = bodyState(held);
+    EXPECT_NEAR(state.position[1], before, 0.1) << "a velocity of 0 holds it where it is";
+    grab.max_force = 10.0, grab.velocity[1] = 5.0;  // it weighs some 1500 N
+    ASSERT_EQ(api()->grab_body(m_world, &grab), RUBBLE_OK) << api()->get_last_error();
+    step(30);
+    EXPECT_LT(bodyState(held).velocity[1], -3.0) << "a weak hand does not hold it";
+    grab.velocity[1] = INFINITY;
+    expectRefused(api()->grab_body(m_world, &grab), RUBBLE_ERROR_ARGUMENT, "velocity[1] is inf");
+}
+
+TEST_F(AbiProperties, AHandThatDrivesIsRecordedAndSaved) {
+    const TempFolder folder;
+    const std::string log = folder / "game.rubblelog", save = folder / "game.rubble";
+    const rubble_body held = crateAt(10.0, 20.0);
+    step();
+    ASSERT_EQ(api()->start_recording(m_world, log.c_str()), RUBBLE_OK);
+    auto grab = sized<rubble_grab>();
+    grab.body = held, grab.flags = RUBBLE_GRAB_VELOCITY, grab.max_force = 1e5;
+    grab.point[0] = 10.2, grab.point[1] = 20.2, grab.point[2] = 0.2, grab.velocity[2] = 1.5;
+    ASSERT_EQ(api()->grab_body(m_world, &grab), RUBBLE_OK) << api()->get_last_error();
+    step();
+    const uint64_t first = hash();
+    grab.velocity[2] = 2.5;
+    ASSERT_EQ(api()->grab_body(m_world, &grab), RUBBLE_OK) << api()->get_last_error();
+    step(5);
+    const uint64_t end = hash();
+    EXPECT_NE(end, first);
+    ASSERT_EQ(api()->stop_recording(m_world), RUBBLE_OK);
+    ASSERT_EQ(api()->save_game(m_world, save.c_str()), RUBBLE_OK);
+    step(20);
+    const uint64_t later = hash();
+    uint64_t steps = 0;
+    ASSERT_EQ(api()->play_recording(m_world, log.c_str(), &steps), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(hash(), end);
+    ASSERT_EQ(api()->load_game(m_world, save.c_str()), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(hash(), end);
+    step(20);
+    EXPECT_EQ(hash(), later) << "the hand goes on after a load";
 }
 
 TEST_F(AbiProperties, MassFollowsTheDensityOfAShape) {

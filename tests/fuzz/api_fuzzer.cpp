@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "runtime/assets/assets.h"
+#include "runtime/assets/rubble_file.h"
 #include "tests/fuzz/random_host.h"
 #include "tests/fuzz/random_world.h"
 #include "tests/fuzz/scratch_folder.h"
@@ -51,8 +52,8 @@ const rubble_api& api() {
 void RandomHost::run() {
     m_isHostMoved = m_decisions.oneIn(8);
     m_world = makeWorld();
-    if (!writeRubble(scratchPath("level.rubble"), randomLevel(m_decisions))) return;
-    load(m_world);
+    m_level = levelToRubble(randomLevel(m_decisions));
+    if (api().load_level_data(m_world, m_level.data(), m_level.size()) != RUBBLE_OK) return;  // no valid level
     if (m_decisions.oneIn(4)) {
         m_other = makeWorld();
         load(m_other);
@@ -71,7 +72,7 @@ void RandomHost::run() {
     }
     worldInCall = 0;
     if (m_isRecorded) playInOther();
-    saveAndLoad();
+    if (m_decisions.oneIn(4)) saveAndLoad();
     reached("inputs run to their end");
 }
 
@@ -220,7 +221,8 @@ void RandomHost::callProperties() {
     auto made = sized<rubble_light_group_settings>();
     made.flicker_steps = whole(9), made.threshold = number(1.0);
     rubble_light_group held = 0;
-    if (m_decisions.oneIn(8)) api().create_light_group(m_world, &made, &held);
+    if (m_decisions.oneIn(8) && api().create_light_group(m_world, &made, &held) == RUBBLE_OK)
+        m_model->mirror().made(RUBBLE_KIND_LIGHT_GROUP, held);
     auto group = sized<rubble_light_group_change>();
     group.group = any(list(groups)), group.fields = whole(8), group.on = whole(2), group.threshold = number(1.0);
     group.supply_shape = any(shapes());
@@ -253,9 +255,10 @@ void RandomHost::callUndo() {
         case 1:
             return void(api().add_undo_mark(m_world));
         case 2:
-            return void(api().undo(m_world));
+            if (api().undo(m_world) == RUBBLE_OK) m_model->mirror().forget();
+            return;
         default:
-            return void(api().redo(m_world));
+            if (api().redo(m_world) == RUBBLE_OK) m_model->mirror().forget();
     }
 }
 
@@ -274,26 +277,44 @@ void RandomHost::callFile() {
 
 void RandomHost::saveAndLoad() {
     uint64_t before = 0, after = 0;
-    if (api().save_game(m_world, scratchPath("game.rubble").c_str()) != RUBBLE_OK) fail("save_game");
+    const bool usesFile = m_decisions.oneIn(8);  // files cost more than worlds
+    const std::vector<uint8_t> data = usesFile ? std::vector<uint8_t>() : saved();
+    if (usesFile && api().save_game(m_world, scratchPath("game.rubble").c_str()) != RUBBLE_OK) fail("save_game");
     api().get_state_hash(m_world, &before);
-    if (api().load_game(m_world, scratchPath("game.rubble").c_str()) != RUBBLE_OK) fail("load_game");
+    const rubble_result loaded = usesFile ? api().load_game(m_world, scratchPath("game.rubble").c_str())
+                                          : api().load_game_data(m_world, data.data(), data.size());
+    if (loaded != RUBBLE_OK) fail("load_game");
     api().get_state_hash(m_world, &after);
     if (before != after) fail("another hash after load_game");
     m_isRecorded = false, m_hasLoaded = true;
 }
 
+std::vector<uint8_t> RandomHost::saved() {
+    uint64_t size = 0;
+    std::vector<uint8_t> data(64 * 1024);
+    rubble_result result = api().save_game_data(m_world, data.data(), data.size(), &size);
+    data.resize(size);
+    if (result == RUBBLE_ERROR_CAPACITY) result = api().save_game_data(m_world, data.data(), size, &size);
+    if (result != RUBBLE_OK) fail("save_game_data");
+    return data;
+}
+
+std::string RandomHost::levelPath() const {
+    std::string path = scratchPath("level.rubble");
+    std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(m_level.data()), long(m_level.size()));
+    return path;
+}
+
 void RandomHost::loadData() {
-    uint64_t size = 0, steps = 0;
-    if (api().save_game_data(m_world, nullptr, 0, &size) != RUBBLE_OK) fail("save_game_data");
-    std::vector<uint8_t> data(size);
-    if (api().save_game_data(m_world, data.data(), size, &size) != RUBBLE_OK) fail("save_game_data");
+    std::vector<uint8_t> data = saved();
+    uint64_t size = data.size(), steps = 0;
     for (uint32_t i = m_decisions.below(3); i-- > 0;)
         data[m_decisions.below(uint32_t(size))] ^= uint8_t(m_decisions.bits());
     if (m_decisions.oneIn(4)) size = m_decisions.below(uint32_t(size));
     if (api().load_game_data(m_world, data.data(), size) == RUBBLE_OK) reached("games loaded from memory");
     double progress = 0.0;
     api().get_loading_progress(m_world, &progress);
-    if (m_decisions.oneIn(2)) api().start_loading(m_world, scratchPath("level.rubble").c_str(), nullptr);
+    if (m_decisions.oneIn(2)) api().start_loading(m_world, levelPath().c_str(), nullptr);
     if (m_decisions.oneIn(2)) api().finish_loading(m_world);
     api().load_level_data(m_world, data.data(), size);
     api().play_recording_data(m_world, data.data(), size, &steps);
@@ -313,7 +334,7 @@ rubble_world RandomHost::makeWorld() {
 }
 
 void RandomHost::load(rubble_world world) {
-    if (api().load_level(world, scratchPath("level.rubble").c_str(), nullptr) != RUBBLE_OK) fail("load_level");
+    if (api().load_level(world, levelPath().c_str(), nullptr) != RUBBLE_OK) fail("load_level");
 }
 
 void RandomHost::startRecording() {

@@ -153,6 +153,10 @@ private:
     void callHostPhysics();
     void callFile();
     void saveAndLoad();
+    /// The world as a saved game in memory.
+    std::vector<uint8_t> saved();
+    /// A file with the level of the input.
+    std::string levelPath() const;
     void loadData();
     /// Another world follows this one by deltas, some of which have other bytes.
     void followByDeltas();
@@ -173,6 +177,7 @@ private:
     uint64_t m_old = 0, m_brickVersion = 0, m_shadowVersion = 0;
     rubble_world m_world = 0, m_other = 0;  ///< the other: of the same level, or 0
     std::vector<uint64_t> m_foreign;        ///< handles of the other
+    std::vector<uint8_t> m_level;           ///< of the input, as a file
     std::optional<WorldModel> m_model;
     bool m_isObserved = false;                       ///< each call is followed by a hash
     bool m_isHostMoved = false;                      ///< both worlds have no physics of their own

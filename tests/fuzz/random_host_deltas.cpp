@@ -8,10 +8,8 @@ void RandomHost::followByDeltas() {
     const rubble_world follower = makeWorld();
     uint64_t size = 0;
     if (api().keep_deltas(m_world, 1) != RUBBLE_OK) fail("keep_deltas");
-    if (api().save_game_data(m_world, nullptr, 0, &size) != RUBBLE_OK) fail("save_game_data");
-    std::vector<uint8_t> game(size);
-    if (api().save_game_data(m_world, game.data(), size, &size) != RUBBLE_OK) fail("save_game_data");
-    if (api().load_game_data(follower, game.data(), size) != RUBBLE_OK) fail("load_game_data");
+    const std::vector<uint8_t> game = saved();
+    if (api().load_game_data(follower, game.data(), game.size()) != RUBBLE_OK) fail("load_game_data");
     bool isFollowing = true;
     for (uint32_t i = 1 + m_decisions.below(6); i-- > 0;) {
         callEdit();

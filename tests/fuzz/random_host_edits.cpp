@@ -1,6 +1,5 @@
 // The edits among the calls of a random host.
 #include "tests/fuzz/random_host.h"
-#include "tests/fuzz/scratch_folder.h"
 
 namespace rubble {
 
@@ -130,8 +129,7 @@ void RandomHost::callCreate() {
     api().set_body(m_world, &change);
     if (m_decisions.oneIn(8)) api().destroy_body(m_world, body);
     auto prefab = sized<rubble_prefab>();
-    const std::string path = scratchPath("level.rubble");
-    prefab.path = path.c_str(), place(prefab.position), rotation(prefab.rotation);
+    prefab.data = m_level.data(), prefab.size = m_level.size(), place(prefab.position), rotation(prefab.rotation);
     rubble_prefab_row rows[32];
     rubble_refusal refused[4];
     uint32_t count = 0;
@@ -220,7 +218,8 @@ void RandomHost::callJoint() {
             grab.hand = whole(3), grab.body = any(bodies());
             place(grab.point), place(grab.target);
             grab.max_force = number(1e4), grab.spring_hertz = number(10.0);
-            grab.flags = whole(2), rotation(grab.rotation), grab.max_torque = number(1e3);
+            fill(grab.velocity, 9.0), fill(grab.angular_velocity, 9.0);
+            grab.flags = whole(4), rotation(grab.rotation), grab.max_torque = number(1e3);
             return void(api().grab_body(m_world, &grab));
         }
         default: {
@@ -231,11 +230,14 @@ void RandomHost::callJoint() {
             double points[30];
             uint32_t count = 0;
             api().get_rope_points(m_world, any(joints()), points, 30, &count);
+            rubble_rope_point all[8];
+            api().get_ropes(m_world, all, 8, &count);
         }
     }
 }
 
 void RandomHost::callRegion() {
+    ObjectMirror& mirror = m_model->mirror();
     std::vector<double> outline;
     for (uint32_t i = 2 * (2 + m_decisions.below(5)); i-- > 0;) outline.push_back(number(4.0) - 1.0);
     if (m_decisions.oneIn(2)) {
@@ -243,30 +245,49 @@ void RandomHost::callRegion() {
         water.outline = outline.data(), water.outline_count = uint32_t(outline.size() / 2);
         water.surface_height = number(2.0), water.depth = number(3.0), water.density = number(2000.0);
         water.linear_drag = number(5.0), fill(water.flow, 5.0);
-        api().add_water(m_world, &water);
+        uint64_t made = 0;
+        if (m_decisions.oneIn(2)) {
+            if (api().create_water(m_world, &water, &made) == RUBBLE_OK) mirror.made(RUBBLE_KIND_WATER, made);
+        } else if (api().add_water(m_world, &water) == RUBBLE_OK) {
+            mirror.added(RUBBLE_KIND_WATER);
+        }
     } else {
         auto trigger = sized<rubble_trigger_settings>();
         trigger.kind = whole(3), place(trigger.position), rotation(trigger.rotation);
         trigger.radius = number(2.0), fill(trigger.half_size, 2.0), trigger.height = number(3.0);
         trigger.outline = outline.data(), trigger.outline_count = uint32_t(outline.size() / 2);
         trigger.layer_mask = whole(257);
-        api().add_trigger(m_world, &trigger);
+        uint64_t made = 0;
+        if (m_decisions.oneIn(2)) {
+            if (api().create_trigger(m_world, &trigger, &made) == RUBBLE_OK) mirror.made(RUBBLE_KIND_TRIGGER, made);
+        } else if (api().add_trigger(m_world, &trigger) == RUBBLE_OK) {
+            mirror.added(RUBBLE_KIND_TRIGGER);
+        }
     }
-    if (m_decisions.oneIn(4)) api().remove_water(m_world, any(list(api().get_waters)));
-    if (m_decisions.oneIn(4)) api().remove_trigger(m_world, any(list(api().get_triggers)));
+    const uint64_t dry = m_decisions.oneIn(4) ? any(list(api().get_waters)) : 0;
+    if (dry && api().remove_water(m_world, dry) == RUBBLE_OK) mirror.removed(RUBBLE_KIND_WATER, dry);
+    const uint64_t left = m_decisions.oneIn(4) ? any(list(api().get_triggers)) : 0;
+    if (left && api().remove_trigger(m_world, left) == RUBBLE_OK) mirror.removed(RUBBLE_KIND_TRIGGER, left);
     std::vector<rubble_trigger_event> events(8);
     uint32_t count = 0;
     api().get_trigger_events(m_world, events.data(), 8, &count);
 }
 
 void RandomHost::callCharacter() {
+    ObjectMirror& mirror = m_model->mirror();
     if (m_decisions.oneIn(3)) {
         auto settings = sized<rubble_character_settings>();
         place(settings.position);
         settings.radius = m_decisions.oneIn(2) ? 0.0 : number(1.0);
         settings.height = m_decisions.oneIn(2) ? 0.0 : number(3.0);
         settings.walk_speed = number(10.0), settings.max_push_force = number(1e3);
-        api().add_character(m_world, &settings);
+        uint64_t made = 0;
+        if (m_decisions.oneIn(2)) {
+            if (api().create_character(m_world, &settings, &made) == RUBBLE_OK)
+                mirror.made(RUBBLE_KIND_CHARACTER, made);
+        } else if (api().add_character(m_world, &settings) == RUBBLE_OK) {
+            mirror.added(RUBBLE_KIND_CHARACTER);
+        }
     }
     auto move = sized<rubble_character_move>();
     move.flags = whole(4), move.character = any(characters()), fill(move.desired_velocity, 5.0);
@@ -274,7 +295,8 @@ void RandomHost::callCharacter() {
     auto teleport = sized<rubble_character_teleport>();
     teleport.character = any(characters()), place(teleport.position), fill(teleport.velocity, 20.0);
     if (m_decisions.oneIn(3)) api().teleport_character(m_world, &teleport);
-    if (m_decisions.oneIn(8)) api().remove_character(m_world, any(characters()));
+    const uint64_t gone = m_decisions.oneIn(8) ? any(characters()) : 0;
+    if (gone && api().remove_character(m_world, gone) == RUBBLE_OK) mirror.removed(RUBBLE_KIND_CHARACTER, gone);
 }
 
 void RandomHost::callLight() {
@@ -299,10 +321,13 @@ void RandomHost::callObjects() {
     uint64_t found[4];
     char bytes[16];
     uint32_t count = 0;
-    api().set_name(m_world, object, text());
-    api().set_tag(m_world, object, text(), text());
-    if (m_decisions.oneIn(3)) api().remove_tag(m_world, object, text());
-    api().set_user_value(m_world, object, m_decisions.bits());
+    ObjectMirror& mirror = m_model->mirror();
+    const char *name = text(), *tag = text(), *value = text(), *other = text();
+    if (api().set_name(m_world, object, name) == RUBBLE_OK) mirror.setName(object, name);
+    if (api().set_tag(m_world, object, tag, value) == RUBBLE_OK) mirror.setTag(object, tag, value);
+    if (m_decisions.oneIn(3) && api().remove_tag(m_world, object, other) == RUBBLE_OK) mirror.removeTag(object, other);
+    const uint64_t userValue = m_decisions.bits();
+    if (api().set_user_value(m_world, object, userValue) == RUBBLE_OK) mirror.setUserValue(object, userValue);
     api().get_name(m_world, object, bytes, m_decisions.below(17), &count);
     api().get_tag(m_world, object, text(), bytes, 16, &count);
     api().get_tags(m_world, object, bytes, 16, &count);

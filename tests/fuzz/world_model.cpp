@@ -65,6 +65,7 @@ void WorldModel::requireSums() const {
 
 void WorldModel::restart() {
     m_hash = hash(), m_bodies = bodies(), m_shapes = shapes();
+    m_mirror.forget();
 }
 
 void WorldModel::requireUnchanged() const {
@@ -83,6 +84,7 @@ void WorldModel::step() {
     require(m_bodies == bodies(), "bodies, and those of the events", m_api);
     require(m_shapes == shapes(), "shapes, and those of the events", m_api);
     requireSums();
+    m_mirror.step();
     for (uint32_t i = 0; i < events.split_count; ++i) {
         reached("pieces that came off");
         require(m_shapes.count(events.splits[i].piece) == 1 ||

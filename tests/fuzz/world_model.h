@@ -4,6 +4,8 @@
 #include <set>
 #include <vector>
 
+#include "tests/fuzz/object_mirror.h"
+
 namespace rubble {
 
 /// What a host may conclude about a world from rubble.h alone. Each check aborts, with a reason, where the world says
@@ -11,7 +13,11 @@ namespace rubble {
 class WorldModel {
 public:
     /// Of a world that has just been made. `api` must outlive it.
-    WorldModel(const rubble_api& api, rubble_world world) : m_api(api), m_world(world) { restart(); }
+    WorldModel(const rubble_api& api, rubble_world world) : m_api(api), m_world(world), m_mirror(api, world) {
+        restart();
+    }
+    /// What the host's calls have made and named.
+    ObjectMirror& mirror() { return m_mirror; }
 
     /// The world was loaded, saved or recorded: all is read again.
     void restart();
@@ -34,6 +40,7 @@ private:
 
     const rubble_api& m_api;
     rubble_world m_world;
+    ObjectMirror m_mirror;
     uint64_t m_hash = 0;
     Handles m_bodies, m_shapes;
 };

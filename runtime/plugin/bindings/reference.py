@@ -16,7 +16,7 @@ READING_ORDER = {
     "Look and hear": ["state", "queries-of-the-world-as-the-last-step-left-it", "reports-for-sound-and-score",
                       "lists-of-objects", "names-tags-and-values-of-objects"],
     "Light and draw": ["renderer", "environment-and-lights", "a-model-of-the-sky", "light-groups",
-                       "meshes-and-data-of-bricks", "particles"],
+                       "meshes-and-data-of-bricks", "ropes", "particles"],
     "Save, replay, follow": ["undo", "saved-games-and-recordings", "files-in-memory",
                              "handles-of-saved-games-rows-of-later-versions", "deltas"],
     "With other physics": ["layers-and-worlds-that-the-host-s-physics-moves"],

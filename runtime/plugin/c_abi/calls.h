@@ -129,11 +129,12 @@ void push(HostedWorld& hosted, EditType&& edit) {
     if (!isRefused()) hosted.loop.edits().push(std::forward<EditType>(edit));
 }
 
-/// A function that queues an edit: convert(world, struct) makes it from the host's struct.
+/// A function that queues an edit: convert(world, struct) makes it from the host's struct. `name`: of the argument.
 template <class HostEdit, class Convert>
-rubble_result pushEdit(const char* function, rubble_world world, const HostEdit* edit, Convert&& convert) {
+rubble_result pushEdit(const char* function, rubble_world world, const HostEdit* edit, const char* name,
+                       Convert&& convert) {
     return inWorld(function, world, [&](HostedWorld& hosted) {
-        const HostEdit given = readStruct(edit, function);
+        const HostEdit given = readStruct(edit, name);
         if (!isRefused()) push(hosted, convert(hosted.loop.world(), given));
     });
 }
@@ -147,10 +148,11 @@ inline void requirePhysics(const HostedWorld& hosted) {
 
 /// A function that queues an edit which only a world's own physics carries out.
 template <class HostEdit, class Convert>
-rubble_result pushMotionEdit(const char* function, rubble_world world, const HostEdit* edit, Convert&& convert) {
+rubble_result pushMotionEdit(const char* function, rubble_world world, const HostEdit* edit, const char* name,
+                             Convert&& convert) {
     return inWorld(function, world, [&](HostedWorld& hosted) {
         requirePhysics(hosted);
-        const HostEdit given = readStruct(edit, function);
+        const HostEdit given = readStruct(edit, name);
         if (!isRefused()) push(hosted, convert(hosted.loop.world(), given));
     });
 }

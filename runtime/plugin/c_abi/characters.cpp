@@ -55,7 +55,7 @@ rubble_character_state characterState(CharacterHandle handle, const Character& c
 }
 
 rubble_result addCharacter(rubble_world world, const rubble_character_settings* character) {
-    return pushMotionEdit("add_character", world, character, readCharacter);
+    return pushMotionEdit("add_character", world, character, "character", readCharacter);
 }
 rubble_result createCharacter(rubble_world world, const rubble_character_settings* character, rubble_character* out) {
     return inWorld("create_character", world, [&](HostedWorld& hosted) {
@@ -71,10 +71,10 @@ rubble_result removeCharacter(rubble_world world, rubble_character character) {
                                                                  &World::characters);
 }
 rubble_result moveCharacter(rubble_world world, const rubble_character_move* move) {
-    return pushMotionEdit("move_character", world, move, readMove);
+    return pushMotionEdit("move_character", world, move, "move", readMove);
 }
 rubble_result teleportCharacter(rubble_world world, const rubble_character_teleport* teleport) {
-    return pushMotionEdit("teleport_character", world, teleport, readTeleport);
+    return pushMotionEdit("teleport_character", world, teleport, "teleport", readTeleport);
 }
 
 rubble_result getCharacterStates(rubble_world world, rubble_character_state* out, uint32_t capacity, uint32_t* count) {

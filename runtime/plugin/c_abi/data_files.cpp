@@ -4,6 +4,7 @@
 #include <span>
 
 #include "runtime/assets/assets.h"
+#include "runtime/assets/chunk_file.h"
 #include "runtime/assets/recording_file.h"
 #include "runtime/assets/save_file.h"
 #include "runtime/plugin/c_abi/calls.h"
@@ -37,13 +38,16 @@ rubble_result saveGameData(rubble_world world, uint8_t* out, uint64_t capacity, 
         if (capacity) isGiven(out, "out");
         if (isRefused()) return;
         const Result<Done> written = hosted.loop.save([&](std::span<const uint8_t> bytes) -> Result<Done> {
+            if (bytes.size() > kMaxFileBytes)
+                return Error{fmt::format("the game has {} bytes, expected {} at most", bytes.size(), kMaxFileBytes)};
             *count = bytes.size();
-            if (capacity < bytes.size()) return Error{"there is not enough room"};
+            if (capacity < bytes.size()) return Error{"the array is too short"};
             std::memcpy(out, bytes.data(), bytes.size());
             return Done{};
         });
-        if (!written && capacity)
-            refuse(RUBBLE_ERROR_CAPACITY, "the game has {} bytes, the array holds {}", *count, capacity);
+        if (written) return;
+        if (!*count) return refuse(RUBBLE_ERROR_FILE, "{}", written.error());
+        if (capacity) refuse(RUBBLE_ERROR_CAPACITY, "the game has {} bytes, the array holds {}", *count, capacity);
     });
 }
 

@@ -148,31 +148,31 @@ SetBodyEdit readBodyChange(const World& world, const rubble_body_change& given) 
 }
 
 rubble_result setBody(rubble_world world, const rubble_body_change* edit) {
-    return pushEdit("set_body", world, edit, readBodyChange);
+    return pushEdit("set_body", world, edit, "change", readBodyChange);
 }
 rubble_result destroyBody(rubble_world world, rubble_body body) {
     return removeOne<DestroyBodyEdit, HandleType::Body>("destroy_body", world, body, "body", &World::bodies);
 }
 rubble_result carve(rubble_world world, const rubble_carve* edit) {
-    return pushEdit("carve", world, edit, readCarve);
+    return pushEdit("carve", world, edit, "carve", readCarve);
 }
 rubble_result breakVoxels(rubble_world world, const rubble_break* edit) {
-    return pushEdit("break_voxels", world, edit, readBreak);
+    return pushEdit("break_voxels", world, edit, "edit", readBreak);
 }
 rubble_result explode(rubble_world world, const rubble_explosion* edit) {
-    return pushEdit("explode", world, edit, readExplosion);
+    return pushEdit("explode", world, edit, "explosion", readExplosion);
 }
 rubble_result paint(rubble_world world, const rubble_paint* edit) {
-    return pushEdit("paint", world, edit, readPaint);
+    return pushEdit("paint", world, edit, "paint", readPaint);
 }
 rubble_result applyImpulse(rubble_world world, const rubble_impulse* edit) {
-    return pushEdit("apply_impulse", world, edit, readImpulse);
+    return pushEdit("apply_impulse", world, edit, "impulse", readImpulse);
 }
 rubble_result setCollisionFilter(rubble_world world, const rubble_collision_filter* edit) {
-    return pushEdit("set_collision_filter", world, edit, readCollisionFilter);
+    return pushEdit("set_collision_filter", world, edit, "filter", readCollisionFilter);
 }
 rubble_result setCollisionShape(rubble_world world, const rubble_collision_shape* edit) {
-    return pushEdit("set_collision_shape", world, edit, readCollisionShape);
+    return pushEdit("set_collision_shape", world, edit, "shape", readCollisionShape);
 }
 
 }  // namespace

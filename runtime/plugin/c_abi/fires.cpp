@@ -26,10 +26,10 @@ ExtinguishEdit readExtinguish(const World&, const rubble_extinguish& given) {
 }
 
 rubble_result heat(rubble_world world, const rubble_heat* edit) {
-    return pushEdit("heat", world, edit, readHeat);
+    return pushEdit("heat", world, edit, "heat", readHeat);
 }
 rubble_result extinguish(rubble_world world, const rubble_extinguish* edit) {
-    return pushEdit("extinguish", world, edit, readExtinguish);
+    return pushEdit("extinguish", world, edit, "extinguish", readExtinguish);
 }
 
 WorldBox readBox(const double* low, const double* high) {

@@ -90,7 +90,8 @@ namespace rubble::abi {
     X(rubble_mesh_vertex, 36)          \
     X(rubble_shadow_brick, 536)        \
     X(rubble_particle_burst, 144)      \
-    X(rubble_particle, 72)
+    X(rubble_particle, 72)             \
+    X(rubble_rope_point, 56)
 
 /// The size of a struct in the first version that had it; for handles and numbers their size.
 template <class T>

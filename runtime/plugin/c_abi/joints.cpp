@@ -56,6 +56,8 @@ AddJointEdit readJoint(const World& world, const rubble_joint_settings& given) {
                    readOrDefault(given.max_steer_angle, ranges::kSteerAngle, 0.0, "max_steer_angle"),
                    readOrDefault(given.steer_rate, ranges::kSteerRate, joint.wheel.steerRate, "steer_rate")};
     requireNoError(jointError(joint));
+    if (!joint.ends[0].shape && !joint.ends[1].shape && joint.kind != JointKind::Rope)
+        refuse(RUBBLE_ERROR_ARGUMENT, "shapes are both 0: neither end is on a shape");
     requireNoError(jointEndsError(joint));
     return {joint, true};
 }
@@ -81,8 +83,12 @@ GrabEdit readGrab(const World& world, const rubble_grab& given) {
     edit.maxForce = readOrDefault(given.max_force, ranges::kForce, edit.maxForce, "max_force");
     edit.hertz = readOrDefault(given.spring_hertz, ranges::kGrabHertz, edit.hertz, "spring_hertz");
     edit.hand = uint32_t(readInRange(given.hand, ranges::kHand, "hand"));
-    edit.turns = readFlags(given.flags, RUBBLE_GRAB_TURNS, "flags") & RUBBLE_GRAB_TURNS;
+    const uint32_t flags = readFlags(given.flags, RUBBLE_GRAB_TURNS | RUBBLE_GRAB_VELOCITY, "flags");
+    edit.turns = flags & RUBBLE_GRAB_TURNS;
+    edit.drives = flags & RUBBLE_GRAB_VELOCITY;
+    if (edit.drives) edit.velocity = readVector(given.velocity, "velocity", ranges::kVelocity);
     if (!edit.turns) return edit;
+    if (edit.drives) edit.angularVelocity = readVector(given.angular_velocity, "angular_velocity", ranges::kVelocity);
     edit.rotation = readRotation(given.rotation, "rotation");
     edit.maxTorque = readInRange(given.max_torque, ranges::kForce, "max_torque");
     return edit;
@@ -94,7 +100,7 @@ ReleaseEdit readRelease(const World&, const rubble_release& given) {
 }
 
 rubble_result addJoint(rubble_world world, const rubble_joint_settings* settings) {
-    return pushEdit("add_joint", world, settings, readJoint);
+    return pushEdit("add_joint", world, settings, "settings", readJoint);
 }
 rubble_result createJoint(rubble_world world, const rubble_joint_settings* settings, rubble_joint* out) {
     return pushMaker("create_joint", world, settings, out, &WorldObjects::joints, readJoint);
@@ -103,16 +109,16 @@ rubble_result removeJoint(rubble_world world, rubble_joint joint) {
     return removeOne<RemoveJointEdit, HandleType::Joint>("remove_joint", world, joint, "joint", &World::joints);
 }
 rubble_result setJointMotor(rubble_world world, const rubble_joint_motor* motor) {
-    return pushEdit("set_joint_motor", world, motor, readJointMotor);
+    return pushEdit("set_joint_motor", world, motor, "motor", readJointMotor);
 }
 rubble_result driveWheels(rubble_world world, const rubble_drive* edit) {
-    return pushMotionEdit("drive_wheels", world, edit, readDrive);
+    return pushMotionEdit("drive_wheels", world, edit, "drive", readDrive);
 }
 rubble_result grabBody(rubble_world world, const rubble_grab* edit) {
-    return pushMotionEdit("grab_body", world, edit, readGrab);
+    return pushMotionEdit("grab_body", world, edit, "grab", readGrab);
 }
 rubble_result releaseBody(rubble_world world, const rubble_release* edit) {
-    return pushMotionEdit("release_body", world, edit, readRelease);
+    return pushMotionEdit("release_body", world, edit, "release", readRelease);
 }
 
 rubble_joint_state jointState(const World& world, JointHandle handle, const Joint& joint) {
@@ -140,6 +146,28 @@ rubble_result getRopePoints(rubble_world world, rubble_joint joint, double* out,
     });
 }
 
+void addRope(RowWriter<rubble_rope_point>& rows, JointHandle handle, const Joint& rope) {
+    for (const RopePoint& point : rope.points)
+        rows.add([&] {
+            rubble_rope_point row{};
+            row.joint = handle.bits;
+            writeVector(row.position, point.position);
+            for (int i = 0; i < 3; ++i) row.velocity[i] = float(point.velocity[i]);
+            row.radius = float(rope.rope.radius);
+            std::copy(rope.rope.color.begin(), rope.rope.color.end(), row.color);
+            row.is_last = &point == &rope.points.back();
+            return row;
+        });
+}
+
+rubble_result getRopes(rubble_world world, rubble_rope_point* out, uint32_t capacity, uint32_t* count) {
+    const auto addRopes = [](const HostedWorld& hosted, RowWriter<rubble_rope_point>& rows) {
+        hosted.loop.world().joints().forEach(
+            [&](JointHandle handle, const Joint& joint) { addRope(rows, handle, joint); });
+    };
+    return listRows<rubble_rope_point>("get_ropes", world, out, capacity, count, addRopes);
+}
+
 }  // namespace
 
 void writeRows(const HostedWorld& hosted, RowWriter<rubble_joint_state>& rows) {
@@ -158,6 +186,7 @@ void setJointFunctions(rubble_api& api) {
     api.release_body = releaseBody;
     api.get_joint_states = getJointStates;
     api.get_rope_points = getRopePoints;
+    api.get_ropes = getRopes;
 }
 
 }  // namespace rubble::abi

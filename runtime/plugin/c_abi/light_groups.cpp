@@ -36,7 +36,7 @@ rubble_result createLightGroup(rubble_world world, const rubble_light_group_sett
 }
 
 rubble_result setLightGroup(rubble_world world, const rubble_light_group_change* change) {
-    return pushEdit("set_light_group", world, change, readChange);
+    return pushEdit("set_light_group", world, change, "change", readChange);
 }
 
 rubble_result getLightGroup(rubble_world world, rubble_light_group group, rubble_light_group_state* out) {

@@ -126,9 +126,9 @@ rubble_result getEnvironment(rubble_world world, rubble_environment* out) {
 }
 
 rubble_result setEnvironment(rubble_world world, const rubble_environment* environment) {
-    return pushEdit("set_environment", world, environment, [](const World&, const rubble_environment& given) {
-        return SetEnvironmentEdit{readEnvironment(given)};
-    });
+    return pushEdit(
+        "set_environment", world, environment, "environment",
+        [](const World&, const rubble_environment& given) { return SetEnvironmentEdit{readEnvironment(given)}; });
 }
 
 rubble_result applySky(rubble_environment* environment, const double* sunDirection) {
@@ -153,7 +153,7 @@ rubble_result getLightSettings(rubble_world world, rubble_light light, rubble_li
 }
 
 rubble_result setLight(rubble_world world, const rubble_light_settings* light) {
-    return pushEdit("set_light", world, light, [](const World& in, const rubble_light_settings& given) {
+    return pushEdit("set_light", world, light, "light", [](const World& in, const rubble_light_settings& given) {
         const LightHandle handle = readLiveHandle<HandleType::Light>(in.lights(), given.light, "light");
         const Light* present = in.lights().find(handle);  // null: it is made by the step
         return SetLightEdit{handle, readLight(in, given, present ? *present : Light{})};
@@ -164,7 +164,7 @@ AddLightEdit readNewLight(const World& world, const rubble_light_settings& given
     return {readLight(world, given, {})};
 }
 rubble_result addLight(rubble_world world, const rubble_light_settings* light) {
-    return pushEdit("add_light", world, light, readNewLight);
+    return pushEdit("add_light", world, light, "light", readNewLight);
 }
 rubble_result createLight(rubble_world world, const rubble_light_settings* light, rubble_light* out) {
     return pushMaker("create_light", world, light, out, &WorldObjects::lights, readNewLight);

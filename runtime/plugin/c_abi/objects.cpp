@@ -204,6 +204,9 @@ rubble_result getPieces(rubble_world world, rubble_shape shape, rubble_shape* ou
     return listRows<uint64_t>("get_pieces", world, out, capacity, count, [&](const HostedWorld& hosted, auto& rows) {
         const auto from = readHandle<HandleType::Shape>(shape, "shape");
         if (!from) refuse(RUBBLE_ERROR_STALE, "shape is 0");
+        if (from && withWorld(shape, hosted.loop.world().id()) != shape)
+            refuse(RUBBLE_ERROR_STALE, "shape is of another world");
+        if (isRefused()) return;
         std::set<uint64_t> found;
         hosted.loop.world().data().notes.forEach([&](NoteHandle, const Note& note) {
             if (note.parent == from || note.root == from) found.insert(bitsOf(note.object));

@@ -100,6 +100,8 @@ private:
         Body body{.name = from.name, .pose = m_pose * from.pose, .isStatic = from.isStatic, .tags = from.tags};
         body.velocity = m_pose.rotation * glm::dvec3(from.velocity);
         body.angularVelocity = m_pose.rotation * glm::dvec3(from.angularVelocity);
+        body.gravityScale = from.gravityScale;
+        body.linearDamping = from.linearDamping, body.angularDamping = from.angularDamping;
         m_bodies.back() = m_made.size();
         m_made.push_back({RUBBLE_PREFAB_BODY, CreateBodyEdit{std::move(body)}});
     }

@@ -59,7 +59,7 @@ SetShapeEdit readShapeChange(const World& world, const rubble_shape_change& give
 }
 
 rubble_result setShape(rubble_world world, const rubble_shape_change* change) {
-    return pushEdit("set_shape", world, change, readShapeChange);
+    return pushEdit("set_shape", world, change, "change", readShapeChange);
 }
 
 rubble_result getShapeProperties(rubble_world world, rubble_shape shape, rubble_shape_properties* out) {

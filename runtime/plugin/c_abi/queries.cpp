@@ -81,9 +81,14 @@ struct RowSizes {
     uint32_t query, hit;
 };
 
+/// The filter with zeros for what its host does not know.
+rubble_query_filter sizesOf(const rubble_query_filter& filter) {
+    return copyStruct<rubble_query_filter>(&filter, filter.struct_size);
+}
+
 template <class Row>
 RowSizes readRowSizes(const rubble_query_filter* filter) {
-    const auto read = filter ? copyStruct<rubble_query_filter>(filter, filter->struct_size) : rubble_query_filter{};
+    const auto read = filter ? sizesOf(*filter) : rubble_query_filter{};
     return {readRowSize<Row>(read.query_size, "filter->query_size"),
             readRowSize<rubble_hit>(read.hit_size, "filter->hit_size")};
 }
@@ -171,8 +176,9 @@ rubble_result findClosestPoint(rubble_world world, const double position[3], dou
         const glm::dvec3 point = readVectorAt(position, "position");
         const double distance = readOrDefault(maxDistance, ranges::kDistance, 0.0, "max_distance");
         const QueryFilter rejecting = readFilter(filter);
+        const uint32_t hitSize = readRowSize<rubble_hit>(filter ? sizesOf(*filter).hit_size : 0, "filter->hit_size");
         if (isGiven(out, "out") && !isRefused())
-            *out = hitRow(inside, closestPoint(inside, point, distance, rejecting));
+            writeRow(out, hitRow(inside, closestPoint(inside, point, distance, rejecting)), hitSize);
     });
 }
 

@@ -44,7 +44,7 @@ AddTriggerEdit readTrigger(const World&, const rubble_trigger_settings& given) {
 }
 
 rubble_result addWater(rubble_world world, const rubble_water_settings* water) {
-    return pushEdit("add_water", world, water, readWater);
+    return pushEdit("add_water", world, water, "water", readWater);
 }
 rubble_result createWater(rubble_world world, const rubble_water_settings* water, rubble_water* out) {
     return pushMaker("create_water", world, water, out, &WorldObjects::waters, readWater);
@@ -57,7 +57,7 @@ rubble_result getWaters(rubble_world world, rubble_water* out, uint32_t capacity
 }
 
 rubble_result addTrigger(rubble_world world, const rubble_trigger_settings* trigger) {
-    return pushEdit("add_trigger", world, trigger, readTrigger);
+    return pushEdit("add_trigger", world, trigger, "trigger", readTrigger);
 }
 rubble_result createTrigger(rubble_world world, const rubble_trigger_settings* trigger, rubble_trigger* out) {
     return pushMaker("create_trigger", world, trigger, out, &WorldObjects::triggers, readTrigger);

@@ -54,7 +54,7 @@ ResizeShapeEdit readResize(const World& world, const rubble_resize& given) {
     return {readLiveHandle<HandleType::Shape>(world.shapes(), given.shape, "shape"), readBoxOf(given.low, given.size)};
 }
 rubble_result resizeShape(rubble_world world, const rubble_resize* edit) {
-    return pushEdit("resize_shape", world, edit, readResize);
+    return pushEdit("resize_shape", world, edit, "resize", readResize);
 }
 
 rubble_result readVoxels(rubble_world world, const rubble_voxel_box* box, uint8_t* out, uint64_t capacity,

@@ -79,7 +79,7 @@ rubble_result step(rubble_world world) {
 }
 
 rubble_result setBounds(rubble_world world, const rubble_bounds* bounds) {
-    return pushEdit("set_bounds", world, bounds, [](const World&, const rubble_bounds& given) {
+    return pushEdit("set_bounds", world, bounds, "bounds", [](const World&, const rubble_bounds& given) {
         BoundsSettings out;
         out.rule = BoundsRule(readEnum(given.rule, RUBBLE_BOUNDS_GROUND, "rule"));
         out.low = readVector(given.low, "low");

@@ -252,6 +252,8 @@ std::string errorOf(const GrabEdit& edit) {
         .number("hand", edit.hand, ranges::kHand)
         .rotation("rotation", edit.rotation)
         .number("max_torque", edit.maxTorque, ranges::kForce)
+        .vector("velocity", edit.velocity, ranges::kVelocity)
+        .vector("angular_velocity", edit.angularVelocity, ranges::kVelocity)
         .error();
 }
 std::string errorOf(const ReleaseEdit& edit) {

@@ -40,8 +40,8 @@ struct DetachJointEdit {
     ShapeHandle shape;
 };
 
-/// Pulls a body by a point toward a target with a limited force, and may turn it. A hand holds one body: grabbing the
-/// same one again moves the target, grabbing another one releases the first.
+/// Pulls a body by a point toward a target or at a velocity with a limited force, and may turn it. A hand holds one
+/// body: grabbing the same one again moves the target, grabbing another one releases the first.
 struct GrabEdit {
     BodyHandle body;
     glm::dvec3 point{0.0};     ///< world; where it is held: read when the grab begins
@@ -52,6 +52,10 @@ struct GrabEdit {
     bool turns = false;        ///< it turns the body's frame toward `rotation` too; else the body hangs at the point
     glm::dquat rotation{1, 0, 0, 0};  ///< world
     double maxTorque = 0.0;           ///< N m; 0: no limit
+    /// It holds the point at `velocity`, and turns the body at `angularVelocity` if it turns it: not at their places.
+    bool drives = false;
+    glm::dvec3 velocity{0.0};         ///< m/s, world
+    glm::dvec3 angularVelocity{0.0};  ///< rad/s, world axes
 };
 
 /// Releases what a hand holds, with a push.

@@ -48,6 +48,8 @@ struct LevelBody {
     glm::vec3 angularVelocity{0.0f};  ///< rad/s
     std::vector<LevelShape> shapes;
     std::vector<std::string> tags;
+    double gravityScale = 1.0;  ///< see Body, as for what follows
+    double linearDamping = 0.0, angularDamping = 0.0;
 };
 
 /// A light as data. Names stand for Light::shape and Light::group, which are not set.

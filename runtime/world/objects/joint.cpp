@@ -32,7 +32,9 @@ std::string jointError(const Joint& joint) {
         .number("max_steer_angle", joint.wheel.steerAngle, ranges::kSteerAngle)
         .number("steer_rate", joint.wheel.steerRate, ranges::kSteerRate)
         .number("rope_radius", joint.rope.radius, ranges::kRopeRadius)
-        .number("rope_mass", joint.rope.massPerMetre, ranges::kRopeMass);
+        .number("rope_mass", joint.rope.massPerMetre, ranges::kRopeMass)
+        .vector("velocity", joint.velocity, ranges::kVelocity)
+        .vector("angular_velocity", joint.angularVelocity, ranges::kVelocity);
     const std::pair<const char*, double> numbers[] = {{"motor_max_force", joint.motor.maxForce},
                                                       {"spring_hertz", joint.spring.hertz},
                                                       {"spring_damping_ratio", joint.spring.dampingRatio},
@@ -63,6 +65,7 @@ std::string jointEndsError(const Joint& joint) {
     const auto& [first, second] = joint.ends;
     if (joint.hand && (joint.kind == JointKind::Rope || !first.shape || second.shape))
         return "a grab is no rope, and holds a shape by its first end and the world by its second";
+    if (joint.drives && !joint.hand) return "only grabs hold velocities";
     if (joint.kind == JointKind::Rope) return "";
     if (!first.shape && !second.shape) return "neither end is on a shape";
     return first.isFree || second.isFree ? "only the ends of ropes hang free" : "";
@@ -81,6 +84,9 @@ uint64_t hashJoint(const Joint& joint, uint64_t seed) {
         hash = hashValue(value, hash);
     static_assert(sizeof(WheelSettings) == 5 * sizeof(double), "hashed as bytes");
     hash = hashBytes(&joint.wheel, sizeof joint.wheel, hash);
+    if (joint.drives)
+        for (const glm::dvec3& velocity : {joint.velocity, joint.angularVelocity})
+            hash = hashBytes(&velocity, sizeof velocity, hash);
     return hashValue(uint64_t(joint.rope.points) << 16 | uint64_t(joint.limits.on) << 8 | uint64_t(joint.motor.mode),
                      hash);
 }

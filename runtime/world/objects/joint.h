@@ -97,7 +97,10 @@ struct Joint {
     double breakForce = 0.0, breakTorque = 0.0;  ///< N and N m, mean of a step, at which it breaks; 0: never
     double steer = 0.0;                          ///< of a wheel: radians about y
     WheelSettings wheel;
-    uint32_t hand = 0;  ///< not 0: a grab, by hand - 1; see GrabEdit
+    uint32_t hand = 0;                ///< not 0: a grab, by hand - 1; see GrabEdit
+    bool drives = false;              ///< a grab that holds velocities, not places
+    glm::dvec3 velocity{0.0};         ///< of its first end, m/s, world
+    glm::dvec3 angularVelocity{0.0};  ///< rad/s, world axes; of a fixed one
     RopeSettings rope;
     std::vector<RopePoint> points;  ///< of a rope, from end 0 to end 1
 };

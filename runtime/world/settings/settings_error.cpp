@@ -28,11 +28,11 @@ std::string settingsError(const WorldSettings& s) {
         .number("physics_preset", double(s.physics), {0.0, double(PhysicsPreset::Accurate)})
         .number("mode", double(s.paint.mode), {0.0, double(PaintMode::Layer)})
         .number("strength_scale", s.stress.strengthScale, ranges::kStrengthScale)
-        .number("work_per_step", double(s.stress.workPerStep), ranges::kStressWork)
+        .number("stress_work", double(s.stress.workPerStep), ranges::kStressWork)
         .number("contact_time", s.stress.contactTime, ranges::kContactTime)
-        .number("min_impulse", s.stress.minImpulse, ranges::kImpactThreshold)
-        .number("spread", double(s.fire.spread), ranges::kFireSpread)
-        .number("burn_time", double(s.fire.burnTime), ranges::kFireBurnTime)
+        .number("min_load_impulse", s.stress.minImpulse, ranges::kImpactThreshold)
+        .number("fire_spread", double(s.fire.spread), ranges::kFireSpread)
+        .number("fire_burn_time", double(s.fire.burnTime), ranges::kFireBurnTime)
         .include(boundsError(s.bounds))
         .error();
 }

@@ -6,6 +6,8 @@
 
 #include "runtime/voxel/make_grid.h"
 #include "runtime/world/objects/transforms.h"
+#include "runtime/world/stages/entry_counts.h"
+#include "runtime/world/stages/light_group_stage.h"
 #include "runtime/world/stages/palette_edits.h"
 #include "runtime/world/stages/shape_lifecycle.h"
 #include "runtime/world/state/load_level.h"
@@ -64,6 +66,7 @@ void apply(EditContext& context, const CreateShapeEdit& edit) {
     if (!context.isNew(edit.body)) context.recordMotion(edit.body);
     shape.body = edit.body;
     context.world.imported += shape.grid.voxelCount();
+    if (context.world.groups.size() > 0) countMade(context, *shape.palette, countEntries(shape.grid));
     const bool isEmpty = shape.grid.empty();
     const ShapeHandle handle = context.make(context.world.shapes, std::move(shape));
     if (isEmpty) context.emptyShapes.push_back(handle);

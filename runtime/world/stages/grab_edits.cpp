@@ -1,6 +1,7 @@
 #include "runtime/world/stages/grab_edits.h"
 
 #include <string>
+#include <tuple>
 
 #include "runtime/core/log.h"
 #include "runtime/world/objects/joint_attachment.h"
@@ -20,17 +21,21 @@ Pose targetOf(const GrabEdit& edit) {
     return {edit.target, edit.turns ? edit.rotation : glm::dquat(1, 0, 0, 0)};
 }
 
-/// Gives a grab another target or strength.
-void updateGrab(EditContext& context, JointHandle handle, const GrabEdit& edit) {
-    Joint& grab = context.world.joints.at(handle);
-    if (grab.ends[1].frame == targetOf(edit) && grab.maxForce == edit.maxForce && grab.spring.hertz == edit.hertz &&
-        grab.maxTorque == edit.maxTorque)
-        return;
+/// Gives a grab its target and strength. Returns whether it had others.
+bool setTarget(Joint& grab, const GrabEdit& edit) {
+    const auto target = [](const Joint& joint) {
+        return std::tie(joint.ends[1].frame.position, joint.ends[1].frame.rotation, joint.maxForce, joint.maxTorque,
+                        joint.spring.hertz, joint.drives, joint.velocity, joint.angularVelocity);
+    };
+    const Joint before = grab;
     grab.ends[1].frame = targetOf(edit);
     grab.maxForce = edit.maxForce;
     grab.maxTorque = edit.maxTorque;
-    grab.spring.hertz = edit.hertz;
-    context.changes.jointsChanged.push_back(handle);
+    grab.spring.hertz = edit.drives ? 0.0 : edit.hertz;
+    grab.drives = edit.drives;
+    grab.velocity = edit.velocity;
+    grab.angularVelocity = edit.angularVelocity;
+    return target(before) != target(grab);
 }
 
 }  // namespace
@@ -47,17 +52,16 @@ void apply(EditContext& context, const GrabEdit& edit) {
             breakJoint(context, handle, JointBreak::Removed, edit.point);
             continue;
         }
-        return updateGrab(context, handle, edit);
+        if (setTarget(context.world.joints.at(handle), edit)) context.changes.jointsChanged.push_back(handle);
+        return;
     }
     for (const ShapeHandle shape : body->shapes) {
         const glm::dquat axes = edit.turns ? body->pose.rotation : glm::dquat(1, 0, 0, 0);
         Joint grab = jointAt(context.world, kindOf(edit), shape, {}, {edit.point, axes});
         grab.name = "grab";
-        grab.ends[1].frame = targetOf(edit);
         grab.collides = true;
-        grab.spring = {edit.hertz, 1.0};
-        grab.maxForce = edit.maxForce;
-        grab.maxTorque = edit.maxTorque;
+        grab.spring.dampingRatio = 1.0;
+        setTarget(grab, edit);
         if (!edit.turns) grab.friction = kGrabFriction * edit.maxForce;
         grab.hand = edit.hand + 1;
         if (!attachJoint(context.world, grab).empty()) continue;

@@ -84,6 +84,19 @@ void listGroup(EditContext& context, LightGroupHandle handle) {
 
 }  // namespace
 
+void countMade(EditContext& context, const Palette& palette, const EntryCounts& made) {
+    for (size_t i = 1; i < made.size(); ++i) {
+        if (!made[i] || !palette[i].lightGroup) continue;
+        const LightGroupHandle handle = context.world.groups.handleAt(palette[i].lightGroup - 1);
+        if (!handle) continue;
+        uint64_t& removed = context.removedByGroup[handle.slot()];
+        const uint64_t again = std::min(made[i], removed);
+        removed -= again;
+        context.world.groups.at(handle).initialVoxels += made[i] - again;
+        context.changes.groups.push_back(handle);
+    }
+}
+
 void apply(EditContext& context, const CreateLightGroupEdit& edit) {
     LightGroup group{.name = edit.group.name, .threshold = edit.group.threshold};
     group.flickerSteps = edit.group.flickerSteps;

@@ -1,11 +1,16 @@
 #pragma once
 #include "runtime/world/stages/edit_context.h"
+#include "runtime/world/stages/entry_counts.h"
 
 namespace rubble {
 
 /// Counts the voxels that light groups lost in this step. A group that lost too many, or its power supply, flickers for
 /// LightGroup::flickerSteps and then goes out with its lights and its glowing voxels.
 void updateLightGroups(EditContext& context);
+
+/// Counts voxels that an edit made, by entry of their palette, in the light groups that they glow with. What a group
+/// lost in this step and has again is not lost.
+void countMade(EditContext& context, const Palette& palette, const EntryCounts& made);
 
 /// Makes a light group.
 void apply(EditContext& context, const CreateLightGroupEdit& edit);

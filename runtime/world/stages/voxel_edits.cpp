@@ -7,6 +7,7 @@
 #include "runtime/core/log.h"
 #include "runtime/voxel/write_box.h"
 #include "runtime/world/stages/entry_counts.h"
+#include "runtime/world/stages/light_group_stage.h"
 #include "runtime/world/stages/shape_lifecycle.h"
 #include "runtime/world/stages/split_stage.h"
 
@@ -16,7 +17,7 @@ namespace {
 /// What a write changes.
 struct WrittenCells {
     EntryCounts lost{};       ///< voxels that were there, by entry
-    uint64_t made = 0;        ///< voxels that are there now
+    EntryCounts made{};       ///< voxels that are there now, by entry
     MassMoments before, now;  ///< of those
     CellBox emptied;          ///< around the cells that had a voxel and have none
     BrickSet carved, filled;  ///< bricks with such cells; with cells that got or changed a voxel
@@ -33,7 +34,10 @@ WrittenCells writeCells(VoxelGrid& grid, const WriteVoxelsEdit& edit, const Dens
                 if (!write.any()) continue;
                 const BrickBits lost = write.lost(), made = write.made();
                 if (write.before) out.before += brickMoments(*write.before, lost, brick, densities);
-                if (write.after) out.now += brickMoments(*write.after, made, brick, densities);
+                if (write.after) {
+                    out.now += brickMoments(*write.after, made, brick, densities);
+                    addEntries(*write.after, made, out.made);
+                }
                 if (write.before) addEntries(*write.before, lost, out.lost);
                 if (made != BrickBits{}) out.filled.insert(brick);
                 if (made != write.changed) {
@@ -43,7 +47,6 @@ WrittenCells writeCells(VoxelGrid& grid, const WriteVoxelsEdit& edit, const Dens
                 }
                 grid.setBrick(brick, std::move(write.after));
             }
-    out.made = out.now.voxels;
     return out;
 }
 
@@ -64,12 +67,13 @@ void apply(EditContext& context, const WriteVoxelsEdit& edit) {
     shape->moments -= cells.before;
     shape->moments += cells.now;
     context.recordErased(edit.shape, cells.lost);
-    context.world.imported += cells.made;
+    countMade(context, *shape->palette, cells.made);
+    context.world.imported += cells.now.voxels;
     ShapeEditState& state = context.editState(edit.shape);
     state.carved.insert(cells.carved);
     state.filled.insert(cells.filled);
     state.lost = joined(state.lost, cells.emptied);
-    if (!cells.made) return;
+    if (!cells.now.voxels) return;
     state.lostVoxels = true;  // what was made may touch nothing: all of the shape is tested
     shape->knownConnected = false;
     if (!context.isNew(shape->body)) context.wakeBody(shape->body);

@@ -43,6 +43,8 @@ ShapeNames loadBodies(WorldData& world, const Level& level) {
         Body body{.name = source.name, .pose = source.pose, .isStatic = source.isStatic, .tags = source.tags};
         body.velocity = source.velocity;
         body.angularVelocity = source.angularVelocity;
+        body.gravityScale = source.gravityScale;
+        body.linearDamping = source.linearDamping, body.angularDamping = source.angularDamping;
         body.asleep =
             !source.isStatic && source.velocity == glm::vec3(0.0f) && source.angularVelocity == glm::vec3(0.0f);
         const BodyHandle handle = world.bodies.insert(std::move(body));
@@ -225,7 +227,8 @@ Level toLevel(const WorldState& world) {
     level.locations = world.locations;
     std::vector<std::string> shapeNames(world.shapes.slotCount());
     world.bodies.forEach([&](BodyHandle, const Body& body) {
-        LevelBody out{body.name, body.pose, body.isStatic, body.velocity, body.angularVelocity, {}, body.tags};
+        LevelBody out{body.name, body.pose, body.isStatic,     body.velocity,      body.angularVelocity,
+                      {},        body.tags, body.gravityScale, body.linearDamping, body.angularDamping};
         for (const ShapeHandle handle : body.shapes) {
             const Shape& shape = world.shapes.at(handle);
             out.shapes.push_back({shape.name, shape.local, shape.voxelSize, shape.grid, shape.palette, shape.anchors,

@@ -99,6 +99,8 @@ inline void addSampleCart(Level& level, const PaletteRef& palette) {
     cart.isStatic = false;
     cart.velocity = {1.5f, 0.0f, -0.25f};
     cart.angularVelocity = {0.0f, 0.1f, 0.0f};
+    cart.gravityScale = 0.5;
+    cart.linearDamping = 0.25, cart.angularDamping = 0.125;
     LevelShape empty;
     empty.name = "lantern";  // names need not be unique in a level
     empty.grid = VoxelGrid({40, 1, 1});

@@ -754,10 +754,15 @@ typedef struct rubble_joint_state {
     double rope_length;                       /* metres */
 } rubble_joint_state;
 
-enum { RUBBLE_GRAB_TURNS = 1 /* turns the body toward `rotation` too; without it the body hangs at the point */ };
+enum {
+    RUBBLE_GRAB_TURNS = 1, /* turns the body toward `rotation` too; without it the body hangs at the point */
+    /* holds the point at `velocity`, and with RUBBLE_GRAB_TURNS the body's spin at `angular_velocity`, not at the
+     * places `target` and `rotation` */
+    RUBBLE_GRAB_VELOCITY = 2
+};
 
-/* Pulls a body by a point toward a target, and may turn it. A hand holds one body: the same hand and body again moves
- * the target, another body lets go of the first. Holds until release_body(). */
+/* Pulls a body by a point toward a target or at a velocity, and may turn it. A hand holds one body: the same hand and
+ * body again moves the target, another body lets go of the first. Holds until release_body(). */
 typedef struct rubble_grab {
     uint32_t struct_size;
     uint32_t hand; /* any number that the host chooses, below 4294967295 */
@@ -765,11 +770,13 @@ typedef struct rubble_grab {
     double point[3];     /* world: where the body is held; counts when it is grabbed */
     double target[3];    /* world: where that point shall go */
     double max_force;    /* N; 0: 1000 */
-    double spring_hertz; /* stiffness of the pull as a frequency, 0.1 to 60 Hz; 0: 4 */
+    double spring_hertz; /* stiffness of the pull as a frequency, 0.1 to 60 Hz; 0: 4. Not of a velocity */
     uint32_t flags;      /* RUBBLE_GRAB_... */
     uint32_t reserved;
-    double rotation[4]; /* RUBBLE_GRAB_TURNS: that the body's frame shall have, world */
-    double max_torque;  /* RUBBLE_GRAB_TURNS: N m; 0: no limit */
+    double rotation[4];         /* RUBBLE_GRAB_TURNS: that the body's frame shall have, world */
+    double max_torque;          /* RUBBLE_GRAB_TURNS: N m; 0: no limit */
+    double velocity[3];         /* RUBBLE_GRAB_VELOCITY: m/s of the point, world */
+    double angular_velocity[3]; /* RUBBLE_GRAB_VELOCITY and RUBBLE_GRAB_TURNS: rad/s, world axes */
 } rubble_grab;
 
 /* Lets go of what a hand holds and may throw it. */
@@ -778,6 +785,17 @@ typedef struct rubble_release {
     uint32_t hand;
     double impulse[3]; /* N s, world, at the point that was held */
 } rubble_release;
+
+/* A row of get_ropes(). */
+typedef struct rubble_rope_point {
+    rubble_joint joint; /* the rope: its points follow each other from its first end to its second */
+    double position[3]; /* world */
+    float velocity[3];  /* m/s */
+    float radius;       /* metres */
+    uint8_t color[3];   /* sRGB */
+    uint8_t is_last;    /* 1: of its rope */
+    uint32_t reserved;
+} rubble_rope_point;
 
 /* ---- events: what the last step did ---- */
 
@@ -1955,7 +1973,8 @@ typedef struct rubble_api {
     /* [main-thread] As load_level(), of a .rubble or .vox file in memory, which is not read after the call. */
     rubble_result (*load_level_data)(rubble_world world, const void* data, uint64_t size);
     /* [main-thread] As save_game(), into memory: `capacity` is in bytes; *count becomes the size of the file. Capacity
-     * 0 asks for that alone and saves nothing; fewer bytes than that: RUBBLE_ERROR_CAPACITY, and nothing is saved. */
+     * 0 asks for that alone and saves nothing; fewer bytes than that: RUBBLE_ERROR_CAPACITY, and nothing is saved.
+     * RUBBLE_ERROR_FILE: a file cannot be so large. */
     rubble_result (*save_game_data)(rubble_world world, uint8_t* out, uint64_t capacity, uint64_t* count);
     /* [main-thread] As load_game(), of a saved game in memory, which is not read after the call. */
     rubble_result (*load_game_data)(rubble_world world, const void* data, uint64_t size);
@@ -1975,9 +1994,9 @@ typedef struct rubble_api {
     /* [main-thread] Carries out steps of another world: objects, voxels and motion become those, without edits or
      * physics. Each take of the other world is applied once, in their order, from the first after keep_deltas() on;
      * a step() of this world in between ends that. get_events() tells of the last of the steps. It stops a recording,
-     * and keep_deltas() of this world. Heat, ropes between their ends and what is still to split are left out, see
-     * get_resolved_hash(). RUBBLE_ERROR_FILE: the bytes are wrong or steps are missing, and this world is as after the
-     * step before; or a step has shown that it was another one. */
+     * and keep_deltas() of this world. get_reports() is empty after it. Heat, ropes between their ends and what is
+     * still to split are left out, see get_resolved_hash(). RUBBLE_ERROR_FILE: the bytes are wrong or steps are
+     * missing, and this world is as after the step before; or a step has shown that it was another one. */
     rubble_result (*apply_deltas)(rubble_world world, const void* data, uint64_t size);
     /* [main-thread] A hash of what deltas keep equal: all objects, voxels and settings. */
     rubble_result (*get_resolved_hash)(rubble_world world, uint64_t* out);
@@ -2047,10 +2066,12 @@ typedef struct rubble_api {
     /* ---- reports for sound and score ---- */
 
     /* [main-thread] What get_reports() lists from the next step on, until this is called again; see
-     * rubble_report_filter. It belongs to the host, not to the game: levels, saves and recordings do not have it. */
+     * rubble_report_filter. It belongs to the host, not to the game: levels, saves and recordings do not have it.
+     * RUBBLE_ERROR_UNSUPPORTED: contacts, water and footsteps in a world with RUBBLE_WORLD_HOST_PHYSICS, whose host
+     * knows of them. */
     rubble_result (*set_report_filter)(rubble_world world, const rubble_report_filter* filter);
     /* [main-thread] What happened in the last step of what the host has asked for, without copying: the arrays live as
-     * long as those of get_events(). */
+     * long as those of get_events(). It is empty after a load and after apply_deltas(). */
     rubble_result (*get_reports)(rubble_world world, rubble_reports* out);
 
     /* ---- meshes and data of bricks ---- */
@@ -2087,6 +2108,11 @@ typedef struct rubble_api {
     rubble_result (*spawn_particles)(rubble_world world, const rubble_particle_burst* burst);
     /* [main-thread] All that is in the air, the oldest first: dust, smoke, flames and what the host has added. */
     rubble_result (*get_particles)(rubble_world world, rubble_particle* out, uint32_t capacity, uint32_t* count);
+
+    /* ---- ropes ---- */
+
+    /* [main-thread] The points of all ropes, one rope after the other, for hosts that draw them. */
+    rubble_result (*get_ropes)(rubble_world world, rubble_rope_point* out, uint32_t capacity, uint32_t* count);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

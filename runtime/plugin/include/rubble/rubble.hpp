@@ -770,7 +770,8 @@ public:
         check(api().load_level_data(m_handle, data, size));
     }
     /** As save_game(), into memory: `capacity` is in bytes; *count becomes the size of the file. Capacity 0 asks for
-     * that alone and saves nothing; fewer bytes than that: RUBBLE_ERROR_CAPACITY, and nothing is saved. */
+     * that alone and saves nothing; fewer bytes than that: RUBBLE_ERROR_CAPACITY, and nothing is saved.
+     * RUBBLE_ERROR_FILE: a file cannot be so large. */
     std::vector<uint8_t> save_game_data() {
         return rows<uint8_t, uint64_t>([&](uint8_t* out, uint64_t capacity, uint64_t* count) {
             return api().save_game_data(m_handle, out, capacity, count);
@@ -802,9 +803,9 @@ public:
     /** Carries out steps of another world: objects, voxels and motion become those, without edits or physics. Each take
      * of the other world is applied once, in their order, from the first after keep_deltas() on; a step() of this world
      * in between ends that. get_events() tells of the last of the steps. It stops a recording, and keep_deltas() of
-     * this world. Heat, ropes between their ends and what is still to split are left out, see get_resolved_hash().
-     * RUBBLE_ERROR_FILE: the bytes are wrong or steps are missing, and this world is as after the step before; or a
-     * step has shown that it was another one. */
+     * this world. get_reports() is empty after it. Heat, ropes between their ends and what is still to split are left
+     * out, see get_resolved_hash(). RUBBLE_ERROR_FILE: the bytes are wrong or steps are missing, and this world is as
+     * after the step before; or a step has shown that it was another one. */
     void apply_deltas(const void* data, uint64_t size) {
         check(api().apply_deltas(m_handle, data, size));
     }
@@ -920,13 +921,14 @@ public:
         return out;
     }
     /** What get_reports() lists from the next step on, until this is called again; see rubble_report_filter. It belongs
-     * to the host, not to the game: levels, saves and recordings do not have it. */
+     * to the host, not to the game: levels, saves and recordings do not have it. RUBBLE_ERROR_UNSUPPORTED: contacts,
+     * water and footsteps in a world with RUBBLE_WORLD_HOST_PHYSICS, whose host knows of them. */
     void set_report_filter(rubble_report_filter filter) {
         filter.struct_size = sizeof filter;
         check(api().set_report_filter(m_handle, &filter));
     }
     /** What happened in the last step of what the host has asked for, without copying: the arrays live as long as those
-     * of get_events(). */
+     * of get_events(). It is empty after a load and after apply_deltas(). */
     rubble_reports get_reports() const {
         rubble_reports out{};
         out.struct_size = sizeof out;
@@ -980,6 +982,12 @@ public:
     std::vector<rubble_particle> get_particles() const {
         return rows<rubble_particle, uint32_t>([&](rubble_particle* out, uint32_t capacity, uint32_t* count) {
             return api().get_particles(m_handle, out, capacity, count);
+        });
+    }
+    /** The points of all ropes, one rope after the other, for hosts that draw them. */
+    std::vector<rubble_rope_point> get_ropes() const {
+        return rows<rubble_rope_point, uint32_t>([&](rubble_rope_point* out, uint32_t capacity, uint32_t* count) {
+            return api().get_ropes(m_handle, out, capacity, count);
         });
     }
 private:
