@@ -30,6 +30,7 @@ public:
 private:
     void prepareJoint(JointRows& e, SolverState& A, SolverState& B) const;
     void prepareFreeAxis(JointRows& e) const;
+    static void dropImpulsesOfWhatIsOff(JointRows& e);
     static void updateMasses(JointRows& e, const SolverState& A, const SolverState& B);
     static void warmStart(const JointRows& e, SolverState& A, SolverState& B);
     void solveFreeAxis(JointRows& e, SolverState& A, SolverState& B, bool useBias) const;
