@@ -76,16 +76,8 @@ void PhysicsWorld::Impl::setGravity(const World& world) {
 }
 
 void PhysicsWorld::Impl::load(const World& world) {
-    glm::dvec3 low(0.0), high(0.0);
-    bool first = true;
-    world.bodies().forEach([&](BodyHandle, const Body& body) {
-        const glm::dvec3 p = body.pose.position;
-        if (!(glm::length(p) < 1e12)) return;  // metres; also skips NaN and infinity
-        low = first ? p : glm::min(low, p);
-        high = first ? p : glm::max(high, p);
-        first = false;
-    });
-    bodies.broadphase().setOrigin(glm::round((low + high) * 0.5));
+    const WorldBox& level = world.data().bounds;  // not of the bodies: they move, and a save must change nothing
+    bodies.broadphase().setOrigin(glm::round((level.low + level.high) * 0.5));
     bodies.limits().setOrigin(bodies.broadphase().origin());
     setGravity(world);
     characters.load(world, bodies);

@@ -5,6 +5,7 @@
 #include "physics/stages/contact_detection.h"
 #include "physics/stages/continuous_collision.h"
 #include "physics/stages/ground.h"
+#include "physics/stages/loads.h"
 #include "physics/stages/physics_bodies.h"
 #include "physics/stages/physics_characters.h"
 #include "physics/stages/physics_joints.h"
@@ -37,6 +38,7 @@ struct PhysicsWorld::Impl {
     WaterVolumes waters;
     PhysicsCharacters characters;
     ContactDetection contacts;
+    Loads loads;
     StepSolver solver;
     ContinuousCollision continuous;
     std::vector<BodyPose> poses;  ///< of the last step

@@ -59,7 +59,7 @@ void PhysicsWorld::step() {
             if (reports && body.inWater) reports->addInWater(body, impl.waters.inSlot(body.waterSlot));
             impl.bodies.limits().clamp(body);  // contacts are searched along the motion
         }
-        impl.contacts.find(impl.bodies, impl.joints.table(), settings);
+        impl.contacts.find(impl.bodies, impl.joints.table(), settings, impl.gravity);
         impl.contacts.recordTouching(impl.bodies);
         impl.solver.solve(impl.bodies, impl.contacts.manifolds(), impl.joints, impl.gravity, settings);
         for (const uint32_t slot : impl.bodies.awake())
@@ -73,6 +73,9 @@ void PhysicsWorld::step() {
         if (reports) reports->addContacts(impl.contacts.manifolds(), impl.bodies);
         putToSleep(impl.bodies, impl.contacts.manifolds(), impl.joints, settings, impl.gravity,
                    impl.solver.bodyCount());
+        Loads::record(impl.bodies, impl.contacts.manifolds());
+        impl.loads.wakeOverloaded(impl.bodies, impl.contacts.manifolds(), impl.gravity,
+                                  settings.stepSeconds / settings.substeps);
         impl.contacts.keepResting();
         wakeTouched(impl.bodies);
         findImpacts(impl.contacts.manifolds(), settings.impactSpeed, settings.impactThreshold, impl.bodies.handles(),

@@ -98,7 +98,7 @@ ColliderPart* DynamicBody::partOf(ShapeHandle shape) const {
 void DynamicBody::setAsleep(bool asleep) {
     m_asleep = asleep;
     sleepersTouched.clear();
-    newlyAwake = true;
+    newlyAwake = wakesLoad = true;
     pairsFound = false;
     settled = settled && asleep;
     if (!asleep) return sleepTimer.restart(pose());
@@ -108,6 +108,7 @@ void DynamicBody::setAsleep(bool asleep) {
 void DynamicBody::restartRest() {
     sleepTimer.restartRest(pose());
     wantsSleep = false;
+    wakesLoad = true;
 }
 
 bool DynamicBody::finite() const {

@@ -9,6 +9,14 @@
 
 namespace rubble {
 
+/// What pressed on a body when it fell asleep, and how that changes. See loads.h.
+struct SleepLoad {
+    std::vector<std::pair<uint32_t, glm::dvec3>> impulses;  ///< by slot of the neighbour, in a substep, N s
+    glm::dvec3 change{0.0};                                 ///< by what awake neighbours press otherwise, N s
+    int changedSteps = 0;                                   ///< for which it has been large
+    uint64_t step = 0;                                      ///< in which it was last computed
+};
+
 /// A dynamic body of World as physics moves it. The frame of `motion` is the centre of mass in principal axes; World's
 /// frame of the body is elsewhere. A sleeping body is in the broadphase and in nothing else, so it costs nothing until
 /// something comes near. [main-thread]
@@ -74,6 +82,8 @@ public:
     SolverBody motion;
     SleepTimer sleepTimer;
     bool newlyAwake = true;                 ///< has not moved noticeably since it woke
+    bool wakesLoad = true;                  ///< it has woken or its support has changed: what it bears wakes too
+    SleepLoad sleepLoad;                    ///< while it sleeps
     SolverBody stepStart;                   ///< its motion before the last solve
     std::vector<Pose> stepPath;             ///< its poses in the last solve: at equal times, two or more
     int held = 0;                           ///< steps in which continuous collision holds it, then lets it pass

@@ -33,7 +33,7 @@ constexpr double kSkin = 0.008;           ///< metres kept from what it meets
 constexpr int kMaxSlides = 4;             ///< walls that it follows in one step
 constexpr int kMaxDepenetrations = 12;    ///< pushes out of what came into it
 constexpr double kMaxSpeed = 60.0;        ///< m/s, falling
-constexpr double kAirControl = 3.0;       ///< 1/s: rate at which the velocity follows the wish without ground
+constexpr double kAirControl = 3.0;       ///< 1/s: rate at which the velocity follows a wish without ground
 constexpr double kSwimControl = 6.0;      ///< 1/s, in water
 constexpr double kChest = 0.6;            ///< fraction of its height: under water there, it swims
 constexpr double kLookAhead = 0.25;       ///< metres of free ground that a step must lead to
@@ -66,7 +66,7 @@ public:
         const CollisionObject* ground = groundObject();
         const bool wasGrounded = m_c.grounded;
         const BodyHandle stoodOn = m_c.ground;
-        if (m_c.grounded) moveWithGround(ground);
+        if (m_c.grounded && !m_c.wantsJump) moveWithGround(ground);  // who jumps gets its velocity
         depenetrate();
         crouch();
         const Water* water =
@@ -248,11 +248,12 @@ private:
             m_c.crouched = false;
     }
 
-    /// Sets the velocity that it wishes on the ground; in the air the velocity only tends to the wish.
+    /// Sets the velocity that it wishes on the ground; in the air the velocity only tends to the wish,
+    /// if there is one: who jumps on a train lands on it.
     void accelerate(const CollisionObject* ground) {
         const glm::dvec3 wish = clampedLength(horizontal(m_c.wish), m_c.crouched ? m_c.crouchSpeed : m_c.walkSpeed);
         if (!m_c.grounded) {
-            const double share = kAirControl * m_around.seconds;
+            const double share = wish == glm::dvec3(0.0) ? 0.0 : kAirControl * m_around.seconds;
             m_c.velocity += (wish - horizontal(m_c.velocity)) * share + m_around.gravity * m_around.seconds;
             return;
         }

@@ -55,6 +55,12 @@ struct Manifold : ManifoldHead {
     std::span<ManifoldPoint> all() { return {points, size_t(count)}; }
     /// The points in use.
     std::span<const ManifoldPoint> all() const { return {points, size_t(count)}; }
+    /// What the first object got from the second in the last substep, N s, world axes.
+    glm::dvec3 impulseOfFirst() const {
+        glm::vec3 sum(0.0f);
+        for (const ManifoldPoint& p : all()) sum += p.normal * p.normalImpulse + p.frictionImpulse;
+        return glm::dvec3(sum);
+    }
     /// Becomes equal to another one, with its own points.
     void copyFrom(const Manifold& other) {
         static_cast<ManifoldHead&>(*this) = other;

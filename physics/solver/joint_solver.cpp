@@ -141,10 +141,21 @@ void JointSolver::prepareJoint(JointRows& e, SolverState& A, SolverState& B) con
     e.locked = isRigid ? e.limit : makeSoft<double>(joint.spring.hertz, joint.spring.dampingRatio, m_seconds);
     prepareFreeAxis(e);
     e.hasBallFriction = joint.friction > 0.0 && (joint.kind == JointKind::Ball || joint.kind == JointKind::Cone);
+    dropImpulsesOfWhatIsOff(e);
     if (e.hasBallFriction) {
         const glm::dmat3 k = glm::dmat3(A.inverseInertia) + glm::dmat3(B.inverseInertia);
         e.ballFrictionMass = glm::determinant(k) > 0.0 ? glm::inverse(k) : glm::dmat3(0.0);
     }
+}
+
+/// What has been switched off since the last step is not warm started.
+void JointSolver::dropImpulsesOfWhatIsOff(JointRows& e) {
+    JointConstraint& c = *e.c;
+    const Joint& joint = *c.joint;
+    if (!e.hasSpring && !e.hasServo) c.springImpulse = 0.0;
+    if (joint.motor.mode != MotorMode::Speed) c.motorImpulse = 0.0;
+    if (joint.friction <= 0.0 || e.hasBallFriction) c.frictionImpulse = 0.0;
+    if (!e.hasBallFriction) c.ballFriction = glm::dvec3(0.0);
 }
 
 void JointSolver::prepareFreeAxis(JointRows& e) const {

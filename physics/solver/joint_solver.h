@@ -31,6 +31,7 @@ private:
     void prepareJoint(JointRows& e, SolverState& A, SolverState& B) const;
     void prepareFreeAxis(JointRows& e) const;
     void prepareServo(JointRows& e, const SolverState& A, const SolverState& B) const;
+    static void dropImpulsesOfWhatIsOff(JointRows& e);
     static void warmStart(const JointRows& e, SolverState& A, SolverState& B);
     void solveFreeAxis(JointRows& e, SolverState& A, SolverState& B, bool useBias) const;
     void solveSpring(JointRows& e, SolverState& A, SolverState& B) const;

@@ -4,6 +4,7 @@
 
 #include "physics/collision/impacts.h"
 #include "physics/solver/blockwise.h"
+#include "physics/stages/loads.h"
 
 namespace rubble {
 namespace {
@@ -14,7 +15,8 @@ constexpr double kSettledWakeSpeed = 0.6;  ///< the same for a settled one
 }  // namespace
 
 /// What is woken has contacts of its own, so the search goes on until nothing more wakes.
-void ContactDetection::find(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings) {
+void ContactDetection::find(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings,
+                            glm::dvec3 gravity) {
     const NarrowphaseSettings narrow{.margin = settings.contactMargin,
                                      .seconds = settings.stepSeconds,
                                      .sweepThreshold = settings.continuous ? settings.sweepThreshold : 1e300};
@@ -22,7 +24,11 @@ void ContactDetection::find(PhysicsBodies& bodies, const JointTable& joints, con
     m_pushed.clear();
     m_leftOut = 0;
     for (const uint32_t slot : bodies.awake()) bodies.at(slot).pairsFound = false;
-    for (bool more = true; more; more = wakeHit(bodies, settings.stepSeconds)) {
+    const auto wakeMore = [&] {
+        const bool any = wakeHit(bodies, settings.stepSeconds);
+        return Loads::wakeBorne(bodies, m_narrowphase.manifolds(), gravity) || any;
+    };
+    for (bool more = true; more; more = wakeMore()) {
         m_moving.clear();
         for (const uint32_t slot : bodies.awake()) {
             DynamicBody& body = bodies.at(slot);
@@ -85,7 +91,7 @@ bool ContactDetection::wakeHit(PhysicsBodies& bodies, double stepSeconds) {
 }
 
 void ContactDetection::recordTouching(PhysicsBodies& bodies) const {
-    for (const uint32_t slot : bodies.awake()) bodies.at(slot).touching = false;
+    for (const uint32_t slot : bodies.awake()) bodies.at(slot).touching = bodies.at(slot).wakesLoad = false;
     for (const Manifold* manifold : m_narrowphase.manifolds()) {
         manifold->objects.first->isNew = manifold->objects.second->isNew = false;
         DynamicBody *a = manifold->objects.first->dynamic, *b = manifold->objects.second->dynamic;

@@ -14,8 +14,8 @@ namespace rubble {
 /// The contacts of a step: broadphase, narrowphase, and the sleeping bodies that are woken by a hit.
 class ContactDetection {
 public:
-    /// Finds the contacts of all awake bodies, and wakes what they hit hard.
-    void find(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings);
+    /// Finds the contacts of all awake bodies, and wakes what they hit hard, or bear if they have just woken.
+    void find(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings, glm::dvec3 gravity);
     /// Notes in the bodies which are touching, and which sleeping bodies each touches.
     void recordTouching(PhysicsBodies& bodies) const;
     /// Keeps the impulses of contacts of which nothing is awake any more. To be called when bodies have fallen asleep.

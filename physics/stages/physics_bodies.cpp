@@ -204,7 +204,10 @@ void PhysicsBodies::wakeWaiting() {
 
 void PhysicsBodies::wakeTouching(glm::dvec3 low, glm::dvec3 high) {
     for (CollisionObject* object : objectsIn(low - kTouchDistance, high + kTouchDistance))
-        if (object->dynamic) wakeOrWait(*object->dynamic);
+        if (DynamicBody* body = object->dynamic) {
+            wakeOrWait(*body);
+            if (!body->asleep()) body->restartRest();  // its support may have changed
+        }
 }
 
 void PhysicsBodies::putToSleep(DynamicBody& body) {
@@ -214,6 +217,7 @@ void PhysicsBodies::putToSleep(DynamicBody& body) {
 }
 
 void PhysicsBodies::removeEnded() {
+    std::sort(m_ended.begin(), m_ended.end());
     for (const uint32_t slot : m_ended) m_awake.remove(*m_dynamics[slot]);
 }
 
@@ -242,7 +246,6 @@ void PhysicsBodies::quarantineInvalid() {
 }
 
 void PhysicsBodies::reportPoses(std::vector<BodyPose>& out) {
-    std::sort(m_ended.begin(), m_ended.end());
     auto next = m_ended.begin();
     const auto add = [&](uint32_t slot) {
         if (m_dynamics[slot] && m_dynamics[slot]->refresh()) out.push_back(m_dynamics[slot]->state());

@@ -13,10 +13,10 @@
 // and not while a motor of theirs turns. Neither falling asleep nor waking moves what is in balance: contacts stay as
 // soft as they were (contact_setup.cpp) and keep their impulses (resting_contacts.h). A sleeping body wakes when a
 // hit would give it more speed than what rests may have (contact_detection.cpp), when something that touches it has
-// moved by more than kWakeDistance, by an impulse, a character's push or a change of gravity, water, joints or
-// collision filters, or when what it touched is cut, moved or removed (physics_bodies.cpp). Settled bodies want a
-// harder hit, and do not wake with what came to touch them after they had settled: that cannot bear them. Debris waits
-// until fewer than DebrisSettings::awakeBodies are awake.
+// moved by more than kWakeDistance, when its load changes (loads.cpp), by an impulse, a character's push or a change of
+// gravity, water, joints or collision filters, or when what it touched is cut, moved or removed (physics_bodies.cpp).
+// Settled bodies want a harder hit, and do not wake with what came to touch them after they had settled: that cannot
+// bear them. Debris waits until fewer than DebrisSettings::awakeBodies are awake.
 
 namespace rubble {
 namespace {
@@ -24,20 +24,14 @@ namespace {
 constexpr double kWakeDistance = 0.02;  ///< metres that a body moves before it wakes what touches it
 constexpr double kMinShare = 0.01;      ///< of a body's weight, from which what lifts it bears it
 
-/// What the first body got from the second in the last substep, N s.
-glm::dvec3 impulseOf(const Manifold& manifold) {
-    glm::vec3 sum(0.0f);
-    for (const ManifoldPoint& point : manifold.all()) sum += point.normal * point.normalImpulse + point.frictionImpulse;
-    return glm::dvec3(sum);
-}
-
 /// Keeps awake what an awake body bears that does not rest. substep: s.
 void keepBorneAwake(std::span<Manifold* const> manifolds, glm::dvec3 gravity, double substep) {
     const double least = kMinShare * glm::dot(gravity, gravity) * substep;
     for (const Manifold* manifold : manifolds) {
         DynamicBody *a = manifold->objects.first->dynamic, *b = manifold->objects.second->dynamic;
         if (!a || !b || a->asleep() || b->asleep() || (a->rests && b->rests)) continue;
-        const double lift = -glm::dot(impulseOf(*manifold), gravity);  // of the first; its weight gives gravity^2 m
+        const double lift =
+            -glm::dot(manifold->impulseOfFirst(), gravity);  // of the first; its weight gives gravity^2 m
         if (lift > least * a->mass().mass && !b->rests) a->wantsSleep = false;
         if (-lift > least * b->mass().mass && !a->rests) b->wantsSleep = false;
     }

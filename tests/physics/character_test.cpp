@@ -208,6 +208,27 @@ TEST(Character, IsCarriedByWhatItStandsOnAndTurnsWithIt) {
     EXPECT_TRUE(scene.me().ground == scene.handle(0));
 }
 
+TEST(Character, LandsWhereItJumpedFromWhatMoves) {
+    for (const float speed : {3.0f, 10.0f}) {
+        Walk scene({0.0, 0.21, 0.0});
+        scene.add(solidGrid({400, 2, 40}, 7), {-2.0, 0.0, -2.0}, false);
+        scene.load();
+        scene.stepWith({SetBodyEdit{.body = scene.handle(0),
+                                    .setsVelocity = true,
+                                    .velocity = {speed, 0.0, 0.0},
+                                    .setsGravityScale = true,
+                                    .gravityScale = 0.0}});
+        scene.walk(5);
+        ASSERT_TRUE(scene.me().grounded);
+        const auto onPlatform = [&] { return scene.me().position.x - scene.center(0).x; };
+        const double before = onPlatform();
+        scene.wish({}, true);
+        for (int i = 0; i < 90; ++i) scene.walk(1);
+        ASSERT_TRUE(scene.me().grounded);
+        EXPECT_NEAR(onPlatform(), before, 0.1) << speed;
+    }
+}
+
 TEST(Character, PushesWhatIsLightAndIsStoppedByWhatIsHeavy) {
     Walk scene;
     scene.addFloor();

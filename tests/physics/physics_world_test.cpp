@@ -303,6 +303,23 @@ TEST(PhysicsWorld, PileFallsAsleepAndStays) {
     }
 }
 
+/// A save builds physics anew. Its middle is the level's, not that of what is there by then.
+TEST(PhysicsWorld, WhatIsFarOffFreezesNothingElse) {
+    PhysicsScene scene;
+    scene.addFloor();
+    scene.add(solidGrid({5, 5, 5}, 5), {0.0, 50.0, 0.0}, false);
+    scene.load();
+    CreateBodyEdit far;
+    far.body.pose.position = {3e6, 0.0, 0.0};
+    far.body.isStatic = true;
+    scene.stepWith({far});
+    scene.seconds(0.5);
+    scene.physics.load(scene.world);
+    const double before = scene.center(1).y;
+    scene.seconds(0.5);
+    EXPECT_LT(scene.center(1).y, before - 3.0);
+}
+
 TEST(PhysicsWorld, FastPiecesDoNotGoThroughAThinWall) {
     for (const double speed : {10.0, 40.0, 150.0, 600.0}) {
         PhysicsScene scene;

@@ -35,7 +35,7 @@ void findHolders(ShapeHandle shape, const VoxelGrid& grid, glm::ivec3 low, std::
 
 /// Adds a part of a hot brick to a brick that may be hot already.
 void addHeat(HotBrick& to, const HotBrick& part) {
-    to.heat += part.heat;
+    to.heat = std::min(to.heat + part.heat, kMaxHeat);
     to.burned = std::max(to.burned, part.burned);
     to.burningFor = std::max(to.burningFor, part.burningFor);
     to.wet = std::max(to.wet, part.wet);

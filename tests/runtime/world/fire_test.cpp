@@ -261,6 +261,27 @@ TEST(Fire, GoesOutWithAShapeThatIsMergedIntoAnother) {
     }
 }
 
+/// A brick of a piece gets the heat of all those that its cells came from. With more, a save would be refused.
+TEST(Fire, HeatOfPiecesStaysWithinItsLimit) {
+    Level level;
+    level.bodies.push_back(bodyOf(wall({21, 8, 8}, kBrick), {}));
+    {
+        GridWriter writer(level.bodies[0].shapes[0].grid);
+        for (int i = 0; i < 64; ++i) writer.set({12, i % 8, i / 8}, 0);
+    }
+    World world;
+    world.load(level);
+    const ShapeHandle first = test::firstShape(world);
+    world.applyEdits({HeatEdit{.position = {1.0, 0.4, 0.4}, .radius = 3.0, .joules = 1e15}});
+    EXPECT_EQ(world.data().fire.hotBricks, 3u);
+    world.applyEdits({SplitShapeEdit{first}});
+    ASSERT_EQ(world.shapes().size(), 2u);
+    int64_t most = 0;
+    for (const HeatField& field : world.data().fire.fields)
+        for (const HotBrick& hot : field.bricks) most = std::max(most, hot.heat);
+    EXPECT_EQ(most, kMaxHeat);
+}
+
 TEST(Fire, TheHeatOfFragmentsStaysWhereItWas) {
     Level level;
     level.bodies.push_back(bodyOf(wall({40, 40, 8}), {}));

@@ -1,0 +1,102 @@
+#include "physics/stages/loads.h"
+
+#include <algorithm>
+
+// How a change of load wakes what sleeps.
+//
+// The solver takes a sleeping body for a static one: it presses on nothing, and nothing moves it. So
+//   * what wakes, or loses or gains a support, wakes what it bears: its balance is theirs. Settled debris does not
+//   wake:
+//     a pile of it costs what its surface does;
+//   * a sleeping body remembers what its neighbours pressed on it with when it fell asleep. It wakes when those that
+//     are awake press otherwise for kSteps steps on end: what is set down on it, lifted off it, or made heavier. What
+//     bounces or rolls past is gone by then. A pile shifts its forces a little while parts of it stir: of 1,416 such
+//     shifts in a pile of 200 that comes to rest, 12 were larger than a quarter of all that pressed on the body.
+
+namespace rubble {
+namespace {
+
+constexpr double kBears = 0.1;          ///< of a normal, its part against gravity from which a contact bears
+constexpr float kTouch = 0.005f;        ///< metres apart up to which a contact may bear
+constexpr double kWeightShare = 0.1;    ///< of a sleeper's weight, by which its load may change
+constexpr double kImpulseShare = 0.25;  ///< of all that its neighbours pressed on it with, by which it may change too
+constexpr int kSteps = 6;               ///< for which it may have changed by more
+
+/// What a body got from the other one of a manifold in the last substep, N s.
+glm::dvec3 impulseOn(const DynamicBody& body, const Manifold& manifold) {
+    const glm::dvec3 first = manifold.impulseOfFirst();
+    return manifold.objects.first->dynamic == &body ? first : -first;
+}
+
+/// Whether the first may bear the second.
+bool bears(const Manifold& manifold, bool isFirst, glm::dvec3 up) {
+    const double sign = isFirst ? -1.0 : 1.0;  // normals are toward the first
+    for (const ManifoldPoint& point : manifold.all())
+        if (point.separation < kTouch && sign * glm::dot(glm::dvec3(point.normal), up) > kBears) return true;
+    return false;
+}
+
+}  // namespace
+
+bool Loads::wakeBorne(PhysicsBodies& bodies, std::span<Manifold* const> manifolds, glm::dvec3 gravity) {
+    if (gravity == glm::dvec3(0.0)) return false;
+    const glm::dvec3 up = -glm::normalize(gravity);
+    bool any = false;
+    for (const Manifold* manifold : manifolds) {
+        DynamicBody *a = manifold->objects.first->dynamic, *b = manifold->objects.second->dynamic;
+        if (!a || !b || a->asleep() == b->asleep()) continue;
+        DynamicBody &sleeper = a->asleep() ? *a : *b, &other = a->asleep() ? *b : *a;
+        if (!other.wakesLoad || sleeper.settled || sleeper.quarantined() || !bodies.budget().mayWake(sleeper) ||
+            !bears(*manifold, &other == a, up))
+            continue;
+        bodies.wake(sleeper);
+        any = true;
+    }
+    return any;
+}
+
+void Loads::wakeOverloaded(PhysicsBodies& bodies, std::span<Manifold* const> manifolds, glm::dvec3 gravity,
+                           double substep) {
+    ++m_step;
+    m_touched.clear();
+    for (const Manifold* manifold : manifolds) {
+        DynamicBody *a = manifold->objects.first->dynamic, *b = manifold->objects.second->dynamic;
+        if (!a || !b || a->asleep() == b->asleep()) continue;
+        DynamicBody &sleeper = a->asleep() ? *a : *b, &other = a->asleep() ? *b : *a;
+        if (sleeper.settled || sleeper.quarantined()) continue;
+        SleepLoad& load = sleeper.sleepLoad;
+        if (load.step != m_step) {
+            if (load.step != m_step - 1) load.changedSteps = 0;
+            load.step = m_step;
+            load.change = glm::dvec3(0.0);
+            m_touched.push_back(&sleeper);
+        }
+        load.change += impulseOn(sleeper, *manifold);
+        for (const auto& [slot, impulse] : load.impulses)
+            if (slot == other.handle().slot()) load.change -= impulse;
+    }
+    for (DynamicBody* sleeper : m_touched) {
+        SleepLoad& load = sleeper->sleepLoad;
+        double limit = kWeightShare * sleeper->mass().mass * glm::length(gravity) * substep;
+        for (const auto& [slot, impulse] : load.impulses) limit += kImpulseShare * glm::length(impulse);
+        const bool isChanged = glm::length(load.change) > limit;
+        load.changedSteps = isChanged ? load.changedSteps + 1 : 0;
+        if (load.changedSteps >= kSteps) bodies.wakeOrWait(*sleeper);
+    }
+}
+
+void Loads::record(PhysicsBodies& bodies, std::span<Manifold* const> manifolds) {
+    if (bodies.ended().empty()) return;
+    for (const uint32_t slot : bodies.ended()) bodies.at(slot).sleepLoad = {};
+    const auto note = [&](const CollisionObject& object, const CollisionObject& other, const Manifold& manifold) {
+        if (!object.dynamic || !other.dynamic || !std::ranges::binary_search(bodies.ended(), object.body)) return;
+        object.dynamic->sleepLoad.impulses.emplace_back(other.body, impulseOn(*object.dynamic, manifold));
+    };
+    for (const Manifold* manifold : manifolds) {
+        const auto [first, second] = manifold->objects;
+        note(*first, *second, *manifold);
+        note(*second, *first, *manifold);
+    }
+}
+
+}  // namespace rubble
