@@ -2,8 +2,10 @@
 // is printed how far two images are apart that have nothing to remember: no image can be expected to be nearer.
 // RUBBLE_IMAGES=FOLDER writes for each case: the drawn image, the expected one and their FLIP map, side by side, and
 // below them the frames after the change.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 
 #include "tests/golden/drawing.h"
 #include "tests/reference/display.h"
@@ -351,6 +353,22 @@ TEST_F(ChangeRays, DoNotComeWhereEachFrameChanges) {
         const double share = shareWithMore();
         if (i >= 2) EXPECT_LT(share, 0.01) << "change " << i;
     }
+}
+
+TEST_F(ChangeRays, HistoryIsAskedForOnlyAfterAChange) {
+    const auto asks = [&] {
+        draw(m_stage.camera);
+        return std::ranges::count(renderer->stats().passes, std::string_view("history left")) == 1;
+    };
+    begin(night());
+    EXPECT_FALSE(asks()) << "nothing has changed";
+    recolour({2, 5, 10});
+    EXPECT_TRUE(asks() && asks());
+    EXPECT_FALSE(asks()) << "two frames after a light's change";
+    m_stage.scene.edit(m_stage.roof, all(0));
+    apply();
+    EXPECT_TRUE(asks() && asks());
+    EXPECT_FALSE(asks()) << "two frames after the roof has gone";
 }
 
 INSTANTIATE_TEST_SUITE_P(EachScene, Ghosts, testing::Values(street, hall, night, greenhouse, polished),
