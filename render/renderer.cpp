@@ -19,6 +19,7 @@
 #include "render/passes/glare_pass.h"
 #include "render/passes/glass_pass.h"
 #include "render/passes/glass_shadow_pass.h"
+#include "render/passes/history_left_pass.h"
 #include "render/passes/local_lights_pass.h"
 #include "render/passes/particles_pass.h"
 #include "render/passes/reflections_pass.h"
@@ -173,6 +174,7 @@ struct Renderer::Impl {
     GBufferPass gbuffer{(shaders.setPagedShadows(false), shaders.beginBatch(), shaders)};  // all start before one ends
     GlassPass glass{shaders};
     SunPass sun{shaders};
+    HistoryLeftPass historyLeft{shaders};
     SkyPass sky{shaders};
     std::optional<LightGrid> lightGrid;
     std::optional<LocalLightsPass> localLights;
@@ -215,6 +217,8 @@ void Renderer::Impl::drawGeometry(const FrameContext& frame) {
 
 void Renderer::Impl::drawLight(const FrameContext& frame) {
     using enum Target;
+    if (HistoryLeftPass::needed(frame))
+        run("history left", kLightHistory | kBounceHistory, HistoryLeft, [&] { historyLeft.draw(frame); });
     clearNoisyLight(frame);
     if (settings.sun && block.sunDirection.y > 0.0f) run("sun", kGBuffer, NoisyLight, [&] { sun.draw(frame); });
     if (settings.sky)
@@ -302,10 +306,7 @@ void Renderer::Impl::compileAhead() {
     forEachLazyPass([&](auto& pass) { pass.emplace(shaders); });
     shaders.endBatch();
     const Offscreen image({kWarmUpSide, kWarmUpSide});
-    View view;
-    view.position = kWarmUpPosition;
-    view.size = image.size();
-    view.framebuffer = image.framebuffer();
+    const View view{.position = kWarmUpPosition, .size = image.size(), .framebuffer = image.framebuffer()};
     history = &histories.begin(0, view.size, limits);
     for (FrameSnapshot& step : warmUpSteps()) {
         scene.apply(std::move(step));

@@ -69,6 +69,10 @@ void FrameCamera::begin(const View& view, glm::ivec2 renderSize, bool jittered, 
     block.cameraUp = glm::vec4(axes[1], window.half.y);
     block.cameraForward = glm::vec4(-axes[2], kFar);
     block.viewMiddle = glm::vec4(axes * glm::vec3(window.middle, -1.0f), 0.0f);
+    const glm::vec4 right(axes[0] * window.half.x, 0.0f), up(axes[1] * window.half.y, 0.0f);
+    block.previousViewMiddle = cut ? block.viewMiddle : m_lastMiddle;
+    block.previousCameraRight = cut ? right : m_lastRight;
+    block.previousCameraUp = cut ? up : m_lastUp;
     block.targetSize = glm::vec4(size, 1.0f / size);
     block.displaySize = glm::vec4(display, 1.0f / display);
     block.jitter = glm::vec4(jitter, cut ? jitter : m_lastJitter);
@@ -79,6 +83,9 @@ void FrameCamera::begin(const View& view, glm::ivec2 renderSize, bool jittered, 
 
     m_lastViewProjection = plain;
     m_lastPosition = glm::vec4(position, 0.0f);
+    m_lastMiddle = block.viewMiddle;
+    m_lastRight = right;
+    m_lastUp = up;
     m_lastJitter = jitter;
     m_lastSize = renderSize;
     m_lastOrigin = originWorld;

@@ -14,7 +14,7 @@ public:
 
 private:
     glm::mat4 m_lastViewProjection{1.0f};
-    glm::vec4 m_lastPosition{0.0f};
+    glm::vec4 m_lastPosition{0.0f}, m_lastMiddle{0.0f}, m_lastRight{0.0f}, m_lastUp{0.0f};
     glm::vec2 m_lastJitter{0.0f};
     glm::ivec2 m_lastSize{0};
     glm::dvec3 m_lastOrigin{0.0};

@@ -24,6 +24,7 @@ enum class Target {
     NoisyLight,
     HitProximity,
     Specular,
+    HistoryLeft,
     FastHistory,
     HistoryConfidence,
     AccumulatedLight,
@@ -99,6 +100,7 @@ inline constexpr std::array<TargetDeclaration, kTargetCount> kTargets = [] {
         {Specular, "specular", GL_RGBA16F, Render, 1, kLinear, kHistory},
 
         // Denoising.
+        {HistoryLeft, "historyLeft", GL_RGBA8},  // passes/history_left.frag; after changes
         {FastHistory, "fastHistory", GL_RGBA16F, Render, 4, kLinear, kHistory},  // passes/light_change.frag
         {HistoryConfidence, "historyConfidence", GL_RG8, Render, 4, kLinear, kHistory},
         {AccumulatedLight, "accumulatedLight", GL_RGBA16F, Render, 1, kLinear, kHistory},
@@ -175,10 +177,11 @@ inline constexpr TargetSet kGBuffer =
 /// What is known of the panes of a pixel.
 inline constexpr TargetSet kPanes =
     Target::Depth | Target::GlassTint | Target::GlassSurface | Target::GlassDepth | Target::Reflection;
-/// What the passes of light look up of the frame before.
+/// What the passes of light look up of the frame before, and what of that still counts.
 inline constexpr TargetSet kLightHistory =
-    previous(Target::AccumulatedLight | Target::Surface | Target::HistoryConfidence);
-/// What indirect light looks up of the frame before (lib/bounce.glsl).
-inline constexpr TargetSet kBounceHistory = previous(Target::Radiance | Target::DiffuseFraction | Target::Surface);
+    Target::HistoryLeft | previous(Target::AccumulatedLight | Target::Surface | Target::HistoryConfidence);
+/// The same for indirect light (lib/bounce.glsl).
+inline constexpr TargetSet kBounceHistory =
+    Target::HistoryLeft | previous(Target::Radiance | Target::DiffuseFraction | Target::Surface);
 
 }  // namespace rubble

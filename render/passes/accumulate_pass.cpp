@@ -3,15 +3,13 @@
 #include "render/frame/shader_constants.h"
 #include "render/passes/fullscreen.h"
 #include "render/passes/gbuffer_pass.h"
+#include "render/passes/history_left_pass.h"
 #include "render/passes/known_changes.h"
 #include "render/scene/scene.h"
 
 namespace rubble {
 namespace {
 
-/// In the first frame with a new light, indirect light still comes from the frame before: its history is not kept
-/// either.
-constexpr int kOldestLight = 1;
 static_assert(kTargets[size_t(Target::HistoryConfidence)].divisor == shared::kConfidenceTile);
 static_assert(kTargets[size_t(Target::FastHistory)].divisor == shared::kConfidenceTile);
 
@@ -33,7 +31,7 @@ void AccumulatePass::findChanges(const FrameContext& frame, const History& light
         program.set("uHistoryValid", int(light.valid && surface.valid && fast.valid));
         program.set("uDepth", frame.targets.at(Target::Depth));
         program.set("uHasGlass", int(frame.scene.hasGlass()));
-        setKnownChanges(program, frame, kOldestLight);
+        setKnownChanges(program, frame, kOldestLightChange);
     });
 }
 
@@ -56,9 +54,8 @@ void AccumulatePass::draw(const FrameContext& frame) const {
         program.set("uSurfaceHistory", surface.previous);
         program.set("uHistoryConfidence", frame.targets.orNone(Target::HistoryConfidence));
         program.set("uHasConfidence", int(hasConfidence));
-        setChangeRays(program, frame);
         program.set("uHistoryValid", int(hasHistory));
-        setKnownChanges(program, frame, kOldestLight);
+        HistoryLeftPass::bind(program, frame);
     });
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/passes/known_changes.h"
+#include "render/passes/history_left_pass.h"
 #include "render/passes/local_lights_pass.h"
 #include "render/scene/light_grid.h"
 #include "render/scene/scene.h"
@@ -21,7 +21,7 @@ void bindBounce(const Program& program, const FrameContext& frame, BounceRays ra
     program.set("uRadianceHistory", radiance.previous);
     program.set("uSurfaceHistory", surface.previous);
     program.set("uHistoryValid", int(radiance.valid && surface.valid));
-    setKnownChanges(program, frame);
+    HistoryLeftPass::bind(program, frame);
     program.set("uBounce", int(frame.settings.bounce));
     program.set("uMaxBounces", isDiffuse ? std::clamp(frame.settings.bounces, 1, kMaxBounces) : 1);
     program.set("uMaxDistance", frame.settings.skyDistance);

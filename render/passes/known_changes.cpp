@@ -56,17 +56,27 @@ void setShadowedLights(const Program& program, const FrameContext& frame) {
 
 void setChangedLights(const Program& program, const FrameContext& frame, int oldest) {
     std::vector<glm::vec4> lights;
-    for (const LightGrid::Change& change :
-         frame.lightGrid ? frame.lightGrid->changes() : std::vector<LightGrid::Change>()) {
-        if (change.frames > oldest) continue;
-        addTexels(lights, change.before, frame.scene);
-        addTexels(lights, change.after, frame.scene);
+    int newTexels = 0;
+    for (int frames = 0; frame.lightGrid && frames <= oldest; ++frames) {
+        for (const LightGrid::Change& change : frame.lightGrid->changes()) {
+            if (change.frames != frames) continue;
+            addTexels(lights, change.before, frame.scene);
+            addTexels(lights, change.after, frame.scene);
+        }
+        if (frames == 0) newTexels = int(lights.size());
     }
+    program.set("uNewLightTexels", newTexels);
     program.set("uChangedLightTexels", int(lights.size()));
     if (!lights.empty()) program.set("uChangedLights[0]", std::span<const glm::vec4>(lights));
 }
 
 }  // namespace
+
+bool hasKnownChanges(const FrameContext& frame, int oldestLight) {
+    const auto counts = [&](const LightGrid::Change& change) { return change.frames <= oldestLight; };
+    return !frame.scene.dirtyRegions().boxes().empty() ||
+           (frame.lightGrid && std::ranges::any_of(frame.lightGrid->changes(), counts));
+}
 
 void setKnownChanges(const Program& program, const FrameContext& frame, int oldestLight) {
     setDirtyRegions(program, frame.scene);
@@ -75,7 +85,7 @@ void setKnownChanges(const Program& program, const FrameContext& frame, int olde
     program.set("uMaxHistory", float(frame.settings.historyFrames));
 }
 
-void setChangeRays(const Program& program, const FrameContext& frame) {
+void setLastConfidence(const Program& program, const FrameContext& frame) {
     const Texture& confidence = frame.targets.previousOrNone(Target::HistoryConfidence);
     program.set("uLastConfidence", confidence);
     program.set("uLastConfidenceValid", int(bool(confidence)));

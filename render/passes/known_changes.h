@@ -4,10 +4,16 @@
 
 namespace rubble {
 
+/// Frames for which changed lights count for accumulation. In the first frame with a new light, indirect light still
+/// comes from the frame before: its history is not kept either.
+inline constexpr int kOldestLightChange = 1;
+
+/// Whether anything has changed that setKnownChanges() would set. [render-thread]
+bool hasKnownChanges(const FrameContext& frame, int oldestLight = 0);
 /// Sets the uniforms of lib/known_changes.glsl: voxels that have changed since the previous frame, and lights that have
 /// changed since `oldestLight` frames before it. The program must be in use. [render-thread]
 void setKnownChanges(const Program& program, const FrameContext& frame, int oldestLight = 0);
 /// Sets the uniforms of lib/change_rays.glsl. The program must be in use. [render-thread]
-void setChangeRays(const Program& program, const FrameContext& frame);
+void setLastConfidence(const Program& program, const FrameContext& frame);
 
 }  // namespace rubble

@@ -4,7 +4,7 @@
 
 #include "render/passes/fullscreen.h"
 #include "render/passes/gbuffer_pass.h"
-#include "render/passes/known_changes.h"
+#include "render/passes/history_left_pass.h"
 #include "render/passes/reflections_pass.h"
 #include "render/scene/light_grid.h"
 #include "render/scene/scene.h"
@@ -58,9 +58,7 @@ void LocalLightsPass::draw(const FrameContext& frame) const {
         program.set("uHistoryValid", int(frame.settings.temporal && specular.valid && surface.valid));
         program.set("uMaxHighlightHistory", float(kMaxHistory));
         setChanges(program, frame);
-        setKnownChanges(program, frame);
-        setChangeRays(program, frame);
-        program.set("uLightHistory", frame.targets.history(Target::AccumulatedLight).previous);
+        HistoryLeftPass::bind(program, frame);
         program.set("uHasReflections", int(ReflectionsPass::needed(frame)));
         program.set("uFullRayRadiance", kFullRayRadiance / frame.block.exposure.x);
     });

@@ -28,6 +28,7 @@ ReflectionsPass::ReflectionsPass(ShaderLibrary& shaders)
     : m_mask(shaders.load("passes/reflection_mask.frag")),
       m_program(shaders.loadFullscreen("passes/reflections.frag", {.surfacesOnly = true})),
       m_accumulate(shaders.loadFullscreen("passes/reflection_accumulate.frag", {.surfacesOnly = true})),
+      m_accumulateChanged(shaders.loadFullscreen("passes/reflection_accumulate_changed.frag", {.surfacesOnly = true})),
       m_filter(shaders.loadFullscreen("passes/reflection_filter.frag", {.surfacesOnly = true})) {}
 
 bool ReflectionsPass::needed(const FrameContext& frame) {
@@ -36,7 +37,7 @@ bool ReflectionsPass::needed(const FrameContext& frame) {
 }
 
 void ReflectionsPass::draw(const FrameContext& frame) const {
-    if (!m_mask || !m_program || !m_accumulate || !m_filter) return;
+    if (!m_mask || !m_program || !m_accumulate || !m_accumulateChanged || !m_filter) return;
     const Texture& mask = drawMask(frame);
     const FullscreenTargets into{{&frame.targets.target(Target::NoisyReflection)}, &mask, {kNone}};
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
@@ -69,15 +70,16 @@ void ReflectionsPass::accumulate(const FrameContext& frame, const Texture& mask)
     const History moments = frame.targets.history(Target::ReflectionMoments);
     const History surface = frame.targets.history(Target::Surface);
     const FullscreenTargets into{{&light.current, &moments.current}, &mask, {kNone, kNone}};
-    drawFullscreen(frame, m_accumulate, into, [&](const Program& program) {
-        bindMirror(program, frame);
-        setKnownChanges(program, frame);
-        program.set("uNoisyReflection", frame.targets.at(Target::NoisyReflection));
-        program.set("uReflectionHistory", light.previous);
-        program.set("uMomentHistory", moments.previous);
-        program.set("uSurfaceHistory", surface.previous);
-        program.set("uHistoryValid", int(frame.settings.temporal && light.valid && moments.valid && surface.valid));
-    });
+    drawFullscreen(
+        frame, hasKnownChanges(frame) ? m_accumulateChanged : m_accumulate, into, [&](const Program& program) {
+            bindMirror(program, frame);
+            setKnownChanges(program, frame);
+            program.set("uNoisyReflection", frame.targets.at(Target::NoisyReflection));
+            program.set("uReflectionHistory", light.previous);
+            program.set("uMomentHistory", moments.previous);
+            program.set("uSurfaceHistory", surface.previous);
+            program.set("uHistoryValid", int(frame.settings.temporal && light.valid && moments.valid && surface.valid));
+        });
 }
 
 void ReflectionsPass::filter(const FrameContext& frame, const Texture& mask) const {

@@ -21,7 +21,7 @@ private:
     void filter(const FrameContext& frame, const Texture& mask) const;
 
     const Program& m_mask;
-    FullscreenProgram &m_program, &m_accumulate, &m_filter;
+    FullscreenProgram &m_program, &m_accumulate, &m_accumulateChanged, &m_filter;
 };
 
 }  // namespace rubble

@@ -57,11 +57,13 @@ TargetSet ShowPass::reads(const TargetView& shown) {
     return shown.target | kExposed.target | Target::Depth | Target::Exposure;
 }
 
-ShowPass::ShowPass(ShaderLibrary& shaders) : m_program(shaders.load("passes/show.frag")) {}
+ShowPass::ShowPass(ShaderLibrary& shaders)
+    : m_image(shaders.load("passes/show.frag")), m_data(shaders.load("passes/show_data.frag")) {}
 
 void ShowPass::draw(const FrameContext& frame, const TargetView& chosen, const View& view, glm::vec4 statusDot) const {
-    if (!m_program) return;
     const TargetView& shown = view.isLinear && &chosen == &kViews[0] ? kExposed : chosen;
+    const Program& program = shown.mode == Mode::Color || shown.mode == Mode::Exposed ? m_image : m_data;
+    if (!program) return;
     glBindFramebuffer(GL_FRAMEBUFFER, view.framebuffer);
     setViewport(view.size);
     const Texture* target = frame.targets.find(shown.target);
@@ -71,13 +73,14 @@ void ShowPass::draw(const FrameContext& frame, const TargetView& chosen, const V
         const bool isReversed = windowDepth(*view.projection, 1.0) > windowDepth(*view.projection, 2.0);
         glDepthFunc(isReversed ? GL_GEQUAL : GL_LEQUAL);
     }
-    m_program.use();
-    setDepth(m_program, frame, view);
-    m_program.set("uFlipped", view.isFlipped);
-    m_program.set("uExposure", frame.targets.at(Target::Exposure));
-    m_program.set("uTarget", target ? *target : frame.blueNoise);
-    m_program.set("uMode", int(shown.mode));
-    m_program.set("uStatusDot", statusDot);
+    program.use();
+    setDepth(program, frame, view);
+    program.set("uFlipped", view.isFlipped);
+    program.set("uIsExposed", int(shown.mode == Mode::Exposed));
+    program.set("uExposure", frame.targets.at(Target::Exposure));
+    program.set("uTarget", target ? *target : frame.blueNoise);
+    program.set("uMode", int(shown.mode));
+    program.set("uStatusDot", statusDot);
     frame.drawTriangle();
     if (composes) {
         glDepthFunc(GL_LESS);

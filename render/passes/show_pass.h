@@ -9,7 +9,7 @@ namespace rubble {
 /// framebuffer holds nearer stays, and the depth of the voxels is written.
 class ShowPass {
 public:
-    /// How a target's values become a colour; the numbers are those of passes/show.frag.
+    /// How a target's values become a colour; the numbers are those of passes/show_data.frag.
     enum class Mode { Color, Linear, Signed, Distance, Motion, Alpha, History, Exposed };
     /// A target that can be shown, and how.
     struct TargetView {
@@ -22,14 +22,15 @@ public:
     /// The targets that draw() reads for a view.
     static TargetSet reads(const TargetView& shown);
 
-    /// Builds its program. If that fails, shaders.errors() says why and draw() does nothing.
+    /// Builds its programs. If one fails, shaders.errors() says why and draw() does nothing.
     explicit ShowPass(ShaderLibrary& shaders);
     /// Shows the blue noise where no pass has drawn the target. statusDot: colour of a dot in the corner, if its alpha
     /// is 1. A linear view shows its radiance instead of the final image.
     void draw(const FrameContext& frame, const TargetView& shown, const View& view, glm::vec4 statusDot) const;
 
 private:
-    const Program& m_program;
+    const Program& m_image;  ///< for modes Color and Exposed
+    const Program& m_data;   ///< for the others, which cost more
 };
 
 }  // namespace rubble

@@ -3,7 +3,6 @@
 #include "render/passes/bounce.h"
 #include "render/passes/fullscreen.h"
 #include "render/passes/gbuffer_pass.h"
-#include "render/passes/known_changes.h"
 #include "render/scene/scene.h"
 
 namespace rubble {
@@ -22,7 +21,6 @@ void SkyPass::draw(const FrameContext& frame) const {
         bindBounce(program, frame, BounceRays::Diffuse);
         program.set("uBlueNoise", frame.blueNoise);
         program.set("uLightHistory", targets.history(Target::AccumulatedLight).previous);
-        setChangeRays(program, frame);
         program.set("uRayCount", frame.settings.skyRays);
         program.set("uExactDistance", frame.settings.skyExactDistance);
     });

@@ -19,7 +19,7 @@ void TaaPass::draw(const FrameContext& frame) const {
         program.set("uHistoryValid", int(frame.settings.temporal && resolved.valid && surface.valid));
         program.set("uHasConfidence", int(confidence && frame.settings.rejectStaleHistory));
         program.set("uHistoryConfidence", confidence);
-        setChangeRays(program, frame);
+        setLastConfidence(program, frame);
         program.set("uSurface", surface.current);
         program.set("uSurfaceHistory", surface.previous);
         program.set("uMotion", frame.targets.at(Target::Motion));

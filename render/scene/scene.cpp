@@ -92,7 +92,10 @@ uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld, bool isSameMomen
     if (m_smokeChanged || rebased) m_smoke.update(m_particles, m_environment.sunDirection, m_origin);
     const uint64_t outlines = m_watersChanged || rebased ? m_outlines.update(m_waters, m_origin) : 0;
     m_smokeChanged = m_watersChanged = false;
-    if (!isSameMoment) m_shownDirtyRegions = std::exchange(m_dirtyRegions, {});
+    if (!isSameMoment) {
+        m_hadDirtyRegions = !m_shownDirtyRegions.boxes().empty();
+        m_shownDirtyRegions = std::exchange(m_dirtyRegions, {});
+    }
     const uint64_t bodies = m_bodies.beginFrame(alpha, m_origin, isSameMoment);
     return bricks + outlines + bodies + updateGrid() + m_shadow.upload();
 }

@@ -63,6 +63,8 @@ public:
     void describeShadow(FrameBlock& block) const;
     /// Where shadow casters have changed since the moment before.
     const DirtyRegions& dirtyRegions() const { return m_shownDirtyRegions; }
+    /// Whether there were any in the moment before.
+    bool hadDirtyRegions() const { return m_hadDirtyRegions; }
     /// Whether any shape has a palette entry of opacity < 255.
     bool hasGlass() const { return m_bodies.hasGlass(); }
     /// A number that grows when shapes with glass, or the sun, have changed or moved.
@@ -98,6 +100,7 @@ private:
     GpuShadowVolume m_shadow;
     DirtyRegions m_dirtyRegions;       ///< of the moment to come
     DirtyRegions m_shownDirtyRegions;  ///< of the moment that is drawn
+    bool m_hadDirtyRegions = false;    ///< in the moment before
     SmokeShadow m_smoke;
     std::vector<SnapshotLight> m_lights;
     std::vector<SnapshotParticle> m_particles;

@@ -15,7 +15,7 @@
 #include "lib/constants.glsl"
 #include "lib/surface_history.glsl"
 #include "lib/color.glsl"
-#include "lib/known_changes.glsl"
+#include "lib/history_left.glsl"
 #include "lib/local_lights.glsl"
 #include "lib/voxel_walk.glsl"
 #include "lib/paint.glsl"
@@ -75,8 +75,7 @@ vec4 radianceOnScreen(vec3 hitWorld, vec3 normal, float emissionWeight, float ma
     float emissionScale = surface.z < 0.0 && frame.counters.z > 0 ? emissionWeight : 1.0;
     float most = surface.z < 0.0 ? min(maxRadiance, kMaxHitRadiance) : kMaxHitRadiance;
     return vec4(clamp(radiance / (1.0 - haze), vec3(0.0), vec3(most)) * emissionScale,
-                clamp(min(fromEdge.x, fromEdge.y), 1e-3, 1.0) *
-                    countsOfPreviousFrame(historyLeftAt(hitWorld, luminance(radiance))));
+                clamp(min(fromEdge.x, fromEdge.y), 1e-3, 1.0) * historyLeftOf(pixel).counts);
 }
 
 /// The surface where a path started.
@@ -117,9 +116,10 @@ vec3 localLightOn(vec3 position, vec3 normal, PathStart start) {
     Reservoir reservoir = chooseLight(start.lights, position, normal, start.random.xy);
     if (reservoir.weightSum <= 0.0) return vec3(0.0);
     LocalLight localLight = readLight(max(reservoir.light, 0));
-    vec3 toCentre = toLight(localLight, position, start.random.z),
-         direction = sampleLightDirection(localLight, toCentre, fract(start.random.yz + start.random.x));
-    LightSample point = evaluateLight(localLight, toCentre, direction, true);
+    vec3 toCentre = toLight(localLight, position, start.random.z);
+    SphericalRectangle face = rectangleOf(localLight, toCentre);
+    vec3 direction = sampleLightDirection(localLight, toCentre, face, fract(start.random.yz + start.random.x));
+    LightSample point = evaluateLight(localLight, toCentre, face, direction, true);
     vec3 arriving = point.radiance *
                     (max(dot(direction, normal), 0.0) / (kPi * point.pdf) * reservoir.weightSum / reservoir.weight);
     vec3 origin = shadowOrigin(position, normal), shadowRay = position + direction * point.range - origin;
@@ -143,7 +143,8 @@ OffscreenFace shadeOffscreenFace(vec3 hitWorld, vec3 normal, vec3 direction, Pat
     vec3 middle = (floor((hitWorld - normal * (0.5 * kShadowCell)) / kShadowCell) + 0.5) * kShadowCell;
     Entry entry;
     bool found = false;
-    for (int i = 0; i < 2 && !found; ++i) found = voxelAt(middle + direction * (kShadowCell * float(i)), entry);
+    for (int i = loopBegin(); i < 2 && !found; ++i)
+        found = voxelAt(middle + direction * (kShadowCell * float(i)), entry);
     if (!found) return OffscreenFace(kDefaultAlbedo * (sun + localLight), vec3(kDefaultAlbedo));
     vec3 albedo = srgbToLinear(entry.color), f0 = mix(vec3(entry.reflectivity), albedo, entry.metallic);
     vec3 emitted =

@@ -4,7 +4,7 @@
 //   long history, now dropped                             the first such frame
 //   kRaysAfterChange frames or more, dropped last frame   the second one
 // What changes in each frame has neither, so that an explosion does not pay for rays which the next frame drops.
-// Needs lib/constants.glsl.
+// passes/history_left.frag decides it, for all passes alike. Needs lib/constants.glsl.
 uniform sampler2D uLastConfidence;  // the previous frame's history confidence
 uniform bool uLastConfidenceValid;
 
@@ -14,6 +14,11 @@ const float kSettledFrames = 8.0;  // from which on history counts as long
 
 /// Whether history was dropped by knowledge in the previous frame. lastUv: the place in that frame.
 bool wasDropped(vec2 lastUv) { return uLastConfidenceValid && texture(uLastConfidence, lastUv).y < kDropped; }
+
+/// Share by which the previous frame's light of a place counts as light of this one, if so many frames of history
+/// are left. It brings its whole error with it, which no later frame averages out: ten must be left for it to count in
+/// full.
+float countsOfPreviousFrame(float framesLeft) { return min(framesLeft * 0.1, 1.0); }
 
 /// Rays of a pixel in this frame. lastFrames: of history in the previous frame; left: the share of the longest history
 /// that is left.

@@ -1,5 +1,6 @@
 // What the engine knows to have changed since the previous frame, and how much history is left where it has: a share of
-// uMaxHistory frames, 1 where nothing has. (Set by render/passes/known_changes.cpp.)
+// uMaxHistory frames, 1 where nothing has. (Set by render/passes/known_changes.cpp.) For the few passes that must ask
+// at places of their own; the others read what passes/history_left.frag has found (lib/history_left.glsl).
 //
 // Let r be a change of light, relative to the light that a place had. n frames of old history then have an error of r,
 // and n frames of samples with the deviation s one of s / sqrt(n). They are equal at n = (s / r)^2: that many are kept.
@@ -9,6 +10,7 @@
 uniform int uDirtyCornerCount;
 uniform vec4 uDirtyCorners[2 * kMaxDirtyRegions];  // low and high corners of changed boxes by turns, world
 uniform int uChangedLightTexels;
+uniform int uNewLightTexels;  // the first of them: changes since the previous frame; behind them older ones
 // Before and after by turns, each in three: xyz position, w reach; rgb intensity, w extent; angular falloff.
 uniform vec4 uChangedLights[6 * kMaxLightChanges];
 uniform int uShadowedLightTexels;
@@ -20,7 +22,7 @@ const float kSampleDeviation = 0.25;  // s: of a sample of light after the spati
 const float kResetDistance = 1.2;     // metres around changed voxels within which all history is dropped
 const float kMinFalloff = 0.1;        // share of a light's intensity that reaches places beside its beam, by bounces
 
-float historyLeft(float relativeChange) {
+float historyLeftAfter(float relativeChange) {
     float ratio = kSampleDeviation / max(relativeChange, 1e-4);
     return min(ratio * ratio / uMaxHistory, 1.0);
 }
@@ -37,7 +39,7 @@ float historyNearVoxels(vec3 position) {
         float radius2 = dot(halfSize, halfSize);
         share += radius2 / (dot(away, away) + radius2);
     }
-    return historyLeft(share * share);
+    return historyLeftAfter(share * share);
 }
 
 /// Whether a line from `origin` to origin + ray passes through changed voxels, or beside them within `margin`, the sine
@@ -62,29 +64,36 @@ vec3 irradianceOf(vec4 place, vec4 color, vec4 falloff, vec3 position) {
     return color.rgb * (window * window * max(beam * beam, kMinFalloff) / (range * range));
 }
 
-/// Around lights that have changed, and where changed voxels lie before a light. meanRadiance: luminance of the light
-/// that the place had.
-float historyNearLights(vec3 position, float meanRadiance) {
+/// By how much the irradiance differs of the changed lights from texel `first` to `end`.
+vec3 changeByLights(vec3 position, int first, int end) {
     vec3 change = vec3(0.0);
-    for (int i = 0; i < uChangedLightTexels; i += 6)
+    for (int i = first; i < end; i += 6)
         change += abs(irradianceOf(uChangedLights[i + 3], uChangedLights[i + 4], uChangedLights[i + 5], position) -
                       irradianceOf(uChangedLights[i], uChangedLights[i + 1], uChangedLights[i + 2], position));
+    return change;
+}
+
+/// Irradiance of the lights before which changed voxels lie.
+vec3 changeByShadows(vec3 position) {
+    vec3 change = vec3(0.0);
     for (int i = 0; i < uShadowedLightTexels; i += 3) {
         vec3 toLight = uShadowedLights[i].xyz - position;
         if (meetsChange(position, toLight, uShadowedLights[i + 1].w / max(length(toLight), 0.05)))
             change += irradianceOf(uShadowedLights[i], uShadowedLights[i + 1], uShadowedLights[i + 2], position);
     }
-    return historyLeft(max(change.r, max(change.g, change.b)) / (kPi * max(meanRadiance, 1e-4)));
+    return change;
+}
+
+/// After a change of irradiance. meanRadiance: luminance of the light that the place had.
+float historyLeftAfter(vec3 change, float meanRadiance) {
+    return historyLeftAfter(max(change.r, max(change.g, change.b)) / (kPi * max(meanRadiance, 1e-4)));
 }
 
 /// Share of the longest history that is left to a place.
 float historyLeftAt(vec3 position, float meanRadiance) {
-    return min(historyNearVoxels(position), historyNearLights(position, meanRadiance));
+    vec3 change = changeByLights(position, 0, uChangedLightTexels) + changeByShadows(position);
+    return min(historyNearVoxels(position), historyLeftAfter(change, meanRadiance));
 }
-
-/// Share by which the previous frame's light of a place counts as light of this one. It brings its whole error with it,
-/// which no later frame averages out: ten frames of history must be left for it to count in full.
-float countsOfPreviousFrame(float left) { return min(left * uMaxHistory * 0.1, 1.0); }
 
 /// Whether the view of a place passes through changed voxels, or beside them within `margin`.
 bool isSeenThroughChange(vec3 position, float margin) {

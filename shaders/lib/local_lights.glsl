@@ -16,11 +16,11 @@
 #include "lib/texels.glsl"
 #include "lib/rectangle_sampling.glsl"
 
-uniform texels4f uLights;      // kTexelsPerLight a light: see readLight()
-uniform texels2 uLightCells;   // a cell of the grid: first entry in the list, number of lights
-uniform texels1 uLightList;    // light numbers; the first kAlwaysWeighed of a cell are its strongest
+uniform texels4f uLights;       // kTexelsPerLight a light: see readLight()
+uniform texels2 uLightCells;    // a cell of the grid: first entry in the list, number of lights
+uniform texels1 uLightList;     // light numbers; the first kAlwaysWeighed of a cell are its strongest
 uniform texels4f uLightImages;  // texels of screens, linear colour
-uniform ivec3 uLightGrid;         // tiles across and up, slices of depth; one more slice lists lights of all depths
+uniform ivec3 uLightGrid;       // tiles across and up, slices of depth; one more slice lists lights of all depths
 
 const int kOthersWeighed = 12;  // beside the kAlwaysWeighed first ones of a cell
 const float kWideAngle = 0.3;   // solid angle from which on a rectangle is sampled by solid angle, sr
@@ -42,8 +42,8 @@ struct LocalLight {
 
 LocalLight readLight(int i) {
     i *= kTexelsPerLight;
-    vec4 a = fetch4f(uLights, i), c = fetch4f(uLights, i + 2), d = fetch4f(uLights, i + 3),
-         e = fetch4f(uLights, i + 4), f = fetch4f(uLights, i + 5), g = fetch4f(uLights, i + 6);
+    vec4 a = fetch4f(uLights, i), c = fetch4f(uLights, i + 2), d = fetch4f(uLights, i + 3), e = fetch4f(uLights, i + 4),
+         f = fetch4f(uLights, i + 5), g = fetch4f(uLights, i + 6);
     return LocalLight(a.xyz, a.w, d.rgb, c.y, e.xyz, int(d.w), vec2(e.w, g.x), c.z, f.xyz, vec2(f.w, c.w), g.w > 0.0,
                       ivec3(int(g.y), int(g.z) & 255, int(g.z) >> 8));
 }
@@ -144,26 +144,27 @@ float hemisphereFraction(float radius, float range2) {
     return sine2 / (1.0 + sqrt(1.0 - sine2));
 }
 
-/// A light's rectangle as seen from a point.
+/// A light's rectangle as seen from a point. A sample needs it twice: for its direction and for its density.
 SphericalRectangle rectangleOf(LocalLight light, vec3 toCentre) {
-    vec3 centre = vec3(dot(toCentre, light.right), dot(toCentre, cross(light.right, light.axis)),
-                       dot(toCentre, light.axis));
+    vec3 centre =
+        vec3(dot(toCentre, light.right), dot(toCentre, cross(light.right, light.axis)), dot(toCentre, light.axis));
     return sphericalRectangle(centre, max(light.halfSize, vec2(1e-3)));
 }
 
 /// A direction to a random point of a light: of a sphere uniform over its cone, of a rectangle uniform over its solid
 /// angle or area.
-vec3 sampleLightDirection(LocalLight light, vec3 toCentre, vec2 u) {
+vec3 sampleLightDirection(LocalLight light, vec3 toCentre, SphericalRectangle face, vec2 u) {
     float range2 = max(dot(toCentre, toCentre), 1e-6);
-    float fall = u.y * hemisphereFraction(light.radius, range2), angle = 2.0 * kPi * u.x;
-    vec3 local = vec3(sqrt(fall * (2.0 - fall)) * vec2(cos(angle), sin(angle)), 1.0 - fall);
+    float fall = u.y * hemisphereFraction(light.radius, range2);
+    float angle = light.kind < kArea ? 2.0 * kPi * u.x : rectangleAngle(face, u.x);
+    vec2 turn = vec2(cos(angle), sin(angle));
+    vec3 local = vec3(sqrt(fall * (2.0 - fall)) * turn, 1.0 - fall);
     vec3 ball = orthonormalBasis(toCentre * inversesqrt(range2)) * local;
     if (light.kind < kArea) return ball;
     vec3 up = cross(light.right, light.axis);
     vec2 place = (2.0 * u - 1.0) * light.halfSize;
-    SphericalRectangle wide = rectangleOf(light, toCentre);
-    if (wide.solidAngle > kWideAngle)
-        place = sampleRectangle(wide, u) - vec2(dot(toCentre, light.right), dot(toCentre, up));
+    if (face.solidAngle > kWideAngle)
+        place = sampleRectangle(face, turn, u.y) - vec2(dot(toCentre, light.right), dot(toCentre, up));
     return normalize(toCentre + light.right * place.x + up * place.y);
 }
 
@@ -190,7 +191,7 @@ LightSample evaluateSphere(LocalLight light, vec3 toCentre, vec3 direction, bool
 }
 
 /// A rectangle of radiance intensity / area. Density by area becomes one over solid angle: range^2 / (cosine area).
-LightSample evaluateArea(LocalLight light, vec3 toCentre, vec3 direction, bool isHit) {
+LightSample evaluateArea(LocalLight light, vec3 toCentre, float solidAngle, vec3 direction, bool isHit) {
     float turned = -dot(direction, light.axis), cosine = max(light.twoSided ? abs(turned) : turned, 1e-5);
     float range = -dot(toCentre, light.axis) / (turned < 0.0 ? -cosine : cosine);
     vec3 onFace = direction * range - toCentre;
@@ -199,13 +200,12 @@ LightSample evaluateArea(LocalLight light, vec3 toCentre, vec3 direction, bool i
     float area = 4.0 * halfSize.x * halfSize.y;
     bool isVisible = cosine > 1e-5 && range > 0.0 && (isHit || max(abs(place.x), abs(place.y)) <= 1.0);
     vec3 color = light.kind == kScreen ? light.color * screenImageAt(light, place) : light.color;
-    float solidAngle = rectangleOf(light, toCentre).solidAngle;
     return LightSample(range, max(light.radius, 0.12) / max(cosine, 0.1),
                        isVisible ? color * (lightWindow(range, light.reach) / area) : vec3(0.0),
                        solidAngle > kWideAngle ? 1.0 / solidAngle : max(range * range, 1e-4) / (cosine * area));
 }
 
-LightSample evaluateLight(LocalLight light, vec3 toCentre, vec3 direction, bool isHit) {
-    return light.kind >= kArea ? evaluateArea(light, toCentre, direction, isHit)
+LightSample evaluateLight(LocalLight light, vec3 toCentre, SphericalRectangle face, vec3 direction, bool isHit) {
+    return light.kind >= kArea ? evaluateArea(light, toCentre, face.solidAngle, direction, isHit)
                                : evaluateSphere(light, toCentre, direction, isHit);
 }

@@ -57,7 +57,7 @@ float valueNoise(vec2 p) {
 /// Fractal noise: octaves of value noise in [0, 1], each rotated so that the grid does not show.
 float fractalNoise(vec2 p, int octaves) {
     float sum = 0.0, weight = 0.5, total = 0.0;
-    for (int i = 0; i < octaves; ++i) {
+    for (int i = loopBegin(); i < octaves; ++i) {
         sum += weight * valueNoise(p);
         total += weight;
         weight *= 0.5;

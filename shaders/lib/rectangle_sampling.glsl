@@ -24,15 +24,18 @@ SphericalRectangle sphericalRectangle(vec3 centre, vec2 halfSize) {
     return SphericalRectangle(low, high, away, planes, offset, angles.x + angles.y - offset);
 }
 
-/// A point of the rectangle along its sides, whose direction has the density 1 / solidAngle.
-vec2 sampleRectangle(SphericalRectangle r, vec2 u) {
-    float angle = u.x * r.solidAngle + r.offset, sine = sin(angle);
-    float f = (cos(angle) * r.planes.x - r.planes.z) / (abs(sine) < 1e-6 ? 1e-6 : sine);
+/// The angle in sampleRectangle(). u: uniform in [0, 1).
+float rectangleAngle(SphericalRectangle r, float u) { return u * r.solidAngle + r.offset; }
+
+/// A point of the rectangle along its sides, whose direction has the density 1 / solidAngle. turn: cosine and sine of
+/// rectangleAngle(). u: uniform in [0, 1).
+vec2 sampleRectangle(SphericalRectangle r, vec2 turn, float u) {
+    float f = (turn.x * r.planes.x - r.planes.z) / (abs(turn.y) < 1e-6 ? 1e-6 : turn.y);
     float cosine = (f > 0.0 ? 1.0 : -1.0) * min(inversesqrt(max(f * f + r.planes.x * r.planes.x, 1e-12)), 1.0);
     float x = clamp(-cosine * r.away * inversesqrt(max(1.0 - cosine * cosine, 1e-12)), r.low.x, r.high.x);
     float range2 = x * x + r.away * r.away;
     vec2 ends = vec2(r.low.y, r.high.y), sines = ends * inversesqrt(range2 + ends * ends);
-    float height = mix(sines.x, sines.y, u.y);
+    float height = mix(sines.x, sines.y, u);
     float y = clamp(height * sqrt(range2) * inversesqrt(max(1.0 - height * height, 1e-12)), r.low.y, r.high.y);
     return vec2(x, y);
 }

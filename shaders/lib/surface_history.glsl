@@ -29,3 +29,27 @@ vec3 unpackNormal(float packed_) {
     if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * vec2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0);
     return normalize(n);
 }
+
+/// The pixels of the previous frame of which a place has its history: four for bilinear interpolation, or one where it
+/// lies on that pixel's centre, as it does where the camera stands still.
+struct Taps {
+    ivec2 low;
+    vec2 fraction;
+    int count;
+};
+
+const float kOnCentre = 0.004;  // pixels from a pixel's centre within which a place counts as there
+
+Taps tapsAt(vec2 lastUv) {
+    vec2 corner = lastUv * frame.targetSize.xy - 0.5, low = floor(corner + kOnCentre),
+         fraction = max(corner - low, vec2(0.0));
+    return Taps(ivec2(low), fraction, max(fraction.x, fraction.y) < kOnCentre ? 1 : 4);
+}
+
+/// The weight of tap i, and its pixel.
+float tapWeight(Taps taps, int i, out ivec2 pixel) {
+    ivec2 offset = ivec2(i & 1, i >> 1);
+    pixel = clamp(taps.low + offset, ivec2(0), ivec2(frame.targetSize.xy) - 1);
+    vec2 weights = mix(1.0 - taps.fraction, taps.fraction, vec2(offset));
+    return weights.x * weights.y;
+}

@@ -5,8 +5,8 @@
 // normal must agree; else it was hidden then (disocclusion). With n frames of history a mean has blend = 1 / n. Here it
 // is (1 + 1 / n) / n, which lets the first frames count less, as they know less of bounced light. n is limited by
 // uMaxHistory, by the history confidence (passes/light_change.frag) and by what is known to have changed
-// (lib/known_changes.glsl): there history is dropped, and more rays are sent (lib/change_rays.glsl). The second moment
-// of luminance is accumulated likewise, for the filter's variance.
+// (passes/history_left.frag): there history is dropped, and more rays are sent (lib/change_rays.glsl). The second
+// moment of luminance is accumulated likewise, for the filter's variance.
 //
 // The sun's share changes far from the voxels that move: where their shadow falls. There it is kept between the least
 // and the most that the pixel and its neighbours see of the sun now (as Lottes clamps colours, "TSSAA", 2011): out of
@@ -17,8 +17,7 @@
 #include "lib/half.glsl"
 #include "lib/color.glsl"
 #include "lib/surface_history.glsl"
-#include "lib/known_changes.glsl"
-#include "lib/change_rays.glsl"
+#include "lib/history_left.glsl"
 
 uniform sampler2D uLight;
 uniform sampler2D uHitProximity;
@@ -50,14 +49,10 @@ History reprojectHistory(Surface s, float packed_, vec3 position) {
     if (!uHistoryValid || any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return history;
     float expected = (frame.previousViewProjection * vec4(position, 1.0)).w;
     float tolerance = depthTolerance(position, s.normal, s.depth) + s.moving * 0.5;
-    vec2 corner = lastUv * frame.targetSize.xy - 0.5;
-    ivec2 base = ivec2(floor(corner));
-    vec2 f = corner - vec2(base);
-    for (int i = 0; i < 4; ++i) {
-        ivec2 offset = ivec2(i & 1, i >> 1);
-        float w = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y);
-        if (w < 0.004) continue;  // one tap is enough where the camera stands still
-        ivec2 p = clamp(base + offset, ivec2(0), ivec2(frame.targetSize.xy) - 1);
+    Taps taps = tapsAt(lastUv);
+    for (int i = loopBegin(); i < taps.count; ++i) {
+        ivec2 p;
+        float w = tapWeight(taps, i, p);
         vec4 there = texelFetch(uSurfaceHistory, p, 0);
         if (abs(there.x - expected) > tolerance || (there.y != packed_ && dot(unpackNormal(there.y), s.normal) < 0.9))
             continue;
@@ -78,10 +73,10 @@ History reprojectHistory(Surface s, float packed_, vec3 position) {
     return history;
 }
 
-/// A past share of the sun, within what the neighbours see of it now.
-float clampToNeighbours(float sun, ivec2 pixel) {
-    float least = 1.0, most = 0.0;
-    for (int i = 0; i < 9; ++i) {
+/// A past share of the sun, within what `neighbours` pixels see of it now: the 9 around, or none to keep it.
+float clampToNeighbours(float sun, ivec2 pixel, int neighbours) {
+    float least = neighbours > 0 ? 1.0 : 0.0, most = 1.0 - least;
+    for (int i = 0; i < neighbours; ++i) {
         ivec2 p = clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), ivec2(frame.targetSize.xy) - 1);
         float there = texelFetch(uLight, p, 0).a;
         least = min(least, there);
@@ -98,20 +93,14 @@ void main() {
     accumulated = now;
     float hitProximity = uHasHitProximity ? min(texelFetch(uHitProximity, pixel, 0).x, kMaxProximity) : 0.0;
     surface = vec4(s.depth, packNormal(s.normal), 1.0 + hitProximity, s.emission > 0.0 ? -1.0 : lum * lum);
-    vec3 position = worldFromDepth(uv, s.depth);
-    History history = reprojectHistory(s, surface.y, position);
+    History history = reprojectHistory(s, surface.y, worldFromDepth(uv, s.depth));
     if (history.weight == 0.0) return;
-    float left = 1.0, confidence = 1.0;
-    int rays = 1;
-    if (uHasConfidence && isSunSeenThroughChange(position)) history.light.a = clampToNeighbours(history.light.a, pixel);
-    if (uHasConfidence) {
-        left = historyLeftAt(position, luminance(history.light.rgb));
-        confidence = min(texture(uHistoryConfidence, uv).x, left);
-        rays = raysAt(floor(history.frames + 0.01), left, uv - texelFetch(uMotion, pixel, 0).rg);
-    }
-    float added = float(rays), frames = min(min(history.frames, confidence * uMaxHistory) + added, uMaxHistory);
+    HistoryLeft left = historyLeftOf(ivec2((uv - texelFetch(uMotion, pixel, 0).rg) * frame.targetSize.xy));
+    history.light.a = clampToNeighbours(history.light.a, pixel, left.sunChanged ? 9 : 0);  // a loop costs no lookups
+    float confidence = uHasConfidence ? min(texture(uHistoryConfidence, uv).x, left.lately) : 1.0;
+    float added = float(left.rays), frames = min(min(history.frames, confidence * uMaxHistory) + added, uMaxHistory);
     // Where the second frame of a change starts again there is no third one.
-    if (left < kDropped && history.frames < kSettledFrames) frames = min(frames, float(kRaysAfterChange) - 1.0);
+    if (left.lately < kDropped && history.frames < kSettledFrames) frames = min(frames, float(kRaysAfterChange) - 1.0);
     float blend = min((1.0 + 1.0 / frames) * added / frames, 1.0);
     accumulated = stochasticRoundToHalf(mix(history.light, now, blend), pixel, 0);
     surface.z = floor(frames + 0.01) + min(mix(history.hitProximity, hitProximity, blend), kMaxProximity);

@@ -17,11 +17,9 @@
 #include "lib/shadow_trace.glsl"
 #include "lib/brdf.glsl"
 #include "lib/local_lights.glsl"
-#include "lib/known_changes.glsl"
-#include "lib/change_rays.glsl"
+#include "lib/history_left.glsl"
 
 uniform sampler2D uSpecularHistory;
-uniform sampler2D uLightHistory;
 uniform sampler2D uSurfaceHistory;  // x linear depth, z frames accumulated
 uniform bool uHistoryValid;
 uniform float uMaxHighlightHistory;  // frames
@@ -109,8 +107,9 @@ void addSample(Receiver r, int n, inout vec4 light, inout vec4 specular) {
     bool byLobe = more.y < lobeChance;
     mat3 basis = orthonormalBasis(normal);
     vec3 mirrored = reflect(-r.view, basis * sampleVisibleNormal(r.view * basis, ggxAlpha(roughness), random));
-    vec3 direction = byLobe ? mirrored : sampleLightDirection(localLight, toCentre, random);
-    LightSample point = evaluateLight(localLight, toCentre, direction, !byLobe);
+    SphericalRectangle face = rectangleOf(localLight, toCentre);
+    vec3 direction = byLobe ? mirrored : sampleLightDirection(localLight, toCentre, face, random);
+    LightSample point = evaluateLight(localLight, toCentre, face, direction, !byLobe);
     float pdf = mix(point.pdf, ggxVndfPdf(normal, r.view, direction, roughness), lobeChance);
     vec3 arriving = point.radiance * (max(dot(direction, normal), 0.0) * sampleWeight / (kPi * pdf));
     bool dark = luminance(arriving) <= 0.0;
@@ -127,12 +126,10 @@ void addSample(Receiver r, int n, inout vec4 light, inout vec4 specular) {
 }
 
 /// Rays of a pixel in this frame.
-int raysOf(ivec2 pixel, vec3 position) {
+int raysOf(ivec2 pixel) {
     vec2 lastUv = uv - texelFetch(uMotion, pixel, 0).rg;
-    if (!uHistoryValid || lastUv != clamp(lastUv, vec2(0.0), vec2(0.999))) return 1;
-    ivec2 last = ivec2(lastUv * frame.targetSize.xy);
-    float left = historyLeftAt(position, luminance(texelFetch(uLightHistory, last, 0).rgb));
-    return raysAt(floor(texelFetch(uSurfaceHistory, last, 0).z), left, lastUv);
+    bool known = uHistoryValid && lastUv == clamp(lastUv, vec2(0.0), vec2(0.999));
+    return known ? historyLeftOf(ivec2(lastUv * frame.targetSize.xy)).rays : 1;
 }
 
 void main() {
@@ -144,7 +141,7 @@ void main() {
     Receiver receiver = Receiver(pixel, s, position, normalize(frame.cameraPosition.xyz - position),
                                  mix(vec3(s.reflectivity), s.albedo, s.metallic), lightsAt(pixel, s.depth));
     light = specular = vec4(0.0);
-    int rays = raysOf(pixel, position);
+    int rays = raysOf(pixel);
     for (int i = 0; i < rays; ++i) addSample(receiver, frame.counters.x * rays + i, light, specular);
     light /= float(rays), specular /= float(rays);
     specular = accumulateSpecular(specular, position, s, float(rays));

@@ -1,37 +1,10 @@
-// Shows any target in the host's framebuffer, with the depth of the voxels in the host's convention. The modes are
-// those of ShowPass::Mode in render/passes/show_pass.h; 0 shows colours as they are.
-#include "lib/frame.glsl"
-#include "lib/constants.glsl"
+// Shows an image: as it is, or radiance with the exposure.
+#include "lib/show.glsl"
 
-uniform sampler2D uTarget;
-uniform int uMode;
-uniform bool uFlipped;        // the first row is the top one
-uniform sampler2D uExposure;  // of mode 7
-uniform sampler2D uDepth;     // linear; kSkyDepth: sky
-uniform vec4 uClipOfDepth;    // in the host's clip space depth d is (x d + y) / (z d + w)
-uniform vec2 uWindowOfClip;   // depth in the window: x times that of clip space + y
-uniform vec4 uStatusDot;      // rgb, a 1 if it is drawn: shaders were reloaded, or failed to build
-in vec2 uv;
-out vec4 color;
-
-/// Where nothing is met: as far as the host can see.
-float windowDepth(float depth) {
-    vec2 clip = depth >= kSkyDepth ? uClipOfDepth.xz : uClipOfDepth.xz * depth + uClipOfDepth.yw;
-    return clamp(clip.x / clip.y * uWindowOfClip.x + uWindowOfClip.y, 0.0, 1.0);
-}
+uniform bool uIsExposed;  // it holds radiance
+uniform sampler2D uExposure;
 
 void main() {
-    vec2 place = uFlipped ? vec2(uv.x, 1.0 - uv.y) : uv;
-    vec4 v = texture(uTarget, place);
-    vec3 c = v.rgb;
-    if (uMode == 1) c = pow(c / (1.0 + c), vec3(1.0 / 2.2));  // radiance
-    if (uMode == 2) c = v.rgb * 0.5 + 0.5;                    // directions
-    if (uMode == 3) c = vec3(1.0 - exp(-v.r / 20.0));         // metres
-    if (uMode == 4) c = vec3(v.rg * 10.0 + 0.5, 0.5);         // motion, uv per frame
-    if (uMode == 5) c = vec3(v.a);
-    if (uMode == 6) c = vec3(v.b / 32.0);  // frames accumulated
-    if (uMode == 7) c *= frame.exposure.x * texelFetch(uExposure, ivec2(0), 0).r;
-    if (uStatusDot.a > 0.0 && distance(gl_FragCoord.xy, vec2(12.0)) < 6.0) c = uStatusDot.rgb;
-    color = vec4(c, 1.0);
-    gl_FragDepth = windowDepth(texelFetch(uDepth, ivec2(place * frame.targetSize.xy), 0).r);
+    vec3 c = texture(uTarget, shownPlace()).rgb;
+    show(uIsExposed ? c * (frame.exposure.x * texelFetch(uExposure, ivec2(0), 0).r) : c);
 }

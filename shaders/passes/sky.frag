@@ -11,7 +11,6 @@
 #include "lib/brdf.glsl"
 #include "lib/sky.glsl"
 #include "lib/bounce.glsl"
-#include "lib/change_rays.glsl"
 
 uniform int uRayCount;
 uniform float uExactDistance;  // metres
@@ -36,10 +35,10 @@ void main() {
     int rays = uRayCount;
     if (known) {
         start.light = texelFetch(uLightHistory, last, 0).rgb;
-        float frames = texelFetch(uSurfaceHistory, last, 0).z, left = historyLeftAt(origin, luminance(start.light));
-        start.light *= countsOfPreviousFrame(left);
-        start.hitProximity = fract(frames);
-        rays = max(rays, raysAt(floor(frames), left, lastUv));
+        HistoryLeft left = historyLeftOf(last);
+        start.light *= countsOfPreviousFrame(left.now * uMaxHistory);
+        start.hitProximity = fract(texelFetch(uSurfaceHistory, last, 0).z);
+        rays = max(rays, left.rays);
     }
     for (int i = 0; i < rays; ++i) {
         int n = frame.counters.x * rays + i;

@@ -56,23 +56,27 @@ out vec4 resolved;
 vec3 compress(vec3 c) { return c / (1.0 + kCompression * luminance(c)); }
 vec3 expand(vec3 c) { return c / max(1.0 - kCompression * luminance(c), 1e-3); }
 
-/// Bicubic Catmull-Rom filter in five bilinear fetches; the corners are dropped (Jimenez 2016, "Filmic SMAA").
+/// Bicubic Catmull-Rom filter in five bilinear fetches; the corners are dropped (Jimenez 2016, "Filmic SMAA"). One
+/// fetch is enough on a pixel's centre.
 vec3 sampleHistory(vec2 place) {
     vec2 size = frame.displaySize.xy;
     vec2 p = place * size;
-    vec2 centre = floor(p - 0.5) + 0.5;
-    vec2 f = p - centre;
+    vec2 centre = floor(p - 0.5 + kOnCentre) + 0.5;
+    vec2 f = max(p - centre, vec2(0.0));
     vec2 w0 = f * (-0.5 + f * (1.0 - 0.5 * f));
     vec2 w1 = 1.0 + f * f * (-2.5 + 1.5 * f);
     vec2 w2 = f * (0.5 + f * (2.0 - 1.5 * f));
     vec2 w3 = f * f * (-0.5 + 0.5 * f);
     vec2 w12 = w1 + w2;
     vec2 t0 = (centre - 1.0) / size, t12 = (centre + w2 / w12) / size, t3 = (centre + 2.0) / size;
-    vec4 sum = vec4(texture(uHistory, vec2(t12.x, t0.y)).rgb, 1.0) * (w12.x * w0.y);
-    sum += vec4(texture(uHistory, vec2(t0.x, t12.y)).rgb, 1.0) * (w0.x * w12.y);
-    sum += vec4(texture(uHistory, t12).rgb, 1.0) * (w12.x * w12.y);
-    sum += vec4(texture(uHistory, vec2(t3.x, t12.y)).rgb, 1.0) * (w3.x * w12.y);
-    sum += vec4(texture(uHistory, vec2(t12.x, t3.y)).rgb, 1.0) * (w12.x * w3.y);
+    vec4 sum = vec4(texture(uHistory, t12).rgb, 1.0) * (w12.x * w12.y);
+    int others = max(f.x, f.y) < kOnCentre ? 0 : 4;
+    for (int i = loopBegin(); i < others; ++i) {  // below, above, left, right
+        bool isAside = i >= 2, isHigh = (i & 1) == 1;
+        vec2 side = isHigh ? t3 : t0, w = isHigh ? w3 : w0;
+        sum += vec4(texture(uHistory, isAside ? vec2(side.x, t12.y) : vec2(t12.x, side.y)).rgb, 1.0) *
+               (isAside ? w.x * w12.y : w12.x * w.y);
+    }
     return max(sum.rgb / sum.a, vec3(0.0));
 }
 
@@ -156,8 +160,9 @@ vec2 motionOf(Neighbourhood n) {
     return motion;
 }
 
-/// Whether something nearer than what is seen now was before it in the previous frame.
-bool isDisoccluded(Neighbourhood n, vec2 before) {
+/// Whether something nearer than what is seen now was before it in the previous frame. Where it is not asked, a loop of
+/// no steps costs less than a branch on a GL that runs both sides of it.
+bool isDisoccluded(Neighbourhood n, vec2 before, bool isAsked) {
     float expected = kSkyDepth, tolerance = 0.0;
     if (n.depth < kSkyDepth) {
         vec3 position = worldFromDepth((vec2(n.nearest) + 0.5) * frame.targetSize.zw, n.depth);
@@ -166,7 +171,8 @@ bool isDisoccluded(Neighbourhood n, vec2 before) {
     }
     ivec2 middle = ivec2(before * frame.targetSize.xy), high = ivec2(frame.targetSize.xy) - 1;
     float nearest = kSkyDepth;
-    for (int i = 0; i < 9; i += 2)
+    int end = isAsked ? 9 : 0;
+    for (int i = 0; i < end; i += 2)
         nearest =
             min(nearest, texelFetch(uSurfaceHistory, clamp(middle + ivec2(i % 3, i / 3) - 1, ivec2(0), high), 0).x);
     return nearest < expected - tolerance;
@@ -213,7 +219,7 @@ void main() {
     if (confidence.y < 0.5) blend = mix(blend, 1.0, smoothstep(kOutdated.x, kOutdated.y, outside));
     blend = mix(kParticleBlend, blend, n.surfaceShare);
     blend = max(blend, smoothstep(kUncovered.x, kUncovered.y, last.covered - covered));
-    if (!isTrusted && last.steady < 0.5 && isDisoccluded(n, before)) blend = 1.0;
+    if (isDisoccluded(n, before, !isTrusted && last.steady < 0.5)) blend = 1.0;
     float near = upscale > 1.0 ? exp(-0.5 * sharpness * dot(fromSample, fromSample)) : 1.0;
     resolved.rgb = expand(fromYCoCg(mix(history, n.now, near * blend)));
     resolved = stochasticRoundToHalf(resolved, ivec2(gl_FragCoord.xy), 0);

@@ -10,6 +10,9 @@ vec4 cameraUp;                // xyz unit vector; w tangent of half the vertical
 vec4 cameraForward;           // xyz unit vector; w far plane, metres
 vec4 viewMiddle;              // xyz ray through the middle of the image, as viewRay(): off-centre views look aside
 vec4 previousCameraPosition;  // xyz world
+vec4 previousViewMiddle;      // the previous frame's viewMiddle
+vec4 previousCameraRight;     // xyz the previous frame's cameraRight times the tangent in its w
+vec4 previousCameraUp;        // the same of cameraUp
 vec4 targetSize;              // width, height, 1 / width, 1 / height of the traced and lit targets, pixels
 vec4 displaySize;             // the same of the displayed image: larger if RenderSettings::resolutionScale is below 1
 vec4 jitter;                  // xy this frame, zw previous frame, uv units: sample point = pixel centre + jitter

@@ -148,7 +148,7 @@ TEST_F(AbiRenderer, AnAddedLightShowsAndARemovedOneDoesNot) {
     view.width = kWidth, view.height = kHeight;
     view.position[0] = view.position[2] = 0.85, view.position[1] = 3.0;
     view.rotation[0] = -std::sqrt(0.5), view.rotation[3] = std::sqrt(0.5);  // straight down
-    /// Radiance in the middle of the image, as passes/show.frag maps it.
+    /// Radiance in the middle of the image, as passes/show_data.frag maps it.
     const auto lightAfter = [&](int frames) {
         EXPECT_EQ(m_api->step(m_world), RUBBLE_OK);
         for (int i = 0; i < frames; ++i) EXPECT_EQ(m_api->draw(renderer, &view), RUBBLE_OK) << m_api->get_last_error();

@@ -105,7 +105,7 @@ TEST_F(LightTest, AnEvenSkySurvivesTheDenoiser) {
     scene.add({80, 2, 80}, {{-4, -0.2, -4}, kLevel}, solid);
     start(scene, kSmall);
     const Image light = draw(lookingAt({0, 1.5, 2}, {0, 0, 0}), 6, "denoisedLight");
-    const int expected = int(std::lround(255.0 * std::pow(0.5 / 1.5, 1.0 / 2.2)));  // as passes/show.frag maps it
+    const int expected = int(std::lround(255.0 * std::pow(0.5 / 1.5, 1.0 / 2.2)));  // as passes/show_data.frag maps it
     for (int y = 20; y < 60; ++y)
         for (int x = 8; x < 88; ++x) ASSERT_NEAR(*light.at(x, y), expected, 2) << x << ", " << y;
 }

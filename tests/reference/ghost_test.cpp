@@ -1,9 +1,11 @@
-// Ghosts: two frames after a change the image is that of a renderer that has never seen what was before. An image
-// that begins with the change is printed beside it: what a ray or two a pixel bring.
+// Ghosts: two frames after a change the image is that of a renderer that has never seen what was before. Beside that
+// is printed how far two images are apart that have nothing to remember: no image can be expected to be nearer.
 // RUBBLE_IMAGES=FOLDER writes for each case: the drawn image, the expected one and their FLIP map, side by side, and
 // below them the frames after the change.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 
 #include "tests/golden/drawing.h"
 #include "tests/reference/display.h"
@@ -14,6 +16,8 @@ namespace {
 
 constexpr glm::ivec2 kSize(240, 135);
 constexpr int kFramesAfter = 2, kFramesShown = 6, kFramesBefore = 16, kFreshFrames = 32;
+constexpr int kOtherJitter = 17;  ///< frames later, jitter and random numbers are others
+constexpr double kAway = 1.58;    ///< radians to turn by, to see nothing of what was seen
 
 enum Entry : uint8_t { kGround = 1, kPlaster, kBrick, kDark, kSteel, kBulb, kTinted, kPolished, kEntries };
 constexpr glm::dquat kLevel(1, 0, 0, 0);
@@ -195,11 +199,14 @@ protected:
         FrameSnapshot now = m_stage.with(m_stage.scene.snapshot());
         if (m_isLightOut) now.palettes.push_back({m_stage.bulb, palette(false), nullptr});
         renderer->apply(std::move(now));
-        View view = m_stage.camera.view(kSize, target->framebuffer());
-        view.cut = true;
-        renderer->draw(view, 1.0f);
+        cutTo(m_stage.camera);
         const FloatImage started = resolvedAfter(kFramesAfter - 1);
         const FloatImage expected = resolvedAfter(kFreshFrames);
+        const FloatImage expectedLater = resolvedAfter(kOtherJitter);
+        Camera away = m_stage.camera;
+        away.yaw += kAway;
+        cutTo(away);
+        const FloatImage startedLater = resolvedAfter(kFramesAfter);
         const float exposure = reference::exposureFor(expected, m_stage.scene.environment.exposure);
         const FloatImage shown = reference::displayed(found, exposure),
                          fresh = reference::displayed(expected, exposure);
@@ -212,10 +219,21 @@ protected:
                 sheet.push_back(reference::toImage(reference::displayed(each, exposure)));
             EXPECT_TRUE(writePng(std::string(folder) + "/" + name + ".png", tile(sheet, 3)));
         }
-        // What a renderer reaches that begins with the change: a ray or two a pixel.
-        const double noise = reference::flip(fresh, reference::displayed(started, exposure));
-        printf("%s: FLIP %.4f, begun then %.4f\n", name.c_str(), difference, noise);
+        const auto flipOf = [&](const FloatImage& a, const FloatImage& b) {
+            return reference::flip(reference::displayed(a, exposure), reference::displayed(b, exposure));
+        };
+        printf(
+            "%s: FLIP %.4f of a converged image (another such image: %.4f; one begun with the change: %.4f), "
+            "%.4f of one begun with the change (another such image: %.4f)\n",
+            name.c_str(), difference, flipOf(expected, expectedLater), flipOf(expected, started),
+            flipOf(started, found), flipOf(started, startedLater));
         EXPECT_LE(difference, limit) << name;
+    }
+    /// One frame, of which nothing is known.
+    void cutTo(const Camera& camera) {
+        View view = camera.view(kSize, target->framebuffer());
+        view.cut = true;
+        renderer->draw(view, 1.0f);
     }
     bool m_isLightOut = false;
 };
@@ -335,6 +353,22 @@ TEST_F(ChangeRays, DoNotComeWhereEachFrameChanges) {
         const double share = shareWithMore();
         if (i >= 2) EXPECT_LT(share, 0.01) << "change " << i;
     }
+}
+
+TEST_F(ChangeRays, HistoryIsAskedForOnlyAfterAChange) {
+    const auto asks = [&] {
+        draw(m_stage.camera);
+        return std::ranges::count(renderer->stats().passes, std::string_view("history left")) == 1;
+    };
+    begin(night());
+    EXPECT_FALSE(asks()) << "nothing has changed";
+    recolour({2, 5, 10});
+    EXPECT_TRUE(asks() && asks());
+    EXPECT_FALSE(asks()) << "two frames after a light's change";
+    m_stage.scene.edit(m_stage.roof, all(0));
+    apply();
+    EXPECT_TRUE(asks() && asks());
+    EXPECT_FALSE(asks()) << "two frames after the roof has gone";
 }
 
 INSTANTIATE_TEST_SUITE_P(EachScene, Ghosts, testing::Values(street, hall, night, greenhouse, polished),

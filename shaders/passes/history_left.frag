@@ -1,0 +1,37 @@
+// How much history is left to each pixel of the previous frame, where something is known to have changed since then
+// (lib/known_changes.glsl). Drawn only where there is such a change: the passes that read it (lib/history_left.glsl)
+// then pay one fetch, in place of loops over the changes. Sky rays and mirror rays ask at their hits, as far as the
+// previous frame shows them.
+#include "lib/frame.glsl"
+#include "lib/color.glsl"
+#include "lib/known_changes.glsl"
+#include "lib/change_rays.glsl"
+
+uniform sampler2D uSurfaceHistory;          // lib/surface_history.glsl
+uniform sampler2D uLightHistory;            // accumulated light
+uniform sampler2D uRadianceHistory;         // the previous frame before post-processing
+uniform sampler2D uDiffuseFractionHistory;  // passes/composite.frag
+
+in vec2 uv;
+/// x after the changes since the previous frame; y after those and after lights that changed in the frame before; z
+/// share by which the radiance counts as radiance of this frame; w flags / 3: 1 the sun may be seen through changed
+/// voxels, 2 kRaysAfterChange rays are to be sent.
+out vec4 historyLeft;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 surface = texelFetch(uSurfaceHistory, pixel, 0);
+    historyLeft = vec4(1.0, 1.0, 1.0, 0.0);
+    if (surface.x >= kSkyDepth) return;
+    vec3 position = frame.previousCameraPosition.xyz + previousViewRay(uv) * surface.x;
+    float light = luminance(texelFetch(uLightHistory, pixel, 0).rgb), voxels = historyNearVoxels(position);
+    float radiance = luminance(halfRange(texelFetch(uRadianceHistory, pixel, 0).rgb)) *
+                     texelFetch(uDiffuseFractionHistory, pixel, 0).x;
+    vec3 now = changeByLights(position, 0, uNewLightTexels) + changeByShadows(position);
+    vec3 lately = now + changeByLights(position, uNewLightTexels, uChangedLightTexels);
+    historyLeft.x = min(voxels, historyLeftAfter(now, light));
+    historyLeft.y = min(voxels, historyLeftAfter(lately, light));
+    historyLeft.z = countsOfPreviousFrame(min(voxels, historyLeftAfter(now, radiance)) * uMaxHistory);
+    bool hasMoreRays = raysAt(floor(surface.z), historyLeft.x, uv) > 1;
+    historyLeft.w = (hasMoreRays ? 2.0 / 3.0 : 0.0) + (isSunSeenThroughChange(position) ? 1.0 / 3.0 : 0.0);
+}

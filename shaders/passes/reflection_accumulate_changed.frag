@@ -1,0 +1,10 @@
+// Temporal accumulation of mirror rays (lib/reflection_history.glsl) where something is known to have changed. History
+// is shortened where a mirror shows a place whose light has changed, and dropped where it shows one through voxels that
+// have changed.
+#include "lib/reflection_history.glsl"
+#include "lib/known_changes.glsl"
+
+float framesLeft(Mirror m, vec3 seen, float lum) {
+    if (meetsChange(m.position, seen - m.position, ggxAlpha(m.roughness))) return 0.0;
+    return historyLeftAt(seen, lum) * uMaxHistory;
+}
