@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "render/frame/frame_context.h"
+#include "render/frame/fullscreen_mode.h"
 #include "render/frame/view_check.h"
 #include "render/frame/view_histories.h"
 #include "render/gl/offscreen.h"
@@ -20,6 +21,7 @@
 #include "render/passes/glass_pass.h"
 #include "render/passes/glass_shadow_pass.h"
 #include "render/passes/history_left_pass.h"
+#include "render/passes/host_layers_pass.h"
 #include "render/passes/local_lights_pass.h"
 #include "render/passes/particles_pass.h"
 #include "render/passes/reflections_pass.h"
@@ -35,7 +37,6 @@
 #include "render/scene/light_grid.h"
 #include "render/scene/scene.h"
 #include "render/scene/warm_up_scene.h"
-#include "render/shader_library/fullscreen_choice.h"
 #include "runtime/core/blue_noise.h"
 #include "runtime/core/constants.h"
 #include "runtime/core/log.h"
@@ -46,25 +47,11 @@ namespace {
 constexpr float kStill = 1.0f / float(kStepsPerSecond);  ///< seconds of a frame in which no game time passes
 constexpr double kLongestFrame = 1.0;                    ///< seconds
 
-/// How this GL draws full-screen passes, if the settings want `wanted`. On llvmpipe passes take 0.97 to 3.4 times as
-/// long by compute, the whole frame 1.24 to 1.34 times, so for software renderers compute programs are not even built.
-Fullscreen supported(Fullscreen wanted) {
-    if (wanted == Fullscreen::Auto) return hasCompute() && !isSoftwareGl() ? Fullscreen::Fastest : Fullscreen::Fragment;
-    if (wanted == Fullscreen::Fragment || hasCompute()) return wanted;
-    logWarning(
-        "full-screen passes: expected GL 4.3 or newer for compute programs, found an older context; "
-        "fragments draw them");
-    return Fullscreen::Fragment;
-}
-
-ShaderLibrary::Fullscreen libraryMode(Fullscreen drawn) {
-    if (drawn == Fullscreen::Fastest) return ShaderLibrary::Fullscreen::Both;
-    return drawn == Fullscreen::Compute ? ShaderLibrary::Fullscreen::Compute : ShaderLibrary::Fullscreen::Fragment;
-}
-
-FullscreenChoice initialChoice(Fullscreen drawn) {
-    if (drawn == Fullscreen::Fastest) return FullscreenChoice::fastest();
-    return FullscreenChoice(drawn == Fullscreen::Compute ? FullscreenMethod::Compute : FullscreenMethod::Fragment);
+/// Makes a block the one that shaders see.
+void uploadBlock(const FrameBlock& block, GLuint buffer) {
+    glBindBuffer(GL_UNIFORM_BUFFER, buffer);
+    glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, buffer);
 }
 
 }  // namespace
@@ -74,7 +61,7 @@ constexpr double kGreenSeconds = 1.0;  ///< for which a dot tells of reloaded sh
 struct Renderer::Impl {
     Impl(const std::string& shaderFolder, const RenderSettings& given)
         : settings(given.inRange()),
-          shaders(shaderFolder, libraryMode(fullscreen), texels.shaderDefines(), &programCache) {
+          shaders(shaderFolder, programsFor(fullscreen), texels.shaderDefines(), &programCache) {
         startScene();
         blueNoise = Texture(GL_R8, glm::ivec2(kBlueNoiseSize), Filter::Nearest, Wrap::Repeat);
         blueNoise.upload(makeBlueNoise().data());
@@ -90,7 +77,8 @@ struct Renderer::Impl {
     void compileAhead();
     template <class F>
     void forEachLazyPass(F&& f) {
-        f(localLights), f(glassShadow), f(wetness), f(water), f(fog), f(glare), f(particles), f(ropes);
+        f(localLights), f(glassShadow), f(wetness), f(water), f(fog), f(glare), f(particles), f(ropes), f(exact),
+            f(hostLayers);
     }
     GlStateGuard guardHostState() const {
         return GlStateGuard(settings.hostState,
@@ -105,10 +93,11 @@ struct Renderer::Impl {
     void drawGeometry(const FrameContext& frame);
     void drawLight(const FrameContext& frame);
     void drawImage(const FrameContext& frame);
+    void showImage(const FrameContext& frame, const View& view);
 
     /// For passes of what most scenes never have: builds the pass with the first frame that needs it.
     template <class Pass, class... Rest>
-    void drawLazily(std::optional<Pass>& pass, const FrameContext& frame, Rest... rest) {
+    void drawLazily(std::optional<Pass>& pass, const FrameContext& frame, const Rest&... rest) {
         if (!pass) pass.emplace(shaders);
         pass->draw(frame, rest...);
     }
@@ -124,8 +113,7 @@ struct Renderer::Impl {
 
     template <class F>
     void run(const char* name, TargetSet reads, TargetSet writes, F&& draw) {
-        choice.beginPass(name);
-        timer.begin(name, int(choice.method()));
+        choice.beginPass(name), timer.begin(name, int(choice.method()));
         if (samplerReset) samplerReset->draw(blueNoise, emptyVertexArray);
         history->targets.beginPass(reads, writes);
         draw();
@@ -142,7 +130,6 @@ struct Renderer::Impl {
     void drawSmallerOnFailure(const View& view);
     glm::vec4 statusDot() const;
     void fillBlock(const View& view, glm::ivec2 renderSize);
-    void uploadBlock();
     const LightGrid* updateLightGrid();
 
     RenderSettings settings;
@@ -150,7 +137,7 @@ struct Renderer::Impl {
         settings.limits ? GlLimits::least(*settings.limits, GlLimits::ofContext()) : GlLimits::ofContext();
     TexelStore texels{limits};
     ProgramCache programCache{settings.programCache};
-    Fullscreen fullscreen = supported(settings.fullscreen);
+    Fullscreen fullscreen = supportedFullscreen(settings.fullscreen);
     ShaderLibrary shaders;
     FullscreenChoice choice = initialChoice(fullscreen);
     Scene scene;
@@ -189,6 +176,8 @@ struct Renderer::Impl {
     std::optional<GlarePass> glare;
     std::optional<ParticlesPass> particles;
     std::optional<RopesPass> ropes;
+    std::optional<GBufferPass> exact;
+    std::optional<HostLayersPass> hostLayers;
     TaaPass taa{shaders};
     BloomPass bloom{shaders};
     ExposurePass exposure{shaders};
@@ -265,22 +254,43 @@ void Renderer::Impl::drawImage(const FrameContext& frame) {
     run("tonemap", Resolved | Exposure | Bloom0, Final, [&] { tonemap.draw(frame); });
 }
 
+/// Where fewer pixels are traced than shown, a host's depth is composed with that of another G-buffer.
+void Renderer::Impl::showImage(const FrameContext& frame, const View& view) {
+    using enum Target;
+    const FrameBlock atPixels = block.atDisplayedPixels();
+    const glm::ivec2 size(atPixels.displaySize);
+    const FrameContext exactly = frame.with(atPixels, history->exactTargets),
+                       layers = frame.with(atPixels, history->hostTargets);
+    const bool isExact = view.composesDepth() && size != glm::ivec2(block.targetSize);
+    const bool hasLayers = shown == &ShowPass::views()[0] && size == view.size && HostLayersPass::needed(frame, view);
+    if (isExact || hasLayers) uploadBlock(atPixels, blockBuffer.get());
+    if (isExact) {
+        history->exactTargets.beginFrame(size, size, view.cut);
+        run("exact depth", {}, {}, [&] {
+            drawLazily(exact, exactly);
+            if (!scene.ropes().empty()) drawLazily(ropes, exactly, stepAlpha);
+        });
+    }
+    const Texture& depth = isExact ? history->exactTargets.at(Depth) : frame.targets.at(Depth);
+    if (hasLayers) {
+        history->hostTargets.beginFrame(size, size, view.cut);
+        const auto made = [](auto& pass) { return pass ? &*pass : nullptr; };
+        const HostLayersPass::Layers all{glass, isExact ? exact->tiles() : gbuffer.tiles(), made(water), made(fog),
+                                         made(particles)};
+        run("host layers", Depth | Exposure | Reflection | Fog | kBounceHistory, {},
+            [&] { drawLazily(hostLayers, layers, view, depth, all, stepAlpha); });
+    }
+    run("show", ShowPass::reads(*shown), {}, [&] {
+        show.draw(frame, *shown, view, depth, statusDot());
+        if (hasLayers) hostLayers->show(layers, view);
+    });
+}
+
 void Renderer::Impl::fillBlock(const View& view, glm::ivec2 renderSize) {
     history->camera.begin(view, renderSize, settings.temporal, scene.origin(), block);
-    const Environment& e = scene.environment();
     block.counters.z = int(std::ranges::count(scene.lights(), false, &SnapshotLight::fleeting));
     block.counters.w = settings.noise == Noise::White;
-    block.sunDirection = glm::vec4(glm::normalize(e.sunDirection), e.sunAngle);
-    block.sunColor = glm::vec4(e.sunColor, 0.0f);
-    block.skyColor = glm::vec4(e.skyColor, 0.0f);
-    block.horizonColor = glm::vec4(e.horizonColor, 0.0f);
-    block.groundColor = glm::vec4(e.groundColor, e.wetness > 0.0f ? std::min(e.wetness, 1.0f) : 0.0f);
-    block.fogColor = glm::vec4(e.fogColor, e.fogDistance);
-    block.fog = glm::vec4(e.fogDensity, float(double(e.fogBase) - scene.origin().y), std::max(e.fogHeight, 0.1f),
-                          std::clamp(e.fogForward, -0.9f, 0.9f));
-    block.fogTint = glm::vec4(e.fogTint, 0.0f);
-    block.skyCover = glm::vec4(e.clouds, e.stars, float(kFieldsHeight - scene.origin().y), 0.0f);
-    block.exposure = glm::vec4(e.exposure);
+    scene.describeEnvironment(block);
     scene.describeShadow(block);
 }
 
@@ -289,12 +299,6 @@ const LightGrid* Renderer::Impl::updateLightGrid() {
     if (!lightGrid) lightGrid.emplace();
     stats.uploadBytes += lightGrid->update(scene.lights(), block, scene.origin());
     return &*lightGrid;
-}
-
-void Renderer::Impl::uploadBlock() {
-    glBindBuffer(GL_UNIFORM_BUFFER, blockBuffer.get());
-    glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, blockBuffer.get());
 }
 
 /// Builds the programs of all passes and draws steps of a scene that needs them all into a small image that is thrown
@@ -366,7 +370,7 @@ void Renderer::Impl::drawFrames(const View& view, float alpha) {
 }
 
 void Renderer::Impl::drawSmallerOnFailure(const View& view) {
-    while (history->targets.allocationFailed()) {
+    while (history->allocationFailed()) {
         if (history->downscale == ViewHistories::kMaxDownscale) {
             logError(lastError = "the GL could not make render targets of any size: it is probably out of memory");
             return;
@@ -375,7 +379,7 @@ void Renderer::Impl::drawSmallerOnFailure(const View& view) {
         logWarning("the GL could not make render targets for a view of " + std::to_string(view.size.x) + "x" +
                    std::to_string(view.size.y) + "; it is drawn at 1/" + std::to_string(1 << history->downscale) +
                    " of that size and scaled up");
-        history->targets.clear();
+        history->clear();
         drawOnce(view);
     }
 }
@@ -409,20 +413,17 @@ void Renderer::Impl::drawOnce(const View& wanted) {
     View view = wanted;
     view.size = glm::max(wanted.size >> history->downscale, glm::ivec2(1));
     beginTimes();
-    stats.drawCalls = stats.bodyDraws = stats.waters = stats.imageCopies = 0;
-    stats.copiedPixels = stats.waterPixels = 0;
-    stats.computePasses.clear();
-    stats.passes.clear();
+    stats.beginFrame();
     const glm::ivec2 renderSize =
         glm::max(glm::ivec2(glm::round(glm::vec2(view.size) * settings.resolutionScale)), glm::ivec2(1));
     history->targets.beginFrame(renderSize, view.size, view.cut);
     fillBlock(view, renderSize);
-    uploadBlock();
+    uploadBlock(block, blockBuffer.get());
     const FrameContext frame{
         block,   settings,    scene, history->targets, blueNoise, stats, emptyVertexArray, updateLightGrid(),
         &choice, frameSeconds};
     drawPasses(frame);
-    run("show", ShowPass::reads(*shown), {}, [&] { show.draw(frame, *shown, wanted, statusDot()); });
+    showImage(frame, wanted);
     if (timer.isImmediate()) takeTimes();
 }
 
@@ -464,8 +465,8 @@ std::vector<std::string> Renderer::shaderErrors() const {
 }
 
 bool Renderer::showPass(std::string_view name) {
-    const auto& views = ShowPass::views();
-    const auto found = std::find_if(views.begin(), views.end(), [&](const auto& view) { return view.name == name; });
+    const auto views = ShowPass::views();
+    const auto found = std::ranges::find(views, name, &ShowPass::TargetView::name);
     if (found != views.end()) m_impl->shown = &*found;
     return found != views.end();
 }

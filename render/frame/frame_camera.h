@@ -17,6 +17,7 @@ private:
     glm::vec4 m_lastPosition{0.0f}, m_lastMiddle{0.0f}, m_lastRight{0.0f}, m_lastUp{0.0f};
     glm::vec2 m_lastJitter{0.0f};
     glm::ivec2 m_lastSize{0};
+    bool m_wasOrthographic = false;
     glm::dvec3 m_lastOrigin{0.0};
     int m_frame = 0;  ///< since the start or the last cut
 };

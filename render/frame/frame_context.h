@@ -23,6 +23,15 @@ struct FrameContext {
     const LightGrid* lightGrid = nullptr;  ///< null: the scene has had no local lights yet
     FullscreenChoice* choice = nullptr;    ///< how full-screen programs are drawn; null: by fragments
     float seconds = 1.0f / 60.0f;          ///< since the frame before
+    TargetPool* mainTargets = nullptr;  ///< what the frame before left, where `targets` are others; null: they are not
+
+    /// The same for other pixels and targets.
+    FrameContext with(const FrameBlock& otherBlock, TargetPool& others) const {
+        return {otherBlock,       settings,  scene,  others,  blueNoise, stats,
+                emptyVertexArray, lightGrid, choice, seconds, &targets};
+    }
+    /// The targets of which rays look up what the frame before showed.
+    TargetPool& pastTargets() const { return mainTargets ? *mainTargets : targets; }
 
     /// Draws one triangle over the bound framebuffer with the program in use and the GL state as it is. For programs of
     /// ShaderLibrary::load(); those of loadFullscreen() are drawn by render/passes/fullscreen.h.

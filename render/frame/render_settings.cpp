@@ -1,5 +1,6 @@
 #include "render/frame/render_settings.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "runtime/core/log.h"
@@ -8,6 +9,17 @@ namespace rubble {
 
 double steadySeconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double View::Projection::startDepth() const {
+    if (!isOrthographic()) return 0.0;
+    const auto depthOf = [&](double clip) { return (clipFromEye[3][2] - clip) / clipFromEye[2][2]; };
+    return std::min(depthOf(isZeroToOne ? 0.0 : -1.0), depthOf(1.0));
+}
+
+double View::Projection::windowDepth(double metres) const {
+    const glm::dvec4 clip = clipFromEye * glm::dvec4(0.0, 0.0, -metres, 1.0);
+    return isZeroToOne ? clip.z / clip.w : 0.5 * clip.z / clip.w + 0.5;
 }
 
 RenderSettings RenderSettings::inRange() const {

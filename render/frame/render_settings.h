@@ -15,12 +15,22 @@ namespace rubble {
 
 /// A camera, the size of its image and the framebuffer that the image goes to.
 struct View {
-    /// The projection of a host that looks along -z: a perspective, which may be off-centre, reversed or infinite.
+    /// The projection of a host that looks along -z: a perspective, which may be off-centre, reversed or infinite, or
+    /// an orthographic one, of which what lies before the near plane is not seen.
     struct Projection {
         glm::dmat4 clipFromEye{1.0};
         bool isZeroToOne = false;  ///< depth of clip space: 0 to 1, else -1 to 1
         /// What the framebuffer holds nearer than the voxels stays, and their depth is written.
         bool composesDepth = false;
+
+        /// Whether it shows the same of all depths.
+        bool isOrthographic() const { return clipFromEye[2][3] == 0.0; }
+        /// Metres along the view axis at which rays begin: 0, or the near plane of an orthographic one.
+        double startDepth() const;
+        /// Depth in the window, 0 to 1, of what lies so many metres away along the view axis.
+        double windowDepth(double metres) const;
+        /// Whether what is nearer has the greater depth in the window.
+        bool isReversed() const { return windowDepth(1.0) > windowDepth(2.0); }
     };
 
     glm::dvec3 position{0.0};              ///< world, metres
@@ -29,9 +39,11 @@ struct View {
     glm::ivec2 size{1280, 720};            ///< pixels
     unsigned framebuffer = 0;              ///< GL name
     std::optional<Projection> projection;  ///< none: verticalFov, with square pixels
-    bool isLinear = false;                 ///< radiance times exposure, not the colours of a display
-    bool isFlipped = false;                ///< the first row of pixels is the top one
-    bool cut = false;                      ///< the camera jumped: histories of frames before this one are not used
+    /// Whether it composes with the depth of its framebuffer.
+    bool composesDepth() const { return projection && projection->composesDepth; }
+    bool isLinear = false;   ///< radiance times exposure, not the colours of a display
+    bool isFlipped = false;  ///< the first row of pixels is the top one
+    bool cut = false;        ///< the camera jumped: histories of frames before this one are not used
     /// Views that are drawn in turn by one renderer, as those of a split screen, have different slots: each keeps its
     /// own history. Different sizes do so by themselves.
     int slot = 0;

@@ -24,6 +24,14 @@ struct RenderStats {
     std::vector<std::pair<const char*, double>> passMs;
     std::vector<const char*> computePasses;  ///< passes that drew full-screen programs by compute
     int computePrograms = 0;                 ///< held now
+
+    /// Starts counting a frame's draws and passes.
+    void beginFrame() {
+        drawCalls = bodyDraws = waters = imageCopies = 0;
+        copiedPixels = waterPixels = 0;
+        computePasses.clear();
+        passes.clear();
+    }
 };
 
 }  // namespace rubble

@@ -52,6 +52,8 @@ enum class Target {
     Bloom4,
     Exposure,
     Final,
+    HostColor,
+    HostDepth,
     kCount
 };
 inline constexpr size_t kTargetCount = size_t(Target::kCount);
@@ -132,6 +134,10 @@ inline constexpr std::array<TargetDeclaration, kTargetCount> kTargets = [] {
         {Bloom4, "bloom4", GL_RGBA16F, Display, 32, kLinear},
         {Exposure, "exposure", GL_R32F, Display, kOneTexel, kNearest, kHistory},
         {Final, "final", GL_RGBA8, Display},
+
+        // Copies of what the host has drawn.
+        {HostColor, "hostColor", GL_RGBA16F, Display},
+        {HostDepth, "hostDepth", GL_DEPTH_COMPONENT32F, Display},
     }};
 }();
 static_assert([] {

@@ -40,7 +40,7 @@ ViewHistory& ViewHistories::begin(int slot, glm::ivec2 size, const GlLimits& lim
 
 uint64_t ViewHistories::bytes() const {
     uint64_t sum = 0;
-    for (const ViewHistory& each : m_all) sum += each.targets.bytes();
+    for (const ViewHistory& each : m_all) sum += each.bytes();
     return sum;
 }
 

@@ -14,7 +14,17 @@ struct ViewHistory {
     int leastDownscale = 0;  ///< how often the size must be halved for the GL to draw into it
     int downscale = 0;       ///< how often it is halved, because the GL had no room for more
     TargetPool targets;
+    TargetPool exactTargets;  ///< the G-buffer at the displayed pixels, where a host's depth is composed with fewer
+    TargetPool hostTargets;   ///< what the host has drawn, and the layers over it
     FrameCamera camera;
+    /// GPU memory of all targets.
+    uint64_t bytes() const { return targets.bytes() + exactTargets.bytes() + hostTargets.bytes(); }
+    /// Whether the GL failed to make a target since the last clear().
+    bool allocationFailed() const {
+        return targets.allocationFailed() || exactTargets.allocationFailed() || hostTargets.allocationFailed();
+    }
+    /// Frees all targets.
+    void clear() { targets.clear(), exactTargets.clear(), hostTargets.clear(); }
     uint64_t lastDraw = 0;     ///< number of the renderer's draw, from 1 on; 0: never
     double gameSeconds = 0.0;  ///< game time of the last draw
     uint64_t moment = 0;       ///< of the scene that it showed last

@@ -9,6 +9,8 @@ namespace {
 
 using ResetStatus = GLenum(GLAD_API_PTR*)();
 ResetStatus g_resetStatus = nullptr;
+using PixelTransfer = void(GLAD_API_PTR*)(GLenum, GLfloat);
+PixelTransfer g_pixelTransfer = nullptr;  ///< null in core profiles
 bool g_hasCompute = false;
 
 bool offers(std::string_view extension) {
@@ -50,11 +52,23 @@ Result<Done> loadGl(void* (*loader)(const char* name)) {
     g_hasCompute = context >= GLAD_MAKE_VERSION(4, 3) && glDispatchCompute && glBindImageTexture && glMemoryBarrier;
     const char* name = resetStatusName(context);
     g_resetStatus = name ? reinterpret_cast<ResetStatus>(loader(name)) : nullptr;
+    GLint profiles = 0;
+    glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profiles);
+    const bool isCompatible = profiles & GL_CONTEXT_COMPATIBILITY_PROFILE_BIT;
+    g_pixelTransfer = isCompatible ? reinterpret_cast<PixelTransfer>(loader("glPixelTransferf")) : nullptr;
     return Done{};
 }
 
 bool hasCompute() {
     return g_hasCompute;
+}
+
+bool isCompatibility() {
+    return g_pixelTransfer;
+}
+
+void setPixelTransfer(GLenum name, GLfloat value) {
+    g_pixelTransfer(name, value);
 }
 
 bool isContextLost() {

@@ -13,6 +13,10 @@ inline constexpr int kTextureUnits = 32;
 Result<Done> loadGl(void* (*loader)(const char* name));
 /// Whether the context is of GL 4.3 or newer: it has compute programs and images to store into.
 bool hasCompute();
+/// Whether the context is of a compatibility profile.
+bool isCompatibility();
+/// Sets how such a context changes pixels that are uploaded or copied, as glPixelTransferf().
+void setPixelTransfer(GLenum name, GLfloat value);
 /// Whether the renderer runs on the processor: timer queries do not see its work, and glFinish costs nothing.
 bool isSoftwareGl();
 

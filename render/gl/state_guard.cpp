@@ -62,6 +62,8 @@ void askRasterizer(GlState& s) {
         s.clipOrigin = asked(GL_CLIP_ORIGIN);
         s.clipDepth = asked(GL_CLIP_DEPTH_MODE);
     }
+    s.provokingVertex = asked(GL_PROVOKING_VERTEX);
+    if (isCompatibility()) s.compatibility = CompatibilityState::current();
     s.cullFace = asked(GL_CULL_FACE_MODE);
     s.frontFace = asked(GL_FRONT_FACE);
     s.depthFunc = asked(GL_DEPTH_FUNC);
@@ -98,6 +100,8 @@ void setRasterizer(const GlState& s) {
     else
         glPolygonMode(GL_FRONT, GLenum(s.polygonMode[0])), glPolygonMode(GL_BACK, GLenum(s.polygonMode[1]));
     if (GLAD_GL_ARB_clip_control) glClipControl(GLenum(s.clipOrigin), GLenum(s.clipDepth));
+    glProvokingVertex(GLenum(s.provokingVertex));
+    if (isCompatibility()) s.compatibility.set();
     glCullFace(GLenum(s.cullFace));
     glFrontFace(GLenum(s.frontFace));
     glDepthFunc(GLenum(s.depthFunc));

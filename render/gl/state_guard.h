@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 
+#include "render/gl/compatibility_state.h"
 #include "render/gl/draw_state.h"
 #include "render/gl/host_state.h"
 
@@ -48,6 +49,7 @@ struct GlState {
     GLint64 uniformStart0 = 0, uniformSize0 = 0;  ///< of a range; a size of 0: the whole buffer
     GLint activeTexture = GL_TEXTURE0;
     GLint polygonMode[2] = {GL_FILL, GL_FILL}, clipOrigin = GL_LOWER_LEFT, clipDepth = GL_NEGATIVE_ONE_TO_ONE;
+    GLint provokingVertex = GL_LAST_VERTEX_CONVENTION;
     GLint cullFace = GL_BACK, frontFace = GL_CCW, depthFunc = GL_LESS;
     GLdouble depthRange[2] = {0.0, 1.0};
     GLboolean depthMask = GL_TRUE, scissorTest = GL_FALSE;
@@ -61,6 +63,8 @@ struct GlState {
     std::array<Unit, kTextureUnits> units;
     int unitCount = kTextureUnits;  ///< of `units`, from the first on; the others are left as they are
     std::optional<std::array<ImageBinding, kImages>> images;  ///< none: they are left as they are
+
+    CompatibilityState compatibility;  ///< of a compatibility profile
 
     /// That of a new context.
     GlState() { colorMasks.fill({GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE}); }

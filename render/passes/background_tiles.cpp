@@ -20,18 +20,16 @@ BackgroundTiles::Band bandOf(glm::vec3 direction, float eyeHeight) {
 
 }  // namespace
 
-void BackgroundTiles::update(const FrameBlock& block, float eyeHeight) {
+void BackgroundTiles::update(const FrameBlock& block) {
     const glm::ivec2 size(block.targetSize), tiles = (size + (1 << kTileShift) - 1) >> kTileShift;
     m_tilesAcross = tiles.x;
-    const glm::vec3 across = glm::vec3(block.cameraRight) * block.cameraRight.w,
-                    up = glm::vec3(block.cameraUp) * block.cameraUp.w;
     std::vector<Band> corners;
     for (int y = 0; y <= tiles.y; ++y)
         for (int x = 0; x <= tiles.x; ++x) {
             const glm::vec2 uv =
                 glm::vec2(x << kTileShift, y << kTileShift) * glm::vec2(block.targetSize.z, block.targetSize.w);
             const glm::vec2 p = (uv + glm::vec2(block.jitter)) * 2.0f - 1.0f;  // as viewRay() in lib/frame.glsl
-            corners.push_back(bandOf(glm::vec3(block.viewMiddle) + across * p.x + up * p.y, eyeHeight));
+            corners.push_back(bandOf(block.ray(p), block.rayStart(p).y - block.skyCover.z));
         }
     for (auto& list : m_tiles) list.clear();
     for (int y = 0; y < tiles.y; ++y)

@@ -11,8 +11,8 @@ class BackgroundTiles {
 public:
     /// What a tile can show: above all hills, below the horizon, or anything.
     enum Band { Sky, Fields, Both, kBands };
-    /// Sorts the tiles for a camera. eyeHeight: metres over the plane of the fields.
-    void update(const FrameBlock& block, float eyeHeight);
+    /// Sorts the tiles for a camera.
+    void update(const FrameBlock& block);
     /// Whether a band has no tiles.
     bool empty(Band band) const { return m_tiles[band].empty(); }
     /// Draws a band's tiles with the program in use, whose vertex shader must be passes/tiles.vert.

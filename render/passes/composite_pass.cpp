@@ -49,7 +49,7 @@ void CompositePass::draw(const FrameContext& frame, const GlassShadowPass* glass
 
 void CompositePass::drawBackground(const FrameContext& frame) {
     const DepthLimit limit(DepthLimit::To::Sky);
-    m_tiles.update(frame.block, frame.block.cameraPosition.y - frame.block.skyCover.z);
+    m_tiles.update(frame.block);
     for (const auto band : {BackgroundTiles::Sky, BackgroundTiles::Fields, BackgroundTiles::Both}) {
         const Program& program = *m_backgrounds[band];
         if (!program || m_tiles.empty(band)) continue;

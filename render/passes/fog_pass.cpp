@@ -65,9 +65,10 @@ void FogPass::drawFilter(const FrameContext& frame) const {
     });
 }
 
-void FogPass::drawOver(const FrameContext& frame) const {
+void FogPass::drawOver(const FrameContext& frame, const Texture& fog) const {
+    if (!m_over) return;
     drawFullscreen(frame, m_over, {{&frame.targets.at(Target::Radiance)}}, [&](const Program& program) {
-        program.set("uLight", frame.targets.at(Target::Fog));
+        program.set("uLight", fog);
         program.set("uWaterSurface", surfaceOverCamera(frame));
         program.set("uDepth", frame.targets.at(Target::Depth));
     });
@@ -77,7 +78,7 @@ void FogPass::draw(const FrameContext& frame) {
     if (!m_light || !m_filter || !m_over) return;
     drawLight(frame);
     drawFilter(frame);
-    drawOver(frame);
+    drawOver(frame, frame.targets.at(Target::Fog));
 }
 
 }  // namespace rubble

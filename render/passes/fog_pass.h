@@ -14,6 +14,8 @@ public:
     explicit FogPass(ShaderLibrary& shaders);
     /// Fills FogLight and Fog, and blends the fog over Radiance.
     void draw(const FrameContext& frame);
+    /// Blends the fog before Depth over Radiance. fog: the target of that name.
+    void drawOver(const FrameContext& frame, const Texture& fog) const;
     /// Whether the environment has fog and the settings want it.
     static bool needed(const FrameContext& frame);
 
@@ -22,7 +24,6 @@ private:
     int maxHistory(const FrameContext& frame);
     void drawLight(const FrameContext& frame);
     void drawFilter(const FrameContext& frame) const;
-    void drawOver(const FrameContext& frame) const;
 
     FullscreenProgram& m_light;
     FullscreenProgram& m_filter;

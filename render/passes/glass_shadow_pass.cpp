@@ -17,7 +17,16 @@ constexpr float kCell = 0.1f;      ///< metres per texel
 constexpr float kStep = 4.0f;      ///< metres by which the map moves with the camera
 constexpr float kHeight = 200.0f;  ///< metres toward the sun from the map's centre: no glass stands farther
 constexpr float kAhead = 0.3f;     ///< of the map's side: its centre lies that far ahead of the camera
-constexpr float kNoPane = 1e4f;    ///< metres toward the sun: farther than any pane, as the least distance counts
+constexpr float kMinDown = 0.1f;  ///< sine of the angle at which a view must look down for that to depend on the fields
+constexpr float kNoPane = 1e4f;   ///< metres toward the sun: farther than any pane, as the least distance counts
+
+/// How far ahead of the camera the map's centre lies. What an orthographic view shows may be any distance away: there
+/// it is where the middle of the view meets the fields, if it does.
+float metresAhead(const FrameBlock& block) {
+    const float usual = kAhead * kSide * kCell, down = -block.cameraForward.y;
+    if (!block.isOrthographic() || down < kMinDown) return usual;
+    return std::max((block.cameraPosition.y - block.skyCover.z) / down, 0.0f);
+}
 
 }  // namespace
 
@@ -48,7 +57,7 @@ void GlassShadowPass::fitMap(const FrameContext& frame) {
     m_right = basis.right;
     m_up = basis.up;
     const glm::vec3 focus =
-        glm::vec3(frame.block.cameraPosition) + glm::vec3(frame.block.cameraForward) * (kAhead * kSide * kCell);
+        glm::vec3(frame.block.cameraPosition) + glm::vec3(frame.block.cameraForward) * metresAhead(frame.block);
     const glm::vec3 place =
         glm::floor(glm::vec3(glm::dot(focus, m_right), glm::dot(focus, m_up), glm::dot(focus, m_sun)) / kStep) * kStep;
     m_center = m_right * place.x + m_up * place.y + m_sun * place.z;

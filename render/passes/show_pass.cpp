@@ -1,6 +1,7 @@
 #include "render/passes/show_pass.h"
 
 #include "render/gl/draw_state.h"
+#include "render/passes/host_depth.h"
 
 namespace rubble {
 namespace {
@@ -32,21 +33,6 @@ constexpr auto kViews = [] {
 }();
 constexpr ShowPass::TargetView kExposed{"final", Target::Resolved, ShowPass::Mode::Exposed};
 
-/// Depth in the window, 0 to 1, of what lies `depth` metres away along the view axis.
-double windowDepth(const View::Projection& projection, double depth) {
-    const glm::dvec4 clip = projection.clipFromEye * glm::dvec4(0.0, 0.0, -depth, 1.0);
-    return projection.isZeroToOne ? clip.z / clip.w : 0.5 * clip.z / clip.w + 0.5;
-}
-
-/// The uniforms of the host's depth; without a projection depth is not tested, so any do.
-void setDepth(const Program& program, const FrameContext& frame, const View& view) {
-    const View::Projection projection = view.projection.value_or(View::Projection{});
-    const glm::dmat4& p = projection.clipFromEye;
-    program.set("uDepth", frame.targets.at(Target::Depth));
-    program.set("uClipOfDepth", glm::vec4(-p[2][2], p[3][2], -p[2][3], p[3][3]));
-    program.set("uWindowOfClip", projection.isZeroToOne ? glm::vec2(1.0f, 0.0f) : glm::vec2(0.5f));
-}
-
 }  // namespace
 
 std::span<const ShowPass::TargetView> ShowPass::views() {
@@ -60,21 +46,21 @@ TargetSet ShowPass::reads(const TargetView& shown) {
 ShowPass::ShowPass(ShaderLibrary& shaders)
     : m_image(shaders.load("passes/show.frag")), m_data(shaders.load("passes/show_data.frag")) {}
 
-void ShowPass::draw(const FrameContext& frame, const TargetView& chosen, const View& view, glm::vec4 statusDot) const {
+void ShowPass::draw(const FrameContext& frame, const TargetView& chosen, const View& view, const Texture& depth,
+                    glm::vec4 statusDot) const {
     const TargetView& shown = view.isLinear && &chosen == &kViews[0] ? kExposed : chosen;
     const Program& program = shown.mode == Mode::Color || shown.mode == Mode::Exposed ? m_image : m_data;
     if (!program) return;
     glBindFramebuffer(GL_FRAMEBUFFER, view.framebuffer);
     setViewport(view.size);
     const Texture* target = frame.targets.find(shown.target);
-    const bool composes = view.projection && view.projection->composesDepth;
-    if (composes) {
+    if (view.composesDepth()) {
         glEnable(GL_DEPTH_TEST);
-        const bool isReversed = windowDepth(*view.projection, 1.0) > windowDepth(*view.projection, 2.0);
-        glDepthFunc(isReversed ? GL_GEQUAL : GL_LEQUAL);
+        glDepthFunc(view.projection->isReversed() ? GL_GEQUAL : GL_LEQUAL);
     }
     program.use();
-    setDepth(program, frame, view);
+    setHostDepth(program, view);
+    program.set("uDepth", depth);
     program.set("uFlipped", view.isFlipped);
     program.set("uIsExposed", int(shown.mode == Mode::Exposed));
     program.set("uExposure", frame.targets.at(Target::Exposure));
@@ -82,7 +68,7 @@ void ShowPass::draw(const FrameContext& frame, const TargetView& chosen, const V
     program.set("uMode", int(shown.mode));
     program.set("uStatusDot", statusDot);
     frame.drawTriangle();
-    if (composes) {
+    if (view.composesDepth()) {
         glDepthFunc(GL_LESS);
         glDisable(GL_DEPTH_TEST);
     }

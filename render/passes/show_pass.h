@@ -25,8 +25,9 @@ public:
     /// Builds its programs. If one fails, shaders.errors() says why and draw() does nothing.
     explicit ShowPass(ShaderLibrary& shaders);
     /// Shows the blue noise where no pass has drawn the target. statusDot: colour of a dot in the corner, if its alpha
-    /// is 1. A linear view shows its radiance instead of the final image.
-    void draw(const FrameContext& frame, const TargetView& shown, const View& view, glm::vec4 statusDot) const;
+    /// is 1. A linear view shows its radiance instead of the final image. depth: linear, of the voxels, in any size.
+    void draw(const FrameContext& frame, const TargetView& shown, const View& view, const Texture& depth,
+              glm::vec4 statusDot) const;
 
 private:
     const Program& m_image;  ///< for modes Color and Exposed

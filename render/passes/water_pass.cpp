@@ -55,13 +55,19 @@ void setRipples(const Program& program, const Scene& scene, const Water& water) 
 
 /// A water in view.
 struct VisibleWater {
-    double distance;  ///< of the camera from its box, metres
+    double distance;  ///< of its box from the camera, or from the plane through an orthographic one, metres
     const Water* water;
     WaterArea area;
     int firstCorner = 0;  ///< of its area in the texture
 };
 
 namespace {
+
+double distanceOf(const WorldBox& box, const FrameBlock& block, glm::dvec3 eye) {
+    if (!block.isOrthographic()) return glm::distance(glm::clamp(eye, box.low, box.high), eye);
+    const glm::dvec3 forward(block.cameraForward), half = 0.5 * (box.high - box.low);
+    return std::max(glm::dot(box.low + half - eye, forward) - glm::dot(half, glm::abs(forward)), 0.0);
+}
 
 /// The waters in view, the farthest first: of two that cover a pixel the nearer one is seen.
 std::vector<VisibleWater> visibleWaters(const FrameContext& frame) {
@@ -71,7 +77,7 @@ std::vector<VisibleWater> visibleWaters(const FrameContext& frame) {
         WaterArea area = waterArea(water, frame.block, origin);
         const WorldBox box = water.bounds();
         if (area.covered.empty()) continue;
-        visible.push_back({glm::distance(glm::clamp(eye, box.low, box.high), eye), &water, std::move(area)});
+        visible.push_back({distanceOf(box, frame.block, eye), &water, std::move(area)});
     }
     std::stable_sort(visible.begin(), visible.end(),
                      [](const VisibleWater& a, const VisibleWater& b) { return a.distance > b.distance; });

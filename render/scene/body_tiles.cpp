@@ -17,13 +17,24 @@ constexpr int kMinTileShift = 3;  ///< tiles of 8x8 pixels; larger ones for view
 constexpr int kMaxTiles = 4096;
 constexpr size_t kMaxStaleViews = 1024;  ///< more than twice as many views as bodies: then all are projected again
 
-/// Normals of the planes of the view frustum through the camera, pointing inwards: left, right, bottom, top.
-std::array<glm::vec3, 4> sidePlanes(const FrameBlock& b) {
+/// A plane: what lies inside is at heights of 0 and more over it, as seen from the camera.
+struct SidePlane {
+    glm::vec3 normal;
+    float camera = 0.0f;  ///< height of the camera
+
+    float heightOf(glm::vec3 fromCamera) const { return glm::dot(fromCamera, normal) + camera; }
+};
+
+/// The planes of the view frustum beside the camera: left, right, bottom, top.
+std::array<SidePlane, 4> sidePlanes(const FrameBlock& b) {
     const glm::vec3 forward(b.cameraForward), right(b.cameraRight), up(b.cameraUp), middle(b.viewMiddle);
+    const float width = b.cameraRight.w, height = b.cameraUp.w;
+    if (b.isOrthographic()) return {{{right, width}, {-right, width}, {up, height}, {-up, height}}};
     const float x = glm::dot(middle, right), y = glm::dot(middle, up);
-    return {glm::normalize(right + forward * (b.cameraRight.w - x)),
-            glm::normalize(-right + forward * (b.cameraRight.w + x)), glm::normalize(up + forward * (b.cameraUp.w - y)),
-            glm::normalize(-up + forward * (b.cameraUp.w + y))};
+    return {{{glm::normalize(right + forward * (width - x))},
+             {glm::normalize(-right + forward * (width + x))},
+             {glm::normalize(up + forward * (height - y))},
+             {glm::normalize(-up + forward * (height + y))}}};
 }
 
 /// The edges of a projected box, in pixels.
@@ -78,21 +89,21 @@ struct BodyTiles::Frustum {
         const glm::vec3 center = body.position + body.rotation * ((low + high) * 0.5f) - camera;
         const float radius = glm::length(half), depth = glm::dot(center, forward);
         if (!(depth > -radius)) return false;
-        for (const glm::vec3& plane : planes)
-            if (!(glm::dot(center, plane) > -radius)) return false;
+        for (const SidePlane& plane : planes)
+            if (!(plane.heightOf(center) > -radius)) return false;
         minDepth = std::max(depth - glm::dot(glm::abs(glm::conjugate(body.rotation) * forward), half), 0.0f);
         return true;
     }
     /// Whether a part of a box may be in view.
     bool sees(const WorldBox& box) const {
         const glm::vec3 half((box.high - box.low) * 0.5), center(glm::vec3((box.low + box.high) * 0.5) - camera);
-        const auto isBefore = [&](const glm::vec3& plane) {
-            return glm::dot(center, plane) + glm::dot(half, glm::abs(plane)) >= 0.0f;
+        const auto isBefore = [&](const SidePlane& plane) {
+            return plane.heightOf(center) + glm::dot(half, glm::abs(plane.normal)) >= 0.0f;
         };
-        return isBefore(forward) && std::all_of(planes.begin(), planes.end(), isBefore);
+        return isBefore({forward}) && std::all_of(planes.begin(), planes.end(), isBefore);
     }
     glm::vec3 camera, forward;
-    std::array<glm::vec3, 4> planes;
+    std::array<SidePlane, 4> planes;
 };
 
 void BodyTiles::update(const Bodies& bodies, const FrameBlock& block) {
@@ -172,14 +183,12 @@ BodyTiles::Found BodyTiles::dropTouched(const Bodies& bodies, const Frustum& fru
 void BodyTiles::project(const Bodies& bodies, const FrameBlock& block, float minDepth, uint32_t instance) {
     const Bodies::Instance& body = bodies.instances()[instance];
     const Bodies::Layout& layout = bodies.layout(instance);
-    const glm::vec3 across = glm::vec3(block.cameraRight) * block.cameraRight.w,
-                    up = glm::vec3(block.cameraUp) * block.cameraUp.w;
     const glm::mat3 toCells = glm::mat3_cast(glm::conjugate(body.rotation)) * (1.0f / body.voxelSize);
     Seen seen{minDepth, instance, uint32_t(m_views.size()), uint32_t(m_spans.size()), 0, body.glass};
-    m_views.push_back({toCells * (glm::vec3(block.cameraPosition) - body.position), minDepth,
-                       toCells * (glm::vec3(block.viewMiddle) - across - up), int(instance),
-                       toCells * across * (2.0f * block.targetSize.z), layout.node,
-                       toCells * up * (2.0f * block.targetSize.w), layout.palette << 8 | layout.flags,
+    const glm::vec2 corner(-1.0f), pixel(2.0f * block.targetSize.z, 2.0f * block.targetSize.w);
+    m_views.push_back({toCells * (block.rayStart(corner) - body.position), minDepth, toCells * block.ray(corner),
+                       int(instance), toCells * block.across({pixel.x, 0.0f}), layout.node,
+                       toCells * block.across({0.0f, pixel.y}), layout.palette << 8 | layout.flags,
                        glm::uvec3(body.low) | glm::uvec3(body.high) << 16u, packed(layout.sizeInNodes)});
     cover(body, block);
     seen.endSpan = uint32_t(m_spans.size());

@@ -38,13 +38,14 @@ public:
 private:
     /// A body as this frame's camera sees it, as the GPU reads it. Lengths are in the body's cells.
     struct BodyView {
-        glm::vec3 camera;
-        float minDepth;  ///< metres along the view axis: no point of its box is nearer
-        glm::vec3 ray;   ///< through the screen's lower left corner; 1 long along the view axis, as all rays
+        glm::vec3 rayStart;  ///< of the ray through the screen's lower left corner
+        float minDepth;      ///< metres along the view axis: no point of its box is nearer
+        glm::vec3 ray;       ///< 1 long along the view axis, as all rays
         int instance;
-        glm::vec3 rayStepX;  ///< change of the ray from one pixel to the next on the right
+        glm::vec3
+            stepX;  ///< change from one pixel to the next on the right: of the ray, or of an orthographic one's start
         uint32_t node;
-        glm::vec3 rayStepY;  ///< the same upwards
+        glm::vec3 stepY;  ///< the same upwards
         uint32_t paletteAndFlags;
         glm::uvec3 box;  ///< low | high << 16
         uint32_t sizeInNodes;

@@ -100,26 +100,35 @@ glm::vec4 boundingSphere(const SnapshotLight& light, glm::dvec3 origin) {
     return {place + light.direction * half, half + light.radius};
 }
 
-/// The middle of the image at depth 1, in view space.
-glm::vec2 middleOf(const FrameBlock& block) {
-    const glm::vec3 middle(block.viewMiddle);
-    return {glm::dot(middle, glm::vec3(block.cameraRight)), glm::dot(middle, glm::vec3(block.cameraUp))};
-}
+/// One axis of the image, in view space.
+struct ImageAxis {
+    ImageAxis(const FrameBlock& block, int axis)
+        : middle(glm::dot(glm::vec3(block.viewMiddle), glm::vec3(axis == 0 ? block.cameraRight : block.cameraUp))),
+          half((axis == 0 ? block.cameraRight : block.cameraUp).w),
+          pixels(block.targetSize[axis]),
+          isOrthographic(block.isOrthographic()) {}
+    /// Where the edge of a tile lies at depth 1. Beyond the image: at its end.
+    float edgeOf(int tile) const {
+        return middle + (std::min(float(tile * kTilePixels), pixels) / pixels * 2.0f - 1.0f) * half;
+    }
+    /// Signed distance of a point from the plane through the edge of a tile, positive on the right.
+    float beyond(int tile, float along, float depth) const {
+        const float edge = edgeOf(tile);
+        return isOrthographic ? along - edge : (along - edge * depth) / std::sqrt(1.0f + edge * edge);
+    }
+
+    float middle, half;  ///< of what is seen at depth 1; half: of its size
+    float pixels;
+    bool isOrthographic;
+};
 
 /// The first and the last tile along one axis of the screen that a sphere can touch. along, depth: the sphere's centre
-/// in view space; middle, tangent: of the image at depth 1, and half its size. Each tile lies between two planes
-/// through the eye, so the test is exact except near the sphere's silhouette.
-std::optional<glm::ivec2> tilesAlong(float along, float depth, float radius, float middle, float tangent,
-                                     float pixels) {
-    const int count = int(std::ceil(pixels / kTilePixels));
+/// in view space. Each tile lies between two planes, so the test is exact except near the sphere's silhouette.
+std::optional<glm::ivec2> tilesAlong(float along, float depth, float radius, const ImageAxis& axis) {
+    const int count = int(std::ceil(axis.pixels / kTilePixels));
     int low = count, high = -1;
     for (int tile = 0; tile < count; ++tile) {
-        const auto beyond =
-            [&](int edge) {  // signed distance from the plane through this tile edge, positive on the right
-                const float slope =
-                    middle + (std::min(float(edge * kTilePixels), pixels) / pixels * 2.0f - 1.0f) * tangent;
-                return (along - slope * depth) / std::sqrt(1.0f + slope * slope);
-            };
+        const auto beyond = [&](int edge) { return axis.beyond(edge, along, depth); };
         if (beyond(tile) < -radius || beyond(tile + 1) > radius) continue;
         low = std::min(low, tile);
         high = std::max(high, tile);
@@ -139,9 +148,8 @@ void LightGrid::listVisibleLights(std::span<const SnapshotLight> lights, const F
         if (!(depth + sphere.w > 0.0f) || !(lights[i].reach > 0.0f) || !(brightness(lights[i]) > 0.0f)) continue;
         const glm::vec3 seen(glm::dot(toCentre, glm::vec3(block.cameraRight)),
                              glm::dot(toCentre, glm::vec3(block.cameraUp)), depth);
-        const glm::vec2 middle = middleOf(block);
-        const auto across = tilesAlong(seen.x, depth, sphere.w, middle.x, block.cameraRight.w, block.targetSize.x);
-        const auto up = tilesAlong(seen.y, depth, sphere.w, middle.y, block.cameraUp.w, block.targetSize.y);
+        const auto across = tilesAlong(seen.x, depth, sphere.w, {block, 0});
+        const auto up = tilesAlong(seen.y, depth, sphere.w, {block, 1});
         if (!across || !up) continue;
         m_visible.push_back({int(i),
                              {seen, sphere.w},
@@ -157,17 +165,16 @@ void LightGrid::listVisibleLights(std::span<const SnapshotLight> lights, const F
 bool LightGrid::reaches(const VisibleLight& light, glm::ivec3 cell, const FrameBlock& block) const {
     const float nearest = cell.z == 0 ? 0.0f : std::exp2(0.5f * float(cell.z));
     const float farthest = cell.z + 1 == kSlices ? block.cameraForward.w : std::exp2(0.5f * float(cell.z + 1));
-    const glm::vec2 middle = middleOf(block);
-    const auto aside = [&](int axis, float tangent) {
-        const auto slope = [&](int edge) {
-            return middle[axis] + (float(edge * kTilePixels) / block.targetSize[axis] * 2.0f - 1.0f) * tangent;
-        };
-        const float low = slope(cell[axis]), high = slope(cell[axis] + 1);
-        const float first = low * (low > 0.0f ? nearest : farthest), last = high * (high > 0.0f ? farthest : nearest);
+    const auto aside = [&](int axis) {
+        const ImageAxis image(block, axis);
+        float first = image.edgeOf(cell[axis]), last = image.edgeOf(cell[axis] + 1);
+        if (!image.isOrthographic) {
+            first *= first > 0.0f ? nearest : farthest;
+            last *= last > 0.0f ? farthest : nearest;
+        }
         return light.sphere[axis] - std::clamp(light.sphere[axis], first, last);
     };
-    const glm::vec3 away(aside(0, block.cameraRight.w), aside(1, block.cameraUp.w),
-                         light.sphere.z - std::clamp(light.sphere.z, nearest, farthest));
+    const glm::vec3 away(aside(0), aside(1), light.sphere.z - std::clamp(light.sphere.z, nearest, farthest));
     return glm::dot(away, away) <= light.sphere.w * light.sphere.w;
 }
 
@@ -204,10 +211,7 @@ void LightGrid::moveStrongestFirst(const FrameBlock& block) {
         const int slice = int(i) / tiles(), x = int(i) % m_size.x, y = int(i) / m_size.x % m_size.y;
         const float depth = slice == kSlices ? kAnyDepth : std::exp2(0.5f * (float(slice) + 0.5f));
         const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) * float(kTilePixels) / glm::vec2(block.targetSize) * 2.0f - 1.0f;
-        const glm::vec3 middle =
-            glm::vec3(block.cameraPosition) +
-            depth * (glm::vec3(block.viewMiddle) + glm::vec3(block.cameraRight) * (uv.x * block.cameraRight.w) +
-                     glm::vec3(block.cameraUp) * (uv.y * block.cameraUp.w));
+        const glm::vec3 middle = block.rayStart(uv) + block.ray(uv) * depth;
         byStrength.clear();
         for (uint32_t k = 0; k < cell.y; ++k) {
             const uint32_t light = m_list[cell.x + k];

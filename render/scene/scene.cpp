@@ -121,6 +121,21 @@ void Scene::bindVoxelsAt(const Program& program) const {
     (m_grid ? *m_grid : none).bind(program);
 }
 
+void Scene::describeEnvironment(FrameBlock& block) const {
+    const Environment& e = m_environment;
+    block.sunDirection = glm::vec4(glm::normalize(e.sunDirection), e.sunAngle);
+    block.sunColor = glm::vec4(e.sunColor, 0.0f);
+    block.skyColor = glm::vec4(e.skyColor, 0.0f);
+    block.horizonColor = glm::vec4(e.horizonColor, 0.0f);
+    block.groundColor = glm::vec4(e.groundColor, e.wetness > 0.0f ? std::min(e.wetness, 1.0f) : 0.0f);
+    block.fogColor = glm::vec4(e.fogColor, e.fogDistance);
+    block.fog = glm::vec4(e.fogDensity, float(double(e.fogBase) - m_origin.y), std::max(e.fogHeight, 0.1f),
+                          std::clamp(e.fogForward, -0.9f, 0.9f));
+    block.fogTint = glm::vec4(e.fogTint, 0.0f);
+    block.skyCover = glm::vec4(e.clouds, e.stars, float(kFieldsHeight - m_origin.y), 0.0f);
+    block.exposure = glm::vec4(e.exposure);
+}
+
 void Scene::describeShadow(FrameBlock& block) const {
     const glm::ivec3 origin(glm::round(m_origin / kSector));
     const auto describe = [&](const ShadowDirectory::Part& part, glm::ivec4& first, glm::ivec4& size, glm::vec4& low,

@@ -59,6 +59,8 @@ public:
     void bindSmoke(const Program& program) const { m_smoke.bind(program); }
     /// The GPU's copy of the shadow volume.
     const GpuShadowVolume& shadow() const { return m_shadow; }
+    /// Sets sun, sky, fog and exposure.
+    void describeEnvironment(FrameBlock& block) const;
     /// Sets position and extent of the shadow volume, for lib/shadow_trace.glsl.
     void describeShadow(FrameBlock& block) const;
     /// Where shadow casters have changed since the moment before.

@@ -46,6 +46,10 @@ Result<std::unique_ptr<GlContext>> EglContext::create() {
     return Error{"EGL: no device gave an OpenGL 3.3 core context without a surface"};
 }
 
+void EglContext::makeCurrent() {
+    eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, m_context);
+}
+
 EglContext::~EglContext() {
     if (!m_display) return;
     eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);

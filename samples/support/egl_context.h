@@ -12,6 +12,7 @@ public:
     static Result<std::unique_ptr<GlContext>> create();
     ~EglContext() override;
     GlLoader loader() const override;
+    void makeCurrent() override;
 
 private:
     bool open(void* display);

@@ -30,6 +30,8 @@ public:
     virtual ~GlContext() = default;
     /// Finds GL functions by name, for Renderer::create().
     virtual GlLoader loader() const = 0;
+    /// Makes it current again on this thread, after another one was.
+    virtual void makeCurrent() = 0;
 };
 
 }  // namespace rubble

@@ -11,10 +11,12 @@ namespace rubble {
 /// A context of Mesa's off-screen software renderer.
 class OsMesaContext final : public GlContext {
 public:
-    /// An error if libosmesa provides no core context of a wanted version.
-    static Result<std::unique_ptr<GlContext>> create();
+    enum class Profile { Core, Compatibility };
+    /// An error if libosmesa provides no context of a wanted version.
+    static Result<std::unique_ptr<GlContext>> create(Profile profile = Profile::Core);
     ~OsMesaContext() override;
     GlLoader loader() const override;
+    void makeCurrent() override;
 
 private:
     osmesa_context* m_context = nullptr;

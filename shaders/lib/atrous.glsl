@@ -14,9 +14,9 @@ ivec2 tapOffset(int i, bool diagonal) {
 }
 
 /// The plane of the pixel's surface. Height of a tap over it = dot(normal, ray) x depth - the pixel's own, and
-/// dot(normal, ray) is linear in pixels.
+/// dot(normal, ray) is linear in pixels; of an orthographic view dot(normal, where the ray begins) is.
 struct Plane {
-    float facing, facingX, facingY;  // dot(normal, ray) of the pixel, and its change a pixel
+    float facing, facingX, facingY;  // dot(normal, ray) of the pixel, and the change from pixel to pixel
     float depth, scale;
 };
 
@@ -30,7 +30,7 @@ Plane planeOf(vec2 uv, vec4 centre) {
 }
 
 float planeWeight(Plane plane, vec2 away, float depth) {
-    float height =
-        (plane.facing + plane.facingX * away.x + plane.facingY * away.y) * depth - plane.facing * plane.depth;
+    float height = plane.facing * (depth - plane.depth) +
+                   (plane.facingX * away.x + plane.facingY * away.y) * viewScale(depth);
     return max(0.0, 1.0 - abs(height) * plane.scale);
 }

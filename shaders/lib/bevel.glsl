@@ -3,8 +3,8 @@
 const float kBevelMetres = 0.012;
 
 vec3 bevelledNormal(Surface s, ivec2 pixel) {
-    float pixelMetres = 2.0 * frame.cameraUp.w * frame.targetSize.w * s.depth;
-    float radius = kBevelMetres / pixelMetres;
+    float pixelSide = pixelMetres(s.depth);
+    float radius = kBevelMetres / pixelSide;
     float strength = smoothstep(0.5, 1.2, radius);
     radius = clamp(radius, 1.0, 12.0);
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
@@ -16,7 +16,7 @@ vec3 bevelledNormal(Surface s, ivec2 pixel) {
         // Rotates by the golden angle.
         spiral = vec2(dot(spiral, vec2(-0.7373688, -0.6754903)), dot(spiral, vec2(0.6754903, -0.7373688)));
         ivec2 p = clamp(pixel + ivec2(floor(offset + 0.5)), ivec2(0), high);
-        if (abs(texelFetch(uDepth, p, 0).r - s.depth) < 0.05 + 4.0 * pixelMetres) sum += texelFetch(uNormal, p, 0).xyz;
+        if (abs(texelFetch(uDepth, p, 0).r - s.depth) < 0.05 + 4.0 * pixelSide) sum += texelFetch(uNormal, p, 0).xyz;
     }
     return strength > 0.0 ? normalize(mix(s.normal, normalize(sum), 0.7 * strength)) : s.normal;
 }

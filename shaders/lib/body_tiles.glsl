@@ -22,15 +22,19 @@ ivec2 tileList(ivec2 pixel) {
 }
 
 /// The body of a list entry, with the ray through a point of the screen (in pixels). Rays in a body's cells are linear
-/// in the point, so origin and two derivatives are stored, without jitter. Needs lib/frame.
+/// in the point, so the one of the lower left corner and two derivatives are stored, without jitter: of its direction,
+/// or of where it begins in an orthographic view. Needs lib/frame.
 BodyView bodyViewAt(int entry, vec2 screen) {
     int i = int(fetch1(uTileBodies, entry)) * 5;
     uvec4 a = fetch4(uBodyViews, i), b = fetch4(uBodyViews, i + 1), c = fetch4(uBodyViews, i + 2),
           d = fetch4(uBodyViews, i + 3);
     uvec4 e = fetch4(uBodyViews, i + 4);
     screen += frame.jitter.xy * frame.targetSize.xy;
-    vec3 ray = uintBitsToFloat(b.xyz) + uintBitsToFloat(c.xyz) * screen.x + uintBitsToFloat(d.xyz) * screen.y;
+    vec3 start = uintBitsToFloat(a.xyz), ray = uintBitsToFloat(b.xyz), stepX = uintBitsToFloat(c.xyz),
+         stepY = uintBitsToFloat(d.xyz);
+    if (isOrthographic()) start = start + stepX * screen.x + stepY * screen.y;
+    else ray = ray + stepX * screen.x + stepY * screen.y;
     Layout shape = Layout(int(c.w), int(d.w >> 8), d.w & 255u, (ivec3(e.w) >> ivec3(0, 10, 20)) & 1023,
                           ivec3(e.xyz & 65535u), ivec3(e.xyz >> 16));
-    return BodyView(uintBitsToFloat(a.w), int(b.w), uintBitsToFloat(a.xyz), ray, shape);
+    return BodyView(uintBitsToFloat(a.w), int(b.w), start, ray, shape);
 }

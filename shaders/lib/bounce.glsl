@@ -59,12 +59,13 @@ vec3 faceNormal(vec3 hitWorld, vec3 direction) {
 vec4 radianceOnScreen(vec3 hitWorld, vec3 normal, float emissionWeight, float maxRadiance) {
     if (!uHistoryValid) return vec4(0.0);
     vec4 clip = frame.previousViewProjection * vec4(hitWorld, 1.0);
-    if (clip.w < 0.1 || any(greaterThanEqual(abs(clip.xy), vec2(clip.w)))) return vec4(0.0);
+    float depth = previousDepth(hitWorld);
+    if (depth < 0.1 || any(greaterThanEqual(abs(clip.xy), vec2(clip.w)))) return vec4(0.0);
     ivec2 pixel = ivec2((clip.xy / clip.w * 0.5 + 0.5) * frame.targetSize.xy);
     vec3 surface = texelFetch(uSurfaceHistory, pixel, 0).xyw;
-    if (abs(surface.x - clip.w) > 0.12 + 0.01 * clip.w || dot(unpackNormal(surface.y), normal) < 0.6) return vec4(0.0);
+    if (abs(surface.x - depth) > 0.12 + 0.01 * depth || dot(unpackNormal(surface.y), normal) < 0.6) return vec4(0.0);
     // Without the haze between camera and surface, which would light closed rooms.
-    vec3 fromEye = hitWorld - frame.cameraPosition.xyz;
+    vec3 fromEye = hitWorld - eyeOf(hitWorld);
     float range = length(fromEye);
     float haze = hazeAmount(range);
     if (haze >= 0.9) return vec4(0.0);

@@ -15,6 +15,9 @@ vec3 linearToSrgb(vec3 c) {
     return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, vec3(lessThan(c, vec3(0.0031308))));
 }
 
+/// sRGB to linear.
+vec3 srgbToLinear(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(vec3(0.04045), c)); }
+
 /// What a half float holds of light, for all that is written to RGBA16F: what is too bright becomes as bright as can be
 /// (a GL may write infinity instead), and NaN becomes black: history would keep such values for ever.
 const float kMaxHalf = 65504.0;

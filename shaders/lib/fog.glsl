@@ -1,7 +1,7 @@
 // Fog whose density falls exponentially with height: s(y) = s0 exp((base - y) / h). Extinction s0, base, scale height h
 // and mean cosine of scattering are the components of the frame's fog.
 //
-// Along a ray from the camera at height y0 with direction d the density is s(y0) exp(-k t), k = d.y / h. So the optical
+// Along a ray that begins at the height y0 with direction d the density is s(y0) exp(-k t), k = d.y / h. So the optical
 // depth of its first t metres has a closed form, and so has its inverse, by which distances are drawn:
 //   tau(t) = s(y0) (1 - exp(-k t)) / k        t(tau) = -log(1 - k tau / s(y0)) / k
 // Both go over into tau = s(y0) t where k is near 0. Transmittance is exp(-tau) (Beer-Lambert).
@@ -13,15 +13,15 @@ const float kMaxFogDistance = 400.0;  // metres: beyond it the haze hides everyt
 /// Extinction at a height, 1 / m.
 float fogDensity(float height) { return frame.fog.x * exp(clamp((frame.fog.y - height) / frame.fog.z, -60.0, 4.0)); }
 
-/// Optical depth of the first metres of a camera ray.
-float fogOpticalDepth(float directionY, float metres) {
-    float density = fogDensity(frame.cameraPosition.y), k = directionY / frame.fog.z;
+/// Optical depth of the first metres of a camera ray that begins at a height.
+float fogOpticalDepth(float startY, float directionY, float metres) {
+    float density = fogDensity(startY), k = directionY / frame.fog.z;
     return density * (abs(k) * metres < 1e-3 ? metres : (1.0 - exp(clamp(-k * metres, -60.0, 30.0))) / k);
 }
 
-/// Distance along a camera ray at which it has an optical depth, metres.
-float fogDistance(float directionY, float opticalDepth) {
-    float density = max(fogDensity(frame.cameraPosition.y), 1e-9), k = directionY / frame.fog.z,
+/// Distance along such a ray at which it has an optical depth, metres.
+float fogDistance(float startY, float directionY, float opticalDepth) {
+    float density = max(fogDensity(startY), 1e-9), k = directionY / frame.fog.z,
           straight = opticalDepth / density;
     return abs(k) * straight < 1e-3 ? straight : -log(max(1.0 - k * straight, 1e-6)) / k;
 }

@@ -9,6 +9,7 @@
 //   glassMask     R8       1 where glass lies before the surface or the sky
 //   glassTint     RGBA8    rgb transmittance of all panes before it (1 = no glass)
 //   glassSurface  RGBA16F  xyz normal of the nearest pane, w its linear depth (0 = no glass)
+#include "lib/color.glsl"
 #include "lib/constants.glsl"
 
 uniform sampler2D uAlbedo;
@@ -16,8 +17,6 @@ uniform sampler2D uNormal;
 uniform sampler2D uMaterial;
 uniform sampler2D uMotion;
 uniform sampler2D uDepth;
-
-vec3 srgbToLinear(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(vec3(0.04045), c)); }
 
 struct Surface {
     bool sky;

@@ -95,14 +95,16 @@ float historyLeftAt(vec3 position, float meanRadiance) {
     return min(historyNearVoxels(position), historyLeftAfter(change, meanRadiance));
 }
 
-/// Whether the view of a place passes through changed voxels, or beside them within `margin`.
-bool isSeenThroughChange(vec3 position, float margin) {
-    return meetsChange(frame.cameraPosition.xyz, position - frame.cameraPosition.xyz, margin);
-}
+const float kBeyond = 1e4;  // metres: beyond all voxels
 
-const float kSunRay = 1e4;  // metres: beyond all voxels
+/// Whether the view of a place passes through changed voxels, or beside them within a pixel, for the one beside that
+/// TAA takes in. An orthographic view counts as one from far away.
+bool isSeenThroughChange(vec3 position) {
+    vec3 ray = isOrthographic() ? frame.viewMiddle.xyz * kBeyond : position - frame.cameraPosition.xyz;
+    return meetsChange(position - ray, ray, pixelMetres(1.0) / (isOrthographic() ? kBeyond : 1.0));
+}
 
 /// Whether voxels have changed that may hide a part of the sun from a place.
 bool isSunSeenThroughChange(vec3 position) {
-    return frame.sunDirection.y > 0.0 && meetsChange(position, frame.sunDirection.xyz * kSunRay, frame.sunDirection.w);
+    return frame.sunDirection.y > 0.0 && meetsChange(position, frame.sunDirection.xyz * kBeyond, frame.sunDirection.w);
 }

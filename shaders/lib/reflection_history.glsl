@@ -55,16 +55,15 @@ Around gatherAround(ivec2 pixel) {
 /// Where the previous frame shows what this mirror shows: xy uv, z linear depth of the mirror there; z below 0:
 /// nowhere.
 vec3 lastPlace(Mirror m, Surface s, float metres) {
-    if (s.moving > 0.0) {
-        vec4 clip = frame.previousViewProjection * vec4(m.position, 1.0);
-        return vec3(uv - texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg, clip.w);
-    }
+    if (s.moving > 0.0)
+        return vec3(uv - texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg, previousDepth(m.position));
     float alpha = ggxAlpha(m.roughness), smoothness = 1.0 - alpha, dominance = smoothness * (sqrt(smoothness) + alpha);
-    vec3 eye = frame.previousCameraPosition.xyz, toImage = m.position - m.view * (metres * dominance) - eye;
+    vec3 image = m.position - m.view * (metres * dominance), eye = previousEyeOf(image), toImage = image - eye;
     float toPlane = dot(m.normal, m.position - eye), along = dot(m.normal, toImage);
     if (toPlane >= 0.0 || along >= 0.0) return vec3(-1.0);
-    vec4 clip = frame.previousViewProjection * vec4(eye + toImage * (toPlane / along), 1.0);
-    return vec3(clip.xy / max(clip.w, 1e-4) * 0.5 + 0.5, clip.w);
+    vec3 place = eye + toImage * (toPlane / along);
+    vec4 clip = frame.previousViewProjection * vec4(place, 1.0);
+    return vec3(clip.xy / max(clip.w, 1e-4) * 0.5 + 0.5, previousDepth(place));
 }
 
 /// The history of four pixels that show the same mirror. Their alpha is 0 if there is none.
@@ -104,9 +103,8 @@ void main() {
     if (m.roughness <= kGlossy.x) return;
     Around around = gatherAround(pixel);
     float range = max(length(m.position - frame.cameraPosition.xyz), 1e-3);
-    moments.y = min(m.roughness * m.roughness * around.metres / (range + around.metres) * 0.5 * frame.targetSize.y /
-                        frame.cameraUp.w,
-                    64.0);
+    float parallax = isOrthographic() ? around.metres : around.metres / (range + around.metres);
+    moments.y = min(m.roughness * m.roughness * parallax / pixelMetres(1.0), 64.0);
     vec4 lastMoments,
         history = uHistoryValid ? reprojectHistory(m, s, lastPlace(m, s, around.metres), lastMoments) : vec4(0.0);
     if (history.a <= 0.0) return;

@@ -8,6 +8,7 @@ uniform bool uFlipped;       // the first row is the top one
 uniform sampler2D uDepth;    // linear; kSkyDepth: sky
 uniform vec4 uClipOfDepth;   // in the host's clip space depth d is (x d + y) / (z d + w)
 uniform vec2 uWindowOfClip;  // depth in the window: x times that of clip space + y
+uniform float uFarthest;     // the same of what is as far as the host can see
 uniform vec4 uStatusDot;     // rgb, a 1 if it is drawn: shaders were reloaded, or failed to build
 in vec2 uv;
 out vec4 color;
@@ -15,9 +16,9 @@ out vec4 color;
 /// The place of the target that is shown at this pixel.
 vec2 shownPlace() { return uFlipped ? vec2(uv.x, 1.0 - uv.y) : uv; }
 
-/// Where nothing is met: as far as the host can see.
 float windowDepth(float depth) {
-    vec2 clip = depth >= kSkyDepth ? uClipOfDepth.xz : uClipOfDepth.xz * depth + uClipOfDepth.yw;
+    if (depth >= kSkyDepth) return uFarthest;
+    vec2 clip = uClipOfDepth.xz * depth + uClipOfDepth.yw;
     return clamp(clip.x / clip.y * uWindowOfClip.x + uWindowOfClip.y, 0.0, 1.0);
 }
 
@@ -25,5 +26,5 @@ float windowDepth(float depth) {
 void show(vec3 shown) {
     if (uStatusDot.a > 0.0 && distance(gl_FragCoord.xy, vec2(12.0)) < 6.0) shown = uStatusDot.rgb;
     color = vec4(shown, 1.0);
-    gl_FragDepth = windowDepth(texelFetch(uDepth, ivec2(shownPlace() * frame.targetSize.xy), 0).r);
+    gl_FragDepth = windowDepth(texelFetch(uDepth, ivec2(shownPlace() * vec2(textureSize(uDepth, 0))), 0).r);
 }

@@ -118,7 +118,7 @@ vec3 starsIn(vec3 direction) {
     float size = float(dice >> 24) / 255.0;
     float glow = 0.02 + 0.30 * size * size * size * size * size;
     // Never much smaller than a pixel, or it would flicker: it gets fainter instead.
-    float radius = clamp(90.0 * 1.6 * frame.cameraUp.w * frame.targetSize.w, kStarRadius, kMaxStarRadius);
+    float radius = clamp(90.0 * 0.8 * pixelMetres(1.0), kStarRadius, kMaxStarRadius);
     vec2 away = (place - vec2(patch_) - star) / radius;
     glow *= kStarRadius * kStarRadius / (radius * radius);
     vec3 tint = mix(vec3(1.0, 0.82, 0.65), vec3(0.75, 0.86, 1.0), float((dice >> 3) & 31u) / 31.0);
@@ -140,9 +140,8 @@ vec3 skyBehind(vec3 direction) {
 /// Whether fields are what a ray that leaves the level meets.
 bool meetsFields(vec3 origin, vec3 direction) { return direction.y < 0.0 && origin.y > frame.skyCover.z; }
 
-/// All that lies behind the level as the camera sees it.
-vec3 backgroundRadiance(vec3 direction) {
-    vec3 origin = frame.cameraPosition.xyz;
+/// All that lies behind the level as the camera sees it from a point of its own.
+vec3 backgroundRadiance(vec3 origin, vec3 direction) {
     if (meetsFields(origin, direction)) return fieldsBelow(origin, direction);
     return throughHaze(withHills(skyBehind(direction), direction), direction);
 }

@@ -7,9 +7,8 @@
 
 /// Largest difference of depth between neighbouring pixels of one surface, metres.
 float depthTolerance(vec3 position, vec3 normal, float depth) {
-    float slant = max(0.08, abs(dot(normal, normalize(position - frame.cameraPosition.xyz))));
-    float pixelMetres = 2.0 * frame.cameraUp.w * frame.targetSize.w * depth;
-    return 0.03 + 2.0 * pixelMetres / slant;
+    float slant = max(0.08, abs(dot(normal, toEye(position))));
+    return 0.03 + 2.0 * pixelMetres(depth) / slant;
 }
 
 /// A unit vector as a whole number below 2^24, which a float holds exactly: octahedral, 12 bits an axis. The sphere is

@@ -47,7 +47,7 @@ History reprojectHistory(Surface s, float packed_, vec3 position) {
     History history = History(vec4(0.0), 0.0, 0.0, 0.0, 0.0);
     vec2 lastUv = uv - texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg;
     if (!uHistoryValid || any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return history;
-    float expected = (frame.previousViewProjection * vec4(position, 1.0)).w;
+    float expected = previousDepth(position);
     float tolerance = depthTolerance(position, s.normal, s.depth) + s.moving * 0.5;
     Taps taps = tapsAt(lastUv);
     for (int i = loopBegin(); i < taps.count; ++i) {

@@ -9,6 +9,6 @@ out vec4 radiance;
 
 void main() {
     vec3 direction = normalize(viewRay(uv));
-    vec3 color = backgroundRadiance(direction);
+    vec3 color = backgroundRadiance(viewOrigin(uv), direction);
     radiance = vec4(halfRange(color), 1.0);
 }

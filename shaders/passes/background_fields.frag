@@ -9,6 +9,6 @@ out vec4 radiance;
 
 void main() {
     vec3 direction = normalize(viewRay(uv));
-    vec3 color = fieldsBelow(frame.cameraPosition.xyz, direction);
+    vec3 color = fieldsBelow(viewOrigin(uv), direction);
     radiance = vec4(halfRange(color), 1.0);
 }

@@ -15,8 +15,9 @@ void main() {
     float stretch = length(toPixel);
     float depth = min(texelFetch(uDepth, ivec2(gl_FragCoord.xy), 0).r * stretch, kMaxFogDistance);
     // The part of the ray that lies in water has no fog.
-    float upward = toPixel.y / stretch, under = uWaterSurface - frame.cameraPosition.y;
+    float upward = toPixel.y / stretch, start = viewOrigin(uv).y,
+          under = uWaterSurface - start;
     float inWater = under <= 0.0 ? 0.0 : upward > 0.0 ? min(under / upward, depth) : depth;
-    float left = exp(fogOpticalDepth(upward, inWater) - fogOpticalDepth(upward, depth));
+    float left = exp(fogOpticalDepth(start, upward, inWater) - fogOpticalDepth(start, upward, depth));
     color = vec4(texture(uLight, uv).rgb * frame.fogTint.rgb * (1.0 - left), left);
 }

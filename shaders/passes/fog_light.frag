@@ -32,18 +32,18 @@ const float kMaxHistoryInMotion = 12.0;                      // frames
 const float kSunRayDistance = 80.0, kSkyRayDistance = 16.0;  // metres
 
 struct FogRay {
-    vec3 direction;
+    vec3 start, direction;
     float end;    // metres
     float share;  // of light that its fog takes: 1 - T(end)
 };
 
 /// A distance with a density in proportion to s T.
 float sampleFogDistance(FogRay ray, float u) {
-    return min(fogDistance(ray.direction.y, -log(1.0 - u * ray.share)), ray.end);
+    return min(fogDistance(ray.start.y, ray.direction.y, -log(1.0 - u * ray.share)), ray.end);
 }
 
 vec3 sunInscatter(FogRay ray, float u) {
-    vec3 place = frame.cameraPosition.xyz + ray.direction * sampleFogDistance(ray, u);
+    vec3 place = ray.start + ray.direction * sampleFogDistance(ray, u);
     float t;
     if (!uSunUp || shadowTrace(place, frame.sunDirection.xyz, kSunRayDistance, t)) return vec3(0.0);
     float above = fogDensity(place.y) * frame.fog.z / max(frame.sunDirection.y, 0.05);
@@ -57,7 +57,7 @@ struct LightSegment {
     float from, to;  // angles of both ends, radians
 };
 LightSegment lightSegment(FogRay ray, vec3 place, float reach) {
-    vec3 toCentre = place - frame.cameraPosition.xyz;
+    vec3 toCentre = place - ray.start;
     float along = dot(toCentre, ray.direction), aside2 = max(dot(toCentre, toCentre) - along * along, 0.0);
     float halfChord = sqrt(max(reach * reach - aside2, 0.0)), aside = max(sqrt(aside2), 0.1);
     float first = max(along - halfChord, 0.0), last = min(along + halfChord, ray.end);
@@ -75,7 +75,7 @@ struct FogSample {
 FogSample sampleTowardLight(FogRay ray, LocalLight light, vec2 u) {
     LightSegment p = lightSegment(ray, light.position, light.reach + light.extent);
     float beyond = p.aside * tan(mix(p.from, p.to, u.x)), metres = p.nearest + beyond;
-    vec3 place = frame.cameraPosition.xyz + ray.direction * metres;
+    vec3 place = ray.start + ray.direction * metres;
     vec3 up = cross(light.right, light.axis);
     vec3 fromMiddle = place - light.position;
     // As if all light came from the light's nearest point.
@@ -89,13 +89,13 @@ FogSample sampleTowardLight(FogRay ray, LocalLight light, vec2 u) {
     float strength = edge * lightWindow(range, light.reach) * henyeyGreenstein(dot(ray.direction, toLight)) *
                      (p.to - p.from) / p.aside;
     float fog = fogDensity(place.y);
-    strength *= fog * exp(-fogOpticalDepth(ray.direction.y, metres) - fog * range) / ray.share;
+    strength *= fog * exp(-fogOpticalDepth(ray.start.y, ray.direction.y, metres) - fog * range) / ray.share;
     return FogSample(place, toLight, max(range - max(light.radius, 0.12), 0.0), light.color * strength);
 }
 
 FogSample sampleTowardSky(FogRay ray, vec3 u) {
     vec3 direction = uniformSphere(u.xy);
-    return FogSample(frame.cameraPosition.xyz + ray.direction * sampleFogDistance(ray, u.z), direction, kSkyRayDistance,
+    return FogSample(ray.start + ray.direction * sampleFogDistance(ray, u.z), direction, kSkyRayDistance,
                      skyRadiance(direction));
 }
 
@@ -103,14 +103,14 @@ FogSample sampleTowardSky(FogRay ray, vec3 u) {
 float unshadowedFogRadiance(FogRay ray, int i) {
     i *= kTexelsPerLight;
     vec4 a = fetch4f(uLights, i), c = fetch4f(uLights, i + 2);
-    vec3 toCentre = a.xyz - frame.cameraPosition.xyz;
+    vec3 toCentre = a.xyz - ray.start;
     float along = dot(toCentre, ray.direction), aside2 = max(dot(toCentre, toCentre) - along * along, 0.01),
           reach = c.y + a.w;
     float halfChord = sqrt(max(reach * reach - aside2, 0.0)), first = max(-halfChord, -along),
           last = min(halfChord, ray.end - along), aside = sqrt(aside2);
     // The angle between both ends, as the light sees it.
     float angle = last > first ? atan(aside * (last - first), aside2 + first * last) : 0.0;
-    return c.x * angle / aside * fogDensity(frame.cameraPosition.y + ray.direction.y * max(along, 0.0)) * 0.08 /
+    return c.x * angle / aside * fogDensity(ray.start.y + ray.direction.y * max(along, 0.0)) * 0.08 /
            ray.share;
 }
 
@@ -135,12 +135,14 @@ vec3 otherInscatter(FogRay ray, ivec2 pixel, vec2 random, vec3 u) {
 
 void main() {
     ivec2 pixel = min(ivec2(gl_FragCoord.xy) * 2, ivec2(frame.targetSize.xy) - 1);
-    vec3 toPixel = viewRay((vec2(pixel) + 0.5) * frame.targetSize.zw);
+    vec2 pixelUv = (vec2(pixel) + 0.5) * frame.targetSize.zw;
+    vec3 toPixel = viewRay(pixelUv);
     float stretch = length(toPixel);
     FogRay ray;
+    ray.start = viewOrigin(pixelUv);
     ray.direction = toPixel / stretch;
     ray.end = min(texelFetch(uDepth, pixel, 0).r * stretch, kMaxFogDistance);
-    ray.share = max(1.0 - exp(-fogOpticalDepth(ray.direction.y, ray.end)), 1e-5);
+    ray.share = max(1.0 - exp(-fogOpticalDepth(ray.start.y, ray.direction.y, ray.end)), 1e-5);
     ivec2 halfPixel = ivec2(gl_FragCoord.xy);
     int n = frame.counters.x;
     vec2 u = blueNoise(halfPixel, 30, n, kR5Steps.xy), v = blueNoise(halfPixel, 31, n, kR5Steps.zw),
@@ -148,12 +150,11 @@ void main() {
     vec3 now = sunInscatter(ray, w.y) + otherInscatter(ray, pixel, v, vec3(u, w.x));
     light = vec4(min(now, vec3(1000.0)), 1.0);
 
-    vec3 middle = frame.cameraPosition.xyz + ray.direction * sampleFogDistance(ray, 0.5);
+    vec3 middle = ray.start + ray.direction * sampleFogDistance(ray, 0.5);
     vec4 clip = frame.previousViewProjection * vec4(middle, 1.0);
     vec2 lastUv = clip.xy / max(clip.w, 1e-3) * 0.5 + 0.5;
-    if (!uHistoryValid || clip.w < 0.05 || lastUv != clamp(lastUv, vec2(0.0), vec2(1.0))) return;
+    if (!uHistoryValid || previousDepth(middle) < 0.05 || lastUv != clamp(lastUv, vec2(0.0), vec2(1.0))) return;
     // What stands still on the screen keeps its own texel, so that noise does not run into blotches.
-    vec2 pixelUv = (vec2(pixel) + 0.5) * frame.targetSize.zw;
     bool isStill = length((lastUv - pixelUv - frame.jitter.xy) * frame.targetSize.xy) < 0.05;
     vec4 last = isStill ? texelFetch(uHistory, halfPixel, 0) : texture(uHistory, lastUv);
     float frames = min(last.a + 1.0, isStill ? uMaxHistory : min(uMaxHistory, kMaxHistoryInMotion));

@@ -50,10 +50,10 @@ void main() {
     Entry entry = readEntry(nearestView.shape.palette, best.index);
     vec3 normal = best.normal == vec3(0.0) ? -normalize(nearestView.ray) : best.normal;
     vec3 pointBody = (nearestView.camera + nearestView.ray * best.t) * place.voxelSize;
-    vec3 world = frame.cameraPosition.xyz + viewRay(gl_FragCoord.xy * frame.targetSize.zw) * best.t;
+    vec3 world = worldFromDepth(gl_FragCoord.xy * frame.targetSize.zw, best.t);
     vec3 lastWorld = place.moved > 0.0 ? place.lastPosition + rotate(place.lastRotation, pointBody) : world;
 
-    float voxelPixels = place.voxelSize * frame.targetSize.y / (2.0 * frame.cameraUp.w * max(best.t, 1e-3));
+    float voxelPixels = place.voxelSize / pixelMetres(max(best.t, 1e-3));
     Detail detail = detailAt(entry.detail, best.cell, best.normal, voxelPixels);
     vec3 color =
         paintedColor(nearestView.instance, nearestView.shape, best.slot, best.cell, entry.color) * detail.color;

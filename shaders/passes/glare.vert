@@ -11,17 +11,18 @@ flat out vec3 glare;  // radiance at its centre
 const float kAngle = 0.055;            // radians from centre to edge
 const float kScatteredShare = 0.0035;  // of a light's light
 const int kRays = 4;
+const float kUsualTangent = 0.58;  // of half a vertical field of view of 60 degrees
 
 /// Share of a light's sphere that the camera sees.
-float visibilityOf(LocalLight light) {
+float visibilityOf(LocalLight light, vec3 eye) {
     float open = 0.0;
     for (int i = 0; i < kRays; ++i) {
         vec3 toPoint = light.position +
                        light.radius * uniformSphere(vec2(0.25 * float(i), (float(i) + 0.5) / float(kRays))) -
-                       frame.cameraPosition.xyz;
+                       eye;
         float range = length(toPoint), t;
         open +=
-            shadowTrace(frame.cameraPosition.xyz, toPoint / range, max(range - max(2.0 * light.radius, 0.25), 0.0), t)
+            shadowTrace(eye, toPoint / range, max(range - max(2.0 * light.radius, 0.25), 0.0), t)
                 ? 0.0
                 : 1.0;
     }
@@ -32,17 +33,19 @@ void main() {
     const vec2 kCorners[6] = vec2[6](vec2(-1, -1), vec2(1, -1), vec2(1, 1), vec2(-1, -1), vec2(1, 1), vec2(-1, 1));
     corner = kCorners[gl_VertexID];
     LocalLight light = readLight(gl_InstanceID);
-    vec3 toLight = light.position - frame.cameraPosition.xyz;
+    vec3 eye = eyeOf(light.position), toLight = light.position - eye;
     float range = length(toLight);
     vec4 clip = frame.viewProjection * vec4(light.position, 1.0);
     // Areas have no glare, as their surface is seen; a cone's bulb is seen a little from all sides.
-    float seen = light.kind >= kArea || clip.w < 0.3
+    float seen = light.kind >= kArea || range < 0.3
                      ? 0.0
                      : 0.12 + 0.88 * coneAttenuation(light, -dot(toLight, light.axis) / range);
-    if (seen > 0.0) seen *= visibilityOf(light) * smoothstep(0.3, 1.5, range);
+    if (seen > 0.0) seen *= visibilityOf(light, eye) * smoothstep(0.3, 1.5, range);
     glare = light.color * (seen * kScatteredShare / (range * range * kPi * kAngle * kAngle));
     bool any_ = luminance(glare) * frame.exposure.x > 0.002;
-    vec2 size = vec2(kAngle) / vec2(frame.cameraRight.w, frame.cameraUp.w);
+    // Orthographic views have no angles: there it has the size that it has in a usual perspective.
+    vec2 window = vec2(frame.cameraRight.w, frame.cameraUp.w);
+    vec2 size = vec2(kAngle) / (isOrthographic() ? window / window.y * kUsualTangent : window);
     gl_Position = any_ ? clip + vec4(corner * size * clip.w, 0.0, 0.0) : vec4(2.0, 2.0, 2.0, 1.0);
     gl_Position.z = any_ ? 0.0 : 2.0;
 }

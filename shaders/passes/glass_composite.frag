@@ -34,7 +34,7 @@ vec3 refractionOffset(vec3 direction, vec3 normal) {
 /// The pixel that shows what the refracted ray meets.
 ivec2 refractedPixel(ivec2 pixel, vec3 ray, vec4 pane, vec3 normal) {
     float depth = texelFetch(uDepth, pixel, 0).r;
-    vec3 place = frame.cameraPosition.xyz + ray * depth;
+    vec3 place = worldFromDepth(gl_FragCoord.xy * frame.targetSize.zw, depth);
     vec4 straight = frame.viewProjection * vec4(place, 1.0);
     vec4 bent = frame.viewProjection * vec4(place + refractionOffset(normalize(ray), normal), 1.0);
     vec2 moved = (bent.xy / max(bent.w, 1e-3) - straight.xy / max(straight.w, 1e-3)) * 0.5 * frame.targetSize.xy;

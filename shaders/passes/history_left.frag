@@ -23,7 +23,7 @@ void main() {
     vec4 surface = texelFetch(uSurfaceHistory, pixel, 0);
     historyLeft = vec4(1.0, 1.0, 1.0, 0.0);
     if (surface.x >= kSkyDepth) return;
-    vec3 position = frame.previousCameraPosition.xyz + previousViewRay(uv) * surface.x;
+    vec3 position = previousWorldFromDepth(uv, surface.x);
     float light = luminance(texelFetch(uLightHistory, pixel, 0).rgb), voxels = historyNearVoxels(position);
     float radiance = luminance(halfRange(texelFetch(uRadianceHistory, pixel, 0).rgb)) *
                      texelFetch(uDiffuseFractionHistory, pixel, 0).x;

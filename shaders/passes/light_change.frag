@@ -47,19 +47,18 @@ bool isUncovered(ivec2 pixel, int i, vec3 position, ivec2 high) {
     ivec2 outward = ivec2((i & 3) < 2 ? -1 : 1, i < 8 ? -1 : 1);
     float before = min(texelFetch(uSurfaceHistory, clamp(last, ivec2(0), high), 0).x,
                        texelFetch(uSurfaceHistory, clamp(last + outward, ivec2(0), high), 0).x);
-    return before < 0.97 * (frame.previousViewProjection * vec4(position, 1.0)).w - 0.05;
+    return before < 0.97 * previousDepth(position) - 0.05;
 }
 
 /// The least history that is left to any pixel of a tile. meanRadiance: of the light that the tile had.
 float historyLeftIn(ivec2 tile, ivec2 high, float meanRadiance) {
     float left = 1.0;
-    float margin = 2.0 * frame.cameraUp.w * frame.targetSize.w;  // a pixel, for the one beside that TAA takes in
     int pixels = uDirtyCornerCount + uChangedLightTexels > 0 ? 16 : 0;
     for (int i = 0; i < pixels; ++i) {
         ivec2 p = min(tile + ivec2(i & 3, i >> 2), high);
         vec3 position = worldFromDepth((vec2(p) + 0.5) * frame.targetSize.zw, texelFetch(uDepth, p, 0).r);
         left = min(left, historyLeftAt(position, meanRadiance));
-        if ((uHasGlass || isUncovered(p, i, position, high)) && isSeenThroughChange(position, margin)) left = 0.0;
+        if ((uHasGlass || isUncovered(p, i, position, high)) && isSeenThroughChange(position)) left = 0.0;
         if (isSunSeenThroughChange(position)) left = 0.0;
     }
     return left;

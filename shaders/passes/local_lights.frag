@@ -75,12 +75,11 @@ vec4 accumulateSpecular(vec4 now, vec3 position, Surface s, float rays) {
     if (!uHistoryValid || any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return now;
     ivec2 last = ivec2(lastUv * frame.targetSize.xy);
     vec4 surface = texelFetch(uSurfaceHistory, last, 0);
-    float expected = (frame.previousViewProjection * vec4(position, 1.0)).w;
+    float expected = previousDepth(position);
     float tolerance = depthTolerance(position, s.normal, s.depth) + s.moving * 0.5;
     if (abs(surface.x - expected) > tolerance || dot(unpackNormal(surface.y), s.normal) < 0.9) return now;
     // A highlight moves over its surface as the camera does: it may lag by an eighth of the lobe.
-    float turn = distance(normalize(position - frame.cameraPosition.xyz),
-                          normalize(position - frame.previousCameraPosition.xyz));
+    float turn = distance(toEye(position), normalize(previousEyeOf(position) - position));
     float maxFrames = min(maxHistoryAt(position), max(0.25 * ggxAlpha(s.roughness) / max(turn, 1e-6), 1.0));
     if (length(motion * frame.targetSize.xy) >= 0.05) maxFrames = min(maxFrames, kMaxHistoryInMotion);
     return mix(texelFetch(uSpecularHistory, last, 0), now,
@@ -138,7 +137,7 @@ void main() {
     if (lightsAt(pixel, -1.0).y == 0) discard;
     Surface s = readSurface(pixel);
     vec3 position = worldFromDepth(uv, s.depth);
-    Receiver receiver = Receiver(pixel, s, position, normalize(frame.cameraPosition.xyz - position),
+    Receiver receiver = Receiver(pixel, s, position, toEye(position),
                                  mix(vec3(s.reflectivity), s.albedo, s.metallic), lightsAt(pixel, s.depth));
     light = specular = vec4(0.0);
     int rays = raysOf(pixel);

@@ -23,7 +23,7 @@ vec4 cube() {
                     1.0) *
                tintOut.a;
     // Glass reflects the sky and, at the right angle, the sun.
-    vec3 mirrored = reflect(normalize(particle.xyz - frame.cameraPosition.xyz), normal);
+    vec3 mirrored = reflect(-toEye(particle.xyz), normal);
     float flash = pow(max(dot(mirrored, frame.sunDirection.xyz), 0.0), 24.0);
     return vec4(airLight * (0.5 + 0.4 * mirrored.y) + sunLight * (flash * 9.0), 0.6) * tintOut.a;
 }

@@ -52,14 +52,14 @@ void main() {
     tintOut = tint;
     stateOut = state;
     vec3 right = frame.cameraRight.xyz, up = frame.cameraUp.xyz;
-    vec3 toEye = normalize(frame.cameraPosition.xyz - place.xyz);
-    float depth = dot(place.xyz - frame.cameraPosition.xyz, frame.cameraForward.xyz);
+    vec3 back = toEye(place.xyz);
+    float depth = viewDepth(place.xyz);
     // Never smaller than a pixel: it gets fainter instead.
-    float pixelMetres = frame.cameraUp.w * frame.targetSize.w * max(depth, 0.1);
+    float leastRadius = 0.5 * pixelMetres(max(depth, 0.1));
     float radius = place.w, solidity = 1.0;
     if (kind >= kSpark) {
-        solidity = min(1.0, radius * radius / (pixelMetres * pixelMetres) * 1.5);
-        radius = max(radius, pixelMetres);
+        solidity = min(1.0, radius * radius / (leastRadius * leastRadius) * 1.5);
+        radius = max(radius, leastRadius);
         tintOut.a *= max(solidity, 0.25);
     }
     particle.w = radius;
@@ -68,7 +68,7 @@ void main() {
     if (kind == kSpark) {
         // A streak as long as its path in 14 ms.
         vec3 streak = motion.xyz * 0.014;
-        vec3 along = normalize(streak + vec3(0, 1e-4, 0)), side = normalize(cross(along, toEye) + vec3(1e-5));
+        vec3 along = normalize(streak + vec3(0, 1e-4, 0)), side = normalize(cross(along, back) + vec3(1e-5));
         offset = side * (corner.x * radius) + streak * (corner.y * 0.5) + along * (corner.y * radius);
     }
     if (kind == kFlame) offset = right * (corner.x * radius * 1.1) + vec3(0, 1, 0) * (corner.y * radius * 1.55);
@@ -79,11 +79,11 @@ void main() {
     if (kind == kFlame)
         noiseUv = vec4(corner * vec2(0.30, 0.20) + state.zw * 5.0 - vec2(0.0, state.x * 0.55),
                        corner * vec2(0.62, 0.36) - state.zw * 5.0 - vec2(0.0, state.x * 0.9));
-    float range = length(place.xyz - frame.cameraPosition.xyz);
-    float towardSun = max(-dot(toEye, frame.sunDirection.xyz), 0.0);
-    haze = vec4(hazeRadiance(-toEye), hazeAmount(range));
+    float range = length(place.xyz - eyeOf(place.xyz));
+    float towardSun = max(-dot(back, frame.sunDirection.xyz), 0.0);
+    haze = vec4(hazeRadiance(-back), hazeAmount(range));
     depths = vec3(depth, smoothstep(0.2, 1.2, depth), towardSun * towardSun * towardSun * 1.6);
-    vec3 near = place.xyz + offset + toEye * min(radius * (kind >= kSpark ? 0.0 : 1.0), max(depth - 0.1, 0.0));
+    vec3 near = place.xyz + offset + back * min(radius * (kind >= kSpark ? 0.0 : 1.0), max(depth - 0.1, 0.0));
     gl_Position = frame.viewProjection * vec4(near, 1.0);
     vec3 lit = place.xyz + offset * 0.45;
     sunLight = airLight = vec3(0.0);

@@ -43,7 +43,7 @@ void main() {
                      blueNoise(pixel, 22, frame.counters.x, kR5Steps.zw).x);
     PathStart start =
         startPath(texelFetch(uLight, pixel, 0).rgb, m.normal,
-                  uBounceLights ? lightsAt(pixel, dot(m.position - frame.cameraPosition.xyz, frame.cameraForward.xyz))
+                  uBounceLights ? lightsAt(pixel, viewDepth(m.position))
                                 : ivec2(0));
     start.random = more;
     float t;

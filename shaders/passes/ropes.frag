@@ -24,7 +24,7 @@ void main() {
     float u = clamp(across, -1.0, 1.0), bulge = sqrt(max(1.0 - u * u, 0.0));
     vec3 normal = normalize(side * u + front * max(bulge, 0.05));
     vec3 world = place + front * (bulge * radiusDrawn);
-    float linear = dot(world - frame.cameraPosition.xyz, frame.cameraForward.xyz);
+    float linear = viewDepth(world);
     float strand = fract(metres / (radiusDrawn * 2.4) + asin(u) * 0.318);  // 1 / pi: strands wind around the rope
     float groove = smoothstep(0.0, 0.22, min(strand, 1.0 - strand));
     outAlbedo = vec4(tintOut * mix(0.6, 1.05, groove), 1.0 / 255.0);

@@ -23,12 +23,10 @@ void main() {
     across = sides[gl_VertexID];
     vec3 along = normalize(to.xyz - from.xyz + vec3(0.0, 1e-6, 0.0));
     vec3 middle = mix(from.xyz, to.xyz, end);
-    vec3 toEye = normalize(frame.cameraPosition.xyz - middle);
-    side = normalize(cross(along, toEye) + vec3(1e-6));
+    side = normalize(cross(along, toEye(middle)) + vec3(1e-6));
     front = cross(side, along);
-    float depth = max(dot(middle - frame.cameraPosition.xyz, frame.cameraForward.xyz), 0.1);
     // Never thinner than 0.6 of a pixel, or it would have gaps.
-    radiusDrawn = max(lastFrom.w, 0.6 * frame.cameraUp.w * frame.targetSize.w * depth);
+    radiusDrawn = max(lastFrom.w, 0.3 * pixelMetres(max(viewDepth(middle), 0.1)));
     vec3 overlap = along * ((end * 2.0 - 1.0) * radiusDrawn * 0.35);
     place = middle + side * (across * radiusDrawn) + overlap;
     lastPlace = mix(lastFrom.xyz, lastTo.xyz, end) + side * (across * radiusDrawn) + overlap;

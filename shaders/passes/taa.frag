@@ -95,7 +95,7 @@ Steadiness unpackSteadiness(float packed_) {
 
 /// Motion of a point that stands still in the world, seen at a place of the screen.
 vec2 staticPointMotion(vec2 place, float depth) {
-    vec4 before = frame.previousViewProjection * vec4(frame.cameraPosition.xyz + viewRay(place) * depth, 1.0);
+    vec4 before = frame.previousViewProjection * vec4(worldFromDepth(place, depth), 1.0);
     return place + frame.jitter.xy - (before.xy / max(before.w, 1e-4) * 0.5 + 0.5);
 }
 
@@ -166,7 +166,7 @@ bool isDisoccluded(Neighbourhood n, vec2 before, bool isAsked) {
     float expected = kSkyDepth, tolerance = 0.0;
     if (n.depth < kSkyDepth) {
         vec3 position = worldFromDepth((vec2(n.nearest) + 0.5) * frame.targetSize.zw, n.depth);
-        expected = (frame.previousViewProjection * vec4(position, 1.0)).w;
+        expected = previousDepth(position);
         tolerance = depthTolerance(position, unpackNormal(texelFetch(uSurface, n.nearest, 0).y), n.depth);
     }
     ivec2 middle = ivec2(before * frame.targetSize.xy), high = ivec2(frame.targetSize.xy) - 1;

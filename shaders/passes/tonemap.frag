@@ -3,6 +3,7 @@
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
 #include "lib/color.glsl"
+#include "lib/display.glsl"
 
 uniform sampler2D uColor;
 uniform sampler2D uBloom;
@@ -12,9 +13,6 @@ uniform float uSharpen;
 
 in vec2 uv;
 out vec4 color;
-
-/// A fit of the ACES film curve (Narkowicz 2015) with a lighter toe, so that shadows keep their colour.
-vec3 filmCurve(vec3 x) { return clamp((x * (2.51 * x + 0.05)) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0); }
 
 /// Raises the contrast to the four neighbours, limited to their range, so that edges get no halo.
 vec3 sharpen(ivec2 p) {
@@ -33,11 +31,7 @@ void main() {
     vec3 c = sharpen(pixel);
     if (uBloomShare > 0.0) c += texture(uBloom, uv).rgb * uBloomShare;
     c *= frame.exposure.x * texelFetch(uExposure, ivec2(0), 0).r;
-    vec2 aside = (uv - 0.5) * vec2(1.0, 0.8);
-    float r2 = dot(aside, aside);
-    c *= 1.0 - 0.5 * r2 * r2 - 0.12 * r2;
-    // With the factor 0.5 and exposure 1 a white wall in the default evening sun has three quarters of display white.
-    c = linearToSrgb(filmCurve(c * 0.5));
+    c = toDisplay(c, uv);
     vec2 noise = blueNoise(pixel, 40, frame.counters.x);
     color = vec4(c + (noise.x + noise.y - 1.0) / 255.0, 1.0);
 }

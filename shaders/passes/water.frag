@@ -46,6 +46,7 @@ const float kScattering = 0.6;       // single-scattering albedo x 4 pi x phase 
 const float kHistoryWeight = 0.6;    // for TAA, as waves have no motion vectors: 1 would trust history fully
 const float kMinMirrorShare = 0.05;  // share of light that is worth a ray
 const float kMaxRayDistance = 1e5;   // metres
+const float kUsualPixel = 0.0016;    // metres of depth 1 that a pixel covers in a usual perspective
 const float kMeniscus = 0.003;       // metres of height at the port that the water line covers
 
 in vec2 uv;
@@ -118,6 +119,9 @@ vec3 ringSlope(vec2 p) {
     return sum;
 }
 
+/// The depth at which a usual perspective has pixels as large as those here.
+float seenFrom(float depth) { return isOrthographic() ? pixelMetres(depth) / kUsualPixel : depth; }
+
 /// Seven sines, the longest first, each rotated by the golden angle. xy: their slope, z: their height, metres.
 vec3 waveSlope(vec2 p, float far) {
     vec3 sum = vec3(0.0);
@@ -136,8 +140,8 @@ vec3 waveSlope(vec2 p, float far) {
 }
 
 /// Height of a ray's start over the water. The waves count only close to the surface.
-float heightOverWater(vec3 ray) {
-    vec3 start = frame.cameraPosition.xyz + ray * kWaterPort;
+float heightOverWater(vec3 origin, vec3 ray) {
+    vec3 start = origin + ray * kWaterPort;
     float over = start.y - uSurface;
     return abs(over) < 2.0 * uWaves.x ? over - waveSlope(start.xz, kWaterPort).z : over;
 }
@@ -148,8 +152,7 @@ struct WaterPath {
     bool isThroughTop;  // it crosses the surface: where it begins, or where it ends if it begins under water
 };
 
-WaterPath pathThrough(vec3 ray, float behind, bool isUnder) {
-    vec3 origin = frame.cameraPosition.xyz;
+WaterPath pathThrough(vec3 origin, vec3 ray, float behind, bool isUnder) {
     float slope = abs(ray.y) < 1e-6 ? 1e-6 : ray.y;
     if (!isUnder && slope > 0.0) return WaterPath(0.0, 0.0, false);
     // Between the surface and the waves a ray crosses the surface at the port.
@@ -187,9 +190,9 @@ Layer waterLayer(float metres, float depth, float upward) {
 
 /// What is seen through the surface from above: rgb colour, w its linear depth. bend: by how much the waves turn the
 /// ray, for a length of 1 along the view axis.
-vec4 seenBelow(vec3 ray, vec3 bend, WaterPath path) {
+vec4 seenBelow(vec3 origin, vec3 ray, vec3 bend, WaterPath path) {
     float deep = min(path.end - path.begin, kMaxBend);
-    vec4 clip = frame.viewProjection * vec4(frame.cameraPosition.xyz + ray * (path.begin + deep) + bend * deep, 1.0);
+    vec4 clip = frame.viewProjection * vec4(origin + ray * (path.begin + deep) + bend * deep, 1.0);
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ivec2 bent =
         clamp(ivec2((clip.xy / max(clip.w, 1e-3) * 0.5 + 0.5) * frame.targetSize.xy), uBackgroundLow, uBackgroundHigh);
@@ -281,23 +284,23 @@ Layer surfaceFromBelow(Crossing c, out vec3 passed) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec3 ray = viewRay(uv);
-    float behind = texelFetch(uDepth, pixel, 0).r, over = heightOverWater(ray);
+    vec3 origin = viewOrigin(uv), ray = viewRay(uv);
+    float behind = texelFetch(uDepth, pixel, 0).r, over = heightOverWater(origin, ray);
     bool isUnder = over < 0.0;
-    WaterPath path = pathThrough(ray, behind, isUnder);
+    WaterPath path = pathThrough(origin, ray, behind, isUnder);
     if (path.end <= path.begin) discard;
 
     float pane = uHasPanes ? texelFetch(uGlassSurface, pixel, 0).w : 0.0;
     float stretch = length(ray), metres = (path.end - path.begin) * stretch,
           toPane = max(min(pane, path.end) - path.begin, 0.0) * stretch;
-    vec3 direction = ray / stretch, origin = frame.cameraPosition.xyz;
+    vec3 direction = ray / stretch;
     vec4 seen = texelFetch(uBackground, pixel, 0);
     Layer water, beforePane;
     if (path.isThroughTop && !isUnder) {
-        Crossing c = crossingAt(origin + ray * path.begin, direction, path.begin);
+        Crossing c = crossingAt(origin + ray * path.begin, direction, seenFrom(path.begin));
         Sheen sheen = sheenAt(c, (path.end - path.begin) * -ray.y);
         vec3 level = refract(direction, vec3(0, 1, 0), 1.0 / kRefractiveIndex);
-        vec4 below = seenBelow(ray, (c.passed - level) * stretch, path);
+        vec4 below = seenBelow(origin, ray, (c.passed - level) * stretch, path);
         water = underSurface(waterLayer((below.w - path.begin) * stretch, 0.0, c.passed.y), c, sheen);
         beforePane = underSurface(waterLayer(toPane, 0.0, c.passed.y), c, sheen);
         seen = vec4(below.rgb, min(kHistoryWeight, seen.a));
@@ -307,7 +310,8 @@ void main() {
         beforePane = waterLayer(toPane, depth, direction.y);
         if (path.isThroughTop) {
             vec3 passed;
-            Layer surface = surfaceFromBelow(crossingAt(origin + ray * path.end, direction, path.end), passed);
+            Crossing c = crossingAt(origin + ray * path.end, direction, seenFrom(path.end));
+            Layer surface = surfaceFromBelow(c, passed);
             if (pane > path.end) beforePane = Layer(water.left * surface.left, through(water, surface.added));
             seen = vec4(halfRange(through(surface, passed)), min(kHistoryWeight, seen.a));
         }

@@ -4,11 +4,12 @@
 mat4 viewProjection;          // world -> clip, with jitter: what the G-buffer is drawn with
 mat4 viewProjectionPlain;     // world -> clip, without jitter
 mat4 previousViewProjection;  // world -> clip of the previous frame, without jitter
-vec4 cameraPosition;          // xyz world; w near plane, metres
-vec4 cameraRight;             // xyz unit vector; w tangent of half the horizontal field of view
-vec4 cameraUp;                // xyz unit vector; w tangent of half the vertical field of view
+vec4 cameraPosition;          // xyz world, of an orthographic view the middle of its near plane; w near plane, metres
+vec4 cameraRight;             // xyz unit vector; w half the width of what is seen at a depth of 1, metres
+vec4 cameraUp;                // xyz unit vector; w half the height of that
 vec4 cameraForward;           // xyz unit vector; w far plane, metres
-vec4 viewMiddle;              // xyz ray through the middle of the image, as viewRay(): off-centre views look aside
+vec4 viewMiddle;              // xyz ray through the middle of the image, as viewRay(): off-centre views look aside; w 1
+                              // if the view is orthographic
 vec4 previousCameraPosition;  // xyz world
 vec4 previousViewMiddle;      // the previous frame's viewMiddle
 vec4 previousCameraRight;     // xyz the previous frame's cameraRight times the tangent in its w

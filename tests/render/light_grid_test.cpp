@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "render/frame/frame_camera.h"
 #include "render/frame/frame_context.h"
@@ -14,9 +15,11 @@ namespace {
 
 class LightGridTest : public GlTest {
 protected:
-    static FrameBlock seenFrom(const Camera& camera) {
+    static FrameBlock seenFrom(const Camera& camera, bool isOrthographic = false) {
         FrameBlock block{};
-        FrameCamera().begin(camera.view({320, 180}, 0), {320, 180}, true, glm::dvec3(0.0), block);
+        View view = camera.view({320, 180}, 0);
+        if (isOrthographic) view.projection = View::Projection{glm::ortho(-16.0, 16.0, -9.0, 9.0, 0.0, 200.0)};
+        FrameCamera().begin(view, {320, 180}, true, glm::dvec3(0.0), block);
         return block;
     }
     /// Lights scattered around the origin, of all kinds.
@@ -42,22 +45,19 @@ TEST_F(LightGridTest, EveryLightIsListedInItsRange) {
     Random random{7, 3};
     LightGrid grid;
     int reached = 0, listed = 0;
-    for (int view = 0; view < 12; ++view) {
+    for (int view = 0; view < 24; ++view) {
         Camera camera;
         camera.position = {0.7 * view - 4.0, 1.7 + 0.3 * view, 8.0 - view};
         camera.yaw = 0.2 * view - 1.0;
         camera.pitch = 0.1 * (view % 5) - 0.2;
-        const FrameBlock block = seenFrom(camera);
+        const FrameBlock block = seenFrom(camera, view % 2 == 1);
         const auto lights = scattered(60, random);
         grid.update(lights, block, glm::dvec3(0.0));
         for (int ray = 0; ray < 400; ++ray) {
             const glm::ivec2 pixel(int(random.below(320)), int(random.below(180)));
             const float depth = std::exp2(float(random.unit()) * 7.0f - 1.0f);
             const glm::vec2 ndc = (glm::vec2(pixel) + 0.5f) / glm::vec2(block.targetSize) * 2.0f - 1.0f;
-            const glm::vec3 place =
-                glm::vec3(block.cameraPosition) +
-                depth * (glm::vec3(block.cameraForward) + glm::vec3(block.cameraRight) * (ndc.x * block.cameraRight.w) +
-                         glm::vec3(block.cameraUp) * (ndc.y * block.cameraUp.w));
+            const glm::vec3 place = block.rayStart(ndc) + block.ray(ndc) * depth;
             const std::vector<int> found = grid.lightsAt(pixel, depth);
             listed += int(found.size());
             for (size_t i = 0; i < lights.size(); ++i) {

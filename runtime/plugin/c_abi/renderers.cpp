@@ -11,6 +11,10 @@ namespace {
 
 constexpr uint32_t kMaxViewSize = 16384;  // pixels
 constexpr uint32_t kMaxSlots = 16;
+constexpr NumberRange kPerspectiveScale{0.07, 200.0};           // of fields of view of 3 and 0.01 radians
+constexpr NumberRange kOrthographicScale{1e-4, 100.0};          // 1 / metres of half the view
+constexpr double kMaxShift = 4.0, kMaxOrthographicShift = 1e5;  // in halves of the view
+constexpr double kMaxStart = 1e5;                               // metres to the near plane of an orthographic view
 
 std::string readPreset(const char* preset) {
     const std::string name = preset ? preset : "balanced";
@@ -56,7 +60,37 @@ rubble_result createRenderer(rubble_world world, const rubble_renderer_settings*
     });
 }
 
-/// The projection of a view that has one, checked: a perspective with the field of view that vertical_fov may have.
+/// Refuses what is no perspective with a field of view that vertical_fov may have, and no orthographic projection.
+void checkProjection(const View::Projection& read) {
+    const glm::dmat4& p = read.clipFromEye;
+    const bool isOrthographic = read.isOrthographic();
+    for (int i = 0; i < 16; ++i) {
+        const double value = p[i / 4][i % 4], expected = i == (isOrthographic ? 15 : 11) ? (i == 15 ? 1.0 : -1.0) : 0.0;
+        const bool isShift = isOrthographic ? i == 12 || i == 13 : i == 8 || i == 9;
+        if (i == 0 || i == 5 || i == 10 || i == 14 || isShift || value == expected) continue;
+        return refuse(RUBBLE_ERROR_ARGUMENT,
+                      "view->projection[{}] is {}, expected {}: a perspective or orthographic projection, eyes looking "
+                      "along -z",
+                      i, value, expected);
+    }
+    const NumberRange scale = isOrthographic ? kOrthographicScale : kPerspectiveScale;
+    const glm::dvec4& shift = p[isOrthographic ? 3 : 2];
+    const double most = isOrthographic ? kMaxOrthographicShift : kMaxShift;
+    for (int axis = 0; axis < 2; ++axis)
+        if (!(p[axis][axis] >= scale.low && p[axis][axis] <= scale.high) || std::abs(shift[axis]) > most)
+            return refuse(
+                RUBBLE_ERROR_ARGUMENT,
+                "view->projection has the scale {} and the shift {} along {}, expected {} to {} and -{} to {}",
+                p[axis][axis], shift[axis], "xy"[axis], scale.low, scale.high, most, most);
+    const int depth = isOrthographic ? 10 : 14;
+    if (p[depth / 4][2] == 0.0)
+        return refuse(RUBBLE_ERROR_ARGUMENT, "view->projection[{}] is 0, expected depths that differ", depth);
+    if (isOrthographic && !(std::abs(read.startDepth()) <= kMaxStart))
+        refuse(RUBBLE_ERROR_ARGUMENT, "view->projection has its near plane at {} m, expected -{} to {}",
+               read.startDepth(), kMaxStart, kMaxStart);
+}
+
+/// The projection of a view that has one.
 std::optional<View::Projection> readProjection(const rubble_view& given, uint32_t flags) {
     View::Projection read;
     bool isGiven = false;
@@ -76,29 +110,7 @@ std::optional<View::Projection> readProjection(const rubble_view& given, uint32_
             refuse(RUBBLE_ERROR_ARGUMENT, "view->projection is zero, expected the projection that depths are of");
         return {};
     }
-    const glm::dmat4& p = read.clipFromEye;
-    for (int i = 0; i < 16; ++i) {
-        const bool isFree = i == 0 || i == 5 || (i >= 8 && i <= 10) || i == 14;
-        if (!isFree && given.projection[i] != (i == 11 ? -1.0 : 0.0)) {
-            refuse(RUBBLE_ERROR_ARGUMENT,
-                   "view->projection[{}] is {}, expected {}: a perspective, eyes looking along -z", i,
-                   given.projection[i], i == 11 ? -1.0 : 0.0);
-            return {};
-        }
-    }
-    constexpr double kLeast = 0.07, kMost = 200.0;  // of fields of view of 3 and 0.01 radians
-    for (int axis = 0; axis < 2; ++axis)
-        if (!(p[axis][axis] >= kLeast && p[axis][axis] <= kMost) || std::abs(p[2][axis]) > 4.0) {
-            refuse(RUBBLE_ERROR_ARGUMENT,
-                   "view->projection has the scale {} and the shift {} along {}, expected {} to {} "
-                   "and -4 to 4",
-                   p[axis][axis], p[2][axis], "xy"[axis], kLeast, kMost);
-            return {};
-        }
-    if (p[3][2] == 0.0) {
-        refuse(RUBBLE_ERROR_ARGUMENT, "view->projection[14] is 0, expected depths that differ");
-        return {};
-    }
+    checkProjection(read);
     return read;
 }
 

@@ -25,6 +25,8 @@ int benchFrame(const Options& options, GlContext& context);
 /// The frames in which explosion, fog, rain and lights are first seen, against the frames after them; returns the
 /// program's exit code.
 int benchFirstFrames(const Options& options, GlContext& context);
+/// Two views of the town in a frame against one; returns the program's exit code.
+int benchViews(const Options& options, GlContext& context);
 /// One object: our walk against two over 3D textures. False if a shader does not build.
 bool benchWalk(const Options& options);
 /// Two thousand bodies: our G-buffer against Teardown's method. False if a shader does not build.

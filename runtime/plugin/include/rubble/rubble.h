@@ -1491,10 +1491,11 @@ typedef struct rubble_renderer_settings {
 
 enum {
     RUBBLE_VIEW_CUT = 1, /* the camera jumped: do not reuse earlier frames */
-    /* composes with what the host has drawn: where the framebuffer's depth buffer is nearer, colour and depth stay;
-     * else both are written, also for hosts that draw on. Depths are those of `projection`, in a depth range of 0 to 1,
-     * and as coarse as the image that is traced: the preset "fast" traces fewer pixels. Panes, water and fog do not
-     * cover what the host has drawn */
+    /* composes with what the host has drawn: where the framebuffer's depth buffer is nearer than opaque voxels, colour
+     * and depth stay, to the pixel; else both are written, also for hosts that draw on. Depths are those of
+     * `projection`, in a depth range of 0 to 1. Panes, water, fog and particles that lie before what the host has drawn
+     * are drawn over its colours, which count as those that the view writes: of a display, or with RUBBLE_VIEW_LINEAR
+     * radiance times exposure. Not in a multisampled framebuffer. Mirrors and shadows do not show it */
     RUBBLE_VIEW_DEPTH = 2,
     RUBBLE_VIEW_ZERO_TO_ONE = 4, /* `projection` has clip depths of 0 to 1, as with glClipControl; else -1 to 1 */
     RUBBLE_VIEW_LINEAR = 8,      /* writes radiance times exposure, for an HDR target, not the colours of a display */
@@ -1514,8 +1515,9 @@ typedef struct rubble_view {
     double rotation[4];   /* the camera looks along -z with y up */
     double vertical_fov;  /* radians, 0.01 to 3; 0: 1.05 */
     double alpha;         /* 0 to 1: interpolates between the poses of the last two steps */
-    /* column-major, from an eye that looks along -z with y up to clip space: a perspective, also off-centre, with
-     * reversed depth or an infinite far plane. All zeros: vertical_fov in the middle of the view */
+    /* column-major, from an eye that looks along -z with y up to clip space: a perspective, also with an infinite far
+     * plane, or an orthographic projection, which shows nothing before its near plane, where haze and fog begin. Both
+     * also off-centre, with reversed depth. All zeros: vertical_fov in the middle of the view */
     double projection[16];
 } rubble_view;
 
