@@ -59,6 +59,7 @@ std::vector<Row> rows(Read&& read) {
     check(read(nullptr, Count(0), &count));
     std::vector<Row> all(count);
     if (count > 0) check(read(all.data(), count, &count));
+    all.resize(count);
     return all;
 }
 
@@ -102,6 +103,7 @@ public:
 
 READS = ("get_", "cast_", "find_", "overlap_", "read_", "translate_")
 BY_HAND = {"destroy_world", "create_renderer", "destroy_renderer"}
+ARRAYS = {"entries", "bricks"}  # arguments of several rows, whose number stands elsewhere
 OPTIONAL = {"vdb_tool"}  # arguments that may be null, where a name alone tells
 
 
@@ -160,10 +162,12 @@ def method(function, sized, kinds):
             if "casts" in names or "rays" in names:
                 before.append(f"filter.query_size = sizeof({pointee(arguments[0]['type'])});")
             passed[-1] = "&filter"
-        elif kind.startswith("const rubble_") and not counted:
+        elif kind.startswith("const rubble_") and not counted and name not in ARRAYS:
             if pointee(kind) in sized:
                 taken.append((False, f"{pointee(kind)} {name}"))
                 before.append(f"{name}.struct_size = sizeof {name};")
+                if pointee(kind) == "rubble_palette_range":
+                    before.append(f"{name}.entry_size = sizeof(rubble_palette_entry);")
             else:
                 taken.append((False, f"const {pointee(kind)}& {name}"))
             passed[-1] = f"&{name}"
@@ -174,9 +178,9 @@ def method(function, sized, kinds):
         count = arguments[-2]["type"]
         result = f"std::vector<{row}>"
         after = list_method(function, given, row, count, passed, kinds)
-    elif is_read and counted:
+    elif is_read and (counted or row == "rubble_palette_entry"):
         result = f"std::vector<{row}>"
-        before.append(f"std::vector<{row}> out(count);")
+        before.append(f"std::vector<{row}> out({'count' if counted else 'range.count < 256 ? range.count : 255'});")
         after = f"check(api().{function['name']}({', '.join(passed + ['out.data()'])}));\nreturn out;"
     elif is_read:
         result = row

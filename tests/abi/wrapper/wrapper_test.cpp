@@ -67,6 +67,26 @@ TEST_F(Wrapper, AHostBreaksAndReads) {
     EXPECT_GT(world.get_events().removed_count, 0u);
 }
 
+TEST_F(Wrapper, ListsWhoseLengthStandsElsewhereAreWhole) {
+    rubble::World world = makeWorld();
+    world.load_level(m_path.c_str());
+    world.step();
+    rubble_palette_range range{};
+    range.shape = world.get_shape_states(0).at(0).shape;
+    range.count = 255;
+    std::vector<rubble_palette_entry> entries = world.get_palette(range);
+    ASSERT_EQ(entries.size(), 255u);
+    entries[1].color[0] = 7;
+    world.set_palette(range, entries.data());
+    world.step();
+    EXPECT_EQ(world.get_palette(range)[1].color[0], 7);
+    range.count = 4000000000;
+    EXPECT_THROW((void)world.get_palette(range), rubble::Error);
+
+    const rubble_brick bricks[2]{};
+    EXPECT_EQ(world.read_bricks(range.shape, bricks, 2).size(), 2u * RUBBLE_BRICK_BYTES);
+}
+
 TEST_F(Wrapper, RaysFindTheSlab) {
     rubble::World world = makeWorld();
     world.load_level(m_path.c_str());

@@ -54,6 +54,7 @@ std::vector<Row> rows(Read&& read) {
     check(read(nullptr, Count(0), &count));
     std::vector<Row> all(count);
     if (count > 0) check(read(all.data(), count, &count));
+    all.resize(count);
     return all;
 }
 
@@ -721,15 +722,17 @@ public:
      * burn and slide as their new material does; those that change their light group count in the new one. Shapes that
      * share the palette keep theirs, but with RUBBLE_PALETTE_ALL_EQUAL. Paint that blends takes entries that have no
      * material and no voxel. */
-    void set_palette(rubble_palette_range range, const rubble_palette_entry& entries) {
+    void set_palette(rubble_palette_range range, const rubble_palette_entry* entries) {
         range.struct_size = sizeof range;
-        check(api().set_palette(m_handle, &range, &entries));
+        range.entry_size = sizeof(rubble_palette_entry);
+        check(api().set_palette(m_handle, &range, entries));
     }
     /** Reads entries of a shape's palette: `range->count` rows. */
-    rubble_palette_entry get_palette(rubble_palette_range range) const {
+    std::vector<rubble_palette_entry> get_palette(rubble_palette_range range) const {
         range.struct_size = sizeof range;
-        rubble_palette_entry out{};
-        check(api().get_palette(m_handle, &range, &out));
+        range.entry_size = sizeof(rubble_palette_entry);
+        std::vector<rubble_palette_entry> out(range.count < 256 ? range.count : 255);
+        check(api().get_palette(m_handle, &range, out.data()));
         return out;
     }
     /** Mass, centre, inertia and motion of bodies, in a fixed order. which: RUBBLE_BODIES_CHANGED or RUBBLE_BODIES_ALL.
@@ -957,9 +960,9 @@ public:
     /** Copies palette indices and paint of bricks of a shape, RUBBLE_BRICK_BYTES each, in the order of `bricks`, whose
      * is_empty is not read. All are 0 where there is no brick. `capacity` is in bytes; *count becomes the number of
      * bytes. Capacity 0 asks for that alone; fewer: RUBBLE_ERROR_CAPACITY, and nothing is written. */
-    std::vector<uint8_t> read_bricks(rubble_shape shape, const rubble_brick& bricks, uint32_t brick_count) const {
+    std::vector<uint8_t> read_bricks(rubble_shape shape, const rubble_brick* bricks, uint32_t brick_count) const {
         return rows<uint8_t, uint64_t>([&](uint8_t* out, uint64_t capacity, uint64_t* count) {
-            return api().read_bricks(m_handle, shape, &bricks, brick_count, out, capacity, count);
+            return api().read_bricks(m_handle, shape, bricks, brick_count, out, capacity, count);
         });
     }
     /** The bricks of the shadow volume that changed after a version, by z, then y, then x; 0: all with cells. *version
