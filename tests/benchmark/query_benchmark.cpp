@@ -66,7 +66,8 @@ void castBatch(benchmark::State& state) {
     const std::vector<RayQuery> rays = makeRays(double(state.range(0)) * 0.01);
     std::vector<WorldHit> hits(rays.size());
     for (auto _ : state)
-        castRays(world, rays, hits, {}, state.range(1) == 2 ? ParallelFor(twoThreads) : ParallelFor(serialFor));
+        castRays(world, rays, hitsInto(hits), {},
+                 state.range(1) == 2 ? ParallelFor(twoThreads) : ParallelFor(serialFor));
     state.SetItemsProcessed(state.iterations() * kRays);
 }
 // Arguments: radius in centimetres; number of threads.

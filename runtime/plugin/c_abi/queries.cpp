@@ -93,8 +93,6 @@ RowSizes readRowSizes(const rubble_query_filter* filter) {
             readRowSize<rubble_hit>(read.hit_size, "filter->hit_size")};
 }
 
-constexpr size_t kRowsAtOnce = 512;  ///< of hits, that a thread writes
-
 /// Answers each row of the host's array by one of `out`: read(row) makes a query, cast() answers them all.
 template <class Query, class Row, class Read, class Cast>
 void castAll(const HostedWorld& hosted, const Row* rows, const char* name, uint32_t count,
@@ -104,18 +102,17 @@ void castAll(const HostedWorld& hosted, const Row* rows, const char* name, uint3
     if (count) isGiven(rows, name), isGiven(out, "out");
     if (isRefused()) return;
     std::vector<Query> queries(count);
-    std::vector<WorldHit> hits(count);
     const auto* given = reinterpret_cast<const char*>(rows);
     for (uint32_t i = 0; i < count; ++i) {
         queries[i] = read(copyStruct<Row>(given + size_t(i) * sizes.query, sizes.query));
         if (isRefused()) return Call::current().locate(fmt::format("{}[{}].", name, i));
     }
-    const ParallelFor parallelFor = hosted.loop.parallelFor();
-    cast(queries, hits, rejecting, parallelFor);
-    parallelFor((count + kRowsAtOnce - 1) / kRowsAtOnce, [&](size_t part) {
-        for (size_t i = part * kRowsAtOnce; i < std::min<size_t>(count, (part + 1) * kRowsAtOnce); ++i)
-            writeRow(reinterpret_cast<char*>(out) + i * sizes.hit, hitRow(hosted.loop.world(), hits[i]), sizes.hit);
-    });
+    const auto write = [&](size_t first, std::span<const WorldHit> hits) {
+        for (size_t i = 0; i < hits.size(); ++i)
+            writeRow(reinterpret_cast<char*>(out) + (first + i) * sizes.hit, hitRow(hosted.loop.world(), hits[i]),
+                     sizes.hit);
+    };
+    cast(queries, write, rejecting, hosted.loop.parallelFor());
 }
 
 rubble_result castManyRays(rubble_world world, const rubble_ray* rays, uint32_t count,
@@ -127,8 +124,8 @@ rubble_result castManyRays(rubble_world world, const rubble_ray* rays, uint32_t 
                             readOrDefault(ray.radius, ranges::kQuerySize, 0.0, "radius")};
         };
         castAll<RayQuery>(hosted, rays, "rays", count, filter, out, read,
-                          [&](auto& queries, auto& hits, const auto& with, const auto& parallelFor) {
-                              castRays(hosted.loop.world(), queries, hits, with, parallelFor);
+                          [&](auto& queries, const HitSink& sink, const auto& with, const auto& parallelFor) {
+                              castRays(hosted.loop.world(), queries, sink, with, parallelFor);
                           });
     });
 }
@@ -141,8 +138,8 @@ rubble_result castManyShapes(rubble_world world, const rubble_shape_cast* casts,
                              readDistance(cast.max_distance)};
         };
         castAll<CastQuery>(hosted, casts, "casts", count, filter, out, read,
-                           [&](auto& queries, auto& hits, const auto& with, const auto& parallelFor) {
-                               castShapes(hosted.loop.world(), queries, hits, with, parallelFor);
+                           [&](auto& queries, const HitSink& sink, const auto& with, const auto& parallelFor) {
+                               castShapes(hosted.loop.world(), queries, sink, with, parallelFor);
                            });
     });
 }

@@ -110,9 +110,9 @@ WorldHit castShape(const WorldData& world, const CastQuery& cast, const QueryFil
     return castShapeWith(world, cast, shapes);
 }
 
-void castShapes(const WorldData& world, std::span<const CastQuery> casts, std::span<WorldHit> out,
+void castShapes(const WorldData& world, std::span<const CastQuery> casts, const HitSink& sink,
                 const QueryFilter& filter, const ParallelFor& parallelFor) {
-    inBatches(casts, out, parallelFor, [&](std::span<const CastQuery> queries, std::span<WorldHit> hits) {
+    inBatches(casts, sink, parallelFor, [&](std::span<const CastQuery> queries, std::span<WorldHit> hits) {
         ShapeFilter shapes(world, filter);
         for (size_t i = 0; i < queries.size(); ++i) hits[i] = castShapeWith(world, queries[i], shapes);
     });

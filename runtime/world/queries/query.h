@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <functional>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <span>
@@ -68,16 +70,25 @@ struct CastQuery {
 /// The first voxel on a ray, by an exact walk through the cells. For a sphere, `position` is the point of contact and
 /// `distance` how far its centre travels.
 WorldHit castRay(const WorldData& world, const RayQuery& ray, const QueryFilter& filter = {});
-/// castRay() for many, in batches that `parallelFor` may run at the same time: out[i] answers rays[i].
-void castRays(const WorldData& world, std::span<const RayQuery> rays, std::span<WorldHit> out,
+/// Takes the answers to queries first, first + 1, ... of many. [any thread, at the same time]
+using HitSink = std::function<void(size_t first, std::span<const WorldHit> hits)>;
+
+/// castRay() for many, in batches that `parallelFor` may run at the same time.
+void castRays(const WorldData& world, std::span<const RayQuery> rays, const HitSink& sink,
               const QueryFilter& filter = {}, const ParallelFor& parallelFor = serialFor);
 
 /// The first voxel that a shape touches when it is moved without turning; distance 0 if they touch at the start. The
 /// normal points from the voxel to the shape.
 WorldHit castShape(const WorldData& world, const CastQuery& cast, const QueryFilter& filter = {});
-/// castShape() for many: out[i] answers casts[i].
-void castShapes(const WorldData& world, std::span<const CastQuery> casts, std::span<WorldHit> out,
+/// castShape() for many, as castRays().
+void castShapes(const WorldData& world, std::span<const CastQuery> casts, const HitSink& sink,
                 const QueryFilter& filter = {}, const ParallelFor& parallelFor = serialFor);
+/// Fills a list: out[i] answers query i.
+inline HitSink hitsInto(std::span<WorldHit> out) {
+    return [out](size_t first, std::span<const WorldHit> hits) {
+        std::copy(hits.begin(), hits.end(), out.begin() + std::ptrdiff_t(first));
+    };
+}
 
 /// Shapes with a voxel in a region, in slot order.
 std::vector<ShapeHandle> overlappingShapes(const WorldData& world, const QueryShape& region,

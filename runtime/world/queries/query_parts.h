@@ -15,14 +15,16 @@ namespace rubble {
 
 inline constexpr size_t kBatch = 64;  ///< queries that one call of a ParallelFor's body answers
 
-/// Calls answer(queries, hits) for parts of both, which `parallelFor` may run at the same time.
+/// Calls answer(queries, hits) for parts of the queries, which `parallelFor` may run at the same time, and hands on the
+/// hits of each.
 template <class Query, class Answer>
-void inBatches(std::span<const Query> queries, std::span<WorldHit> out, const ParallelFor& parallelFor,
-               Answer&& answer) {
-    RUBBLE_ASSERT(queries.size() == out.size());
+void inBatches(std::span<const Query> queries, const HitSink& sink, const ParallelFor& parallelFor, Answer&& answer) {
     const size_t count = queries.size();
     parallelFor((count + kBatch - 1) / kBatch, [&](size_t batch) {
-        answer(queries.subspan(batch * kBatch, std::min(kBatch, count - batch * kBatch)), out.subspan(batch * kBatch));
+        std::array<WorldHit, kBatch> hits;
+        const size_t first = batch * kBatch, size = std::min(kBatch, count - first);
+        answer(queries.subspan(first, size), std::span(hits).first(size));
+        sink(first, std::span(hits).first(size));
     });
 }
 

@@ -131,9 +131,10 @@ void castSpheres(const WorldData& world, std::span<const RayQuery> rays, std::sp
             {{.position = rays[i].origin, .radius = rays[i].radius}, rays[i].direction, rays[i].maxDistance});
     }
     if (casts.empty()) return;
-    std::vector<WorldHit> hits(casts.size());
-    castShapes(world, casts, hits, filter);
-    for (size_t i = 0; i < hits.size(); ++i) out[places[i]] = hits[i];
+    const auto place = [&](size_t first, std::span<const WorldHit> hits) {
+        for (size_t i = 0; i < hits.size(); ++i) out[places[first + i]] = hits[i];
+    };
+    castShapes(world, casts, place, filter);
 }
 
 }  // namespace
@@ -146,12 +147,12 @@ WorldHit castRay(const WorldData& world, const RayQuery& ray, const QueryFilter&
     return castRayWith(world, ray, shapes);
 }
 
-void castRays(const WorldData& world, std::span<const RayQuery> rays, std::span<WorldHit> out,
-              const QueryFilter& filter, const ParallelFor& parallelFor) {
+void castRays(const WorldData& world, std::span<const RayQuery> rays, const HitSink& sink, const QueryFilter& filter,
+              const ParallelFor& parallelFor) {
     std::optional<RayBatch> shared;
     if (rays.size() >= kMinRays && rays.size() * kShapesPerRay >= world.shapes.slotCount())
         shared.emplace(world, filter);
-    inBatches(rays, out, parallelFor, [&](std::span<const RayQuery> queries, std::span<WorldHit> hits) {
+    inBatches(rays, sink, parallelFor, [&](std::span<const RayQuery> queries, std::span<WorldHit> hits) {
         ShapeFilter shapes(world, filter);
         for (size_t i = 0; i < queries.size(); ++i)
             if (!(queries[i].radius > 0.0))

@@ -391,8 +391,8 @@ TEST(Query, BatchesMatchSingleQueriesOnAnyThreadCount) {
         for (std::thread& thread : running) thread.join();
     };
     std::vector<WorldHit> serial(rays.size()), parallel(rays.size());
-    castRays(scene.world, rays, serial);
-    castRays(scene.world, rays, parallel, {}, threads);
+    castRays(scene.world, rays, hitsInto(serial));
+    castRays(scene.world, rays, hitsInto(parallel), {}, threads);
     for (size_t i = 0; i < rays.size(); ++i) {
         const WorldHit one = castRay(scene.world, rays[i]);
         for (const WorldHit* hit : {&serial[i], &parallel[i]}) {
@@ -421,7 +421,7 @@ TEST(Query, BatchesOfAnySizeMatchSingleQueriesWithFilters) {
     for (const QueryFilter& filter : filters)
         for (const size_t count : {size_t(3), rays.size()}) {
             std::vector<WorldHit> hits(count);
-            castRays(scene.world, std::span(rays).first(count), hits, filter);
+            castRays(scene.world, std::span(rays).first(count), hitsInto(hits), filter);
             for (size_t i = 0; i < count; ++i) {
                 const WorldHit one = castRay(scene.world, rays[i], filter);
                 ASSERT_EQ(hits[i].hit, one.hit) << i;

@@ -706,7 +706,7 @@ typedef struct rubble_joint_settings {
     uint32_t motor;         /* RUBBLE_MOTOR_...; rope: a winch that changes its length */
     double motor_target;    /* rad/s or m/s; RUBBLE_MOTOR_POSITION: radians or metres */
     /* N m for turning, N for sliding; a winch does not read it. 0: RUBBLE_MOTOR_SPEED does nothing,
-     * RUBBLE_MOTOR_POSITION has no limit */
+     * RUBBLE_MOTOR_POSITION takes what it needs, up to 1,000 m/s2 of what it moves */
     double motor_max_force;
     /* hinge: radians, -pi to pi; prismatic and wheel: metres; cone: upper_limit, radians */
     double lower_limit, upper_limit;
