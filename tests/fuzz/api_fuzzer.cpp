@@ -54,6 +54,7 @@ void RandomHost::run() {
     m_world = makeWorld();
     m_level = levelToRubble(randomLevel(m_decisions));
     if (api().load_level_data(m_world, m_level.data(), m_level.size()) != RUBBLE_OK) return;  // no valid level
+    if (!m_decisions.oneIn(16)) limitDebris();
     if (m_decisions.oneIn(4)) {
         m_other = makeWorld();
         load(m_other);
@@ -327,7 +328,7 @@ rubble_world RandomHost::makeWorld() {
     if (m_isHostMoved) settings.flags |= RUBBLE_WORLD_HOST_PHYSICS;
     if (m_decisions.oneIn(8)) settings.flags |= RUBBLE_WORLD_SHADOW_DATA;
     if (m_decisions.oneIn(8)) settings.flags |= RUBBLE_WORLD_PARTICLES;
-    settings.physics_threads = m_decisions.oneIn(16) ? 3 : 0;
+    settings.physics_threads = m_decisions.oneIn(2048) ? 3 : 0;  // threads that wait for each other are slow
     rubble_world world = 0;
     if (api().create_world(&settings, &world) != RUBBLE_OK) fail("create_world");
     return world;
@@ -335,6 +336,13 @@ rubble_world RandomHost::makeWorld() {
 
 void RandomHost::load(rubble_world world) {
     if (api().load_level(world, levelPath().c_str(), nullptr) != RUBBLE_OK) fail("load_level");
+}
+
+void RandomHost::limitDebris() {
+    auto settings = rubble_settings{.struct_size = sizeof(rubble_settings)};
+    if (api().get_settings(m_world, &settings) != RUBBLE_OK) fail("get_settings");
+    settings.debris_bodies = 24, settings.awake_debris_bodies = 8, settings.fragments_per_break = 12;
+    if (api().set_settings(m_world, &settings) != RUBBLE_OK) fail("set_settings");
 }
 
 void RandomHost::startRecording() {

@@ -162,6 +162,8 @@ private:
     void followByDeltas();
     rubble_world makeWorld();
     void load(rubble_world world);
+    /// Few pieces: a step is cheap, and an input has time for more calls.
+    void limitDebris();
     void startRecording();
     /// A recording of all calls, played in another world, with threads or without, gives the same world.
     void playInOther();

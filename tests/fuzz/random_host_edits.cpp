@@ -342,7 +342,7 @@ void RandomHost::callObjects() {
     api().get_settings(m_world, &settings);
     settings.flags = whole(16), settings.impact_radius = number(1.0), settings.split_parts = whole(5);
     settings.physics_preset = whole(4);
-    if (m_decisions.oneIn(64)) api().set_physics_threads(m_world, whole(4));
+    if (m_decisions.oneIn(64)) api().set_physics_threads(m_world, m_decisions.oneIn(1024) ? 3 : whole(2));
     if (m_decisions.oneIn(2)) api().set_settings(m_world, &settings);
 }
 
