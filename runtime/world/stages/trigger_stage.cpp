@@ -64,12 +64,14 @@ bool bySlot(Handle a, Handle b) {
 /// Bodies that physics has moved since the last step or this step has changed, in slot order.
 std::vector<BodyHandle> takeMovedBodies(EditContext& context) {
     std::vector<BodyHandle> bodies = std::exchange(context.world.movedBodies, {});
-    for (const auto* list :
-         {&context.changes.bodiesCreated, &context.changes.bodiesDestroyed, &context.changes.teleported})
+    for (const auto* list : {&context.changes.bodiesCreated, &context.changes.bodiesDestroyed,
+                             &context.changes.teleported, &context.changes.lostShapes})
         bodies.insert(bodies.end(), list->begin(), list->end());
     for (const auto* list : {&context.changes.carved, &context.changes.shapesCreated, &context.changes.filters})
         for (const ShapeHandle handle : *list)
             if (const Shape* shape = context.world.shapes.find(handle)) bodies.push_back(shape->body);
+    for (const ShapeSplit& split : context.changes.splits)
+        if (const Shape* shape = context.world.shapes.find(split.parent)) bodies.push_back(shape->body);
     std::sort(bodies.begin(), bodies.end(), [](BodyHandle a, BodyHandle b) { return a < b; });
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
     return bodies;

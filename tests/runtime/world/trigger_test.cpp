@@ -72,6 +72,21 @@ TEST(Trigger, CountsVoxelsAndNotBounds) {
     EXPECT_EQ(region.events({sphereCarve({2.5, 0.5, 0.5}, 0.09)}), "1-1 ") << "the corner is gone";
 }
 
+/// Nothing moves it. A loaded game looks at all bodies, so its hash would be another one.
+TEST(Trigger, ABodyLeavesWithTheShapeThatWasInside) {
+    Region region;
+    LevelShape arm = region.level.bodies[1].shapes[0];
+    arm.name = "arm";
+    arm.local.position = {0.0, 0.5, 0.0};
+    region.level.bodies[1].shapes.push_back(arm);
+    region.level.triggers.push_back({.pose = {{2.25, 0.8, 0.25}}, .halfSize = {0.1, 0.1, 0.1}});
+    region.world.load(region.level);
+    EXPECT_EQ(region.events(), "0+1 ");
+    const std::vector<ShapeHandle> shapes = region.world.bodies().at(region.world.bodies().handleAt(1)).shapes;
+    ASSERT_EQ(shapes.size(), 2u);
+    EXPECT_EQ(region.events({DestroyShapeEdit{shapes[1]}}), "0-1 ");
+}
+
 TEST(Trigger, PolygonsHaveAHeight) {
     Region region;
     region.level.triggers.push_back(
