@@ -73,7 +73,7 @@ void PhysicsWorld::step() {
         if (reports) reports->addContacts(impl.contacts.manifolds(), impl.bodies);
         putToSleep(impl.bodies, impl.contacts.manifolds(), impl.joints, settings, impl.gravity,
                    impl.solver.bodyCount());
-        Loads::record(impl.bodies, impl.contacts.manifolds());
+        Loads::record(impl.contacts.manifolds());
         impl.loads.wakeOverloaded(impl.bodies, impl.contacts.manifolds(), impl.gravity,
                                   settings.stepSeconds / settings.substeps);
         impl.contacts.keepResting();

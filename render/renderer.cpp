@@ -290,8 +290,7 @@ void Renderer::Impl::fillBlock(const View& view, glm::ivec2 renderSize) {
     history->camera.begin(view, renderSize, settings.temporal, scene.origin(), block);
     block.counters.z = int(std::ranges::count(scene.lights(), false, &SnapshotLight::fleeting));
     block.counters.w = settings.noise == Noise::White;
-    scene.describeEnvironment(block);
-    scene.describeShadow(block);
+    scene.describe(block);
 }
 
 const LightGrid* Renderer::Impl::updateLightGrid() {

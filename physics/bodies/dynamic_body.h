@@ -12,6 +12,7 @@ namespace rubble {
 /// What pressed on a body when it fell asleep, and how that changes. See loads.h.
 struct SleepLoad {
     std::vector<std::pair<uint32_t, glm::dvec3>> impulses;  ///< by slot of the neighbour, in a substep, N s
+    bool isNoted = true;                                    ///< false in the step in which it fell asleep
     glm::dvec3 change{0.0};                                 ///< by what awake neighbours press otherwise, N s
     int changedSteps = 0;                                   ///< for which it has been large
     uint64_t step = 0;                                      ///< in which it was last computed

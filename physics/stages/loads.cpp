@@ -85,11 +85,9 @@ void Loads::wakeOverloaded(PhysicsBodies& bodies, std::span<Manifold* const> man
     }
 }
 
-void Loads::record(PhysicsBodies& bodies, std::span<Manifold* const> manifolds) {
-    if (bodies.ended().empty()) return;
-    for (const uint32_t slot : bodies.ended()) bodies.at(slot).sleepLoad = {};
-    const auto note = [&](const CollisionObject& object, const CollisionObject& other, const Manifold& manifold) {
-        if (!object.dynamic || !other.dynamic || !std::ranges::binary_search(bodies.ended(), object.body)) return;
+void Loads::record(std::span<Manifold* const> manifolds) {
+    const auto note = [](const CollisionObject& object, const CollisionObject& other, const Manifold& manifold) {
+        if (!object.dynamic || !other.dynamic || object.dynamic->sleepLoad.isNoted) return;
         object.dynamic->sleepLoad.impulses.emplace_back(other.body, impulseOn(*object.dynamic, manifold));
     };
     for (const Manifold* manifold : manifolds) {

@@ -18,7 +18,7 @@ public:
     void wakeOverloaded(PhysicsBodies& bodies, std::span<Manifold* const> manifolds, glm::dvec3 gravity,
                         double substep);
     /// Notes the loads of the bodies that fell asleep in this step.
-    static void record(PhysicsBodies& bodies, std::span<Manifold* const> manifolds);
+    static void record(std::span<Manifold* const> manifolds);
 
 private:
     std::vector<DynamicBody*> m_touched;  ///< sleepers that something awake touches in this step

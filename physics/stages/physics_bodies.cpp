@@ -212,12 +212,12 @@ void PhysicsBodies::wakeTouching(glm::dvec3 low, glm::dvec3 high) {
 
 void PhysicsBodies::putToSleep(DynamicBody& body) {
     body.setAsleep(true);
+    body.sleepLoad = {.isNoted = false};
     m_broadphase.setMoving(body.object, false);
     m_ended.push_back(body.handle().slot());
 }
 
 void PhysicsBodies::removeEnded() {
-    std::sort(m_ended.begin(), m_ended.end());
     for (const uint32_t slot : m_ended) m_awake.remove(*m_dynamics[slot]);
 }
 
@@ -246,6 +246,7 @@ void PhysicsBodies::quarantineInvalid() {
 }
 
 void PhysicsBodies::reportPoses(std::vector<BodyPose>& out) {
+    std::sort(m_ended.begin(), m_ended.end());
     auto next = m_ended.begin();
     const auto add = [&](uint32_t slot) {
         if (m_dynamics[slot] && m_dynamics[slot]->refresh()) out.push_back(m_dynamics[slot]->state());
@@ -256,6 +257,8 @@ void PhysicsBodies::reportPoses(std::vector<BodyPose>& out) {
         add(slot);
     }
     for (; next != m_ended.end(); ++next) add(*next);
+    for (const uint32_t slot : m_ended)
+        if (m_dynamics[slot]) m_dynamics[slot]->sleepLoad.isNoted = true;
     m_ended.clear();
 }
 

@@ -56,8 +56,6 @@ public:
     void wakeTouching(glm::dvec3 low, glm::dvec3 high);
     /// Puts a body to sleep. It stays in awake() until removeEnded().
     void putToSleep(DynamicBody& body);
-    /// Slots that fell asleep or were quarantined in this step, ascending after removeEnded().
-    const std::vector<uint32_t>& ended() const { return m_ended; }
     /// Removes from awake() the bodies that fell asleep or were quarantined.
     void removeEnded();
     /// Freezes awake bodies whose numbers are invalid or that are too far away, where they last were valid; clamps the

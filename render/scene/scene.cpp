@@ -121,7 +121,8 @@ void Scene::bindVoxelsAt(const Program& program) const {
     (m_grid ? *m_grid : none).bind(program);
 }
 
-void Scene::describeEnvironment(FrameBlock& block) const {
+void Scene::describe(FrameBlock& block) const {
+    describeShadow(block);
     const Environment& e = m_environment;
     block.sunDirection = glm::vec4(glm::normalize(e.sunDirection), e.sunAngle);
     block.sunColor = glm::vec4(e.sunColor, 0.0f);

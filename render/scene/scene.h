@@ -59,10 +59,8 @@ public:
     void bindSmoke(const Program& program) const { m_smoke.bind(program); }
     /// The GPU's copy of the shadow volume.
     const GpuShadowVolume& shadow() const { return m_shadow; }
-    /// Sets sun, sky, fog and exposure.
-    void describeEnvironment(FrameBlock& block) const;
-    /// Sets position and extent of the shadow volume, for lib/shadow_trace.glsl.
-    void describeShadow(FrameBlock& block) const;
+    /// Sets sun, sky, fog and exposure, and for lib/shadow_trace.glsl position and extent of the shadow volume.
+    void describe(FrameBlock& block) const;
     /// Where shadow casters have changed since the moment before.
     const DirtyRegions& dirtyRegions() const { return m_shownDirtyRegions; }
     /// Whether there were any in the moment before.
@@ -88,6 +86,7 @@ private:
         FrameSnapshot snapshot;
         uint64_t bricksSent;  ///< Bodies::bricksSent() from which on it can be applied
     };
+    void describeShadow(FrameBlock& block) const;
     /// Keeps the snapshot's lists of bricks.
     void applyNow(FrameSnapshot& snapshot);
     void applyDeferred();

@@ -94,8 +94,8 @@ Edits driveScript(int step, uint64_t) {
     static const BodyHandle kCar = drivenCar();
     const double seconds = step / 60.0;
     if (seconds < 3.5) return {DriveEdit{kCar, 0.3, 0.0, 0.0}};  // faster, it would be crushed at the first gable
-    if (seconds < 5.9) return {DriveEdit{kCar, 1.0, 0.0, 0.0}};
-    if (seconds < 6.3) return {DriveEdit{kCar, 0.2, -0.6, 0.0}};
+    if (seconds < 6.6) return {DriveEdit{kCar, 1.0, 0.0, 0.0}};
+    if (seconds < 7.0) return {DriveEdit{kCar, 0.2, -0.6, 0.0}};
     return {DriveEdit{kCar, 0.0, -0.6, 1.0}};
 }
 

@@ -303,7 +303,7 @@ TEST(PhysicsWorld, PileFallsAsleepAndStays) {
     }
 }
 
-/// A save builds physics anew. Its middle is the level's, not that of what is there by then.
+/// A save rebuilds physics. Its middle is the level's, not that of what is there by then.
 TEST(PhysicsWorld, WhatIsFarOffFreezesNothingElse) {
     PhysicsScene scene;
     scene.addFloor();

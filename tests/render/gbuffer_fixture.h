@@ -27,7 +27,7 @@ protected:
         uploaded = scene.beginFrame(alpha, view.position);
         targets.beginFrame(view.size, view.size, view.cut);
         camera.begin(view, view.size, jittered, scene.origin(), block);
-        scene.describeShadow(block);
+        scene.describe(block);
         glBindBuffer(GL_UNIFORM_BUFFER, blockBuffer.get());
         glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, blockBuffer.get());

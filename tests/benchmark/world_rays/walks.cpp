@@ -143,7 +143,7 @@ void Walks::bind(const std::string& walk, const Program& program) {
     program.set("uDirections", m_volumes->directions);
     if (isEngineWalk(walk)) {
         FrameBlock block{};
-        m_scene.describeShadow(block);
+        m_scene.describe(block);
         glBindBuffer(GL_UNIFORM_BUFFER, m_volumes->block.get());
         glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, m_volumes->block.get());

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "runtime/core/constants.h"
 #include "tests/physics/scenes/load_scenes.h"
 
 namespace rubble {
@@ -127,7 +128,7 @@ TEST(Load, AJointWhoseFrictionOrMotorIsSwitchedOffIsFree) {
         Joint& joint =
             known::addJoint(scene, JointKind::Prismatic, "", "body 0", {0.0, 2.0, 0.0}, {0.0, 0.0, 0.0}).joint;
         joint.ends[0].frame.rotation = joint.ends[1].frame.rotation =
-            glm::angleAxis(0.5 * 3.14159265358979, glm::dvec3(0.0, 0.0, 1.0));
+            glm::angleAxis(0.5 * kPi, glm::dvec3(0.0, 0.0, 1.0));
         joint.friction = byMotor ? 0.0 : 500.0;
         if (byMotor) joint.motor = {MotorMode::Speed, 0.0, 5000.0};
         scene.load();
