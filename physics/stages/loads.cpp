@@ -5,13 +5,12 @@
 // How a change of load wakes what sleeps.
 //
 // The solver takes a sleeping body for a static one: it presses on nothing, and nothing moves it. So
-//   * what wakes, or loses or gains a support, wakes what it bears: its balance is theirs. Settled debris does not
-//   wake:
-//     a pile of it costs what its surface does;
+//   * what wakes, or loses or gains a support, wakes what it bears: its balance is theirs. Settled debris does not,
+//     so that a pile of it costs what its surface does;
 //   * a sleeping body remembers what its neighbours pressed on it with when it fell asleep. It wakes when those that
 //     are awake press otherwise for kSteps steps on end: what is set down on it, lifted off it, or made heavier. What
 //     bounces or rolls past is gone by then. A pile shifts its forces a little while parts of it stir: of 1,416 such
-//     shifts in a pile of 200 that comes to rest, 12 were larger than a quarter of all that pressed on the body.
+//     shifts in a pile of 200 that comes to rest, 12 were larger than a fifth of all that pressed on the body.
 
 namespace rubble {
 namespace {

@@ -22,8 +22,8 @@
 namespace rubble {
 namespace {
 
-constexpr double kMaxRise =
-    0.25;  ///< of its smallest side by which buoyancy may lift a body in a step that needs no mean
+/// Of half a body's smallest side, by which buoyancy may lift it in a step that needs no mean.
+constexpr double kMaxRise = 0.25;
 constexpr size_t kMaxSamples = 128;
 
 Submersion submersionOf(const DynamicBody& body, const Water& water, const glm::dvec3& offset) {

@@ -335,11 +335,14 @@ private:
         }
         return true;
     }
+    /// Also that the body of a shape that goes, or moves to another one, is in the delta: it lists the shape no longer.
     bool shapesAreOnTheirBodies() const {
         for (const auto& [slot, value] : m_delta.shapes) {
             if (value.first && !isListed(value.first, *value.second)) return false;
-            const Shape* was = m_world.shapes().find(m_world.shapes().handleAt(slot));
-            if (was && !value.first && !m_delta.bodies.contains(was->body.slot())) return false;
+            const ShapeHandle before = m_world.shapes().handleAt(slot);
+            const Shape* was = m_world.shapes().find(before);
+            const bool stays = was && value.first == before && value.second->body == was->body;
+            if (was && !stays && !m_delta.bodies.contains(was->body.slot())) return false;
         }
         return true;
     }

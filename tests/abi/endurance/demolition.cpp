@@ -20,15 +20,7 @@ Demolition::Demolition(const Library& api, uint32_t flags) : m_api(api) {
     bounds.rule = RUBBLE_BOUNDS_DUST;
     std::fill_n(bounds.low, 3, -kEdge), std::fill_n(bounds.high, 3, kEdge);
     require(api, api->set_bounds(m_world, &bounds));
-    auto frame = sized<rubble_body_settings>();
-    frame.flags = RUBBLE_BODY_STATIC, frame.position[0] = frame.position[2] = -4.0, frame.position[1] = -0.2;
-    rubble_body ground = 0;
-    require(api, api->create_body(m_world, &frame, &ground));
-    auto shape = sized<rubble_shape_settings>();
-    shape.source = RUBBLE_SHAPE_BOX, shape.body = ground, shape.index = 4;  // rock
-    shape.size[0] = shape.size[2] = 80, shape.size[1] = 2;
-    rubble_shape made = 0;
-    require(api, api->create_shape(m_world, &shape, &made));
+    addBlock({-4.0, -0.2}, 80, 2, 4);  // rock
 }
 
 Demolition::~Demolition() {
@@ -50,15 +42,22 @@ uint32_t Demolition::bodies() const {
     return count;
 }
 
-void Demolition::build() {
+/// A static block of width x height x width voxels. corner: x and z, and y, metres; entry: of the palette.
+rubble_body Demolition::addBlock(std::array<double, 2> corner, int32_t width, int32_t height, uint32_t entry) {
     auto frame = sized<rubble_body_settings>();
-    frame.flags = RUBBLE_BODY_STATIC;
-    require(m_api, m_api->create_body(m_world, &frame, &m_tower));
+    frame.flags = RUBBLE_BODY_STATIC, frame.position[0] = frame.position[2] = corner[0], frame.position[1] = corner[1];
+    rubble_body block = 0;
+    require(m_api, m_api->create_body(m_world, &frame, &block));
     auto shape = sized<rubble_shape_settings>();
-    shape.source = RUBBLE_SHAPE_BOX, shape.body = m_tower, shape.index = 6;  // concrete
-    shape.size[0] = shape.size[2] = 10, shape.size[1] = 40;
+    shape.source = RUBBLE_SHAPE_BOX, shape.body = block, shape.index = entry;
+    shape.size[0] = shape.size[2] = width, shape.size[1] = height;
     rubble_shape made = 0;
     require(m_api, m_api->create_shape(m_world, &shape, &made));
+    return block;
+}
+
+void Demolition::build() {
+    m_tower = addBlock({0.0, 0.0}, 10, 40, 6);  // concrete
 }
 
 void Demolition::clear() {

@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+
 #include "tests/abi/endurance/library.h"
 
 namespace rubble {
@@ -18,6 +20,7 @@ public:
     uint32_t bodies() const;
 
 private:
+    rubble_body addBlock(std::array<double, 2> corner, int32_t width, int32_t height, uint32_t entry);
     void build();
     void explode();
     void throwPieces();

@@ -58,6 +58,32 @@ TEST(StepDelta, AShapeWithoutABodyIsRefusedWhenTheBodyInSlot0Goes) {
     EXPECT_GE(patches, 2) << "the handle of the body, and the body of its shape";
 }
 
+/// Else the other body would list it still, and no save of that world could be read.
+TEST(StepDelta, AShapeThatAnotherBodyStillListsIsRefused) {
+    Level level = oneShapeLevel(solidGrid({8, 8, 8}, 1), false);
+    LevelBody other{.name = "other", .pose = {{5.0, 0.0, 0.0}}, .isStatic = false};
+    other.shapes.push_back(levelShape("other", solidGrid({8, 8, 8}, 1)));
+    level.bodies.push_back(other);
+    World start;
+    start.load(level);
+    start.applyEdits({});
+    const BodyHandle taker = start.bodies().handleAt(0);
+    const ShapeHandle taken = start.shapes().handleAt(1);
+    WorldState state = start.state();
+    state.bodies.at(taker).shapes.push_back(taken);
+    state.shapes.at(taken).body = taker;
+    World host(start.id());
+    host.setState(state);
+    WorldBaseline baseline(start);
+    FrameChanges changes;
+    changes.teleported.push_back(taker);
+    changes.filters.push_back(taken);
+    WorldDelta before = baseline.update(host, changes);
+    before.bodies.erase(1);
+    PaletteList list;
+    expectRefused(stepDeltaToBytes(before, changes, host, list), start, "shapes and bodies that name each other");
+}
+
 TEST(StepDelta, AFewBytesCannotNameAHighSlot) {
     World host = brokenWorld();
     const World start = host;
