@@ -99,6 +99,8 @@ void PhysicsWorld::Impl::applyChanges(const FrameChanges& changes, const World& 
             if (world.shapes().find(handle)) bodies.updateFilter(world, handle);
         updateWaters(bodies, waters, changes, world);
         if (!changes.characters.empty()) characters.load(world, bodies);
+        for (const BodyHandle handle : changes.woken)
+            if (DynamicBody* body = bodies.find(handle); body && !world.bodies().at(handle).asleep) bodies.wake(*body);
     }
     joints.apply(changes, world, bodies);
 }

@@ -80,6 +80,28 @@ TEST_F(AbiDeltas, AnotherWorldFollowsStepByStep) {
     EXPECT_GT(bodies(m_other).size(), 2u);
 }
 
+/// A shape that is made and destroyed in one step leaves nothing but a body that is awake.
+TEST_F(AbiDeltas, AFollowerHearsOfBodiesThatEditsWake) {
+    const rubble_body body = make(bodyAt(3.0, 0.0, 0));
+    make(shapeOn(body, RUBBLE_SHAPE_BOX, 5));
+    step();
+    auto sleep = sized<rubble_body_change>();
+    sleep.body = body, sleep.fields = RUBBLE_SET_ASLEEP;
+    ASSERT_EQ(api()->set_body(m_world, &sleep), RUBBLE_OK) << api()->get_last_error();
+    step();
+    copyTo(m_other);
+    rubble_body_state state = {};
+    ASSERT_EQ(api()->get_body_state(m_world, body, &state), RUBBLE_OK);
+    ASSERT_TRUE(state.flags & RUBBLE_BODY_ASLEEP);
+    (void)take();
+    ASSERT_EQ(api()->destroy_shape(m_world, make(shapeOn(body, RUBBLE_SHAPE_BOX, 5))), RUBBLE_OK);
+    step();
+    ASSERT_EQ(api()->get_body_state(m_world, body, &state), RUBBLE_OK);
+    EXPECT_FALSE(state.flags & RUBBLE_BODY_ASLEEP);
+    ASSERT_EQ(apply(take()), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(resolved(m_world), resolved(m_other));
+}
+
 TEST_F(AbiDeltas, ManyStepsAreOneTake) {
     breakTable();
     step(30);

@@ -133,6 +133,7 @@ struct FrameChanges {
     std::vector<BodyHandle> broken;        ///< bodies that lost voxels for the first time
     std::vector<BodyHandle> settled;       ///< pieces that settled
     std::vector<BodyHandle> unsettled;     ///< settled pieces that woke
+    std::vector<BodyHandle> woken;         ///< bodies that edits woke, or kept from resting on
     std::vector<LightGroupHandle> groups;  ///< light groups that lost voxels, went out or came back
     std::vector<BodyHandle> teleported;    ///< bodies that undo or replay gave another pose or motion
     uint64_t paintedVoxels = 0;
@@ -163,8 +164,8 @@ struct FrameChanges {
     uint64_t entries() const {
         return bodiesCreated.size() + bodiesDestroyed.size() + shapesCreated.size() + shapesDestroyed.size() +
                splits.size() + palettes.size() + unanchored.size() + removed.size() + lights.size() + groupsOut.size() +
-               impulses.size() + paintedVoxels + firesLit.size() + filters.size() + waters.size() + triggers.size() +
-               characters.size() + jointsCreated.size() + jointsMoved.size() + jointsBroken.size() +
+               woken.size() + impulses.size() + paintedVoxels + firesLit.size() + filters.size() + waters.size() +
+               triggers.size() + characters.size() + jointsCreated.size() + jointsMoved.size() + jointsBroken.size() +
                jointsChanged.size() + notes.size() + environmentChanged + materialsChanged;
     }
     /// Whether nothing changed that physics, renderer, undo or recordings have to follow.
@@ -172,8 +173,8 @@ struct FrameChanges {
         return !levelReplaced && !environmentChanged && !materialsChanged && bodiesCreated.empty() &&
                bodiesDestroyed.empty() && shapesCreated.empty() && shapesDestroyed.empty() && bricks.empty() &&
                palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty() && settled.empty() &&
-               unsettled.empty() && groups.empty() && teleported.empty() && !firesChanged && filters.empty() &&
-               waters.empty() && triggers.empty() && characters.empty() && jointsCreated.empty() &&
+               unsettled.empty() && woken.empty() && groups.empty() && teleported.empty() && !firesChanged &&
+               filters.empty() && waters.empty() && triggers.empty() && characters.empty() && jointsCreated.empty() &&
                jointsMoved.empty() && jointsBroken.empty() && jointsChanged.empty() && notes.empty();
     }
 };

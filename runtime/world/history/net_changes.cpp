@@ -38,7 +38,8 @@ void keepNetChanges(FrameChanges& changes, const WorldObjects& after) {
     const auto isBodyGone = [&](BodyHandle body) { return !after.bodies.find(body); };
     const auto isShapeGone = [&](ShapeHandle shape) { return !after.shapes.find(shape); };
     std::erase_if(changes.impulses, [&](const ImpulseApplied& each) { return isBodyGone(each.body); });
-    for (auto* list : {&changes.settled, &changes.unsettled, &changes.teleported, &changes.broken, &changes.lostShapes})
+    for (auto* list : {&changes.settled, &changes.unsettled, &changes.woken, &changes.teleported, &changes.broken,
+                       &changes.lostShapes})
         std::erase_if(*list, isBodyGone);
     for (auto* list : {&changes.unanchored, &changes.palettes, &changes.carved, &changes.filters})
         std::erase_if(*list, isShapeGone);

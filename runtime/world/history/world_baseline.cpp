@@ -72,7 +72,7 @@ WorldDelta WorldBaseline::update(const WorldData& world, const FrameChanges& cha
         updateSlot(world.shapes, m_last.shapes, handle, before.shapes);
     });
     for (const auto* list : {&changes.bodiesDestroyed, &changes.bodiesCreated, &changes.teleported, &changes.settled,
-                             &changes.unsettled, &changes.broken})
+                             &changes.unsettled, &changes.woken, &changes.broken})
         for (const BodyHandle handle : *list) body(handle);
     for (const ImpulseApplied& impulse : changes.impulses) body(impulse.body);
     for (const LightHandle handle : changes.lights) updateSlot(world.lights, m_last.lights, handle, before.lights);

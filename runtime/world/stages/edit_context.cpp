@@ -88,6 +88,7 @@ void EditContext::listPalette(ShapeHandle shape) {
 
 void EditContext::wakeBody(BodyHandle handle) {
     Body& body = world.bodies.at(handle);
+    if (body.asleep || body.restingSince) changes.woken.push_back(handle);
     body.asleep = false;
     body.restingSince = 0;
     if (std::exchange(body.settled, false)) changes.unsettled.push_back(handle);
