@@ -254,7 +254,9 @@ TEST_F(AbiProperties, PhysicsTakesAnotherPresetAndOtherThreadsWhileItRuns) {
         const rubble_explosion explosion = tableExplosion();
         ASSERT_EQ(api()->explode(world, &explosion), RUBBLE_OK);
         for (int i = 0; i < 30; ++i) {
-            if (i == 5) ASSERT_EQ(api()->set_physics_threads(world, threads), RUBBLE_OK);
+            if (i == 5) {
+                ASSERT_EQ(api()->set_physics_threads(world, threads), RUBBLE_OK);
+            }
             ASSERT_EQ(api()->step(world), RUBBLE_OK);
         }
         ASSERT_EQ(api()->get_settings(world, &settings), RUBBLE_OK);

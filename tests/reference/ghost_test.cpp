@@ -351,7 +351,9 @@ TEST_F(ChangeRays, DoNotComeWhereEachFrameChanges) {
     for (int i = 0; i < 6; ++i) {
         recolour(i % 2 ? glm::vec3(10, 5, 2) : glm::vec3(2, 5, 10));
         const double share = shareWithMore();
-        if (i >= 2) EXPECT_LT(share, 0.01) << "change " << i;
+        if (i >= 2) {
+            EXPECT_LT(share, 0.01) << "change " << i;
+        }
     }
 }
 

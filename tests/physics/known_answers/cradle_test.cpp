@@ -36,7 +36,9 @@ TEST(Cradle, ARowThatSleepsHandsOnWhatHitsIt) {
         for (int i = 0; i < kCradleBodies; ++i) {
             const double v = double(scene.body(i).velocity.x);
             momentum += v;
-            if (isElastic) EXPECT_NEAR(v, i + 1 < kCradleBodies ? 0.0 : 6.0, 0.12) << i;
+            if (isElastic) {
+                EXPECT_NEAR(v, i + 1 < kCradleBodies ? 0.0 : 6.0, 0.12) << i;
+            }
         }
         EXPECT_NEAR(momentum, 6.0, 0.06) << (isElastic ? "elastic" : "plastic");
     }
