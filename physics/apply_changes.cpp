@@ -13,7 +13,7 @@ bool isStatic(const World& world, ShapeHandle handle) {
     return shape && world.bodies().at(shape->body).isStatic;
 }
 
-/// A static shape whose grid got another box stays until createStatic() compares the two.
+/// A static shape whose grid got another box stays until replaceStatic() compares the two.
 void destroyRemoved(PhysicsBodies& bodies, const FrameChanges& changes, const World& world) {
     for (const ShapeHandle handle : changes.shapesDestroyed)
         if (!isStatic(world, handle)) bodies.removeStatic(handle.slot());
@@ -23,7 +23,7 @@ void destroyRemoved(PhysicsBodies& bodies, const FrameChanges& changes, const Wo
 /// Also takes over the cuts of shapes that stand no longer, for what touched them there.
 void updateStatics(PhysicsBodies& bodies, const FrameChanges& changes, const World& world) {
     for (const ShapeHandle handle : changes.shapesCreated)
-        if (isStatic(world, handle)) bodies.createStatic(world, handle);
+        if (isStatic(world, handle)) bodies.replaceStatic(world, handle);
     for (const ShapeHandle handle : changes.carved)
         if (world.shapes().find(handle)) bodies.updateStatic(world, handle, changes);
 }

@@ -18,7 +18,7 @@ T& slotOf(std::vector<T>& table, uint32_t slot) {
 }
 
 /// Whether the brick has a voxel where the grid, in which it begins at cell `at`, has none.
-bool hasLost(const Brick& brick, glm::ivec3 at, const VoxelGrid& grid) {
+bool hasOthers(const Brick& brick, glm::ivec3 at, const VoxelGrid& grid) {
     if (const Brick* there = at % kBrickSize == glm::ivec3(0) ? grid.brickAt(at / kBrickSize) : nullptr;
         there && there->occupancy == brick.occupancy)
         return false;
@@ -27,11 +27,19 @@ bool hasLost(const Brick& brick, glm::ivec3 at, const VoxelGrid& grid) {
     return any;
 }
 
+/// The bricks with voxels that another grid has not. offset: of the other's cell 0.
+std::vector<glm::ivec3> bricksNotIn(const VoxelGrid& other, glm::ivec3 offset, const VoxelGrid& grid) {
+    std::vector<glm::ivec3> bricks;
+    grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
+        if (hasOthers(*content, brick * kBrickSize - offset, other)) bricks.push_back(brick);
+    });
+    return bricks;
+}
+
 }  // namespace
 
 void PhysicsBodies::createStatic(const World& world, ShapeHandle handle) {
     const Shape& shape = world.shapes().at(handle);
-    const std::unique_ptr<CollisionObject> before = takeStatic(handle.slot());
     slotOf(m_handles, shape.body.slot()) = shape.body;
     slotOf(m_owners, handle.slot()) = shape.body;
     auto object = std::make_unique<CollisionObject>();
@@ -40,8 +48,13 @@ void PhysicsBodies::createStatic(const World& world, ShapeHandle handle) {
     object->body = shape.body.slot();
     object->number = kStaticObject | handle.slot();
     if (!object->collider.empty()) m_broadphase.add(*object, false);
-    if (before) wakeAtLostCells(*before, *object);
     slotOf(m_statics, handle.slot()) = std::move(object);
+}
+
+void PhysicsBodies::replaceStatic(const World& world, ShapeHandle handle) {
+    const std::unique_ptr<CollisionObject> before = takeStatic(handle.slot());
+    createStatic(world, handle);
+    wakeAtChangedCells(before.get(), *m_statics[handle.slot()]);
 }
 
 /// Takes an object out of the broadphase; null: there is none.
@@ -78,20 +91,21 @@ void PhysicsBodies::wakeAtBricks(const CollisionObject& object, const std::vecto
     }
 }
 
-/// Of two objects of one static shape. If their cells do not line up, all of the old one counts as gone.
-void PhysicsBodies::wakeAtLostCells(const CollisionObject& before, const CollisionObject& now) {
-    if (before.collider.empty()) return;
-    const ColliderPart &was = *before.collider.parts[0], &is = *now.collider.parts[0];
-    const glm::dvec3 cells = before.pose.inversePoint(now.pose.position) / was.voxelSize();
-    const glm::dvec3 offset = glm::round(cells);
-    if (before.pose.rotation != now.pose.rotation || was.voxelSize() != is.voxelSize() ||
-        glm::length(cells - offset) > 1e-3 || glm::length(offset) > 3.0 * kMaxGridSize)
-        return wakeTouching(before.low, before.high);
-    std::vector<glm::ivec3> bricks;
-    was.grid().forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
-        if (hasLost(*content, brick * kBrickSize - glm::ivec3(offset), is.grid())) bricks.push_back(brick);
-    });
-    wakeAtBricks(before, bricks);
+/// Of two objects of one static shape; before: null: there was none. If their cells do not line up, all of both counts
+/// as changed.
+void PhysicsBodies::wakeAtChangedCells(const CollisionObject* before, const CollisionObject& now) {
+    if (before && !before->collider.empty() && !now.collider.empty()) {
+        const ColliderPart &was = *before->collider.parts[0], &is = *now.collider.parts[0];
+        const glm::dvec3 cells = before->pose.inversePoint(now.pose.position) / was.voxelSize();
+        const glm::dvec3 offset = glm::round(cells);
+        if (before->pose.rotation == now.pose.rotation && was.voxelSize() == is.voxelSize() &&
+            glm::length(cells - offset) < 1e-3 && glm::length(offset) < 3.0 * kMaxGridSize) {
+            wakeAtBricks(*before, bricksNotIn(is.grid(), glm::ivec3(offset), was.grid()));
+            return wakeAtBricks(now, bricksNotIn(was.grid(), -glm::ivec3(offset), is.grid()));
+        }
+    }
+    for (const CollisionObject* object : {before, &now})
+        if (object && !object->collider.empty()) wakeTouching(object->low, object->high);
 }
 
 void PhysicsBodies::createDynamic(const World& world, BodyHandle handle, bool asleep) {
@@ -151,6 +165,10 @@ void PhysicsBodies::updateDynamic(const World& world, BodyHandle handle, const F
     const bool isTeleported =
         std::find(changes.teleported.begin(), changes.teleported.end(), handle) != changes.teleported.end();
     createDynamic(world, handle, body.asleep && (!known || isTeleported));
+    const DynamicBody& now = *dynamicAt(handle.slot());
+    if (!now.asleep() || now.quarantined()) return;
+    for (CollisionObject* object : objectsIn(now.object.low, now.object.high))  // what sleeps pushes nothing away
+        if (object->dynamic && object->dynamic != &now) wakeOrWait(*object->dynamic);
 }
 
 void PhysicsBodies::updateFilter(const World& world, ShapeHandle handle) {

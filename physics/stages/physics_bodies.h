@@ -14,8 +14,10 @@ namespace rubble {
 /// is awake; and the broadphase. [main-thread]
 class PhysicsBodies {
 public:
-    /// Creates the object of a static body's shape. If it replaces one, wakes what touched the cells that are gone.
+    /// Creates the object of a static body's shape, where there is none.
     void createStatic(const World& world, ShapeHandle handle);
+    /// The same, also where there is one. Wakes what touched the cells that are gone, and what is where new ones are.
+    void replaceStatic(const World& world, ShapeHandle handle);
     /// Removes the object of a static body's shape and wakes what touched it. Does nothing if there is none.
     void removeStatic(uint32_t shapeSlot);
     /// Takes over a cut of a static shape, and wakes what touched the changed bricks. Does nothing if it was not
@@ -75,7 +77,7 @@ private:
     bool insert(const World& world, DynamicBody& body, bool asleep);
     std::unique_ptr<CollisionObject> takeStatic(uint32_t shapeSlot);
     void wakeAtBricks(const CollisionObject& object, const std::vector<glm::ivec3>& bricks);
-    void wakeAtLostCells(const CollisionObject& before, const CollisionObject& now);
+    void wakeAtChangedCells(const CollisionObject* before, const CollisionObject& now);
 
     Broadphase m_broadphase;
     LimitMonitor m_limits;

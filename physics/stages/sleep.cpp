@@ -14,9 +14,9 @@
 // soft as they were (contact_setup.cpp) and keep their impulses (resting_contacts.h). A sleeping body wakes when a
 // hit would give it more speed than what rests may have (contact_detection.cpp), when something that touches it has
 // moved by more than kWakeDistance, when its load changes (loads.cpp), by an impulse, a character's push or a change of
-// gravity, water, joints or collision filters, or when what it touched is cut, moved or removed (physics_bodies.cpp).
-// Settled bodies want a harder hit, and do not wake with what came to touch them after they had settled: that cannot
-// bear them. Debris waits until fewer than DebrisSettings::awakeBodies are awake.
+// gravity, water, joints or collision filters, or when what it touched is cut, moved or removed, or something is made
+// where it is (physics_bodies.cpp). Settled bodies want a harder hit, and do not wake with what came to touch them
+// after they had settled: that cannot bear them. Debris waits until fewer than DebrisSettings::awakeBodies are awake.
 
 namespace rubble {
 namespace {
