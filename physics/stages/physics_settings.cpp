@@ -6,7 +6,6 @@ PhysicsSettings fastPhysics() {
     PhysicsSettings settings;
     settings.substeps = 3;
     settings.loadBearingRatio = 10.0;
-    settings.rotation = RotationRule::Never;
     return settings;
 }
 

@@ -31,12 +31,13 @@ struct PhysicsSettings {
 
 /// Presets: settings to start from; each can be changed alone. Their limits are measured by the scenes of
 /// tests/physics/scenes: towers of half-metre cubes that stand 30 s, awake and with sleep; and how many times as heavy
-/// a cube may be as the one that it lies on and sinks by less than 1 cm.
+/// a cube may be as the one that it lies on and sinks by less than 1 cm. With all three, free rotation keeps angular
+/// momentum and energy.
 ///
-///     preset     tower awake   with sleep   mass ratio   free rotation
-///     fast                16           20          100   keeps its angular velocity
-///     balanced            25           60        1,000   keeps its angular momentum and energy
-///     accurate            30           60        3,000   the same
+///     preset     tower awake   with sleep   mass ratio
+///     fast                16           20          100
+///     balanced            25           60        1,000
+///     accurate            30           60        3,000
 PhysicsSettings fastPhysics();
 /// The default preset: see fastPhysics().
 PhysicsSettings balancedPhysics();

@@ -1,9 +1,12 @@
 // Steps of PhysicsWorld with piles of pieces, compared with Bullet where the name says so.
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <memory>
+#include <numeric>
 #include <string>
 
 #include "runtime/core/thread_pool.h"
@@ -215,6 +218,47 @@ void cutOfALargeBody(benchmark::State& state) {
     state.counters["step_ms"] = median(stepMs);
 }
 BENCHMARK(cutOfALargeBody)->Name("physics/cutOfALargeBody")->Unit(benchmark::kMillisecond)->Iterations(1);
+
+/// What the preset fast costs with each rule of rotation, as a share of that without any, of pieces that land and lie
+/// in a pit, and of pieces that fly.
+void rotationRules(benchmark::State& state) {
+    constexpr int kLanding = 60, kLying = 360, kEnd = 480, kRules = 3;
+    const Level pit = voronoiPit(int(state.range(0)));
+    Level flight = pit;
+    flight.environment.gravity = {0, 0, 0};
+    for (size_t i = 1; i < flight.bodies.size(); ++i) {
+        flight.bodies[i].pose.position *= 3.0;
+        flight.bodies[i].angularVelocity = {3.0f, 2.0f, float(i % 5)};
+    }
+    std::vector<std::unique_ptr<Pile>> piles, flights;
+    for (int rule = 0; rule < kRules; ++rule) {
+        PhysicsSettings settings = sleepless(fastPhysics());
+        settings.rotation = RotationRule(rule);
+        piles.push_back(std::make_unique<Pile>(pit, settings));
+        flights.push_back(std::make_unique<Pile>(flight, settings));
+    }
+    std::array<std::vector<double>, kRules> landing, lying, flying;
+    for (auto _ : state)
+        for (int i = 0; i < kEnd; ++i)
+            for (size_t k = 0; k < kRules; ++k) {
+                const size_t rule = (k + size_t(i)) % kRules;
+                const double ms = cpuMs([&] { piles[rule]->step(); });
+                if (i >= kLanding && i < 240) landing[rule].push_back(ms);
+                if (i >= kLying) lying[rule].push_back(ms);
+                if (i < 120) flying[rule].push_back(cpuMs([&] { flights[rule]->step(); }));
+            }
+    const auto mean = [](const std::vector<double>& ms) { return std::accumulate(ms.begin(), ms.end(), 0.0); };
+    const char* const names[] = {"never", "needed", "always"};
+    for (size_t rule = 1; rule < kRules; ++rule) {
+        const std::string name = names[rule];
+        state.counters["landing_" + name] = mean(landing[rule]) / mean(landing[0]);
+        state.counters["lying_" + name] = mean(lying[rule]) / mean(lying[0]);
+        state.counters["flying_" + name] = mean(flying[rule]) / mean(flying[0]);
+    }
+    state.counters["lying_ms"] = median(lying[0]);
+    state.counters["flying_ms"] = median(flying[0]);
+}
+BENCHMARK(rotationRules)->Name("physics/rotationRules")->Arg(300)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 }  // namespace
 }  // namespace rubble
