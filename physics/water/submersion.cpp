@@ -18,6 +18,9 @@
 //     M_i(d) = (G(d) - G(d - n_i)) / n_i^2 - F(d - n_i) / n_i.
 // Axes along which the plane hardly rises are left out, and k is smaller. The bottom's part is taken from the
 // surface's. A voxel that the outline may cut is divided into 4x4x4 cubes, each in or out by its middle.
+//
+// Where waters overlap, a place belongs to the first of them: of the others it is left out. So the height that a water
+// has for itself is what the intervals of those before it leave of its own, and their outlines cut voxels too.
 
 namespace rubble {
 namespace {
@@ -68,24 +71,31 @@ double distanceToSegment(double x, double z, const GroundPoint& a, const GroundP
 /// Sums up what of one part is in one water.
 class PartSubmersion {
 public:
-    PartSubmersion(const CellTransform& cells, glm::dvec3 origin, const Water& water)
+    PartSubmersion(const CellTransform& cells, glm::dvec3 origin, const Water& water, Waters before)
         : m_cells(cells),
           m_water(water),
+          m_before(before),
           m_corner(origin + cells.corner),
           m_rise(cells.axes[0].y, cells.axes[1].y, cells.axes[2].y),
           m_half(0.5 * (std::abs(m_rise.x) + std::abs(m_rise.y) + std::abs(m_rise.z))) {}
 
     /// Where a box of cells is.
     Place placeOf(glm::dvec3 low, glm::dvec3 size) const {
-        const Place vertical = heightPlace(low, size);
-        if (vertical == Place::Out) return vertical;
-        const Place sideways = outlinePlace(low, size);
-        return sideways == Place::In ? vertical : sideways;
+        Place place = heightPlace(m_water, low, size);
+        if (place == Place::Out) return place;
+        if (!m_isWithin)
+            if (const Place sideways = outlinePlace(m_water, low, size); sideways != Place::In) place = sideways;
+        for (const Water* other : m_before) {
+            const Place vertical = heightPlace(*other, low, size),
+                        sideways = vertical == Place::Out ? vertical : outlinePlace(*other, low, size);
+            if (vertical == Place::In && sideways == Place::In) return Place::Out;
+            if (sideways != Place::Out && place == Place::In) place = Place::Cut;
+        }
+        return place;
     }
     /// Notes whether a box of cells is within the outline; then nothing in it need be tested against that.
     bool noteOutline(glm::dvec3 low, glm::dvec3 size) {
-        m_isWithin = false;
-        return m_isWithin = outlinePlace(low, size) == Place::In;
+        return m_isWithin = outlinePlace(m_water, low, size) == Place::In;
     }
     /// place: of all the brick's cells. base: the brick's first cell.
     void addBrick(glm::ivec3 base, const Brick& brick, Place place) {
@@ -110,19 +120,18 @@ public:
     }
 
 private:
-    Place heightPlace(glm::dvec3 low, glm::dvec3 size) const {
-        const double base = m_corner.y - m_water.surface + glm::dot(m_rise, low);
+    Place heightPlace(const Water& water, glm::dvec3 low, glm::dvec3 size) const {
+        const double base = m_corner.y - water.surface + glm::dot(m_rise, low);
         const glm::dvec3 span = m_rise * size;
         const double lowest = base + std::min(span.x, 0.0) + std::min(span.y, 0.0) + std::min(span.z, 0.0),
                      highest = base + std::max(span.x, 0.0) + std::max(span.y, 0.0) + std::max(span.z, 0.0);
-        if (lowest >= 0.0 || highest <= -m_water.depth) return Place::Out;
-        return highest <= 0.0 && lowest >= -m_water.depth ? Place::In : Place::Cut;
+        if (lowest >= 0.0 || highest <= -water.depth) return Place::Out;
+        return highest <= 0.0 && lowest >= -water.depth ? Place::In : Place::Cut;
     }
-    Place outlinePlace(glm::dvec3 low, glm::dvec3 size) const {
-        if (m_isWithin) return Place::In;
+    Place outlinePlace(const Water& water, glm::dvec3 low, glm::dvec3 size) const {
         const glm::dvec3 middle = m_corner + m_cells.axes * (low + 0.5 * size), half = m_cells.axes * (0.5 * size);
         const double radius = glm::length(half);
-        const GroundPolygon& outline = m_water.outline;
+        const GroundPolygon& outline = water.outline;
         for (size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++)
             if (distanceToSegment(middle.x, middle.z, outline[j], outline[i]) < radius) return Place::Cut;
         return contains(outline, middle.x, middle.z) ? Place::In : Place::Out;
@@ -142,11 +151,14 @@ private:
         }
     }
     void addVoxel(glm::ivec3 cell) {
-        const glm::dvec3 low(cell);
-        const Place sideways = outlinePlace(low, glm::dvec3(1.0));
+        const glm::dvec3 low(cell), one(1.0);
+        const Place sideways = m_isWithin ? Place::In : outlinePlace(m_water, low, one);
         if (sideways == Place::Out) return;
         const double before = m_cut;
-        if (sideways == Place::In)
+        const bool isWhole = sideways == Place::In && std::ranges::none_of(m_before, [&](const Water* other) {
+                                 return outlinePlace(*other, low, one) == Place::Cut;
+                             });
+        if (isWhole)
             addCube(low, 1.0);
         else
             for (int i = 0; i < kOutlineParts * kOutlineParts * kOutlineParts; ++i) {
@@ -157,13 +169,31 @@ private:
                 const glm::dvec3 middle = m_corner + m_cells.axes * (corner + 0.5 * size);
                 if (contains(m_water.outline, middle.x, middle.z)) addCube(corner, size);
             }
-        m_cutVoxels += m_cut > before && heightPlace(low, glm::dvec3(1.0)) == Place::Cut ? 1.0 : 0.0;
+        m_cutVoxels += m_cut > before && heightPlace(m_water, low, one) == Place::Cut ? 1.0 : 0.0;
     }
-    /// Adds the part of a cube between bottom and surface; low, size: in cells.
+    /// Adds the part of a cube between bottom and surface that is in no water before; low, size: in cells.
     void addCube(glm::dvec3 low, double size) {
-        const double height = m_corner.y + glm::dot(m_rise, low) - m_water.surface;
-        const CubeBelowPlane under = cubeBelowPlane(m_rise * size, -height),
-                             below = cubeBelowPlane(m_rise * size, -height - m_water.depth);
+        double bottom = m_water.surface - m_water.depth;
+        if (m_before.empty()) return addCube(low, size, bottom, m_water.surface);
+        const glm::dvec3 middle = m_corner + m_cells.axes * (low + 0.5 * size);
+        while (bottom < m_water.surface) {  // up through those before, from one to the next
+            double top = m_water.surface, end = bottom;
+            for (const Water* other : m_before) {
+                const double from = other->surface - other->depth;
+                if (other->surface <= bottom || !contains(other->outline, middle.x, middle.z)) continue;
+                if (from <= bottom) end = std::max(end, other->surface);
+                top = std::min(top, from);
+            }
+            const bool isFree = end == bottom;
+            if (isFree) addCube(low, size, bottom, top);
+            bottom = isFree ? top : end;
+        }
+    }
+    /// The same between two heights, world.
+    void addCube(glm::dvec3 low, double size, double bottom, double top) {
+        const double height = m_corner.y + glm::dot(m_rise, low);
+        const CubeBelowPlane under = cubeBelowPlane(m_rise * size, top - height),
+                             below = cubeBelowPlane(m_rise * size, bottom - height);
         const double volume = (under.volume - below.volume) * size * size * size;
         m_cut += volume;
         m_cutMoment += low * volume + (under.moment - below.moment) * (size * size * size * size);
@@ -171,6 +201,7 @@ private:
 
     const CellTransform& m_cells;
     const Water& m_water;
+    Waters m_before;
     bool m_isWithin = false;      ///< what is added now is within the outline
     glm::dvec3 m_corner;          ///< of cell (0, 0, 0), world
     glm::dvec3 m_rise;            ///< metres by which each cell axis rises
@@ -218,8 +249,8 @@ CubeBelowPlane cubeBelowPlane(glm::dvec3 n, double d) {
 }
 
 void addSubmersion(const ColliderPart& part, const CellTransform& cells, glm::dvec3 origin, const Water& water,
-                   Submersion& sum) {
-    PartSubmersion submersion(cells, origin, water);
+                   Submersion& sum, Waters before) {
+    PartSubmersion submersion(cells, origin, water, before);
     const double size = part.voxelSize();
     const glm::dvec3 low(part.bounds().low), high(part.bounds().high);
     const Place all = submersion.placeOf(low, high - low);

@@ -1,5 +1,6 @@
 #pragma once
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "physics/bodies/dynamic_body.h"
 #include "runtime/world/objects/water.h"
@@ -13,10 +14,13 @@ struct Submersion {
     glm::dvec3 moment{0.0};  ///< volume times its centroid, from the collider's origin, world axes
 };
 
-/// Adds the part of a voxel part that is in a water: above its bottom, below its surface and within its outline.
-/// origin: of the collider, world. See submersion.cpp for the method.
+/// Several waters.
+using Waters = std::span<const Water* const>;
+
+/// Adds the part of a voxel part that is in a water: above its bottom, below its surface and within its outline, and
+/// not in a water of `before`. origin: of the collider, world. See submersion.cpp for the method.
 void addSubmersion(const ColliderPart& part, const CellTransform& cells, glm::dvec3 origin, const Water& water,
-                   Submersion& sum);
+                   Submersion& sum, Waters before = {});
 
 /// The part of a unit cube that lies below a plane.
 struct CubeBelowPlane {

@@ -26,11 +26,12 @@ namespace {
 constexpr double kMaxRise = 0.25;
 constexpr size_t kMaxSamples = 128;
 
-Submersion submersionOf(const DynamicBody& body, const Water& water, const glm::dvec3& offset) {
+/// In water `number` of several, without what is in those before it.
+Submersion submersionOf(const DynamicBody& body, Waters waters, size_t number, const glm::dvec3& offset) {
     Submersion sum;
     for (size_t i = 0; i < body.object.collider.parts.size(); ++i)
         addSubmersion(*body.object.collider.parts[i], body.object.cellTransforms()[i],
-                      body.object.pose.position + offset, water, sum);
+                      body.object.pose.position + offset, *waters[number], sum, waters.first(number));
     return sum;
 }
 
@@ -85,26 +86,32 @@ const Water* WaterVolumes::at(glm::dvec3 point) const {
     return found == ~0u ? nullptr : &*m_waters[found];
 }
 
+void WaterVolumes::findNear(const WorldBox& bounds) {
+    m_near.clear();
+    m_tree.find([&](const WorldBox& box) { return box.overlaps(bounds); },
+                [&](uint32_t slot) { m_near.push_back(slot); });
+    std::sort(m_near.begin(), m_near.end());
+    m_nearWaters.clear();
+    for (const uint32_t slot : m_near) m_nearWaters.push_back(&*m_waters[slot]);
+}
+
 double WaterVolumes::applyForces(DynamicBody& body, glm::dvec3 gravity, double seconds) {
     SolverBody& motion = body.motion;
     const glm::dvec3 toMiddle = motion.velocity * (0.5 * seconds);  // of the step
     const WorldBox bounds{body.object.low + glm::min(2.0 * toMiddle, 0.0),
                           body.object.high + glm::max(2.0 * toMiddle, 0.0)};
-    m_near.clear();
-    m_tree.find([&](const WorldBox& box) { return box.overlaps(bounds); },
-                [&](uint32_t slot) { m_near.push_back(slot); });
-    std::sort(m_near.begin(), m_near.end());
+    findNear(bounds);
     body.inWater = false;
     if (m_near.empty()) return 0.0;
     const double before = kineticEnergy(motion);
     double displaced = 0.0, spring = 0.0;  // d, h^2 k
     double drag = 0.0, angularDrag = 0.0;  // h c d
     glm::dvec3 flow(0.0), angularVelocity = motion.angularVelocity;
-    for (const uint32_t slot : m_near) {
-        const Water& water = *m_waters[slot];
-        const Submersion sum = submersionOf(body, water, toMiddle);
+    for (size_t i = 0; i < m_near.size(); ++i) {
+        const Water& water = *m_nearWaters[i];
+        const Submersion sum = submersionOf(body, m_nearWaters, i, toMiddle);
         if (!(sum.volume > 0.0)) continue;
-        if (!(displaced > 0.0)) body.waterSlot = slot;
+        if (!(displaced > 0.0)) body.waterSlot = m_near[i];
         const double share = sum.volume * water.density * motion.inverseMass;
         displaced += share;
         spring += sum.waterline * water.density * glm::length(gravity) * motion.inverseMass * seconds * seconds;
@@ -146,7 +153,7 @@ double WaterVolumes::mostDisplaced(const DynamicBody& body) const {
     double volume = 0.0, density = 0.0;
     for (const auto& part : body.object.collider.parts)
         volume += double(part->grid().voxelCount()) * std::pow(part->voxelSize(), 3);
-    for (const uint32_t slot : m_near) density += m_waters[slot]->density;
+    for (const Water* water : m_nearWaters) density = std::max(density, water->density);
     return volume * density * body.motion.inverseMass;
 }
 
@@ -160,8 +167,8 @@ double WaterVolumes::meanDisplaced(const DynamicBody& body, glm::dvec3 gravity, 
     std::vector<double> samples(std::min(size_t((high - low) / spacing) + 2, kMaxSamples));
     for (size_t i = 0; i < samples.size(); ++i) {
         const double height = low + (high - low) * double(i) / double(samples.size() - 1);
-        for (const uint32_t slot : m_near)
-            samples[i] += submersionOf(body, *m_waters[slot], aside + up * height).volume * m_waters[slot]->density *
+        for (size_t k = 0; k < m_near.size(); ++k)
+            samples[i] += submersionOf(body, m_nearWaters, k, aside + up * height).volume * m_nearWaters[k]->density *
                           body.motion.inverseMass * g;
     }
     return meanAlongWay(samples, low, high, speed, fall, most * g, seconds) / g;

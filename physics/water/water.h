@@ -8,7 +8,8 @@
 
 namespace rubble {
 
-/// The waters of a World, and their forces on bodies. [main-thread]
+/// The waters of a World, and their forces on bodies. Where waters overlap, the one with the lowest slot counts.
+/// [main-thread]
 class WaterVolumes {
 public:
     /// Takes over the water of a slot; null: there is none any more. Returns the world bounds of the old and the new
@@ -26,6 +27,8 @@ public:
     const Water& inSlot(uint32_t slot) const { return *m_waters[slot]; }
 
 private:
+    /// Finds the waters whose bounds meet a box.
+    void findNear(const WorldBox& bounds);
     /// The mass of the water that a body wholly in those of m_near displaces, over its own.
     double mostDisplaced(const DynamicBody& body) const;
     /// The same of the part in the water, as a mean along the body's way in a step. most: see mostDisplaced().
@@ -33,7 +36,8 @@ private:
 
     std::vector<std::optional<Water>> m_waters;  ///< by slot
     BoundsTree m_tree;
-    std::vector<uint32_t> m_near;  ///< slots; scratch of applyForces()
+    std::vector<uint32_t> m_near;            ///< slots of the waters near a body, ascending; scratch of applyForces()
+    std::vector<const Water*> m_nearWaters;  ///< the same waters
     size_t m_count = 0;
 };
 

@@ -73,6 +73,61 @@ TEST(Water, TheBuoyancyOfARotatedCubeUnderWaterIsThatOfItsVolume) {
     }
 }
 
+/// By samples: a place in several waters counts once, for the first of them.
+TEST(Water, WhereWatersOverlapTheirUnionBears) {
+    Lake scene(500);
+    const auto pool = [](double low, double high, double surface, double depth) {
+        return Water{.outline = {{low, -3}, {high, -3}, {high, 3}, {low, 3}}, .surface = surface, .depth = depth};
+    };
+    const std::vector<Water> waters = {pool(-3.0, 0.33, 0.0, 2.0), pool(0.1, 3.0, 0.2, 0.5), pool(-1.0, 1.0, 0.4, 0.2)};
+    std::vector<const Water*> all;
+    for (const Water& water : waters) all.push_back(&water);
+    const glm::ivec3 size(7, 9, 5);
+    scene.add(solidGrid(size, 1), {0.0, 0.0, 0.0}, false);
+    scene.load();
+    const ColliderPart part(scene.world.shapes().at(scene.body(0).shapes[0]), Pose{}, scene.world.materials());
+    Random random(5);
+    for (int i = 0; i < 60; ++i) {
+        const double a = random.unit(), b = random.unit(), c = random.unit(), h = random.unit();
+        const glm::dmat3 axes = glm::mat3_cast(glm::normalize(glm::dquat(a, b - 0.5, c - 0.5, 0.3)));
+        const CellTransform lattice{axes * 0.1, {-0.1, -0.7 + h, 0.1}};
+        std::vector<double> expected(3), found;
+        for (size_t k = 0; k < 3; ++k) {
+            Submersion sum;
+            addSubmersion(part, lattice, {}, waters[k], sum, std::span(all).first(k));
+            found.push_back(sum.volume);
+        }
+        const int n = 4;
+        for (int z = 0; z < size.z * n; ++z)
+            for (int y = 0; y < size.y * n; ++y)
+                for (int x = 0; x < size.x * n; ++x) {
+                    const glm::dvec3 p = lattice.corner + lattice.axes * ((glm::dvec3(x, y, z) + 0.5) / double(n));
+                    const auto in = std::ranges::find_if(waters, [&](const Water& water) { return water.contains(p); });
+                    if (in != waters.end()) expected[size_t(in - waters.begin())] += 1e-3 / (n * n * n);
+                }
+        for (size_t k = 0; k < 3; ++k) EXPECT_NEAR(found[k], expected[k], 0.006) << i << ", water " << k;
+    }
+}
+
+TEST(Water, WhatFloatsInTwoWatersFloatsAsInOne) {
+    for (const double size : {10.0, 1.0}) {  // what is small takes the mean along its way
+        double alone = 0.0;
+        for (const double edge : {-60.0, -50.0, 0.03}) {  // from which the second water begins
+            Lake scene(500);
+            Water second = scene.level.waters[0];
+            second.name = "second";
+            second.outline = {{edge, -50}, {50, -50}, {50, 50}, {edge, 50}};
+            if (edge > -60.0) scene.level.waters.push_back(second);
+            scene.add(solidGrid(glm::ivec3(int(size)), 1), {0.0, -0.04 * size, 0.0}, false).shapes[0].voxelSize =
+                size > 1.0 ? 0.1f : 0.02f;
+            scene.load();
+            scene.seconds(8.0);
+            if (edge == -60.0) alone = scene.center(0).y;
+            EXPECT_NEAR(scene.center(0).y, alone, 1e-6 * size) << "second water from " << edge << ", size " << size;
+        }
+    }
+}
+
 TEST(Water, ACubeBobsWithThePeriodOfItsBuoyancy) {
     Lake scene(500, 0.02);
     scene.add(solidGrid({10, 10, 10}, 1), {0.0, -0.3, 0.0}, false);
