@@ -247,6 +247,34 @@ TEST(ApplyEdits, ExplosionsPushFragmentsAndPaintSoot) {
     EXPECT_GT(changes.paintedVoxels, 0u);
 }
 
+/// A free cube of 1 m, 1.5 m from a blast, and between them a wall of which the blast breaks nothing, of a height.
+double pushBehindWall(int wallVoxels, bool isStatic = true) {
+    Level level = oneShapeLevel(solidGrid({10, 10, 10}, 1), false, {{1.0, 0.0, -0.5}});
+    if (wallVoxels) {
+        LevelBody wall{.name = "wall", .pose = {{0.8, 0.0, -1.5}}, .isStatic = isStatic};
+        wall.shapes.push_back(test::levelShape("wall", solidGrid({1, wallVoxels, 30}, 1)));
+        level.bodies.push_back(wall);
+    }
+    World world;
+    world.load(level);
+    const FrameChanges changes = world.applyEdits({ExplodeEdit{{0.0, 0.5, 0.0}, 0.7}});
+    EXPECT_TRUE(changes.removed.empty());
+    double push = 0.0;
+    for (const ImpulseApplied& each : changes.impulses)
+        if (each.body == world.bodies().handleAt(0)) push = glm::length(each.impulse);
+    return push;
+}
+
+TEST(ApplyEdits, WhatStandsShelters) {
+    const double open = pushBehindWall(0);
+    EXPECT_GT(open, 10.0);
+    EXPECT_EQ(pushBehindWall(20), 0.0);
+    EXPECT_EQ(pushBehindWall(20, false), open) << "what is free is pushed itself";
+    const double behindHalf = pushBehindWall(5) / open;
+    EXPECT_GT(behindHalf, 0.3);
+    EXPECT_LT(behindHalf, 0.7);
+}
+
 TEST(ApplyEdits, TheSameEditsGiveTheSameHash) {
     const auto run = [] {
         World world;
