@@ -12,6 +12,7 @@
 #include "runtime/assets/file_bytes.h"
 #include "runtime/assets/level_validation.h"
 #include "runtime/assets/state_fields.h"
+#include "runtime/world/objects/joint_attachment.h"
 #include "runtime/world/objects/object_errors.h"
 #include "runtime/world/queries/notes.h"
 #include "runtime/world/settings/settings_error.h"
@@ -156,8 +157,11 @@ Result<Done> validateHandles(const WorldState& world) {
         const bool isRope = joint.kind == JointKind::Rope;
         if (joint.points.size() != (isRope ? joint.rope.points : 0) || (isRope && joint.points.empty()))
             fail("points of joint", handle.slot());
-        if (const std::string wrong = jointEndsError(joint); error.empty() && !wrong.empty())
-            error = fmt::format("joint {}: {}", handle.slot(), wrong);
+        std::string wrong = jointEndsError(joint);
+        if (wrong.empty())
+            wrong = jointBodiesError(joint.kind, world.shapes.find(joint.ends[0].shape),
+                                     world.shapes.find(joint.ends[1].shape));
+        if (error.empty() && !wrong.empty()) error = fmt::format("joint {}: {}", handle.slot(), wrong);
     });
     std::set<uint64_t> noted;
     world.notes.forEach([&](NoteHandle handle, const Note& note) {

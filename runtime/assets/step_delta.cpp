@@ -13,6 +13,7 @@
 #include "runtime/core/range_check.h"
 #include "runtime/core/ranges.h"
 #include "runtime/voxel/mass_properties.h"
+#include "runtime/world/objects/joint_attachment.h"
 #include "runtime/world/objects/object_errors.h"
 
 namespace rubble {
@@ -278,8 +279,9 @@ private:
         for (const JointEnd& end : joint.ends)
             if (end.shape && !shapeAfter(end.shape)) return false;
         const bool isRope = joint.kind == JointKind::Rope;
-        return jointEndsError(joint).empty() && joint.points.size() == (isRope ? joint.rope.points : 0) &&
-               (!isRope || !joint.points.empty());
+        return jointEndsError(joint).empty() &&
+               jointBodiesError(joint.kind, shapeAfter(joint.ends[0].shape), shapeAfter(joint.ends[1].shape)).empty() &&
+               joint.points.size() == (isRope ? joint.rope.points : 0) && (!isRope || !joint.points.empty());
     }
     bool hasValidValues() const {
         bool isValid = (!m_delta.environment || environmentError(*m_delta.environment).empty()) && hasValidMaterials();

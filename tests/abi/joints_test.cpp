@@ -52,6 +52,11 @@ TEST_F(Abi, JointsAreMadeReadAndRemoved) {
     EXPECT_EQ(api()->remove_joint(m_world, joints[0].joint), RUBBLE_ERROR_STALE);
     table.kind = 7;
     EXPECT_EQ(api()->add_joint(m_world, &table), RUBBLE_ERROR_ARGUMENT);
+    table.kind = RUBBLE_JOINT_FIXED;
+    table.shapes[1] = table.shapes[0];
+    expectRefused(api()->add_joint(m_world, &table), RUBBLE_ERROR_ARGUMENT, "both ends are on one body");
+    table.kind = RUBBLE_JOINT_ROPE;
+    EXPECT_EQ(api()->add_joint(m_world, &table), RUBBLE_OK);
 }
 
 TEST_F(Abi, WheelsAreDriven) {

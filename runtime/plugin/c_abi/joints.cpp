@@ -1,6 +1,7 @@
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
 #include "runtime/plugin/c_abi/rows.h"
+#include "runtime/world/objects/joint_attachment.h"
 
 namespace rubble::abi {
 namespace {
@@ -59,6 +60,8 @@ AddJointEdit readJoint(const World& world, const rubble_joint_settings& given) {
     if (!joint.ends[0].shape && !joint.ends[1].shape && joint.kind != JointKind::Rope)
         refuse(RUBBLE_ERROR_ARGUMENT, "shapes are both 0: neither end is on a shape");
     requireNoError(jointEndsError(joint));
+    requireNoError(jointBodiesError(joint.kind, world.shapes().find(joint.ends[0].shape),
+                                    world.shapes().find(joint.ends[1].shape)));
     return {joint, true};
 }
 

@@ -42,9 +42,18 @@ void initRopePoints(Joint& joint, glm::dvec3 from, glm::dvec3 to) {
 
 }  // namespace
 
+std::string jointBodiesError(JointKind kind, const Shape* first, const Shape* second) {
+    if (kind == JointKind::Rope || !first || !second || first->body != second->body) return "";
+    return "both ends are on one body; a joint joins two bodies, or a body and the world";
+}
+
 std::string attachJoint(const WorldObjects& objects, Joint& joint) {
     if (std::string error = jointError(joint); !error.empty()) return error;
     if (std::string error = jointEndsError(joint); !error.empty()) return error;
+    if (std::string error = jointBodiesError(joint.kind, objects.shapes.find(joint.ends[0].shape),
+                                             objects.shapes.find(joint.ends[1].shape));
+        !error.empty())
+        return error;
     for (JointEnd& end : joint.ends) {
         end.frame.rotation = glm::normalize(end.frame.rotation);
         if (!end.shape) continue;

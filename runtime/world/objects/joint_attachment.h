@@ -10,6 +10,10 @@ namespace rubble {
 /// and its points, on a straight line. Rotations are normalised. Returns what is wrong; empty: nothing.
 std::string attachJoint(const WorldObjects& objects, Joint& joint);
 
+/// Says what is wrong with the bodies of a joint whose ends are on these shapes (null: the world); empty: nothing. Only
+/// a rope may have both ends on one body.
+std::string jointBodiesError(JointKind kind, const Shape* first, const Shape* second);
+
 /// Moves the frame of an end from the world into the shape that the end is on, as that is placed now. An end without a
 /// live shape stays.
 void placeEnd(const WorldObjects& objects, JointEnd& end);

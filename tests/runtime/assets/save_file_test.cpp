@@ -137,6 +137,12 @@ TEST(SaveFile, StatesThatNoWorldCanHaveAreRefused) {
                   world.joints.forEach([](JointHandle, Joint& joint) { joint.rope.points = 0, joint.points.clear(); });
               }).find("points of joint"),
               std::string::npos);
+    EXPECT_NE(error([](WorldState& world) {
+                  Joint joint{.kind = JointKind::Fixed};
+                  joint.ends[0].shape = joint.ends[1].shape = world.shapes.handleAt(0);
+                  world.joints.insert(joint);
+              }).find("both ends are on one body"),
+              std::string::npos);
     EXPECT_NE(error([](WorldState& world) { world.settings.impactRadius = 100.0; }).find("impact_radius is 100"),
               std::string::npos);
     EXPECT_NE(error([](WorldState& world) { world.settings.stress.contactTime = 0.0; }).find("contact_time is 0"),

@@ -214,6 +214,27 @@ TEST(Joint, AGrabHoldsAShapeByItsFirstEndAndNothingElse) {
     EXPECT_TRUE(world.applyEdits({AddJointEdit{loose}}).jointsCreated.empty());
 }
 
+/// Two shapes of one free body, and another body.
+TEST(Joint, OnlyARopeHasBothEndsOnOneBody) {
+    Level level = beamAndPost();
+    LevelShape second = levelShape("second", solidGrid({4, 4, 4}, 1));
+    second.local.position = {0.0, 0.1, 0.0};
+    level.bodies[0].shapes.push_back(second);
+    level.joints.push_back({{.name = "itself", .kind = JointKind::Fixed}, {"shape", "shape"}});
+    level.joints.push_back({{.name = "one body", .kind = JointKind::Hinge}, {"shape", "second"}});
+    World world;
+    world.load(level);
+    EXPECT_EQ(world.joints().size(), 1u) << "the hinge between beam and post";
+    const std::vector<ShapeHandle> shapes = world.bodies().at(world.bodies().handleAt(0)).shapes;
+    const Pose frame{{0.05, 1.05, 0.05}};
+    for (int kind = 0; kind <= int(JointKind::Wheel); ++kind)
+        for (const ShapeHandle other : shapes) {
+            const AddJointEdit add{jointAt(world, JointKind(kind), shapes[0], other, frame)};
+            const bool isRope = JointKind(kind) == JointKind::Rope;
+            EXPECT_EQ(world.applyEdits({add}).jointsCreated.size(), isRope ? 1u : 0u) << kind;
+        }
+}
+
 TEST(Joint, UndoRestoresBrokenAndMovedJoints) {
     World world;
     world.load(beamAndPost());

@@ -10,6 +10,7 @@
 #include "runtime/core/log.h"
 #include "runtime/world/history/undo_history.h"
 #include "runtime/world/history/world_baseline.h"
+#include "runtime/world/objects/joint_attachment.h"
 #include "tests/runtime/world/journal_check.h"
 
 namespace rubble {
@@ -40,6 +41,9 @@ void expectSound(const World& world) {
     });
     world.joints().forEach([&](JointHandle, const Joint& joint) {
         EXPECT_EQ(jointEndsError(joint), "");
+        EXPECT_EQ(jointBodiesError(joint.kind, world.shapes().find(joint.ends[0].shape),
+                                   world.shapes().find(joint.ends[1].shape)),
+                  "");
         for (const JointEnd& end : joint.ends) {
             if (!end.shape) continue;
             ASSERT_TRUE(world.shapes().find(end.shape));
