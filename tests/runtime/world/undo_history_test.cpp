@@ -345,6 +345,27 @@ TEST(UndoHistory, MarksAndTheirLimitComeBeforeTheOtherEditsOfAStepInTheirOrder) 
     setLogSink(nullptr, nullptr);
 }
 
+TEST(UndoHistory, GoesToTheMarkBeforeUnlessSomethingHasChangedSinceTheLastUndo) {
+    World world = smallWorld();
+    std::vector<uint64_t> atMark;
+    for (int i = 0; i < 3; ++i) {
+        atMark.push_back(resolvedHash(world));
+        world.applyEdits({kMark, sphereCarve({0.5 + i, 1.2, 0.3}, 0.4)});
+    }
+    const auto undone = [&] {
+        world.applyEdits({kUndo});
+        return resolvedHash(world);
+    };
+    EXPECT_EQ(undone(), atMark[2]);
+    world.applyEdits({sphereCarve({3.5, 1.2, 0.3}, 0.4)});
+    EXPECT_EQ(undone(), atMark[2]) << "a change since then is undone first";
+    move(world, 0.5);
+    world.applyEdits({});
+    EXPECT_EQ(undone(), atMark[1]) << "motion is no change";
+    EXPECT_EQ(undone(), atMark[0]);
+    EXPECT_EQ(undone(), atMark[0]) << "there is no mark before";
+}
+
 TEST(UndoHistory, DropsTheOldestMarksAndCostsNothingWhenOff) {
     World world = smallWorld();
     WorldSettings settings = world.settings();
