@@ -23,22 +23,29 @@
 // ends a skin's width short, the capsule is never inside something static. Bodies get impulses, as from a mass that
 // pushes with a limited force.
 //
+// On the ground its velocity is that against the ground. What it walks on gets the opposite of what that gives it and
+// of what it pushes other bodies with: a raft goes back under who runs. Nothing in a step pushes a body from within, so
+// who leans on the wall of a cabin moves it by no more than he moves himself. Of a body that can move, the legs only
+// take so much in a step that they do not kick it away. What carries it does not feel its inertia, nor that it jumps
+// off; and a body that is heavier than its push goes through it, and leaves it on top.
+//
 // What it stands on bears its weight. A sleeping body came to rest under the load that it had; it wakes when that load
 // comes, goes, or moves into another cell of the body's frame. So it can tip, and who stands still lets it sleep.
 
 namespace rubble {
 namespace {
 
-constexpr double kSkin = 0.008;           ///< metres kept from what it meets
-constexpr int kMaxSlides = 4;             ///< walls that it follows in one step
-constexpr int kMaxDepenetrations = 12;    ///< pushes out of what came into it
-constexpr double kMaxSpeed = 60.0;        ///< m/s, falling
-constexpr double kAirControl = 3.0;       ///< 1/s: rate at which the velocity follows a wish without ground
-constexpr double kSwimControl = 6.0;      ///< 1/s, in water
-constexpr double kChest = 0.6;            ///< fraction of its height: under water there, it swims
-constexpr double kLookAhead = 0.25;       ///< metres of free ground that a step must lead to
-constexpr double kJumpOutHeight = 1.2;    ///< fraction of its height: it jumps out of water whose surface is lower
-constexpr double kMaxLandingRise = 0.1;   ///< m/s away from the ground, above which it does not land
+constexpr double kSkin = 0.008;          ///< metres kept from what it meets
+constexpr int kMaxSlides = 4;            ///< walls that it follows in one step
+constexpr int kMaxDepenetrations = 12;   ///< pushes out of what came into it
+constexpr double kMaxSpeed = 60.0;       ///< m/s, falling
+constexpr double kAirControl = 3.0;      ///< 1/s: rate at which the velocity follows a wish without ground
+constexpr double kSwimControl = 6.0;     ///< 1/s, in water
+constexpr double kChest = 0.6;           ///< fraction of its height: under water there, it swims
+constexpr double kLookAhead = 0.25;      ///< metres of free ground that a step must lead to
+constexpr double kJumpOutHeight = 1.2;   ///< fraction of its height: it jumps out of water whose surface is lower
+constexpr double kMaxLandingRise = 0.1;  ///< m/s away from the ground, above which it does not land
+constexpr double kMaxKick = 0.25;        ///< m/s that a step on a body may give it, if that is more than the push force
 constexpr double kMinWakeImpulse = 1e-3;  ///< N s: a weaker push wakes no body
 constexpr double kLoadCell = 0.1;         ///< metres; a body bears another load when the feet are in another such cell
 constexpr double kQueryMargin = 1.0;      ///< metres, for what ground, gravity and pushes add to its own motion
@@ -63,9 +70,11 @@ public:
         : m_c(character), m_around(around), m_pushes(pushes), m_queries(character, around) {}
 
     void run(const std::vector<BodyHandle>& handles) {
-        const CollisionObject* ground = groundObject();
+        CollisionObject* const ground = groundObject();
         const bool wasGrounded = m_c.grounded;
         const BodyHandle stoodOn = m_c.ground;
+        if (wasGrounded) m_ground = ground, m_groundVelocity = velocityOf(ground, m_c.position);
+        const glm::dvec3 velocity = m_c.velocity;
         if (m_c.grounded && !m_c.wantsJump) moveWithGround(ground);  // who jumps gets its velocity
         depenetrate();
         crouch();
@@ -73,15 +82,16 @@ public:
             m_around.waters ? m_around.waters->at(m_c.position + kUp * (kChest * m_c.currentHeight())) : nullptr;
         m_c.swimming = water != nullptr;
         if (m_c.swimming)
-            swim(*water);
+            leaveGround(), swim(*water);
         else
-            accelerate(ground);
+            accelerate();
         m_c.velocity = clampedLength(m_c.velocity, kMaxSpeed);
         const bool walks = m_c.grounded && !m_c.swimming;
         const glm::dvec3 start = m_c.position;
         if (walks) {
             walk(m_c.velocity * m_around.seconds);
             m_c.velocity = horizontal(m_c.position - start) / m_around.seconds;
+            pushBack(m_c.velocity - horizontal(velocity), start);
         } else
             slide(m_c.velocity * m_around.seconds, false, true);
         probeGround(walks, wasGrounded ? stoodOn : BodyHandle{}, start, handles);
@@ -91,6 +101,13 @@ public:
     }
 
 private:
+    /// m/s, world.
+    glm::dvec3 worldVelocity() const { return m_c.grounded ? m_c.velocity + m_groundVelocity : m_c.velocity; }
+    void leaveGround() {
+        m_c.velocity = worldVelocity();
+        m_c.grounded = false;
+    }
+
     /// Moves until something is hit, and stops a skin's width before it. Returns what it hit.
     CharacterHit advance(glm::dvec3 displacement) {
         const double length = glm::length(displacement);
@@ -184,11 +201,39 @@ private:
     void push(const CharacterHit& hit, glm::dvec3 direction) {
         if (!hit.object || !hit.object->dynamic) return;
         DynamicBody& body = *hit.object->dynamic;
-        const double speed = glm::dot(m_c.velocity - velocityOf(hit.object, hit.point), direction);
-        if (speed <= 0.0 || body.quarantined()) return;
+        const double speed = glm::dot(worldVelocity() - velocityOf(hit.object, hit.point), direction);
+        if (speed <= 0.0 || body.quarantined() || hit.object == m_ground) return;
         const double impulse = speed / (body.motion.inverseMass + 1.0 / m_c.mass);  // that makes both equally fast
         m_pushes.push_back({&body, direction * std::min(impulse, m_c.maxPushForce * m_around.seconds), hit.point,
                             impulse > kMinWakeImpulse});
+    }
+
+    /// What a step on the ground moves: the inverse of its mass where the foot is, along a unit vector, 1/kg; 0:
+    /// nothing.
+    double groundMobility(glm::dvec3 direction, glm::dvec3 feet) const {
+        if (!m_ground || m_ground->dynamic->quarantined()) return 0.0;
+        const SolverBody& motion = m_ground->dynamic->motion;
+        const glm::dvec3 arm = glm::cross(feet - motion.position, direction);
+        return motion.inverseMass + glm::dot(arm, worldInverseInertia(motion) * arm);
+    }
+    /// As much of a change of the velocity on the ground as its legs can do in a step.
+    glm::dvec3 possibleChange(glm::dvec3 change) const {
+        const double speed = glm::length(change);
+        const double mobility = speed > 0.0 ? groundMobility(change / speed, m_c.position) : 0.0;
+        if (mobility == 0.0) return change;
+        const double impulse = speed / (mobility + 1.0 / m_c.mass),
+                     most = std::max(m_c.maxPushForce * m_around.seconds, kMaxKick / mobility);
+        return change * std::min(1.0, most / impulse);
+    }
+    /// Gives the ground the opposite of what changed the velocity on it, and of what pushed other bodies.
+    void pushBack(glm::dvec3 change, glm::dvec3 feet) {
+        const double speed = glm::length(change);
+        const double mobility = groundMobility(speed > 0.0 ? change / speed : kUp, feet);
+        if (mobility == 0.0) return;
+        glm::dvec3 impulse = change / -(mobility + 1.0 / m_c.mass);
+        for (const CharacterPush& push : m_pushes)
+            if (push.body != m_ground->dynamic) impulse -= push.impulse;
+        if (glm::length(impulse) > kMinWakeImpulse) m_pushes.push_back({m_ground->dynamic, impulse, feet, true});
     }
 
     /// The dynamic body that it stood on; null: none.
@@ -228,7 +273,7 @@ private:
     }
     /// Moves out of a body. One that comes closer passes on its velocity.
     void moveOutOfBody(CharacterHit& worst, double depth) {
-        const double speed = glm::dot(velocityOf(worst.object, worst.point) - m_c.velocity, worst.normal);
+        const double speed = glm::dot(velocityOf(worst.object, worst.point) - worldVelocity(), worst.normal);
         if (speed > 0.0) {
             const double gain = std::min(speed, speed / worst.object->dynamic->motion.inverseMass / m_c.mass);
             push(worst, -worst.normal);
@@ -250,31 +295,33 @@ private:
 
     /// Sets the velocity that it wishes on the ground; in the air the velocity only tends to the wish,
     /// if there is one: who jumps on a train lands on it.
-    void accelerate(const CollisionObject* ground) {
+    void accelerate() {
         const glm::dvec3 wish = clampedLength(horizontal(m_c.wish), m_c.crouched ? m_c.crouchSpeed : m_c.walkSpeed);
         if (!m_c.grounded) {
             const double share = wish == glm::dvec3(0.0) ? 0.0 : kAirControl * m_around.seconds;
             m_c.velocity += (wish - horizontal(m_c.velocity)) * share + m_around.gravity * m_around.seconds;
             return;
         }
+        if (!m_c.wantsJump) {
+            m_c.velocity = horizontal(m_c.velocity);
+            m_c.velocity += possibleChange(wish - m_c.velocity);
+            return;
+        }
         m_c.velocity = wish;
-        if (!m_c.wantsJump) return;
-        m_c.velocity += velocityOf(ground, m_c.position);
+        leaveGround();
         m_c.velocity.y += m_c.jumpSpeed;
-        m_c.grounded = false;
     }
     void swim(const Water& water) {
         const glm::dvec3 wish = clampedLength(m_c.wish, m_c.swimSpeed) + water.flow;
         m_c.velocity += (wish - m_c.velocity) * std::min(1.0, kSwimControl * m_around.seconds);
         const bool canJumpOut = m_c.position.y + kJumpOutHeight * m_c.currentHeight() > water.surface;
         if (m_c.wantsJump && canJumpOut) m_c.velocity.y = m_c.jumpSpeed;
-        m_c.grounded = false;
     }
 
     /// Finds what it stands on: within a step's height below while it walks, else what it has landed on.
     /// start: where this step's motion began.
     void probeGround(bool walks, BodyHandle stoodOn, glm::dvec3 start, const std::vector<BodyHandle>& handles) {
-        m_c.grounded = false;
+        leaveGround();
         m_c.ground = {};
         const double queryDistance = walks ? m_c.stepHeight + 2.0 * kSkin : 2.0 * kSkin;
         const CharacterHit hit = m_queries.sweep(m_c.position, -kUp * queryDistance);
@@ -285,8 +332,10 @@ private:
         if (drop > kSkin) m_c.position.y -= drop - kSkin;
         m_c.grounded = true;
         m_c.ground = hit.object->body < handles.size() ? handles[hit.object->body] : BodyHandle{};
-        m_c.velocity = horizontal(m_c.velocity);
         DynamicBody* body = hit.object->dynamic;
+        const glm::dvec3 groundVelocity =
+            hit.object == m_ground ? m_groundVelocity : velocityOf(hit.object, m_c.position);
+        m_c.velocity = horizontal(m_c.velocity - groundVelocity);
         if (!body || body->quarantined()) return;
         const glm::dvec3 fall = kUp * std::min(0.0, rising) * m_c.mass / (1.0 + m_c.mass * body->motion.inverseMass);
         const bool changes = stoodOn != m_c.ground || loadCell(*body, start) != loadCell(*body, m_c.position);
@@ -302,6 +351,8 @@ private:
     const CharacterSurroundings& m_around;
     std::vector<CharacterPush>& m_pushes;
     CharacterQueries m_queries;
+    CollisionObject* m_ground = nullptr;  ///< the dynamic body on which it stood when the step began
+    glm::dvec3 m_groundVelocity{0.0};     ///< there, m/s
 };
 
 }  // namespace

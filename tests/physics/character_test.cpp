@@ -319,6 +319,63 @@ TEST(Character, TenThousandRandomMovesNeverEndInside) {
     EXPECT_GT(jumps, 20);
 }
 
+/// Who stands on a raft of 200 kg without friction under it.
+struct Raft : Walk {
+    Raft() : Walk({0.0, 1.21, 0.0}) {
+        Material& ice = level.materials.materials[7];
+        ice.friction = 0.0f, ice.restitution = 0.0f, ice.density = 625;
+        addFloor();
+        add(solidGrid({14, 10, 8}, 7), {-1.0, 0.0, -0.4}, true);
+        add(solidGrid({20, 2, 8}, 7), {-1.0, 1.0, -0.4}, false);
+    }
+    double raftSpeed() const { return body(2).velocity.x; }
+    double mass() const { return bodyMass(world, handle(2)).mass; }
+};
+
+TEST(Character, ARaftGoesBackUnderWhoRunsOnIt) {
+    Raft scene;
+    scene.load();
+    scene.walk(30);
+    ASSERT_NEAR(scene.mass(), 200.0, 1e-3);
+    for (const double speed : {2.0, -1.0, 0.0}) {
+        scene.wish({speed, 0.0, 0.0});
+        scene.walk(20);
+        EXPECT_NEAR(scene.me().velocity.x, speed, 1e-6) << "against the raft";
+        EXPECT_NEAR(scene.mass() * scene.raftSpeed() + scene.me().mass * (scene.raftSpeed() + speed), 0.0, 2.0);
+    }
+    scene.wish({2.0, 0.0, 0.0});  // off its end
+    scene.walk(10);
+    const double before = scene.raftSpeed();
+    while (scene.me().grounded) scene.walk(1);
+    EXPECT_NEAR(scene.me().velocity.x, 2.0 + before, 0.1) << "it takes the raft's velocity along";
+}
+
+/// The cabin is one body. Nothing outside pushes it.
+TEST(Character, WhoPushesTheWallOfACabinFromWithinDoesNotMoveIt) {
+    Raft scene;
+    scene.level.bodies[2].shapes[0].grid =
+        gridOf({20, 12, 8}, [](glm::ivec3 c) { return uint8_t(c.y < 2 || c.x >= 18 || c.x < 2 ? 7 : 0); });
+    scene.load();
+    scene.walk(30);
+    scene.wish({2.0, 0.0, 0.0});
+    scene.walk(240);
+    EXPECT_NEAR(scene.me().velocity.x, 0.0, 1e-6) << "it leans on the wall";
+    EXPECT_NEAR(scene.raftSpeed(), 0.0, 0.01);
+}
+
+TEST(Character, ALightPlankOnAFloorStaysUnderWhoBeginsToRun) {
+    Walk scene({0.0, 0.11, 0.0});
+    scene.level.materials.materials[9].density = 250;
+    scene.addFloor();
+    scene.add(solidGrid({30, 1, 4}, 9), {-1.5, 0.0, -0.2}, false);
+    scene.load();
+    scene.walk(60);
+    const double before = scene.center(1).x;
+    const double way = scene.go({4.0, 0.0, 0.0}, 0.3).x;
+    EXPECT_NEAR(scene.center(1).x, before, 0.01);
+    EXPECT_GT(way, 0.2);
+}
+
 TEST(Character, IsTheSameAfterASave) {
     Walk scene({0.0, 3.0, 0.0});
     addRuin(scene, 3);

@@ -1,6 +1,7 @@
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
 #include "runtime/plugin/c_abi/rows.h"
+#include "runtime/world/objects/body_mass.h"
 #include "runtime/world/objects/object_errors.h"
 
 namespace rubble::abi {
@@ -42,11 +43,19 @@ TeleportCharacterEdit readTeleport(const World& world, const rubble_character_te
             readVector(given.position, "position"), readVelocity(given.velocity, "velocity")};
 }
 
-rubble_character_state characterState(CharacterHandle handle, const Character& character) {
+/// m/s, world: on a body, that against it and its own there.
+glm::dvec3 worldVelocity(const World& world, const Character& character) {
+    const Body* ground = character.grounded ? world.bodies().find(character.ground) : nullptr;
+    if (!ground || ground->isStatic) return character.velocity;
+    const glm::dvec3 center = ground->pose.transformPoint(bodyMass(world, character.ground).center);
+    return character.velocity + ground->velocity + glm::cross(ground->angularVelocity, character.position - center);
+}
+
+rubble_character_state characterState(const World& world, CharacterHandle handle, const Character& character) {
     rubble_character_state row = {};
     row.character = handle.bits;
     writeVector(row.position, character.position);
-    writeVector(row.velocity, character.velocity);
+    writeVector(row.velocity, worldVelocity(world, character));
     row.ground_body = character.ground.bits;
     row.flags = (character.grounded ? RUBBLE_CHARACTER_GROUNDED : 0) |
                 (character.crouched ? RUBBLE_CHARACTER_CROUCHED : 0) |
@@ -84,8 +93,9 @@ rubble_result getCharacterStates(rubble_world world, rubble_character_state* out
 }  // namespace
 
 void writeRows(const HostedWorld& hosted, RowWriter<rubble_character_state>& rows) {
-    hosted.loop.world().characters().forEach([&](CharacterHandle handle, const Character& character) {
-        rows.add([&] { return characterState(handle, character); });
+    const World& world = hosted.loop.world();
+    world.characters().forEach([&](CharacterHandle handle, const Character& character) {
+        rows.add([&] { return characterState(world, handle, character); });
     });
 }
 

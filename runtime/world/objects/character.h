@@ -30,7 +30,7 @@ struct Character {
     bool wantsCrouch = false;
     // Where it is
     glm::dvec3 position{0.0};  ///< of the feet, metres, world
-    glm::dvec3 velocity{0.0};  ///< m/s
+    glm::dvec3 velocity{0.0};  ///< m/s; while it is grounded, against what it stands on
     bool grounded = false;
     bool crouched = false;
     bool swimming = false;

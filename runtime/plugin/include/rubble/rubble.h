@@ -263,7 +263,9 @@ typedef struct rubble_break {
     rubble_shape shape; /* breaks this shape only; 0: all shapes */
 } rubble_break;
 
-/* Breaks what lies in a sphere and gives the bodies around it an impulse away from its centre. */
+/* Breaks what lies in a sphere and gives the bodies around it, up to 2.5 times size metres, an impulse away from its
+ * centre. What still stands between the centre and a body shelters it: of a large body the part that the centre sees
+ * counts. Nothing shelters from what breaks, and what stands within 0.4 times size metres shelters nothing. */
 typedef struct rubble_explosion {
     uint32_t struct_size;
     uint32_t reserved;
@@ -698,7 +700,7 @@ enum {
 typedef struct rubble_joint_settings {
     uint32_t struct_size;
     uint32_t kind;          /* RUBBLE_JOINT_BALL ... */
-    rubble_shape shapes[2]; /* 0: the world */
+    rubble_shape shapes[2]; /* 0: the world. Of two bodies; only a rope may have both ends on one */
     double position[3];     /* world; rope: its first end */
     double rotation[4];     /* world */
     double anchor_radius;   /* metres around the position in which each side looks for its voxel; 0: 0.2 */
@@ -1057,7 +1059,8 @@ typedef struct rubble_collision_shape {
     rubble_shape shape;
 } rubble_collision_shape;
 
-/* A volume of water: bodies in it float or sink, characters swim, fires go out. */
+/* A volume of water: bodies in it float or sink, characters swim, fires go out. Where waters overlap, one of them
+ * counts. */
 typedef struct rubble_water_settings {
     uint32_t struct_size;
     uint32_t outline_count; /* corners: 3 to 10000 */
@@ -1094,7 +1097,10 @@ typedef struct rubble_trigger_event {
     uint32_t reserved;
 } rubble_trigger_event;
 
-/* A character: an upright capsule that walks, jumps, climbs steps, crouches and swims. */
+/* A character: an upright capsule that walks, jumps, climbs steps, crouches and swims. A body that it walks on bears
+ * its weight and goes back under it as it gets faster, but does not feel its inertia otherwise, nor its jumps. It is no
+ * obstacle for bodies: it pushes them with max_push_force, is pushed aside, and what falls on it with more goes through
+ * it and leaves it on top. */
 typedef struct rubble_character_settings {
     uint32_t struct_size;
     uint32_t reserved;
@@ -1108,7 +1114,7 @@ typedef struct rubble_character_settings {
     double walk_speed;      /* m/s; 0: 4 */
     double jump_speed;      /* m/s upward; 0: 4.5 */
     double swim_speed;      /* m/s; 0: 2 */
-    double max_push_force;  /* N on bodies that it walks against; 0: 400 */
+    double max_push_force;  /* N on bodies that it walks against or on; 0: 400 */
 } rubble_character_settings;
 
 enum { RUBBLE_MOVE_JUMP = 1, RUBBLE_MOVE_CROUCH = 2 };
@@ -1137,7 +1143,7 @@ enum { RUBBLE_CHARACTER_GROUNDED = 1, RUBBLE_CHARACTER_CROUCHED = 2, RUBBLE_CHAR
 typedef struct rubble_character_state {
     rubble_character character;
     double position[3];      /* of the feet, world */
-    double velocity[3];      /* m/s */
+    double velocity[3];      /* m/s, world: with that of ground_body */
     rubble_body ground_body; /* the body that it stands on; 0: none */
     uint32_t flags;          /* RUBBLE_CHARACTER_... */
     uint32_t reserved;
@@ -1637,8 +1643,10 @@ typedef struct rubble_api {
     rubble_result (*set_undo_limit)(rubble_world world, uint32_t marks);
     /* [main-thread] Sets a mark to which undo() returns: the world as the last step left it. */
     rubble_result (*add_undo_mark)(rubble_world world);
-    /* [main-thread] Returns to the last mark, motion included. A second undo or redo for the same step is
-     * RUBBLE_ERROR_ARGUMENT. What impacts of the step before would break in this one is dropped. */
+    /* [main-thread] Returns to the last mark, motion included. If nothing but motion has come since the last undo, it
+     * returns to the mark before; else to the same mark again. Without such a mark the step logs a warning and undoes
+     * nothing. A second undo or redo for the same step is RUBBLE_ERROR_ARGUMENT. What impacts of the step before would
+     * break in this one is dropped. */
     rubble_result (*undo)(rubble_world world);
     /* [main-thread] Takes the last undo back, unless something has changed since, in the step of the undo too. */
     rubble_result (*redo)(rubble_world world);

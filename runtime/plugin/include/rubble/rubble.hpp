@@ -227,8 +227,10 @@ public:
     void add_undo_mark() {
         check(api().add_undo_mark(m_handle));
     }
-    /** Returns to the last mark, motion included. A second undo or redo for the same step is RUBBLE_ERROR_ARGUMENT.
-     * What impacts of the step before would break in this one is dropped. */
+    /** Returns to the last mark, motion included. If nothing but motion has come since the last undo, it returns to the
+     * mark before; else to the same mark again. Without such a mark the step logs a warning and undoes nothing. A
+     * second undo or redo for the same step is RUBBLE_ERROR_ARGUMENT. What impacts of the step before would break in
+     * this one is dropped. */
     void undo() {
         check(api().undo(m_handle));
     }
