@@ -60,7 +60,7 @@ TEST(VoxelContacts, HullAndVoxelsHaveTheSameExtent) {
             for (const glm::vec3& c : corners)
                 support = std::max(support, c.x * direction.x + c.y * direction.y + c.z * direction.z);
             ASSERT_EQ(part.hull().support(direction), support);
-            const glm::vec3 far = part.hull().supportPoint(direction);
+            const glm::vec3 far = part.hull().supportPoint(direction, support);
             ASSERT_EQ(far.x * direction.x + far.y * direction.y + far.z * direction.z, support);
         }
     }
