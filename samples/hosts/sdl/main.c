@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "samples/hosts/sdl/own_meshes.h"
+#include "samples/hosts/support/gl_state.h"
 #include "samples/hosts/support/report.h"
 #include "samples/hosts/support/yard.h"
 
