@@ -31,7 +31,7 @@ const std::vector<Library>& libraries() {
         {"a window or a GL context",
          {"GLFW/", "EGL/", "GL/osmesa", "X11/"},
          {"samples/support/", "samples/sandbox/window.cpp", "editor/"}},
-        {"SDL", {"SDL"}, {"samples/hosts/sdl/"}},
+        {"SDL", {"SDL"}, {"samples/hosts/sdl/", "samples/hosts/ogre/main.cpp"}},
         {"Ogre", {"Ogre"}, {"samples/hosts/ogre/"}},
         {"Lua", {"lua"}, {"runtime/script/"}},
         {"Dear ImGui", {"imgui"}, {"editor/"}},

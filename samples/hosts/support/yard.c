@@ -18,11 +18,15 @@ void yard_check(const struct yard* yard, rubble_result result, const char* what)
 
 void yard_open(struct yard* yard, const char* level, const rubble_host* host) {
     rubble_world_settings settings = {.struct_size = sizeof settings, .flags = RUBBLE_WORLD_WAIT_FOR_SHADOW};
-    memset(yard, 0, sizeof *yard);
-    yard->level = level;
     yard_check(yard, rubble_get_api(RUBBLE_VERSION, &yard->api), "rubble_get_api");
     CHECK(set_host(host));
     CHECK(create_world(&settings, &yard->world));
+    yard_enter(yard, level, yard->api, yard->world);
+}
+
+void yard_enter(struct yard* yard, const char* level, const rubble_api* api, rubble_world world) {
+    memset(yard, 0, sizeof *yard);
+    yard->api = api, yard->world = world, yard->level = level;
     yard_restart(yard);
 }
 

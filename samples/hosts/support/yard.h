@@ -32,6 +32,8 @@ struct yard {
 void yard_check(const struct yard* yard, rubble_result result, const char* what);
 /* Makes the world, loads the level and places the player. host: services as for set_host(). */
 void yard_open(struct yard* yard, const char* level, const rubble_host* host);
+/* The same in a world that the host has made. */
+void yard_enter(struct yard* yard, const char* level, const rubble_api* api, rubble_world world);
 /* Loads the level again. */
 void yard_restart(struct yard* yard);
 /* Says where the player walks: metres a second forward and to the right. */
