@@ -146,7 +146,6 @@ void BrickMeshes::follow() {
     rubble_events events = {.struct_size = sizeof events};
     if (!m_owner.check(m_owner.api().get_events(m_owner.world(), &events), "get_events")) return;
     std::vector<rubble_shape> changed;
-    std::swap(changed, m_later);
     if (events.level_loaded) {
         uint32_t count = 0;
         for (auto& [handle, shape] : m_shapes) drop(shape);

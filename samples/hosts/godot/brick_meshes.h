@@ -22,8 +22,6 @@ public:
     BrickMeshes& operator=(const BrickMeshes&) = delete;
     /// Brings the meshes up to date with the last step. Costs what has changed, and a look at each shape's place.
     void follow();
-    /// Updates a shape after the next step, as when its palette changes.
-    void updateLater(rubble_shape shape) { m_later.push_back(shape); }
 
 private:
     struct Brick {
@@ -42,7 +40,6 @@ private:
     const VoxelWorld& m_owner;
     Variant m_shaders[2], m_materials[2];  // opaque, transparent
     std::unordered_map<rubble_shape, Shape> m_shapes;
-    std::vector<rubble_shape> m_later;
     std::vector<rubble_shape_state> m_states;
     std::vector<rubble_mesh_vertex> m_vertices;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <set>
 
 #include "samples/hosts/godot/spatial_math.h"
 #include "samples/hosts/godot/voxel_world.h"
@@ -30,12 +31,20 @@ void GodotLights::forget() {
 
 void GodotLights::follow() {
     const int64_t count = kChildCount(m_owner.node()).as<int64_t>();
+    std::set<gd::Object*> present;
     for (int64_t i = 0; i < count; ++i) {
         gd::Object* const child = kChild(m_owner.node(), i).as<gd::Object*>();
         const std::string name = kGetClass(child).as<std::string>();
         if (name == "DirectionalLight") followSun(child);
-        if (name == "OmniLight" || name == "SpotLight") followLight(child, name == "SpotLight");
+        if (name != "OmniLight" && name != "SpotLight") continue;
+        followLight(child, name == "SpotLight");
+        present.insert(child);
     }
+    std::erase_if(m_lights, [&](const auto& entry) {
+        if (present.count(entry.first)) return false;
+        m_owner.check(m_owner.api().remove_light(m_owner.world(), entry.second.light), "OmniLight");
+        return true;
+    });
 }
 
 void GodotLights::followSun(gd::Object* light) {

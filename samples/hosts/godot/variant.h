@@ -81,7 +81,7 @@ public:
     gd::VariantBytes release();
 
 private:
-    gd::VariantBytes m_bytes;
+    gd::VariantBytes m_bytes{};
 };
 
 /// A method of a class of Godot, found when it is first called.

@@ -1,7 +1,7 @@
 #include "samples/hosts/godot/voxel_body.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "samples/hosts/godot/spatial_math.h"
 
@@ -47,21 +47,21 @@ void VoxelBody::spawn() {
     box.index = kEntry;
     if (!m_world->check(m_world->api().create_body(m_world->world(), &body, &m_body), "VoxelBody")) return;
     box.body = m_body;
-    m_world->check(m_world->api().create_shape(m_world->world(), &box, &m_unpainted), "VoxelBody");
+    rubble_shape shape = 0;
+    if (m_world->check(m_world->api().create_shape(m_world->world(), &box, &shape), "VoxelBody")) paint(shape);
 }
 
-void VoxelBody::paint(rubble_shape shape) {
-    rubble_palette_range range = {.struct_size = sizeof range, .shape = shape, .first = kEntry, .count = 1};
-    rubble_palette_entry entry = {};
+void VoxelBody::paint(rubble_shape shape) const {
+    const rubble_palette_range range = {.struct_size = sizeof range, .shape = shape, .first = kEntry, .count = 1};
+    rubble_palette_entry entry = {.roughness = 200, .reflectivity = 10};
     uint32_t index = 0;
     const rubble_api& api = m_world->api();
     if (!m_world->check(api.find_material(m_world->world(), material.c_str(), &index), "VoxelBody.material")) return;
     if (index == 0) printWarning("VoxelBody.material: expected a material of the world, found \"" + material + "\"");
-    if (!m_world->check(api.get_palette(m_world->world(), &range, &entry), "VoxelBody")) return;
-    for (size_t i = 0; i < 3; ++i) entry.color[i] = uint8_t(std::lround(255 * std::fmin(std::fmax(color[i], 0), 1)));
-    entry.opacity = uint8_t(std::lround(255 * std::fmin(std::fmax(color[3], 0.1f), 1)));
-    if (index) entry.material = uint8_t(index);
-    if (m_world->check(api.set_palette(m_world->world(), &range, &entry), "VoxelBody")) m_world->repaint(shape);
+    for (size_t i = 0; i < 3; ++i) entry.color[i] = uint8_t(std::lround(255 * std::clamp(color[i], 0.0f, 1.0f)));
+    entry.opacity = uint8_t(std::lround(255 * std::clamp(color[3], 0.1f, 1.0f)));
+    entry.material = uint8_t(index);
+    m_world->check(api.set_palette(m_world->world(), &range, &entry), "VoxelBody");
 }
 
 Variant VoxelBody::exitTree(Arguments) {
@@ -83,8 +83,6 @@ Variant VoxelBody::physicsProcess(Arguments) {
         return {};
     }
     if (!m_world->check(result, "VoxelBody")) return {};
-    if (m_unpainted) paint(m_unpainted);
-    m_unpainted = 0;
     if (!(state.flags & (RUBBLE_BODY_ASLEEP | RUBBLE_BODY_STATIC)))
         kSetTransform(m_node, toTransform(state.position, state.rotation));
     return {};

@@ -29,13 +29,12 @@ private:
     Variant exitTree(Arguments);
     Variant physicsProcess(Arguments);
     Variant applyImpulse(Arguments);
-    void paint(rubble_shape shape);
+    void paint(rubble_shape shape) const;
 
     gd::Object* m_node;
     VoxelWorld* m_world = nullptr;  // above it, while it is in the tree
     Transform m_start;
     rubble_body m_body = 0;
-    rubble_shape m_unpainted = 0;  // its palette can be read after the next step
 };
 
 }  // namespace rubble_godot

@@ -1,8 +1,5 @@
 #include "samples/hosts/godot/voxel_character.h"
 
-#include <cstring>
-#include <vector>
-
 #include "samples/hosts/godot/spatial_math.h"
 
 namespace rubble_godot {
@@ -56,17 +53,14 @@ Variant VoxelCharacter::move(Arguments arguments) {
 }
 
 Variant VoxelCharacter::physicsProcess(Arguments) {
-    uint32_t count = 0;
+    rubble_character_state state;
     if (!m_world || !m_character) return {};
-    std::vector<rubble_character_state> states(16);
-    m_world->api().get_character_states(m_world->world(), states.data(), uint32_t(states.size()), &count);
-    for (uint32_t i = 0; i < count && i < states.size(); ++i)
-        if (states[i].character == m_character) {
-            Transform place = kGetTransform(m_node).as<Transform>();
-            place.origin = toVec3(states[i].position);
-            kSetTransform(m_node, place);
-            m_grounded = states[i].flags & RUBBLE_CHARACTER_GROUNDED;
-        }
+    const rubble_result result = m_world->api().get_character_state(m_world->world(), m_character, &state);
+    if (!m_world->check(result, "VoxelCharacter")) return {};
+    Transform place = kGetTransform(m_node).as<Transform>();
+    place.origin = toVec3(state.position);
+    kSetTransform(m_node, place);
+    m_grounded = state.flags & RUBBLE_CHARACTER_GROUNDED;
     return {};
 }
 

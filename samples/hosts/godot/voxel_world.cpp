@@ -60,17 +60,17 @@ bool VoxelWorld::check(rubble_result result, const char* what) const {
     return false;
 }
 
-bool VoxelWorld::open() {
+void VoxelWorld::open() {
     uint32_t layers = 0;
-    if (!check(rubble_get_api(RUBBLE_VERSION, &m_api), "rubble_get_api")) return false;
+    if (!check(rubble_get_api(RUBBLE_VERSION, &m_api), "rubble_get_api")) return;
     const rubble_host host = hostServices();
-    if (!check(m_api->set_host(&host), "set_host") || !check(m_api->get_layers(&layers), "get_layers")) return false;
+    if (!check(m_api->set_host(&host), "set_host") || !check(m_api->get_layers(&layers), "get_layers")) return;
     rubble_world_settings settings = {.struct_size = sizeof settings};
     const bool moves = layers & RUBBLE_LAYER_PHYSICS, draws = !kHasFeature(singleton("OS"), "Server").as<bool>();
     const bool renders = draws && layers & RUBBLE_LAYER_RENDERER;
     settings.flags = (renders ? 0 : RUBBLE_WORLD_NO_RENDERER) | (moves ? 0 : RUBBLE_WORLD_HOST_PHYSICS) |
                      (waitForShadow ? RUBBLE_WORLD_WAIT_FOR_SHADOW : 0);
-    if (!check(m_api->create_world(&settings, &m_world), "create_world")) return false;
+    if (!check(m_api->create_world(&settings, &m_world), "create_world")) return;
     if (moves) {
         rubble_report_filter filter = {.struct_size = sizeof filter, .kinds = RUBBLE_REPORT_CONTACT_HIT};
         filter.min_impulse = 5.0, filter.min_hit_speed = 1.0;
@@ -82,7 +82,7 @@ bool VoxelWorld::open() {
         m_view = std::make_unique<WorldView>(*this);
     else if (draws)
         m_meshes = std::make_unique<BrickMeshes>(*this);
-    return loadLevel();
+    loadLevel();
 }
 
 void VoxelWorld::close() {
@@ -116,7 +116,7 @@ void VoxelWorld::remove(WorldChild& child) {
 Variant VoxelWorld::enterTree(Arguments) {
     if (kIsEditor(singleton("Engine")).as<bool>()) return {};
     g_worlds[m_node] = this;
-    if (!open()) return {};
+    open();
     if (m_view) kConnect(singleton("VisualServer"), "frame_pre_draw", m_node, "_draw_world");
     return {};
 }
@@ -155,22 +155,15 @@ Variant VoxelWorld::drawWorld(Arguments) {
 void VoxelWorld::reportBreaks() {
     rubble_events events = {.struct_size = sizeof events};
     if (!check(m_api->get_events(m_world, &events), "get_events")) return;
-    std::vector<rubble_shape_state> shapes(16);
     for (uint32_t i = 0; i < events.removed_count; ++i) m_removed += int64_t(events.removed[i].count);
+    m_pieces += events.split_count;
+    // Copies: what listens to a signal may load a level, and with it the events are gone.
+    const std::vector<rubble_shape_split> splits(events.splits, events.splits + events.split_count);
     const std::vector<rubble_dust_cloud> clouds(events.dust_clouds, events.dust_clouds + events.dust_cloud_count);
-    // A piece is told by its new body; its one shape says where it is and how large.
-    const std::vector<rubble_body> bodies(events.bodies_created, events.bodies_created + events.bodies_created_count);
-    const bool isNewLevel = events.level_loaded;
-    for (const rubble_body body : bodies) {
-        uint32_t count = 0;
-        if (isNewLevel || m_api->get_shape_states(m_world, body, shapes.data(), 16, &count) != RUBBLE_OK) continue;
-        rubble_shape_properties properties = {.struct_size = sizeof properties};
-        for (uint32_t i = 0; i < count; ++i)
-            if (m_api->get_shape_properties(m_world, shapes[i].shape, &properties) == RUBBLE_OK &&
-                properties.is_piece) {
-                ++m_pieces;
-                kEmitSignal(m_node, "piece_made", body, toVec3(shapes[i].position), shapes[i].voxel_count);
-            }
+    for (const rubble_shape_split& split : splits) {
+        rubble_shape_state piece = {};
+        m_api->get_shape_state(m_world, split.piece, &piece);  // zeros of one that is gone already
+        kEmitSignal(m_node, "piece_made", piece.body, toVec3(piece.position), piece.voxel_count);
     }
     for (const rubble_dust_cloud& cloud : clouds)
         kEmitSignal(m_node, "broken", toVec3(cloud.position), cloud.radius, cloud.count);

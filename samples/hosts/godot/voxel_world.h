@@ -44,10 +44,6 @@ public:
     void add(WorldChild& child);
     /// Forgets it.
     void remove(WorldChild& child);
-    /// Says that the colours of a shape change with the next step.
-    void repaint(rubble_shape shape) {
-        if (m_meshes) m_meshes->updateLater(shape);
-    }
     /// Prints the last error, unless a call came out; returns whether it did.
     bool check(rubble_result result, const char* what) const;
 
@@ -76,7 +72,7 @@ private:
     Variant layers(Arguments);
     Variant reload(Arguments);
 
-    bool open();
+    void open();
     void close();
     bool loadLevel();
     void reportBreaks();

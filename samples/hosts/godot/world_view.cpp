@@ -47,7 +47,6 @@ WorldView::~WorldView() {
     gd::Object* const server = singleton("VisualServer");
     if (m_renderer) m_owner.check(m_owner.api().destroy_renderer(m_renderer), "destroy_renderer");
     m_target.reset();
-    if (m_size[0] == 0) return;
     for (const Variant* rid : {&m_instance, &m_mesh, &m_material, &m_shader, &m_colors, &m_depths})
         if (rid->ridKey()) kFree(server, *rid);
 }

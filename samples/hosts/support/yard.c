@@ -99,12 +99,12 @@ void yard_play_script(struct yard* yard) {
 void yard_step(struct yard* yard) {
     rubble_events events = {.struct_size = sizeof events};
     rubble_character_state player;
-    uint32_t count, i;
+    uint32_t i;
     CHECK(step(yard->world));
     CHECK(get_events(yard->world, &events));
     yard->pieces += events.split_count;
     for (i = 0; i < events.removed_count; ++i) yard->removed += events.removed[i].count;
-    CHECK(get_character_states(yard->world, &player, 1, &count));
+    CHECK(get_character_state(yard->world, yard->player, &player));
     yard->position[0] = player.position[0];
     yard->position[1] = player.position[1] + 1.6;
     yard->position[2] = player.position[2];
