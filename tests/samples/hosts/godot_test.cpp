@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "generated/paths.h"
@@ -89,6 +92,58 @@ TEST(HostGodot, AServerPlaysBothKindsOfWorlds) {
     for (const char* scene : {"yard", "yard_meshes"})
         expectSignals(runHost(environment(folder, 301) + "godot3-server --path " + kProject + " --fixed-fps 60 res://" +
                               scene + ".tscn"));
+}
+
+/// The script of docs/guide/godot.md.
+std::string scriptOfThePage() {
+    std::ifstream page(RUBBLE_SOURCE_DIR "/docs/guide/godot.md");
+    const std::string text(std::istreambuf_iterator<char>(page), {});
+    const std::string begin = "```gdscript\n";
+    const size_t at = text.find(begin);
+    return at == std::string::npos ? "" : text.substr(at + begin.size(), text.find("```", at + 3) - at - begin.size());
+}
+
+const char kPageScene[] = R"([gd_scene load_steps=4 format=2]
+[ext_resource path="res://page.gd" type="Script" id=1]
+[ext_resource path="res://addons/rubble/voxel_world.gdns" type="Script" id=2]
+[ext_resource path="res://click.gd" type="Script" id=3]
+[node name="Game" type="Spatial"]
+script = ExtResource( 1 )
+[node name="VoxelWorld" type="Spatial" parent="."]
+script = ExtResource( 2 )
+level = "res://yard.vox"
+[node name="Camera" type="Camera" parent="."]
+transform = Transform( 1, 0, 0, 0, 1, 0, 0, 0, 1, -1, 1, 4 )
+current = true
+[node name="Click" type="Node" parent="."]
+script = ExtResource( 3 )
+)";
+
+const char kClickScript[] = R"(extends Node
+var steps = 0
+func _physics_process(_delta):
+	steps += 1
+	if steps == 5:
+		var click = InputEventMouseButton.new()
+		click.pressed = true
+		get_parent()._unhandled_input(click)
+	if steps == 30:
+		get_tree().quit()
+)";
+
+TEST(HostGodot, TheScriptOfThePageBreaksAndListens) {
+    if (const std::string why = missing(); !why.empty()) GTEST_SKIP() << why;
+    const std::filesystem::path folder = hostFolder("godot_page");
+    std::filesystem::create_directory_symlink(std::string(kProject) + "/addons", folder / "addons");
+    std::filesystem::copy(std::string(kProject) + "/yard.vox", folder / "yard.vox");
+    std::ofstream(folder / "project.godot") << "config_version=4\n[application]\nrun/main_scene=\"res://page.tscn\"\n";
+    std::ofstream(folder / "page.gd") << scriptOfThePage();
+    std::ofstream(folder / "page.tscn") << kPageScene;
+    std::ofstream(folder / "click.gd") << kClickScript;
+    const HostRun run =
+        runHost("HOME=" + folder.string() + " godot3-server --path " + folder.string() + " --fixed-fps 60");
+    EXPECT_NE(run.output.find("a piece of "), std::string::npos) << run.output;
+    EXPECT_EQ(run.output.find("SCRIPT ERROR"), std::string::npos) << run.output;
 }
 
 TEST(HostGodot, TheInspectorShowsPropertiesAndSignals) {
