@@ -106,6 +106,12 @@ EXAMPLE(get_shape_states) {
     require(count == 1 && rows[0].shape == crate_box && rows[0].voxel_count == 512, "8 x 8 x 8 voxels");
 }
 
+EXAMPLE(get_shape_state) {
+    rubble_shape_state state;
+    OK(api->get_shape_state(world, crate_box, &state)); /* such as a piece that get_events() has named */
+    require(state.body == crate && state.voxel_count == 512, "where it is, and on which body");
+}
+
 EXAMPLE(read_rows) {
     rubble_row_list list = {.struct_size = sizeof list, .kind = RUBBLE_ROWS_BODIES};
     rubble_body_state rows[64];

@@ -42,6 +42,16 @@ EXAMPLE(add_character) {
     OK(api->remove_character(world, state.character));
 }
 
+EXAMPLE(get_character_state) {
+    rubble_character_settings settings = {.struct_size = sizeof settings, .position = {3, 0, -3}};
+    rubble_character_state state;
+    rubble_character walker;
+    OK(api->create_character(world, &settings, &walker));
+    steps(2);
+    OK(api->get_character_state(world, walker, &state));
+    require(state.character == walker && state.flags & RUBBLE_CHARACTER_GROUNDED, "it stands on the floor");
+}
+
 EXAMPLE(move_character) {
     rubble_character_settings settings = {.struct_size = sizeof settings, .position = {3, 0, -3}};
     rubble_character_move walk = {.struct_size = sizeof walk, .desired_velocity = {0, 0, 4}};

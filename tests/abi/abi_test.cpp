@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "tests/abi/abi_fixture.h"
@@ -37,6 +38,11 @@ TEST_F(Abi, AnExplosionIsReportedInTheEvents) {
     uint32_t count = 0;
     ASSERT_EQ(api()->get_shape_states(m_world, piece, nullptr, 0, &count), RUBBLE_OK);
     EXPECT_EQ(count, after.shape_count);
+    rubble_shape_state listed = {}, alone = {};
+    ASSERT_EQ(api()->get_shape_states(m_world, piece, &listed, 1, &count), RUBBLE_OK);
+    ASSERT_EQ(api()->get_shape_state(m_world, listed.shape, &alone), RUBBLE_OK);
+    EXPECT_EQ(std::memcmp(&listed, &alone, sizeof listed), 0) << "one shape is read as in the list";
+    expectRefused(api()->get_shape_state(m_world, piece, &alone), RUBBLE_ERROR_STALE, "type");
 }
 
 TEST_F(Abi, EveryRemovedVoxelIsInADustCloud) {

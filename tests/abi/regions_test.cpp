@@ -73,6 +73,11 @@ TEST_F(Abi, ACharacterWalksIntoWaterInATrigger) {
     ASSERT_EQ(api()->get_character_states(m_world, &state, 1, &count), RUBBLE_OK);
     EXPECT_GT(state.position[0], 1.7);
     EXPECT_TRUE(state.flags & RUBBLE_CHARACTER_SWIMMING);
+    rubble_character_state alone = {};
+    ASSERT_EQ(api()->get_character_state(m_world, state.character, &alone), RUBBLE_OK);
+    EXPECT_EQ(alone.position[0], state.position[0]);
+    EXPECT_EQ(alone.flags, state.flags);
+    expectRefused(api()->get_character_state(m_world, 0, &alone), RUBBLE_ERROR_STALE, "character");
 
     const rubble_explosion explosion = tableExplosion();  // pieces of the table move inside the trigger
     ASSERT_EQ(api()->explode(m_world, &explosion), RUBBLE_OK);

@@ -27,10 +27,12 @@ const std::vector<Library>& libraries() {
         {"OpenVDB",
          {"openvdb/", "nanovdb/", "tbb/", "OpenEXR/", "Imath/"},
          {"runtime/assets/vdb/", "tests/runtime/assets/vdb/", "tests/fuzz/vdb/", "tests/benchmark/openvdb/"}},
-        {"OpenGL", {"GL/", "GLES", "glad/", "KHR/"}, {"render/", "samples/support/", "tests/"}},
+        {"OpenGL", {"GL/", "GLES", "glad/", "KHR/"}, {"render/", "samples/support/", "samples/hosts/", "tests/"}},
         {"a window or a GL context",
          {"GLFW/", "EGL/", "GL/osmesa", "X11/"},
          {"samples/support/", "samples/sandbox/window.cpp", "editor/"}},
+        {"SDL", {"SDL"}, {"samples/hosts/sdl/", "samples/hosts/ogre/main.cpp"}},
+        {"Ogre", {"Ogre"}, {"samples/hosts/ogre/"}},
         {"Lua", {"lua"}, {"runtime/script/"}},
         {"Dear ImGui", {"imgui"}, {"editor/"}},
     };

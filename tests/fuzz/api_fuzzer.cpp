@@ -121,6 +121,10 @@ void RandomHost::callRows() {
     api().translate_handle(m_world, any(shapes()), &here);
     rubble_body_state body = {};
     api().get_body_state(m_world, any(bodies()), &body);
+    rubble_shape_state shape = {};
+    api().get_shape_state(m_world, any(shapes()), &shape);
+    rubble_character_state character = {};
+    api().get_character_state(m_world, any(characters()), &character);
     rubble_hit hit = {};
     double from[3], along[3];
     place(from), fill(along, 1.0);

@@ -89,6 +89,13 @@ rubble_result teleportCharacter(rubble_world world, const rubble_character_telep
 rubble_result getCharacterStates(rubble_world world, rubble_character_state* out, uint32_t capacity, uint32_t* count) {
     return listRows("get_character_states", world, out, capacity, count);
 }
+rubble_result getCharacterState(rubble_world world, rubble_character character, rubble_character_state* out) {
+    return inWorld("get_character_state", world, [&](const HostedWorld& hosted) {
+        const Character* found =
+            findLive<HandleType::Character>(hosted.loop.world().characters(), character, "character");
+        if (found && isGiven(out, "out")) *out = characterState(CharacterHandle{character}, *found);
+    });
+}
 
 }  // namespace
 
@@ -106,6 +113,7 @@ void setCharacterFunctions(rubble_api& api) {
     api.move_character = moveCharacter;
     api.teleport_character = teleportCharacter;
     api.get_character_states = getCharacterStates;
+    api.get_character_state = getCharacterState;
 }
 
 }  // namespace rubble::abi

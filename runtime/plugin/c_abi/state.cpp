@@ -57,6 +57,14 @@ rubble_result getShapeStates(rubble_world world, rubble_body body, rubble_shape_
         [&](const HostedWorld& hosted, RowWriter<rubble_shape_state>& rows) { writeRows(hosted, rows, body); });
 }
 
+rubble_result getShapeState(rubble_world world, rubble_shape shape, rubble_shape_state* out) {
+    return inWorld("get_shape_state", world, [&](const HostedWorld& hosted) {
+        const World& inside = hosted.loop.world();
+        const Shape* found = findLive<HandleType::Shape>(inside.shapes(), shape, "shape");
+        if (found && isGiven(out, "out")) *out = shapeState(inside, ShapeHandle{shape}, *found);
+    });
+}
+
 rubble_result getVoxelAccounting(rubble_world world, rubble_voxel_accounting* out) {
     return inWorld("get_voxel_accounting", world, [&](const HostedWorld& hosted) {
         const VoxelAccounting all = voxelAccounting(hosted.loop.world());
@@ -119,6 +127,7 @@ void setStateFunctions(rubble_api& api) {
     api.get_body_states = getBodyStates;
     api.get_body_state = getBodyState;
     api.get_shape_states = getShapeStates;
+    api.get_shape_state = getShapeState;
     api.get_voxel_accounting = getVoxelAccounting;
     api.get_state_hash = getStateHash;
     api.get_step_stats = getStepStats;

@@ -2123,6 +2123,13 @@ typedef struct rubble_api {
 
     /* [main-thread] The points of all ropes, one rope after the other, for hosts that draw them. */
     rubble_result (*get_ropes)(rubble_world world, rubble_rope_point* out, uint32_t capacity, uint32_t* count);
+
+    /* ---- one object by its handle ---- */
+
+    /* [main-thread] One shape: where a piece is that get_events() has named. */
+    rubble_result (*get_shape_state)(rubble_world world, rubble_shape shape, rubble_shape_state* out);
+    /* [main-thread] One character. */
+    rubble_result (*get_character_state)(rubble_world world, rubble_character character, rubble_character_state* out);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

@@ -995,6 +995,18 @@ public:
             return api().get_ropes(m_handle, out, capacity, count);
         });
     }
+    /** One shape: where a piece is that get_events() has named. */
+    rubble_shape_state get_shape_state(rubble_shape shape) const {
+        rubble_shape_state out{};
+        check(api().get_shape_state(m_handle, shape, &out));
+        return out;
+    }
+    /** One character. */
+    rubble_character_state get_character_state(rubble_character character) const {
+        rubble_character_state out{};
+        check(api().get_character_state(m_handle, character, &out));
+        return out;
+    }
 private:
     void release() noexcept {
         if (m_handle) api().destroy_world(std::exchange(m_handle, 0));
