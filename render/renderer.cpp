@@ -245,7 +245,7 @@ void Renderer::Impl::drawImage(const FrameContext& frame) {
     if (!scene.particles().empty())
         run("particles", Depth | DepthBuffer, Radiance, [&] { drawLazily(particles, frame, stepAlpha); });
     if (settings.glare && LocalLightsPass::needed(frame) && !lightGrid->empty())
-        run("glare", {}, Radiance, [&] { drawLazily(glare, frame); });
+        run("glare", Depth, Radiance, [&] { drawLazily(glare, frame); });
     run("taa", Radiance | Motion | Surface | GlassSurface | HistoryConfidence | kLightHistory | previous(Resolved),
         Resolved, [&] { taa.draw(frame); });
     if (settings.bloom > 0.0f)
