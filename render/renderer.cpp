@@ -436,6 +436,10 @@ Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader, const std::s
     return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
 }
 
+bool Renderer::hasContext() {
+    return glGetString(GL_VERSION);
+}
+
 Renderer::Renderer(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 Renderer::~Renderer() = default;
 
