@@ -245,7 +245,7 @@ void Renderer::Impl::drawImage(const FrameContext& frame) {
     if (!scene.particles().empty())
         run("particles", Depth | DepthBuffer, Radiance, [&] { drawLazily(particles, frame, stepAlpha); });
     if (settings.glare && LocalLightsPass::needed(frame) && !lightGrid->empty())
-        run("glare", {}, Radiance, [&] { drawLazily(glare, frame); });
+        run("glare", Depth, Radiance, [&] { drawLazily(glare, frame); });
     run("taa", Radiance | Motion | Surface | GlassSurface | HistoryConfidence | kLightHistory | previous(Resolved),
         Resolved, [&] { taa.draw(frame); });
     if (settings.bloom > 0.0f)
@@ -434,6 +434,10 @@ Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader, const std::s
     if (!impl->shaders.errors().empty()) return Error{impl->shaders.errors().front()};
     if (settings.compileAhead) impl->compileAhead();
     return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
+}
+
+bool Renderer::hasContext() {
+    return glGetString(GL_VERSION);
 }
 
 Renderer::Renderer(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}

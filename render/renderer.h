@@ -27,6 +27,9 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
+    /// Whether a GL context is current on the calling thread. There must have been a renderer.
+    static bool hasContext();
+
     /// Brings the GPU's copy of the world up to date. Changes over the upload budget wait for later frames.
     void apply(FrameSnapshot&& snapshot);
     /// Draws a frame. alpha: 0 to 1 between the previous and the current poses. A view of no size draws nothing. Where

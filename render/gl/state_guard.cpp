@@ -134,6 +134,7 @@ void setForDrawing(const GlUse& use) {
 
 GlState GlState::current(const GlUse& use) {
     GlState state;
+    state.transformFeedback = TransformFeedback::current();
     askRasterizer(state);
     askBindings(state);
     if (use.images) askImages(state);
@@ -162,6 +163,7 @@ void GlState::set() const {
     glBindVertexArray(GLuint(vertexArray));
     glBindBuffer(GL_ARRAY_BUFFER, GLuint(arrayBuffer));
     glUseProgram(GLuint(program));
+    transformFeedback.resume();
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(drawFramebuffer));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(readFramebuffer));
 }
@@ -170,6 +172,7 @@ GlStateGuard::GlStateGuard(HostState host, const GlUse& use) {
     if (host == HostState::Restored) m_after = GlState::current(use);
     if (host == HostState::Reset && use.images) m_after.images.emplace();
     m_after.unitCount = use.units;
+    m_after.transformFeedback.pause();
     setForDrawing(use);
 }
 

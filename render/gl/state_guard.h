@@ -5,6 +5,7 @@
 #include "render/gl/compatibility_state.h"
 #include "render/gl/draw_state.h"
 #include "render/gl/host_state.h"
+#include "render/gl/transform_feedback.h"
 
 namespace rubble {
 
@@ -20,8 +21,8 @@ struct ImageBinding {
     GLint name = 0, level = 0, layered = 0, layer = 0, access = GL_READ_ONLY, format = GL_R8;
 };
 
-/// The part of the GL's state that the renderer changes. Not what is on while a host draws: transform feedback,
-/// conditional rendering and queries must have ended.
+/// The part of the GL's state that the renderer changes. Not what is on while a host draws: conditional rendering and
+/// queries must have ended.
 struct GlState {
     static constexpr GLuint kTargets = 6;  ///< targets that passes draw into at once
     static constexpr GLuint kImages = 2;   ///< units that compute programs store into
@@ -64,7 +65,8 @@ struct GlState {
     int unitCount = kTextureUnits;  ///< of `units`, from the first on; the others are left as they are
     std::optional<std::array<ImageBinding, kImages>> images;  ///< none: they are left as they are
 
-    CompatibilityState compatibility;  ///< of a compatibility profile
+    CompatibilityState compatibility;     ///< of a compatibility profile
+    TransformFeedback transformFeedback;  ///< paused meanwhile
 
     /// That of a new context.
     GlState() { colorMasks.fill({GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE}); }

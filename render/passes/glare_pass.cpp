@@ -15,6 +15,7 @@ void GlarePass::draw(const FrameContext& frame) const {
     m_program.use();
     frame.scene.bindShadow(m_program);
     LightGrid::bind(m_program, frame.lightGrid);
+    m_program.set("uDepth", frame.targets.at(Target::Depth));
     setBlend({GL_ONE, GL_ONE, GL_ONE, GL_ONE});
     glBindVertexArray(frame.emptyVertexArray.get());
     glDrawArraysInstanced(GL_TRIANGLES, 0, 6, frame.lightGrid->lights());

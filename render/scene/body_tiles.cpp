@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <string>
 #include <utility>
 
 #include "render/frame/frame_block.h"
+#include "render/frame/shader_constants.h"
 #include "runtime/core/log.h"
 
 namespace rubble {
@@ -25,6 +27,14 @@ struct SidePlane {
     float heightOf(glm::vec3 fromCamera) const { return glm::dot(fromCamera, normal) + camera; }
 };
 
+/// Whether a body's box holds a point, or nearly so.
+bool holds(const Bodies::Instance& body, glm::vec3 point) {
+    const glm::vec3 local = glm::conjugate(body.rotation) * (point - body.position);
+    const glm::vec3 low = glm::vec3(body.low) * body.voxelSize, high = glm::vec3(body.high) * body.voxelSize;
+    return glm::all(glm::greaterThan(local, low - shared::kNearestSurface)) &&
+           glm::all(glm::lessThan(local, high + shared::kNearestSurface));
+}
+
 /// The planes of the view frustum beside the camera: left, right, bottom, top.
 std::array<SidePlane, 4> sidePlanes(const FrameBlock& b) {
     const glm::vec3 forward(b.cameraForward), right(b.cameraRight), up(b.cameraUp), middle(b.viewMiddle);
@@ -41,7 +51,7 @@ std::array<SidePlane, 4> sidePlanes(const FrameBlock& b) {
 struct ScreenBox {
     std::array<std::pair<glm::vec2, glm::vec2>, 12> edges;
     int count = 0;
-    bool cut = false;  ///< by the near plane: its outline has parts that are not among the edges
+    bool cut = false;  ///< at the camera: its outline has parts that are not among the edges
 
     void add(glm::vec4 a, glm::vec4 b, float near, glm::vec2 halfSize) {
         if (a.w < near && b.w < near) return void(cut = true);
@@ -224,16 +234,17 @@ void BodyTiles::cover(const Bodies::Instance& body, const FrameBlock& block) {
     ScreenBox box;
     for (int i = 0; i < 8; ++i)
         for (int axis = 1; axis <= 4; axis *= 2)
-            if (!(i & axis))
-                box.add(corners[size_t(i)], corners[size_t(i | axis)], block.cameraPosition.w * 0.5f, halfSize);
+            if (!(i & axis)) box.add(corners[size_t(i)], corners[size_t(i | axis)], shared::kNearestSurface, halfSize);
     glm::vec2 low(1e30f), high(-1e30f);
     for (int i = 0; i < box.count; ++i) {
         const auto& [a, b] = box.edges[size_t(i)];
         low = glm::min(low, glm::min(a, b));
         high = glm::max(high, glm::max(a, b));
     }
-    if (box.count == 0)
-        low = glm::vec2(0.0f), high = halfSize * 2.0f;  // the box holds the camera and the whole near plane
+    if (!block.isOrthographic() && holds(body, block.cameraPosition)) {
+        box.cut = true;
+        low = glm::vec2(0.0f), high = halfSize * 2.0f;
+    }
     const auto tileOf = [&](float pixel, int size) {
         return int(std::clamp(pixel, 0.0f, float(size) - 1.0f)) >> m_tileShift;
     };

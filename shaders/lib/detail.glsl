@@ -16,7 +16,7 @@ const float kMinDetailPixels = 1.2;
 
 Detail detailAt(uint map, ivec3 cell, vec3 face, float voxelPixels) {
     Detail detail = Detail(1.0, 1.0, vec2(0.0));
-    if (!uDetail || map == 0u) return detail;
+    if (!uDetail || map == 0u || face == vec3(0.0)) return detail;
     vec3 axis = abs(face);
     ivec2 texelPosition = axis.x > 0.5 ? cell.zy : axis.y > 0.5 ? cell.xz : cell.xy;
     texelPosition += ivec2(axis.yz) * ivec2(11, 17);  // each face of a voxel reads another texel

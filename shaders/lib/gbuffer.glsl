@@ -1,6 +1,7 @@
 // What the G-buffer holds and how to read it. Targets (made by render/passes/gbuffer_pass.h):
 //   albedo        RGBA8    rgb sRGB colour; a palette index / 255 (0 = sky)
-//   normal        RGBA16F  xyz world normal, unit length; w emission: a multiple of the linear colour
+//   normal        RGBA16F  xyz world normal, unit length, or 0 where the pixel's ray begins inside the voxel; w emission:
+//                          a multiple of the linear colour
 //   material      RGBA8    r roughness, g metallic, b reflectivity: reflectance at normal incidence; a tilt of the face
 //                          as decodeTilt() reads it, or 1 less that value if the body moves
 //   motion        RG16F    uv of the point now minus its uv in the previous frame, both without jitter
@@ -20,6 +21,7 @@ uniform sampler2D uDepth;
 
 struct Surface {
     bool sky;
+    bool lit;        // false: the sky, or the inside of a voxel, which no light reaches
     float depth;     // metres along the view axis
     vec3 albedo;     // linear
     vec3 normal;     // world
@@ -41,6 +43,7 @@ Surface readSurface(ivec2 pixel) {
     s.albedo = srgbToLinear(texelFetch(uAlbedo, pixel, 0).rgb);
     vec4 normal = texelFetch(uNormal, pixel, 0);
     s.normal = normal.xyz;
+    s.lit = !s.sky && s.normal != vec3(0.0);
     s.emission = normal.w;
     vec4 material = texelFetch(uMaterial, pixel, 0);
     s.roughness = material.r;

@@ -19,7 +19,7 @@ Mirror mirrorAt(ivec2 pixel, vec2 uv) {
     bool isPane = pane.w > 0.0;
     m.normal = isPane ? normalize(pane.xyz) : s.normal;
     m.roughness = isPane ? 0.0 : s.roughness;
-    f0 = isPane ? kPaneReflectance : s.sky ? 0.0 : f0;
+    f0 = isPane ? kPaneReflectance : s.lit ? f0 : 0.0;
     m.position = worldFromDepth(uv, isPane ? pane.w : s.depth);
     m.view = toEye(m.position);
     m.share = f0 <= 0.0 ? 0.0 : (1.0 - smoothstep(0.35, 0.6, m.roughness)) * fresnel(vec3(f0), dot(m.normal, m.view)).x;

@@ -1,6 +1,6 @@
 // The target "surface": what temporal accumulation remembers of each pixel, and what the filters compare.
 //   x linear depth (kSkyDepth: sky)
-//   y normal, packed by packNormal() (-1: sky)
+//   y normal, packed by packNormal() (-1: sky, or the inside of a voxel)
 //   z frames accumulated, a whole number, plus the mean hit proximity (passes/sky.frag), a fraction below 1
 //   w mean squared luminance of the light (-1: the surface emits)
 // Needs lib/frame.
@@ -13,8 +13,9 @@ float depthTolerance(vec3 position, vec3 normal, float depth) {
 
 /// A unit vector as a whole number below 2^24, which a float holds exactly: octahedral, 12 bits an axis. The sphere is
 /// projected onto the octahedron |x| + |y| + |z| = 1 and its lower half is folded over the square's corners (Meyer et
-/// al. 2010; Cigolle et al. 2014, "A survey of efficient representations for independent unit vectors").
+/// al. 2010; Cigolle et al. 2014, "A survey of efficient representations for independent unit vectors"). -1: no normal.
 float packNormal(vec3 n) {
+    if (n == vec3(0.0)) return -1.0;
     vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));
     if (n.z < 0.0) p = (1.0 - abs(p.yx)) * vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
     vec2 q = floor((p * 0.5 + 0.5) * 4095.0 + 0.5);

@@ -2,7 +2,8 @@
 //   L = diffuse albedo (light + sun / pi) (1 - F) + sun highlight + F mirrored + lights' highlights + emission
 // with F = Fresnel's reflectance for light from all around. `mirrored` is what a mirror ray brought, or on rough
 // surfaces the mean radiance around (without the local lights, which have highlights of their own). The haze between
-// camera and surface comes last.
+// camera and surface comes last. The inside of a voxel, which no light reaches, is seen in its dim colour, so that a
+// camera in a wall shows what it is in, the same in every frame.
 #include "lib/constants.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
@@ -30,6 +31,8 @@ const float kMaxSunHighlight = 30.0;  // radiance
 in vec2 uv;
 layout(location = 0) out vec4 radiance;
 layout(location = 1) out vec4 diffuseFraction;  // x: the share of it that goes to all sides alike, for lib/bounce.glsl
+
+const float kInsideLight = 0.12;  // inside a voxel: mean radiance at exposure 1
 
 /// The normal of a face with detail: lib/detail.glsl.
 vec3 perturbedNormal(vec3 normal, vec2 tilt) {
@@ -99,7 +102,8 @@ void main() {
     Surface s = readSurface(pixel);
     vec3 ray = viewRay(uv);
     vec3 direction = normalize(ray);
-    vec3 viewIndependent, color = surfaceRadiance(s, -direction, pixel, viewIndependent);
+    vec3 viewIndependent = s.albedo * (kInsideLight / max(frame.exposure.x, 1e-3) + s.emission), color = viewIndependent;
+    if (s.lit) color = surfaceRadiance(s, -direction, pixel, viewIndependent);
     diffuseFraction = vec4(clamp(luminance(viewIndependent) / max(luminance(color), 1e-4), 0.0, 1.0));
     color = mix(color, hazeRadiance(direction), hazeAmount(length(ray) * s.depth));
     radiance = vec4(halfRange(color), 1.0);

@@ -1,5 +1,6 @@
 // Primary visibility: walks the ray of a pixel through the bodies of its tile, nearest first, and writes the surface
-// that it meets. Targets: lib/gbuffer.glsl.
+// that it meets. A surface at the very eye counts as a millimetre away: there is no direction to it. Targets:
+// lib/gbuffer.glsl.
 #include "lib/constants.glsl"
 #include "lib/frame.glsl"
 #include "lib/voxel_walk.glsl"
@@ -48,21 +49,21 @@ void main() {
 
     InstanceTransform place = readTransform(nearestView.instance);
     Entry entry = readEntry(nearestView.shape.palette, best.index);
-    vec3 normal = best.normal == vec3(0.0) ? -normalize(nearestView.ray) : best.normal;
-    vec3 pointBody = (nearestView.camera + nearestView.ray * best.t) * place.voxelSize;
-    vec3 world = worldFromDepth(gl_FragCoord.xy * frame.targetSize.zw, best.t);
+    float depth = max(best.t, kNearestSurface);
+    vec3 pointBody = (nearestView.camera + nearestView.ray * depth) * place.voxelSize;
+    vec3 world = worldFromDepth(gl_FragCoord.xy * frame.targetSize.zw, depth);
     vec3 lastWorld = place.moved > 0.0 ? place.lastPosition + rotate(place.lastRotation, pointBody) : world;
 
-    float voxelPixels = place.voxelSize / pixelMetres(max(best.t, 1e-3));
+    float voxelPixels = place.voxelSize / pixelMetres(depth);
     Detail detail = detailAt(entry.detail, best.cell, best.normal, voxelPixels);
     vec3 color =
         paintedColor(nearestView.instance, nearestView.shape, best.slot, best.cell, entry.color) * detail.color;
     outAlbedo = vec4(color, float(best.index) / 255.0);
-    outNormal = vec4(rotate(place.rotation, normal), halfRange(entry.emission));
+    outNormal = vec4(rotate(place.rotation, best.normal), halfRange(entry.emission));
     outMaterial = vec4(entry.roughness * detail.roughness, entry.metallic, entry.reflectivity,
                        abs(place.moved - encodeTilt(detail.tilt) / 255.0));
     outMotion =
         gl_FragCoord.xy * frame.targetSize.zw + frame.jitter.xy - screenUv(frame.previousViewProjection, lastWorld);
-    outDepth = best.t;
-    gl_FragDepth = clamp(depthBufferValue(max(best.t, frame.cameraPosition.w)), 0.0, 1.0);
+    outDepth = depth;
+    gl_FragDepth = clamp(depthBufferValue(max(depth, frame.cameraPosition.w)), 0.0, 1.0);
 }

@@ -5,6 +5,8 @@
 #include "lib/shadow_trace.glsl"
 #include "lib/local_lights.glsl"
 
+uniform sampler2D uDepth;  // linear
+
 out vec2 corner;
 flat out vec3 glare;  // radiance at its centre
 
@@ -29,6 +31,12 @@ float visibilityOf(LocalLight light, vec3 eye) {
     return open / float(kRays);
 }
 
+/// Whether the ray toward a light begins inside a voxel.
+bool beginsInVoxel(vec4 clip) {
+    vec2 place = clamp(clip.xy / max(clip.w, 1e-4) * 0.5 + 0.5, 0.0, 0.9999);
+    return texelFetch(uDepth, ivec2(place * frame.targetSize.xy), 0).r <= kNearestSurface;
+}
+
 void main() {
     const vec2 kCorners[6] = vec2[6](vec2(-1, -1), vec2(1, -1), vec2(1, 1), vec2(-1, -1), vec2(1, 1), vec2(-1, 1));
     corner = kCorners[gl_VertexID];
@@ -40,6 +48,7 @@ void main() {
     float seen = light.kind >= kArea || range < 0.3
                      ? 0.0
                      : 0.12 + 0.88 * coneAttenuation(light, -dot(toLight, light.axis) / range);
+    if (beginsInVoxel(clip)) seen = 0.0;
     if (seen > 0.0) seen *= visibilityOf(light, eye) * smoothstep(0.3, 1.5, range);
     glare = light.color * (seen * kScatteredShare / (range * range * kPi * kAngle * kAngle));
     bool any_ = luminance(glare) * frame.exposure.x > 0.002;

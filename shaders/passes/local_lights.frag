@@ -136,6 +136,7 @@ void main() {
     // local_lights.vert skips such tiles, but compute programs draw no quads.
     if (lightsAt(pixel, -1.0).y == 0) discard;
     Surface s = readSurface(pixel);
+    if (!s.lit) discard;
     vec3 position = worldFromDepth(uv, s.depth);
     Receiver receiver = Receiver(pixel, s, position, toEye(position),
                                  mix(vec3(s.reflectivity), s.albedo, s.metallic), lightsAt(pixel, s.depth));

@@ -26,7 +26,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Surface s = readSurface(pixel);
     light = hitProximity = vec4(0.0);
-    if (s.sky) return;
+    if (!s.lit) return;
     vec3 origin = shadowOrigin(worldFromDepth(uv, s.depth), s.normal);
     vec2 lastUv = uv - texelFetch(uMotion, pixel, 0).rg;
     bool known = uHistoryValid && lastUv == clamp(lastUv, vec2(0.0), vec2(0.999));

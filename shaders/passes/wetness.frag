@@ -25,7 +25,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Surface s = readSurface(pixel);
     float up = s.normal.y;
-    if (s.sky || up < -0.3) discard;
+    if (!s.lit || up < -0.3) discard;
     vec3 world = worldFromDepth(uv, s.depth);
     vec3 rain = coneDirection(vec3(0, 1, 0), kRainAngle, blueNoise(pixel, 33, frame.counters.x));
     // Walls get slanted rain only.

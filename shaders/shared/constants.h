@@ -6,6 +6,7 @@
 #endif
 
 SHARED_CONSTANT float kSkyDepth = 65000.0;  // linear depth of pixels without a surface, metres; a half float holds it
+SHARED_CONSTANT float kNearestSurface = 1.0e-3;  // least linear depth of a surface: of a voxel that a ray begins in
 SHARED_CONSTANT float kShadowCell = 0.1;    // metres: side of a cell of the shadow volume
 SHARED_CONSTANT uint kHasGlass = 1u;        // flags of a shape's layout (lib/bodies.glsl)
 SHARED_CONSTANT uint kHasPaint = 2u;

@@ -89,11 +89,15 @@ constexpr GLenum kValues[] = {GL_BLEND_COLOR,
                               GL_SCISSOR_BOX,
                               GL_STENCIL_BACK_FAIL,
                               GL_STENCIL_BACK_FUNC,
+                              GL_STENCIL_BACK_PASS_DEPTH_FAIL,
+                              GL_STENCIL_BACK_PASS_DEPTH_PASS,
                               GL_STENCIL_BACK_REF,
+                              GL_STENCIL_BACK_VALUE_MASK,
                               GL_STENCIL_BACK_WRITEMASK,
                               GL_STENCIL_CLEAR_VALUE,
                               GL_STENCIL_FAIL,
                               GL_STENCIL_FUNC,
+                              GL_STENCIL_PASS_DEPTH_FAIL,
                               GL_STENCIL_PASS_DEPTH_PASS,
                               GL_STENCIL_REF,
                               GL_STENCIL_VALUE_MASK,
@@ -122,8 +126,18 @@ constexpr GLenum kValues[] = {GL_BLEND_COLOR,
                               GL_VERTEX_ARRAY_BINDING};
 /// GL_ALPHA_TEST_FUNC, _ALPHA_TEST_REF, _SHADE_MODEL, _CLAMP_FRAGMENT_COLOR, _CLAMP_VERTEX_COLOR, _MAP_COLOR, and from
 /// _RED_SCALE to _DEPTH_BIAS.
+constexpr GLenum kFilterControl = 0x8500;  ///< GL_TEXTURE_FILTER_CONTROL
 constexpr GLenum kOldValues[] = {0x0BC1, 0x0BC2, 0x0B54, 0x891B, 0x891A, 0x0D10, 0x0D14, 0x0D15,
                                  0x0D18, 0x0D19, 0x0D1A, 0x0D1B, 0x0D1C, 0x0D1D, 0x0D1E, 0x0D1F};
+/// Bindings of ranges of buffers: what answers for a number, and how many numbers GL 3.3 promises.
+struct RangeBindings {
+    GLenum target, name, start, size;
+    GLuint count;
+};
+constexpr RangeBindings kRanges[] = {
+    {GL_UNIFORM_BUFFER, GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE, 36},
+    {GL_TRANSFORM_FEEDBACK_BUFFER, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING, GL_TRANSFORM_FEEDBACK_BUFFER_START,
+     GL_TRANSFORM_FEEDBACK_BUFFER_SIZE, 4}};
 constexpr GLenum kTextures[] = {
     GL_TEXTURE_1D,       GL_TEXTURE_2D,        GL_TEXTURE_3D,       GL_TEXTURE_1D_ARRAY,
     GL_TEXTURE_2D_ARRAY, GL_TEXTURE_RECTANGLE, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_2D_MULTISAMPLE};
@@ -172,6 +186,8 @@ std::vector<State> coreStates() {
         add(
             "hint " + std::to_string(hint), [=] { glHint(hint, GL_FASTEST); }, [=] { glHint(hint, GL_DONT_CARE); });
     add(
+        "line width", [] { glLineWidth(0.5f); }, [] { glLineWidth(1.0f); });
+    add(
         "logic operation", [] { glLogicOp(GL_CLEAR); }, [] { glLogicOp(GL_COPY); });
     add(
         "point size", [] { glPointSize(5.0f); }, [] { glPointSize(1.0f); });
@@ -202,6 +218,15 @@ std::vector<State> coreStates() {
         "stencil operation", [] { glStencilOp(GL_ZERO, GL_ZERO, GL_INVERT); },
         [] { glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP); });
     add(
+        "stencil function of back faces", [] { glStencilFuncSeparate(GL_BACK, GL_NEVER, 1, 2); },
+        [] { glStencilFuncSeparate(GL_BACK, GL_ALWAYS, 0, ~0u); });
+    add(
+        "stencil mask of back faces", [] { glStencilMaskSeparate(GL_BACK, 5); },
+        [] { glStencilMaskSeparate(GL_BACK, ~0u); });
+    add(
+        "stencil operation of back faces", [] { glStencilOpSeparate(GL_BACK, GL_ZERO, GL_INCR, GL_INVERT); },
+        [] { glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_KEEP); });
+    add(
         "viewport", [] { glViewport(1, 2, 3, 4); }, [] { glViewport(0, 0, 16, 16); });
     for (const GLenum each : {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS, GL_PACK_SWAP_BYTES,
                               GL_UNPACK_ROW_LENGTH, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS,
@@ -211,8 +236,9 @@ std::vector<State> coreStates() {
     for (const GLenum each : {GL_PACK_ALIGNMENT, GL_UNPACK_ALIGNMENT})
         add(
             "pixels " + std::to_string(each), [=] { glPixelStorei(each, 8); }, [=] { glPixelStorei(each, 4); });
-    for (const GLenum each : {GL_ARRAY_BUFFER, GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, GL_PIXEL_PACK_BUFFER,
-                              GL_PIXEL_UNPACK_BUFFER, GL_TEXTURE_BUFFER, GL_UNIFORM_BUFFER}) {
+    for (const GLenum each :
+         {GL_ARRAY_BUFFER, GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER,
+          GL_TEXTURE_BUFFER, GL_TRANSFORM_FEEDBACK_BUFFER, GL_UNIFORM_BUFFER}) {
         GLuint buffer = 0;
         glGenBuffers(1, &buffer);
         glBindBuffer(each, buffer);
@@ -231,15 +257,44 @@ std::vector<State> coreStates() {
         add(
             "texture " + std::to_string(each), [=] { bind(texture); }, [=] { bind(0); });
     }
+    for (const RangeBindings& each : kRanges) {
+        GLuint buffer = 0;
+        glGenBuffers(1, &buffer);
+        glBindBuffer(each.target, buffer);
+        glBufferData(each.target, 65536, nullptr, GL_STATIC_DRAW);
+        add(
+            "ranges of buffer " + std::to_string(each.target),
+            [=] {
+                for (GLuint i = 0; i < each.count; ++i)
+                    glBindBufferRange(each.target, i, buffer, GLintptr(256 * i), GLsizeiptr(64 + 16 * i));
+            },
+            [=] {
+                for (GLuint i = 0; i < each.count; ++i) glBindBufferBase(each.target, i, 0);
+            });
+    }
     add(
         "active texture", [] { glActiveTexture(GL_TEXTURE7); }, [] { glActiveTexture(GL_TEXTURE0); });
-    GLuint sampler = 0, renderbuffer = 0, array = 0;
+    GLuint sampler = 0, biased = 0, biasedTexture = 0, renderbuffer = 0, array = 0;
     glGenSamplers(1, &sampler), glGenRenderbuffers(1, &renderbuffer), glGenVertexArrays(1, &array);
     const auto bindSampler = [](GLuint bound) {
         for (GLuint unit = 0; unit < 40; ++unit) glBindSampler(unit, bound);
     };
     add(
         "sampler", [=] { bindSampler(sampler); }, [=] { bindSampler(0); });
+    glGenSamplers(1, &biased), glGenTextures(1, &biasedTexture);
+    glSamplerParameterf(biased, GL_TEXTURE_LOD_BIAS, 3.0f);
+    add(
+        "level of detail bias of samplers", [=] { bindSampler(biased); }, [=] { bindSampler(0); });
+    glBindTexture(GL_TEXTURE_2D, biasedTexture);
+    glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_LOD_BIAS, 3.0f);
+    const auto bindTexture = [](GLuint bound) {
+        for (GLuint unit = 0; unit < 40; ++unit)
+            glActiveTexture(GL_TEXTURE0 + unit), glBindTexture(GL_TEXTURE_2D, bound);
+        glActiveTexture(GL_TEXTURE0);
+    };
+    bindTexture(0);
+    add(
+        "level of detail bias of textures", [=] { bindTexture(biasedTexture); }, [=] { bindTexture(0); });
     add(
         "renderbuffer", [=] { glBindRenderbuffer(GL_RENDERBUFFER, renderbuffer); },
         [] { glBindRenderbuffer(GL_RENDERBUFFER, 0); });
@@ -261,6 +316,7 @@ std::vector<State> compatibilityStates() {
     const auto stipple = oldFunction<const GLubyte*>("glPolygonStipple");
     const auto transfer = oldFunction<GLenum, GLfloat>("glPixelTransferf");
     const auto shade = oldFunction<GLenum>("glShadeModel");
+    const auto environment = oldFunction<GLenum, GLenum, GLfloat>("glTexEnvf");
     constexpr GLenum kNever = GL_NEVER, kFlat = 0x1D00, kSmooth = 0x1D01;
     alpha(kNever, 0.5f);
     static const GLubyte kNothing[128] = {};
@@ -268,6 +324,13 @@ std::vector<State> compatibilityStates() {
     for (const GLenum each : kOldSwitches)
         add(
             "switch " + std::to_string(each), [=] { glEnable(each); }, [=] { glDisable(each); });
+    const auto setBias = [=](float bias) {
+        for (GLuint unit = 0; unit < 40; ++unit)
+            glActiveTexture(GL_TEXTURE0 + unit), environment(kFilterControl, GL_TEXTURE_LOD_BIAS, bias);
+        glActiveTexture(GL_TEXTURE0);
+    };
+    add(
+        "level of detail bias of units", [=] { setBias(3.0f); }, [=] { setBias(0.0f); });
     add(
         "shade model", [=] { shade(kFlat); }, [=] { shade(kSmooth); });
     for (const GLenum each : {0x891Bu, 0x891Au})
@@ -295,6 +358,15 @@ std::map<std::string, std::vector<double>> stateNow() {
         for (const GLenum each : kOldSwitches) askSwitch(each);
     if (isCompatibility())
         for (const GLenum each : kOldValues) ask(each);
+    for (const RangeBindings& each : kRanges)
+        for (GLuint i = 0; i < each.count; ++i) {
+            GLint name = 0;
+            GLint64 start = 0, size = 0;
+            glGetIntegeri_v(each.name, i, &name);
+            glGetInteger64i_v(each.start, i, &start), glGetInteger64i_v(each.size, i, &size);
+            all["range " + std::to_string(i) + " of " + std::to_string(each.target)] = {double(name), double(start),
+                                                                                        double(size)};
+        }
     GLint active = 0;
     glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
     for (GLuint unit = 0; unit < 40; ++unit) {
@@ -305,6 +377,10 @@ std::map<std::string, std::vector<double>> stateNow() {
             glGetIntegerv(each, &name);
             bound.push_back(name);
         }
+        GLfloat bias = 0.0f;
+        if (isCompatibility())
+            oldFunction<GLenum, GLenum, GLfloat*>("glGetTexEnvfv")(kFilterControl, GL_TEXTURE_LOD_BIAS, &bias);
+        bound.push_back(double(bias));
     }
     glActiveTexture(GLenum(active));
     return all;

@@ -115,9 +115,9 @@ std::optional<View::Projection> readProjection(const rubble_view& given, uint32_
 }
 
 View readView(const rubble_view& given) {
-    if (given.width < 1 || given.width > kMaxViewSize || given.height < 1 || given.height > kMaxViewSize)
-        refuse(RUBBLE_ERROR_ARGUMENT, "view is {} x {} pixels, expected 1 to {}", given.width, given.height,
-               kMaxViewSize);
+    for (const auto& [name, pixels] : {std::pair("width", given.width), std::pair("height", given.height)})
+        if (pixels < 1 || pixels > kMaxViewSize)
+            refuse(RUBBLE_ERROR_ARGUMENT, "view->{} is {}, expected 1 to {} pixels", name, pixels, kMaxViewSize);
     View view;
     view.position = readVector(given.position, "position");
     view.rotation = readRotation(given.rotation, "rotation");
@@ -182,7 +182,10 @@ rubble_result getDrawStats(rubble_renderer renderer, rubble_draw_stats* out) {
 rubble_result destroyRenderer(rubble_renderer renderer) {
     return guarded("destroy_renderer", [&] {
         const auto id = readHandle<HandleType::Renderer>(renderer, "renderer");
-        if (!isRefused()) Registry::instance().destroyRenderer(id);
+        if (isRefused() || !Registry::instance().renderer(renderer)) return;
+        if (!Renderer::hasContext())
+            return refuse(RUBBLE_ERROR_GL, "expected the renderer's GL context to be current, found none");
+        Registry::instance().destroyRenderer(id);
     });
 }
 

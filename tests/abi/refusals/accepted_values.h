@@ -7,7 +7,5 @@ namespace rubble {
 /// "FUNCTION ARGUMENT[.FIELD]: VALUE" of what looks wrong and is right, or is refused for something else, with the
 /// reason.
 const std::map<std::string, std::string>& acceptedValues();
-/// Functions that cannot be called here as a host calls them, with the reason.
-const std::map<std::string, std::string>& uncalledFunctions();
 
 }  // namespace rubble

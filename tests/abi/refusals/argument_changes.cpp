@@ -97,6 +97,8 @@ private:
         add(place, "nonsense", RUBBLE_ERROR_STALE, at, 0x0123456789abcdefull);
         if (kind == "rubble_world") {
             add(place, "stale", RUBBLE_ERROR_STALE, at, m_wrong.gone);
+        } else if (kind == "rubble_renderer") {
+            add(place, "stale", RUBBLE_ERROR_STALE, at, m_wrong.goneRenderer);
         } else if (const auto found = m_wrong.other.live().find(kind); found != m_wrong.other.live().end()) {
             add(place, "of another world", RUBBLE_ERROR_STALE, at, found->second);
             if (!m_wrong.other.stale().contains(kind)) return addOtherKind(place, type, at);

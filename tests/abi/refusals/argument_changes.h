@@ -20,8 +20,9 @@ struct ArgumentChange {
 
 /// Worlds whose handles are wrong in a call.
 struct WrongWorlds {
-    const FullWorld& other;  ///< one that lives
-    rubble_world gone;       ///< one that was destroyed
+    const FullWorld& other;            ///< one that lives
+    rubble_world gone;                 ///< one that was destroyed
+    rubble_renderer goneRenderer = 0;  ///< a renderer that was destroyed; 0: there was none
 };
 
 /// All wrong values of a function's arguments: null, handles that are stale, of another world or another kind, numbers

@@ -15,8 +15,7 @@ void require(rubble_result result) {
 
 FullWorld::FullWorld(const std::string& level, uint32_t flags) : m_hasPhysics(!(flags & RUBBLE_WORLD_HOST_PHYSICS)) {
     auto settings = sized<rubble_world_settings>();
-    settings.flags = RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_DATA | RUBBLE_WORLD_SHADOW_INLINE |
-                     RUBBLE_WORLD_PARTICLES | flags;
+    settings.flags = RUBBLE_WORLD_SHADOW_DATA | RUBBLE_WORLD_SHADOW_INLINE | RUBBLE_WORLD_PARTICLES | flags;
     require(api()->create_world(&settings, &m_world));
     require(api()->load_level(m_world, level.c_str(), nullptr));
     m_stale = makeAll(20.0);
@@ -35,7 +34,15 @@ FullWorld::FullWorld(const std::string& level, uint32_t flags) : m_hasPhysics(!(
 }
 
 FullWorld::~FullWorld() {
+    if (const auto found = m_live.find("rubble_renderer"); found != m_live.end())
+        api()->destroy_renderer(found->second);
     api()->destroy_world(m_world);
+}
+
+void FullWorld::addRenderer() {
+    auto settings = sized<rubble_renderer_settings>();
+    settings.preset = "fast", settings.flags = RUBBLE_RENDERER_COMPILE_LATE;
+    require(api()->create_renderer(m_world, &settings, &m_live["rubble_renderer"]));
 }
 
 Handles FullWorld::makeAll(double x) {

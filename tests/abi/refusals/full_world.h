@@ -13,11 +13,13 @@ using Handles = std::map<std::string, uint64_t>;
 class FullWorld {
 public:
     /// Loads a level and makes what it lacks. flags: RUBBLE_WORLD_... more than those that reads need.
-    explicit FullWorld(const std::string& level, uint32_t flags = 0);
+    explicit FullWorld(const std::string& level, uint32_t flags = RUBBLE_WORLD_NO_RENDERER);
     ~FullWorld();
     FullWorld(const FullWorld&) = delete;
     FullWorld& operator=(const FullWorld&) = delete;
 
+    /// Makes its renderer, which lives. A GL context must be current, and the host's.
+    void addRenderer();
     /// Steps once more.
     void step();
     /// Its state hash.

@@ -74,6 +74,20 @@ template <uint32_t kKind>
 void prepareLight(rubble_light_settings& light) {
     light.kind = kKind, light.reach = 1.0;
 }
+/// kProjection: column-major; none: a field of view.
+template <const double* kProjection>
+void prepareView(HostCall& call) {
+    auto& view = call.at<rubble_view>("view");
+    view.framebuffer = drawTarget();
+    view.width = view.height = 16;
+    if (kProjection) std::copy_n(kProjection, 16, view.projection);
+}
+constexpr double kPerspective[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -0.2, 0};
+constexpr double kOrthographic[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.01, 0, 0, 0, -1, 1};
+void prepareRenderer(HostCall& call) {
+    auto& settings = call.at<rubble_renderer_settings>("settings");
+    settings.preset = "fast", settings.flags = RUBBLE_RENDERER_COMPILE_LATE;
+}
 void startLoading(HostCall& call) {
     api()->start_loading(call.world().world(), callFiles().level.c_str(), nullptr);
 }
@@ -199,6 +213,9 @@ const std::map<std::string, std::vector<Prepare>> kCalls = {
     {"mesh_brick", {[](HostCall& c) { c.set("capacity", 1000u); }}},
     {"read_bricks", {[](HostCall& c) { c.set("brick_count", 1u), c.set("capacity", uint64_t(2000)); }}},
     {"get_shadow_bricks", {[](HostCall& c) { c.set("capacity", 100u); }}},
+    {"create_renderer", {prepareRenderer}},
+    {"draw", {prepareView<nullptr>, prepareView<kPerspective>, prepareView<kOrthographic>}},
+    {"set_debug_view", {[](HostCall& c) { c.point("name", "albedo"); }}},
 };
 
 std::vector<uint8_t> bytesOf(const std::string& path) {
@@ -210,6 +227,11 @@ std::vector<uint8_t> bytesOf(const std::string& path) {
 
 const std::map<std::string, std::vector<Prepare>>& usualCalls() {
     return kCalls;
+}
+
+unsigned& drawTarget() {
+    static unsigned framebuffer = 0;
+    return framebuffer;
 }
 
 const CallFiles& callFiles(const std::string& folder) {

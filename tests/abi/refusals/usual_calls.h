@@ -15,6 +15,9 @@ struct CallFiles {
 /// Those files; makes them with the first call, in a folder that `folder` names.
 const CallFiles& callFiles(const std::string& folder = "");
 
+/// The framebuffer that views are drawn into, where there is a GL context.
+unsigned& drawTarget();
+
 /// Sets what a call needs beyond what HostCall fills in, so that it is accepted.
 using Prepare = void (*)(HostCall&);
 

@@ -1,6 +1,8 @@
-// How long the frames take in which something is first seen, against the frames around them: a game must not stop
-// there.
+// How long the frames take in which something is first seen, or in which the whole image loses its history, against the
+// frames around them: a game must not stop there.
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "render/gl/offscreen.h"
 #include "tests/benchmark/render/benchmarks.h"
@@ -10,7 +12,10 @@
 namespace rubble::bench {
 namespace {
 
-constexpr int kFramesAfter = 10;  ///< drawn after each event; the last half of them is what a frame takes
+constexpr int kFramesAfter = 10;    ///< drawn after each event; the last half of them is what a frame takes
+constexpr int kSettledFrames = 24;  ///< after which all pixels have a long history
+constexpr int kDropFrames = 3;      ///< in which what has changed is drawn with more rays
+constexpr int kDropRuns = 3;
 
 /// Something that a game may show for the first time.
 struct Event {
@@ -91,6 +96,60 @@ void benchGlass(FrameLoop& loop, Renderer& renderer, const View& view) {
     print("glass", ms);
 }
 
+/// Something after which no pixel, or hardly one, keeps what it remembers. `run` counts its runs.
+struct Drop {
+    const char* name;
+    void (*happen)(FrameLoop& loop, View& view, int run);
+};
+
+const Drop kDrops[] = {{"a cut", [](FrameLoop&, View& view, int) { view.cut = true; }},
+                       {"an explosion that fills the view",
+                        [](FrameLoop& loop, View& view, int run) {
+                            const double metres = 4.0 + 0.7 * run;
+                            const glm::dvec3 ahead = view.rotation * glm::dvec3(0.0, 0.0, -metres);
+                            loop.edits().push(Edit(ExplodeEdit{view.position + ahead, 0.7 * metres}));
+                        }},
+                       {"another sky and sun",
+                        [](FrameLoop& loop, View&, int run) {
+                            Environment environment = loop.world().environment();
+                            std::swap(environment.skyColor.r, environment.skyColor.b);
+                            environment.skyColor *= run % 2 ? 0.25f : 4.0f;
+                            environment.sunDirection.x = -environment.sunDirection.x;
+                            environment.sunColor *= run % 2 ? 4.0f : 0.25f;
+                            loop.edits().push(Edit(SetEnvironmentEdit{environment}));
+                        }},
+                       {"a flash of light everywhere", [](FrameLoop& loop, View& view, int) {
+                            Light flash;
+                            flash.local.position = view.position + glm::dvec3(0.0, 3.0, 0.0);
+                            flash.color = glm::vec3(4000.0f);
+                            flash.reach = 200.0f;
+                            loop.edits().push(Edit(AddLightEdit{flash}));
+                        }}};
+
+/// The worst of the frames after each drop, against the median of those before.
+void benchDrops(FrameLoop& loop, Renderer& renderer, const View& usual) {
+    for (const Drop& drop : kDrops) {
+        loop.load(makeTown(1));
+        std::vector<double> ratios, before, worst;
+        for (int run = 0; run < kDropRuns; ++run) {
+            View view = usual;
+            std::vector<double> ms;
+            for (int i = 0; i < kSettledFrames + kDropFrames; ++i) {
+                if (i == kSettledFrames) drop.happen(loop, view, run);
+                loop.step();
+                ms.push_back(drawOnce(loop, renderer, view));
+                view.cut = false;
+            }
+            before.push_back(median({ms.begin() + kSettledFrames / 2, ms.begin() + kSettledFrames}));
+            worst.push_back(*std::max_element(ms.begin() + kSettledFrames, ms.end()));
+            ratios.push_back(worst.back() / before.back());
+        }
+        fmt::print("{:<33} {:6.0f} ms before, then at most {:6.0f} ms: {:.2f}x, at most {:.2f}x (wanted 3)\n",
+                   drop.name, median(before), median(worst), median(ratios),
+                   *std::max_element(ratios.begin(), ratios.end()));
+    }
+}
+
 }  // namespace
 
 int benchFirstFrames(const Options& options, GlContext& context) {
@@ -121,6 +180,7 @@ int benchFirstFrames(const Options& options, GlContext& context) {
         print(event.name, ms);
     }
     benchGlass(loop, *renderer.value(), view);
+    benchDrops(loop, *renderer.value(), view);
     return 0;
 }
 

@@ -1772,7 +1772,8 @@ typedef struct rubble_api {
     rubble_result (*set_debug_view)(rubble_renderer renderer, const char* name);
     /* [render-thread] Counters and times of the last draw(). */
     rubble_result (*get_draw_stats)(rubble_renderer renderer, rubble_draw_stats* out);
-    /* [render-thread] Destroys the renderer and its GL objects. Its context must be current. */
+    /* [render-thread] Destroys the renderer and its GL objects. Its context must be current; RUBBLE_ERROR_GL: none
+     * is. */
     rubble_result (*destroy_renderer)(rubble_renderer renderer);
 
     /* ---- bounds ---- */
