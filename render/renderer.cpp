@@ -441,7 +441,10 @@ bool Renderer::hasContext() {
 }
 
 Renderer::Renderer(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
-Renderer::~Renderer() = default;
+Renderer::~Renderer() {
+    const WithoutGlContext gone(!m_impl->check.isItsContext());
+    m_impl.reset();
+}
 
 void Renderer::apply(FrameSnapshot&& snapshot) {
     m_impl->scene.apply(std::move(snapshot));

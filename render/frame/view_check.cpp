@@ -9,6 +9,8 @@ std::string ViewCheck::error(const View& view, bool mayAsk) {
     if (mayAsk || m_draws++ % kDrawsPerQuestion == 0) m_isLost = m_isLost || isContextLost();
     if (m_isLost) return "the GL context was lost: destroy this renderer, then make a new context and renderer";
     const bool needsDepth = view.composesDepth();
+    if ((mayAsk || view.framebuffer != m_checked) && !m_mark.isCurrent())
+        return "expected the GL context that this renderer was made in, found another one";
     if (!mayAsk && view.framebuffer == m_checked && needsDepth == m_hadDepth) return {};
     const auto error = [&](const std::string& text) {
         return "the view's framebuffer " + std::to_string(view.framebuffer) + ": " + text;

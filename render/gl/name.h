@@ -5,6 +5,22 @@
 
 namespace rubble {
 
+/// While it lives, objects of this thread that are destroyed leave the GL alone: their context is gone, and their names
+/// may mean objects of another one.
+class WithoutGlContext {
+public:
+    explicit WithoutGlContext(bool isGone) : m_before(std::exchange(s_isGone, isGone)) {}
+    ~WithoutGlContext() { s_isGone = m_before; }
+    WithoutGlContext(const WithoutGlContext&) = delete;
+    WithoutGlContext& operator=(const WithoutGlContext&) = delete;
+    /// Whether there is one on this thread that says so.
+    static bool isGone() { return s_isGone; }
+
+private:
+    static inline thread_local bool s_isGone = false;
+    bool m_before;
+};
+
 /// Owns one GL object. The destructor deletes it in the context that is current then. `Kind` makes and deletes one.
 template <class Kind>
 class GlName {
@@ -25,7 +41,7 @@ public:
         return *this;
     }
     ~GlName() {
-        if (m_name) Kind::destroy(m_name);
+        if (m_name && !WithoutGlContext::isGone()) Kind::destroy(m_name);
     }
     /// The GL's name of it; 0: none.
     GLuint get() const { return m_name; }

@@ -103,7 +103,10 @@ FileHeader readFileHeader(ByteReader& in) {
     const auto header = in.read<FileHeader>();
     if (!in.failed() && header.magic != kFileMagic) in.fail("a file of Rubble (\"RUBBLE\")", "other bytes", 0);
     if (header.version != kFileVersion)
-        in.fail(fmt::format("version {}", kFileVersion), std::to_string(header.version), 8);
+        in.fail(fmt::format("version {}", kFileVersion),
+                fmt::format("{}, of {} version of Rubble", header.version,
+                            header.version < kFileVersion ? "an older" : "a newer"),
+                8);
     if (header.headerHash != hashHeader(header))
         in.fail("a header whose checksum fits", "another checksum: the file is damaged", 0);
     return header;

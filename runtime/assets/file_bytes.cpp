@@ -11,6 +11,9 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <mutex>
+#include <set>
+#include <utility>
 
 #include "runtime/assets/file_hooks.h"
 
@@ -32,7 +35,62 @@ Result<std::vector<uint8_t>> readHosted(const std::string& path, uint64_t size, 
     return bytes;
 }
 
+/// The files that are claimed, of all threads.
+class ClaimedFiles {
+public:
+    bool add(const std::string& file) {
+        const std::lock_guard lock(m_mutex);
+        return m_files.insert(file).second;
+    }
+    void remove(const std::string& file) {
+        const std::lock_guard lock(m_mutex);
+        m_files.erase(file);
+    }
+    bool contains(const std::string& file) const {
+        const std::lock_guard lock(m_mutex);
+        return m_files.contains(file);
+    }
+
+private:
+    mutable std::mutex m_mutex;
+    std::set<std::string> m_files;  ///< with hosted ones as the host names them
+};
+
+ClaimedFiles& claimedFiles() {
+    static ClaimedFiles files;
+    return files;
+}
+
+constexpr const char* kIsClaimed = ": expected a file of its own, found one that a recording is being written to";
+
+/// A new file beside `target`. Worlds of other threads may write the same target.
+std::string temporaryFile(const std::string& target) {
+    constexpr size_t kMaxStem = 200;  // of the 255 bytes that a name may have
+    static std::atomic<unsigned> calls{0};
+    const std::filesystem::path path = target;
+    const std::string stem = path.filename().string().substr(0, kMaxStem);
+    return (path.parent_path() / fmt::format("{}.{}.{}.part", stem, getpid(), ++calls)).string();
+}
+
 }  // namespace
+
+Result<FileClaim> FileClaim::make(const std::string& path) {
+    std::string file = path;
+    if (!g_hooks.write) {
+        const Result<std::string> target = fileToWrite(path);
+        if (!target) return Error{target.error()};
+        file = *target;
+    }
+    if (!claimedFiles().add(file)) return Error{path + kIsClaimed};
+    FileClaim claim;
+    claim.m_file = std::move(file);
+    return claim;
+}
+
+void FileClaim::release() {
+    if (!m_file.empty()) claimedFiles().remove(m_file);
+    m_file.clear();
+}
 
 void setFileHooks(const FileHooks& hooks) {
     g_hooks = hooks;
@@ -79,19 +137,21 @@ Result<std::string> fileToWrite(const std::string& path) {
     const bool isFree = kind == std::filesystem::file_type::not_found || kind == std::filesystem::file_type::none;
     if (!isFree && kind != std::filesystem::file_type::regular)
         return Error{path + ": cannot write: expected a file, found something else"};
-    return file.string();
+    const std::filesystem::path folder = std::filesystem::weakly_canonical(file.parent_path(), ignored);
+    return (folder / file.filename()).string();
 }
 
 Result<Done> writeFileAtomically(const std::string& path, std::span<const uint8_t> bytes, uint64_t limit) {
     if (bytes.size() > limit)
         return Error{fmt::format("{}: expected at most {} bytes to write, found {}", path, limit, bytes.size())};
+    if (claimedFiles().contains(path)) return Error{path + kIsClaimed};
     if (g_hooks.write)
         if (const int32_t done = g_hooks.write(g_hooks.user, path.c_str(), bytes.data(), bytes.size()); done >= 0)
             return done > 0 ? Result<Done>(Done{}) : Error{path + ": cannot write: the host's write_file() gave 0"};
     const Result<std::string> target = fileToWrite(path);
     if (!target) return Error{target.error()};
-    static std::atomic<unsigned> calls{0};  // worlds of other threads may write the same file
-    const std::string temporaryPath = fmt::format("{}.{}.{}.part", *target, getpid(), ++calls);
+    if (claimedFiles().contains(*target)) return Error{path + kIsClaimed};
+    const std::string temporaryPath = temporaryFile(*target);
     File file(std::fopen(temporaryPath.c_str(), "wb"));
     if (!file) return fileError(temporaryPath, "cannot write", errno);
     errno = 0;

@@ -11,7 +11,6 @@
 
 #include "runtime/assets/binary_archive.h"
 #include "runtime/assets/chunk_file.h"
-#include "runtime/assets/file_bytes.h"
 #include "runtime/assets/file_hooks.h"
 #include "runtime/assets/state_fields.h"
 #include "runtime/core/log.h"
@@ -74,6 +73,9 @@ std::FILE* openAlone(const std::string& path) {
 Result<RecordingWriter> RecordingWriter::open(const std::string& path, const SavedGame& start) {
     RecordingWriter writer;
     writer.m_path = path;
+    Result<FileClaim> claim = FileClaim::make(path);
+    if (!claim) return Error{claim.error()};
+    writer.m_claim = std::move(*claim);
     if (!fileHooks().write)
         if (const Result<Done> opened = writer.openPart(); !opened) return Error{opened.error()};
     ChunkWriter chunks;
@@ -84,7 +86,6 @@ Result<RecordingWriter> RecordingWriter::open(const std::string& path, const Sav
     const auto* bytes = reinterpret_cast<const uint8_t*>(&header);
     writer.write({bytes, sizeof header});
     writer.write(chunks);
-    writer.flush();
     if (!writer.m_failure) return writer;
     std::remove(writer.partPath().c_str());
     return fileError(path, "cannot write", writer.m_failure);
@@ -102,12 +103,8 @@ Result<Done> RecordingWriter::openPart() {
     if (!m_file && errno == EWOULDBLOCK)
         return Error{path + ": expected a file of its own, found one that a recording is being written to"};
     if (!m_file) return fileError(*part, "cannot write", errno);
+    std::setvbuf(m_file.get(), nullptr, _IONBF, 0);  // a step is one write, so that it is in the file or it is not
     return Done{};
-}
-
-void RecordingWriter::flush() {
-    errno = 0;
-    if (m_file && !m_failure && std::fflush(m_file.get()) != 0) m_failure = errno ? errno : EIO;
 }
 
 void RecordingWriter::write(std::span<const uint8_t> bytes) {
@@ -115,13 +112,17 @@ void RecordingWriter::write(std::span<const uint8_t> bytes) {
     errno = 0;
     if (!m_file)
         m_whole.insert(m_whole.end(), bytes.begin(), bytes.end());
-    else if (std::fwrite(bytes.data(), 1, bytes.size(), m_file.get()) != bytes.size())
+    else if (std::fwrite(bytes.data(), 1, bytes.size(), m_file.get()) != bytes.size()) {
         m_failure = errno ? errno : EIO;
+        if (ftruncate(fileno(m_file.get()), off_t(m_bytes)) != 0) m_isBroken = true;
+        return;
+    }
     m_bytes += bytes.size();
 }
 
 void RecordingWriter::write(const ChunkWriter& chunks) {
     write(chunks.bytes());
+    if (m_failure) return;
     m_chunks += chunks.count();
     m_memory += chunks.memory();
 }
@@ -131,17 +132,23 @@ void RecordingWriter::add(const RecordedStep& step) {
     const std::vector<uint8_t> bytes = recordedStepToBytes(step, &memory);
     ChunkWriter chunk;
     chunk.add({'S', 'T', 'E', 'P'}, bytes, memory);
-    if (m_isFull || m_bytes + chunk.bytes().size() > kMaxFileBytes / 2) {  // the rest is room for padding
-        if (!std::exchange(m_isFull, true))
-            logWarning(m_path + ": the recording is as long as a file may get; it ends before step " +
-                       std::to_string(step.step));
+    if (m_isFull || m_failure) return;
+    if (m_bytes + chunk.bytes().size() > kMaxFileBytes / 2) {  // the rest is room for padding
+        m_isFull = true;
+        logWarning(
+            fmt::format("{}: the recording is as long as a file may get; it ends before step {}", m_path, step.step));
         return;
     }
     write(chunk);
-    m_lastHash = step.hash;
+    if (!m_failure)
+        m_lastHash = step.hash;
+    else
+        logError(fmt::format("{}; the recording ends before step {}", fileError(m_path, "cannot write", m_failure).text,
+                             step.step));
 }
 
 Result<Done> RecordingWriter::close() {
+    const int failure = std::exchange(m_failure, 0);  // what was written before it is kept
     ChunkWriter padding;
     padding.pad(m_bytes, m_memory);
     write(padding);
@@ -149,18 +156,21 @@ Result<Done> RecordingWriter::close() {
     std::FILE* file = m_file.get();
     if (!file) return handOver(header);
     errno = 0;
-    const bool isWritten = !m_failure && std::fseek(file, 0, SEEK_SET) == 0 &&
-                           std::fwrite(&header, sizeof header, 1, file) == 1 && std::fflush(file) == 0 &&
-                           fsync(fileno(file)) == 0 && std::rename(partPath().c_str(), m_path.c_str()) == 0;
-    const int reason = m_failure ? m_failure : errno;
+    const bool isWritten = !m_failure && !m_isBroken && std::fseek(file, 0, SEEK_SET) == 0 &&
+                           std::fwrite(&header, sizeof header, 1, file) == 1 && fsync(fileno(file)) == 0 &&
+                           std::rename(partPath().c_str(), m_path.c_str()) == 0;
+    const int reason = failure ? failure : m_failure ? m_failure : errno;
     m_file.reset();
-    if (isWritten) return Done{};
-    std::remove(partPath().c_str());
-    return fileError(m_path, "cannot write", reason);
+    m_claim.release();
+    if (isWritten && !failure) return Done{};
+    if (!isWritten) std::remove(partPath().c_str());
+    const std::string text = fileError(m_path, "cannot write", reason).text;
+    return Error{isWritten ? text + "; the recording ends before the first step that could not be written" : text};
 }
 
 Result<Done> RecordingWriter::handOver(const FileHeader& header) {
     std::memcpy(m_whole.data(), &header, sizeof header);
+    m_claim.release();
     return writeFileAtomically(m_path, m_whole, kMaxFileBytes);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/assets/chunk_file.h"
+#include "runtime/assets/file_bytes.h"
 #include "runtime/assets/save_file.h"
 #include "runtime/assets/step_delta.h"
 #include "runtime/world/edits/edit.h"
@@ -41,9 +42,11 @@ public:
     /// Opens the file and writes the saved game. An error if that cannot be written, if the file could not get its
     /// name, or if another recording is being written to it.
     static Result<RecordingWriter> open(const std::string& path, const SavedGame& start);
-    /// Appends a step. close() reports what could not be written. A file that is as long as one may get gets no more.
+    /// Appends a step. What cannot be written is logged, ends the recording, and is reported by close(). A file that is
+    /// as long as one may get gets no more.
     void add(const RecordedStep& step);
-    /// Completes the file and gives it its name, or removes it and says why it could not be written.
+    /// Completes the file and gives it its name. An error if some of it could not be written; then the file has the
+    /// steps before, or is removed where that cannot be either.
     Result<Done> close();
 
 private:
@@ -53,18 +56,19 @@ private:
     Result<Done> openPart();
     void write(std::span<const uint8_t> bytes);
     void write(const ChunkWriter& chunks);
-    void flush();
     Result<Done> handOver(const FileHeader& header);
     std::string partPath() const { return m_path + ".part"; }
 
     std::string m_path;
+    FileClaim m_claim;
     std::unique_ptr<std::FILE, Closer> m_file;  ///< null: m_whole
     std::vector<uint8_t> m_whole;               ///< for the host
     uint32_t m_chunks = 0;
     uint64_t m_bytes = 0, m_memory = 0;  ///< of the file so far; that reading it takes
     uint64_t m_lastHash = 0;
-    int m_failure = 0;      ///< errno of the first; 0: none
-    bool m_isFull = false;  ///< further steps are left out
+    int m_failure = 0;        ///< errno of the first; 0: none. Further steps are left out
+    bool m_isBroken = false;  ///< its file ends within a step
+    bool m_isFull = false;    ///< further steps are left out
 };
 
 /// A recording in memory.

@@ -36,15 +36,13 @@ uint64_t environmentLimit(const char* name, uint64_t fallback) {
 class TemporaryFolder {
 public:
     TemporaryFolder() {
-        std::error_code code;
-        const fs::path parent = fs::temp_directory_path(code);
+        const char* chosen = std::getenv("TMPDIR");
+        const fs::path parent = chosen && *chosen ? chosen : "/tmp";
         std::string pattern = (parent / "rubble-XXXXXX").string();
-        if (!code && mkdtemp(pattern.data()))
+        if (mkdtemp(pattern.data()))
             m_path = pattern;
         else
-            m_error = fileError(parent.string(), "cannot make a temporary folder (TMPDIR says where)",
-                                code ? code.value() : errno)
-                          .text;
+            m_error = fileError(parent.string(), "cannot make a temporary folder (TMPDIR says where)", errno).text;
     }
     ~TemporaryFolder() {
         std::error_code code;

@@ -1,5 +1,6 @@
 #pragma once
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -37,16 +38,21 @@ public:
             const std::lock_guard lock(m_mutex);
             m_body = nullptr;  // nobody joins any more
         }
-        for (int i = 0; i < kSpins && m_busy; ++i) pause();
+        spinWhile([&] { return m_busy > 0; });
         std::unique_lock lock(m_mutex);
         m_done.wait(lock, [&] { return m_busy == 0; });
         if (m_thrown) std::rethrow_exception(std::exchange(m_thrown, nullptr));
     }
 
 private:
-    /// Checks before a thread sleeps: work comes in bursts, and waking takes longer than most of it.
-    static constexpr int kSpins = 2000;
-    static void pause() { std::this_thread::yield(); }
+    /// Waits for a short time before a thread sleeps: work comes in bursts, and waking takes longer than most of it. By
+    /// the clock, because on a busy machine a single yield() may take as long as a frame.
+    template <class Condition>
+    static void spinWhile(Condition condition) {
+        constexpr auto kLongest = std::chrono::milliseconds(1);
+        const auto start = std::chrono::steady_clock::now();
+        while (condition() && std::chrono::steady_clock::now() - start < kLongest) std::this_thread::yield();
+    }
     void work(const std::function<void(size_t)>& body, size_t count) try {
         for (size_t i = m_next++; i < count; i = m_next++) body(i);
     } catch (...) {
@@ -56,7 +62,7 @@ private:
     }
     void serve(const std::stop_token& stop) {
         for (uint64_t seen = 0;;) {
-            for (int i = 0; i < kSpins && m_round == seen; ++i) pause();
+            spinWhile([&] { return m_round == seen && !stop.stop_requested(); });
             const std::function<void(size_t)>* body;
             size_t count;
             {

@@ -143,6 +143,31 @@ TEST_F(ResilienceTest, ALostContextStaysLost) {
     static_cast<void>(loadGl(testContext().loader()));
 }
 
+/// In another context the renderer's names mean objects of the host.
+TEST_F(ResilienceTest, InAnotherContextNothingIsDrawnOrDeleted) {
+    start(streetScene(), kSize);
+    draw(streetCamera(0), 2);
+    {
+        const auto other = GlContext::create(GlContext::Kind::OsMesa);
+        ASSERT_TRUE(other) << other.error();
+        constexpr int kNames = 256;
+        GLuint buffers[kNames], textures[kNames];
+        glGenBuffers(kNames, buffers);
+        glGenTextures(kNames, textures);
+        for (int i = 0; i < kNames; ++i) {
+            glBindBuffer(GL_ARRAY_BUFFER, buffers[i]);
+            glBindTexture(GL_TEXTURE_2D, textures[i]);
+        }
+        renderer->draw(streetCamera(0).view(kSize, 0), 1.0f);
+        EXPECT_NE(renderer->lastError().find("found another one"), std::string::npos) << renderer->lastError();
+        renderer.reset();
+        for (int i = 0; i < kNames; ++i)
+            EXPECT_TRUE(glIsBuffer(buffers[i]) && glIsTexture(textures[i])) << "name " << buffers[i];
+        EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+    }
+    testContext().makeCurrent();
+}
+
 TEST_F(ResilienceTest, AHostsErrorIsLeftToTheHost) {
     start(streetScene(), kSize);
     glEnable(GL_TEXTURE_BINDING_2D);  // an invalid enum

@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
+#include <new>
 
 #include "runtime/assets/assets.h"
 #include "runtime/assets/vdb/vdb_file.h"
@@ -31,7 +33,16 @@ int fail(const std::string& text) {
     return 1;
 }
 
+/// Whether an output has the ending of its format, so that it cannot replace the input; else says so.
+bool hasEnding(const std::string& path, const std::string& ending) {
+    const std::string found = std::filesystem::path(path).extension().string();
+    if (found == ending) return true;
+    fail(path + ": expected a name ending in " + ending + " to write to, found '" + found + "'");
+    return false;
+}
+
 int toVdb(const std::string& in, const std::string& out) {
+    if (!hasEnding(out, ".vdb")) return 1;
     const Result<Level> level = readRubble(in);
     if (!level) return fail(level.error());
     const Result<Done> done = writeVdbFile(out, *level);
@@ -39,6 +50,7 @@ int toVdb(const std::string& in, const std::string& out) {
 }
 
 int toRubble(const std::string& in, const std::string& out) {
+    if (!hasEnding(out, ".rubble")) return 1;
     std::vector<std::string> notes;
     const Result<Level> level = readVdbFile(in, notes);
     for (const std::string& note : notes) std::fprintf(stderr, "note: %s\n", note.c_str());
@@ -64,5 +76,9 @@ int main(int argc, char** argv) {
     }
     CLI11_PARSE(app, argc, argv);
     limitProcess(memoryMib, seconds);
-    return *toVdbCommand ? toVdb(in, out) : toRubble(in, out);
+    try {
+        return *toVdbCommand ? toVdb(in, out) : toRubble(in, out);
+    } catch (const std::bad_alloc&) {
+        return fail(in + ": not enough memory for what it describes (--memory-mib raises the limit)");
+    }
 }

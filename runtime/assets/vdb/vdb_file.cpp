@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 #include <openvdb/openvdb.h>
 #include <tbb/global_control.h>
-#include <unistd.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <sstream>
+#include <string_view>
 
 #include "runtime/assets/assets.h"
 #include "runtime/assets/file_bytes.h"
@@ -260,7 +260,8 @@ private:
         const auto hash = metadata.getMetadata<openvdb::StringMetadata>(kPrefix + "content_hash");
         if (!hash || hash->value() != fmt::format("{:016x}", hashLevel(parsed->level)))
             m_notes.push_back(
-                "the content does not have the recorded hash: another program changed it, or it is damaged");
+                "the content does not have the recorded hash: another program or another version of Rubble wrote it, "
+                "or it is damaged");
         return std::move(parsed->level);
     }
 
@@ -432,6 +433,16 @@ private:
     VoxelExpander m_expander;
 };
 
+/// Makes the bytes of a file. OpenVDB's own File does not notice a disk that is full.
+struct SeekableArchive : openvdb::io::Archive {
+    static std::vector<uint8_t> bytes(const openvdb::GridPtrVec& grids, const openvdb::MetaMap& metadata) {
+        std::ostringstream out(std::ios::binary);
+        SeekableArchive().Archive::write(out, grids, true, metadata);
+        const std::string_view text = out.view();
+        return {text.begin(), text.end()};
+    }
+};
+
 Result<std::vector<VdbGridEntry>> scanFile(const std::string& path) {
     const Result<std::vector<uint8_t>> bytes = readFileBytes(path, kMaxFileBytes);
     if (!bytes) return Error{bytes.error()};
@@ -459,14 +470,7 @@ Result<Done> writeVdbFile(const std::string& path, const Level& level) try {
     metadata.insertMeta(kPrefix + "content_hash", openvdb::StringMetadata(fmt::format("{:016x}", hashLevel(level))));
     for (const auto& [topic, text] : levelToJson(level, prefixes))
         metadata.insertMeta(kPrefix + topic, openvdb::StringMetadata(text));
-    const Result<std::string> target = fileToWrite(path);
-    if (!target) return Error{target.error()};
-    const std::string temporaryPath = fmt::format("{}.{}.part", *target, getpid());
-    openvdb::io::File file(temporaryPath);
-    file.write(grids, metadata);
-    file.close();
-    std::filesystem::rename(temporaryPath, *target);
-    return Done{};
+    return writeFileAtomically(path, SeekableArchive::bytes(grids, metadata), kMaxFileBytes);
 } catch (const std::exception& error) {
     return Error{path + ": " + error.what()};
 }

@@ -41,10 +41,11 @@ void UndoHistory::mark(size_t limit) {
         if (!m_marks.empty()) addMissing(m_marks.back(), std::move(m_current));
         m_onlyMotionSinceUndo = false;
         m_redo.clear();
-    } else if (hasChanged()) {
+    } else if (m_isMarked && hasChanged()) {
         m_marks.push_back(std::move(m_current));
     }
     m_current = m_baseline.emptyDelta();
+    m_isMarked = true;
     while (m_marks.size() + 1 > limit && !m_marks.empty()) m_marks.pop_front();
 }
 
@@ -71,11 +72,12 @@ WorldDelta UndoHistory::swapEntry(WorldData& world, WorldDelta entry, FrameChang
     if (slots.materials) out.materials = drift.materials ? drift.materials : was.materials;
     m_current = m_baseline.emptyDelta();
     m_onlyMotionSinceUndo = true;
+    m_isMarked = true;
     return out;
 }
 
 bool UndoHistory::undo(WorldData& world, FrameChanges& changes) {
-    if (!m_onlyMotionSinceUndo && hasChanged())
+    if (!m_onlyMotionSinceUndo && m_isMarked)
         m_marks.push_back(std::move(m_current)), m_current = m_baseline.emptyDelta();
     if (m_marks.empty()) {
         logWarning("undo: there is no mark to go back to; nothing was undone");

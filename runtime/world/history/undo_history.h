@@ -13,7 +13,7 @@ namespace rubble {
 /// motion alone does not count.
 class UndoHistory {
 public:
-    /// Begins with the World as it is; costs a copy of its objects.
+    /// Begins with the World as it is, without a mark; costs a copy of its objects.
     explicit UndoHistory(const WorldData& world);
 
     /// Sets a mark, to which the next undo returns. Of more than `limit` marks the oldest is dropped.
@@ -40,6 +40,7 @@ private:
     WorldBaseline m_baseline;
     std::deque<WorldDelta> m_marks;      ///< for each mark: what changed until the next one, as it was at the mark
     WorldDelta m_current;                ///< the same since the last mark, undo or redo
+    bool m_isMarked = false;             ///< whether that began with a mark, an undo or a redo
     bool m_onlyMotionSinceUndo = false;  ///< since an undo or redo
     std::vector<WorldDelta> m_redo;      ///< what each undo replaced; the last is redone first
 };

@@ -71,11 +71,15 @@ TEST(VdbTool, WithoutATemporaryFolderNothingIsConverted) {
     setenv("TMPDIR", "/proc/self", 1);
     const Result<Level> level = readVdb("some.vdb", tool);
     const Result<Done> written = writeVdb("some.vdb", Level{}, tool);
+    setenv("TMPDIR", "", 1);
+    const Result<Level> usual = readVdb("some.vdb", script(folder, "echo 'error: it ran'; exit 1"));
     before ? setenv("TMPDIR", old.c_str(), 1) : unsetenv("TMPDIR");
     ASSERT_FALSE(level);
     ASSERT_FALSE(written);
     EXPECT_NE(level.error().find("cannot make a temporary folder"), std::string::npos) << level.error();
+    EXPECT_NE(level.error().find("/proc/self"), std::string::npos) << level.error();
     EXPECT_FALSE(std::filesystem::exists(folder / "started"));
+    EXPECT_EQ(usual.error(), "some.vdb: it ran") << "an empty TMPDIR is as none";
 }
 
 }  // namespace

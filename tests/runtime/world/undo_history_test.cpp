@@ -366,6 +366,34 @@ TEST(UndoHistory, GoesToTheMarkBeforeUnlessSomethingHasChangedSinceTheLastUndo) 
     EXPECT_EQ(undone(), atMark[0]) << "there is no mark before";
 }
 
+TEST(UndoHistory, AMarkSinceWhichNothingHasChangedIsReturnedToAsWell) {
+    World world = smallWorld();
+    const auto afterStep = [&](Edits edits) {
+        world.applyEdits(std::move(edits));
+        return resolvedHash(world);
+    };
+    const uint64_t first = resolvedHash(world), second = afterStep({kMark, sphereCarve({0.5, 1.2, 0.3}, 0.4)});
+    afterStep({kMark});
+    afterStep({kMark});
+    EXPECT_EQ(afterStep({kUndo}), second) << "the change before the last mark stays";
+    EXPECT_EQ(afterStep({kUndo}), first);
+    EXPECT_EQ(afterStep({kRedo}), second);
+    EXPECT_EQ(afterStep({kRedo}), second);
+}
+
+TEST(UndoHistory, WithoutAMarkNothingIsUndone) {
+    World world = smallWorld();
+    world.applyEdits({sphereCarve({0.5, 1.2, 0.3}, 0.4)});
+    const uint64_t carved = resolvedHash(world);
+    world.applyEdits({kUndo});
+    EXPECT_EQ(resolvedHash(world), carved);
+    world.applyEdits({kMark, sphereCarve({1.5, 1.2, 0.3}, 0.4)});
+    world.applyEdits({kUndo});
+    EXPECT_EQ(resolvedHash(world), carved);
+    world.applyEdits({kUndo});
+    EXPECT_EQ(resolvedHash(world), carved) << "nor beyond the first one";
+}
+
 TEST(UndoHistory, DropsTheOldestMarksAndCostsNothingWhenOff) {
     World world = smallWorld();
     WorldSettings settings = world.settings();

@@ -1750,7 +1750,7 @@ typedef struct rubble_api {
      * that is running goes on. */
     rubble_result (*start_recording)(rubble_world world, const char* path);
     /* [main-thread] Completes the file; without a recording it does nothing. RUBBLE_ERROR_FILE: some of it could
-     * not be written. */
+     * not be written, as the log said in that step; the file has the steps before. */
     rubble_result (*stop_recording)(rubble_world world);
     /* [main-thread] Loads the start of a recording and plays all its steps. *steps (may be null) counts the steps
      * that had the recorded state hash. RUBBLE_ERROR_FILE: the file is damaged (the world is unchanged), or a
@@ -1772,8 +1772,9 @@ typedef struct rubble_api {
     rubble_result (*set_debug_view)(rubble_renderer renderer, const char* name);
     /* [render-thread] Counters and times of the last draw(). */
     rubble_result (*get_draw_stats)(rubble_renderer renderer, rubble_draw_stats* out);
-    /* [render-thread] Destroys the renderer and its GL objects. Its context must be current; RUBBLE_ERROR_GL: none
-     * is. */
+    /* [render-thread] Destroys the renderer and its GL objects. Its context must be current. With another one current,
+     * as after a lost context, no GL object is touched: what its own context still has goes with that.
+     * RUBBLE_ERROR_GL: no context is current. */
     rubble_result (*destroy_renderer)(rubble_renderer renderer);
 
     /* ---- bounds ---- */

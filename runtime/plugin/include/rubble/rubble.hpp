@@ -430,7 +430,8 @@ public:
     void start_recording(const char* path) {
         check(api().start_recording(m_handle, path));
     }
-    /** Completes the file; without a recording it does nothing. RUBBLE_ERROR_FILE: some of it could not be written. */
+    /** Completes the file; without a recording it does nothing. RUBBLE_ERROR_FILE: some of it could not be written, as
+     * the log said in that step; the file has the steps before. */
     void stop_recording() {
         check(api().stop_recording(m_handle));
     }

@@ -12,6 +12,7 @@
 #include "runtime/core/constants.h"
 #include "tests/runtime/assets/sample_level.h"
 #include "tests/runtime/assets/vdb/third_party_vdb.h"
+#include "tests/support/file_size_limit.h"
 #include "tests/support/models.h"
 #include "tests/support/temp_folder.h"
 
@@ -227,6 +228,26 @@ TEST_F(VdbFile, DamagedFilesCrashAtMostTheChildProcess) {
         const Result<Level> level = read(bytes);
         if (level) continue;
         EXPECT_NE(level.error().find("b.vdb"), std::string::npos) << level.error();
+    }
+}
+
+TEST_F(VdbFile, OnAFullDiskTheOldFileStays) {
+    const std::vector<uint8_t> before(5000, 7);
+    ASSERT_TRUE(writeFileAtomically(path("good.vdb"), before, before.size()));
+    ASSERT_TRUE(writeRubble(path("a.rubble"), sampleLevel()));
+    const FileSizeLimit limit(1000);
+    EXPECT_NE(std::system((kTool + " to-vdb " + path("a.rubble") + " " + path("good.vdb")).c_str()), 0);
+    EXPECT_EQ(*readFileBytes(path("good.vdb"), 1 << 24), before);
+    EXPECT_EQ(std::distance(fs::directory_iterator(m_folder.path()), fs::directory_iterator()), 2);
+}
+
+TEST_F(VdbFile, TheProgramNeverWritesAFileOfTheOtherKind) {
+    ASSERT_TRUE(writeRubble(path("a.rubble"), sampleLevel()));
+    ASSERT_TRUE(writeVdb(path("a.vdb"), sampleLevel(), kTool));
+    for (const auto& [command, file] : {std::pair{"to-vdb", "a.rubble"}, std::pair{"to-rubble", "a.vdb"}}) {
+        const std::vector<uint8_t> before = *readFileBytes(path(file), 1 << 24);
+        EXPECT_NE(std::system((kTool + " " + command + " " + path(file) + " " + path(file)).c_str()), 0);
+        EXPECT_EQ(*readFileBytes(path(file), 1 << 24), before);
     }
 }
 
