@@ -43,8 +43,8 @@ struct FrameLoopSettings {
 struct DrawingData {
     ShadowCopy* shadow = nullptr;    ///< the shadow volume as last published
     Particles* particles = nullptr;  ///< what is in the air
-    /// Bodies that the last step moved, by physics, the host or edits: some twice, some gone by now. Valid until the next
-    /// step; empty where the world was replaced.
+    /// Bodies that the last step moved, by physics, the host or edits: some twice, some gone by now. Valid until the
+    /// next step; empty where the world was replaced.
     std::span<const BodyPose> moved;
 };
 
