@@ -22,8 +22,12 @@ void Client::disconnect() {
 
 void Client::tick() {
     ++m_ticks;
-    if (m_transport) receive();
-    if (m_state == State::Playing) follow();
+    try {
+        if (m_transport) receive();
+        if (m_state == State::Playing) follow();
+    } catch (const rubble::Error&) {  // this is not, or no longer, the server's world
+        rejoin();
+    }
     if (m_transport) {
         send();
         m_transport->tick();
@@ -31,13 +35,9 @@ void Client::tick() {
 }
 
 void Client::follow() {
-    try {
-        m_clock.tick();
-        moveBodies();
-        applySteps();
-    } catch (const rubble::Error&) {  // this is not the server's world
-        rejoin();
-    }
+    m_clock.tick();
+    moveBodies();
+    applySteps();
 }
 
 void Client::receive() {
@@ -70,11 +70,7 @@ void Client::handle(const Message& message) {
 
 void Client::take(const Snapshot& snapshot) {
     m_steps.clear(), m_bodies.clear(), m_ids.clear(), m_moving.clear();
-    try {
-        m_world.load_game_data(snapshot.game.data(), snapshot.game.size());
-    } catch (const rubble::Error&) {
-        return rejoin();
-    }
+    m_world.load_game_data(snapshot.game.data(), snapshot.game.size());
     m_applied = m_received = snapshot.step;
     for (const BodyName& each : snapshot.names) name(each);
     m_state = State::Playing;
