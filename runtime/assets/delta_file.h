@@ -9,28 +9,45 @@
 
 namespace rubble {
 
-/// Steps of one world as bytes for another one that was equal before the first of them.
-struct Deltas {
-    uint64_t start = 0;               ///< the step after which they began to be kept
-    std::vector<RecordedStep> steps;  ///< without edits
+/// What deltas say of a step.
+enum class DeltaContent : uint8_t {
+    All,       ///< all that it changed
+    EditsOnly  ///< what edits changed: not how bodies and characters moved
 };
 
-/// Packs deltas, each as its step ends: a chunk file with a STRT chunk and a STEP chunk for each step.
+/// What deltas were taken from: which steps of which start.
+struct DeltaSpan {
+    uint64_t start = 0;  ///< the step after which they began to be kept
+    uint64_t from = 0;   ///< the step before the first of them
+    uint64_t to = 0;     ///< the last of them
+    DeltaContent content = DeltaContent::All;
+};
+
+/// Steps of one world as bytes for another one that was equal before the first of them.
+struct Deltas {
+    DeltaSpan span;
+    /// In order, without edits. DeltaContent::EditsOnly: only those that changed something.
+    std::vector<RecordedStep> steps;
+};
+
+/// Packs deltas, each as its step ends: a chunk file with a SPAN chunk, and a STEP chunk for each step of Deltas.
 class DeltaWriter {
 public:
-    /// start: see Deltas.
-    explicit DeltaWriter(uint64_t start) : m_start(start) { clear(); }
+    /// start: see DeltaSpan.
+    DeltaWriter(uint64_t start, DeltaContent content) : m_span{start, start, start, content} {}
     /// Appends a step; its edits are left out.
     void add(RecordedStep step);
-    /// The file with what was added since the last clear().
+    /// What each step is to say.
+    DeltaContent content() const { return m_span.content; }
+    /// The file with what was added since the last clear(). Costs a copy of it.
     std::vector<uint8_t> file() const;
     /// Leaves out what was added until now.
     void clear();
 
 private:
-    uint64_t m_start;
+    DeltaSpan m_span;
     uint64_t m_lastHash = 0;
-    ChunkWriter m_chunks;
+    ChunkWriter m_chunks;  ///< of the steps
 };
 
 /// Reads what DeltaWriter::file() made. Handles become those of the World with the number `world`. `name`: for

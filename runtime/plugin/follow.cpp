@@ -5,34 +5,38 @@
 
 namespace rubble {
 
-void FrameLoop::keepDeltas(bool on) {
+void FrameLoop::keepDeltas(std::optional<DeltaContent> content) {
     m_deltaRecorder.reset();
     m_deltas.reset();
-    if (!on) return;
-    m_deltas = std::make_unique<DeltaWriter>(m_world.step());
-    m_deltaRecorder =
-        std::make_unique<Recorder>(m_world, [to = m_deltas.get()](const RecordedStep& step) { to->add(step); });
+    if (!content) return;
+    m_deltas = std::make_unique<DeltaWriter>(m_world.step(), *content);
+    m_deltaRecorder = std::make_unique<Recorder>(m_world, *content,
+                                                 [to = m_deltas.get()](const RecordedStep& step) { to->add(step); });
 }
 
 Result<Done> FrameLoop::follow(const Deltas& deltas, const std::function<void()>& afterStep) {
+    const DeltaSpan& span = deltas.span;
     endRecording();  // it would miss these steps, as would deltas of this world
-    keepDeltas(false);
-    for (const RecordedStep& step : deltas.steps) {
-        const bool isFirst = step.step == deltas.start + 1;
-        if (step.step != m_world.step() + 1 || (!isFirst && deltas.start != m_followedStart))
-            return Error{
-                fmt::format("expected the delta of step {}, the next of those that were applied, found that of "
-                            "step {}, kept since step {}",
-                            m_world.step() + 1, step.step, deltas.start)};
-        if (isFirst) m_followedPalettes.clear();
-        m_followedStart = deltas.start;
-        if (Result<Done> done = followStep(step); !done) return done;
+    keepDeltas(std::nullopt);
+    if (span.from == span.to) return Done{};
+    if (span.from != m_world.step() || (span.from != span.start && span.start != m_followedStart))
+        return Error{
+            fmt::format("expected the delta of step {}, the next of those that were applied, found that of "
+                        "step {}, kept since step {}",
+                        m_world.step() + 1, span.from + 1, span.start)};
+    if (span.from == span.start) m_followedPalettes.clear();
+    m_followedStart = span.start;
+    auto next = deltas.steps.begin();
+    for (uint64_t step = span.from + 1; step <= span.to; ++step) {
+        const bool isIn = next != deltas.steps.end() && next->step == step;
+        if (Result<Done> done = isIn ? followStep(*next, span.content) : followEmptyStep(); !done) return done;
+        if (isIn) ++next;
         afterStep();
     }
     return Done{};
 }
 
-Result<Done> FrameLoop::followStep(const RecordedStep& step) {
+Result<Done> FrameLoop::followStep(const RecordedStep& step, DeltaContent content) {
     const size_t known = m_followedPalettes.size();
     Result<FrameChanges> applied =
         applyStepDelta(step.delta, fmt::format("step {}", step.step), m_world, m_followedPalettes);
@@ -42,15 +46,32 @@ Result<Done> FrameLoop::followStep(const RecordedStep& step) {
     }
     m_changes = std::move(*applied);
     m_rebuildPhysics = true;
-    m_world.setPoses(step.poses);
-    m_world.setCharacters(step.characters);
-    m_movedByHost.assign(step.poses.begin(), step.poses.end());
+    if (content == DeltaContent::All) {
+        m_world.setPoses(step.poses);
+        m_world.setCharacters(step.characters);
+        m_movedByHost.assign(step.poses.begin(), step.poses.end());
+    } else {
+        readHostMotion();
+    }
+    forgetHostMotion();
     publish(m_changes, m_movedByHost, {});
-    if (resolvedHash(m_world) == step.resolvedHash) return Done{};
+    const bool isEqual = content == DeltaContent::All ? resolvedHash(m_world) == step.resolvedHash
+                                                      : voxelHash(m_world) == step.voxelHash;
+    if (isEqual) return Done{};
     return Error{
         fmt::format("step {}: expected the state of the world that made the delta, found another: the two were "
                     "not equal before",
                     step.step)};
+}
+
+/// A step in which edits changed nothing.
+Result<Done> FrameLoop::followEmptyStep() {
+    m_changes = m_world.applyDelta(std::nullopt);
+    m_rebuildPhysics = true;
+    readHostMotion();
+    forgetHostMotion();
+    publish(m_changes, m_movedByHost, {});
+    return Done{};
 }
 
 }  // namespace rubble

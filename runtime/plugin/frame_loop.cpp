@@ -70,7 +70,8 @@ void FrameLoop::load(const Level& level) {
     m_pending.clear();
     forgetHostMotion();
     endRecording();
-    keepDeltas(false);
+    keepDeltas(std::nullopt);
+    m_moved = {};
     m_followedStart = kFollowsNone;
     m_world.load(level);
 }
@@ -80,7 +81,8 @@ void FrameLoop::load(SavedGame game) {
     m_changes = {};
     forgetHostMotion();
     endRecording();
-    keepDeltas(false);
+    keepDeltas(std::nullopt);
+    m_moved = {};
     m_followedStart = kFollowsNone;
     m_world.setState(std::move(game.world));
     m_pending = std::move(game.pending);
@@ -124,8 +126,8 @@ Result<Done> FrameLoop::startRecording(const std::string& path) {
     goOnAsLoaded(true);
     forgetHostMotion();  // it is in the saved game
     m_recording = std::make_unique<RecordingWriter>(std::move(*writer));
-    m_recorder =
-        std::make_unique<Recorder>(m_world, [to = m_recording.get()](const RecordedStep& step) { to->add(step); });
+    m_recorder = std::make_unique<Recorder>(m_world, DeltaContent::All,
+                                            [to = m_recording.get()](const RecordedStep& step) { to->add(step); });
     return Done{};
 }
 
@@ -223,12 +225,16 @@ void FrameLoop::stepPhysics() {
         m_pending.emplace_back(RemoveJointEdit{joint, JointBreak::Force});
 }
 
-/// Where the bodies are now that the host has moved before the edits of this step, which may have moved them on.
 void FrameLoop::followHostBodies() {
     const ScopedTimer timer(m_times[Stage::Poses]);
+    readHostMotion();
+    recordMotion(m_movedByHost, {});
+}
+
+/// Where the bodies are now that the host has moved before the edits of this step, which may have moved them on.
+void FrameLoop::readHostMotion() {
     m_movedByHost.clear();
     for (const BodyPose& moved : m_hostMotion.poses) addPose(moved.body, m_movedByHost);
-    recordMotion(m_movedByHost, {});
 }
 
 void FrameLoop::recordEdits(const Edits& hostEdits) {
@@ -269,6 +275,7 @@ void FrameLoop::publish(const FrameChanges& changes) {
 }
 
 void FrameLoop::publish(const FrameChanges& changes, std::span<const BodyPose> moved, std::span<const Impact> impacts) {
+    m_moved = moved;
     if (m_shadow) {
         const ScopedTimer timer(m_times[Stage::Shadow]);
         m_shadow->submit(changes, moved, m_world);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -38,10 +39,13 @@ struct FrameLoopSettings {
     bool waitForShadow = false;  ///< each step waits for its shadow volume: frames do not depend on timing
 };
 
-/// Null: nobody keeps it.
+/// Pointers are null where nobody keeps it.
 struct DrawingData {
     ShadowCopy* shadow = nullptr;    ///< the shadow volume as last published
     Particles* particles = nullptr;  ///< what is in the air
+    /// Bodies that the last step moved, by physics, the host or edits: some twice, some gone by now. Valid until the
+    /// next step; empty where the world was replaced.
+    std::span<const BodyPose> moved;
 };
 
 /// A world with its physics, shadow volume and snapshots: the only class that knows every module. A frame calls step()
@@ -69,14 +73,14 @@ public:
     Result<Done> startRecording(const std::string& path);
     /// [main-thread] Completes the file; without a recording it does nothing.
     Result<Done> stopRecording();
-    /// [main-thread] From here on each step is kept for worlds that follow; `on` false: no more, at no cost.
-    void keepDeltas(bool on);
+    /// [main-thread] From here on each step is kept for worlds that follow; none: no more, at no cost.
+    void keepDeltas(std::optional<DeltaContent> content);
     /// [main-thread] The steps that were kept; null: none are kept.
     DeltaWriter* deltas() { return m_deltas.get(); }
     /// [main-thread] Carries out what another world's deltas say, if this one is what that was before them: edits
     /// that wait here, and damage of this world's impacts, wait on. After an error the World is as after the last good
-    /// step. Stops a recording, and deltas of this world. The next step() rebuilds physics. afterStep: called after
-    /// each good step, when changes() is of that.
+    /// step. Stops a recording, and deltas of this world. The next step() rebuilds physics. Deltas without motion leave
+    /// that to followHost(). afterStep: called after each good step, when changes() is of that.
     Result<Done> follow(const Deltas& deltas, const std::function<void()>& afterStep);
     /// [main-thread] Repeats a recorded step from its edits and what the host's physics did before it. If World and
     /// physics are in the state before that step, the hash after it is the recorded one.
@@ -113,7 +117,7 @@ public:
     ShadowWorker* shadow() { return m_shadow.get(); }
     /// What hosts read to draw it themselves. [main-thread]
     DrawingData drawingData() {
-        return {m_shadowCopy.get(), m_publish || m_moveParticles ? &m_snapshots.particles() : nullptr};
+        return {m_shadowCopy.get(), m_publish || m_moveParticles ? &m_snapshots.particles() : nullptr, m_moved};
     }
     /// The journal of the last step's edits; valid until the next step. Empty where the world was replaced.
     /// [main-thread]
@@ -145,7 +149,9 @@ private:
     void endRecording();
     void recordEdits(const Edits& hostEdits);
     void recordMotion(std::span<const BodyPose> poses, std::span<const CharacterMove> characters);
-    Result<Done> followStep(const RecordedStep& step);
+    Result<Done> followStep(const RecordedStep& step, DeltaContent content);
+    Result<Done> followEmptyStep();
+    void readHostMotion();
     /// The poses that physics or the host has just handed over, and those of bodies that edits teleported.
     std::span<const BodyPose> changedPoses();
 
@@ -174,6 +180,7 @@ private:
     std::vector<PaletteRef> m_followedPalettes;  ///< that they brought
     FrameChanges m_changes;
     std::vector<BodyPose> m_changedPoses;
+    std::span<const BodyPose> m_moved;
     StageTimes m_times;
     bool m_publish, m_moveParticles;
     bool m_waitForShadow;

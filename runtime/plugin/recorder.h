@@ -3,7 +3,7 @@
 #include <span>
 #include <utility>
 
-#include "runtime/assets/recording_file.h"
+#include "runtime/assets/delta_file.h"
 #include "runtime/world/history/world_baseline.h"
 
 namespace rubble {
@@ -12,9 +12,10 @@ namespace rubble {
 /// step changed and for a hash of the World, and memory for one copy of the World's objects.
 class Recorder {
 public:
-    /// `take` gets each step as it ends. The first is the next one of the World.
-    Recorder(const World& world, std::function<void(const RecordedStep&)> take)
-        : m_baseline(world), m_take(std::move(take)) {}
+    /// `take` gets each step as it ends. The first is the next one of the World. content: with DeltaContent::EditsOnly
+    /// a step has no motion, and of its hashes that of the voxels alone, if they changed.
+    Recorder(const World& world, DeltaContent content, std::function<void(const RecordedStep&)> take)
+        : m_baseline(world), m_content(content), m_take(std::move(take)) {}
 
     /// Begins a step; call it after World::applyEdits(). physicsRebuilt: this step rebuilds physics from the World.
     void recordEdits(const Edits& hostEdits, const FrameChanges& changes, const World& world, bool physicsRebuilt);
@@ -25,6 +26,7 @@ public:
 
 private:
     WorldBaseline m_baseline;
+    DeltaContent m_content;
     PaletteList m_palettes;
     RecordedStep m_step;
     std::function<void(const RecordedStep&)> m_take;

@@ -82,8 +82,16 @@ FrameChanges World::applyEdits(const Edits& edits, const Edits& damage) {
     return changes;
 }
 
+/// Drops repeats once the list is longer than all bodies twice: no stage of a world that follows takes it.
+static void dropRepeats(std::vector<BodyHandle>& bodies, size_t all) {
+    if (bodies.size() <= 2 * all + 64) return;
+    std::sort(bodies.begin(), bodies.end());
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+}
+
 FrameChanges World::applyDelta(std::optional<WorldDelta> delta) {
     FrameChanges changes = beginStep();
+    for (auto* list : {&m_data.movedBodies, &m_data.leftBounds}) dropRepeats(*list, m_data.bodies.size());
     changes.unsettled = std::exchange(m_data.unsettled, {});
     if (!delta) return changes;
     m_undo.clear();

@@ -69,12 +69,37 @@ EXAMPLE(play_recording_data) {
     require(steps_played == 30, "all steps");
 }
 
+EXAMPLE(get_voxel_hash) {
+    rubble_world_settings settings = {.struct_size = sizeof settings, .flags = RUBBLE_WORLD_HOST_PHYSICS};
+    rubble_row_list list = {.struct_size = sizeof list, .kind = RUBBLE_ROWS_MOVED_BODIES};
+    rubble_explosion bang = {.struct_size = sizeof bang, .position = {0, 1, 0}};
+    static rubble_body_state moved[100];
+    uint64_t size, here, there;
+    uint32_t count, i;
+    rubble_world client;
+    OK(api->create_world(&settings, &client));
+    OK(api->keep_deltas(world, RUBBLE_DELTAS_EDITS));
+    OK(api->save_game_data(world, bytes, sizeof bytes, &size));
+    OK(api->load_game_data(client, bytes, size));
+    OK(api->explode(world, &bang));
+    steps(2);
+    OK(api->take_deltas(world, bytes, sizeof bytes, &size)); /* what went off, without where it flies */
+    OK(api->apply_deltas(client, bytes, size));
+    OK(api->read_rows(world, &list, moved, 100, &count)); /* which goes its own way, as the network allows */
+    for (i = 0; i < count; ++i) OK(api->translate_handle(client, moved[i].body, &moved[i].body));
+    OK(api->set_body_states(client, moved, count));
+    OK(api->get_voxel_hash(world, &here));
+    OK(api->get_voxel_hash(client, &there));
+    require(here == there, "the client has the same voxels");
+    OK(api->destroy_world(client));
+}
+
 EXAMPLE(apply_deltas) {
     rubble_explosion bang = {.struct_size = sizeof bang, .position = {0, 1, 0}};
     uint64_t size, here, there;
     rubble_world client;
     OK(api->create_world(NULL, &client));
-    OK(api->keep_deltas(world, 1));
+    OK(api->keep_deltas(world, RUBBLE_DELTAS_ALL));
     OK(api->save_game_data(world, bytes, sizeof bytes, &size)); /* what the client begins with */
     OK(api->load_game_data(client, bytes, size));
     OK(api->explode(world, &bang));

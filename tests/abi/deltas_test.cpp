@@ -18,9 +18,9 @@ protected:
         api()->destroy_world(m_other);
         AbiCreate::TearDown();
     }
-    void copyTo(rubble_world other) {
+    void copyTo(rubble_world other, uint32_t kept = RUBBLE_DELTAS_ALL) {
         uint64_t size = 0;
-        ASSERT_EQ(api()->keep_deltas(m_world, 1), RUBBLE_OK) << api()->get_last_error();
+        ASSERT_EQ(api()->keep_deltas(m_world, kept), RUBBLE_OK) << api()->get_last_error();
         ASSERT_EQ(api()->save_game_data(m_world, nullptr, 0, &size), RUBBLE_OK);
         std::vector<uint8_t> data(size);
         ASSERT_EQ(api()->save_game_data(m_world, data.data(), size, &size), RUBBLE_OK);
@@ -40,6 +40,35 @@ protected:
         uint64_t out = 0;
         EXPECT_EQ(api()->get_resolved_hash(world, &out), RUBBLE_OK) << api()->get_last_error();
         return out;
+    }
+    static uint64_t voxels(rubble_world world) {
+        uint64_t out = 0;
+        EXPECT_EQ(api()->get_voxel_hash(world, &out), RUBBLE_OK) << api()->get_last_error();
+        return out;
+    }
+    static std::vector<rubble_body_state> movedIn(rubble_world world) {
+        auto list = sized<rubble_row_list>();
+        list.kind = RUBBLE_ROWS_MOVED_BODIES;
+        uint32_t count = 0;
+        EXPECT_EQ(api()->read_rows(world, &list, nullptr, 0, &count), RUBBLE_OK) << api()->get_last_error();
+        std::vector<rubble_body_state> out(count);
+        EXPECT_EQ(api()->read_rows(world, &list, out.data(), count, &count), RUBBLE_OK) << api()->get_last_error();
+        return out;
+    }
+    /// What moved in the leader, with the handles of the other world.
+    std::vector<rubble_body_state> movedForOther() {
+        std::vector<rubble_body_state> out = movedIn(m_world);
+        for (rubble_body_state& state : out)
+            EXPECT_EQ(api()->translate_handle(m_other, state.body, &state.body), RUBBLE_OK) << api()->get_last_error();
+        return out;
+    }
+    /// The other world becomes one that the host moves, and follows without motion from now on.
+    void followWithoutMotion() {
+        api()->destroy_world(m_other);
+        auto settings = sized<rubble_world_settings>();
+        settings.flags = RUBBLE_WORLD_HOST_PHYSICS | RUBBLE_WORLD_NO_RENDERER;
+        ASSERT_EQ(api()->create_world(&settings, &m_other), RUBBLE_OK) << api()->get_last_error();
+        copyTo(m_other, RUBBLE_DELTAS_EDITS);
     }
     void breakTable() {
         const rubble_explosion explosion = tableExplosion();
@@ -100,6 +129,67 @@ TEST_F(AbiDeltas, AFollowerHearsOfBodiesThatEditsWake) {
     EXPECT_FALSE(state.flags & RUBBLE_BODY_ASLEEP);
     ASSERT_EQ(apply(take()), RUBBLE_OK) << api()->get_last_error();
     EXPECT_EQ(resolved(m_world), resolved(m_other));
+}
+
+TEST_F(AbiDeltas, WithoutMotionVoxelsAreEqualAndTheHostMovesTheBodies) {
+    followWithoutMotion();
+    breakTable();
+    for (int i = 0; i < 60; ++i) {
+        if (i == 30) breakTable();
+        step();
+        ASSERT_EQ(apply(take()), RUBBLE_OK) << i << ": " << api()->get_last_error();
+        ASSERT_EQ(voxels(m_world), voxels(m_other)) << i;
+        const std::vector<rubble_body_state> moved = movedForOther();
+        EXPECT_EQ(api()->set_body_states(m_other, moved.data(), uint32_t(moved.size())), RUBBLE_OK)
+            << api()->get_last_error();
+    }
+    for (const rubble_body_state& here : bodies(m_world)) {
+        rubble_body_state there = {};
+        uint64_t handle = 0;
+        ASSERT_EQ(api()->translate_handle(m_other, here.body, &handle), RUBBLE_OK);
+        ASSERT_EQ(api()->get_body_state(m_other, handle, &there), RUBBLE_OK);
+        for (int i = 0; i < 3; ++i) EXPECT_EQ(here.position[i], there.position[i]);
+    }
+    step(60);
+    EXPECT_LT(take().size(), 200u) << "nothing breaks: a second costs as much as a step";
+}
+
+TEST_F(AbiDeltas, WithoutMotionATakeThatIsMissingIsNoticed) {
+    followWithoutMotion();
+    step();
+    (void)take();
+    breakTable();
+    step();
+    expectRefused(apply(take()), RUBBLE_ERROR_FILE, "expected the delta of step");
+}
+
+TEST_F(AbiDeltas, MovedBodiesAreThoseOfTheLastStep) {
+    make(shapeOn(make(bodyAt(3.0, 0.0, RUBBLE_BODY_STATIC)), RUBBLE_SHAPE_BOX, 5));
+    step();
+    EXPECT_TRUE(movedIn(m_world).empty()) << "nothing moves yet";
+    const rubble_body body = make(bodyAt(3.0, 0.55, 0));
+    make(shapeOn(body, RUBBLE_SHAPE_BOX, 5));
+    step();
+    ASSERT_EQ(movedIn(m_world).size(), 1u);
+    EXPECT_EQ(movedIn(m_world)[0].body, body);
+    auto change = sized<rubble_body_change>();
+    change.body = body, change.fields = RUBBLE_SET_POSE;
+    change.position[0] = 3.0, change.position[1] = 0.6;
+    ASSERT_EQ(api()->set_body(m_world, &change), RUBBLE_OK) << api()->get_last_error();
+    step();
+    EXPECT_EQ(movedIn(m_world).size(), 1u) << "once, though an edit and physics have moved it";
+    int steps = 0;
+    while (!movedIn(m_world).empty() && ++steps < 600) {
+        EXPECT_EQ(movedIn(m_world)[0].body, body);
+        step();
+    }
+    rubble_body_state state = {};
+    ASSERT_EQ(api()->get_body_state(m_world, body, &state), RUBBLE_OK);
+    EXPECT_TRUE(state.flags & RUBBLE_BODY_ASLEEP);
+    ASSERT_EQ(apply(take()), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_TRUE(movedIn(m_other).empty()) << "of the last step that it followed";
+    ASSERT_EQ(api()->load_level(m_world, s_level.c_str(), nullptr), RUBBLE_OK);
+    EXPECT_TRUE(movedIn(m_world).empty());
 }
 
 TEST_F(AbiDeltas, ManyStepsAreOneTake) {
@@ -164,7 +254,7 @@ TEST_F(AbiDeltas, ThereAreNoneUnlessTheyAreKept) {
     ASSERT_EQ(api()->keep_deltas(m_world, 0), RUBBLE_OK);
     step();
     expectRefused(api()->take_deltas(m_world, nullptr, 0, &size), RUBBLE_ERROR_ARGUMENT, "keep_deltas()");
-    expectRefused(api()->keep_deltas(m_world, 2), RUBBLE_ERROR_ARGUMENT, "on is 2");
+    expectRefused(api()->keep_deltas(m_world, 3), RUBBLE_ERROR_ARGUMENT, "on is 3");
     ASSERT_EQ(api()->keep_deltas(m_world, 1), RUBBLE_OK);
     std::vector<uint8_t> small(4);
     step();

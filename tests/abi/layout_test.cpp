@@ -86,9 +86,9 @@ TEST_F(Abi, RowsAreAsLargeAsTheHostSays) {
     list.row_size = sizeof(rubble_body_state) - 8;
     expectRefused(api()->read_rows(m_world, &list, rows, 4, &count), RUBBLE_ERROR_ARGUMENT, "list->row_size is 112");
     list.row_size = 0;
-    for (list.kind = 0; list.kind <= RUBBLE_ROWS_FIRES; ++list.kind)
+    for (list.kind = 0; list.kind <= RUBBLE_ROWS_MOVED_BODIES; ++list.kind)
         EXPECT_EQ(api()->read_rows(m_world, &list, nullptr, 0, &count), RUBBLE_OK) << list.kind;
-    expectRefused(api()->read_rows(m_world, &list, nullptr, 0, &count), RUBBLE_ERROR_ARGUMENT, "list->kind is 9");
+    expectRefused(api()->read_rows(m_world, &list, nullptr, 0, &count), RUBBLE_ERROR_ARGUMENT, "list->kind is 10");
 }
 
 TEST_F(Abi, RaysAndHitsAreAsLargeAsTheHostSays) {

@@ -7,7 +7,10 @@ void RandomHost::followByDeltas() {
     worldInCall = 0;  // the follower logs as well
     const rubble_world follower = makeWorld();
     uint64_t size = 0;
-    if (api().keep_deltas(m_world, 1) != RUBBLE_OK) fail("keep_deltas");
+    const bool hasMotion = !m_decisions.oneIn(3);
+    if (api().keep_deltas(m_world, hasMotion ? RUBBLE_DELTAS_ALL : RUBBLE_DELTAS_EDITS) != RUBBLE_OK)
+        fail("keep_deltas");
+    const auto hashOf = hasMotion ? api().get_resolved_hash : api().get_voxel_hash;
     const std::vector<uint8_t> game = saved();
     if (api().load_game_data(follower, game.data(), game.size()) != RUBBLE_OK) fail("load_game_data");
     bool isFollowing = true;
@@ -29,7 +32,7 @@ void RandomHost::followByDeltas() {
         if (!isFollowing && applied == RUBBLE_OK) fail("a delta that does not follow is applied");
         if (m_decisions.oneIn(8)) isFollowing = isFollowing && api().step(follower) != RUBBLE_OK;
         uint64_t here = 0, there = 0;
-        api().get_resolved_hash(m_world, &here), api().get_resolved_hash(follower, &there);
+        hashOf(m_world, &here), hashOf(follower, &there);
         if (isFollowing && here != there) fail("another hash after apply_deltas");
         reached("steps followed by deltas");
     }

@@ -1,5 +1,6 @@
 #include <cstring>
 #include <new>
+#include <optional>
 
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
@@ -9,8 +10,12 @@ namespace {
 
 rubble_result keepDeltas(rubble_world world, uint32_t on) {
     return inWorld("keep_deltas", world, [&](HostedWorld& hosted) {
-        const bool keeps = readEnum(on, 1, "on");
-        if (!isRefused()) change(hosted, [&] { hosted.loop.keepDeltas(keeps); });
+        const uint32_t kind = readEnum(on, RUBBLE_DELTAS_EDITS, "on");
+        if (isRefused()) return;
+        std::optional<DeltaContent> content;
+        if (kind == RUBBLE_DELTAS_ALL) content = DeltaContent::All;
+        if (kind == RUBBLE_DELTAS_EDITS) content = DeltaContent::EditsOnly;
+        change(hosted, [&] { hosted.loop.keepDeltas(content); });
     });
 }
 
@@ -57,6 +62,12 @@ rubble_result getResolvedHash(rubble_world world, uint64_t* out) {
     });
 }
 
+rubble_result getVoxelHash(rubble_world world, uint64_t* out) {
+    return inWorld("get_voxel_hash", world, [&](const HostedWorld& hosted) {
+        if (isGiven(out, "out")) *out = voxelHash(hosted.loop.world());
+    });
+}
+
 }  // namespace
 
 void setDeltaFunctions(rubble_api& api) {
@@ -64,6 +75,7 @@ void setDeltaFunctions(rubble_api& api) {
     api.take_deltas = takeDeltas;
     api.apply_deltas = applyDeltas;
     api.get_resolved_hash = getResolvedHash;
+    api.get_voxel_hash = getVoxelHash;
 }
 
 }  // namespace rubble::abi

@@ -6,7 +6,7 @@ namespace rubble::abi {
 namespace {
 
 struct RowsCall {
-    const HostedWorld& hosted;
+    HostedWorld& hosted;
     rubble_row_list list;
     void* out;
     uint32_t capacity;
@@ -36,9 +36,11 @@ void readEvents(const RowsCall& call, const Row* events, uint32_t count) {
 
 void readKind(const RowsCall& call) {
     const rubble_events events = call.hosted.events.view();
-    switch (readEnum(call.list.kind, RUBBLE_ROWS_FIRES, "list->kind")) {
+    switch (readEnum(call.list.kind, RUBBLE_ROWS_MOVED_BODIES, "list->kind")) {
         case RUBBLE_ROWS_BODIES:
             return readAll<rubble_body_state>(call);
+        case RUBBLE_ROWS_MOVED_BODIES:
+            return readAll<rubble_body_state>(call, [&](auto& rows) { writeMovedRows(call.hosted, rows); });
         case RUBBLE_ROWS_SHAPES:
             return readAll<rubble_shape_state>(call, [&](auto& rows) { writeRows(call.hosted, rows, call.list.body); });
         case RUBBLE_ROWS_JOINTS:
@@ -59,7 +61,7 @@ void readKind(const RowsCall& call) {
 }
 
 rubble_result readRows(rubble_world world, const rubble_row_list* list, void* out, uint32_t capacity, uint32_t* count) {
-    return inWorld("read_rows", world, [&](const HostedWorld& hosted) {
+    return inWorld("read_rows", world, [&](HostedWorld& hosted) {
         const RowsCall call{hosted, readStruct(list, "list"), out, capacity, count};
         if (!isRefused()) readKind(call);
     });

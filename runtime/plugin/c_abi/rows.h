@@ -7,6 +7,8 @@ namespace rubble::abi {
 
 /// All bodies.
 void writeRows(const HostedWorld& hosted, RowWriter<rubble_body_state>& rows);
+/// Those that the last step moved, by their slots.
+void writeMovedRows(HostedWorld& hosted, RowWriter<rubble_body_state>& rows);
 /// The shapes of a body; body 0: of all. A stale one is refused.
 void writeRows(const HostedWorld& hosted, RowWriter<rubble_shape_state>& rows, rubble_body body);
 /// All joints.

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
 #include "runtime/plugin/c_abi/rows.h"
@@ -109,6 +111,16 @@ rubble_result getStepStats(rubble_world world, rubble_step_stats* out) {
 void writeRows(const HostedWorld& hosted, RowWriter<rubble_body_state>& rows) {
     hosted.loop.world().bodies().forEach(
         [&](BodyHandle handle, const Body& body) { rows.add([&] { return bodyState(handle, body); }); });
+}
+
+void writeMovedRows(HostedWorld& hosted, RowWriter<rubble_body_state>& rows) {
+    std::vector<BodyHandle> moved;
+    for (const BodyPose& pose : hosted.loop.drawingData().moved) moved.push_back(pose.body);
+    std::sort(moved.begin(), moved.end(), [](BodyHandle a, BodyHandle b) { return a.slot() < b.slot(); });
+    moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
+    for (const BodyHandle handle : moved)
+        if (const Body* body = hosted.loop.world().bodies().find(handle))
+            rows.add([&] { return bodyState(handle, *body); });
 }
 
 void writeRows(const HostedWorld& hosted, RowWriter<rubble_shape_state>& rows, rubble_body body) {

@@ -217,4 +217,15 @@ WorldDelta swapObjects(WorldData& world, WorldDelta target, FrameChanges& change
     return before;
 }
 
+void dropMotion(SlotValues<BodyHandle, Body>& before, const WorldData& world) {
+    std::erase_if(before, [&](const auto& entry) {
+        const auto& [handle, was] = entry.second;
+        const Body* is = world.bodies.find(handle);
+        return is && !was->isStatic && !is->isStatic && was->shapes == is->shapes && was->name == is->name &&
+               was->tags == is->tags && was->broken == is->broken && was->createdStep == is->createdStep &&
+               was->gravityScale == is->gravityScale && was->linearDamping == is->linearDamping &&
+               was->angularDamping == is->angularDamping;
+    });
+}
+
 }  // namespace rubble

@@ -32,4 +32,8 @@ struct WorldDelta : ObjectKinds<SlotValues> {
 /// wait for their split stay as they are.
 WorldDelta swapObjects(WorldData& world, WorldDelta target, FrameChanges& changes);
 
+/// Takes out bodies that have changed in nothing but how they move: free bodies whose pose, velocity or sleep is
+/// another one. before: as they were, from WorldBaseline::update().
+void dropMotion(SlotValues<BodyHandle, Body>& before, const WorldData& world);
+
 }  // namespace rubble

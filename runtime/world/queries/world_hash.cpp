@@ -17,6 +17,20 @@ struct Hasher {
     }
 };
 
+/// Hashes of palettes, of which most follow an equal one.
+class PaletteHash {
+public:
+    uint64_t of(const Palette& palette) {
+        if (&palette != m_last) m_hash = hashPalette(palette);
+        m_last = &palette;
+        return m_hash;
+    }
+
+private:
+    const Palette* m_last = nullptr;
+    uint64_t m_hash = 0;
+};
+
 }  // namespace
 
 uint64_t stateHash(const WorldData& world) {
@@ -35,10 +49,11 @@ uint64_t stateHash(const WorldData& world) {
 
 uint64_t voxelHash(const WorldState& world) {
     Hasher hasher;
+    PaletteHash palettes;
     world.shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
         hasher.add(handle.slot());
         hasher.add(shape.grid.contentHash());
-        hasher.add(hashPalette(*shape.palette));
+        hasher.add(palettes.of(*shape.palette));
         if (shape.paintColors) hasher.add(hashBytes(shape.paintColors.get(), sizeof(PaintColors)));
     });
     world.groups.forEach(
@@ -58,18 +73,13 @@ uint64_t resolvedHash(const WorldState& world) {
         hasher.add(body.restingSince);
         hasher.add(glm::dvec3(body.gravityScale, body.linearDamping, body.angularDamping));
     });
-    const Palette* lastPalette = nullptr;
-    uint64_t paletteHash = 0;
+    PaletteHash palettes;
     world.shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
-        if (shape.palette.get() != lastPalette) {
-            lastPalette = shape.palette.get();
-            paletteHash = hashPalette(*shape.palette);
-        }
         hasher.add(handle.slot());
         hasher.add(shape.body.slot());
         hasher.add(shape.local);
         hasher.add(shape.grid.contentHash());
-        hasher.add(paletteHash);
+        hasher.add(palettes.of(*shape.palette));
         hasher.add(glm::dvec3(shape.strength, shape.density, shape.emission));
         hasher.state = hashBytes(shape.anchors.data(), shape.anchors.size() * sizeof(CellBox), hasher.state);
         hasher.add(uint64_t(shape.loadBearing) << 24 | uint64_t(shape.collisionShape) << 16 |

@@ -178,7 +178,8 @@ const std::map<std::string, std::vector<Prepare>> kCalls = {
     {"get_tag", {prepareTag}},
     {"read_rows",
      {[](HostCall& c) { c.at<rubble_row_list>("list").kind = RUBBLE_ROWS_BODIES; },
-      [](HostCall& c) { c.at<rubble_row_list>("list").kind = RUBBLE_ROWS_SHAPES; }}},
+      [](HostCall& c) { c.at<rubble_row_list>("list").kind = RUBBLE_ROWS_SHAPES; },
+      [](HostCall& c) { c.at<rubble_row_list>("list").kind = RUBBLE_ROWS_MOVED_BODIES; }}},
     {"find_by_tag", {prepareTag}},
     {"get_objects_of", {[](HostCall& c) { c.set("kind", uint32_t(RUBBLE_KIND_SHAPE)); }}},
     {"set_settings", {[](HostCall& c) { api()->get_settings(c.world().world(), &c.at<rubble_settings>("settings")); }}},
@@ -188,7 +189,7 @@ const std::map<std::string, std::vector<Prepare>> kCalls = {
          auto& impact = c.at<rubble_impact>("impacts");
          impact.normal[1] = 1.0, impact.other = 0;
      }}},
-    {"keep_deltas", {[](HostCall& c) { c.set("on", 1u); }}},
+    {"keep_deltas", {[](HostCall& c) { c.set("on", 1u); }, [](HostCall& c) { c.set("on", 2u); }}},
     {"get_loading_progress", {startLoading}},
     {"finish_loading", {startLoading}},
     {"set_materials", {[](HostCall& c) {

@@ -1224,7 +1224,19 @@ enum {
     RUBBLE_ROWS_REMOVED_VOXELS = 5, /* rubble_removed_voxels, as in get_events() */
     RUBBLE_ROWS_SPLITS = 6,         /* rubble_shape_split, as in get_events() */
     RUBBLE_ROWS_DUST_CLOUDS = 7,    /* rubble_dust_cloud, as in get_events() */
-    RUBBLE_ROWS_FIRES = 8           /* rubble_fire */
+    RUBBLE_ROWS_FIRES = 8,          /* rubble_fire */
+    /* the bodies that the last step moved, each as rubble_body_state: by physics, by the host's or by an edit. One that
+     * has fallen asleep in it is among them for the last time. Costs what moved */
+    RUBBLE_ROWS_MOVED_BODIES = 9
+};
+
+/* What deltas tell of a step, for keep_deltas(). */
+enum {
+    RUBBLE_DELTAS_NONE = 0,
+    RUBBLE_DELTAS_ALL = 1, /* all that it changed: some 100 bytes for each body that moves */
+    /* what edits changed, and no motion: for hosts that send poses as their network allows. Costs what edits change and
+     * a hash of the voxels in steps that change some */
+    RUBBLE_DELTAS_EDITS = 2
 };
 
 /* What read_rows() lists. A host that gives sizeof of the row in its own rubble.h works with every version of the
@@ -1996,8 +2008,10 @@ typedef struct rubble_api {
 
     /* ---- deltas: a world that follows another ---- */
 
-    /* [main-thread] From now on each step keeps what it changed, for worlds that are equal to this one now, such as one
-     * that loads save_game_data() of now. on: 1; 0 ends it, as loading does, and costs nothing. */
+    /* [main-thread] From now on each step keeps what it changed, for worlds that are equal to this one now, to their
+     * handles: those that load save_game_data() of now. One that has come by the same voxels in another way may have
+     * given its objects other handles, and is then refused. What was kept before is dropped: take it first. on:
+     * RUBBLE_DELTAS_...; RUBBLE_DELTAS_NONE ends it, as loading does, and costs nothing. */
     rubble_result (*keep_deltas)(rubble_world world, uint32_t on);
     /* [main-thread] Takes what steps have kept since the last call that gave it. `capacity` is in bytes; *count becomes
      * the size. Capacity 0 asks for that alone; fewer bytes than that: RUBBLE_ERROR_CAPACITY; nothing is taken either
@@ -2007,10 +2021,13 @@ typedef struct rubble_api {
      * physics. Each take of the other world is applied once, in their order, from the first after keep_deltas() on;
      * a step() of this world in between ends that. get_events() tells of the last of the steps. It stops a recording,
      * and keep_deltas() of this world. get_reports() is empty after it. Heat, ropes between their ends and what is
-     * still to split are left out, see get_resolved_hash(). RUBBLE_ERROR_FILE: the bytes are wrong or steps are
-     * missing, and this world is as after the step before; or a step has shown that it was another one. */
+     * still to split are left out, see get_resolved_hash(). Of RUBBLE_DELTAS_EDITS, poses, velocities and sleep of
+     * free bodies that were there before and of characters are left out too: see get_voxel_hash(). A world with
+     * RUBBLE_WORLD_HOST_PHYSICS gets them by set_body_states(), before this call. RUBBLE_ERROR_FILE: the bytes are
+     * wrong or steps are missing, and this world is as after the step before; or a step has shown that it was another
+     * one. */
     rubble_result (*apply_deltas)(rubble_world world, const void* data, uint64_t size);
-    /* [main-thread] A hash of what deltas keep equal: all objects, voxels and settings. */
+    /* [main-thread] A hash of what RUBBLE_DELTAS_ALL keep equal: all objects, voxels and settings. */
     rubble_result (*get_resolved_hash)(rubble_world world, uint64_t* out);
 
     /* ---- loading in the background ---- */
@@ -2132,6 +2149,12 @@ typedef struct rubble_api {
     rubble_result (*get_shape_state)(rubble_world world, rubble_shape shape, rubble_shape_state* out);
     /* [main-thread] One character. */
     rubble_result (*get_character_state)(rubble_world world, rubble_character character, rubble_character_state* out);
+
+    /* ---- deltas without motion ---- */
+
+    /* [main-thread] A hash of what RUBBLE_DELTAS_EDITS keep equal: voxels, their palettes and paint, and light groups.
+     * Poses are not in it: it is the same on every machine. */
+    rubble_result (*get_voxel_hash)(rubble_world world, uint64_t* out);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

@@ -793,8 +793,10 @@ public:
         check(api().play_recording_data(m_handle, data, size, &out));
         return out;
     }
-    /** From now on each step keeps what it changed, for worlds that are equal to this one now, such as one that loads
-     * save_game_data() of now. on: 1; 0 ends it, as loading does, and costs nothing. */
+    /** From now on each step keeps what it changed, for worlds that are equal to this one now, to their handles: those
+     * that load save_game_data() of now. One that has come by the same voxels in another way may have given its objects
+     * other handles, and is then refused. What was kept before is dropped: take it first. on: RUBBLE_DELTAS_...;
+     * RUBBLE_DELTAS_NONE ends it, as loading does, and costs nothing. */
     void keep_deltas(uint32_t on) {
         check(api().keep_deltas(m_handle, on));
     }
@@ -810,12 +812,14 @@ public:
      * of the other world is applied once, in their order, from the first after keep_deltas() on; a step() of this world
      * in between ends that. get_events() tells of the last of the steps. It stops a recording, and keep_deltas() of
      * this world. get_reports() is empty after it. Heat, ropes between their ends and what is still to split are left
-     * out, see get_resolved_hash(). RUBBLE_ERROR_FILE: the bytes are wrong or steps are missing, and this world is as
-     * after the step before; or a step has shown that it was another one. */
+     * out, see get_resolved_hash(). Of RUBBLE_DELTAS_EDITS, poses, velocities and sleep of free bodies that were there
+     * before and of characters are left out too: see get_voxel_hash(). A world with RUBBLE_WORLD_HOST_PHYSICS gets them
+     * by set_body_states(), before this call. RUBBLE_ERROR_FILE: the bytes are wrong or steps are missing, and this
+     * world is as after the step before; or a step has shown that it was another one. */
     void apply_deltas(const void* data, uint64_t size) {
         check(api().apply_deltas(m_handle, data, size));
     }
-    /** A hash of what deltas keep equal: all objects, voxels and settings. */
+    /** A hash of what RUBBLE_DELTAS_ALL keep equal: all objects, voxels and settings. */
     uint64_t get_resolved_hash() const {
         uint64_t out{};
         check(api().get_resolved_hash(m_handle, &out));
@@ -1006,6 +1010,13 @@ public:
     rubble_character_state get_character_state(rubble_character character) const {
         rubble_character_state out{};
         check(api().get_character_state(m_handle, character, &out));
+        return out;
+    }
+    /** A hash of what RUBBLE_DELTAS_EDITS keep equal: voxels, their palettes and paint, and light groups. Poses are not
+     * in it: it is the same on every machine. */
+    uint64_t get_voxel_hash() const {
+        uint64_t out{};
+        check(api().get_voxel_hash(m_handle, &out));
         return out;
     }
 private:

@@ -1,0 +1,127 @@
+#include "samples/netplay/enet_transport.h"
+
+#include <enet/enet.h>
+
+#include <map>
+#include <stdexcept>
+
+namespace netplay {
+namespace {
+
+enum Channel : uint8_t { kReliable, kUnreliable, kChannels };
+constexpr uint64_t kUdpHeader = 28;  // with that of IP
+
+void startEnet() {
+    static const int result = enet_initialize();
+    if (result != 0) throw std::runtime_error("ENet could not start");
+}
+
+class EnetTransport final : public Transport {
+public:
+    EnetTransport(const ENetAddress* address, size_t peers, bool patient) : m_patient(patient) {
+        m_host.reset(enet_host_create(address, peers, kChannels, 0, 0));
+        if (!m_host)
+            throw std::runtime_error(address ? "UDP port " + std::to_string(address->port) + ": expected a free one"
+                                             : "ENet could not make a host");
+    }
+    ~EnetTransport() override {
+        for (auto& [number, peer] : m_peers) enet_peer_disconnect_now(peer, 0);
+        if (!m_peers.empty()) enet_host_flush(m_host.get());
+    }
+
+    void connect(const ENetAddress& address) {
+        if (!enet_host_connect(m_host.get(), &address, kChannels, 0)) throw std::runtime_error("ENet has no peer left");
+    }
+
+    bool receive(Event& event) override {
+        ENetEvent got;
+        while (enet_host_service(m_host.get(), &got, 0) > 0) {
+            if (got.type == ENET_EVENT_TYPE_CONNECT) return open(got.peer, event);
+            const Peer peer = numberOf(got.peer);
+            if (got.type == ENET_EVENT_TYPE_DISCONNECT) {
+                m_peers.erase(peer);
+                got.peer->data = nullptr;
+                event = {Event::Kind::Disconnected, peer, {}};
+                return true;
+            }
+            event = {Event::Kind::Received, peer, {got.packet->data, got.packet->data + got.packet->dataLength}};
+            enet_packet_destroy(got.packet);
+            if (m_peers.contains(peer)) return true;
+        }
+        return false;
+    }
+
+    void send(Peer peer, Delivery delivery, std::span<const uint8_t> bytes) override {
+        const auto found = m_peers.find(peer);
+        if (found == m_peers.end()) return;
+        const bool isReliable = delivery == Delivery::Reliable;
+        ENetPacket* packet = enet_packet_create(bytes.data(), bytes.size(),
+                                                isReliable ? ENET_PACKET_FLAG_RELIABLE : ENET_PACKET_FLAG_UNSEQUENCED);
+        if (!packet) throw std::bad_alloc();
+        if (enet_peer_send(found->second, isReliable ? kReliable : kUnreliable, packet) != 0)
+            enet_packet_destroy(packet);
+    }
+
+    void drop(Peer peer) override {
+        if (const auto found = m_peers.find(peer); found != m_peers.end()) enet_peer_disconnect_later(found->second, 0);
+    }
+
+    void tick() override { enet_host_flush(m_host.get()); }
+
+    uint16_t port() const { return m_host->address.port; }
+    uint64_t bytes() const {
+        return m_host->totalSentData + m_host->totalReceivedData +
+               kUdpHeader * (uint64_t(m_host->totalSentPackets) + m_host->totalReceivedPackets);
+    }
+
+private:
+    bool open(ENetPeer* peer, Event& event) {
+        const Peer number = ++m_last;
+        peer->data = reinterpret_cast<void*>(uintptr_t(number));
+        m_peers[number] = peer;
+        if (m_patient) {
+            constexpr enet_uint32 kHour = 3600 * 1000;
+            enet_peer_timeout(peer, 1u << 20, kHour, kHour);
+            enet_peer_throttle_configure(peer, 5000, ENET_PEER_PACKET_THROTTLE_SCALE, 0);  // drops none by itself
+        }
+        event = {Event::Kind::Connected, number, {}};
+        return true;
+    }
+    static Peer numberOf(const ENetPeer* peer) { return Peer(reinterpret_cast<uintptr_t>(peer->data)); }
+
+    struct Destroy {
+        void operator()(ENetHost* host) const { enet_host_destroy(host); }
+    };
+    std::unique_ptr<ENetHost, Destroy> m_host;
+    std::map<Peer, ENetPeer*> m_peers;
+    Peer m_last = 0;
+    bool m_patient;
+};
+
+}  // namespace
+
+std::unique_ptr<Transport> listenWithEnet(uint16_t port, size_t peers, bool patient) {
+    startEnet();
+    const ENetAddress address{ENET_HOST_ANY, port};
+    return std::make_unique<EnetTransport>(&address, peers, patient);
+}
+
+std::unique_ptr<Transport> connectWithEnet(const std::string& host, uint16_t port, bool patient) {
+    startEnet();
+    ENetAddress address{0, port};
+    if (enet_address_set_host(&address, host.c_str()) != 0)
+        throw std::runtime_error(host + ": expected the name or address of a host");
+    auto transport = std::make_unique<EnetTransport>(nullptr, 1, patient);
+    transport->connect(address);
+    return transport;
+}
+
+uint16_t portOf(const Transport& listening) {
+    return dynamic_cast<const EnetTransport&>(listening).port();
+}
+
+uint64_t bytesOnWire(const Transport& transport) {
+    return dynamic_cast<const EnetTransport&>(transport).bytes();
+}
+
+}  // namespace netplay

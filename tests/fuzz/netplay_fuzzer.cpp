@@ -1,0 +1,163 @@
+// The netplay sample: connections that send messages of clients, most of them changed, to a server; a client whose
+// server's messages are changed on the way; and an honest client, whose world must stay the server's.
+#include <cstdio>
+#include <cstdlib>
+
+#include "samples/netplay/client.h"
+#include "samples/netplay/memory_transport.h"
+#include "samples/netplay/server.h"
+#include "tests/fuzz/mutate_bytes.h"
+#include "tests/fuzz/stages.h"
+
+namespace netplay {
+namespace {
+
+using rubble::Decisions;
+using rubble::reached;
+
+[[noreturn]] void fail(const char* what) {
+    std::fprintf(stderr, "%s\n", what);
+    std::abort();
+}
+
+rubble_world_settings settingsOf(uint32_t flags) {
+    rubble_world_settings out{};
+    out.flags = RUBBLE_WORLD_NO_RENDERER | flags;
+    out.assertion_failed = [](void*, const char* message) { fail(message); };
+    return out;
+}
+
+void buildWall(rubble::World& world) {
+    rubble_body_settings body{};
+    body.flags = RUBBLE_BODY_STATIC;
+    rubble_shape_settings wall{};
+    wall.source = RUBBLE_SHAPE_BOX, wall.body = world.create_body(body);
+    wall.size[0] = wall.size[1] = 30, wall.size[2] = 4, wall.index = 7;
+    world.create_shape(wall);
+    rubble_bounds bounds{};
+    bounds.low[0] = bounds.low[1] = bounds.low[2] = -20.0;
+    bounds.high[0] = bounds.high[1] = bounds.high[2] = 20.0;
+    world.set_bounds(bounds);
+    world.step();
+}
+
+/// Changes one in eight of the messages that arrive.
+class Garbled final : public Transport {
+public:
+    Garbled(std::unique_ptr<Transport> inner, Decisions& decisions)
+        : m_inner(std::move(inner)), m_decisions(decisions) {}
+    bool receive(Event& event) override {
+        if (!m_inner->receive(event)) return false;
+        if (event.kind == Event::Kind::Received && m_decisions.oneIn(8)) mutateBytes(m_decisions, event.bytes);
+        return true;
+    }
+    void send(Peer peer, Delivery delivery, std::span<const uint8_t> bytes) override {
+        m_inner->send(peer, delivery, bytes);
+    }
+    void drop(Peer peer) override { m_inner->drop(peer); }
+    void tick() override { m_inner->tick(); }
+
+private:
+    std::unique_ptr<Transport> m_inner;
+    Decisions& m_decisions;
+};
+
+/// A connection that sends what it should not, and knows when the server must end it.
+class Attacker {
+public:
+    Attacker(MemoryNetwork& network, Decisions& decisions) : m_transport(network.connect()), m_decisions(decisions) {}
+
+    void send() {
+        for (uint32_t count = m_decisions.oneIn(50) ? 40 : m_decisions.below(16), i = 1; i <= count; ++i) {
+            std::vector<uint8_t> bytes = encode(message());
+            if (!m_decisions.oneIn(4)) mutateBytes(m_decisions, bytes);
+            reached("messages");
+            m_mustEnd = m_mustEnd || !isGood(bytes) || i > 32;
+            m_transport->send(0, Delivery::Reliable, bytes);
+        }
+    }
+    /// After a step of the server; false: the connection has ended, as it must.
+    bool isOpen() {
+        Event event;
+        bool isOpen = true;
+        while (m_transport->receive(event)) {
+            isOpen = isOpen && event.kind != Event::Kind::Disconnected;
+            if (event.kind != Event::Kind::Received) continue;
+            const auto message = decode(event.bytes, false);
+            if (!message) fail("the server has sent what is no message");
+            if (const auto* poses = std::get_if<Poses>(&*message)) m_position = poses->players.at(0).position;
+        }
+        if (isOpen == m_mustEnd)
+            fail(isOpen ? "the sender of wrong bytes was not dropped" : "an honest one was dropped");
+        if (!isOpen) reached("senders dropped");
+        return isOpen;
+    }
+
+private:
+    Message message() {
+        if (!m_hasJoined && !m_decisions.oneIn(8)) return Join{kVersion, 0, m_decisions.bits(), m_decisions.below(9)};
+        const uint64_t bits = m_decisions.bits();
+        if (bits % 64 == 0) return askAtWall();
+        if (m_decisions.oneIn(3)) return Ask{Tool(bits % 4), {int16_t(bits >> 8), int16_t(bits >> 24), 1}};
+        return Input{uint16_t(m_decisions.below(40)), uint32_t(bits), {int8_t(bits >> 32), int8_t(bits >> 40), 0}};
+    }
+    Ask askAtWall() {
+        const Vec3 to = {3.0 * m_decisions.unit(), 3.0 * m_decisions.unit(), 0.2};
+        Ask ask{Tool(m_decisions.below(4)), {0, 0, 1}};
+        for (size_t i = 0; i < 3; ++i) ask.direction[i] = int16_t(1000.0 * (to[i] - m_position[i]));
+        reached("messages that break or paint, if they arrive unchanged");
+        return ask;
+    }
+    /// Whether the server has to take it.
+    bool isGood(const std::vector<uint8_t>& bytes) {
+        const auto message = decode(bytes, true);
+        if (!message) return false;
+        const auto* join = std::get_if<Join>(&*message);
+        if (!join) return m_hasJoined;
+        if (m_hasJoined || join->version != kVersion) return false;
+        reached("players joined");
+        return m_hasJoined = true;
+    }
+
+    std::unique_ptr<Transport> m_transport;
+    Decisions& m_decisions;
+    Vec3 m_position{};
+    bool m_hasJoined = false, m_mustEnd = false;
+};
+
+/// The honest client has the server's world, whatever the others have sent.
+void expectSameWorld(Server& server, Client& honest, const rubble::World& here, const rubble::World& there) {
+    for (int i = 0; i < 40 || server.step() % kStepsPerEdits; ++i) server.tick(), honest.tick();
+    if (honest.state() != Client::State::Playing) fail("the honest client no longer plays");
+    if (honest.appliedStep() + 16 < server.step()) fail("the honest client does not follow");
+    while (honest.appliedStep() < server.step()) honest.tick();  // it shows what was some steps before
+    uint64_t hashes[2] = {};
+    rubble::check(rubble::api().get_voxel_hash(here.handle(), &hashes[0]));
+    rubble::check(rubble::api().get_voxel_hash(there.handle(), &hashes[1]));
+    if (hashes[0] != hashes[1]) fail("the honest client has another world");
+}
+
+}  // namespace
+}  // namespace netplay
+
+void rubble::fuzz(Decisions& decisions) {
+    using namespace netplay;
+    World world(settingsOf(0)), honestWorld(settingsOf(RUBBLE_WORLD_HOST_PHYSICS)),
+        garbledWorld(settingsOf(RUBBLE_WORLD_HOST_PHYSICS));
+    buildWall(world);
+    MemoryNetwork network;
+    Server server(world, network.listen(), {});
+    Client honest(honestWorld), garbled(garbledWorld);
+    honest.connect(network.connect());
+    std::vector<std::unique_ptr<Attacker>> attackers;
+    for (int i = 0; i < 100; ++i) {
+        while (attackers.size() < 4) attackers.push_back(std::make_unique<Attacker>(network, decisions));
+        for (auto& attacker : attackers) attacker->send();
+        if (garbled.state() == Client::State::Disconnected)
+            garbled.connect(std::make_unique<Garbled>(network.connect(), decisions));
+        server.tick(), honest.tick(), garbled.tick();
+        std::erase_if(attackers, [](auto& attacker) { return !attacker->isOpen(); });
+    }
+    expectSameWorld(server, honest, world, honestWorld);
+    reached("worlds equal at the end");
+}
