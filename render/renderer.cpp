@@ -89,10 +89,10 @@ struct Renderer::Impl {
 
     /// The frame. Each line: the pass, the targets that it reads, those that it writes. The target pool asserts that
     /// passes use no others.
-    void drawPasses(const FrameContext& frame);
+    void drawPasses(const FrameContext& frame, const View& view);
     void drawGeometry(const FrameContext& frame);
     void drawLight(const FrameContext& frame);
-    void drawImage(const FrameContext& frame);
+    void drawImage(const FrameContext& frame, const View& view);
     void showImage(const FrameContext& frame, const View& view);
 
     /// For passes of what most scenes never have: builds the pass with the first frame that needs it.
@@ -186,10 +186,10 @@ struct Renderer::Impl {
     ShowPass show{shaders};
 };
 
-void Renderer::Impl::drawPasses(const FrameContext& frame) {
+void Renderer::Impl::drawPasses(const FrameContext& frame, const View& view) {
     drawGeometry(frame);
     drawLight(frame);
-    drawImage(frame);
+    drawImage(frame, view);
 }
 
 void Renderer::Impl::drawGeometry(const FrameContext& frame) {
@@ -227,7 +227,7 @@ void Renderer::Impl::drawLight(const FrameContext& frame) {
             [&] { reflections.draw(frame); });
 }
 
-void Renderer::Impl::drawImage(const FrameContext& frame) {
+void Renderer::Impl::drawImage(const FrameContext& frame, const View& view) {
     using enum Target;
     run("composite", kGBuffer | GlassSurface | DenoisedLight | Specular | Surface | Reflection,
         Radiance | DiffuseFraction, [&] { composite.draw(frame, isGlassSunlit() ? &*glassShadow : nullptr); });
@@ -250,7 +250,7 @@ void Renderer::Impl::drawImage(const FrameContext& frame) {
         Resolved, [&] { taa.draw(frame); });
     if (settings.bloom > 0.0f)
         run("bloom", Resolved, Bloom0 | Bloom1 | Bloom2 | Bloom3 | Bloom4, [&] { bloom.draw(frame); });
-    run("exposure", Resolved | previous(Exposure), Exposure, [&] { exposure.draw(frame); });
+    run("exposure", Resolved | previous(Exposure), Exposure, [&] { exposure.draw(frame, view.hasFixedExposure); });
     run("tonemap", Resolved | Exposure | Bloom0, Final, [&] { tonemap.draw(frame); });
 }
 
@@ -358,9 +358,11 @@ void Renderer::Impl::drawFrames(const View& view, float alpha) {
     const double now = scene.seconds() + double(alpha - 1.0f) / kStepsPerSecond, passed = now - history->gameSeconds;
     frameSeconds = passed > 0.0 ? float(std::min(passed, kLongestFrame)) : kStill;
     history->gameSeconds = now;
-    const bool isFirst = view.cut || history->moment == 0;
-    history->moment = moment;
     View each = view;
+    each.cut |= history->replacements != scene.replacements();  // what it shows is gone
+    const bool isFirst = each.cut || history->moment == 0;
+    history->moment = moment;
+    history->replacements = scene.replacements();
     for (int i = isFirst ? settings.warmUpFrames : 0; i >= 0; --i) {
         drawOnce(each);
         each.cut = false;
@@ -421,7 +423,7 @@ void Renderer::Impl::drawOnce(const View& wanted) {
     const FrameContext frame{
         block,   settings,    scene, history->targets, blueNoise, stats, emptyVertexArray, updateLightGrid(),
         &choice, frameSeconds};
-    drawPasses(frame);
+    drawPasses(frame, view);
     showImage(frame, wanted);
     if (timer.isImmediate()) takeTimes();
 }

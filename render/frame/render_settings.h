@@ -41,9 +41,10 @@ struct View {
     std::optional<Projection> projection;  ///< none: verticalFov, with square pixels
     /// Whether it composes with the depth of its framebuffer.
     bool composesDepth() const { return projection && projection->composesDepth; }
-    bool isLinear = false;   ///< radiance times exposure, not the colours of a display
-    bool isFlipped = false;  ///< the first row of pixels is the top one
-    bool cut = false;        ///< the camera jumped: histories of frames before this one are not used
+    bool isLinear = false;          ///< radiance times exposure, not the colours of a display
+    bool hasFixedExposure = false;  ///< the environment's; off: adapted to the brightness of the image
+    bool isFlipped = false;         ///< the first row of pixels is the top one
+    bool cut = false;               ///< the camera jumped: histories of frames before this one are not used
     /// Views that are drawn in turn by one renderer, as those of a split screen, have different slots: each keeps its
     /// own history. Different sizes do so by themselves.
     int slot = 0;

@@ -104,7 +104,7 @@ inline constexpr std::array<TargetDeclaration, kTargetCount> kTargets = [] {
         // Denoising.
         {HistoryLeft, "historyLeft", GL_RGBA8},  // passes/history_left.frag; after changes
         {FastHistory, "fastHistory", GL_RGBA16F, Render, 4, kLinear, kHistory},  // passes/light_change.frag
-        {HistoryConfidence, "historyConfidence", GL_RG8, Render, 4, kLinear, kHistory},
+        {HistoryConfidence, "historyConfidence", GL_RGBA8, Render, 4, kLinear, kHistory},
         {AccumulatedLight, "accumulatedLight", GL_RGBA16F, Render, 1, kLinear, kHistory},
         {Surface, "surface", GL_RGBA32F, Render, 1, kLinear, kHistory},  // lib/surface_history.glsl
         {DenoisedLight, "denoisedLight", GL_RGBA16F},

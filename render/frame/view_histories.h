@@ -25,10 +25,11 @@ struct ViewHistory {
     }
     /// Frees all targets.
     void clear() { targets.clear(), exactTargets.clear(), hostTargets.clear(); }
-    uint64_t lastDraw = 0;     ///< number of the renderer's draw, from 1 on; 0: never
-    double gameSeconds = 0.0;  ///< game time of the last draw
-    uint64_t moment = 0;       ///< of the scene that it showed last
-    uint64_t tryLargerAt = 0;  ///< number of the draw that tries the least downscale again
+    uint64_t lastDraw = 0;      ///< number of the renderer's draw, from 1 on; 0: never
+    double gameSeconds = 0.0;   ///< game time of the last draw
+    uint64_t moment = 0;        ///< of the scene that it showed last
+    uint64_t replacements = 0;  ///< of the scene at that moment
+    uint64_t tryLargerAt = 0;   ///< number of the draw that tries the least downscale again
 };
 
 /// The histories of a renderer's views. Several views can be drawn in turn without making their targets again.

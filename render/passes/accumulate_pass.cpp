@@ -55,6 +55,7 @@ void AccumulatePass::draw(const FrameContext& frame) const {
         program.set("uHistoryConfidence", frame.targets.orNone(Target::HistoryConfidence));
         program.set("uHasConfidence", int(hasConfidence));
         program.set("uHistoryValid", int(hasHistory));
+        program.set("uNewSunShare", frame.settings.rejectStaleHistory ? frame.scene.lookChanges().newSunShare() : 0.0f);
         HistoryLeftPass::bind(program, frame);
     });
 }

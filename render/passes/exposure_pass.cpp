@@ -6,7 +6,7 @@ namespace rubble {
 
 ExposurePass::ExposurePass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("passes/exposure.frag")) {}
 
-void ExposurePass::draw(const FrameContext& frame) const {
+void ExposurePass::draw(const FrameContext& frame, bool isFixed) const {
     if (!m_program) return;
     const History exposure = frame.targets.history(Target::Exposure);
     drawFullscreen(frame, m_program, {{&exposure.current}}, [&](const Program& program) {
@@ -14,6 +14,7 @@ void ExposurePass::draw(const FrameContext& frame) const {
         program.set("uHistory", exposure.previous);
         program.set("uHistoryValid", int(exposure.valid));
         program.set("uSeconds", frame.seconds);
+        program.set("uIsFixed", int(isFixed));
     });
 }
 

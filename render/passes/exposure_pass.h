@@ -8,8 +8,8 @@ class ExposurePass {
 public:
     /// Builds its program. If that fails, shaders.errors() says why and draw() does nothing.
     explicit ExposurePass(ShaderLibrary& shaders);
-    /// Fills the one texel of Exposure from Resolved.
-    void draw(const FrameContext& frame) const;
+    /// Fills the one texel of Exposure from Resolved. isFixed: with 1.
+    void draw(const FrameContext& frame, bool isFixed) const;
 
 private:
     FullscreenProgram& m_program;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/passes/fullscreen.h"
+#include "render/scene/scene.h"
 
 namespace rubble {
 
@@ -21,6 +22,7 @@ void FilterPass::draw(const FrameContext& frame) const {
         drawFullscreen(frame, m_program, into, [&](const Program& program) {
             program.set("uSurface", frame.targets.at(Target::Surface));
             program.set("uSunRays", float(frame.settings.sunRays));
+            program.set("uSunFrames", 1.0f / std::max(frame.scene.lookChanges().newSunShare(), 1e-3f));
             program.set("uLight", *source);
             // Without filter passes one step of stride 0 copies each pixel.
             program.set("uStride", frame.settings.filterPasses ? 1 << step : 0);

@@ -11,6 +11,8 @@
 namespace rubble {
 namespace {
 
+constexpr float kKeptChange = 0.04f;  ///< relative: the longest history survives it (lib/known_changes.glsl)
+
 glm::vec3 cornerMetres(glm::ivec3 brick, const Scene& scene) {
     return glm::vec3(glm::dvec3(brick) * DirtyRegions::kBrickMetres - scene.origin());
 }
@@ -70,16 +72,39 @@ void setChangedLights(const Program& program, const FrameContext& frame, int old
     if (!lights.empty()) program.set("uChangedLights[0]", std::span<const glm::vec4>(lights));
 }
 
+/// Where shapes look different, and the change of light from sun and sky.
+void setLookChanges(const Program& program, const LookChanges& changes, int oldest) {
+    std::vector<glm::vec4> boxes;
+    for (const LookChanges::Box& each : changes.boxes()) {
+        boxes.emplace_back(glm::vec3(each.box.low), each.newShare);
+        boxes.emplace_back(glm::vec3(each.box.high), each.now > 0.0f ? each.now : oldest > 0 ? -each.lately : 0.0f);
+    }
+    program.set("uLookCornerCount", int(boxes.size()));
+    if (!boxes.empty()) program.set("uLookCorners[0]", std::span<const glm::vec4>(boxes));
+    program.set("uLookEverywhere", changes.newShare());
+    program.set("uSkylightChange", changes.lightChange());
+    program.set("uLateSkylightChange", changes.lightChange(oldest + 1));
+}
+
+/// Whether any history is shorter for them.
+bool shortenHistory(const LookChanges& changes, int oldest) {
+    return changes.lightChange(oldest + 1) > kKeptChange ||
+           std::ranges::any_of(changes.boxes(), [&](const LookChanges::Box& each) {
+               return (oldest > 0 ? each.lately : each.now) > kKeptChange;
+           });
+}
+
 }  // namespace
 
 bool hasKnownChanges(const FrameContext& frame, int oldestLight) {
     const auto counts = [&](const LightGrid::Change& change) { return change.frames <= oldestLight; };
-    return !frame.scene.dirtyRegions().boxes().empty() ||
+    return !frame.scene.dirtyRegions().boxes().empty() || shortenHistory(frame.scene.lookChanges(), oldestLight) ||
            (frame.lightGrid && std::ranges::any_of(frame.lightGrid->changes(), counts));
 }
 
 void setKnownChanges(const Program& program, const FrameContext& frame, int oldestLight) {
     setDirtyRegions(program, frame.scene);
+    setLookChanges(program, frame.scene.lookChanges(), oldestLight);
     setShadowedLights(program, frame);
     setChangedLights(program, frame, oldestLight);
     program.set("uMaxHistory", float(frame.settings.historyFrames));

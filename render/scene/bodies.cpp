@@ -44,7 +44,7 @@ void forEachBrick(const FrameSnapshot& snapshot, F&& f) {
 
 }  // namespace
 
-Bodies::Shape* Bodies::find(ShapeHandle handle) {
+Bodies::Shape* Bodies::find(ShapeHandle handle) const {
     if (handle.slot() >= m_shapes.size() || !m_shapes[handle.slot()] || m_shapes[handle.slot()]->handle != handle)
         return nullptr;
     return m_shapes[handle.slot()].get();
@@ -247,6 +247,15 @@ uint64_t Bodies::beginFrame(float alpha, glm::dvec3 originWorld, bool isSameMome
     updateTree();
     ++m_touched.frame;
     return m_nodes.upload() + m_tables.upload() + m_transforms.upload() + m_layouts.upload() + m_palettes.upload();
+}
+
+WorldBox Bodies::boxOf(uint32_t slot) const {
+    return boundsOf(m_instances[slot]);
+}
+
+const Palette* Bodies::paletteOf(ShapeHandle shape) const {
+    const Shape* found = find(shape);
+    return found ? found->palette.get() : nullptr;
 }
 
 void Bodies::updateTransforms(float alpha) {

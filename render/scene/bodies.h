@@ -86,6 +86,10 @@ public:
     const BoundsTree& bounds() const { return m_bounds; }
     /// By slot; slots without a shape are empty().
     const std::vector<Instance>& instances() const { return m_instances; }
+    /// The box of the shape in a slot, from the render origin.
+    WorldBox boxOf(uint32_t slot) const;
+    /// Of a shape; null: there is none.
+    const Palette* paletteOf(ShapeHandle shape) const;
     /// Of the shape in a slot.
     const Layout& layout(size_t slot) const { return m_layouts[slot]; }
     /// Whether any shape has glass.
@@ -129,7 +133,7 @@ private:
         bool hasTransform = false;  ///< its transform has been sent: the next frame can reproject from it
         bool moving = false;        ///< is in m_moving
     };
-    Shape* find(ShapeHandle handle);
+    Shape* find(ShapeHandle handle) const;
     void release(Shape& shape, uint32_t slot);
     void putBrick(Shape& shape, glm::ivec3 brick, const BrickRef& content);
     void updateBounds(uint32_t slot);

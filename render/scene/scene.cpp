@@ -42,6 +42,8 @@ void Scene::applyDeferred() {
 void Scene::applyNow(FrameSnapshot& snapshot) {
     bool glassChanged = snapshot.environmentChanged || touchesGlass(snapshot);  // the glass that it removes
     if (snapshot.replacesAll) {
+        ++m_replacements;
+        m_lookChanges = {};
         m_bodies.clear();
         m_bodies.setMaterials(snapshot.materials);
     } else if (!snapshot.materials.empty()) {
@@ -50,7 +52,11 @@ void Scene::applyNow(FrameSnapshot& snapshot) {
     for (ShapeHandle shape : snapshot.destroyed) m_bodies.destroy(shape);
     for (const SnapshotShape& shape : snapshot.created) m_bodies.create(shape);
     for (const BrickChange& change : snapshot.bricks) m_bodies.setBrick(change);
-    for (const SnapshotPalette& palette : snapshot.palettes) m_bodies.setPalette(palette);
+    for (const SnapshotPalette& palette : snapshot.palettes) {
+        if (const Palette* before = m_bodies.paletteOf(palette.shape))
+            m_lookChanges.addPalette(palette.shape.slot(), *before, *palette.palette);
+        m_bodies.setPalette(palette);
+    }
     for (const SnapshotPose& pose : snapshot.poses) m_bodies.setPose(pose);
     glassChanged |= touchesGlass(snapshot);  // the glass that it adds
     m_glassChanges += uint64_t(glassChanged);
@@ -67,7 +73,9 @@ void Scene::applyNow(FrameSnapshot& snapshot) {
     if (snapshot.replacesAll) m_particles.clear();
     if (snapshot.particlesChanged) m_particles = std::move(snapshot.particles);
     m_smokeChanged = m_smokeChanged || snapshot.replacesAll || snapshot.particlesChanged || snapshot.environmentChanged;
-    if (snapshot.environmentChanged) m_environment = snapshot.environment;
+    if (!snapshot.environmentChanged) return;
+    if (!snapshot.replacesAll) m_lookChanges.addEnvironment(m_environment, snapshot.environment);
+    m_environment = snapshot.environment;
 }
 
 bool Scene::isGlass(ShapeHandle shape) const {
@@ -95,8 +103,10 @@ uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld, bool isSameMomen
     if (!isSameMoment) {
         m_hadDirtyRegions = !m_shownDirtyRegions.boxes().empty();
         m_shownDirtyRegions = std::exchange(m_dirtyRegions, {});
+        m_lookChanges.beginMoment();
     }
     const uint64_t bodies = m_bodies.beginFrame(alpha, m_origin, isSameMoment);
+    m_lookChanges.findBoxes(m_bodies);
     return bricks + outlines + bodies + updateGrid() + m_shadow.upload();
 }
 

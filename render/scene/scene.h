@@ -8,6 +8,7 @@
 #include "render/scene/body_grid.h"
 #include "render/scene/dirty_regions.h"
 #include "render/scene/gpu_shadow_volume.h"
+#include "render/scene/look_changes.h"
 #include "render/scene/smoke_shadow.h"
 #include "render/scene/water_outlines.h"
 #include "runtime/frame/frame_snapshot.h"
@@ -65,6 +66,10 @@ public:
     const DirtyRegions& dirtyRegions() const { return m_shownDirtyRegions; }
     /// Whether there were any in the moment before.
     bool hadDirtyRegions() const { return m_hadDirtyRegions; }
+    /// What looks different, or gets other light from sun and sky, than in the moment before.
+    const LookChanges& lookChanges() const { return m_lookChanges; }
+    /// A number that grows when a snapshot has replaced all.
+    uint64_t replacements() const { return m_replacements; }
     /// Whether any shape has a palette entry of opacity < 255.
     bool hasGlass() const { return m_bodies.hasGlass(); }
     /// A number that grows when shapes with glass, or the sun, have changed or moved.
@@ -102,6 +107,8 @@ private:
     DirtyRegions m_dirtyRegions;       ///< of the moment to come
     DirtyRegions m_shownDirtyRegions;  ///< of the moment that is drawn
     bool m_hadDirtyRegions = false;    ///< in the moment before
+    LookChanges m_lookChanges;
+    uint64_t m_replacements = 0;
     SmokeShadow m_smoke;
     std::vector<SnapshotLight> m_lights;
     std::vector<SnapshotParticle> m_particles;

@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "runtime/core/assertion.h"
+#include "runtime/core/constants.h"
 #include "runtime/shadow/shadow_worker.h"
 
 namespace rubble {
 namespace {
 
+// What an edit moves farther than its velocity does in a step has jumped; a host that moves a platform step by step
+// stays below that.
+constexpr double kJumpMetres = 0.5, kJumpRadians = 0.5;
 constexpr size_t kMaxPosted = 16;  ///< snapshots in the queue before the main thread merges them: nobody draws
 
 SnapshotShape describeShape(ShapeHandle handle, const Shape& shape, PaletteRef palette) {
@@ -95,6 +100,8 @@ void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> m
     m_palettes.update(changes, world);
     addCreated(changes, world, out);
     addChanged(changes, world, out);
+    m_placed = changes.teleported;
+    std::sort(m_placed.begin(), m_placed.end());
     addPoses(moved, world, out);
     const bool lightsChanged = updateLights(changes, moved, world);
     addParticles(changes, impacts, world, out);
@@ -147,6 +154,19 @@ void Snapshots::addChanged(const FrameChanges& changes, const World& world, Fram
             out.palettes.push_back({handle, m_palettes.of(*shape), shape->paintColors});
 }
 
+/// Whether an edit or undo has put a shape so far from where it was that nothing was in between.
+bool Snapshots::hasJumped(ShapeHandle shape, const World& world, const Pose& from, const Pose& to) const {
+    const BodyHandle handle = world.shapes().at(shape).body;
+    if (!std::binary_search(m_placed.begin(), m_placed.end(), handle)) return false;
+    const Body& body = world.bodies().at(handle);
+    const double seconds = 1.0 / kStepsPerSecond;
+    const glm::dvec3 at = body.pose.position, arm = to.position - at;
+    const glm::dvec3 expected = (body.velocity + glm::cross(body.angularVelocity, arm)) * seconds;
+    const double turn = 2.0 * std::acos(std::min(std::abs(glm::dot(from.rotation, to.rotation)), 1.0));
+    return glm::distance(to.position - from.position, expected) > kJumpMetres ||
+           turn > glm::length(body.angularVelocity) * seconds + kJumpRadians;
+}
+
 void Snapshots::addPose(ShapeHandle shape, const World& world, FrameSnapshot& out) {
     RUBBLE_ASSERT(shape.slot() < m_lastPoses.size() && m_lastPoses[shape.slot()].shape == shape &&
                   "a shape moved that was never created");
@@ -154,6 +174,7 @@ void Snapshots::addPose(ShapeHandle shape, const World& world, FrameSnapshot& ou
     if (placed.listedIn == m_count) return;
     placed.listedIn = m_count;
     const Pose current = shapeToWorld(world, shape);
+    if (!m_placed.empty() && hasJumped(shape, world, placed.pose, current)) placed.pose = current;
     out.poses.push_back({shape, placed.pose, current});
     if (placed.pose != current) m_moved.push_back(shape);
     placed.pose = current;

@@ -54,6 +54,7 @@ private:
     void addCreated(const FrameChanges& changes, const World& world, FrameSnapshot& out);
     void addChanged(const FrameChanges& changes, const World& world, FrameSnapshot& out);
     void addPoses(std::span<const BodyPose> moved, const World& world, FrameSnapshot& out);
+    bool hasJumped(ShapeHandle shape, const World& world, const Pose& from, const Pose& to) const;
     /// Adds a shape's pose, unless the snapshot holds it already.
     void addPose(ShapeHandle shape, const World& world, FrameSnapshot& out);
     void addParticles(const FrameChanges& changes, std::span<const Impact> impacts, const World& world,
@@ -75,6 +76,7 @@ private:
     std::vector<FrameSnapshot> m_posted;  ///< what came after it, oldest first
     std::vector<LastPose> m_lastPoses;
     uint64_t m_count = 0;                   ///< of calls of enqueue()
+    std::vector<BodyHandle> m_placed;       ///< whose pose or motion an edit or undo has set in this step, ascending
     std::vector<ShapeHandle> m_moving;      ///< shapes that the newest snapshot shows moving
     std::vector<ShapeHandle> m_moved;       ///< the same while it is being made
     std::vector<BodyHandle> m_lightBodies;  ///< that carry a light, ascending

@@ -16,10 +16,18 @@ uniform vec4 uChangedLights[6 * kMaxLightChanges];
 uniform int uShadowedLightTexels;
 // Lights that changed voxels may have shadowed or let through, each in three as above.
 uniform vec4 uShadowedLights[3 * kMaxLightChanges];
-uniform float uMaxHistory;  // frames
+uniform int uLookCornerCount;
+// Boxes in which shapes look different, world: low corner, w share of this frame in the mean of colours, at the least;
+// high corner, w relative change since the previous frame, or less than 0: that of the frame before.
+uniform vec4 uLookCorners[2 * kMaxLookChanges];
+uniform float uLookEverywhere;      // the share in all places: sky and air look different
+uniform float uSkylightChange;      // of light from sun and sky since the previous frame, relative
+uniform float uLateSkylightChange;  // the largest of that and of frames before it that count
+uniform float uMaxHistory;          // frames
 
 const float kSampleDeviation = 0.25;  // s: of a sample of light after the spatial filter
 const float kResetDistance = 1.2;     // metres around changed voxels within which all history is dropped
+const float kReflected = 0.4;         // share of the light of a place that may come from one shape beside it
 const float kMinFalloff = 0.1;        // share of a light's intensity that reaches places beside its beam, by bounces
 
 float historyLeftAfter(float relativeChange) {
@@ -40,6 +48,38 @@ float historyNearVoxels(vec3 position) {
         share += radius2 / (dot(away, away) + radius2);
     }
     return historyLeftAfter(share * share);
+}
+
+/// Around shapes that look different: what they reflect has changed. moments: 0 since the previous frame, 1 and in the
+/// one before.
+float historyNearLooks(vec3 position, int moments) {
+    float left = 1.0;
+    for (int i = 0; i < uLookCornerCount; i += 2) {
+        vec3 low = uLookCorners[i].xyz, high = uLookCorners[i + 1].xyz;
+        vec3 outside = max(max(low - position, position - high), vec3(0.0)), halfSize = 0.5 * (high - low);
+        float radius2 = dot(halfSize, halfSize), share = radius2 / (dot(outside, outside) + radius2);
+        float change = moments > 0 ? abs(uLookCorners[i + 1].w) : max(uLookCorners[i + 1].w, 0.0);
+        left = min(left, historyLeftAfter(kReflected * share * share * change));
+    }
+    return left;
+}
+
+/// Share of this frame in the mean of colours, at the least, where a place is seen. through: also where boxes lie
+/// before it, whose shapes may be of glass.
+float newShareAt(vec3 position, bool through) {
+    float share = uLookEverywhere;
+    vec3 ray = isOrthographic() ? frame.viewMiddle.xyz * 1e4 : position - frame.cameraPosition.xyz;
+    vec3 origin = through ? position - ray : position, inverse = 1.0 / (ray + vec3(equal(ray, vec3(0.0))) * 1e-6);
+    float margin = 0.02 + pixelMetres(viewDepth(position));
+    for (int i = 0; i < uLookCornerCount; i += 2) {
+        vec3 a = (uLookCorners[i].xyz - margin - origin) * inverse,
+             b = (uLookCorners[i + 1].xyz + margin - origin) * inverse;
+        vec3 enter = min(a, b), leave = max(a, b);
+        float end = through ? 1.0 : 0.0;
+        bool isMet = max(max(enter.x, enter.y), max(enter.z, 0.0)) <= min(min(leave.x, leave.y), min(leave.z, end));
+        share = max(share, isMet ? uLookCorners[i].w : 0.0);
+    }
+    return share;
 }
 
 /// Whether a line from `origin` to origin + ray passes through changed voxels, or beside them within `margin`, the sine
@@ -92,7 +132,8 @@ float historyLeftAfter(vec3 change, float meanRadiance) {
 /// Share of the longest history that is left to a place.
 float historyLeftAt(vec3 position, float meanRadiance) {
     vec3 change = changeByLights(position, 0, uChangedLightTexels) + changeByShadows(position);
-    return min(historyNearVoxels(position), historyLeftAfter(change, meanRadiance));
+    float looks = min(historyNearLooks(position, 1), historyLeftAfter(uLateSkylightChange));
+    return min(min(historyNearVoxels(position), looks), historyLeftAfter(change, meanRadiance));
 }
 
 const float kBeyond = 1e4;  // metres: beyond all voxels

@@ -27,6 +27,7 @@ uniform sampler2D uSurfaceHistory;
 uniform sampler2D uHistoryConfidence;
 uniform bool uHasConfidence;
 uniform bool uHistoryValid;
+uniform float uNewSunShare;  // of this frame in the mean of the sun's visibility, at the least: the sun has turned
 
 in vec2 uv;
 layout(location = 0) out vec4 accumulated;
@@ -102,7 +103,8 @@ void main() {
     // Where the second frame of a change starts again there is no third one.
     if (left.lately < kDropped && history.frames < kSettledFrames) frames = min(frames, float(kRaysAfterChange) - 1.0);
     float blend = min((1.0 + 1.0 / frames) * added / frames, 1.0);
-    accumulated = stochasticRoundToHalf(mix(history.light, now, blend), pixel, 0);
+    vec4 blends = vec4(vec3(blend), max(blend, uNewSunShare));
+    accumulated = stochasticRoundToHalf(mix(history.light, now, blends), pixel, 0);
     surface.z = floor(frames + 0.01) + min(mix(history.hitProximity, hitProximity, blend), kMaxProximity);
     surface.w = s.emission > 0.0 ? -1.0 : mix(history.secondMoment, lum * lum, blend);
 }

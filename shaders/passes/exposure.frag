@@ -8,6 +8,7 @@ uniform sampler2D uColor;
 uniform sampler2D uHistory;
 uniform bool uHistoryValid;
 uniform float uSeconds;  // since the previous frame
+uniform bool uIsFixed;   // the factor is 1
 
 out vec4 exposure;
 
@@ -18,6 +19,8 @@ const float kAdaptationRate = 3.078;     // per second: what is left falls to 1 
 const float kMinFactor = 0.7, kMaxFactor = 2.2;
 
 void main() {
+    exposure = vec4(1.0);
+    if (uIsFixed) return;
     float sum = 0.0, total = 0.0;
     for (int y = 0; y < kTaps.y; ++y)
         for (int x = 0; x < kTaps.x; ++x) {

@@ -21,7 +21,8 @@ uniform sampler2D uLight;    // rgb light, a share of the sun
 uniform sampler2D uSurface;  // lib/surface_history.glsl
 uniform int uStride;         // pixels
 uniform bool uDiagonal;
-uniform float uSunRays;  // a pixel and frame
+uniform float uSunRays;    // a pixel and frame
+uniform float uSunFrames;  // of which the mean of the sun's visibility is made, at most
 
 in vec2 uv;
 out vec4 filtered;
@@ -83,7 +84,7 @@ void main() {
     // Neighbours differ by slopes of light too, and the wider the taps the more: the wide steps would level them.
     float spatial = kNoiseShare / float(max(uStride, 1)) * max(squares / total - lum * lum, 0.0);
     float skyDeviation = sqrt(mix(spatial, temporal / total, clamp((centre.z - 3.0) / 6.0, 0.0, 1.0)));
-    float sunDeviation = sqrt(max(sun * (1.0 - sun), 1e-6) / max(uSunRays * centre.z, 1.0));
+    float sunDeviation = sqrt(max(sun * (1.0 - sun), 1e-6) / max(uSunRays * min(centre.z, uSunFrames), 1.0));
     // Relative to the mean of the pair, so that both pixels see the same difference.
     float skyShare = 2.0 * skyDeviation / max(lum, 1e-5) + 0.025;
     // The sun is noisy in narrow penumbras only: wide strides would soften shadows.

@@ -25,13 +25,15 @@ void main() {
     if (surface.x >= kSkyDepth) return;
     vec3 position = previousWorldFromDepth(uv, surface.x);
     float light = luminance(texelFetch(uLightHistory, pixel, 0).rgb), voxels = historyNearVoxels(position);
+    float known = min(voxels, min(historyNearLooks(position, 0), historyLeftAfter(uSkylightChange)));
+    float knownLately = min(voxels, min(historyNearLooks(position, 1), historyLeftAfter(uLateSkylightChange)));
     float radiance = luminance(halfRange(texelFetch(uRadianceHistory, pixel, 0).rgb)) *
                      texelFetch(uDiffuseFractionHistory, pixel, 0).x;
     vec3 now = changeByLights(position, 0, uNewLightTexels) + changeByShadows(position);
     vec3 lately = now + changeByLights(position, uNewLightTexels, uChangedLightTexels);
-    historyLeft.x = min(voxels, historyLeftAfter(now, light));
-    historyLeft.y = min(voxels, historyLeftAfter(lately, light));
-    historyLeft.z = countsOfPreviousFrame(min(voxels, historyLeftAfter(now, radiance)) * uMaxHistory);
+    historyLeft.x = min(known, historyLeftAfter(now, light));
+    historyLeft.y = min(knownLately, historyLeftAfter(lately, light));
+    historyLeft.z = countsOfPreviousFrame(min(known, historyLeftAfter(now, radiance)) * uMaxHistory);
     bool hasMoreRays = raysAt(floor(surface.z), historyLeft.x, uv) > 1;
     historyLeft.w = (hasMoreRays ? 2.0 / 3.0 : 0.0) + (isSunSeenThroughChange(position) ? 1.0 / 3.0 : 0.0);
 }

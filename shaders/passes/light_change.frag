@@ -27,7 +27,8 @@ const float kMaxLuminance = 250.0;  // a half float holds its square
 
 // x mean luminance, y variance of a sample, z mean share of the sun, w frames.
 layout(location = 0) out vec4 fastHistory;
-layout(location = 1) out vec4 confidence;  // 1 keeps the history, 0 drops it: x by statistics, y by knowledge
+// 1 keeps the history, 0 drops it: x by statistics, y by knowledge of light; z the most that anti-aliasing keeps.
+layout(location = 1) out vec4 confidence;
 
 float confidenceOf(float difference, float deviation) {
     return 1.0 - smoothstep(2.0, 4.0, abs(difference) / deviation);
@@ -52,8 +53,8 @@ bool isUncovered(ivec2 pixel, int i, vec3 position, ivec2 high) {
 
 /// The least history that is left to any pixel of a tile. meanRadiance: of the light that the tile had.
 float historyLeftIn(ivec2 tile, ivec2 high, float meanRadiance) {
-    float left = 1.0;
-    int pixels = uDirtyCornerCount + uChangedLightTexels > 0 ? 16 : 0;
+    float left = historyLeftAfter(uLateSkylightChange);
+    int pixels = uDirtyCornerCount + uChangedLightTexels + uLookCornerCount > 0 ? 16 : 0;
     for (int i = 0; i < pixels; ++i) {
         ivec2 p = min(tile + ivec2(i & 3, i >> 2), high);
         vec3 position = worldFromDepth((vec2(p) + 0.5) * frame.targetSize.zw, texelFetch(uDepth, p, 0).r);
@@ -62,6 +63,18 @@ float historyLeftIn(ivec2 tile, ivec2 high, float meanRadiance) {
         if (isSunSeenThroughChange(position)) left = 0.0;
     }
     return left;
+}
+
+/// The least share of colours' history that is left to any pixel of a tile or beside it.
+float colorsLeftIn(ivec2 tile, ivec2 high) {
+    float share = uLookEverywhere;
+    int pixels = uLookCornerCount > 0 ? 36 : 0;
+    for (int i = 0; i < pixels; ++i) {
+        ivec2 p = clamp(tile + ivec2(i % 6, i / 6) - 1, ivec2(0), high);
+        vec3 position = worldFromDepth((vec2(p) + 0.5) * frame.targetSize.zw, texelFetch(uDepth, p, 0).r);
+        share = max(share, newShareAt(position, uHasGlass));
+    }
+    return 1.0 - share;
 }
 
 void main() {
@@ -80,6 +93,7 @@ void main() {
     ivec2 middle = min(tile + 2, high);
     vec2 lastUv = (vec2(tile) + 2.0) * frame.targetSize.zw - texelFetch(uMotion, middle, 0).rg;
     confidence.y = historyLeftIn(tile, high, lastRadiance(lastUv));
+    confidence.z = colorsLeftIn(tile, high);
     if (any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return;
     vec4 lastFastHistory = texture(uFastHistory, lastUv);
     float fastFrames = min(lastFastHistory.w + 1.0, kFastHistoryFrames);

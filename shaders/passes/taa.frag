@@ -7,7 +7,8 @@
 //   clip   history is clipped to mean +- 1.25 deviations of the 3x3 neighbourhood in YCoCg (Salvi 2016), as a colour
 //          outside says that the surface was hidden or its light differed
 //   blend  1 / frames of history, at least 0.1; 1 where something nearer has gone, as its depth says (disocclusion),
-//          and where the light has changed and history lies far outside the clip box
+//          and where the light has changed and history lies far outside the clip box; at least what is known of
+//          shapes and air that look different, as old colours of edges lie within the box
 // Colours are compressed by 1 / (1 + k luminance) meanwhile, so that few bright samples do not flicker. Details finer
 // than a pixel (wires, stars) are outside the box of most frames. So where nothing has moved or changed for
 // kSteadyFrames, the box is widened by the deviation between jittered samples. Before that it is not, or what has gone
@@ -27,7 +28,7 @@ uniform bool uHistoryValid;
 uniform sampler2D uMotion;
 uniform bool uHasGlass;
 uniform sampler2D uGlassSurface;
-uniform sampler2D uHistoryConfidence;  // x: 0 where the light has just changed (passes/light_change.frag)
+uniform sampler2D uHistoryConfidence;  // passes/light_change.frag
 uniform bool uHasConfidence;
 uniform sampler2D uSurface;  // lib/surface_history.glsl
 uniform sampler2D uSurfaceHistory;
@@ -194,9 +195,10 @@ void main() {
     if (!uHistoryValid || any(lessThan(before, vec2(0.0))) || any(greaterThan(before, vec2(1.0)))) return;
     vec3 history = toYCoCg(compress(sampleHistory(before)));
     Steadiness last = unpackSteadiness(texelFetch(uHistory, ivec2(before * frame.displaySize.xy), 0).a);
-    vec2 confidence = uHasConfidence ? texture(uHistoryConfidence, uv).xy : vec2(1.0);
+    vec3 confidence = uHasConfidence ? texture(uHistoryConfidence, uv).xyz : vec3(1.0);
     float frames = n.depth >= kSkyDepth ? kLongHistory : n.frames;
-    bool isSteady = covered == 0.0 && length(motion * frame.targetSize.xy) < 0.05 && confidence.y > 0.5;
+    bool isSteady =
+        covered == 0.0 && length(motion * frame.targetSize.xy) < 0.05 && min(confidence.y, confidence.z) > 0.5;
     bool isTrusted = isSteady && !isPane && last.steady == 1.0 && frames >= kLongHistory;
     float deviation = isSteady ? confidence.x * last.deviation : 0.0;
     vec3 middle = 0.5 * (n.boxLow + n.boxHigh);
@@ -218,6 +220,7 @@ void main() {
     float blend = clamp(kBlendRamp / (frames + kBlendRamp - 1.0), kMinBlend, kMaxBlend);
     if (confidence.y < 0.5) blend = mix(blend, 1.0, smoothstep(kOutdated.x, kOutdated.y, outside));
     blend = mix(kParticleBlend, blend, n.surfaceShare);
+    blend = max(blend, 1.0 - confidence.z);
     blend = max(blend, smoothstep(kUncovered.x, kUncovered.y, last.covered - covered));
     if (isDisoccluded(n, before, !isTrusted && last.steady < 0.5)) blend = 1.0;
     float near = upscale > 1.0 ? exp(-0.5 * sharpness * dot(fromSample, fromSample)) : 1.0;

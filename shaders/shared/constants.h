@@ -32,5 +32,6 @@ SHARED_CONSTANT int kOutlineRuns = 16;   // such boxes in a larger one
 // Lengths of uniform arrays, and the size of a texel of the history confidence in pixels.
 SHARED_CONSTANT int kMaxDirtyRegions = 8;
 SHARED_CONSTANT int kMaxLightChanges = 16;
+SHARED_CONSTANT int kMaxLookChanges = 8;
 SHARED_CONSTANT int kMaxRipples = 64;  // as Ripples::kMaxRipples in runtime/frame/ripples.h
 SHARED_CONSTANT int kConfidenceTile = 4;

@@ -333,6 +333,26 @@ TEST_F(HostView, ALinearViewGivesRadianceTimesExposure) {
     EXPECT_GT(*std::max_element(images[2].begin(), images[2].end()), 1.5f);
 }
 
+TEST_F(HostView, OnlyAViewForADisplayAdaptsItsExposure) {
+    rubble_environment environment = {};
+    environment.struct_size = sizeof environment;
+    ASSERT_EQ(m_api->get_environment(m_world, &environment), RUBBLE_OK);
+    const auto brightness = [&](double exposure, uint32_t flags) {
+        environment.exposure = exposure;
+        EXPECT_EQ(m_api->set_environment(m_world, &environment), RUBBLE_OK);
+        EXPECT_EQ(m_api->step(m_world), RUBBLE_OK);
+        const rubble_view cut = view(flags | RUBBLE_VIEW_CUT);
+        EXPECT_EQ(m_api->draw(m_renderer, &cut), RUBBLE_OK);
+        double sum = 0.0;
+        for (const float value : m_target.colors()) sum += double(value);
+        return sum;
+    };
+    const double linear = brightness(1.0, RUBBLE_VIEW_LINEAR);
+    EXPECT_NEAR(brightness(0.05, RUBBLE_VIEW_LINEAR) / linear, 0.05, 0.002);
+    EXPECT_NEAR(brightness(0.05, RUBBLE_VIEW_LINEAR | RUBBLE_VIEW_FIXED_EXPOSURE) / linear, 0.05, 0.002);
+    EXPECT_GT(brightness(0.05, 0), 1.3 * brightness(0.05, RUBBLE_VIEW_FIXED_EXPOSURE));
+}
+
 TEST_F(HostView, WhatCannotBeComposedIsRefused) {
     const Matrix good = Convention{"", false, false, false}.projection(0.0, 0.0);
     const auto refused = [&](rubble_view view, rubble_result expected, const char* said) {

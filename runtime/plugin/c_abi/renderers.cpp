@@ -127,12 +127,13 @@ View readView(const rubble_view& given) {
     if (given.slot >= kMaxSlots)
         refuse(RUBBLE_ERROR_ARGUMENT, "view->slot is {}, expected 0 to {}", given.slot, kMaxSlots - 1);
     view.slot = int(given.slot);
-    const uint32_t flags = readFlags(
-        given.flags,
-        RUBBLE_VIEW_CUT | RUBBLE_VIEW_DEPTH | RUBBLE_VIEW_ZERO_TO_ONE | RUBBLE_VIEW_LINEAR | RUBBLE_VIEW_FLIP_Y,
-        "view->flags");
+    const uint32_t flags = readFlags(given.flags,
+                                     RUBBLE_VIEW_CUT | RUBBLE_VIEW_DEPTH | RUBBLE_VIEW_ZERO_TO_ONE |
+                                         RUBBLE_VIEW_LINEAR | RUBBLE_VIEW_FLIP_Y | RUBBLE_VIEW_FIXED_EXPOSURE,
+                                     "view->flags");
     view.cut = flags & RUBBLE_VIEW_CUT;
     view.isLinear = flags & RUBBLE_VIEW_LINEAR;
+    view.hasFixedExposure = flags & (RUBBLE_VIEW_LINEAR | RUBBLE_VIEW_FIXED_EXPOSURE);
     view.isFlipped = flags & RUBBLE_VIEW_FLIP_Y;
     view.projection = readProjection(given, flags);
     return view;

@@ -98,6 +98,31 @@ TEST(Snapshots, AMovedBodyHasBothPosesAndComesToRestOnce) {
     EXPECT_FALSE(loop.snapshots.take());
 }
 
+TEST(Snapshots, ABodyThatAnEditPutsFarAwayHasNoPoseBetween) {
+    Loop loop;
+    loop.step();
+    loop.snapshots.take();
+    BodyPose crate = moveTo(loop.world, 1, 9.0);
+    const auto put = [&](double x, glm::dvec3 velocity) {
+        crate.pose.position.x = x, crate.velocity = velocity;
+        SetBodyEdit edit{.body = crate.body};
+        edit.setsPose = edit.setsVelocity = true, edit.pose = crate.pose, edit.velocity = velocity;
+        loop.step({edit}, {crate});
+        const auto snapshot = loop.snapshots.take();
+        return snapshot && snapshot->poses.size() == 1 ? snapshot->poses[0] : SnapshotPose{};
+    };
+    SnapshotPose pose = put(3.0, {});
+    EXPECT_EQ(pose.current.position.x, 3.0);
+    EXPECT_EQ(pose.previous, pose.current) << "it jumped";
+    pose = put(3.3, {});
+    EXPECT_EQ(pose.previous.position.x, 3.0) << "a host moves it step by step";
+    pose = put(4.3, {60, 0, 0});
+    EXPECT_EQ(pose.previous.position.x, 3.3) << "it is that fast";
+    crate.pose.rotation = glm::angleAxis(1.0, glm::dvec3(0, 1, 0));
+    pose = put(4.3, {});
+    EXPECT_EQ(pose.previous, pose.current) << "it jumped to another rotation";
+}
+
 TEST(Snapshots, LightsFollowTheirBody) {
     Loop loop;
     loop.step();

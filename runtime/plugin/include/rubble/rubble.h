@@ -1403,7 +1403,7 @@ typedef struct rubble_environment {
     double fog_tint[3]; /* single-scattering albedo */
     double clouds;      /* 0: clear sky, 1: overcast */
     double stars;       /* brightness of the stars; 0: none */
-    double exposure;    /* factor on all radiance before tone mapping */
+    double exposure;    /* factor on all radiance before tone mapping; views adapt to it: RUBBLE_VIEW_FIXED_EXPOSURE */
     double wetness;     /* of what is open to the sky: 0 dry, 0.5 dark and smooth, 1 with puddles */
     double gravity[3];  /* m/s2 */
 } rubble_environment;
@@ -1516,8 +1516,15 @@ enum {
      * radiance times exposure. Not in a multisampled framebuffer. Mirrors and shadows do not show it */
     RUBBLE_VIEW_DEPTH = 2,
     RUBBLE_VIEW_ZERO_TO_ONE = 4, /* `projection` has clip depths of 0 to 1, as with glClipControl; else -1 to 1 */
-    RUBBLE_VIEW_LINEAR = 8,      /* writes radiance times exposure, for an HDR target, not the colours of a display */
-    RUBBLE_VIEW_FLIP_Y = 16      /* the first row of pixels is the top one */
+    /* writes radiance times the environment's exposure, for an HDR target and the host's own tone mapping, not the
+     * colours of a display. There is no automatic exposure */
+    RUBBLE_VIEW_LINEAR = 8,
+    RUBBLE_VIEW_FLIP_Y = 16, /* the first row of pixels is the top one */
+    /* no automatic exposure: the colours of the display are those of radiance times the environment's exposure. Without
+     * it a view adapts as an eye does: within about a third of a second a factor of 0.7 to 2.2 brings the
+     * log-average luminance of the image nearer to a middle one, and so works against a part of each change of light
+     * and of exposure. RUBBLE_VIEW_CUT adapts at once */
+    RUBBLE_VIEW_FIXED_EXPOSURE = 32
 };
 
 /* A camera and the target that it draws to. */
@@ -1532,7 +1539,9 @@ typedef struct rubble_view {
     double position[3];   /* of the camera, world */
     double rotation[4];   /* the camera looks along -z with y up */
     double vertical_fov;  /* radians, 0.01 to 3; 0: 1.05 */
-    double alpha;         /* 0 to 1: interpolates between the poses of the last two steps */
+    /* 0 to 1: interpolates between the poses of the last two steps. A body that set_body() or undo() has moved half a
+     * metre or turned half a radian farther than its velocity does in a step is drawn at its new pose at once */
+    double alpha;
     /* column-major, from an eye that looks along -z with y up to clip space: a perspective, also with an infinite far
      * plane, or an orthographic projection, which shows nothing before its near plane, where haze and fog begin. Both
      * also off-centre, with reversed depth. All zeros: vertical_fov in the middle of the view */
