@@ -25,6 +25,12 @@ Pose inverse(const Pose& pose) {
     return {-(rotation * pose.position), rotation};
 }
 
+/// Whether an object is solid: what is neither a box nor round may be hollow, and of thin walls.
+bool isSolid(const CollisionObject& object) {
+    const auto& parts = object.collider.parts;
+    return parts.size() == 1 && (parts[0]->box() || parts[0]->round());
+}
+
 }  // namespace
 
 DynamicBody::DynamicBody(const World& world, BodyHandle handle)
@@ -169,7 +175,7 @@ glm::dvec3 velocityAt(const CollisionObject& object, const glm::dvec3& point) {
 
 bool mayPass(const CollisionObject& a, const CollisionObject& b, double displacement) {
     if (!a.dynamic || a.dynamic->asleep() || !b.dynamic || b.dynamic->asleep()) return true;
-    return displacement > a.dynamic->minHalfExtent() + b.dynamic->minHalfExtent();
+    return !isSolid(a) || !isSolid(b) || displacement > a.minHalfExtent + b.minHalfExtent;
 }
 
 }  // namespace rubble
