@@ -1,6 +1,7 @@
 #include "render/scene/gpu_shadow_volume.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -27,6 +28,16 @@ void GpuShadowVolume::apply(const std::vector<ShadowPatch>& patches, bool replac
     m_directory.reach(patches);
     for (const ShadowPatch& patch : patches) put(patch);
     m_directory.update();
+    if (m_directory.beyond() && !std::exchange(m_isSpanLogged, true)) logSpan();
+}
+
+void GpuShadowVolume::logSpan() const {
+    const glm::dvec3 middle = glm::dvec3(m_directory.middle()) * (double(kShadowCell) * ShadowDirectory::kSectorCells);
+    const auto metres = [&](int axis) { return std::to_string(std::llround(middle[axis])); };
+    logError("shadow directory: full at " + std::to_string(ShadowDirectory::kMaxSectors) +
+             " sectors of 6.4 m, the most it can span; " + std::to_string(m_directory.beyond()) +
+             " bricks of 1.6 m cast no shadow, those farthest from the middle of most, (" + metres(0) + ", " +
+             metres(1) + ", " + metres(2) + ") m");
 }
 
 void GpuShadowVolume::remove(glm::ivec3 brick) {
@@ -37,12 +48,6 @@ void GpuShadowVolume::remove(glm::ivec3 brick) {
 }
 
 void GpuShadowVolume::put(const ShadowPatch& patch) {
-    if (!m_directory.holds(patch.brick)) {
-        if (patch.content && !std::exchange(m_isSpanLogged, true))
-            logError("shadow directory: full at " + std::to_string(ShadowDirectory::kMaxSectors) +
-                     " sectors of 6.4 m, the most it can span; what lies beyond casts no shadow");
-        return;
-    }
     if (!patch.content) return remove(patch.brick);
     const ShadowDirectory::Brick old = m_directory.find(patch.brick);
     const uint32_t slot = old.occupied ? old.slot : m_slots.allocate();

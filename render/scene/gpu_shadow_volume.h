@@ -27,6 +27,7 @@ public:
 private:
     void put(const ShadowPatch& patch);
     void remove(glm::ivec3 brick);
+    void logSpan() const;
     void reserveTexels();
     uint64_t uploadTexels();
 

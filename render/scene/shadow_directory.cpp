@@ -1,6 +1,6 @@
 #include "render/scene/shadow_directory.h"
 
-#include <algorithm>
+#include <bit>
 #include <glm/common.hpp>
 #include <utility>
 
@@ -9,13 +9,20 @@ namespace {
 
 constexpr int kSectorWords = 16;
 
-int64_t volume(glm::ivec3 size) {
-    return int64_t(size.x) * size.y * size.z;
+/// The sectors that words are in.
+SectorBox occupiedSectors(const OccupiedBox& words) {
+    if (words.low() == words.high()) return {};
+    return {words.low() >> 4, (words.high() + (kSectorWords - 1)) >> 4};
 }
 
 /// The index of a place in an array of this size, x fastest.
 size_t indexIn(glm::ivec3 at, glm::ivec3 size) {
     return (size_t(at.z) * size_t(size.y) + size_t(at.y)) * size_t(size.x) + size_t(at.x);
+}
+
+/// The inverse of brickInSector().
+glm::ivec3 brickAt(glm::ivec3 sector, int index) {
+    return sector * ShadowDirectory::kSectorBricks + glm::ivec3(index & 3, index >> 2 & 3, index >> 4);
 }
 
 int brickInSector(glm::ivec3 brick) {
@@ -34,19 +41,6 @@ uint8_t octantsTowards(glm::ivec3 away) {
 
 }  // namespace
 
-/// A box of sectors; empty at first.
-struct ShadowDirectory::Sectors {
-    glm::ivec3 low{0}, high{0};
-    void include(glm::ivec3 first, glm::ivec3 end) {
-        const bool isEmpty = low == high;
-        low = isEmpty ? first : glm::min(low, first);
-        high = isEmpty ? end : glm::max(high, end);
-    }
-    void include(const OccupiedBox& words) {
-        if (words.low() != words.high()) include(words.low() >> 4, (words.high() + (kSectorWords - 1)) >> 4);
-    }
-};
-
 bool ShadowDirectory::Part::holds(glm::ivec3 sector) const {
     const glm::ivec3 at = sector - low;
     return glm::all(glm::greaterThanEqual(at, glm::ivec3(0))) && glm::all(glm::lessThan(at, size));
@@ -64,6 +58,8 @@ void ShadowDirectory::clear() {
     m_densePages = 0;
     m_freePages = {};
     m_changedPages.clear();
+    m_beyond.clear();
+    m_scattered = 0;
 }
 
 bool ShadowDirectory::holds(glm::ivec3 brick) const {
@@ -82,6 +78,10 @@ size_t ShadowDirectory::texelOf(uint32_t page, int brick) const {
 }
 
 ShadowDirectory::Brick ShadowDirectory::find(glm::ivec3 brick) const {
+    if (!holds(brick)) {
+        const auto found = m_beyond.find(placeOf(brick));
+        return found == m_beyond.end() ? Brick{} : found->second;
+    }
     const uint32_t page = pageAt(brick >> 2);
     if (page == kNone || !(m_pages[page].occupied >> brickInSector(brick) & 1)) return {};
     const glm::uvec4 texel = m_texels[texelOf(page, brickInSector(brick))];
@@ -110,6 +110,11 @@ uint32_t ShadowDirectory::addPage(glm::ivec3 sector) {
 }
 
 void ShadowDirectory::set(glm::ivec3 brick, const Brick& content) {
+    if (!holds(brick)) {
+        m_beyond.erase(placeOf(brick));
+        if (content.occupied) m_beyond.emplace(placeOf(brick), content);
+        return;
+    }
     const Brick before = find(brick);
     const glm::ivec3 sector = brick >> 2;
     uint32_t page = pageAt(sector);
@@ -179,6 +184,7 @@ void ShadowDirectory::writeSkips(uint32_t index) {
 
 void ShadowDirectory::update() {
     removeEmptyPages();
+    readmit();
     for (const size_t index : m_skips.update())
         if (m_skips.at(index)) write(m_table, index, m_skips.at(index));
     shrink();
@@ -186,12 +192,13 @@ void ShadowDirectory::update() {
     m_changedPages.clear();
 }
 
-/// Replaces the table by one of another box. The pages stay where they are.
-void ShadowDirectory::makeTable(glm::ivec3 low, glm::ivec3 size) {
-    m_skips.move(low - m_paged.low, size);
-    m_paged.low = low;
-    m_paged.size = size;
-    const size_t count = size_t(volume(size));
+/// Replaces the table by one of another box, which must hold all its bricks, and takes in what waits for room there.
+/// The pages stay where they are.
+void ShadowDirectory::makeTable(const SectorBox& box) {
+    m_skips.move(box.low - m_paged.low, box.size());
+    m_paged.low = box.low;
+    m_paged.size = box.size();
+    const size_t count = size_t(box.volume());
     m_table.resize(count);
     m_pageOf.assign(count, kNone);
     for (uint32_t i = m_densePages; i < m_pages.size(); ++i)
@@ -199,17 +206,19 @@ void ShadowDirectory::makeTable(glm::ivec3 low, glm::ivec3 size) {
     for (size_t i = 0; i < count; ++i)  // all of it: what is new holds nothing yet
         m_table.change(i) = m_pageOf[i] == kNone ? m_skips.at(i) : m_pageOf[i] * kPageTexels;
     m_writtenTexels += count;
+    std::map<Place, Brick> waiting = std::exchange(m_beyond, {});
+    for (const auto& [place, content] : waiting) set(place.brick(), content);
 }
 
-/// Makes another dense part, for sectors that hold all bricks. Nothing is left for the paged part.
-void ShadowDirectory::makeDense(const Sectors& sectors) {
+/// Makes another dense part, for these sectors. Nothing is in the paged part then: what is elsewhere waits for room.
+void ShadowDirectory::makeDense(const SectorBox& sectors) {
     std::vector<std::pair<glm::ivec3, Brick>> bricks;
     forEach([&](glm::ivec3 brick, const Brick& content) { bricks.emplace_back(brick, content); });
     clear();
-    const glm::ivec3 size = sectors.high - sectors.low;
+    const glm::ivec3 size = sectors.size();
     m_dense.low = sectors.low;
     m_dense.size = size;
-    m_densePages = uint32_t(volume(size));
+    m_densePages = uint32_t(sectors.volume());
     m_pages.resize(m_densePages);
     m_texels.resize(m_densePages * kPageTexels);
     for (uint32_t i = 0; i < m_densePages; ++i) {
@@ -220,53 +229,110 @@ void ShadowDirectory::makeDense(const Sectors& sectors) {
     for (const auto& [brick, content] : bricks) set(brick, content);
 }
 
+ShadowDirectory::Place ShadowDirectory::placeOf(glm::ivec3 brick) const {
+    return {squaredDistance(brick >> 2, m_middle), brick.z, brick.y, brick.x};
+}
+
+/// All bricks, and those of patches that are new, by sectors.
+std::vector<SectorBricksCount> ShadowDirectory::countBricks(const std::vector<ShadowPatch>& patches) const {
+    std::vector<SectorBricksCount> out;
+    for (const Page& page : m_pages)
+        if (page.occupied) out.push_back({page.sector, std::popcount(page.occupied)});
+    for (const auto& [place, content] : m_beyond) out.push_back({place.brick() >> 2, 1});
+    for (const ShadowPatch& patch : patches)
+        if (patch.content && !find(patch.brick).occupied) out.push_back({patch.brick >> 2, 1});
+    return out;
+}
+
 /// A table grows by an eighth more than it must, so that a body that flies away does not need another one at each
 /// sector.
 void ShadowDirectory::reach(const std::vector<ShadowPatch>& patches) {
-    if (reachDensely(patches)) return;
-    const glm::ivec3 end = m_paged.low + m_paged.size;
-    Sectors table{m_paged.low, end};
+    if (reachDensely(patches)) return chooseTable(patches);
+    const SectorBox before{m_paged.low, m_paged.low + m_paged.size};
+    SectorBox table = before;
     for (const ShadowPatch& patch : patches) {
-        const glm::ivec3 sector = patch.brick >> 2;
-        if (!patch.content || m_dense.holds(sector)) continue;
-        Sectors next = table;
-        next.include(sector, sector + 1);
-        if (volume(next.high - next.low) <= kMaxSectors) table = next;
+        if (!patch.content || holds(patch.brick)) continue;
+        const bool isFarther = !m_beyond.empty() && m_beyond.begin()->first < placeOf(patch.brick);
+        if (!isFarther) table.include(patch.brick >> 2);
     }
-    if (table.low == m_paged.low && table.high == end) return;
-    if (m_paged.size.x) {
+    if (table.low == before.low && table.high == before.high) return;
+    if (table.volume() > double(kMaxSectors)) return chooseTable(patches);
+    if (m_paged.size.x && m_beyond.empty()) {
         const glm::ivec3 margin = m_paged.size / 8;
-        const glm::ivec3 wideLow = table.low - margin * glm::ivec3(glm::lessThan(table.low, m_paged.low));
-        const glm::ivec3 wideHigh = table.high + margin * glm::ivec3(glm::greaterThan(table.high, end));
-        if (volume(wideHigh - wideLow) <= kMaxSectors) table = {wideLow, wideHigh};
+        const SectorBox wide{table.low - margin * glm::ivec3(glm::lessThan(table.low, before.low)),
+                             table.high + margin * glm::ivec3(glm::greaterThan(table.high, before.high))};
+        if (wide.volume() <= double(kMaxSectors)) table = wide;
     }
-    makeTable(table.low, table.high - table.low);
+    makeTable(table);
 }
 
-/// If most bricks are outside of the dense part, makes another one for all, unless it would be large for them.
+/// If most bricks are outside of the dense part, makes another one for the bulk of all, if they have one. Bricks that
+/// had none are looked at again when they are twice or half as many. Returns whether it looked at them: what has room
+/// in the table must be chosen then.
 bool ShadowDirectory::reachDensely(const std::vector<ShadowPatch>& patches) {
-    int64_t outside = m_paged.bricks;
-    Sectors all;
-    all.include(m_dense.occupied);
-    all.include(m_paged.occupied);
-    for (const ShadowPatch& patch : patches) {
-        if (!patch.content || m_dense.holds(patch.brick >> 2) || find(patch.brick).occupied) continue;
-        ++outside;
-        all.include(patch.brick >> 2, (patch.brick >> 2) + 1);
-    }
-    const int64_t size = volume(all.high - all.low), bricks = m_dense.bricks + outside;
-    if (outside <= m_dense.bricks || size > std::max(kSmallDense, bricks / kBricksPerDenseSector)) return false;
-    makeDense(all);
+    int64_t outside = m_paged.bricks + beyond();
+    for (const ShadowPatch& patch : patches)
+        if (patch.content && !m_dense.holds(patch.brick >> 2) && !find(patch.brick).occupied) ++outside;
+    const int64_t bricks = m_dense.bricks + outside;
+    if (outside <= m_dense.bricks || (bricks < 2 * m_scattered && 2 * bricks > m_scattered)) return false;
+    std::vector<SectorBricksCount> sectors = countBricks(patches);
+    moveMiddle(middleOf(sectors));
+    sortByDistance(sectors, m_middle);
+    const SectorBox bulk = bulkOf(sectors, kBricksPerDenseSector, kSmallDense);
+    const bool hasBulk = bulk.low != bulk.high;
+    if (hasBulk) makeDense(bulk);
+    m_scattered = hasBulk ? 0 : bricks;
     return true;
+}
+
+/// Sorts the bricks that wait by their distance from another middle.
+void ShadowDirectory::moveMiddle(glm::ivec3 middle) {
+    m_middle = middle;
+    std::map<Place, Brick> waiting = std::exchange(m_beyond, {});
+    for (const auto& [place, content] : waiting) m_beyond.emplace(placeOf(place.brick()), content);
+}
+
+/// Makes the table for as many of the nearest bricks as it can span, of all that are not in the dense part.
+void ShadowDirectory::chooseTable(const std::vector<ShadowPatch>& patches) {
+    std::vector<SectorBricksCount> sectors = countBricks(patches);
+    std::erase_if(sectors, [&](const SectorBricksCount& each) { return m_dense.holds(each.sector); });
+    sortByDistance(sectors, m_middle);
+    const SectorBox box = boxOfNearest(sectors, kMaxSectors);
+    leaveTable(box);
+    makeTable(box);
+}
+
+/// Bricks of the table outside of a box wait for room from now on.
+void ShadowDirectory::leaveTable(const SectorBox& kept) {
+    std::vector<std::pair<glm::ivec3, Brick>> leaving;
+    const Part next{kept.low, kept.size(), {}, 0};
+    for (uint32_t i = m_densePages; i < m_pages.size(); ++i)
+        for (int at = 0; at < int(kPageTexels) && !next.holds(m_pages[i].sector); ++at)
+            if (m_pages[i].occupied >> at & 1) {
+                const glm::ivec3 brick = brickAt(m_pages[i].sector, at);
+                leaving.emplace_back(brick, find(brick));
+            }
+    for (const auto& [brick, content] : leaving) {
+        set(brick, {});
+        m_beyond.emplace(placeOf(brick), content);
+    }
+    removeEmptyPages();
+    m_skips.update();  // their texels follow with the next table
+}
+
+/// Takes in what waits, nearest first, if the table can span it now.
+void ShadowDirectory::readmit() {
+    if (m_beyond.empty()) return;
+    SectorBox needed = occupiedSectors(m_paged.occupied);
+    needed.include(m_beyond.begin()->first.brick() >> 2);
+    if (needed.volume() <= double(kMaxSectors)) chooseTable({});
 }
 
 /// Replaces a table that is several times as large as what is occupied.
 void ShadowDirectory::shrink() {
-    constexpr int64_t kRatio = 4, kSmall = 64;  // sectors
-    Sectors needed;
-    needed.include(m_paged.occupied);
-    const glm::ivec3 size = needed.high - needed.low;
-    if (volume(m_paged.size) > kRatio * volume(size) + kSmall) makeTable(needed.low, size);
+    constexpr double kRatio = 4.0, kSmall = 64.0;  // sectors
+    const SectorBox table{m_paged.low, m_paged.low + m_paged.size}, needed = occupiedSectors(m_paged.occupied);
+    if (table.volume() > kRatio * needed.volume() + kSmall) makeTable(needed);
 }
 
 }  // namespace rubble

@@ -1,8 +1,12 @@
 #pragma once
+#include <compare>
+#include <glm/vec4.hpp>
+#include <map>
 #include <vector>
 
 #include "render/scene/occupied_box.h"
 #include "render/scene/page_skips.h"
+#include "render/scene/sector_bulk.h"
 #include "render/scene/skip_distances.h"
 #include "render/scene/staged_buffer.h"
 #include "runtime/core/index_allocator.h"
@@ -12,11 +16,14 @@ namespace rubble {
 
 /// Finds the shadow volume's bricks for rays. A brick has a texel: how far rays may skip, in bricks, or where the brick
 /// is and which of its words are occupied. The texels are in two parts, through which a ray goes one after the other:
-///   - the dense part has those of all bricks of a box, the level's as it was loaded: a ray finds one by one fetch;
+///   - the dense part has those of all bricks of a box, the bulk of the level's: a ray finds one by one fetch;
 ///   - the paged part, for what is elsewhere, has those of occupied sectors (4x4x4 bricks), a page each. A table has a
 ///     texel for each sector of a box: where its page is, or how far rays may skip, in sectors. Pages come and go with
 ///     the bricks, and the box follows what is occupied.
-/// So memory and work follow the bricks that change. Layout: lib/shadow_trace.glsl. [render-thread]
+/// So memory and work follow the bricks that change. Where the table cannot span all, what is farthest from the middle
+/// of most bricks is not in it: rays do not meet it. Which bricks these are follows from all bricks, not from the order
+/// in which they came, and they get their place as soon as there is room. Layout: lib/shadow_trace.glsl.
+/// [render-thread]
 class ShadowDirectory {
 public:
     static constexpr int kSectorBricks = 4;  ///< side of a sector
@@ -35,14 +42,14 @@ public:
 
     /// Removes all bricks.
     void clear();
-    /// Makes room for all patches with content, but for those with which the table would span too much. If most bricks
-    /// are in the paged part then, as at first, the dense part is made for all that there are.
+    /// Makes room for all patches with content, as far as the table spans. If most bricks are in the paged part then,
+    /// as at first, the dense part is made anew for the bulk of them.
     void reach(const std::vector<ShadowPatch>& patches);
     /// Whether there is room for a brick.
     bool holds(glm::ivec3 brick) const;
-    /// The brick at a place that has room.
+    /// The brick at a place, also if there is no room for it.
     Brick find(glm::ivec3 brick) const;
-    /// Puts a brick at a place that has room. occupied == 0 removes it.
+    /// Puts a brick at a place; where there is no room it waits for it. occupied == 0 removes it.
     void set(glm::ivec3 brick, const Brick& content);
     /// Brings table and pages up to date. Call it after changes, before rays.
     void update();
@@ -57,6 +64,7 @@ public:
                     const glm::ivec3 brick = page.sector * kSectorBricks + glm::ivec3(i & 3, i >> 2 & 3, i >> 4);
                     f(brick, find(brick));
                 }
+        for (const auto& [place, content] : m_beyond) f(place.brick(), content);
     }
 
     /// The paged part's table: a texel a sector, x fastest.
@@ -83,6 +91,10 @@ public:
     const Part& dense() const { return m_dense; }
     /// The table's box.
     const Part& paged() const { return m_paged; }
+    /// How many bricks have no room. Rays do not meet them.
+    int64_t beyond() const { return int64_t(m_beyond.size()); }
+    /// The sector in the middle of most bricks, as it was when room was last given anew.
+    glm::ivec3 middle() const { return m_middle; }
     /// How many texels were written since it was made: work that tests count.
     uint64_t writtenTexels() const { return m_writtenTexels; }
 
@@ -99,10 +111,22 @@ private:
     uint32_t pageAt(glm::ivec3 sector) const;
     template <class Texel>
     void write(StagedBuffer<Texel>& texels, size_t at, Texel texel);
-    struct Sectors;
+    /// Where a brick is that has no room. The nearest to the middle is the first.
+    struct Place {
+        double squaredDistance;  ///< of its sector from m_middle, in sectors
+        int z, y, x;
+        glm::ivec3 brick() const { return {x, y, z}; }
+        auto operator<=>(const Place&) const = default;
+    };
+    Place placeOf(glm::ivec3 brick) const;
+    std::vector<SectorBricksCount> countBricks(const std::vector<ShadowPatch>& patches) const;
     bool reachDensely(const std::vector<ShadowPatch>& patches);
-    void makeDense(const Sectors& sectors);
-    void makeTable(glm::ivec3 low, glm::ivec3 size);
+    void makeDense(const SectorBox& sectors);
+    void moveMiddle(glm::ivec3 middle);
+    void chooseTable(const std::vector<ShadowPatch>& patches);
+    void leaveTable(const SectorBox& kept);
+    void readmit();
+    void makeTable(const SectorBox& box);
     void shrink();
     uint32_t addPage(glm::ivec3 sector);
     void removeEmptyPages();
@@ -116,6 +140,9 @@ private:
     std::vector<Page> m_pages;       ///< the sectors of the dense part, x fastest; then pages in use and free ones
     uint32_t m_densePages = 0;
     IndexAllocator m_freePages;  ///< of those behind the dense part
+    glm::ivec3 m_middle{0};
+    std::map<Place, Brick> m_beyond;  ///< bricks that have no room
+    int64_t m_scattered = 0;          ///< so many bricks had no bulk; 0: the last ones had
     StagedBuffer<uint32_t> m_table{GL_R32UI, "shadow directory"};
     StagedBuffer<glm::uvec4> m_texels{GL_RGBA32UI, "shadow directory's bricks"};
     std::vector<uint32_t> m_changedPages;

@@ -107,7 +107,7 @@ float skyOpenness(vec3 normal) { return 0.15 + 0.85 * (0.5 + 0.5 * normal.y); }
 vec3 sunlightOn(vec3 position, vec3 normal) {
     float facing = dot(normal, frame.sunDirection.xyz), t;
     if (!uSunUp || facing <= 0.0 ||
-        shadowTrace(shadowOrigin(position, normal), frame.sunDirection.xyz, kMaxSunDistance, t))
+        shadowTrace(cellOrigin(position, normal), frame.sunDirection.xyz, kMaxSunDistance, t))
         return vec3(0.0);
     return frame.sunColor.rgb * (facing / kPi);
 }
@@ -123,7 +123,7 @@ vec3 localLightOn(vec3 position, vec3 normal, PathStart start) {
     LightSample point = evaluateLight(localLight, toCentre, face, direction, true);
     vec3 arriving = point.radiance *
                     (max(dot(direction, normal), 0.0) / (kPi * point.pdf) * reservoir.weightSum / reservoir.weight);
-    vec3 origin = shadowOrigin(position, normal), shadowRay = position + direction * point.range - origin;
+    vec3 origin = cellOrigin(position, normal), shadowRay = position + direction * point.range - origin;
     float shadowRayLength = max(length(shadowRay), 1e-4), t;
     bool dark = luminance(arriving) <= 0.0 ||
                 shadowTrace(origin, shadowRay / shadowRayLength, max(shadowRayLength - point.clearance, 0.0), t);
@@ -181,7 +181,7 @@ vec3 radianceAt(vec3 hitWorld, vec3 direction, PathStart start, float emissionWe
             radiance += min(throughput * ambientShare(normal, start), vec3(kMaxReflectance)) * start.light;
             break;
         }
-        vec3 origin = shadowOrigin(hitWorld, normal);
+        vec3 origin = cellOrigin(hitWorld, normal);
         direction = cosineDirection(normal, fract(start.directionSample + float(i) * kR2Step));
         float t;
         if (!shadowTrace(origin, direction, uMaxDistance, t)) {

@@ -6,6 +6,7 @@ const float kPi = 0.5 * kTwoPi;
 const float kInversePi = 0.3183;  // to four digits, for painted colours
 
 const float kShadowCellsPerMetre = 10.0;  // 1 / kShadowCell
+const float kFineVoxels = 1.0 / 16384.0;  // lib/gbuffer.glsl: the least normal number of 16 bits
 
 /// The step of the R2 sequence: 1 / p and 1 / p^2 of the plastic number p (Martin Roberts 2018, "The unreasonable
 /// effectiveness of quasirandom sequences").

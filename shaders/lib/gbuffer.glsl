@@ -1,7 +1,8 @@
 // What the G-buffer holds and how to read it. Targets (made by render/passes/gbuffer_pass.h):
 //   albedo        RGBA8    rgb sRGB colour; a palette index / 255 (0 = sky)
-//   normal        RGBA16F  xyz world normal, unit length, or 0 where the pixel's ray begins inside the voxel; w emission:
-//                          a multiple of the linear colour
+//   normal        RGBA16F  xyz world normal, unit length, or 0 where the pixel's ray begins inside the voxel; w emission,
+//                          a multiple of the linear colour, or if its voxels are finer than shadow cells
+//                          -(kFineVoxels + emission)
 //   material      RGBA8    r roughness, g metallic, b reflectivity: reflectance at normal incidence; a tilt of the face
 //                          as decodeTilt() reads it, or 1 less that value if the body moves
 //   motion        RG16F    uv of the point now minus its uv in the previous frame, both without jitter
@@ -26,6 +27,7 @@ struct Surface {
     vec3 albedo;     // linear
     vec3 normal;     // world
     float emission;  // radiance = albedo * emission
+    bool fine;       // its voxels are smaller than the cells of the shadow volume
     float roughness, metallic, reflectivity;
     float moving;  // 1 if its body moved since the previous frame
     vec2 tilt;     // of a face with detail, along two axes of its own: -1 to 1
@@ -44,7 +46,8 @@ Surface readSurface(ivec2 pixel) {
     vec4 normal = texelFetch(uNormal, pixel, 0);
     s.normal = normal.xyz;
     s.lit = !s.sky && s.normal != vec3(0.0);
-    s.emission = normal.w;
+    s.fine = normal.w < 0.0;
+    s.emission = s.fine ? -normal.w - kFineVoxels : normal.w;
     vec4 material = texelFetch(uMaterial, pixel, 0);
     s.roughness = material.r;
     s.metallic = material.g;

@@ -7,6 +7,7 @@ const float kMinMirrorShare = 0.012;  // share of the light that is reflected
 struct Mirror {
     vec3 position, normal, view;
     float roughness;
+    bool fine;    // as of a Surface
     float share;  // of the light that it reflects toward the camera; 0 if it is too rough
 };
 
@@ -18,6 +19,7 @@ Mirror mirrorAt(ivec2 pixel, vec2 uv) {
     Mirror m;
     bool isPane = pane.w > 0.0;
     m.normal = isPane ? normalize(pane.xyz) : s.normal;
+    m.fine = !isPane && s.fine;
     m.roughness = isPane ? 0.0 : s.roughness;
     f0 = isPane ? kPaneReflectance : s.lit ? f0 : 0.0;
     m.position = worldFromDepth(uv, isPane ? pane.w : s.depth);

@@ -154,7 +154,7 @@ bool walkShadowPart(bool isPaged, vec3 originWorld, vec3 direction, float tMax, 
 }
 
 /// True if the ray from originWorld (metres, from the render origin) meets an occupied cell within tMax metres along
-/// the unit vector `direction`; t is the distance. An origin in an occupied cell is a hit at 0: see shadowOrigin().
+/// the unit vector `direction`; t is the distance. An origin in an occupied cell is a hit at 0: see surfaceOrigin().
 /// Beyond exactDistance metres any word with an occupied cell stops the ray: too much shadow there, never too little.
 bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exactDistance, out float t) {
     bool stopped = walkShadowPart(false, originWorld, direction, tMax, exactDistance, t);
@@ -170,18 +170,72 @@ bool shadowTrace(vec3 originWorld, vec3 direction, float tMax, out float t) {
     return shadowTraceCoarse(originWorld, direction, tMax, kAlwaysExact, t);
 }
 
-/// Where a ray starts that leaves a surface: outside the surface's own shadow cells. A body occupies the cells whose
-/// centres lie in it. A face that is aligned with the grid therefore ends at a cell boundary, the nearest one, and the
-/// ray starts exactly there. The cells of a rotated face stick out of it by at most half a cell's extent along the
-/// normal n, which is 0.5 (|n.x| + |n.y| + |n.z|) cells. A ray that starts a little beyond that and does not go down
-/// misses them, however the body is rotated.
-const float kNormalOffsetCells = 0.52;
-vec3 shadowOrigin(vec3 positionWorld, vec3 normalWorld) {
+/// Whether the cell at a position (metres, from the render origin) is occupied in a part of the directory.
+bool isOccupiedIn(bool isPaged, vec3 positionWorld) {
+    ShadowPart part = shadowPart(isPaged);
+    vec3 place = positionWorld * kShadowCellsPerMetre - vec3(part.first * 64);
+    if (any(lessThan(place, part.low)) || !all(lessThan(place, part.high))) return false;
+    ivec3 cell = ivec3(place), at = isPaged ? cell >> 6 : cell >> 4;
+    ivec3 size = isPaged ? part.sectors : part.sectors * 4;
+    int index = at.x + size.x * (at.y + size.y * at.z);
+    uint page = isPaged ? fetchShadowTable(index) : 0u;
+    ivec3 inPage = cell >> 4 & 3, word = cell >> 2 & 3, inWord = cell & 3;
+    if ((page & 15u) != 0u) return false;
+    uvec4 brick = fetchShadowBrick(isPaged ? int(page) + (inPage.x | inPage.y << 2 | inPage.z << 4) : index);
+    int wordIndex = word.x | word.y << 2 | word.z << 4, bit = inWord.x | inWord.y << 2 | inWord.z << 4;
+    if ((brick.x & 15u) != 0u || ((word.z < 2 ? brick.y : brick.z) >> uint(wordIndex & 31) & 1u) == 0u) return false;
+    uvec2 cells = fetchShadowTexel(int(brick.x) + wordIndex);
+    return ((bit < 32 ? cells.x : cells.y) >> uint(bit & 31) & 1u) != 0u;
+}
+
+/// Whether the cell at a position is occupied.
+bool isShadowOccupied(vec3 positionWorld) {
+    bool occupied = isOccupiedIn(false, positionWorld);
+#ifndef NO_PAGED_SHADOWS
+    if (frame.shadowPagedSize.w != 0 && !occupied) occupied = isOccupiedIn(true, positionWorld);
+#endif
+    return occupied;
+}
+
+/// A position moved along a normal out of the cells of its own surface, if these stick out by at most a share of their
+/// size. A face that is aligned with the grid ends at a cell boundary, and the position comes to lie exactly there. The
+/// cells of a rotated face stick out of it by at most that share of a cell's extent along the normal n, which is
+/// |n.x| + |n.y| + |n.z| cells. A ray that starts a little beyond that and does not go down misses them, however the
+/// body is rotated.
+const float kNormalMarginCells = 0.02;
+vec3 movedOffCells(vec3 positionWorld, vec3 normalWorld, float share) {
     vec3 along = abs(normalWorld);
-    float cells = kNormalOffsetCells * dot(along, vec3(1.0));
+    float cells = (share + kNormalMarginCells) * dot(along, vec3(1.0));
     if (max(along.x, max(along.y, along.z)) > 0.9999) {
         float height = dot(positionWorld, normalWorld) / kShadowCell;
-        cells = ceil(height - 0.499) + 0.01 - height;
+        cells = ceil(height + share - 0.999) + 0.01 - height;
     }
     return positionWorld + normalWorld * (cells * kShadowCell);
+}
+
+/// Where a ray starts that leaves a face of a shadow cell, as other rays find it.
+vec3 cellOrigin(vec3 positionWorld, vec3 normalWorld) { return movedOffCells(positionWorld, normalWorld, 0.5); }
+
+/// A position moved out of occupied cells toward the side from which it is seen. The cells that it crosses stick out
+/// of surfaces beside it: between it and the eye is nothing. The direction is bent away from the axes along which it
+/// hardly moves, so that it is out of all layers of cells after about one. Deep between cells it stays in one: dark.
+const int kMaxCellsLeft = 4;
+vec3 movedTowardEye(vec3 positionWorld, vec3 toEyeWorld) {
+    vec3 direction = toEyeWorld / (abs(toEyeWorld) + 0.1);
+    vec3 inverse = 1.0 / max(abs(direction), 1e-4);
+    for (int i = loopBegin(); i < kMaxCellsLeft && isShadowOccupied(positionWorld); ++i) {
+        vec3 inCell = fract(positionWorld * kShadowCellsPerMetre);
+        vec3 leave = mix(1.0 - inCell, inCell, lessThan(direction, vec3(0.0))) * inverse;
+        positionWorld += direction * ((min(leave.x, min(leave.y, leave.z)) + 0.01) * kShadowCell);
+    }
+    return positionWorld;
+}
+
+/// Where a ray starts that leaves a surface which the camera sees: outside of the cells of the surface itself, and of
+/// those beside it. Voxels at least as large as cells set the cells whose centres lie in them: half a cell sticks out
+/// at most. Smaller ones, `fine` ones, set each cell that they touch: nearly all of it may stick out, also from
+/// surfaces that meet this one at an edge (runtime/shadow/shadow_cell_transform.h).
+vec3 surfaceOrigin(vec3 positionWorld, vec3 normalWorld, bool fine) {
+    vec3 origin = movedOffCells(positionWorld, normalWorld, fine ? 0.98 : 0.5);
+    return movedTowardEye(origin, toEye(positionWorld));
 }

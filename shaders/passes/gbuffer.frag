@@ -59,7 +59,9 @@ void main() {
     vec3 color =
         paintedColor(nearestView.instance, nearestView.shape, best.slot, best.cell, entry.color) * detail.color;
     outAlbedo = vec4(color, float(best.index) / 255.0);
-    outNormal = vec4(rotate(place.rotation, best.normal), halfRange(entry.emission));
+    float emission = halfRange(entry.emission);
+    bool fine = place.voxelSize < 0.9999 * kShadowCell;
+    outNormal = vec4(rotate(place.rotation, best.normal), fine ? -(kFineVoxels + emission) : emission);
     outMaterial = vec4(entry.roughness * detail.roughness, entry.metallic, entry.reflectivity,
                        abs(place.moved - encodeTilt(detail.tilt) / 255.0));
     outMotion =

@@ -92,6 +92,7 @@ struct Receiver {
     Surface surface;
     vec3 position, view, f0;
     ivec2 lights;  // lightsAt()
+    vec3 origin;   // of its rays
 };
 
 /// One ray to one of the lights. Adds its light and highlight.
@@ -112,7 +113,7 @@ void addSample(Receiver r, int n, inout vec4 light, inout vec4 specular) {
     float pdf = mix(point.pdf, ggxVndfPdf(normal, r.view, direction, roughness), lobeChance);
     vec3 arriving = point.radiance * (max(dot(direction, normal), 0.0) * sampleWeight / (kPi * pdf));
     bool dark = luminance(arriving) <= 0.0;
-    vec3 origin = shadowOrigin(r.position, normal), shadowRay = r.position + direction * point.range - origin;
+    vec3 origin = r.origin, shadowRay = r.position + direction * point.range - origin;
     float shadowRayLength = max(length(shadowRay), 1e-4), t;
     // Where nothing would arrive the ray has no length, and costs little.
     float tMax = dark ? -1.0 : max(shadowRayLength - point.clearance, 0.0);
@@ -139,7 +140,8 @@ void main() {
     if (!s.lit) discard;
     vec3 position = worldFromDepth(uv, s.depth);
     Receiver receiver = Receiver(pixel, s, position, toEye(position),
-                                 mix(vec3(s.reflectivity), s.albedo, s.metallic), lightsAt(pixel, s.depth));
+                                 mix(vec3(s.reflectivity), s.albedo, s.metallic), lightsAt(pixel, s.depth),
+                                 surfaceOrigin(position, s.normal, s.fine));
     light = specular = vec4(0.0);
     int rays = raysOf(pixel);
     for (int i = 0; i < rays; ++i) addSample(receiver, frame.counters.x * rays + i, light, specular);

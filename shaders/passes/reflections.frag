@@ -47,7 +47,7 @@ void main() {
                                 : ivec2(0));
     start.random = more;
     float t;
-    vec3 radiance = mirrored(shadowOrigin(m.position, m.normal), normalize(direction), start,
+    vec3 radiance = mirrored(surfaceOrigin(m.position, m.normal, m.fine), normalize(direction), start,
                              1.0 - analyticHighlightShare(m.roughness), t);
     reflection = vec4(halfRange(radiance), clamp(t, 0.01, kSkyMetres));
 }

@@ -10,7 +10,7 @@ void main() {
     if (uMode == 2) c = v.rgb * 0.5 + 0.5;                    // directions
     if (uMode == 3) c = vec3(1.0 - exp(-v.r / 20.0));         // metres
     if (uMode == 4) c = vec3(v.rg * 10.0 + 0.5, 0.5);         // motion, uv per frame
-    if (uMode == 5) c = vec3(v.a);
+    if (uMode == 5) c = vec3(abs(v.a));  // the emission of fine voxels is below 0
     if (uMode == 6) c = vec3(v.b / 32.0);  // frames accumulated
     show(c);
 }

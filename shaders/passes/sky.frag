@@ -27,7 +27,7 @@ void main() {
     Surface s = readSurface(pixel);
     light = hitProximity = vec4(0.0);
     if (!s.lit) return;
-    vec3 origin = shadowOrigin(worldFromDepth(uv, s.depth), s.normal);
+    vec3 origin = surfaceOrigin(worldFromDepth(uv, s.depth), s.normal, s.fine);
     vec2 lastUv = uv - texelFetch(uMotion, pixel, 0).rg;
     bool known = uHistoryValid && lastUv == clamp(lastUv, vec2(0.0), vec2(0.999));
     ivec2 last = ivec2(lastUv * frame.targetSize.xy);

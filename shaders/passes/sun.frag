@@ -19,7 +19,7 @@ void main() {
     Surface s = readSurface(pixel);
     light = vec4(0.0);
     if (s.sky || dot(s.normal, frame.sunDirection.xyz) <= 0.0) return;
-    vec3 origin = shadowOrigin(worldFromDepth(uv, s.depth), s.normal);
+    vec3 origin = surfaceOrigin(worldFromDepth(uv, s.depth), s.normal, s.fine);
     for (int i = 0; i < uRayCount; ++i) {
         vec2 u = blueNoise(pixel, 0, frame.counters.x * uRayCount + i);
         float t;

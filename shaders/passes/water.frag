@@ -207,7 +207,9 @@ vec4 seenBelow(vec3 origin, vec3 ray, vec3 bend, WaterPath path) {
 
 /// Radiance that a ray from the surface brings. t: metres to what it meets.
 vec3 radianceAlong(vec3 place, vec3 direction, out float t) {
-    vec3 origin = place + vec3(0.0, direction.y > 0.0 ? 0.01 : -0.01, 0.0);
+    float side = direction.y > 0.0 ? 1.0 : -1.0;
+    vec3 eye = toEye(place);
+    vec3 origin = movedTowardEye(place + vec3(0.0, 0.01 * side, 0.0), vec3(eye.x, side * abs(eye.y), eye.z));
     if (shadowTrace(origin, direction, kMaxRayDistance, t))
         return mix(radianceAt(origin + direction * t, direction,
                               startPath(0.4 * skyRadiance(vec3(0, 1, 0)), vec3(0, 1, 0), ivec2(0)), 1.0),

@@ -31,7 +31,7 @@ void main() {
     // Walls get slanted rain only.
     rain = normalize(rain + s.normal * (1.0 - max(up, 0.0)) * 0.6);
     float t;
-    if (shadowTrace(shadowOrigin(world, s.normal), rain, uMaxDistance, t)) discard;
+    if (shadowTrace(surfaceOrigin(world, s.normal, s.fine), rain, uMaxDistance, t)) discard;
 
     float wetness = frame.groundColor.w;
     vec2 place = fract(world.xz / 512.0) * 512.0;

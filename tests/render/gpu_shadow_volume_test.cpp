@@ -1,5 +1,7 @@
 #include "render/scene/gpu_shadow_volume.h"
 
+#include <algorithm>
+
 #include "tests/render/gl_fixture.h"
 
 namespace rubble {
@@ -56,6 +58,91 @@ TEST_F(GpuShadowVolumeTest, TheDensePartHoldsWhereMostBricksAreAndStaysThere) {
     EXPECT_EQ(directory.dense().size, glm::ivec3(6, 2, 2)) << "more is outside than inside";
     EXPECT_EQ(directory.dense().bricks, 129);
     for (const ShadowPatch& patch : level) EXPECT_TRUE(directory.find(patch.brick).occupied);
+}
+
+/// 8x8 bricks at the origin.
+std::vector<ShadowPatch> smallLevel() {
+    std::vector<ShadowPatch> level;
+    for (int i = 0; i < 64; ++i) level.push_back(patchWith({i & 7, 0, i >> 3}, {0}));
+    return level;
+}
+
+TEST_F(GpuShadowVolumeTest, ABrickFarAwayTakesNoRoomFromTheLevelInAnyOrder) {
+    const ShadowPatch stray = patchWith({3125, 0, 3125}, {0});
+    std::vector<ShadowPatch> both = smallLevel();
+    both.insert(both.begin(), stray);
+    const std::vector<std::vector<ShadowPatch>> orders[] = {
+        {smallLevel(), {stray}}, {{stray}, smallLevel()}, {both}, {{both.rbegin(), both.rend()}}};
+    for (const auto& publications : orders) {
+        GpuShadowVolume mirror;
+        for (const std::vector<ShadowPatch>& patches : publications) mirror.apply(patches, false);
+        const ShadowDirectory& directory = mirror.directory();
+        for (const ShadowPatch& patch : smallLevel()) EXPECT_TRUE(directory.holds(patch.brick));
+        EXPECT_EQ(directory.dense().bricks, 64) << "rays are as fast as without it";
+        EXPECT_TRUE(directory.holds(stray.brick)) << "alone it costs a table of one sector";
+    }
+}
+
+TEST_F(GpuShadowVolumeTest, WhatIsFarthestFromTheLevelHasNoRoomInAnyOrder) {
+    std::vector<ShadowPatch> all = smallLevel();
+    for (int i = 0; i < 40; ++i) {
+        const int away = 1000 + 200 * i;
+        all.push_back(patchWith({i & 1 ? away : -away, 0, i & 2 ? away : -away}, {0}));
+    }
+    std::vector<bool> expected;
+    for (int order = 0; order < 3; ++order) {
+        std::vector<ShadowPatch> patches = all;
+        if (order) std::reverse(patches.begin(), patches.end());
+        GpuShadowVolume mirror;
+        if (order < 2)
+            mirror.apply(patches, false);
+        else
+            for (const ShadowPatch& patch : patches) mirror.apply({patch}, false);
+        const ShadowDirectory& directory = mirror.directory();
+        std::vector<bool> held;
+        for (const ShadowPatch& patch : all) held.push_back(directory.holds(patch.brick));
+        EXPECT_TRUE(std::is_sorted(held.rbegin(), held.rend())) << "the nearest are in";
+        EXPECT_TRUE(held[64 + 2]);
+        EXPECT_FALSE(held[64 + 3]);
+        EXPECT_EQ(directory.beyond(), std::count(held.begin(), held.end(), false));
+        if (expected.empty()) expected = held;
+        EXPECT_EQ(held, expected) << "order " << order;
+    }
+}
+
+TEST_F(GpuShadowVolumeTest, WhatHadNoRoomHasItWhenTheRestIsGone) {
+    GpuShadowVolume mirror;
+    const ShadowDirectory& directory = mirror.directory();
+    const glm::ivec3 near(3000, 0, 3000), far(-3000, 0, -3000), farther(-9000, 0, 4000);
+    std::vector<ShadowPatch> patches = smallLevel();
+    for (const glm::ivec3 brick : {far, near, farther}) patches.push_back(patchWith(brick, {5}));
+    mirror.apply(patches, false);
+    EXPECT_TRUE(directory.holds(near));
+    EXPECT_FALSE(directory.holds(far));
+    EXPECT_EQ(directory.beyond(), 2);
+    const uint64_t written = directory.writtenTexels();
+    for (int i = 1; i < 20; ++i)  // it flies on, out there
+        mirror.apply({patchWith(farther - glm::ivec3(i, 0, 0), {5}), {farther - glm::ivec3(i - 1, 0, 0), nullptr}},
+                     false);
+    EXPECT_EQ(directory.writtenTexels(), written);
+    EXPECT_EQ(directory.beyond(), 2);
+    mirror.apply({{near, nullptr}}, false);
+    EXPECT_TRUE(directory.holds(far));
+    EXPECT_EQ(directory.find(far).occupied, uint64_t(1) << 5);
+    EXPECT_EQ(directory.beyond(), 1);
+    mirror.apply({{farther - glm::ivec3(19, 0, 0), nullptr}}, false);
+    EXPECT_EQ(directory.beyond(), 0);
+}
+
+TEST_F(GpuShadowVolumeTest, ALevelThatComesLaterAndFarAwayHasTheRoom) {
+    GpuShadowVolume mirror;
+    const ShadowDirectory& directory = mirror.directory();
+    mirror.apply({patchWith({0, 0, 0}, {0}), patchWith({2, 0, 0}, {0}), patchWith({9000, 0, 9000}, {0})}, false);
+    std::vector<ShadowPatch> level = smallLevel();
+    for (ShadowPatch& patch : level) patch.brick += glm::ivec3(9000, 0, 9000);
+    mirror.apply(level, false);
+    for (const ShadowPatch& patch : level) EXPECT_TRUE(directory.holds(patch.brick));
+    EXPECT_EQ(directory.dense().bricks, 64);
 }
 
 }  // namespace

@@ -124,6 +124,77 @@ TEST_F(ShadowLightTest, ClosedRoomIsDarkInside) {
     }
 }
 
+/// A floor, and a wall of one voxel across its middle which hides the sun from one half of it.
+LevelShape floorWithWall() {
+    constexpr int kSide = 40, kFloor = 2, kWall = 20;
+    LevelShape shape;
+    shape.grid = VoxelGrid({kSide, kSide, kSide});
+    GridWriter writer(shape.grid);
+    fillBox(writer, {0, 0, 0}, {kSide, kFloor, kSide}, 4);
+    fillBox(writer, {0, kFloor, kWall}, {kSide, kSide, kWall + 1}, 4);
+    shape.palette = testPalette();
+    return shape;
+}
+
+/// Voxels below the size of shadow cells lie anywhere in them, and share them at the feet of walls.
+TEST_F(ShadowLightTest, FeetOfWallsAreLitOnOneSideAndDarkOnTheOther) {
+    const glm::dvec3 toSun = glm::normalize(glm::dvec3(0.1, 0.6, 1.0));
+    for (const float size : {0.01f, 0.02f, 0.04f, 0.0625f, 0.07f, 0.08f, 0.1f, 0.125f, 0.25f})
+        for (const double place : {0.0, 0.013, 0.037, 0.05, 0.081})
+            for (const double turn : {0.0, 0.3}) {
+                const Pose pose{glm::dvec3(place), glm::angleAxis(turn, glm::normalize(glm::dvec3(0.2, 1.0, 0.1)))};
+                Level level;
+                level.bodies.push_back(bodyOf(VoxelGrid(), pose));
+                level.bodies[0].shapes[0] = floorWithWall();
+                level.bodies[0].shapes[0].voxelSize = size;
+                Scene scene;
+                scene.apply(levelSnapshot(level));
+                const auto look = [&](glm::dvec3 from, glm::dvec3 to) {
+                    View view;
+                    view.size = {80, 60};
+                    view.verticalFov = 0.8f;
+                    view.position = pose.transformPoint(from * double(size));
+                    view.rotation =
+                        glm::quatLookAt(pose.rotation * glm::normalize(to - from), pose.rotation * glm::dvec3(0, 1, 0));
+                    return sunlit(scene, view, glm::vec3(pose.rotation * toSun));
+                };
+                const Count front = look({20.0, 10.0, 33.0}, {20.0, 2.0, 21.0});
+                EXPECT_GT(front.facing, 3000);
+                EXPECT_GE(front.lit, front.facing * 0.99)
+                    << "voxels of " << size << " m at " << place << ", turned by " << turn;
+                const Count back = look({20.0, 10.0, 8.0}, {20.0, 2.0, 20.0});
+                EXPECT_GT(back.facing, 1000);
+                EXPECT_EQ(back.lit, 0) << "voxels of " << size << " m at " << place << ", turned by " << turn;
+            }
+}
+
+TEST_F(ShadowLightTest, OneVoxelFarAwayTakesNoShadow) {
+    Level level;
+    level.bodies.push_back(bodyOf(VoxelGrid(), {}));
+    level.bodies[0].shapes[0] = floorWithWall();
+    const glm::vec3 toSun = glm::normalize(glm::vec3(0.1f, 0.6f, 1.0f));
+    View view;
+    view.size = {80, 60};
+    view.position = {2.0, 6.0, -1.0};
+    view.rotation = glm::quatLookAt(glm::normalize(glm::dvec3(0.0, -6.0, 3.0)), glm::dvec3(0, 1, 0));
+    Scene alone;
+    alone.apply(levelSnapshot(level));
+    const Count expected = sunlit(alone, view, toSun);
+    ASSERT_GT(expected.facing - expected.lit, 500) << "the wall's shadow";
+    VoxelGrid voxel({1, 1, 1});
+    {
+        GridWriter writer(voxel);
+        fillBox(writer, {0, 0, 0}, {1, 1, 1}, 4);
+    }
+    level.bodies.insert(level.bodies.begin(), bodyOf(voxel, {{5000.0, 0.0, 5000.0}, {1, 0, 0, 0}}));
+    Scene scene;
+    scene.apply(levelSnapshot(level));
+    pass = std::make_unique<GBufferPass>(*shaders);  // it remembers a scene's bodies
+    const Count count = sunlit(scene, view, toSun);
+    EXPECT_EQ(count.facing, expected.facing);
+    EXPECT_EQ(count.lit, expected.lit);
+}
+
 /// Teardown keeps a byte for 2x2x2 cells of the whole box, and two smaller copies of that.
 TEST_F(ShadowLightTest, TownTakesAQuarterOfADenseVolume) {
     FrameSnapshot town = levelSnapshot(makeTown(1));

@@ -10,6 +10,6 @@ void main() {
     bool facing = !s.sky && dot(s.normal, frame.sunDirection.xyz) > 0.0;
     vec3 world = worldFromDepth(gl_FragCoord.xy * frame.targetSize.zw, s.depth);
     float t;
-    bool lit = facing && !shadowTrace(shadowOrigin(world, s.normal), frame.sunDirection.xyz, 100.0, t);
+    bool lit = facing && !shadowTrace(surfaceOrigin(world, s.normal, s.fine), frame.sunDirection.xyz, 100.0, t);
     outSunlit = vec4(facing, lit, 0.0, 0.0);
 }
