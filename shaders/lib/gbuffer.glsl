@@ -10,7 +10,8 @@
 // Glass (opacity below 255) is not in these. Scenes with glass have three more:
 //   glassMask     R8       1 where glass lies before the surface or the sky
 //   glassTint     RGBA8    rgb transmittance of all panes before it (1 = no glass)
-//   glassSurface  RGBA16F  xyz normal of the nearest pane, w its linear depth (0 = no glass)
+//   glassSurface  RGBA16F  xyz normal of the nearest pane, or 0 where the ray begins in it: it then reflects nothing;
+//                          w its linear depth (0 = no glass)
 #include "lib/color.glsl"
 #include "lib/constants.glsl"
 

@@ -5,7 +5,7 @@ struct Panes {
     vec3 tint;  // transmittance of all of them
     float first,
         last;     // t of the nearest and the farthest, in lengths of the direction; kFarthest and 0 if there is none
-    vec3 normal;  // of the nearest, in the body's space
+    vec3 normal;  // of the nearest, in the body's space; 0 if the ray begins in it
 };
 const Panes kNoPanes = Panes(vec3(1.0), kFarthest, 0.0, vec3(0.0));
 
@@ -31,7 +31,7 @@ Panes walkGlass(int body, Layout shape, vec3 originCells, vec3 rayCells, float t
         if (i == 0 || steps > 1) panes.tint *= transmittance(body, shape, index, slot, w.cell);
         if (i == 0) {
             panes.first = w.t;
-            panes.normal = w.axis == ivec3(0) ? -normalize(rayCells) : vec3(w.axis * (1 - 2 * w.ahead));
+            panes.normal = vec3(w.axis * (1 - 2 * w.ahead));
         }
         panes.last = w.t;
         leaveBlock(w, 1);

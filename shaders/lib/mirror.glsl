@@ -17,11 +17,11 @@ Mirror mirrorAt(ivec2 pixel, vec2 uv) {
     float f0 = max(s.reflectivity, s.metallic * max(s.albedo.r, max(s.albedo.g, s.albedo.b)));
     vec4 pane = uHasGlass ? texelFetch(uGlassSurface, pixel, 0) : vec4(0.0);
     Mirror m;
-    bool isPane = pane.w > 0.0;
-    m.normal = isPane ? normalize(pane.xyz) : s.normal;
+    bool isPane = pane.w > 0.0, isEntered = pane.xyz != vec3(0.0);
+    m.normal = isPane && isEntered ? normalize(pane.xyz) : s.normal;
     m.fine = !isPane && s.fine;
     m.roughness = isPane ? 0.0 : s.roughness;
-    f0 = isPane ? kPaneReflectance : s.lit ? f0 : 0.0;
+    f0 = isPane ? (isEntered ? kPaneReflectance : 0.0) : s.lit ? f0 : 0.0;
     m.position = worldFromDepth(uv, isPane ? pane.w : s.depth);
     m.view = toEye(m.position);
     m.share = f0 <= 0.0 ? 0.0 : (1.0 - smoothstep(0.35, 0.6, m.roughness)) * fresnel(vec3(f0), dot(m.normal, m.view)).x;

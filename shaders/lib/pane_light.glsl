@@ -15,8 +15,10 @@ uniform sampler2D uReflection;
 /// The pane light behind the haze. ray: viewRay() of the pixel, which must have a pane.
 vec4 paneLightAt(ivec2 pixel, vec3 ray) {
     vec4 pane = texelFetch(uGlassSurface, pixel, 0);
-    vec3 direction = normalize(ray), normal = normalize(pane.xyz);
+    bool isEntered = pane.xyz != vec3(0.0);
+    vec3 direction = normalize(ray), normal = isEntered ? normalize(pane.xyz) : -direction;
     float share = min(kPaneScale * fresnel(vec3(kPaneReflectance), abs(dot(normal, direction))).x, 1.0);
+    if (!isEntered) share = 0.0;
     vec3 mirrored = uHasReflections ? texelFetch(uReflection, pixel, 0).rgb : skyRadiance(reflect(direction, normal));
     float haze = hazeAmount(length(ray) * pane.w);
     bool isBeforeSky = texelFetch(uDepth, pixel, 0).r >= kSkyDepth;

@@ -48,8 +48,9 @@ void main() {
     vec4 pane = texelFetch(uGlassSurface, pixel, 0);
     if (pane.w <= 0.0) discard;
     vec3 ray = viewRay(gl_FragCoord.xy * frame.targetSize.zw);
+    bool isRefracted = uRefraction && pane.xyz != vec3(0.0);
     vec4 seen = texelFetch(
-        uBackground, uRefraction ? refractedPixel(pixel, ray, pane, normalize(pane.xyz)) : pixel, 0);
+        uBackground, isRefracted ? refractedPixel(pixel, ray, pane, normalize(pane.xyz)) : pixel, 0);
     vec4 light = uHasPaneLight ? texelFetch(uPaneLight, pixel, 0) : paneLightAt(pixel, ray);
     vec3 passing = texelFetch(uGlassTint, pixel, 0).rgb * light.a;
     // The reflection does not move with what is behind: the larger its share, the less TAA relies on history.
