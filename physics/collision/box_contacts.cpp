@@ -55,7 +55,7 @@ struct Box {
     glm::vec3 toWorld(const glm::vec3& v) const { return axes[0] * v.x + axes[1] * v.y + axes[2] * v.z; }
     /// The palette entry of the voxel at a point on its surface.
     uint8_t entryAt(const glm::vec3& point) const {
-        if (surface.entry) return surface.entry;
+        if (part.whole()->entry) return part.whole()->entry;
         const glm::vec3 cell = surface.center + alongAxes(point - center) / float(part.voxelSize());
         return part.grid().at(glm::clamp(cellAt(cell), part.bounds().low, part.bounds().high - 1));
     }
@@ -67,9 +67,6 @@ uint32_t edgeCode(int axis, uint32_t corner) {
     return 8 + 4 * uint32_t(axis) + (corner >> (axis + 1) % 3 & 1) + 2 * (corner >> (axis + 2) % 3 & 1);
 }
 
-Float4 abs4(Float4 v) {
-    return max4(v, -v);
-}
 Float4 multiplied(const std::array<Float4, 3>& columns, const glm::vec3& v) {
     return columns[0] * float4(v.x) + columns[1] * float4(v.y) + columns[2] * float4(v.z);
 }

@@ -1,6 +1,7 @@
 #include "physics/collision/feature_collider.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -32,10 +33,12 @@ FeatureCollider::FeatureCollider(const CoveredPart& from, const CoveredPart& int
       m_fromCover(from.cover),
       m_occupancy(into.part, into.cover),
       m_intoCells(into.cells),
+      m_axes(metresToCells(into.cells, into.part.voxelSize()) * from.cells.axes),
+      m_axes4(m_axes),
+      m_absoluteAxes4(glm::mat3(glm::abs(m_axes[0]), glm::abs(m_axes[1]), glm::abs(m_axes[2]))),
       m_margin(0) {
     const double size = m_into.voxelSize();
     const glm::dmat3 toInto = metresToCells(into.cells, size);
-    m_axes = glm::mat3(toInto * from.cells.axes);
     m_corner = glm::vec3(toInto * (from.cells.corner - into.cells.corner));
     m_scale = float(m_from.voxelSize() / size);
     for (int i = 0; i < 3; ++i) m_unit[i] = m_axes[i] / m_scale;
@@ -89,8 +92,9 @@ void FeatureCollider::collideBricks(const CellBox& near, ContactSearch& search, 
         const Cell brick = low + Cell(at % uint64_t(size.x), at / uint64_t(size.x) % uint64_t(size.y),
                                       at / uint64_t(size.x) / uint64_t(size.y)),
                    corner = brick * kBrickSize;
-        if (!m_from.grid().brickAt(brick) || !boxMayTouchSolid(glm::vec3(glm::max(near.low - 1, corner)),
-                                                               glm::vec3(glm::min(near.high + 1, corner + kBrickSize))))
+        if (!m_from.grid().brickAt(brick) ||
+            !boxMayTouchSolid(float4(glm::vec3(glm::max(near.low - 1, corner))),
+                              float4(glm::vec3(glm::min(near.high + 1, corner + kBrickSize)))))
             continue;
         if (searched++ < kMaxSearchedBricks)
             collideFeatures(m_from.features(brick), corner, near, out);
@@ -109,34 +113,31 @@ bool FeatureCollider::mayTouchSolid(const CellBox& near) {
 }
 
 /// Conservative: whether features in a box of cells of `from` may touch a solid cell of `into` within the step.
-bool FeatureCollider::boxMayTouchSolid(const glm::vec3& low, const glm::vec3& high) {
-    const glm::vec3 c = m_corner + m_axes * ((low + high) * 0.5f), h = (high - low) * 0.5f;
-    const glm::vec3 r = rotatedHalfExtent(m_axes, h) + m_maxSearchExtent;
-    if (!m_sweeps) return m_occupancy.mayContainBrick(floorOf(float4(c - r)), floorOf(float4(c + r)));
+bool FeatureCollider::boxMayTouchSolid(Float4 low, Float4 high) {
+    const Float4 c = m_corner4 + m_axes4 * ((low + high) * 0.5f),
+                 r = m_absoluteAxes4 * ((high - low) * 0.5f) + m_maxSearchExtent4;
+    if (!m_sweeps) return m_occupancy.mayContainBrick(floorOf(c - r), floorOf(c + r));
     // The features' displacements differ by at most `around` from that of the box's centre.
-    const glm::vec3 displacement = m_velocity + glm::cross(m_spin, c - m_about), s = glm::abs(m_spin),
-                    around = glm::vec3(s.y * r.z + s.z * r.y, s.z * r.x + s.x * r.z, s.x * r.y + s.y * r.x) + kRounding;
+    const Float4 displacement = m_velocity4 + cross(m_spin4, c - m_about4), s = abs4(m_spin4),
+                 around = __builtin_shufflevector(s, s, 1, 2, 0, 3) * __builtin_shufflevector(r, r, 2, 0, 1, 3) +
+                          __builtin_shufflevector(s, s, 2, 0, 1, 3) * __builtin_shufflevector(r, r, 1, 2, 0, 3) +
+                          kRounding;
     if (!pathMeetsBounds(c, r + around, displacement)) return false;
-    return m_occupancy.mayContainBrick(floorOf(float4(c - r + glm::min(displacement - around, 0.0f))),
-                                       floorOf(float4(c + r + glm::max(displacement + around, 0.0f))));
+    return m_occupancy.mayContainBrick(floorOf(c - r + min4(displacement - around, Float4{})),
+                                       floorOf(c + r + max4(displacement + around, Float4{})));
 }
 
 /// Whether a box (centre and half size) that moves on a straight line overlaps the box around the cells of `into`.
-bool FeatureCollider::pathMeetsBounds(const glm::vec3& center, const glm::vec3& half,
-                                      const glm::vec3& displacement) const {
-    const glm::vec3 low = glm::vec3(m_into.bounds().low) - half - center,
-                    high = glm::vec3(m_into.bounds().high) + half - center;
-    float from = 0.0f, to = 1.0f;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (std::abs(displacement[axis]) < kRounding) {
-            if (low[axis] > kRounding || high[axis] < -kRounding) return false;
-            continue;
-        }
-        const float enter = low[axis] / displacement[axis], leave = high[axis] / displacement[axis];
-        from = std::max(from, std::min(enter, leave));
-        to = std::min(to, std::max(enter, leave));
-    }
-    return from <= to;
+bool FeatureCollider::pathMeetsBounds(Float4 center, Float4 half, Float4 displacement) const {
+    const CellBox& bounds = m_into.bounds();
+    const Float4 low = float4(glm::vec3(bounds.low)) - half - center,
+                 high = float4(glm::vec3(bounds.high)) + half - center, rounding = float4(kRounding);
+    const Bool4 isStill = abs4(displacement) < rounding;  // so is the last lane, in which all is about 0
+    if (any(isStill & ((low > rounding) | (high < -rounding)))) return false;
+    const Float4 inverse = 1.0f / (isStill ? float4(1.0f) : displacement), enter = low * inverse,
+                 leave = high * inverse, from = isStill ? Float4{} : min4(enter, leave),
+                 to = isStill ? float4(1.0f) : max4(enter, leave);
+    return std::max({from[0], from[1], from[2], 0.0f}) <= std::min({to[0], to[1], to[2], 1.0f}) + kRounding;
 }
 
 /// The cells of `from` within the search box of `into`; false: none.
@@ -170,6 +171,7 @@ void FeatureCollider::setSearchExtents() {
         m_maxSearchExtent = glm::max(m_maxSearchExtent, extent);
     }
     m_velocity4 = float4(m_velocity), m_spin4 = float4(m_spin), m_about4 = float4(m_about);
+    m_corner4 = float4(m_corner), m_maxSearchExtent4 = float4(m_maxSearchExtent);
 }
 
 /// Bounds the displacements of the features that may meet something, and narrows the search box to the side that they
@@ -206,15 +208,27 @@ FeatureQuery& FeatureCollider::queryFor(uint8_t kind, const glm::vec3& point) {
     return query;
 }
 
-/// Conservative: whether the feature at a point may touch a solid cell within the step.
-bool FeatureCollider::mayTouchSolid(Float4 point, uint8_t kind) {
-    const Float4 extent = m_searchExtents[kind < 8 ? 0 : size_t(kind - 4) / 4];
-    Float4 low = point - extent, high = point + extent;
-    if (m_sweeps) {
-        const Float4 displacement = m_velocity4 + cross(m_spin4, point - m_about4);
-        low += min4(displacement, float4(0.0f)), high += max4(displacement, float4(0.0f));
+/// Conservative: which of four features may touch a solid cell within the step. points: their x, y and z. lanes: bits
+/// of those to look at.
+uint32_t FeatureCollider::mayTouchSolid(const std::array<Float4, 3>& points, const std::array<uint8_t, 4>& kinds,
+                                        uint32_t lanes) {
+    const auto extentOf = [&](uint8_t kind) { return m_searchExtents[kind < 8 ? 0 : size_t(kind - 4) / 4 & 3]; };
+    const std::array<Float4, 3> extents =
+        transposed({extentOf(kinds[0]), extentOf(kinds[1]), extentOf(kinds[2]), extentOf(kinds[3])});
+    std::array<Int4, 3> low, high;
+    std::array<Float4, 3> from;
+    if (m_sweeps)
+        for (int axis = 0; axis < 3; ++axis) from[size_t(axis)] = points[size_t(axis)] - m_about[axis];
+    for (size_t axis = 0; axis < 3; ++axis) {
+        Float4 least = points[axis] - extents[axis], most = points[axis] + extents[axis];
+        if (m_sweeps) {
+            const size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+            const Float4 displacement = m_velocity[int(axis)] + (m_spin[int(u)] * from[v] - m_spin[int(v)] * from[u]);
+            least += min4(displacement, Float4{}), most += max4(displacement, Float4{});
+        }
+        low[axis] = floorOf(least), high[axis] = floorOf(most);
     }
-    return m_occupancy.mayContainSolid(floorOf(low), floorOf(high));
+    return m_occupancy.mayContainSolid(low, high, lanes);
 }
 
 /// The features of a region of `from`, four clusters at a time. corner: of the region.
@@ -222,24 +236,27 @@ void FeatureCollider::collideFeatures(const FeatureList& features, Cell corner, 
                                       std::vector<ContactPoint>& out) {
     const glm::vec3 base = m_corner + m_axes * glm::vec3(corner), from(near.low - corner), to(near.high - corner);
     const float limit = m_limit - glm::dot(m_direction, glm::vec3(corner));
+    const Float4 corner4 = float4(glm::vec3(corner));
     std::array<bool, 3> rises{};
     for (int axis = 0; axis < 3; ++axis) rises[size_t(axis)] = m_direction[axis] > 0.0f;
     for (const FeatureList::ClusterPack& clusters : features.clusters) {
+        std::array<Float4, 3> low, high;
         Float4 nearest = float4(0.0f);
         Bool4 inside = {-1, -1, -1, -1};
         for (size_t axis = 0; axis < 3; ++axis) {
-            const Float4 low = toFloat4(load(clusters.low[axis])) * float4(0.5f),
-                         high = toFloat4(load(clusters.high[axis])) * float4(0.5f);
-            nearest += (rises[axis] ? low : high) * float4(m_direction[int(axis)]);
-            inside &= (low <= float4(to[int(axis)] + kRounding)) & (high >= float4(from[int(axis)] - kRounding));
+            low[axis] = toFloat4(load(clusters.low[axis])) * 0.5f;
+            high[axis] = toFloat4(load(clusters.high[axis])) * 0.5f;
+            nearest += (rises[axis] ? low : high)[axis] * m_direction[int(axis)];
+            inside &= (low[axis] <= to[int(axis)] + kRounding) & (high[axis] >= from[int(axis)] - kRounding);
         }
-        inside &= nearest <= float4(limit);
-        if (!any(inside)) continue;
-        for (size_t k = 0; k < 4; ++k) {
-            if (!inside[k]) continue;
-            const glm::vec3 low(clusters.low[0][k], clusters.low[1][k], clusters.low[2][k]);
-            const glm::vec3 high(clusters.high[0][k], clusters.high[1][k], clusters.high[2][k]);
-            if (boxMayTouchSolid(low * 0.5f + glm::vec3(corner), high * 0.5f + glm::vec3(corner)))
+        inside &= nearest <= limit;
+        uint32_t lanes = bitsOf(inside);
+        if (!lanes) continue;
+        const std::array<Float4, 4> lows = transposed(low[0], low[1], low[2]),
+                                    highs = transposed(high[0], high[1], high[2]);
+        for (; lanes; lanes &= lanes - 1) {
+            const auto k = size_t(std::countr_zero(lanes));
+            if (boxMayTouchSolid(lows[k] + corner4, highs[k] + corner4))
                 collideCluster({features.packs.data() + clusters.from[k], features.packs.data() + clusters.to[k]},
                                corner, base, limit, out);
         }
@@ -260,18 +277,18 @@ void FeatureCollider::collideCluster(std::span<const FeatureList::Pack> packs, C
         Bool4 inside = along[0] * x + along[1] * y + along[2] * z <= float4(limit);
         if (!any(inside)) continue;
         inside &= load(features.kind) < kFeatureKinds;
-        Float4 p[3];
-        for (int axis = 0; axis < 3; ++axis) {
+        std::array<Float4, 3> p;
+        for (size_t axis = 0; axis < 3; ++axis) {
             p[axis] = origin[axis] + axes[0][axis] * x + axes[1][axis] * y + axes[2][axis] * z;
             inside &= (p[axis] > from[axis]) & (p[axis] < to[axis]);
         }
-        if (!any(inside)) continue;
-        for (size_t k = 0; k < 4; ++k) {
-            if (!inside[k]) continue;
+        uint32_t lanes = bitsOf(inside);
+        if (lanes) lanes = mayTouchSolid(p, features.kind, lanes);
+        for (; lanes; lanes &= lanes - 1) {
+            const auto k = size_t(std::countr_zero(lanes));
             const uint8_t kind = features.kind[k];
-            const Float4 point = {p[0][k], p[1][k], p[2][k], 0.0f};
-            if (mayTouchSolid(point, kind))
-                collideFeature(queryFor(kind, vec3(point)), kind, corner + FeatureList::cellOf(features, k), out);
+            collideFeature(queryFor(kind, {p[0][k], p[1][k], p[2][k]}), kind, corner + FeatureList::cellOf(features, k),
+                           out);
         }
     }
 }
@@ -371,7 +388,7 @@ void FeatureCollider::add(const glm::vec3& point, const glm::vec3& normal, float
     contact.position = glm::vec3(m_intoCells.axes * glm::dvec3(middle) + m_intoCells.corner);
     contact.normal = glm::vec3(m_intoCells.axes * glm::dvec3(normal)) / (m_isFirst ? size : -size);
     contact.separation = separation * size;
-    const uint8_t a = m_from.grid().at(own), b = m_into.grid().at(other);
+    const uint8_t a = m_from.entryAt(own), b = m_into.entryAt(other);
     const ContactMaterials &fromMaterials = m_from.contactMaterials(), &intoMaterials = m_into.contactMaterials();
     contact.friction = std::sqrt(fromMaterials.friction[a] * intoMaterials.friction[b]);
     contact.restitution = std::sqrt(fromMaterials.restitution[a] * intoMaterials.restitution[b]);

@@ -35,14 +35,14 @@ public:
 
 private:
     bool mayTouchSolid(const CellBox& near);
-    bool boxMayTouchSolid(const glm::vec3& low, const glm::vec3& high);
-    bool pathMeetsBounds(const glm::vec3& center, const glm::vec3& half, const glm::vec3& displacement) const;
+    bool boxMayTouchSolid(Float4 low, Float4 high);
+    bool pathMeetsBounds(Float4 center, Float4 half, Float4 displacement) const;
     bool findOverlap(CellBox& near) const;
     void setSearchExtents();
     void boundSweep();
     FeatureQuery& queryFor(uint8_t kind, const glm::vec3& point);
     bool findCoveredSides(FeatureQuery& query, Cell own);
-    bool mayTouchSolid(Float4 point, uint8_t kind);
+    uint32_t mayTouchSolid(const std::array<Float4, 3>& points, const std::array<uint8_t, 4>& kinds, uint32_t lanes);
     void collideBricks(const CellBox& near, ContactSearch& search, std::vector<ContactPoint>& out);
     void collideFeatures(const FeatureList& features, Cell corner, const CellBox& near, std::vector<ContactPoint>& out);
     void collideCluster(std::span<const FeatureList::Pack> packs, Cell corner, const glm::vec3& base, float limit,
@@ -66,7 +66,8 @@ private:
     std::array<glm::vec3, 3> m_unit;    ///< m_axes as unit vectors
     uint32_t m_readyKinds = 0;          ///< bit i: the query of kind i is set up
     glm::vec3 m_maxSearchExtent{0.0f};  ///< componentwise maximum of the search extents
-    Float4 m_velocity4, m_spin4, m_about4;
+    SimdMat3 m_axes4, m_absoluteAxes4;  ///< m_axes, and its absolute values
+    Float4 m_corner4, m_velocity4, m_spin4, m_about4, m_maxSearchExtent4;
     std::array<Float4, 4> m_searchExtents;  ///< around corners, and around the middles of edges along x, y, z
     std::array<FeatureQuery, kFeatureKinds> m_queries;
     std::array<glm::vec3, kFeatureKinds> m_insets;  ///< from a feature to where it is looked up

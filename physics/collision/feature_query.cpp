@@ -119,15 +119,18 @@ float depthBelowSurface(Occupancy& occupancy, Cell cell, const glm::vec3& p) {
 Face closestFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, float margin, const FeatureQuery& query) {
     Face best;
     best.separation = margin;
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis) {
+        const float within = p[axis] - float(cell[axis]);
+        if (within >= margin && 1.0f - within >= margin) continue;
         for (const int sign : {-1, 1}) {
-            const float away = sign > 0 ? p[axis] - float(cell[axis]) : float(cell[axis] + 1) - p[axis];
+            const float away = sign > 0 ? within : float(cell[axis] + 1) - p[axis];
             if (away >= best.separation || !query.accepts(axis, float(sign))) continue;
             Cell below = cell;
             below[axis] -= sign;
             if (occupancy.solid(below) && occupancy.exposed(below, p, axis, sign))
                 best = {axis, float(sign), away, below};
         }
+    }
     return best;
 }
 

@@ -12,27 +12,41 @@ struct TransformedHull {
     const HullPoints& points;
     glm::mat3 axes;    ///< of a cell
     glm::vec3 corner;  ///< of cell (0, 0, 0)
-
-    /// The support function: the largest dot product of a point of the hull with the direction, metres for a unit
-    /// vector.
-    float support(const glm::vec3& direction) const {
-        return glm::dot(corner, direction) + points.support(direction * axes);
-    }
-    /// A point at which the support function takes its value.
-    glm::vec3 supportPoint(const glm::vec3& direction) const {
-        return corner + axes * points.supportPoint(direction * axes);
-    }
 };
 
-/// The distance between the projections of two hulls on a unit vector that points from b to a, metres. Negative: the
-/// projections overlap.
-inline float gapAlongAxis(const TransformedHull& a, const TransformedHull& b, const glm::vec3& axis) {
-    return -a.support(-axis) - b.support(axis);
-}
+/// How far a hull extends in a direction.
+class HullSupport {
+public:
+    /// direction: a unit vector.
+    HullSupport(const TransformedHull& hull, const glm::vec3& direction)
+        : m_direction(direction * hull.axes),
+          m_far(hull.points.support(m_direction)),
+          m_origin(glm::dot(hull.corner, direction)) {}
+    /// The largest dot product of a point of the hull with the direction, metres.
+    float distance() const { return m_origin + m_far; }
+    /// A point at which it is reached. hull: the same.
+    glm::vec3 pointOf(const TransformedHull& hull) const {
+        return hull.corner + hull.axes * hull.points.supportPoint(m_direction, m_far);
+    }
+
+private:
+    glm::vec3 m_direction;  ///< in cells
+    float m_far, m_origin;  ///< the largest dot product from cell (0, 0, 0), and that of this cell
+};
+
+/// Two hulls along a unit vector that points from b to a.
+struct HullGap {
+    /// axis: the vector.
+    HullGap(const TransformedHull& hullA, const TransformedHull& hullB, const glm::vec3& axis)
+        : a(hullA, -axis), b(hullB, axis) {}
+    /// The distance between the projections, metres; negative: they overlap.
+    float distance() const { return -a.distance() - b.distance(); }
+    HullSupport a, b;  ///< of a against the vector, of b along it
+};
 
 /// Turns `axis`, a unit vector from b to a, uphill towards the widest gap. Stops after maxIterations, or when the gap
 /// exceeds `enough` (metres). Returns the gap along the axis that it found.
-float refineSeparatingAxis(const TransformedHull& a, const TransformedHull& b, float enough, int maxIterations,
-                           glm::vec3& axis);
+HullGap refineSeparatingAxis(const TransformedHull& a, const TransformedHull& b, float enough, int maxIterations,
+                             glm::vec3& axis);
 
 }  // namespace rubble

@@ -1,5 +1,7 @@
 #pragma once
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <glm/common.hpp>
 
 #include "physics/shapes/voxel_collider.h"
@@ -24,23 +26,36 @@ class Occupancy {
 public:
     /// The part and its cover (null: nothing lies around it) must outlive it.
     explicit Occupancy(const ColliderPart& part, Cover* cover = nullptr)
-        : m_part(part), m_grid(part.grid()), m_whole(part.whole() ? &part.whole()->rows : nullptr), m_cover(cover) {}
+        : m_part(part), m_grid(part.grid()), m_whole(part.whole() ? &part.whole()->rows : nullptr), m_cover(cover) {
+        const Cell last = m_grid.size() - 1;
+        m_lastCell = Int4{last.x, last.y, last.z, 0};
+    }
 
     /// Conservative: false only if no cell from low to high, both included, is solid. Exact for small parts, and in
     /// large ones for boxes of about one brick; true for larger boxes.
     bool mayContainSolid(Int4 low, Int4 high) {
         return m_whole ? m_whole->any(low, high) : mayContainSolidNear(low, high);
     }
+    /// The same for four boxes at once: see SolidRows::any().
+    uint32_t mayContainSolid(const std::array<Int4, 3>& low, const std::array<Int4, 3>& high, uint32_t lanes) {
+        if (m_whole) return m_whole->any(low, high, lanes);
+        uint32_t found = 0;
+        for (; lanes; lanes &= lanes - 1) {
+            const int i = std::countr_zero(lanes);
+            const Int4 from{low[0][i], low[1][i], low[2][i], 0}, to{high[0][i], high[1][i], high[2][i], 0};
+            found |= uint32_t(mayContainSolidNear(from, to)) << i;
+        }
+        return found;
+    }
     /// Conservative, and cheaper for large parts: false only if every brick that the cells from..to touch is empty.
     /// True for boxes of more than four bricks on a side.
     bool mayContainBrick(Int4 from, Int4 to) const {
         if (m_whole) return m_whole->any(from, to);
-        Cell low(from[0], from[1], from[2]), high(to[0], to[1], to[2]);
-        low = brickOfCell(glm::max(low, Cell(0))), high = brickOfCell(glm::min(high, m_grid.size() - 1));
-        if (std::max({high.x - low.x, high.y - low.y, high.z - low.z}) > 3) return true;
-        for (int z = low.z; z <= high.z; ++z)
-            for (int y = low.y; y <= high.y; ++y)
-                for (int x = low.x; x <= high.x; ++x)
+        const Int4 low = max4(from, Int4{}) >> 3, high = min4(to, m_lastCell) >> 3;
+        if (any(high - low > 3)) return true;
+        for (int z = low[2]; z <= high[2]; ++z)
+            for (int y = low[1]; y <= high[1]; ++y)
+                for (int x = low[0]; x <= high[0]; ++x)
                     if (m_grid.brickAt({x, y, z})) return true;
         return false;
     }
@@ -66,14 +81,12 @@ public:
 
 private:
     bool mayContainSolidNear(Int4 from, Int4 to) {
-        const Cell low(from[0], from[1], from[2]), high(to[0], to[1], to[2]);
-        const Cell brick = brickOfCell(glm::clamp(low, Cell(0), m_grid.size() - 1)),
-                   last = brick * kBrickSize + kBrickSize + SolidRows::kPadding - 1;
-        if (glm::any(glm::greaterThan(low, last)) ||
-            glm::any(glm::lessThan(high, last - (kBrickSize + 2 * SolidRows::kPadding - 1))))
-            return false;
-        if (glm::any(glm::greaterThan(high, last))) return true;
-        if (brick != m_rowsAt) m_rowsAt = brick, m_rows = &m_part.rows(brick);
+        const Int4 corner = max4(min4(from, m_lastCell), Int4{}) & -kBrickSize, low = corner - SolidRows::kPadding,
+                   high = corner + (kBrickSize + SolidRows::kPadding - 1);
+        if (any((from > high) | (to < low))) return false;
+        if (any(to > high)) return true;
+        if (const Cell at(corner[0], corner[1], corner[2]); at != m_rowsAt)
+            m_rowsAt = at, m_rows = &m_part.rows(brickOfCell(at));
         return m_rows->any(from, to);
     }
 
@@ -84,7 +97,8 @@ private:
     const VoxelGrid& m_grid;
     const SolidRows* m_whole;  ///< null: a large part
     Cover* m_cover;
-    Cell m_brickAt{-1}, m_rowsAt{-1};
+    Int4 m_lastCell;                   ///< of the grid
+    Cell m_brickAt{-1}, m_rowsAt{-1};  ///< the brick, and the first cell of the brick, that were looked up last
     const Brick* m_brick = nullptr;
     const SolidRows* m_rows = nullptr;
 };

@@ -223,9 +223,9 @@ bool areSeparated(const ColliderPart& a, const SweptPose& pathA, const ColliderP
         const double fraction = double(i) / double(segments);
         const TransformedHull hullA = hullOf(a, pathA.at(fraction), origin),
                               hullB = hullOf(b, pathB.at(fraction), origin);
-        const float gap = i == segments ? refineSeparatingAxis(hullA, hullB, tolerance, kAxisIterations, axis)
-                                        : gapAlongAxis(hullA, hullB, axis);
-        if (!(gap > -tolerance)) return false;
+        const HullGap gap = i == segments ? refineSeparatingAxis(hullA, hullB, tolerance, kAxisIterations, axis)
+                                          : HullGap(hullA, hullB, axis);
+        if (!(gap.distance() > -tolerance)) return false;
     }
     return true;
 }

@@ -145,11 +145,12 @@ float clearanceIn(const ColliderPart& large, const CellTransform& largeCells, co
     return isFree ? float(kClearCells * size) : 0.0f;
 }
 
-/// How near two parts are: a unit vector from the second to the first, their hulls' distance along it, and the one up
-/// to which anything is searched, metres.
+/// How near two parts are: a unit vector from the second to the first, their hulls along it, and the distance up to
+/// which anything is searched, metres.
 struct Approach {
     glm::vec3 axis;
-    float gap, near;
+    HullGap hulls;
+    float near;
 };
 
 /// What may lie around the parts of two colliders: the other parts of each, and other static objects.
@@ -205,15 +206,16 @@ private:
 void collideVoxels(const CoveredPart& a, const TransformedHull& hullA, const CoveredPart& b,
                    const TransformedHull& hullB, const RelativeMotion& motion, const NarrowphaseSettings& settings,
                    const Approach& approach, uint64_t key, ContactSearch& search, std::vector<ContactPoint>& out) {
-    const auto& [axis, gap, near] = approach;
+    const auto& [axis, hulls, near] = approach;
+    const float gap = hulls.distance();
     const size_t before = out.size();
     FeatureCollider forward(a, b);
     forward.setMotion(motion.velocity, motion.spin, settings, motion.maxDisplacement);
-    forward.setLimit(axis, hullB.support(axis) + near, a.cells);
+    forward.setLimit(axis, hulls.b.distance() + near, a.cells);
     if (!forward.collide(true, key, search, out)) return;
     FeatureCollider backward(b, a);
     backward.setMotion(-motion.velocity, -motion.spin, settings, motion.maxDisplacement);
-    backward.setLimit(-axis, hullA.support(-axis) + near, b.cells);
+    backward.setLimit(-axis, hulls.a.distance() + near, b.cells);
     backward.collide(false, key | 1, search, out);
     if (const float stuck = std::max(forward.stuckDepth(), backward.stuckDepth()); stuck > 0.0f && gap < 0.0f) {
         const glm::vec3 push = pushDirection({out.data() + before, out.size() - before}, axis, stuck);
@@ -240,8 +242,9 @@ bool collideParts(const Surroundings& around, size_t i, size_t k, const Relative
     }
     const TransformedHull hullA = transformHull(a, aCells), hullB = transformHull(b, bCells);
     if (!hasAxis) axis = centerAxis(a, hullA, b, hullB);
-    const float gap = refineSeparatingAxis(hullA, hullB, searched + closing,
-                                           hasAxis ? kKnownPairIterations : kNewPairIterations, axis);
+    const HullGap hulls = refineSeparatingAxis(hullA, hullB, searched + closing,
+                                               hasAxis ? kKnownPairIterations : kNewPairIterations, axis);
+    const float gap = hulls.distance();
     const float near = searched + motion.closingDistance(axis, double(searched));
     if (gap > near) {
         search.clearance = std::min(search.clearance, gap - searched);
@@ -255,7 +258,7 @@ bool collideParts(const Surroundings& around, size_t i, size_t k, const Relative
         collideRound({first, {}, motion.firstVelocity, motion.firstSpin},
                      {second, motion.offset, motion.secondVelocity, motion.secondSpin}, settings, key, out);
     else
-        collideVoxels(first, hullA, second, hullB, motion, settings, {axis, gap, near}, key, search, out);
+        collideVoxels(first, hullA, second, hullB, motion, settings, {axis, hulls, near}, key, search, out);
     return true;
 }
 

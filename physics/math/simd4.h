@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <cstring>
 #include <glm/mat3x3.hpp>
-#ifdef __SSE__
+#ifdef __SSE4_1__
+#include <smmintrin.h>
+#elif defined __SSE__
 #include <xmmintrin.h>
 #endif
 
@@ -24,10 +26,13 @@ inline Float4 load(const float* from) {
 }
 /// Loads four bytes, widened to integers.
 inline Int4 load(const std::array<uint8_t, 4>& from) {
-    using Byte4 = uint8_t __attribute__((vector_size(4)));
-    Byte4 bytes;
+#ifdef __SSE4_1__
+    int bytes;
     std::memcpy(&bytes, from.data(), sizeof bytes);
-    return __builtin_convertvector(bytes, Int4);
+    return Int4(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(bytes)));
+#else
+    return Int4{from[0], from[1], from[2], from[3]};
+#endif
 }
 /// Converts each lane.
 inline Float4 toFloat4(Int4 v) {
@@ -57,6 +62,27 @@ inline Int4 max4(Int4 a, Int4 b) {
 inline Int4 floorOf(Float4 v) {
     const Int4 i = __builtin_convertvector(v, Int4);
     return i + (__builtin_convertvector(i, Float4) > v);
+}
+/// The absolute value of each lane.
+inline Float4 abs4(Float4 v) {
+    return max4(v, -v);
+}
+/// Four vectors, given by their x, y and z: lane i of each belongs to vector i. 0 in the last lane of each.
+inline std::array<Float4, 4> transposed(Float4 x, Float4 y, Float4 z) {
+    const Float4 none{},
+        xyLow = __builtin_shufflevector(x, y, 0, 4, 1, 5), xyHigh = __builtin_shufflevector(x, y, 2, 6, 3, 7),
+        zLow = __builtin_shufflevector(z, none, 0, 4, 1, 5), zHigh = __builtin_shufflevector(z, none, 2, 6, 3, 7);
+    return {__builtin_shufflevector(xyLow, zLow, 0, 1, 4, 5), __builtin_shufflevector(xyLow, zLow, 2, 3, 6, 7),
+            __builtin_shufflevector(xyHigh, zHigh, 0, 1, 4, 5), __builtin_shufflevector(xyHigh, zHigh, 2, 3, 6, 7)};
+}
+/// The x, y and z of four vectors.
+inline std::array<Float4, 3> transposed(const std::array<Float4, 4>& v) {
+    const Float4 low01 = __builtin_shufflevector(v[0], v[1], 0, 4, 1, 5),
+                 low23 = __builtin_shufflevector(v[2], v[3], 0, 4, 1, 5),
+                 high01 = __builtin_shufflevector(v[0], v[1], 2, 6, 3, 7),
+                 high23 = __builtin_shufflevector(v[2], v[3], 2, 6, 3, 7);
+    return {__builtin_shufflevector(low01, low23, 0, 1, 4, 5), __builtin_shufflevector(low01, low23, 2, 3, 6, 7),
+            __builtin_shufflevector(high01, high23, 0, 1, 4, 5)};
 }
 /// Whether any lane is true.
 inline bool any(Bool4 bools) {

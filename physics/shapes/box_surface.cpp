@@ -12,25 +12,12 @@ bool isFull(const SolidRows& rows) {
     return true;
 }
 
-/// The palette entry of all voxels; 0: there are several.
-uint8_t commonEntry(const VoxelGrid& grid) {
-    uint8_t entry = 0;
-    bool isCommon = true;
-    grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
-        forEachVoxel(brick->occupancy, [&](int i) {
-            isCommon = isCommon && (entry == 0 || entry == brick->at(i));
-            entry = brick->at(i);
-        });
-    });
-    return isCommon ? entry : uint8_t(0);
-}
-
 }  // namespace
 
-std::optional<BoxSurface> findBoxSurface(const VoxelGrid& grid, const SolidRows& rows) {
+std::optional<BoxSurface> findBoxSurface(const SolidRows& rows) {
     if (rows.box().empty() || !isFull(rows)) return std::nullopt;
     const glm::vec3 low(rows.box().low), high(rows.box().high);
-    return BoxSurface{(low + high) * 0.5f, (high - low) * 0.5f, commonEntry(grid)};
+    return BoxSurface{(low + high) * 0.5f, (high - low) * 0.5f};
 }
 
 }  // namespace rubble

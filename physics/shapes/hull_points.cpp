@@ -79,12 +79,15 @@ float HullPoints::support(const glm::vec3& direction) const {
     return std::max(std::max(best[0], best[1]), std::max(best[2], best[3]));
 }
 
-glm::vec3 HullPoints::supportPoint(const glm::vec3& direction) const {
-    const float far = support(direction);
-    for (const Points& p : m_points)
-        for (size_t i = 0; i < 4; ++i)
-            if (p.x[i] * direction.x + p.y[i] * direction.y + p.z[i] * direction.z >= far)
-                return {p.x[i], p.y[i], p.z[i]};
+glm::vec3 HullPoints::supportPoint(const glm::vec3& direction, float far) const {
+    for (const Points& p : m_points) {
+        const Float4 along =
+            load(p.x.data()) * direction.x + load(p.y.data()) * direction.y + load(p.z.data()) * direction.z;
+        if (const uint32_t lanes = bitsOf(along >= far)) {
+            const auto i = size_t(std::countr_zero(lanes));
+            return {p.x[i], p.y[i], p.z[i]};
+        }
+    }
     return glm::vec3(0.0f);
 }
 

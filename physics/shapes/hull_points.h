@@ -21,8 +21,8 @@ public:
     size_t size() const { return m_count; }
     /// The support function: the largest dot product of a point with the direction, which need not have length 1.
     float support(const glm::vec3& direction) const;
-    /// The first point at which the support function takes its value.
-    glm::vec3 supportPoint(const glm::vec3& direction) const;
+    /// The first point at which the support function takes its value. far: support(direction).
+    glm::vec3 supportPoint(const glm::vec3& direction, float far) const;
     /// The bounding box of axes * point over all points.
     void bounds(const glm::mat3& axes, glm::vec3& low, glm::vec3& high) const;
 

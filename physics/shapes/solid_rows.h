@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <glm/common.hpp>
 #include <vector>
@@ -37,13 +39,37 @@ public:
         const Int4 corner = {m_low.x, m_low.y, m_low.z, 0};
         low = max4(low - corner, Int4{0, 0, 0, 0}), high = min4(high - corner, Int4{m_nx - 1, m_ny - 1, m_nz - 1, 0});
         if (low[0] > high[0]) return false;
-        uint64_t found = 0;
-        for (int z = low[2]; z <= high[2]; ++z)
-            for (int y = low[1]; y <= high[1]; ++y) found |= m_rows[size_t(y + m_ny * z)];
-        return found >> low[0] & (~uint64_t(0) >> (63 - (high[0] - low[0])));
+        return anyIn(low[0], high[0], low[1], high[1], low[2], high[2]);
+    }
+    /// The same for four boxes, given by their cells along each axis: bit i is that of lane i. lanes: those to look at.
+    uint32_t any(const std::array<Int4, 3>& low, const std::array<Int4, 3>& high, uint32_t lanes) const {
+        std::array<Int4, 3> from, to;
+        Bool4 overlaps{-1, -1, -1, -1};
+        for (size_t axis = 0; axis < 3; ++axis) {
+            const int corner = m_low[int(axis)], last = (axis == 0 ? m_nx : axis == 1 ? m_ny : m_nz) - 1;
+            from[axis] = max4(low[axis] - corner, Int4{}), to[axis] = min4(high[axis] - corner, Int4{} + last);
+            overlaps &= from[axis] <= to[axis];
+        }
+        uint32_t found = 0;
+        for (lanes &= bitsOf(overlaps); lanes; lanes &= lanes - 1) {
+            const int i = std::countr_zero(lanes);
+            found |= uint32_t(anyIn(from[0][i], to[0][i], from[1][i], to[1][i], from[2][i], to[2][i])) << i;
+        }
+        return found;
     }
 
 private:
+    /// Of places counted from the padding's low corner; the range of x must not be empty.
+    bool anyIn(int x0, int x1, int y0, int y1, int z0, int z1) const {
+        const uint64_t between = (~uint64_t(0) >> (63 - (x1 - x0))) << x0;
+        for (int z = z0; z <= z1; ++z) {
+            uint64_t found = 0;
+            for (int y = y0; y <= y1; ++y) found |= m_rows[size_t(y + m_ny * z)];
+            if (found & between) return true;
+        }
+        return false;
+    }
+
     CellBox m_box;
     glm::ivec3 m_low;      ///< low corner of the padding
     int m_nx, m_ny, m_nz;  ///< size with the padding

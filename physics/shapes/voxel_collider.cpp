@@ -50,6 +50,17 @@ ContactMaterials::ContactMaterials(const Palette& palette, const MaterialTable& 
     }
 }
 
+uint8_t commonEntry(const VoxelGrid& grid) {
+    uint8_t entry = 0;
+    bool isCommon = true;
+    const auto take = [&](uint8_t next) { isCommon = isCommon && (entry == 0 || entry == next), entry = next; };
+    grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
+        if (!brick->indices) return take(brick->uniform);
+        forEachVoxel(brick->occupancy, [&](int i) { take(brick->at(i)); });
+    });
+    return isCommon ? entry : uint8_t(0);
+}
+
 ColliderPart::ColliderPart(const Shape& shape, const Pose& frame, const MaterialTable& materials)
     : m_frame(frame),
       m_voxelSize(shape.voxelSize),

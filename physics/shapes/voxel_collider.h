@@ -25,11 +25,17 @@ struct ContactMaterials {
     ContactMaterials(const Palette& palette, const MaterialTable& materials);
 };
 
+/// The palette entry of all voxels of a grid; 0: there are several.
+uint8_t commonEntry(const VoxelGrid& grid);
+
 /// What narrowphase looks up in a part that is small enough to be kept in one piece.
 struct PartSurface {
     /// bounds: of the solid cells.
     explicit PartSurface(const VoxelGrid& grid, const CellBox& bounds)
-        : rows(grid, bounds), box(findBoxSurface(grid, rows)), hull(box ? HullPoints(bounds) : HullPoints(rows)) {}
+        : rows(grid, bounds),
+          box(findBoxSurface(rows)),
+          hull(box ? HullPoints(bounds) : HullPoints(rows)),
+          entry(commonEntry(grid)) {}
     /// What boxes that meet boxes do not need. [any thread]
     const FeatureList& features() const {
         const FeatureList* known = m_features.find();
@@ -38,6 +44,7 @@ struct PartSurface {
     SolidRows rows;
     std::optional<BoxSurface> box;
     HullPoints hull;
+    uint8_t entry;  ///< of the palette, of all its voxels; 0: they have several
 
 private:
     mutable Lazy<FeatureList> m_features;
@@ -94,6 +101,11 @@ public:
     }
     /// The surface of the whole part; null if its bounds are longer than kMaxWholeSize. [any thread]
     const PartSurface* whole() const;
+    /// The palette entry of a solid cell. [any thread]
+    uint8_t entryAt(glm::ivec3 cell) const {
+        const PartSurface* surface = m_whole.find();
+        return surface && surface->entry ? surface->entry : m_grid.at(cell);
+    }
     /// The hull of the cells, or of the bounds of a large part. [any thread]
     const HullPoints& hull() const;
     /// The features of one brick's cells. [any thread]

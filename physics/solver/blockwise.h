@@ -7,9 +7,10 @@
 namespace rubble {
 
 /// Calls f(i) for each i below count, in blocks that may run in parallel. parallelFor: null, or few items: serial.
-template <class F>
+/// kBlockSize: items that are worth a task.
+template <size_t kBlockSize = 64, class F>
 void forEachBlockwise(const ParallelFor* parallelFor, size_t count, F&& f) {
-    constexpr size_t kBlockSize = 64, kMinParallelBlocks = 4;
+    constexpr size_t kMinParallelBlocks = 4;
     const auto runBlock = [&](size_t block) {
         for (size_t i = block * kBlockSize; i < std::min(count, (block + 1) * kBlockSize); ++i) f(i);
     };

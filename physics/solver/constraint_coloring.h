@@ -19,7 +19,7 @@ class ConstraintColoring {
 public:
     static constexpr size_t kPairsPerStrip = 128;  ///< fewer than two strips of them keep their order, in one task
     static constexpr size_t kMaxStrips = 8;
-    static constexpr size_t kMinParallelItems = 48;  ///< of a color; fewer are done before a thread has woken
+    static constexpr size_t kMinParallelItems = 16;  ///< of a color; fewer are done before a thread has woken
 
     /// pairs: indices of bodies; 0 is the world, which tasks may share.
     void build(std::span<const SolverBody> bodies, std::span<const std::pair<int, int>> pairs);

@@ -29,6 +29,7 @@
 namespace rubble {
 namespace {
 
+constexpr size_t kGroupsPerTask = 8;
 constexpr float kDeep = 0.03f;         ///< metres by which a hit may end deeper than it began
 constexpr double kMaxRotations = 1e3;  ///< in a step
 constexpr double kMaxRotation = 0.3;   ///< radians by which a free body rotates in one go
@@ -65,7 +66,8 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
             bodies[i].velocity = state.v, bodies[i].angularVelocity = state.w;
         else
             moveFreely(bodies[i], gravity * double(bodies[i].gravityScale), settings.seconds, m_paths[i]);
-    forEachBlockwise(m_parallelFor, m_set.groups.size(), [&](size_t i) { storeImpulses(m_set.groups[i]); });
+    forEachBlockwise<kGroupsPerTask>(m_parallelFor, m_set.groups.size(),
+                                     [&](size_t i) { storeImpulses(m_set.groups[i]); });
 }
 
 void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds,
@@ -114,7 +116,7 @@ void ContactSolver::packGroups(std::span<const SolverBody> bodies, std::span<con
         m_set.starts.resize(m_set.contactCount);
     }
     const ContactArrays set = arrays();
-    forEachBlockwise(m_parallelFor, m_set.groups.size(), [&](size_t i) {
+    forEachBlockwise<kGroupsPerTask>(m_parallelFor, m_set.groups.size(), [&](size_t i) {
         fillGroup(m_set, m_set.groups[i], bodies, m_up, m_softness);
         m_kernels->prepare(set, i, i + 1);
     });

@@ -36,17 +36,20 @@ int solverIndexOf(const CollisionObject& object) {
 
 void StepSolver::solve(PhysicsBodies& bodies, std::span<Manifold* const> manifolds, PhysicsJoints& joints,
                        glm::dvec3 gravity, const PhysicsSettings& settings) {
+    const ParallelFor* const parallelFor = settings.parallelFor ? &settings.parallelFor : nullptr;
+    const size_t count = bodies.awake().size();
     m_bodies.assign(1, {});
-    m_spinChanges.assign(1, glm::dvec3(0.0));
-    for (const uint32_t slot : bodies.awake()) {
-        DynamicBody& body = bodies.at(slot);
-        body.solverIndex = int(m_bodies.size());
+    m_bodies.resize(1 + count);
+    m_spinChanges.resize(1 + count);
+    forEachBlockwise(parallelFor, count, [&](size_t i) {
+        DynamicBody& body = bodies.at(bodies.awake()[i]);
+        body.solverIndex = int(1 + i);
         body.isPenetrating = false;
         body.motion.conservesMomentum = conservesMomentum(body.motion, body.touching, settings.rotation);
-        m_bodies.push_back(body.motion);
-        m_spinChanges.push_back(slowSpinChange(body.motion, settings));
-        m_bodies.back().angularVelocity += 0.5 * m_spinChanges.back();
-    }
+        m_spinChanges[1 + i] = slowSpinChange(body.motion, settings);
+        m_bodies[1 + i] = body.motion;
+        m_bodies[1 + i].angularVelocity += 0.5 * m_spinChanges[1 + i];
+    });
     m_bodyOf.clear();
     for (const Manifold* manifold : manifolds)
         m_bodyOf.emplace_back(solverIndexOf(*manifold->objects.first), solverIndexOf(*manifold->objects.second));
@@ -60,7 +63,7 @@ void StepSolver::solve(PhysicsBodies& bodies, std::span<Manifold* const> manifol
                     .loadBearingRatio = settings.loadBearingRatio,
                     .loadBearingPasses = settings.loadBearingPasses,
                     .hitsConserve = settings.rotation != RotationRule::Never,
-                    .parallelFor = settings.parallelFor ? &settings.parallelFor : nullptr},
+                    .parallelFor = parallelFor},
                    activeJoints);
     for (const Manifold* manifold : manifolds) {
         if (!manifold->isPenetrating) continue;
@@ -68,7 +71,7 @@ void StepSolver::solve(PhysicsBodies& bodies, std::span<Manifold* const> manifol
             if (object->dynamic) object->dynamic->isPenetrating = true;
     }
     m_energy.enforce(m_bodies, m_bodyOf, activeJoints);
-    forEachBlockwise(settings.parallelFor ? &settings.parallelFor : nullptr, bodies.awake().size(), [&](size_t i) {
+    forEachBlockwise(parallelFor, count, [&](size_t i) {
         DynamicBody& body = bodies.at(bodies.awake()[i]);
         const std::span<const Pose> path = m_solver.pathOf(body.solverIndex);
         body.stepPath.assign(1, body.pose());

@@ -62,16 +62,27 @@ Level pitInAPlain(int pieces, int sleepers) {
     return level;
 }
 
-/// Processor time of a step with 10,000 pieces, some of which are awake.
+/// Processor time of a step with 10,000 pieces, some of which are awake. The mean over all steps says little: when the
+/// pieces lie, their contacts are kept. So the steps in which all tumble are also compared with each other.
 void awakeAmongSleepers(benchmark::State& state) {
     const int awake = int(state.range(0));
+    constexpr std::ptrdiff_t kTumbling[2] = {60, 150}, kLying[2] = {360, 480};
     Pile pile(pitInAPlain(awake, 10'000 - awake), sleepless(), size_t(awake) + 1);
     std::vector<double> ms;
     for (auto _ : state) {
         for (int i = 0; i < 480; ++i) ms.push_back(cpuMs([&] { pile.step(); }));
         state.SetIterationTime(median(ms) * 1e-3);
     }
+    const auto stepsOf = [&](const std::ptrdiff_t(&phase)[2]) {
+        return std::vector<double>(ms.begin() + phase[0], ms.begin() + phase[1]);
+    };
+    const std::vector<double> tumbling = stepsOf(kTumbling);
     state.counters["p99_ms"] = percentile(ms, 99);
+    state.counters["mean_ms"] = mean(ms);
+    state.counters["p99_to_mean"] = percentile(ms, 99) / mean(ms);
+    state.counters["tumbling_mean_ms"] = mean(tumbling);
+    state.counters["tumbling_p99_to_mean"] = percentile(tumbling, 99) / mean(tumbling);
+    state.counters["lying_mean_ms"] = mean(stepsOf(kLying));
     state.counters["bodies"] = pile.physics.stats().bodies;
     state.counters["awake"] = pile.physics.stats().awake;
 }

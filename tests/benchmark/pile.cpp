@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 
 namespace rubble {
 
@@ -16,6 +17,9 @@ double wallMs(const std::function<void()>& f) {
 double percentile(std::vector<double> values, size_t percent) {
     std::sort(values.begin(), values.end());
     return values[std::min(values.size() - 1, values.size() * percent / 100)];
+}
+double mean(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
 double median(const std::vector<double>& values) {
     return percentile(values, 50);

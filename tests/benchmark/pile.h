@@ -13,6 +13,8 @@ namespace rubble {
 double wallMs(const std::function<void()>& f);
 /// percent: 0 to 100.
 double percentile(std::vector<double> values, size_t percent);
+/// The arithmetic mean.
+double mean(const std::vector<double>& values);
 /// The middle value.
 double median(const std::vector<double>& values);
 /// The settings, but that nothing sleeps.

@@ -299,7 +299,7 @@ TEST(BoxContacts, OnlyWhatFillsItsBoundsIsABox) {
     ASSERT_TRUE(box.box());
     EXPECT_EQ(box.box()->center, glm::vec3(5.0f, 3.5f, 5.5f));
     EXPECT_EQ(box.box()->half, glm::vec3(4.0f, 1.5f, 2.5f));
-    EXPECT_EQ(box.box()->entry, 7);
+    EXPECT_EQ(box.whole()->entry, 7);
     set({4, 3, 5}, 0);
     EXPECT_FALSE(ColliderPart(shape, Pose{}, defaultMaterials()).box());
 }

@@ -5,8 +5,10 @@
 #include <algorithm>
 
 #include "physics/collision/broadphase.h"
+#include "physics/collision/occupancy.h"
 #include "runtime/core/random.h"
 #include "tests/physics/baseline/voronoi_pit.h"
+#include "tests/physics/physics_scene.h"
 #include "tests/support/grids.h"
 
 namespace rubble {
@@ -60,7 +62,7 @@ TEST(VoxelContacts, HullAndVoxelsHaveTheSameExtent) {
             for (const glm::vec3& c : corners)
                 support = std::max(support, c.x * direction.x + c.y * direction.y + c.z * direction.z);
             ASSERT_EQ(part.hull().support(direction), support);
-            const glm::vec3 far = part.hull().supportPoint(direction);
+            const glm::vec3 far = part.hull().supportPoint(direction, support);
             ASSERT_EQ(far.x * direction.x + far.y * direction.y + far.z * direction.z, support);
         }
     }
@@ -97,6 +99,65 @@ TEST(VoxelContacts, FeaturesAreTheConvexCornersAndEdges) {
         std::sort(expected.begin(), expected.end());
         EXPECT_EQ(found, expected);
         EXPECT_EQ(list.count, expected.size());
+    }
+}
+
+/// The part of a grid with the default palette and materials.
+std::unique_ptr<ColliderPart> partOf(const VoxelGrid& grid) {
+    Shape shape;
+    shape.palette = materialPalette();
+    shape.grid = grid;
+    return std::make_unique<ColliderPart>(shape, Pose{}, defaultMaterials());
+}
+
+/// In a small part, where the answer is exact, and in a large one, where a box may count as solid that is not.
+TEST(VoxelContacts, FourBoxesOfCellsAreLookedUpAsEachIs) {
+    for (const int size : {20, 48}) {
+        Random random{uint64_t(size)};
+        const auto part = partOf(
+            gridOf(glm::ivec3(size), [&](glm::ivec3) { return random.unit() < 0.01f ? uint8_t(1) : uint8_t(0); }));
+        Occupancy occupancy(*part);
+        int hits = 0, misses = 0;
+        for (int round = 0; round < 3000; ++round) {
+            std::array<Int4, 3> low, high;
+            for (size_t axis = 0; axis < 3; ++axis)
+                for (int i = 0; i < 4; ++i) {
+                    low[axis][i] = int(between(random, -6.0, size + 6.0));
+                    high[axis][i] = low[axis][i] + int(between(random, 0.0, 4.0));
+                }
+            const uint32_t lanes = uint32_t(random.next() & 15), found = occupancy.mayContainSolid(low, high, lanes);
+            EXPECT_EQ(found & ~lanes, 0u);
+            for (int i = 0; i < 4; ++i) {
+                if (!(lanes >> i & 1)) continue;
+                const Int4 from{low[0][i], low[1][i], low[2][i], 0}, to{high[0][i], high[1][i], high[2][i], 0};
+                bool isSolid = false;
+                for (int z = from[2]; z <= to[2]; ++z)
+                    for (int y = from[1]; y <= to[1]; ++y)
+                        for (int x = from[0]; x <= to[0]; ++x) isSolid = isSolid || part->grid().at({x, y, z});
+                const bool isFound = found >> i & 1;
+                ++(isFound ? hits : misses);
+                EXPECT_EQ(isFound, occupancy.mayContainSolid(from, to));
+                if (isSolid || size == 20) EXPECT_EQ(isFound, isSolid);
+                if (isSolid) EXPECT_TRUE(occupancy.mayContainBrick(from, to));
+            }
+        }
+        EXPECT_GT(hits, 100);
+        EXPECT_GT(misses, 100);
+    }
+}
+
+TEST(VoxelContacts, PartsKnowTheEntryOfEachVoxel) {
+    for (const int entries : {1, 2}) {
+        const VoxelGrid grid =
+            gridOf({12, 9, 10}, [&](glm::ivec3 c) { return uint8_t((c.x + c.y) % 3 ? 3 + c.z / 3 % entries : 0); });
+        const auto part = partOf(grid);
+        EXPECT_EQ(part->whole()->entry, entries == 1 ? 3 : 0);
+        grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+            forEachVoxel(brick->occupancy, [&](int v) {
+                const glm::ivec3 cell = position * kBrickSize + voxelInBrick(v);
+                ASSERT_EQ(part->entryAt(cell), grid.at(cell));
+            });
+        });
     }
 }
 
