@@ -28,12 +28,11 @@ public:
         {
             const std::lock_guard lock(m_mutex);
             m_body = &body;
-            m_count = count;
-            m_next = 0;
+            m_left.store(uint64_t(count) << 32);
             m_round.store(m_round + 1);
         }
         m_wake.notify_all();
-        work(body, count);
+        work(body, true);
         {
             const std::lock_guard lock(m_mutex);
             m_body = nullptr;  // nobody joins any more
@@ -53,27 +52,34 @@ private:
         const auto start = std::chrono::steady_clock::now();
         while (condition() && std::chrono::steady_clock::now() - start < kLongest) std::this_thread::yield();
     }
-    void work(const std::function<void(size_t)>& body, size_t count) try {
-        for (size_t i = m_next++; i < count; i = m_next++) body(i);
+    /// The calling thread takes the first of the calls that are left, the others the last: where the same items come
+    /// again and again, they stay with a thread, in whose cache they are.
+    void work(const std::function<void(size_t)>& body, bool fromFront) try {
+        for (uint64_t left = m_left;;) {
+            const uint64_t from = left & 0xffffffff, to = left >> 32;
+            if (from >= to) return;
+            if (!m_left.compare_exchange_weak(left, fromFront ? left + 1 : left - (uint64_t(1) << 32))) continue;
+            body(fromFront ? from : to - 1);
+            left = m_left;
+        }
     } catch (...) {
         const std::lock_guard lock(m_mutex);
         if (!m_thrown) m_thrown = std::current_exception();
-        m_next = count;
+        m_left = 0;
     }
     void serve(const std::stop_token& stop) {
         for (uint64_t seen = 0;;) {
             spinWhile([&] { return m_round == seen && !stop.stop_requested(); });
             const std::function<void(size_t)>* body;
-            size_t count;
             {
                 std::unique_lock lock(m_mutex);
                 if (!m_wake.wait(lock, stop, [&] { return m_round != seen; })) return;
                 seen = m_round;
-                body = m_body, count = m_count;
+                body = m_body;
                 if (!body) continue;
                 ++m_busy;
             }
-            work(*body, count);
+            work(*body, false);
             const std::lock_guard lock(m_mutex);
             if (--m_busy == 0) m_done.notify_one();
         }
@@ -84,8 +90,9 @@ private:
     std::condition_variable m_done;
     const std::function<void(size_t)>* m_body = nullptr;  ///< null: there is no work
     std::exception_ptr m_thrown;                          ///< the first
-    size_t m_count = 0;
-    std::atomic<size_t> m_next = 0, m_busy = 0;  ///< busy: threads that have begun
+    /// Of the calls that have not begun: the first, and above 32 bits the one after the last.
+    std::atomic<uint64_t> m_left = 0;
+    std::atomic<size_t> m_busy = 0;  ///< threads that have begun
     std::atomic<uint64_t> m_round = 0;
     std::vector<std::jthread> m_threads;  ///< declared last: joined before the members that they use are destroyed
 };
