@@ -15,6 +15,7 @@
 #include "lib/sampling.glsl"
 #include "lib/surface_history.glsl"
 #include "lib/shadow_trace.glsl"
+#include "lib/moving_bodies.glsl"
 #include "lib/brdf.glsl"
 #include "lib/local_lights.glsl"
 #include "lib/history_left.glsl"
@@ -112,7 +113,8 @@ void addSample(Receiver r, int n, inout vec4 light, inout vec4 specular) {
     float pdf = mix(point.pdf, ggxVndfPdf(normal, r.view, direction, roughness), lobeChance);
     vec3 arriving = point.radiance * (max(dot(direction, normal), 0.0) * sampleWeight / (kPi * pdf));
     bool dark = luminance(arriving) <= 0.0;
-    vec3 origin = shadowOrigin(r.position, normal), shadowRay = r.position + direction * point.range - origin;
+    vec3 origin = shadowOrigin(placeInShadows(r.position, normal, r.surface.moving), normal),
+         shadowRay = r.position + direction * point.range - origin;
     float shadowRayLength = max(length(shadowRay), 1e-4), t;
     // Where nothing would arrive the ray has no length, and costs little.
     float tMax = dark ? -1.0 : max(shadowRayLength - point.clearance, 0.0);
@@ -137,8 +139,8 @@ void main() {
     if (lightsAt(pixel, -1.0).y == 0) discard;
     Surface s = readSurface(pixel);
     vec3 position = worldFromDepth(uv, s.depth);
-    Receiver receiver = Receiver(pixel, s, position, toEye(position),
-                                 mix(vec3(s.reflectivity), s.albedo, s.metallic), lightsAt(pixel, s.depth));
+    Receiver receiver = Receiver(pixel, s, position, toEye(position), mix(vec3(s.reflectivity), s.albedo, s.metallic),
+                                 lightsAt(pixel, s.depth));
     light = specular = vec4(0.0);
     int rays = raysOf(pixel);
     for (int i = 0; i < rays; ++i) addSample(receiver, frame.counters.x * rays + i, light, specular);
