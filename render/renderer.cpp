@@ -347,7 +347,7 @@ void Renderer::Impl::draw(const View& view, float alpha) {
 }
 
 void Renderer::Impl::drawFrames(const View& view, float alpha) {
-    // Another view of what was drawn last shows the same motion; the same view again shows that it has ended.
+    // Another view of what was drawn last shows the same motion; the same view again, that it has ended.
     const bool isSameMoment = !isMomentOver && alpha == stepAlpha && history->moment != moment;
     moment += !isSameMoment;
     isMomentOver = false;
@@ -359,14 +359,12 @@ void Renderer::Impl::drawFrames(const View& view, float alpha) {
     frameSeconds = passed > 0.0 ? float(std::min(passed, kLongestFrame)) : kStill;
     history->gameSeconds = now;
     View each = view;
-    each.cut |= history->replacements != scene.replacements();  // what it shows is gone
-    const bool isFirst = each.cut || history->moment == 0;
-    history->moment = moment;
-    history->replacements = scene.replacements();
+    const uint64_t replacements = scene.lookChanges().replacements();
+    each.cut |= std::exchange(history->replacements, replacements) != replacements;  // what it shows is gone
+    const bool isFirst = std::exchange(history->moment, moment) == 0 || each.cut;
     for (int i = isFirst ? settings.warmUpFrames : 0; i >= 0; --i) {
         drawOnce(each);
-        each.cut = false;
-        frameSeconds = kStill;
+        each.cut = false, frameSeconds = kStill;
     }
 }
 

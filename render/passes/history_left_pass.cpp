@@ -15,7 +15,7 @@ bool HistoryLeftPass::needed(const FrameContext& frame) {
     if (!frame.settings.temporal || !frame.settings.rejectStaleHistory || !hasHistory(Target::Surface) ||
         !hasHistory(Target::AccumulatedLight) || !hasHistory(Target::Radiance))
         return false;
-    return frame.scene.hadDirtyRegions() || hasKnownChanges(frame, kOldestLightChange);
+    return frame.scene.dirtyRegions().followOthers() || hasKnownChanges(frame, kOldestLightChange);
 }
 
 void HistoryLeftPass::draw(const FrameContext& frame) const {

@@ -14,12 +14,6 @@ constexpr uint32_t kNoBrickTable = ~0u;
 using shared::kHasGlass;
 using shared::kHasPaint;
 
-WorldBox boundsOf(const Bodies::Instance& body) {
-    const glm::dvec3 low = glm::vec3(body.low) * body.voxelSize, high = glm::vec3(body.high) * body.voxelSize;
-    const glm::dquat rotation(body.rotation);
-    return boundsOfBox(glm::dvec3(body.position) + rotation * ((low + high) * 0.5), (high - low) * 0.5, rotation);
-}
-
 glm::vec4 packed(glm::quat q) {
     return {q.x, q.y, q.z, q.w};
 }
@@ -44,7 +38,13 @@ void forEachBrick(const FrameSnapshot& snapshot, F&& f) {
 
 }  // namespace
 
-Bodies::Shape* Bodies::find(ShapeHandle handle) const {
+WorldBox Bodies::Instance::box() const {
+    const glm::dvec3 from = glm::vec3(low) * voxelSize, to = glm::vec3(high) * voxelSize;
+    const glm::dquat turned(rotation);
+    return boundsOfBox(glm::dvec3(position) + turned * ((from + to) * 0.5), (to - from) * 0.5, turned);
+}
+
+Bodies::Shape* Bodies::find(ShapeHandle handle) {
     if (handle.slot() >= m_shapes.size() || !m_shapes[handle.slot()] || m_shapes[handle.slot()]->handle != handle)
         return nullptr;
     return m_shapes[handle.slot()].get();
@@ -209,12 +209,14 @@ void Bodies::usePaint(uint32_t slot, const PaintColorsRef& colors) {
     if (colors) m_atlas.ensurePaint().setColors(slot, *colors);
 }
 
-void Bodies::setPalette(const SnapshotPalette& given) {
+PaletteRef Bodies::setPalette(const SnapshotPalette& given) {
     Shape* shape = find(given.shape);
-    if (!shape) return;
+    if (!shape) return nullptr;
+    PaletteRef before = shape->palette;
     usePalette(*shape, given.shape.slot(), given.palette);
     usePaint(given.shape.slot(), given.paintColors);
     m_changed.push_back(given.shape.slot());
+    return before;
 }
 
 void Bodies::setPose(const SnapshotPose& pose) {
@@ -244,18 +246,10 @@ uint64_t Bodies::beginFrame(float alpha, glm::dvec3 originWorld, bool isSameMome
     m_touched.slots = std::exchange(m_changed, {});
     leaveOutWithoutRoom();
     if (isRebased || !isSameMoment) updateTransforms(alpha);
+    listMovingBodies();
     updateTree();
     ++m_touched.frame;
     return m_nodes.upload() + m_tables.upload() + m_transforms.upload() + m_layouts.upload() + m_palettes.upload();
-}
-
-WorldBox Bodies::boxOf(uint32_t slot) const {
-    return boundsOf(m_instances[slot]);
-}
-
-const Palette* Bodies::paletteOf(ShapeHandle shape) const {
-    const Shape* found = find(shape);
-    return found ? found->palette.get() : nullptr;
 }
 
 void Bodies::updateTransforms(float alpha) {
@@ -271,6 +265,20 @@ void Bodies::updateTransforms(float alpha) {
     m_moving = std::move(still);
 }
 
+void Bodies::listMovingBodies() {
+    m_touched.moving.clear();
+    for (const uint32_t slot : m_moving) {
+        const Instance& body = m_instances[slot];
+        if (!m_shapes[slot] || body.empty()) continue;
+        const Pose& pose = m_shapes[slot]->current;
+        const glm::vec3 low = glm::vec3(body.low) * body.voxelSize, high = glm::vec3(body.high) * body.voxelSize,
+                        middle = 0.5f * (low + high), halfSize = 0.5f * (high - low);
+        const glm::quat rotation(pose.rotation);
+        m_touched.moving.add({body.position + body.rotation * middle, halfSize, body.rotation},
+                             {glm::vec3(pose.position - m_origin) + rotation * middle, halfSize, rotation});
+    }
+}
+
 /// Enters what was touched into the tree of bounds.
 void Bodies::updateTree() {
     for (const uint32_t slot : m_touched.slots) {
@@ -278,7 +286,7 @@ void Bodies::updateTree() {
         if (body.empty())
             m_bounds.remove(slot);
         else
-            m_bounds.update(slot, boundsOf(body));
+            m_bounds.update(slot, body.box());
     }
 }
 

@@ -11,6 +11,7 @@
 #include "render/scene/brick_atlas.h"
 #include "render/scene/detail_maps.h"
 #include "render/scene/layer_counts.h"
+#include "render/scene/moving_bodies.h"
 #include "render/scene/staged_buffer.h"
 #include "runtime/core/bounds_tree.h"
 #include "runtime/frame/frame_snapshot.h"
@@ -31,6 +32,8 @@ public:
         bool mirror = false;  ///< its palette has entries smooth enough for reflection rays
         /// Whether it has no voxels, or the slot no shape.
         bool empty() const { return low.x >= high.x; }
+        /// The box around it, from the render origin.
+        WorldBox box() const;
     };
 
     /// Where the directory of a shape lies: its texels in lib/bodies.glsl.
@@ -50,8 +53,8 @@ public:
     void clear();
     /// Replaces a brick of a shape.
     void setBrick(const BrickChange& change);
-    /// Replaces palette and paint colours of a shape.
-    void setPalette(const SnapshotPalette& given);
+    /// Replaces palette and paint colours of a shape. Returns the palette that it had; null: there is no such shape.
+    PaletteRef setPalette(const SnapshotPalette& given);
     /// Moves a shape.
     void setPose(const SnapshotPose& pose);
 
@@ -79,6 +82,7 @@ public:
     struct Touched {
         std::vector<uint32_t> slots;  ///< of the instances that it moved or found changed or removed
         uint64_t frame = 0;           ///< number of calls so far
+        MovingBodies moving;          ///< those that are drawn elsewhere than the shadow volume has them
     };
     /// Of the last beginFrame().
     const Touched& touched() const { return m_touched; }
@@ -86,10 +90,6 @@ public:
     const BoundsTree& bounds() const { return m_bounds; }
     /// By slot; slots without a shape are empty().
     const std::vector<Instance>& instances() const { return m_instances; }
-    /// The box of the shape in a slot, from the render origin.
-    WorldBox boxOf(uint32_t slot) const;
-    /// Of a shape; null: there is none.
-    const Palette* paletteOf(ShapeHandle shape) const;
     /// Of the shape in a slot.
     const Layout& layout(size_t slot) const { return m_layouts[slot]; }
     /// Whether any shape has glass.
@@ -133,7 +133,7 @@ private:
         bool hasTransform = false;  ///< its transform has been sent: the next frame can reproject from it
         bool moving = false;        ///< is in m_moving
     };
-    Shape* find(ShapeHandle handle) const;
+    Shape* find(ShapeHandle handle);
     void release(Shape& shape, uint32_t slot);
     void putBrick(Shape& shape, glm::ivec3 brick, const BrickRef& content);
     void updateBounds(uint32_t slot);
@@ -145,6 +145,7 @@ private:
     void usePaint(uint32_t slot, const PaintColorsRef& colors);
     void updateTransforms(float alpha);
     void updateTransform(uint32_t slot, float alpha, glm::dvec3 originWorld);
+    void listMovingBodies();
     bool hasRoom(uint32_t slot) const;
     void leaveOutWithoutRoom();
     void leaveOutBricks(const Shape& shape);

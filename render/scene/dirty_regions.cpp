@@ -33,4 +33,10 @@ void DirtyRegions::add(const std::vector<ShadowPatch>& patches) {
     for (const ShadowPatch& patch : patches) add(patch.brick);
 }
 
+DirtyRegions DirtyRegions::begin(const DirtyRegions& last) const {
+    DirtyRegions begun = *this;
+    begun.m_followOthers = !last.m_boxes.empty();
+    return begun;
+}
+
 }  // namespace rubble

@@ -19,6 +19,10 @@ public:
 
     /// Adds the bricks of these patches. A brick next to a box joins it; at kMaxRegions it joins the nearest one.
     void add(const std::vector<ShadowPatch>& patches);
+    /// These, as those of the moment after `last`.
+    DirtyRegions begin(const DirtyRegions& last) const;
+    /// Whether there were any in the moment before.
+    bool followOthers() const { return m_followOthers; }
     /// No region is dirty.
     void clear() { m_boxes.clear(); }
     /// At most kMaxRegions.
@@ -28,6 +32,7 @@ private:
     void add(glm::ivec3 brick);
 
     std::vector<Box> m_boxes;
+    bool m_followOthers = false;
 };
 
 }  // namespace rubble

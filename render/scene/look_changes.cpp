@@ -10,7 +10,7 @@
 namespace rubble {
 namespace {
 
-constexpr float kGain = 8.0f;     ///< a change of 1 / kGain is large: colours begin anew
+constexpr float kGain = 8.0f;     ///< a change of 1 / kGain is large: no old colour is kept
 constexpr int kMaxMoments = 10;   ///< for which a change is remembered: then a mean over frames takes a tenth of each
 constexpr float kDark = 1e-3f;    ///< radiance below which a change is not seen
 constexpr float kMinGlow = 0.1f;  ///< emission below which a change is not seen
@@ -33,7 +33,7 @@ float change(const PaletteEntry& a, const PaletteEntry& b) {
     return std::max(float(bytes) / 255.0f, relativeChange(a.emission, b.emission, kMinGlow));
 }
 
-/// Share of this frame, so many moments after a change, in a mean that began anew with it.
+/// Share of this frame, so many moments after a change, in a mean that began with it.
 float newShareAfter(float change, int age) {
     return std::min(change, 1.0f) / float(age + 1);
 }
@@ -73,6 +73,12 @@ void LookChanges::addEnvironment(const Environment& before, const Environment& a
     m_next.sun = std::max(m_next.sun, std::min(turn / sunDiameter, 1.0f));
 }
 
+void LookChanges::replaceAll() {
+    const uint64_t replacements = m_replacements + 1;
+    *this = {};
+    m_replacements = replacements;
+}
+
 void LookChanges::beginMoment() {
     m_moments.insert(m_moments.begin(), m_next);
     if (m_moments.size() > size_t(kMaxMoments)) m_moments.pop_back();
@@ -87,8 +93,8 @@ void LookChanges::findBoxes(const Bodies& bodies) {
     m_boxes.clear();
     for (const ShapeChange& shape : m_shapes) {
         if (shape.slot >= bodies.instances().size() || bodies.instances()[shape.slot].empty()) continue;
-        addBox({bodies.boxOf(shape.slot), shape.age == 0 ? shape.change : 0.0f, shape.age <= 1 ? shape.change : 0.0f,
-                newShareAfter(kGain * shape.change, shape.age)});
+        addBox({bodies.instances()[shape.slot].box(), shape.age == 0 ? shape.change : 0.0f,
+                shape.age <= 1 ? shape.change : 0.0f, newShareAfter(kGain * shape.change, shape.age)});
     }
 }
 

@@ -29,6 +29,10 @@ public:
     void addPalette(uint32_t slot, const Palette& before, const Palette& after);
     /// Sun, sky and air are others from the next moment on.
     void addEnvironment(const Environment& before, const Environment& after);
+    /// The world is another one: nothing is left of what was there.
+    void replaceAll();
+    /// A number that grows with each replaceAll().
+    uint64_t replacements() const { return m_replacements; }
     /// Begins the next moment.
     void beginMoment();
     /// Finds the boxes, where the bodies are drawn now: at most kMaxBoxes.
@@ -55,6 +59,7 @@ private:
     };
     void addBox(const Box& box);
 
+    uint64_t m_replacements = 0;
     Moment m_next;
     std::vector<Moment> m_moments;  ///< newest first
     std::vector<ShapeChange> m_nextShapes, m_shapes;

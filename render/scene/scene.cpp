@@ -42,8 +42,7 @@ void Scene::applyDeferred() {
 void Scene::applyNow(FrameSnapshot& snapshot) {
     bool glassChanged = snapshot.environmentChanged || touchesGlass(snapshot);  // the glass that it removes
     if (snapshot.replacesAll) {
-        ++m_replacements;
-        m_lookChanges = {};
+        m_lookChanges.replaceAll();
         m_bodies.clear();
         m_bodies.setMaterials(snapshot.materials);
     } else if (!snapshot.materials.empty()) {
@@ -52,11 +51,9 @@ void Scene::applyNow(FrameSnapshot& snapshot) {
     for (ShapeHandle shape : snapshot.destroyed) m_bodies.destroy(shape);
     for (const SnapshotShape& shape : snapshot.created) m_bodies.create(shape);
     for (const BrickChange& change : snapshot.bricks) m_bodies.setBrick(change);
-    for (const SnapshotPalette& palette : snapshot.palettes) {
-        if (const Palette* before = m_bodies.paletteOf(palette.shape))
-            m_lookChanges.addPalette(palette.shape.slot(), *before, *palette.palette);
-        m_bodies.setPalette(palette);
-    }
+    for (const SnapshotPalette& given : snapshot.palettes)
+        if (const PaletteRef before = m_bodies.setPalette(given))
+            m_lookChanges.addPalette(given.shape.slot(), *before, *given.palette);
     for (const SnapshotPose& pose : snapshot.poses) m_bodies.setPose(pose);
     glassChanged |= touchesGlass(snapshot);  // the glass that it adds
     m_glassChanges += uint64_t(glassChanged);
@@ -101,8 +98,8 @@ uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld, bool isSameMomen
     const uint64_t outlines = m_watersChanged || rebased ? m_outlines.update(m_waters, m_origin) : 0;
     m_smokeChanged = m_watersChanged = false;
     if (!isSameMoment) {
-        m_hadDirtyRegions = !m_shownDirtyRegions.boxes().empty();
-        m_shownDirtyRegions = std::exchange(m_dirtyRegions, {});
+        m_shownDirtyRegions = m_dirtyRegions.begin(m_shownDirtyRegions);
+        m_dirtyRegions.clear();
         m_lookChanges.beginMoment();
     }
     const uint64_t bodies = m_bodies.beginFrame(alpha, m_origin, isSameMoment);

@@ -51,8 +51,12 @@ public:
     const std::vector<SnapshotRipple>& ripples() const { return m_ripples; }
     /// Game time of the step that is drawn, in seconds.
     double seconds() const { return m_seconds; }
-    /// Sets the samplers of lib/shadow_trace.glsl. The program must be in use.
-    void bindShadow(const Program& program) const { m_shadow.bind(program); }
+    /// Sets the samplers of lib/shadow_trace.glsl and the uniforms of lib/moving_bodies.glsl. The program must be in
+    /// use.
+    void bindShadow(const Program& program) const {
+        m_shadow.bind(program);
+        m_bodies.touched().moving.bind(program);
+    }
     /// Sets the samplers of lib/bodies.glsl and lib/voxel_at.glsl. No voxel is found in a scene in which nothing needs
     /// them: no reflections, no colours of indirect light. The program must be in use.
     void bindVoxelsAt(const Program& program) const;
@@ -64,12 +68,8 @@ public:
     void describe(FrameBlock& block) const;
     /// Where shadow casters have changed since the moment before.
     const DirtyRegions& dirtyRegions() const { return m_shownDirtyRegions; }
-    /// Whether there were any in the moment before.
-    bool hadDirtyRegions() const { return m_hadDirtyRegions; }
     /// What looks different, or gets other light from sun and sky, than in the moment before.
     const LookChanges& lookChanges() const { return m_lookChanges; }
-    /// A number that grows when a snapshot has replaced all.
-    uint64_t replacements() const { return m_replacements; }
     /// Whether any shape has a palette entry of opacity < 255.
     bool hasGlass() const { return m_bodies.hasGlass(); }
     /// A number that grows when shapes with glass, or the sun, have changed or moved.
@@ -106,9 +106,7 @@ private:
     GpuShadowVolume m_shadow;
     DirtyRegions m_dirtyRegions;       ///< of the moment to come
     DirtyRegions m_shownDirtyRegions;  ///< of the moment that is drawn
-    bool m_hadDirtyRegions = false;    ///< in the moment before
     LookChanges m_lookChanges;
-    uint64_t m_replacements = 0;
     SmokeShadow m_smoke;
     std::vector<SnapshotLight> m_lights;
     std::vector<SnapshotParticle> m_particles;

@@ -15,6 +15,7 @@
 #include "lib/sampling.glsl"
 #include "lib/surface_history.glsl"
 #include "lib/shadow_trace.glsl"
+#include "lib/moving_bodies.glsl"
 #include "lib/brdf.glsl"
 #include "lib/local_lights.glsl"
 #include "lib/history_left.glsl"
@@ -141,7 +142,7 @@ void main() {
     vec3 position = worldFromDepth(uv, s.depth);
     Receiver receiver = Receiver(pixel, s, position, toEye(position),
                                  mix(vec3(s.reflectivity), s.albedo, s.metallic), lightsAt(pixel, s.depth),
-                                 surfaceOrigin(position, s.normal, s.fine));
+                                 surfaceOrigin(placeInShadows(position, s.normal, s.moving), s.normal, s.fine));
     light = specular = vec4(0.0);
     int rays = raysOf(pixel);
     for (int i = 0; i < rays; ++i) addSample(receiver, frame.counters.x * rays + i, light, specular);

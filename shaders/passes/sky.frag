@@ -8,6 +8,7 @@
 #include "lib/noise.glsl"
 #include "lib/sampling.glsl"
 #include "lib/shadow_trace.glsl"
+#include "lib/moving_bodies.glsl"
 #include "lib/brdf.glsl"
 #include "lib/sky.glsl"
 #include "lib/bounce.glsl"
@@ -27,7 +28,8 @@ void main() {
     Surface s = readSurface(pixel);
     light = hitProximity = vec4(0.0);
     if (!s.lit) return;
-    vec3 origin = surfaceOrigin(worldFromDepth(uv, s.depth), s.normal, s.fine);
+    vec3 place = placeInShadows(worldFromDepth(uv, s.depth), s.normal, s.moving);
+    vec3 origin = surfaceOrigin(place, s.normal, s.fine);
     vec2 lastUv = uv - texelFetch(uMotion, pixel, 0).rg;
     bool known = uHistoryValid && lastUv == clamp(lastUv, vec2(0.0), vec2(0.999));
     ivec2 last = ivec2(lastUv * frame.targetSize.xy);

@@ -6,6 +6,7 @@
 #include "lib/noise.glsl"
 #include "lib/sampling.glsl"
 #include "lib/shadow_trace.glsl"
+#include "lib/moving_bodies.glsl"
 #include "lib/smoke_shadow.glsl"
 
 uniform int uRayCount;
@@ -19,7 +20,8 @@ void main() {
     Surface s = readSurface(pixel);
     light = vec4(0.0);
     if (s.sky || dot(s.normal, frame.sunDirection.xyz) <= 0.0) return;
-    vec3 origin = surfaceOrigin(worldFromDepth(uv, s.depth), s.normal, s.fine);
+    vec3 place = placeInShadows(worldFromDepth(uv, s.depth), s.normal, s.moving);
+    vec3 origin = surfaceOrigin(place, s.normal, s.fine);
     for (int i = 0; i < uRayCount; ++i) {
         vec2 u = blueNoise(pixel, 0, frame.counters.x * uRayCount + i);
         float t;

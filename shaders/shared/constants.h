@@ -33,5 +33,7 @@ SHARED_CONSTANT int kOutlineRuns = 16;   // such boxes in a larger one
 SHARED_CONSTANT int kMaxDirtyRegions = 8;
 SHARED_CONSTANT int kMaxLightChanges = 16;
 SHARED_CONSTANT int kMaxLookChanges = 8;
+SHARED_CONSTANT int kMaxMovingBodies = 8;
+SHARED_CONSTANT int kVectorsPerMovingBody = 6;
 SHARED_CONSTANT int kMaxRipples = 64;  // as Ripples::kMaxRipples in runtime/frame/ripples.h
 SHARED_CONSTANT int kConfidenceTile = 4;

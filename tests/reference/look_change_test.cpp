@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "runtime/core/constants.h"
 #include "tests/golden/drawing.h"
 #include "tests/reference/display.h"
 
@@ -161,7 +162,7 @@ TEST_F(LookChange, FogComesAtOnce) {
 TEST_F(LookChange, ASlowSunKeepsItsHistory) {
     float least = 1e9f, colors = 1.0f;
     for (int i = 0; i < 32; ++i) {  // a day of ten minutes
-        const double angle = double(i) * 2.0 * 3.14159265 / 36000.0;
+        const double angle = double(i) * 2.0 * kPi / 36000.0;
         m_scene.environment.sunDirection =
             glm::vec3(glm::angleAxis(angle, glm::dvec3(0, 0, 1)) * glm::dvec3(-0.6, 0.5, 0.5));
         renderer->apply(m_scene.step());

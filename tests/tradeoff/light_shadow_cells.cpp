@@ -65,7 +65,7 @@ struct Errors {
     double shadow = 0.0, light = 0.0, ns = 0.0;  ///< shares of rays that are wrongly dark and wrongly lit; ns per ray
 };
 
-/// Traces the rays as shadowOrigin() and shadowTrace() of shaders/lib/shadow_trace.glsl do, with cells of `size`
+/// Traces the rays as surfaceOrigin() and shadowTrace() of shaders/lib/shadow_trace.glsl do, with cells of `size`
 /// voxels.
 Errors errorsOf(const VoxelGrid& cells, int size, const std::vector<Query>& queries) {
     Errors errors;
