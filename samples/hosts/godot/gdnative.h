@@ -110,13 +110,13 @@ inline constexpr int32_t kHintRange = 1, kHintEnum = 3, kHintFile = 13;
 
 // ---- the tables ----
 
-inline const void* const* core = nullptr;          ///< set by godot_gdnative_init()
-inline const void* const* nativeScript = nullptr;  ///< the same
+inline void* const* core = nullptr;          ///< set by godot_gdnative_init()
+inline void* const* nativeScript = nullptr;  ///< the same
 
 /// A function in a slot of a table.
-template <const void* const*& table, size_t slot, class Signature>
+template <void* const*& table, size_t slot, class Signature>
 struct Function;
-template <const void* const*& table, size_t slot, class R, class... A>
+template <void* const*& table, size_t slot, class R, class... A>
 struct Function<table, slot, R(A...)> {
     /// Calls it.
     R operator()(A... arguments) const { return reinterpret_cast<R (*)(A...)>(table[slot])(arguments...); }

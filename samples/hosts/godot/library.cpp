@@ -9,10 +9,10 @@
 extern "C" {
 
 EXPORT void godot_gdnative_init(const gd::InitOptions* options) {
-    gd::core = reinterpret_cast<const void* const*>(options->api);
+    gd::core = reinterpret_cast<void* const*>(options->api);
     for (uint32_t i = 0; i < options->api->extensionCount; ++i)
         if (options->api->extensions[i]->type == gd::kNativeScriptType)
-            gd::nativeScript = reinterpret_cast<const void* const*>(options->api->extensions[i]);
+            gd::nativeScript = reinterpret_cast<void* const*>(options->api->extensions[i]);
 }
 
 EXPORT void godot_gdnative_terminate(const void*) {}
