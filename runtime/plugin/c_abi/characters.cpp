@@ -93,7 +93,8 @@ rubble_result getCharacterState(rubble_world world, rubble_character character, 
     return inWorld("get_character_state", world, [&](const HostedWorld& hosted) {
         const Character* found =
             findLive<HandleType::Character>(hosted.loop.world().characters(), character, "character");
-        if (found && isGiven(out, "out")) *out = characterState(CharacterHandle{character}, *found);
+        if (found && isGiven(out, "out"))
+            *out = characterState(hosted.loop.world(), CharacterHandle{character}, *found);
     });
 }
 
