@@ -174,18 +174,20 @@ bool shadowTrace(vec3 originWorld, vec3 direction, float tMax, out float t) {
 bool isOccupiedIn(bool isPaged, vec3 positionWorld) {
     ShadowPart part = shadowPart(isPaged);
     vec3 place = positionWorld * kShadowCellsPerMetre - vec3(part.first * 64);
-    if (any(lessThan(place, part.low)) || !all(lessThan(place, part.high))) return false;
-    ivec3 cell = ivec3(place), at = isPaged ? cell >> 6 : cell >> 4;
+    bool inside = all(greaterThanEqual(place, part.low)) && all(lessThan(place, part.high));
+    ivec3 cell = ivec3(inside ? place : vec3(0.0)), at = isPaged ? cell >> 6 : cell >> 4;
     ivec3 size = isPaged ? part.sectors : part.sectors * 4;
     int index = at.x + size.x * (at.y + size.y * at.z);
     uint page = isPaged ? fetchShadowTable(index) : 0u;
-    ivec3 inPage = cell >> 4 & 3, word = cell >> 2 & 3, inWord = cell & 3;
-    if ((page & 15u) != 0u) return false;
-    uvec4 brick = fetchShadowBrick(isPaged ? int(page) + (inPage.x | inPage.y << 2 | inPage.z << 4) : index);
-    int wordIndex = word.x | word.y << 2 | word.z << 4, bit = inWord.x | inWord.y << 2 | inWord.z << 4;
-    if ((brick.x & 15u) != 0u || ((word.z < 2 ? brick.y : brick.z) >> uint(wordIndex & 31) & 1u) == 0u) return false;
-    uvec2 cells = fetchShadowTexel(int(brick.x) + wordIndex);
-    return ((bit < 32 ? cells.x : cells.y) >> uint(bit & 31) & 1u) != 0u;
+    bool emptySector = (page & 15u) != 0u;
+    int inPage = (cell.x >> 4 & 3) | (cell.y >> 2 & 12) | (cell.z & 48);
+    uvec4 brick = fetchShadowBrick(!isPaged ? index : emptySector ? 0 : int(page) + inPage);
+    int word = (cell.x >> 2 & 3) | (cell.y & 12) | (cell.z & 12) << 2;
+    bool emptyWord = !inside || emptySector || (brick.x & 15u) != 0u ||
+                     ((word < 32 ? brick.y : brick.z) >> uint(word & 31) & 1u) == 0u;
+    uvec2 cells = fetchShadowTexel(emptyWord ? 0 : int(brick.x) + word);
+    int inWord = (cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4;
+    return !emptyWord && ((inWord < 32 ? cells.x : cells.y) >> uint(inWord & 31) & 1u) != 0u;
 }
 
 /// Whether the cell at a position is occupied.
