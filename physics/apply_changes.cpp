@@ -83,7 +83,7 @@ void PhysicsWorld::Impl::load(const World& world) {
     characters.load(world, bodies);
     world.waters().forEach([&](WaterHandle handle, const Water& water) { waters.set(handle.slot(), &water); });
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
-        if (!body.isStatic) return bodies.createDynamic(world, handle, body.asleep);
+        if (!body.isStatic) return bodies.loadDynamic(world, handle);
         for (const ShapeHandle shape : body.shapes) bodies.createStatic(world, shape);
     });
     world.joints().forEach([&](JointHandle handle, const Joint&) { joints.create(world, handle, bodies); });

@@ -11,11 +11,16 @@ namespace rubble {
 
 /// What pressed on a body when it fell asleep, and how that changes. See loads.h.
 struct SleepLoad {
-    std::vector<std::pair<uint32_t, glm::dvec3>> impulses;  ///< by slot of the neighbour, in a substep, N s
-    bool isNoted = true;                                    ///< false in the step in which it fell asleep
-    glm::dvec3 change{0.0};                                 ///< by what awake neighbours press otherwise, N s
-    int changedSteps = 0;                                   ///< for which it has been large
-    uint64_t step = 0;                                      ///< in which it was last computed
+    struct Neighbour {
+        uint32_t slot;
+        glm::dvec3 impulse;    ///< in a substep, N s
+        int stepsToLearn = 0;  ///< in which the impulse is still to be found: see loads.cpp
+    };
+    std::vector<Neighbour> neighbours;
+    bool isNoted = true;     ///< false in the step in which it fell asleep
+    glm::dvec3 change{0.0};  ///< by what awake neighbours press otherwise, N s
+    int changedSteps = 0;    ///< for which it has been large
+    uint64_t step = 0;       ///< in which it was last computed
 };
 
 /// A dynamic body of World as physics moves it. The frame of `motion` is the centre of mass in principal axes; World's
@@ -85,6 +90,7 @@ public:
     bool newlyAwake = true;                 ///< has not moved noticeably since it woke
     bool wakesLoad = true;                  ///< it has woken or its support has changed: what it bears wakes too
     SleepLoad sleepLoad;                    ///< while it sleeps
+    bool isAsLoaded = false;                ///< has not moved since physics was made from World
     SolverBody stepStart;                   ///< its motion before the last solve
     std::vector<Pose> stepPath;             ///< its poses in the last solve: at equal times, two or more
     int held = 0;                           ///< steps in which continuous collision holds it, then lets it pass
@@ -118,6 +124,10 @@ private:
 
 /// The velocity of an object at a point, world, m/s; 0 for what is static or asleep.
 glm::dvec3 velocityAt(const CollisionObject& object, const glm::dvec3& point);
+
+/// Whether nothing can be inside of an object: it is round, or one part whose rows of voxels have no gaps. What has may
+/// be a box with thin walls.
+bool isSolid(const CollisionObject& object);
 
 /// Whether two objects may be past each other after a relative displacement (metres). Always if one is static or
 /// asleep. Two moving bodies that still overlap are not: their contacts part them.

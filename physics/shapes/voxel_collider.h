@@ -29,7 +29,10 @@ struct ContactMaterials {
 struct PartSurface {
     /// bounds: of the solid cells.
     explicit PartSurface(const VoxelGrid& grid, const CellBox& bounds)
-        : rows(grid, bounds), box(findBoxSurface(grid, rows)), hull(box ? HullPoints(bounds) : HullPoints(rows)) {}
+        : rows(grid, bounds),
+          box(findBoxSurface(grid, rows)),
+          hull(box ? HullPoints(bounds) : HullPoints(rows)),
+          hasGaps(!box && rows.hasGaps()) {}
     /// What boxes that meet boxes do not need. [any thread]
     const FeatureList& features() const {
         const FeatureList* known = m_features.find();
@@ -38,6 +41,7 @@ struct PartSurface {
     SolidRows rows;
     std::optional<BoxSurface> box;
     HullPoints hull;
+    bool hasGaps;  ///< see SolidRows
 
 private:
     mutable Lazy<FeatureList> m_features;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "physics/collision/time_of_impact.h"
 #include "runtime/core/rotated_box.h"
@@ -11,7 +12,8 @@
 // solve. A hit sends a body elsewhere, where nothing was searched, and many hits at once are not solved to the end. So
 // what has moved far, and not as it was about to, is swept once more, from where it was to where it is now (Catto,
 // "Continuous Collision", GDC 2013). A body that entered something is put back to that moment and loses the rest of the
-// step.
+// step. What it is joined to stops with it, and so does what would have come to where it stands: the wall of a box that
+// flies would pass the cube in it. Stops are taken in the order of time, so that each is found once.
 
 namespace rubble {
 namespace {
@@ -21,6 +23,7 @@ constexpr double kFarDisplacement = 2.0;  ///< voxels that a body moves in a ste
 constexpr double kMaxDeviation = 1.0;     ///< voxels from its expected path from which it is swept
 constexpr double kMaxBend = 0.1;          ///< voxels from the line between its ends that a path counts as straight
 constexpr double kMaxEnergyError = 1e-3;  ///< share of the energy up to which a body counts as turning freely
+constexpr double kNoStop = 2.0;           ///< a fraction of the step
 constexpr double kNoProgress = 0.1;       ///< share of its step up to which a body counts as held where it was
 /// Steps in a row for which a body may be held. After them it is in a jam of things that move and cannot give way: it
 /// goes on for some steps, and they overlap, or a crumb under a wheel would stop a car.
@@ -70,9 +73,13 @@ double sagittaOf(const SweptPose& path, double radius) {
         angle = std::max(angle, largestAngle(path.poses[i].rotation, path.poses[i + 1].rotation));
     return radius * std::min(0.125 * angle * angle, 1.0);
 }
+/// Whether an object is a body that is awake.
+bool isMoving(const CollisionObject& object) {
+    return object.dynamic && !object.dynamic->asleep();
+}
 /// The path of an object in this step.
 SweptPose pathOf(const CollisionObject& object, std::array<Pose, 2>& ends) {
-    if (object.dynamic && !object.dynamic->asleep()) return simplified(*object.dynamic, ends);
+    if (isMoving(object)) return simplified(*object.dynamic, ends);
     ends.fill(object.pose);
     return {ends};
 }
@@ -128,6 +135,28 @@ bool needsSweep(const DynamicBody& body, double seconds) {
     return moved > kFarDisplacement * voxel || body.isPenetrating || deviationOf(body, seconds) > kMaxDeviation * voxel;
 }
 
+/// World bounds of an object on a path.
+WorldBox boundsOf(const CollisionObject& object, const SweptPose& path) {
+    WorldBox box{glm::dvec3(1e300), glm::dvec3(-1e300)};
+    glm::dvec3 low, high;
+    object.collider.bounds(low, high);
+    for (const Pose& pose : path.poses) {
+        const glm::dvec3 middle = pose.transformPoint((low + high) * 0.5),
+                         extent = rotatedHalfExtent(glm::mat3_cast(pose.rotation), (high - low) * 0.5);
+        box.low = glm::min(box.low, middle - extent), box.high = glm::max(box.high, middle + extent);
+    }
+    const double arc = sagittaOf(path, object.radius);
+    return {box.low - arc, box.high + arc};
+}
+
+/// The part of a path between two fractions of the step, in as many poses.
+std::vector<Pose> partOf(const SweptPose& path, double from, double to) {
+    std::vector<Pose> part;
+    for (size_t i = 0; i < path.poses.size(); ++i)
+        part.push_back(path.at(from + (to - from) * double(i) / double(path.poses.size() - 1)));
+    return part;
+}
+
 /// Whether the body has been held for so long that what moves does not hold it now.
 bool isFree(const DynamicBody& body) {
     return body.held >= kMaxHeld && body.held < kMaxHeld + kFreeSteps;
@@ -137,7 +166,7 @@ bool isFree(const DynamicBody& body) {
 double relativeDisplacement(const DynamicBody& body, const CollisionObject& other) {
     const Pose &from = body.stepPath.front(), &to = body.stepPath.back();
     const double turned = body.object.radius * largestAngle(from.rotation, to.rotation);
-    if (!other.dynamic || other.dynamic->asleep()) return glm::length(to.position - from.position) + turned;
+    if (!isMoving(other)) return glm::length(to.position - from.position) + turned;
     const Pose &otherFrom = other.dynamic->stepPath.front(), &otherTo = other.dynamic->stepPath.back();
     return glm::length(to.position - from.position - (otherTo.position - otherFrom.position)) + turned +
            other.radius * largestAngle(otherFrom.rotation, otherTo.rotation);
@@ -145,30 +174,29 @@ double relativeDisplacement(const DynamicBody& body, const CollisionObject& othe
 
 }  // namespace
 
+/// The body's pairs with what overlaps a box and it may meet.
+void ContinuousCollision::findPairs(const DynamicBody& body, const WorldBox& box, PhysicsBodies& bodies,
+                                    const JointTable& joints) {
+    const CollisionObject& own = body.object;
+    m_found.clear();
+    bodies.broadphase().find(box.low, box.high, m_found);
+    m_pairs.clear();
+    for (CollisionObject* other : m_found)
+        if (other != &own && other->filter.meets(own.filter))
+            m_pairs.push_back(own.number < other->number ? ObjectPair(&own.dynamic->object, other)
+                                                         : ObjectPair(other, &own.dynamic->object));
+    if (!joints.empty()) joints.removeNonColliding(m_pairs);
+}
+
+/// Where a body first enters something on its path; above 1: it does not.
 double ContinuousCollision::fractionOf(DynamicBody& body, PhysicsBodies& bodies, const JointTable& joints) {
     std::array<Pose, 2> ends, still;
     const SweptPose path = simplified(body, ends);
-    glm::dvec3 low(1e300), high(-1e300), ownLow, ownHigh;
-    body.object.collider.bounds(ownLow, ownHigh);
-    for (const Pose& pose : path.poses) {
-        const glm::dvec3 middle = pose.transformPoint((ownLow + ownHigh) * 0.5),
-                         extent = rotatedHalfExtent(glm::mat3_cast(pose.rotation), (ownHigh - ownLow) * 0.5);
-        low = glm::min(low, middle - extent), high = glm::max(high, middle + extent);
-    }
-    const double arc = sagittaOf(path, body.object.radius);
-    low -= arc, high += arc;
-    m_found.clear();
-    bodies.broadphase().find(low, high, m_found);
-    m_pairs.clear();
-    for (CollisionObject* other : m_found)
-        if (other != &body.object && other->filter.meets(body.object.filter))
-            m_pairs.push_back(body.object.number < other->number ? ObjectPair(&body.object, other)
-                                                                 : ObjectPair(other, &body.object));
-    if (!joints.empty()) joints.removeNonColliding(m_pairs);
-    double fraction = 2.0;
+    findPairs(body, boundsOf(body.object, path), bodies, joints);
+    double fraction = kNoStop;
     for (const auto& [first, second] : m_pairs) {
         const CollisionObject& other = first == &body.object ? *second : *first;
-        if (isFree(body) && other.dynamic && !other.dynamic->asleep()) continue;
+        if (isFree(body) && isMoving(other) && isSolid(body.object) && isSolid(other)) continue;
         // A body that is put back is in the way of what follows it, which would then be deep in it.
         if (!mayPass(body.object, other, relativeDisplacement(body, other))) continue;
         fraction = std::min(fraction, timeOfImpact(body.object.collider, path, other.collider, pathOf(other, still)));
@@ -176,61 +204,97 @@ double ContinuousCollision::fractionOf(DynamicBody& body, PhysicsBodies& bodies,
     return fraction;
 }
 
-/// Stops a body no later than at a fraction of the step; false if it stops before already.
-bool ContinuousCollision::stopAt(uint32_t slot, double fraction) {
-    for (Stop& stop : m_stops) {
-        if (stop.slot != slot) continue;
-        if (stop.fraction <= fraction) return false;
-        stop.fraction = fraction;
-        return true;
-    }
-    m_stops.push_back({slot, fraction});
-    return true;
+/// Stops a body no later than at a fraction of the step.
+void ContinuousCollision::stopAt(const DynamicBody& body, double fraction) {
+    double& known = m_fractions[size_t(body.solverIndex)];
+    if (fraction > 1.0 || known <= fraction) return;
+    known = fraction;
+    m_queue.push_back({fraction, body.handle().slot()});
+    std::ranges::push_heap(m_queue, std::greater());
 }
 
 /// Bodies that are joined stop together, or their joints would pull them through.
-void ContinuousCollision::stopJointed(const PhysicsBodies& bodies, const JointTable& joints) {
-    for (bool more = true; more;) {
-        more = false;
-        for (size_t i = 0; i < m_stops.size(); ++i) {  // the list grows
-            const Stop stop = m_stops[i];
-            for (const uint32_t joint : joints.of(stop.slot))
-                for (const BodyHandle handle : joints.at(joint)->bodies)
-                    if (const DynamicBody* body = handle ? bodies.find(handle) : nullptr; body && !body->asleep())
-                        more = stopAt(handle.slot(), stop.fraction) || more;
-        }
+void ContinuousCollision::stopJointed(const DynamicBody& body, const PhysicsBodies& bodies, const JointTable& joints) {
+    for (const uint32_t joint : joints.of(body.handle().slot()))
+        for (const BodyHandle handle : joints.at(joint)->bodies)
+            if (const DynamicBody* other = handle ? bodies.find(handle) : nullptr; other && !other->asleep())
+                stopAt(*other, m_fractions[size_t(body.solverIndex)]);
+}
+
+/// Stops what would come, in the rest of the step, to where a body stops.
+void ContinuousCollision::stopFollowers(const DynamicBody& body, PhysicsBodies& bodies, const JointTable& joints) {
+    const double from = m_fractions[size_t(body.solverIndex)];
+    const std::array<Pose, 2> still{SweptPose{body.stepPath}.at(from), SweptPose{body.stepPath}.at(from)};
+    findPairs(body, boundsOf(body.object, {still}), bodies, joints);
+    for (const auto& [first, second] : m_pairs) {
+        const CollisionObject& other = first == &body.object ? *second : *first;
+        if (!isMoving(other) || !other.dynamic->finite()) continue;
+        if (isFree(*other.dynamic) && isSolid(other) && isSolid(body.object)) continue;
+        const double to = std::min(m_fractions[size_t(other.dynamic->solverIndex)], 1.0);
+        if (to <= from) continue;
+        std::array<Pose, 2> ends;
+        const std::vector<Pose> rest = partOf(simplified(*other.dynamic, ends), from, to);
+        if (!mayPass(body.object, other, displacement(rest.front(), rest.back(), other.radius))) continue;
+        const double hit = timeOfImpact(other.collider, {rest}, body.object.collider, {still});
+        if (hit <= 1.0) stopAt(*other.dynamic, from + hit * (to - from));
     }
+}
+
+/// Puts a body back to where it was at a fraction of the step.
+void ContinuousCollision::putBack(DynamicBody& body, double fraction, const glm::dvec3& gravity) const {
+    const Pose pose = SweptPose{body.stepPath}.at(fraction);
+    SolverBody& motion = body.motion;
+    // The height that it did not fall is not in its speed.
+    const double speed2 = glm::dot(motion.velocity, motion.velocity),
+                 fallen = 2.0 * body.gravityScale * glm::dot(gravity, motion.position - pose.position);
+    if (fallen > 0.0 && speed2 > 0.0) motion.velocity *= std::sqrt(std::max(0.0, speed2 - fallen) / speed2);
+    motion.position = pose.position;
+    turnBack(motion, pose.rotation);
+    body.setPose();
 }
 
 bool ContinuousCollision::stop(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings,
                                const glm::dvec3& gravity) {
     if (!settings.continuous) return false;
-    m_stops.clear();
+    m_swept.clear();
     for (const uint32_t slot : bodies.awake()) {
         DynamicBody& body = bodies.at(slot);
-        if (!body.finite() || !needsSweep(body, settings.stepSeconds)) {
+        if (body.finite() && needsSweep(body, settings.stepSeconds))
+            m_swept.push_back(slot);
+        else
             body.held = 0;
-            continue;
-        }
-        const double hit = fractionOf(body, bodies, joints);
-        const double fraction = hit + kOverlap * body.object.smallestVoxel / displacementOf(body);
+    }
+    if (m_swept.empty()) return false;
+    for (const uint32_t slot : m_swept) {  // they are not where they were expected
+        std::array<Pose, 2> ends;
+        CollisionObject& object = bodies.at(slot).object;
+        const WorldBox swept = boundsOf(object, simplified(*object.dynamic, ends));
+        object.low = glm::min(object.low, swept.low), object.high = glm::max(object.high, swept.high);
+        bodies.broadphase().move(object);
+    }
+    m_fractions.assign(bodies.awake().size() + 1, kNoStop);
+    for (const uint32_t slot : m_swept) stopAt(bodies.at(slot), fractionOf(bodies.at(slot), bodies, joints));
+    while (!m_queue.empty()) {
+        const Stop next = m_queue.front();
+        std::ranges::pop_heap(m_queue, std::greater());
+        m_queue.pop_back();
+        const DynamicBody& body = bodies.at(next.slot);
+        if (m_fractions[size_t(body.solverIndex)] != next.fraction) continue;  // it stops before
+        if (!joints.empty()) stopJointed(body, bodies, joints);
+        stopFollowers(body, bodies, joints);
+    }
+    bool any = false;
+    for (const uint32_t slot : bodies.awake()) {
+        DynamicBody& body = bodies.at(slot);
+        const double hit = m_fractions[size_t(body.solverIndex)];
+        if (hit > 1.0 && body.held == 0) continue;
         body.held = isFree(body) || (body.held < kMaxHeld && hit < kNoProgress) ? body.held + 1 : 0;
-        if (fraction < 1.0) m_stops.push_back({slot, fraction});
+        const double fraction = hit + kOverlap * body.object.smallestVoxel / displacementOf(body);
+        if (!(fraction < 1.0)) continue;
+        putBack(body, fraction, gravity);
+        any = true;
     }
-    if (!joints.empty()) stopJointed(bodies, joints);
-    for (const Stop& stop : m_stops) {
-        DynamicBody& body = bodies.at(stop.slot);
-        const Pose pose = SweptPose{body.stepPath}.at(stop.fraction);
-        SolverBody& motion = body.motion;
-        // The height that it did not fall is not in its speed.
-        const double speed2 = glm::dot(motion.velocity, motion.velocity),
-                     fallen = 2.0 * body.gravityScale * glm::dot(gravity, motion.position - pose.position);
-        if (fallen > 0.0 && speed2 > 0.0) motion.velocity *= std::sqrt(std::max(0.0, speed2 - fallen) / speed2);
-        motion.position = pose.position;
-        turnBack(motion, pose.rotation);
-        body.setPose();
-    }
-    return !m_stops.empty();
+    return any;
 }
 
 }  // namespace rubble

@@ -1,4 +1,5 @@
 #pragma once
+#include <compare>
 #include <vector>
 
 #include "physics/joints/joint_table.h"
@@ -17,15 +18,22 @@ public:
               const glm::dvec3& gravity);
 
 private:
-    double fractionOf(DynamicBody& body, PhysicsBodies& bodies, const JointTable& joints);
-    bool stopAt(uint32_t slot, double fraction);
-    void stopJointed(const PhysicsBodies& bodies, const JointTable& joints);
-
+    /// A body stops where it has come to after this fraction of the step.
     struct Stop {
+        double fraction;
         uint32_t slot;
-        double fraction;  ///< of the step
+        auto operator<=>(const Stop&) const = default;
     };
-    std::vector<Stop> m_stops;
+    void findPairs(const DynamicBody& body, const WorldBox& box, PhysicsBodies& bodies, const JointTable& joints);
+    double fractionOf(DynamicBody& body, PhysicsBodies& bodies, const JointTable& joints);
+    void stopAt(const DynamicBody& body, double fraction);
+    void stopJointed(const DynamicBody& body, const PhysicsBodies& bodies, const JointTable& joints);
+    void stopFollowers(const DynamicBody& body, PhysicsBodies& bodies, const JointTable& joints);
+    void putBack(DynamicBody& body, double fraction, const glm::dvec3& gravity) const;
+
+    std::vector<uint32_t> m_swept;    ///< slots
+    std::vector<double> m_fractions;  ///< by solver index: where it stops; above 1: it does not
+    std::vector<Stop> m_queue;        ///< a heap, the first on top: what it holds up is still to be found
     std::vector<CollisionObject*> m_found;
     std::vector<ObjectPair> m_pairs;
 };

@@ -10,7 +10,11 @@
 //   * a sleeping body remembers what its neighbours pressed on it with when it fell asleep. It wakes when those that
 //     are awake press otherwise for kSteps steps on end: what is set down on it, lifted off it, or made heavier. What
 //     bounces or rolls past is gone by then. A pile shifts its forces a little while parts of it stir: of 1,416 such
-//     shifts in a pile of 200 that comes to rest, 12 were larger than a fifth of all that pressed on the body.
+//     shifts in a pile of 200 that comes to rest, 12 were larger than a fifth of all that pressed on the body;
+//   * what a level or a save has asleep has slept in balance, but the impulses are not in the file. If neither of two
+//   has
+//     moved since it was loaded, what the one that wakes presses on the other with, when the solver has found it, is
+//     what it pressed with before. So a saved pile sleeps on as one that was not saved.
 
 namespace rubble {
 namespace {
@@ -20,6 +24,7 @@ constexpr float kTouch = 0.005f;        ///< metres apart up to which a contact 
 constexpr double kWeightShare = 0.1;    ///< of a sleeper's weight, by which its load may change
 constexpr double kImpulseShare = 0.25;  ///< of all that its neighbours pressed on it with, by which it may change too
 constexpr int kSteps = 6;               ///< for which it may have changed by more
+constexpr int kStepsToLearn = 30;       ///< in which the solver finds the impulses of what wakes without any
 
 /// What a body got from the other one of a manifold in the last substep, N s.
 glm::dvec3 impulseOn(const DynamicBody& body, const Manifold& manifold) {
@@ -33,6 +38,20 @@ bool bears(const Manifold& manifold, bool isFirst, glm::dvec3 up) {
     for (const ManifoldPoint& point : manifold.all())
         if (point.separation < kTouch && sign * glm::dot(glm::dvec3(point.normal), up) > kBears) return true;
     return false;
+}
+
+/// By how much a sleeping body is pressed otherwise than before by one that now presses with an impulse, N s.
+glm::dvec3 changeBy(const DynamicBody& other, DynamicBody& sleeper, const glm::dvec3& impulse) {
+    std::vector<SleepLoad::Neighbour>& known = sleeper.sleepLoad.neighbours;
+    auto at = std::ranges::find(known, other.handle().slot(), &SleepLoad::Neighbour::slot);
+    if (at == known.end()) {
+        if (!sleeper.isAsLoaded || !other.isAsLoaded) return impulse;
+        at = known.insert(known.end(), {other.handle().slot(), glm::dvec3(0.0), kStepsToLearn});
+    }
+    if (at->stepsToLearn == 0) return impulse - at->impulse;
+    --at->stepsToLearn;
+    at->impulse = impulse;
+    return glm::dvec3(0.0);
 }
 
 }  // namespace
@@ -70,14 +89,13 @@ void Loads::wakeOverloaded(PhysicsBodies& bodies, std::span<Manifold* const> man
             load.change = glm::dvec3(0.0);
             m_touched.push_back(&sleeper);
         }
-        load.change += impulseOn(sleeper, *manifold);
-        for (const auto& [slot, impulse] : load.impulses)
-            if (slot == other.handle().slot()) load.change -= impulse;
+        load.change += changeBy(other, sleeper, impulseOn(sleeper, *manifold));
     }
     for (DynamicBody* sleeper : m_touched) {
         SleepLoad& load = sleeper->sleepLoad;
         double limit = kWeightShare * sleeper->mass().mass * glm::length(gravity) * substep;
-        for (const auto& [slot, impulse] : load.impulses) limit += kImpulseShare * glm::length(impulse);
+        for (const SleepLoad::Neighbour& neighbour : load.neighbours)
+            limit += kImpulseShare * glm::length(neighbour.impulse);
         const bool isChanged = glm::length(load.change) > limit;
         load.changedSteps = isChanged ? load.changedSteps + 1 : 0;
         if (load.changedSteps >= kSteps) bodies.wakeOrWait(*sleeper);
@@ -87,7 +105,7 @@ void Loads::wakeOverloaded(PhysicsBodies& bodies, std::span<Manifold* const> man
 void Loads::record(std::span<Manifold* const> manifolds) {
     const auto note = [](const CollisionObject& object, const CollisionObject& other, const Manifold& manifold) {
         if (!object.dynamic || !other.dynamic || object.dynamic->sleepLoad.isNoted) return;
-        object.dynamic->sleepLoad.impulses.emplace_back(other.body, impulseOn(*object.dynamic, manifold));
+        object.dynamic->sleepLoad.neighbours.push_back({other.body, impulseOn(*object.dynamic, manifold)});
     };
     for (const Manifold* manifold : manifolds) {
         const auto [first, second] = manifold->objects;

@@ -110,6 +110,13 @@ void PhysicsBodies::createDynamic(const World& world, BodyHandle handle, bool as
     body->quarantine();
 }
 
+void PhysicsBodies::loadDynamic(const World& world, BodyHandle handle) {
+    createDynamic(world, handle, world.bodies().at(handle).asleep);
+    DynamicBody& body = at(handle.slot());
+    body.isAsLoaded = true;
+    body.wakesLoad = false;  // what it bears was asleep already
+}
+
 /// Puts a body into the broadphase and among the awake; false if its numbers are invalid or it has no voxels.
 bool PhysicsBodies::insert(const World& world, DynamicBody& body, bool asleep) {
     if (body.object.collider.empty() || !body.finite() || m_limits.isOutOfRange(body)) return false;

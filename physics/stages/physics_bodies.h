@@ -23,6 +23,8 @@ public:
     void updateStatic(const World& world, ShapeHandle handle, const FrameChanges& changes);
     /// Creates a dynamic body, or replaces it. One whose numbers are invalid is quarantined, with a warning.
     void createDynamic(const World& world, BodyHandle handle, bool asleep);
+    /// The same as World has it between two steps, in balance with what sleeps around it.
+    void loadDynamic(const World& world, BodyHandle handle);
     /// Removes a dynamic body and wakes what touched it. Does nothing if the handle is stale.
     void destroyDynamic(BodyHandle handle);
     /// Takes over a change of a dynamic body, or creates it, and wakes what touched it before. onlyCarved: nothing but

@@ -71,7 +71,7 @@ void wakeTouched(PhysicsBodies& bodies) {
         DynamicBody& body = bodies.at(slot);
         if (!body.sleepTimer.hasMoved(body.pose(), body.object.radius, kWakeDistance)) continue;
         if (body.newlyAwake) bodies.wakeTouching(body.object.low, body.object.high);
-        body.newlyAwake = false;
+        body.newlyAwake = body.isAsLoaded = false;
         std::sort(body.sleepersTouched.begin(), body.sleepersTouched.end());
         for (const uint32_t touched : body.sleepersTouched)
             if (DynamicBody* sleeper = bodies.dynamicAt(touched)) bodies.wakeOrWait(*sleeper);
