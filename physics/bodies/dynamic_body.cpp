@@ -173,6 +173,14 @@ glm::dvec3 velocityAt(const CollisionObject& object, const glm::dvec3& point) {
     return motion.velocity + glm::cross(motion.angularVelocity, point - motion.position);
 }
 
+bool isSolid(const CollisionObject& object) {
+    const auto& parts = object.collider.parts;
+    if (parts.size() != 1) return false;
+    if (parts[0]->round()) return true;
+    const PartSurface* surface = parts[0]->whole();
+    return surface && !surface->hasGaps;
+}
+
 bool mayPass(const CollisionObject& a, const CollisionObject& b, double displacement) {
     if (!a.dynamic || a.dynamic->asleep() || !b.dynamic || b.dynamic->asleep()) return true;
     return !isSolid(a) || !isSolid(b) || displacement > a.minHalfExtent + b.minHalfExtent;

@@ -31,4 +31,21 @@ SolidRows::SolidRows(const VoxelGrid& grid, const CellBox& box) : m_box(box), m_
             }
 }
 
+bool SolidRows::hasGaps() const {
+    for (const uint64_t row : m_rows)
+        if (const uint64_t starts = row & ~(row << 1); starts & (starts - 1)) return true;
+    const auto hasGapsAlong = [&](int outer, int outerStride, int inner, int innerStride) {
+        for (int i = 0; i < outer; ++i) {
+            uint64_t seen = 0, gaps = 0;
+            for (int k = 0; k < inner; ++k) {
+                const uint64_t row = m_rows[size_t(i * outerStride + k * innerStride)];
+                if (row & gaps) return true;
+                seen |= row, gaps |= seen & ~row;
+            }
+        }
+        return false;
+    };
+    return hasGapsAlong(m_nz, m_ny, m_ny, 1) || hasGapsAlong(m_ny, 1, m_nz, m_ny);
+}
+
 }  // namespace rubble

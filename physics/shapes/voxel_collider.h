@@ -35,6 +35,7 @@ struct PartSurface {
         : rows(grid, bounds),
           box(findBoxSurface(rows)),
           hull(box ? HullPoints(bounds) : HullPoints(rows)),
+          hasGaps(!box && rows.hasGaps()),
           entry(commonEntry(grid)) {}
     /// What boxes that meet boxes do not need. [any thread]
     const FeatureList& features() const {
@@ -44,6 +45,7 @@ struct PartSurface {
     SolidRows rows;
     std::optional<BoxSurface> box;
     HullPoints hull;
+    bool hasGaps;   ///< see SolidRows
     uint8_t entry;  ///< of the palette, of all its voxels; 0: they have several
 
 private:

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
+#include "runtime/core/constants.h"
 #include "tests/physics/scenes/known_scenes.h"
 #include "tests/physics/scenes/load_scenes.h"
 
@@ -66,20 +65,20 @@ TEST(BoxOfCubes, NothingLeavesABoxThatAMotorShakes) {
         for (const double speed : {5.0, 10.0, 20.0}) {
             BoxOfCubes scene({}, wall, 8);
             Joint& joint =
-                known::addJoint(scene, JointKind::Prismatic, "", "body 0", {0.0, 0.0, 0.0}, {0.5, 0.5, 0.5}).joint;
+                known::addJoint(scene, JointKind::Prismatic, "", "body 0", {0.0, -0.45, 0.0}, {0.5, 0.05, 0.5}).joint;
+            joint.ends[0].frame.rotation = joint.ends[1].frame.rotation =
+                glm::angleAxis(0.5 * kPi, glm::dvec3(0.0, 0.0, 1.0));
             joint.motor = {MotorMode::Speed, speed, 1e7};
             scene.load();
-            double farthest = 0.0, way = 0.0;
+            double way = 0.0;
             for (int i = 0; i < 120; ++i) {
                 const glm::dvec3 before = scene.center(0);
                 const JointMotor motor{MotorMode::Speed, i / 6 % 2 ? -speed : speed, 1e7};
                 scene.stepWith({SetJointMotorEdit{.joint = scene.world.joints().handleAt(0), .motor = motor}});
                 way += glm::length(scene.center(0) - before);
-                farthest = std::max(farthest, glm::length(scene.center(0)));
             }
             EXPECT_EQ(scene.outside(), 0) << "walls of " << wall << " voxels, " << speed << " m/s";
-            std::printf("wall %d speed %.0f: way %.2f of %.2f, farthest %.2f\n", wall, speed, way, 2.0 * speed,
-                        farthest);
+            EXPECT_GT(way, speed) << "the motor shakes it";
         }
 }
 
