@@ -25,12 +25,6 @@ Pose inverse(const Pose& pose) {
     return {-(rotation * pose.position), rotation};
 }
 
-/// Whether an object is solid: what is neither a box nor round may be hollow, and of thin walls.
-bool isSolid(const CollisionObject& object) {
-    const auto& parts = object.collider.parts;
-    return parts.size() == 1 && (parts[0]->box() || parts[0]->round());
-}
-
 }  // namespace
 
 DynamicBody::DynamicBody(const World& world, BodyHandle handle)
