@@ -94,31 +94,6 @@ TEST_F(AbiDeltas, AWorldThatFollowsHasNoReports) {
     EXPECT_EQ(reports.break_count, 0u);
 }
 
-/// A follower reads palettes anew; only other colours make meshes stale.
-TEST_F(AbiDeltas, MeshesOfAWorldThatFollowsAreUpdatedByBricks) {
-    const rubble_shape wall = make(shapeOn(make(bodyAt(10.0, 0.0, RUBBLE_BODY_STATIC)), RUBBLE_SHAPE_BOX, 40));
-    step();
-    copyTo(m_other);
-    uint64_t version = 0, same = 0;
-    ASSERT_EQ(api()->translate_handle(m_other, wall, &same), RUBBLE_OK);
-    std::vector<rubble_brick> bricks(1000);
-    const auto list = [&](uint32_t& count) {
-        auto changes = sized<rubble_brick_changes>();
-        changes.shape = same, changes.what = RUBBLE_BRICKS_MESHES, changes.since = version;
-        return api()->get_changed_bricks(m_other, &changes, &version, bricks.data(), uint32_t(bricks.size()), &count);
-    };
-    uint32_t whole = 0, changed = 0;
-    ASSERT_EQ(list(whole), RUBBLE_OK);
-    auto carve = sized<rubble_carve>();
-    carve.position[0] = 10.0, carve.radii[0] = carve.radii[1] = carve.radii[2] = 0.35, carve.shape = wall;
-    ASSERT_EQ(api()->carve(m_world, &carve), RUBBLE_OK);
-    step();
-    ASSERT_EQ(apply(take()), RUBBLE_OK) << api()->get_last_error();
-    ASSERT_EQ(list(changed), RUBBLE_OK) << api()->get_last_error();
-    EXPECT_GT(changed, 0u);
-    EXPECT_LT(changed, whole / 4);
-}
-
 TEST_F(AbiDeltas, AnotherWorldFollowsStepByStep) {
     ASSERT_EQ(resolved(m_world), resolved(m_other));
     breakTable();

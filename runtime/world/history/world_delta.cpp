@@ -52,12 +52,6 @@ bool haveOtherMaterials(const PaletteRef& a, const PaletteRef& b) {
                        [](const PaletteEntry& one, const PaletteEntry& two) { return one.material == two.material; });
 }
 
-/// Whether two shared values differ; what a follower reads is equal to what it had, but not the same.
-template <class T>
-bool differ(const std::shared_ptr<const T>& a, const std::shared_ptr<const T>& b) {
-    return a != b && !(a && b && *a == *b);
-}
-
 void journalBricks(ShapeHandle handle, const Shape& was, const Shape& is, FrameChanges& changes) {
     bool isCarved =
         changes.materialsChanged || was.density != is.density || haveOtherMaterials(was.palette, is.palette);
@@ -67,7 +61,7 @@ void journalBricks(ShapeHandle handle, const Shape& was, const Shape& is, FrameC
         changes.bricks.push_back({handle, position, is.grid.shareBrick(position)});
     });
     if (isCarved) changes.carved.push_back(handle);
-    if (differ(was.palette, is.palette) || differ(was.paintColors, is.paintColors) || was.emission != is.emission)
+    if (was.palette != is.palette || was.paintColors != is.paintColors || was.emission != is.emission)
         changes.palettes.push_back(handle);
     if (was.collisionLayer != is.collisionLayer || was.collisionMask != is.collisionMask ||
         was.collisionShape != is.collisionShape || was.strength != is.strength || was.density != is.density ||
