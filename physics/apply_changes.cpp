@@ -82,10 +82,7 @@ void PhysicsWorld::Impl::load(const World& world) {
     setGravity(world);
     characters.load(world, bodies);
     world.waters().forEach([&](WaterHandle handle, const Water& water) { waters.set(handle.slot(), &water); });
-    world.bodies().forEach([&](BodyHandle handle, const Body& body) {
-        if (!body.isStatic) return bodies.loadDynamic(world, handle);
-        for (const ShapeHandle shape : body.shapes) bodies.createStatic(world, shape);
-    });
+    world.bodies().forEach([&](BodyHandle handle, const Body&) { bodies.load(world, handle); });
     world.joints().forEach([&](JointHandle handle, const Joint&) { joints.create(world, handle, bodies); });
 }
 

@@ -94,23 +94,19 @@ struct Renderer::Impl {
     void drawLight(const FrameContext& frame);
     void drawImage(const FrameContext& frame, const View& view);
     void showImage(const FrameContext& frame, const View& view);
-
     /// For passes of what most scenes never have: builds the pass with the first frame that needs it.
     template <class Pass, class... Rest>
     void drawLazily(std::optional<Pass>& pass, const FrameContext& frame, const Rest&... rest) {
         if (!pass) pass.emplace(shaders);
         pass->draw(frame, rest...);
     }
-
     bool isGlassSunlit() const { return settings.sun && block.sunDirection.y > 0.0f && scene.hasGlass(); }
-
     /// The passes of sun, sky and local lights write or add to different channels of it.
     void clearNoisyLight(const FrameContext& frame) {
         frame.targets.framebuffer({&frame.targets.target(Target::NoisyLight)}).begin();
         const float none[4] = {0, 0, 0, 0};
         glClearBufferfv(GL_COLOR, 0, none);
     }
-
     template <class F>
     void run(const char* name, TargetSet reads, TargetSet writes, F&& draw) {
         choice.beginPass(name), timer.begin(name, int(choice.method()));
@@ -453,9 +449,14 @@ void Renderer::apply(FrameSnapshot&& snapshot) {
 void Renderer::draw(const View& view, float alpha) {
     m_impl->draw(view, alpha);
 }
-
 const std::string& Renderer::lastError() const {
     return m_impl->lastError;
+}
+std::vector<std::string> Renderer::shaderErrors() const {
+    return m_impl->shaders.errors();
+}
+const RenderStats& Renderer::stats() const {
+    return m_impl->stats;
 }
 
 bool Renderer::reloadShaders() {
@@ -464,10 +465,6 @@ bool Renderer::reloadShaders() {
     const bool any = m_impl->shaders.reloadChanged();
     if (any) m_impl->greenUntil = m_impl->settings.seconds() + kGreenSeconds;
     return any;
-}
-
-std::vector<std::string> Renderer::shaderErrors() const {
-    return m_impl->shaders.errors();
 }
 
 bool Renderer::showPass(std::string_view name) {
@@ -490,18 +487,14 @@ Result<FloatImage> Renderer::readTarget(std::string_view name) const {
     ViewHistory* drawn = m_impl->histories.last();
     const Texture* texture = drawn && !m_impl->check.isLost() ? drawn->targets.find(declared->id) : nullptr;
     if (!texture) return Error{text + "no pass has drawn it; call draw() with the settings that need it"};
-    if (pixelFormat(texture->internalFormat()).format == GL_DEPTH_COMPONENT)
-        return Error{text + "expected colours, found a depth buffer"};
+    const bool isDepth = pixelFormat(texture->internalFormat()).format == GL_DEPTH_COMPONENT;
+    if (isDepth) return Error{text + "expected colours, found a depth buffer"};
     const GlStateGuard hostState = m_impl->guardHostState();
     const PixelPackGuard packing;
     FloatImage image(texture->size());
     drawn->targets.framebuffer({texture}).begin();
     glReadPixels(0, 0, image.size.x, image.size.y, GL_RGBA, GL_FLOAT, image.pixels.data());
     return image;
-}
-
-const RenderStats& Renderer::stats() const {
-    return m_impl->stats;
 }
 
 }  // namespace rubble

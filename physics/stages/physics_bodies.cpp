@@ -108,6 +108,7 @@ void PhysicsBodies::wakeAtChangedCells(const CollisionObject* before, const Coll
         if (object && !object->collider.empty()) wakeTouching(object->low, object->high);
 }
 
+/// Or replaces it. One whose numbers are invalid is quarantined, with a warning.
 void PhysicsBodies::createDynamic(const World& world, BodyHandle handle, bool asleep) {
     const uint32_t slot = handle.slot();
     slotOf(m_handles, slot) = handle;
@@ -124,11 +125,16 @@ void PhysicsBodies::createDynamic(const World& world, BodyHandle handle, bool as
     body->quarantine();
 }
 
-void PhysicsBodies::loadDynamic(const World& world, BodyHandle handle) {
-    createDynamic(world, handle, world.bodies().at(handle).asleep);
-    DynamicBody& body = at(handle.slot());
-    body.isAsLoaded = true;
-    body.wakesLoad = false;  // what it bears was asleep already
+void PhysicsBodies::load(const World& world, BodyHandle handle) {
+    const Body& body = world.bodies().at(handle);
+    if (body.isStatic) {
+        for (const ShapeHandle shape : body.shapes) createStatic(world, shape);
+        return;
+    }
+    createDynamic(world, handle, body.asleep);
+    DynamicBody& made = at(handle.slot());
+    made.isAsLoaded = true;
+    made.wakesLoad = false;  // what it bears was asleep already
 }
 
 /// Puts a body into the broadphase and among the awake; false if its numbers are invalid or it has no voxels.

@@ -14,19 +14,17 @@ namespace rubble {
 /// is awake; and the broadphase. [main-thread]
 class PhysicsBodies {
 public:
-    /// Creates the object of a static body's shape, where there is none.
-    void createStatic(const World& world, ShapeHandle handle);
-    /// The same, also where there is one. Wakes what touched the cells that are gone, and what is where new ones are.
+    /// Creates a body that is not there yet as the World has it between two steps, in balance with what sleeps around
+    /// it.
+    void load(const World& world, BodyHandle handle);
+    /// Creates the object of a static body's shape, or replaces it. Wakes what touched the cells that are gone, and
+    /// what is where new ones are.
     void replaceStatic(const World& world, ShapeHandle handle);
     /// Removes the object of a static body's shape and wakes what touched it. Does nothing if there is none.
     void removeStatic(uint32_t shapeSlot);
     /// Takes over a cut of a static shape, and wakes what touched the changed bricks. Does nothing if it was not
     /// static.
     void updateStatic(const World& world, ShapeHandle handle, const FrameChanges& changes);
-    /// Creates a dynamic body, or replaces it. One whose numbers are invalid is quarantined, with a warning.
-    void createDynamic(const World& world, BodyHandle handle, bool asleep);
-    /// The same as World has it between two steps, in balance with what sleeps around it.
-    void loadDynamic(const World& world, BodyHandle handle);
     /// Removes a dynamic body and wakes what touched it. Does nothing if the handle is stale.
     void destroyDynamic(BodyHandle handle);
     /// Takes over a change of a dynamic body, or creates it, and wakes what touched it before. onlyCarved: nothing but
@@ -76,6 +74,8 @@ public:
     Broadphase& broadphase() { return m_broadphase; }
 
 private:
+    void createStatic(const World& world, ShapeHandle handle);
+    void createDynamic(const World& world, BodyHandle handle, bool asleep);
     bool insert(const World& world, DynamicBody& body, bool asleep);
     std::unique_ptr<CollisionObject> takeStatic(uint32_t shapeSlot);
     void wakeAtBricks(const CollisionObject& object, const std::vector<glm::ivec3>& bricks);

@@ -9,6 +9,7 @@ namespace rubble {
 /// may mean objects of another one.
 class WithoutGlContext {
 public:
+    /// isGone: whether there is no context; false changes nothing.
     explicit WithoutGlContext(bool isGone) : m_before(std::exchange(s_isGone, isGone)) {}
     ~WithoutGlContext() { s_isGone = m_before; }
     WithoutGlContext(const WithoutGlContext&) = delete;

@@ -4,8 +4,8 @@
 
 #include "render/frame/shader_constants.h"
 #include "runtime/core/world_box.h"
+#include "runtime/frame/frame_snapshot.h"
 #include "runtime/voxel/palette.h"
-#include "runtime/world/objects/lights.h"
 
 namespace rubble {
 

@@ -43,7 +43,7 @@ public:
     /// Removes all bricks.
     void clear();
     /// Makes room for all patches with content, as far as the table spans. If most bricks are in the paged part then,
-    /// as at first, the dense part is made anew for the bulk of them.
+    /// as at first, the dense part is made again for the bulk of them.
     void reach(const std::vector<ShadowPatch>& patches);
     /// Whether there is room for a brick.
     bool holds(glm::ivec3 brick) const;
@@ -93,7 +93,7 @@ public:
     const Part& paged() const { return m_paged; }
     /// How many bricks have no room. Rays do not meet them.
     int64_t beyond() const { return int64_t(m_beyond.size()); }
-    /// The sector in the middle of most bricks, as it was when room was last given anew.
+    /// The sector in the middle of most bricks, as it was when room was last given again.
     glm::ivec3 middle() const { return m_middle; }
     /// How many texels were written since it was made: work that tests count.
     uint64_t writtenTexels() const { return m_writtenTexels; }
@@ -115,7 +115,7 @@ private:
     struct Place {
         double squaredDistance;  ///< of its sector from m_middle, in sectors
         int z, y, x;
-        glm::ivec3 brick() const { return {x, y, z}; }
+        glm::ivec3 brick() const { return {x, y, z}; }  ///< the brick itself
         auto operator<=>(const Place&) const = default;
     };
     Place placeOf(glm::ivec3 brick) const;

@@ -21,6 +21,7 @@ class FileClaim {
 public:
     FileClaim() = default;
     ~FileClaim() { release(); }
+    /// Takes the claim over.
     FileClaim(FileClaim&& other) noexcept : m_file(std::exchange(other.m_file, {})) {}
     FileClaim& operator=(FileClaim&& other) noexcept {
         std::swap(m_file, other.m_file);

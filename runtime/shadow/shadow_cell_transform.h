@@ -33,9 +33,9 @@ inline std::array<double, 3> toDoubles(const FixedPoint& p) {
 /// No light leaks: the cells along a ray share faces, so their samples are joined by steps no longer than a voxel, and
 /// such steps cannot cross a wall that is one voxel thick, whatever its rotation.
 ///
-/// No shape shadows itself: a sample of a set cell lies in the shape. If it is the centre, the cell extends at most half
-/// its extent along the normal out of a face, with more samples at most all of it, and a ray that starts there never
-/// meets it (surfaceOrigin() in shaders/lib/shadow_trace.glsl).
+/// No shape shadows itself: a sample of a set cell lies in the shape. If it is the centre, the cell extends at most
+/// half its extent along the normal out of a face, with more samples at most all of it, and a ray that starts there
+/// never meets it (surfaceOrigin() in shaders/lib/shadow_trace.glsl).
 struct ShadowCellTransform {
     glm::ivec3 base{0};                ///< a shadow cell
     FixedPoint origin{};               ///< its first sample

@@ -1,7 +1,7 @@
 // What the G-buffer holds and how to read it. Targets (made by render/passes/gbuffer_pass.h):
 //   albedo        RGBA8    rgb sRGB colour; a palette index / 255 (0 = sky)
-//   normal        RGBA16F  xyz world normal, unit length, or 0 where the pixel's ray begins inside the voxel; w emission,
-//                          a multiple of the linear colour, or if its voxels are finer than shadow cells
+//   normal        RGBA16F  xyz world normal, unit length, or 0 where the pixel's ray begins inside the voxel; w
+//                          emission, a multiple of the linear colour, or if its voxels are finer than shadow cells
 //                          -(kFineVoxels + emission)
 //   material      RGBA8    r roughness, g metallic, b reflectivity: reflectance at normal incidence; a tilt of the face
 //                          as decodeTilt() reads it, or 1 less that value if the body moves

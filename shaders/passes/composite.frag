@@ -102,7 +102,8 @@ void main() {
     Surface s = readSurface(pixel);
     vec3 ray = viewRay(uv);
     vec3 direction = normalize(ray);
-    vec3 viewIndependent = s.albedo * (kInsideLight / max(frame.exposure.x, 1e-3) + s.emission), color = viewIndependent;
+    vec3 viewIndependent = s.albedo * (kInsideLight / max(frame.exposure.x, 1e-3) + s.emission);
+    vec3 color = viewIndependent;
     if (s.lit) color = surfaceRadiance(s, -direction, pixel, viewIndependent);
     diffuseFraction = vec4(clamp(luminance(viewIndependent) / max(luminance(color), 1e-4), 0.0, 1.0));
     color = mix(color, hazeRadiance(direction), hazeAmount(length(ray) * s.depth));

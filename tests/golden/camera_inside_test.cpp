@@ -29,7 +29,7 @@ PaletteRef palette() {
     return palette;
 }
 
-/// A floor in the sun, a block of one kind of voxel round the world's origin, a post to see and a lamp beside it.
+/// A floor in the sun, a block of one kind of voxel round the world's origin, a post to see and a light beside it.
 LitScene blockOf(uint8_t entry, glm::dquat rotation = {1, 0, 0, 0}) {
     LitScene scene(palette());
     scene.environment.sunDirection = {0.4f, 0.6f, 0.5f};

@@ -40,7 +40,7 @@ constexpr Fault kFaults[] = {
     {"exposure off by a tenth", "lib/display.glsl", "kFilmExposure = 0.5", "kFilmExposure = 0.55"},
     {"the filter crosses edges", "passes/filter.frag",
      "there.y == centre.y ? planeWeight(plane, vec2(p - pixel), there.x) : 0.0", "1.0"},
-    {"history counts for nothing", "passes/accumulate.frag", "mix(history.light, now, blend)", "now"},
+    {"history counts for nothing", "passes/accumulate.frag", "mix(history.light, now, blends)", "now"},
     {"empty blocks are too large", "lib/cell_walk.glsl", "return 2;", "return 4;"},
     {"palette indices from the wrong row", "lib/bodies.glsl", "(c.x >> 2) + c.y * 2", "(c.x >> 2) + c.y * 4"},
     {"mirror rays go inward", "passes/reflections.frag", "reflect(-m.view", "reflect(m.view"},

@@ -288,7 +288,7 @@ TEST_P(Ghosts, ALightThatGoesOutLeavesNoGlow) {
     now.palettes.push_back({m_stage.bulb, palette(false), nullptr});
     renderer->apply(std::move(now));
     m_isLightOut = true;
-    expectNoGhost("out", 0.044);
+    expectNoGhost("out", 0.045);
 }
 
 TEST_P(Ghosts, AStillImageStaysStill) {

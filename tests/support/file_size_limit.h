@@ -8,6 +8,7 @@ namespace rubble {
 /// Files of this process and of its children get no longer than some bytes while it lives, as on a disk that is full.
 class FileSizeLimit {
 public:
+    /// Of the longest file.
     explicit FileSizeLimit(rlim_t bytes) {
         getrlimit(RLIMIT_FSIZE, &m_before);
         const rlimit small{bytes, m_before.rlim_max};

@@ -38,7 +38,9 @@ protected:
         s_goneRenderer = world.live().at("rubble_renderer");
     }
     void TearDown() override {
-        if (s_context) EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+        if (s_context) {
+            EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+        }
         Refusals::TearDown();
     }
     static inline std::unique_ptr<GlContext> s_context;

@@ -6,57 +6,12 @@
 #include "runtime/core/random.h"
 #include "runtime/world/edits/edit_error.h"
 #include "tests/runtime/world/journal_check.h"
-#include "tests/runtime/world/worlds.h"
-#include "tests/support/grids.h"
+#include "tests/runtime/world/undo_world.h"
 
 namespace rubble {
 namespace {
 
 using namespace test;
-
-constexpr HistoryEdit kMark{HistoryAction::Mark}, kUndo{HistoryAction::Undo}, kRedo{HistoryAction::Redo};
-
-/// A wall, a post that glows at its top, and a flying crate.
-World smallWorld() {
-    Level level = oneShapeLevel(solidGrid({40, 24, 6}, 1), true);
-    level.lightGroups.push_back({"light", 0.3f});
-    LevelBody post{.name = "post", .pose = {{6.0, 0.0, 0.0}}};
-    LevelShape shape = levelShape("post", solidGrid({3, 30, 3}, 2));
-    auto palette = std::make_shared<Palette>(*shape.palette);
-    (*palette)[9] = (*palette)[1];
-    (*palette)[9].emission = 5.0f;
-    (*palette)[9].lightGroup = 1;
-    shape.palette = palette;
-    {
-        GridWriter writer(shape.grid);
-        for (int y = 26; y < 30; ++y) writer.set({1, y, 1}, 9), writer.set({0, y, 0}, 9);
-    }
-    post.shapes.push_back(std::move(shape));
-    level.bodies.push_back(std::move(post));
-    LevelBody crate{.name = "crate", .pose = {{0.0, 4.0, 0.0}}, .isStatic = false, .velocity = {1.0f, 0.0f, 0.0f}};
-    crate.shapes.push_back(levelShape("crate", solidGrid({12, 12, 12}, 1)));
-    level.bodies.push_back(std::move(crate));
-    level.lights.push_back({Light{.name = "bulb", .local = {{0.15, 2.8, 0.15}}}, "post", "light"});
-    World world;
-    world.load(level);
-    WorldSettings settings;
-    settings.undoMarks = 100;
-    world.setSettings(settings);
-    return world;
-}
-
-/// Moves every free body a little, in place of physics.
-void move(World& world, double metres) {
-    std::vector<BodyPose> poses;
-    world.bodies().forEach([&](BodyHandle handle, const Body& body) {
-        if (body.isStatic) return;
-        BodyPose pose{handle, body.pose, body.velocity, body.angularVelocity, false};
-        pose.pose.position.x += metres;
-        pose.velocity.y -= metres;
-        poses.push_back(pose);
-    });
-    world.setPoses(poses);
-}
 
 LightHandle anyLight(const World& world, Random& random) {
     return world.lights().handleAt(random.below(uint32_t(world.lights().slotCount())));
@@ -343,55 +298,6 @@ TEST(UndoHistory, MarksAndTheirLimitComeBeforeTheOtherEditsOfAStepInTheirOrder) 
     world.applyEdits({SettingsEdit{settings}, kMark});
     EXPECT_EQ(lines.size(), 1u) << "no marks are kept any more";
     setLogSink(nullptr, nullptr);
-}
-
-TEST(UndoHistory, GoesToTheMarkBeforeUnlessSomethingHasChangedSinceTheLastUndo) {
-    World world = smallWorld();
-    std::vector<uint64_t> atMark;
-    for (int i = 0; i < 3; ++i) {
-        atMark.push_back(resolvedHash(world));
-        world.applyEdits({kMark, sphereCarve({0.5 + i, 1.2, 0.3}, 0.4)});
-    }
-    const auto undone = [&] {
-        world.applyEdits({kUndo});
-        return resolvedHash(world);
-    };
-    EXPECT_EQ(undone(), atMark[2]);
-    world.applyEdits({sphereCarve({3.5, 1.2, 0.3}, 0.4)});
-    EXPECT_EQ(undone(), atMark[2]) << "a change since then is undone first";
-    move(world, 0.5);
-    world.applyEdits({});
-    EXPECT_EQ(undone(), atMark[1]) << "motion is no change";
-    EXPECT_EQ(undone(), atMark[0]);
-    EXPECT_EQ(undone(), atMark[0]) << "there is no mark before";
-}
-
-TEST(UndoHistory, AMarkSinceWhichNothingHasChangedIsReturnedToAsWell) {
-    World world = smallWorld();
-    const auto afterStep = [&](Edits edits) {
-        world.applyEdits(std::move(edits));
-        return resolvedHash(world);
-    };
-    const uint64_t first = resolvedHash(world), second = afterStep({kMark, sphereCarve({0.5, 1.2, 0.3}, 0.4)});
-    afterStep({kMark});
-    afterStep({kMark});
-    EXPECT_EQ(afterStep({kUndo}), second) << "the change before the last mark stays";
-    EXPECT_EQ(afterStep({kUndo}), first);
-    EXPECT_EQ(afterStep({kRedo}), second);
-    EXPECT_EQ(afterStep({kRedo}), second);
-}
-
-TEST(UndoHistory, WithoutAMarkNothingIsUndone) {
-    World world = smallWorld();
-    world.applyEdits({sphereCarve({0.5, 1.2, 0.3}, 0.4)});
-    const uint64_t carved = resolvedHash(world);
-    world.applyEdits({kUndo});
-    EXPECT_EQ(resolvedHash(world), carved);
-    world.applyEdits({kMark, sphereCarve({1.5, 1.2, 0.3}, 0.4)});
-    world.applyEdits({kUndo});
-    EXPECT_EQ(resolvedHash(world), carved);
-    world.applyEdits({kUndo});
-    EXPECT_EQ(resolvedHash(world), carved) << "nor beyond the first one";
 }
 
 TEST(UndoHistory, DropsTheOldestMarksAndCostsNothingWhenOff) {
