@@ -7,8 +7,8 @@
 
 SHARED_CONSTANT float kSkyDepth = 65000.0;  // linear depth of pixels without a surface, metres; a half float holds it
 SHARED_CONSTANT float kNearestSurface = 1.0e-3;  // least linear depth of a surface: of a voxel that a ray begins in
-SHARED_CONSTANT float kShadowCell = 0.1;    // metres: side of a cell of the shadow volume
-SHARED_CONSTANT uint kHasGlass = 1u;        // flags of a shape's layout (lib/bodies.glsl)
+SHARED_CONSTANT float kShadowCell = 0.1;         // metres: side of a cell of the shadow volume
+SHARED_CONSTANT uint kHasGlass = 1u;             // flags of a shape's layout (lib/bodies.glsl)
 SHARED_CONSTANT uint kHasPaint = 2u;
 SHARED_CONSTANT float kMaxTilt = 0.3;         // tangent of the largest tilt of a face with a detail map
 SHARED_CONSTANT float kFinestBodyCell = 1.6;  // side of a body grid cell at level 0, metres; then four times as large
