@@ -275,7 +275,7 @@ TEST(Snapshots, AStepCostsTheSameHoweverManyBeforeItWereNotDrawn) {
     ASSERT_TRUE(snapshots.take());
     const size_t few = allocationsOfSteps(64, false);
     allocationsOfSteps(400, true);
-    EXPECT_LT(allocationsOfSteps(64, false), 2 * few);
+    EXPECT_LE(allocationsOfSteps(64, false), 2 * few);  // both 0 where a sanitizer has its own operator new
     const auto all = snapshots.take();
     ASSERT_TRUE(all);
     EXPECT_EQ(all->poses.size(), 400u);
