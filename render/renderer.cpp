@@ -5,6 +5,7 @@
 
 #include "render/frame/frame_context.h"
 #include "render/frame/fullscreen_mode.h"
+#include "render/frame/noise_texture.h"
 #include "render/frame/view_check.h"
 #include "render/frame/view_histories.h"
 #include "render/gl/offscreen.h"
@@ -37,7 +38,6 @@
 #include "render/scene/light_grid.h"
 #include "render/scene/scene.h"
 #include "render/scene/warm_up_scene.h"
-#include "runtime/core/blue_noise.h"
 #include "runtime/core/constants.h"
 #include "runtime/core/log.h"
 
@@ -60,11 +60,8 @@ constexpr double kGreenSeconds = 1.0;  ///< for which a dot tells of reloaded sh
 
 struct Renderer::Impl {
     Impl(const std::string& shaderFolder, const RenderSettings& given)
-        : settings(given.inRange()),
-          shaders(shaderFolder, programsFor(fullscreen), texels.shaderDefines(), &programCache) {
+        : settings(given.inRange()), shaders(shaderFolder, programsFor(fullscreen), shaderDefines(), &programCache) {
         startScene();
-        blueNoise = Texture(GL_R8, glm::ivec2(kBlueNoiseSize), Filter::Nearest, Wrap::Repeat);
-        blueNoise.upload(makeBlueNoise().data());
         if (isSoftwareGl() && !texels.isShared()) samplerReset.emplace(shaders);
         shaders.endBatch();
     }
@@ -73,6 +70,9 @@ struct Renderer::Impl {
         scene = Scene();
         scene.setUploadBudget(settings.uploadBudget);
         scene.setBounceColors(settings.sky && settings.bounce && settings.bounceColors);
+    }
+    std::string shaderDefines() const {
+        return texels.shaderDefines() + (settings.noise == Noise::White ? "#define WHITE_NOISE\n" : "");
     }
     void compileAhead();
     template <class F>
@@ -145,7 +145,7 @@ struct Renderer::Impl {
     FrameBlock block{};
     GlName<BufferKind> blockBuffer = GlName<BufferKind>::make();
     VertexArray emptyVertexArray = VertexArray::make();
-    Texture blueNoise;
+    Texture blueNoise = makeNoiseTexture();
     PassTimer timer{isSoftwareGl(), settings.processorTime};
     RenderStats stats;
     float stepAlpha = 1.0f;       ///< of this frame: 0 to 1 between the last two steps
@@ -285,7 +285,6 @@ void Renderer::Impl::showImage(const FrameContext& frame, const View& view) {
 void Renderer::Impl::fillBlock(const View& view, glm::ivec2 renderSize) {
     history->camera.begin(view, renderSize, settings.temporal, scene.origin(), block);
     block.counters.z = int(std::ranges::count(scene.lights(), false, &SnapshotLight::fleeting));
-    block.counters.w = settings.noise == Noise::White;
     scene.describe(block);
 }
 

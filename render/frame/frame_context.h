@@ -17,7 +17,7 @@ struct FrameContext {
     const RenderSettings& settings;
     const Scene& scene;  ///< the GPU's copy of the world: bodies, lights, environment, shadow volume
     TargetPool& targets;
-    const Texture& blueNoise;  ///< 64x64, R8, repeats
+    const Texture& blueNoise;  ///< makeNoiseTexture()
     RenderStats& stats;
     VertexArray& emptyVertexArray;
     const LightGrid* lightGrid = nullptr;  ///< null: the scene has had no local lights yet

@@ -8,7 +8,8 @@ layout(std140) uniform FrameBlock {
 // clang-format on
 
 /// 0, which compilers do not know. They do not unroll a loop that begins with it, and a software GL leaves it where no
-/// pixel of a group takes part: else it would run all steps there.
+/// pixel of a group takes part: else it would run all steps there. Mesa unrolls any other loop over a uniform array, as
+/// the array's length bounds its steps.
 int loopBegin() { return min(frame.counters.x, 0); }
 
 /// Whether the rays of all pixels are parallel: they begin side by side, in the plane through the camera.

@@ -16,7 +16,7 @@ vec3 placeInShadows(vec3 position, vec3 normal, float moving) {
     float most = 0.0;
     vec3 shift = vec3(0.0);
     bool isOn = false;
-    for (int i = 0; i < uMovingVectors; i += kVectorsPerMovingBody) {
+    for (int i = loopBegin(); i < uMovingVectors; i += kVectorsPerMovingBody) {
         vec3 fromCentre = position - uMovingBodies[i].xyz;
         vec3 local = vec3(dot(fromCentre, uMovingBodies[i + 1].xyz), dot(fromCentre, uMovingBodies[i + 2].xyz),
                           dot(fromCentre, uMovingBodies[i + 3].xyz));

@@ -6,7 +6,7 @@
 // rotation of the R2 sequence, whose points stay evenly spread for every n (Roberts 2018). So each pixel converges
 // faster than with white noise, while each frame is blue over the screen.
 #include "lib/constants.glsl"
-uniform sampler2D uBlueNoise;
+uniform sampler2D uBlueNoise;  // r the tile, g the tile moved aside: two numbers for one fetch
 
 /// A hash of 32 bits: "lowbias32", found with Chris Wellons' hash prospector.
 uint hashBits(uint x) {
@@ -18,20 +18,18 @@ uint hashBits(uint x) {
 }
 
 /// Two numbers in [0, 1) for a pixel. `dimension` must differ between the uses in one frame; `index` counts the samples
-/// over time. White noise if the settings say so. steps: from one index to the next. Numbers that a sample takes
+/// over time. White noise if the settings ask for it. steps: from one index to the next. Numbers that a sample takes
 /// together need different ones: with the same their differences would stay, and each pixel would come to a wrong mean
 /// of its own.
 vec2 blueNoise(ivec2 pixel, int dimension, int index, vec2 steps) {
-    if (frame.counters.w == 1) {
-        uint seed =
-            hashBits(uint(index) + hashBits(uint(dimension) + hashBits(uint(pixel.x) + hashBits(uint(pixel.y)))));
-        return vec2(uvec2(seed, hashBits(seed ^ 0x9e3779b9u)) >> 8u) * (1.0 / 16777216.0);
-    }
-    ivec2 first = (pixel + dimension * ivec2(23, 41)) & 63;
-    ivec2 second = (pixel + dimension * ivec2(23, 41) + ivec2(37, 11)) & 63;
-    vec2 base = vec2(texelFetch(uBlueNoise, first, 0).r, texelFetch(uBlueNoise, second, 0).r);
+#ifdef WHITE_NOISE
+    uint seed = hashBits(uint(index) + hashBits(uint(dimension) + hashBits(uint(pixel.x) + hashBits(uint(pixel.y)))));
+    return vec2(uvec2(seed, hashBits(seed ^ 0x9e3779b9u)) >> 8u) * (1.0 / 16777216.0);
+#else
+    vec2 base = texelFetch(uBlueNoise, (pixel + dimension * ivec2(23, 41)) & 63, 0).rg;
     // The index wraps, so that the product keeps enough bits for its fraction.
     return fract(base + float(index & 1023) * steps);
+#endif
 }
 
 /// With the steps of R2: those for the two numbers that matter most.

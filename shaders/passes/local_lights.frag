@@ -64,7 +64,7 @@ float lobeProbability(LocalLight localLight, vec3 toCentre, Surface s, vec3 view
 /// How many frames the highlights of a place are averaged over.
 float maxHistoryAt(vec3 position) {
     float maxFrames = uMaxHighlightHistory;
-    for (int i = 0; i < uLightChangeCount; i += 2)
+    for (int i = loopBegin(); i < uLightChangeCount; i += 2)
         if (distance(position, uLightChange[i].xyz) < uLightChange[i].w)
             maxFrames = min(maxFrames, uLightChange[i + 1].x);
     return maxFrames;

@@ -107,7 +107,7 @@ vec2 insideOutline(vec2 origin, vec2 direction, float begin) {
 /// xy: slope of the rings on the water; z: height of their crests here.
 vec3 ringSlope(vec2 p) {
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < uRippleCount; ++i) {
+    for (int i = loopBegin(); i < uRippleCount; ++i) {
         vec2 away = p - uRipples[i].xy;
         float range = length(away);
         float phase = (range - uRipples[i].z) / kRingWidth;

@@ -18,7 +18,7 @@ vec4 targetSize;              // width, height, 1 / width, 1 / height of the tra
 vec4 displaySize;             // the same of the displayed image: larger if RenderSettings::resolutionScale is below 1
 vec4 jitter;                  // xy this frame, zw previous frame, uv units: sample point = pixel centre + jitter
 vec4 noiseOffset;             // xy R2 sequence, z R1 sequence, w golden ratio sequence of the frame number, in [0, 1)
-ivec4 counters;               // x frame number, y 1 if history is valid, z lasting lights, w 1 for white noise
+ivec4 counters;               // x frame number, y 1 if history is valid, z lasting lights
 vec4 sunDirection;            // xyz unit vector towards the sun; w angular radius, radians
 vec4 sunColor;                // rgb irradiance on a surface that faces the sun
 vec4 skyColor;                // rgb radiance at the zenith

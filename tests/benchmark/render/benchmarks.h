@@ -14,6 +14,7 @@ struct Options {
     int frames = 15;             ///< measured; the median is printed
     bool processorTime = false;  ///< of all threads, instead of wall time
     std::string shaders = RUBBLE_SOURCE_DIR "/shaders";
+    std::string against;              ///< another folder of shaders, drawn by turns with the first; empty: none
     std::string preset = "balanced";  ///< of the renderer, for whole frames
     std::string fullscreen = "auto";  ///< what draws full-screen passes of whole frames; "both": side by side
     std::string imageFolder;          ///< for PNGs of the measured views; empty: none

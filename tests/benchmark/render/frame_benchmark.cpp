@@ -23,12 +23,13 @@ struct Drawn {
     std::unique_ptr<Renderer> renderer;
 };
 
-Result<Drawn> makeDrawn(const Options& options, GlContext& context, const std::string& fullscreen) {
+Result<Drawn> makeDrawn(const Options& options, GlContext& context, const std::string& fullscreen,
+                        const std::string& shaders) {
     RenderSettings settings = RenderSettings::preset(options.preset);
     settings.passTimes = true;
     settings.processorTime = options.processorTime;
     settings.fullscreen = RenderSettings::fullscreenFromName(fullscreen);
-    auto renderer = Renderer::create(context.loader(), options.shaders, settings);
+    auto renderer = Renderer::create(context.loader(), shaders, settings);
     if (!renderer) return Error{renderer.error()};
     return Drawn{fullscreen, playTown(), std::move(renderer).value()};
 }
@@ -40,6 +41,13 @@ struct Measured {
         for (const auto& [name, all] : passes)
             if (name == pass) return median(all);
         return 0.0;
+    }
+    /// The median of this frame by frame relative to another measurement, so that drifting clocks cancel out.
+    double ratioTo(const Measured& other, size_t pass) const {
+        std::vector<double> ratios;
+        for (size_t i = 0; i < passes[pass].second.size(); ++i)
+            ratios.push_back(passes[pass].second[i] / std::max(other.passes[pass].second[i], 1e-3));
+        return median(ratios);
     }
     double sum() const {
         double sum = 0.0;
@@ -81,36 +89,36 @@ void print(const char* place, const Measured& m) {
                    *std::min_element(ms.begin(), ms.end()));
 }
 
-void printSideBySide(const char* place, const Measured& fragment, const Measured& compute) {
-    fmt::print("\n{:<14}{:>12}{:>12}{:>10}\n", place, "fragment ms", "compute ms", "ratio");
-    const auto line = [](const std::string& name, double a, double b) {
-        fmt::print("  {:<12}{:>12.2f}{:>12.2f}{:>9.2f}x\n", name, a, b, b / a);
-    };
-    for (const char* name : compute.figures.computePasses) line(name, fragment.ms(name), compute.ms(name));
-    line("frame", fragment.sum(), compute.sum());
+void printSideBySide(const char* place, const Drawn& first, const Drawn& second, const Measured& a, const Measured& b) {
+    fmt::print("\n{:<14}{:>12}{:>12}{:>10}\n", place, first.name, second.name, "ratio");
+    for (size_t i = 0; i < a.passes.size() && i < b.passes.size(); ++i)
+        fmt::print("  {:<12}{:>12.2f}{:>12.2f}{:>9.3f}x\n", a.passes[i].first, median(a.passes[i].second),
+                   median(b.passes[i].second), b.ratioTo(a, i));
+    fmt::print("  {:<12}{:>12.2f}{:>12.2f}{:>9.3f}x\n", "frame", a.sum(), b.sum(), b.sum() / a.sum());
 }
 
 }  // namespace
 
 int benchFrame(const Options& options, GlContext& context) {
-    std::vector<std::string> names = {options.fullscreen};
-    if (options.fullscreen == "both") names = {"fragment", "compute"};
     std::vector<Drawn> all;
-    for (const std::string& name : names) {
-        auto drawn = makeDrawn(options, context, name);
-        if (!drawn) {
+    const auto add = [&](const std::string& fullscreen, const std::string& shaders, const std::string& name) {
+        auto drawn = makeDrawn(options, context, fullscreen, shaders);
+        if (drawn)
+            all.push_back(std::move(drawn).value()), all.back().name = name;
+        else
             fmt::print(stderr, "{}\n", drawn.error());
-            return 1;
-        }
-        all.push_back(std::move(drawn).value());
-    }
+        return bool(drawn);
+    };
+    const bool isBoth = options.fullscreen == "both";
+    const std::string fullscreen = isBoth ? "fragment" : options.fullscreen;
+    if (!add(fullscreen, options.shaders, isBoth ? "fragment ms" : "ms")) return 1;
+    if (isBoth && !add("compute", options.shaders, "compute ms")) return 1;
+    if (!options.against.empty() && !add(fullscreen, options.against, "against ms")) return 1;
     const Offscreen target(options.size);
     for (const TownView& place : townViews()) {
         const std::vector<Measured> measured = measure(all, place.view(options.size, target.framebuffer()), options);
-        if (all.size() == 1)
-            print(place.name, measured[0]);
-        else
-            printSideBySide(place.name, measured[0], measured[1]);
+        if (all.size() == 1) print(place.name, measured[0]);
+        for (size_t i = 1; i < all.size(); ++i) printSideBySide(place.name, all[0], all[i], measured[0], measured[i]);
         if (options.imageFolder.empty()) continue;
         std::filesystem::create_directories(options.imageFolder);
         Image image(options.size.x, options.size.y);

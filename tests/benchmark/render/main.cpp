@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
         ->capture_default_str()
         ->check(CLI::IsMember({"auto", "fragment", "compute", "fastest", "both"}));
     app.add_option("--shaders", options.shaders, "folder of the shaders")->capture_default_str();
+    app.add_option("--against", options.against, "frame: another folder of shaders, drawn by turns with the first");
     app.add_option("--images", options.imageFolder, "folder for images of the measured views");
     CLI11_PARSE(app, argc, argv);
     if (std::sscanf(size.c_str(), "%dx%d", &options.size.x, &options.size.y) != 2 || options.size.x < 1 ||
