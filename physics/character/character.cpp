@@ -15,8 +15,10 @@
 // d then goes into an earlier wall with the normal m, it may only follow the corner: d becomes its part along m x n.
 // What is steeper than the character can climb is a vertical wall: n loses its y.
 //
-// Stepping: when sliding along the ground was stopped, try again lifted by the step height, then sweep down. The step
-// counts if it leads farther and onto a face that can be stood on, with free space ahead.
+// Stepping: when sliding along the ground was stopped, try again lifted by the step height above what it stands on,
+// then sweep down. The step counts if it leads farther and onto a face that can be stood on, on which a foot finds
+// place: what counts is the depth of the tread, not the space for the whole capsule, which may reach over several
+// treads.
 //
 // The order of a step: move with the ground; push out of what came into the capsule, of dynamic bodies first and of
 // static ones last; choose the velocity from the wish (ground, air or water); move; look for ground. Since every sweep
@@ -28,6 +30,8 @@
 // who leans on the wall of a cabin moves it by no more than he moves himself. Of a body that can move, the legs only
 // take so much in a step that they do not kick it away. What carries it does not feel its inertia, nor that it jumps
 // off; and a body that is heavier than its push goes through it, and leaves it on top.
+//
+// Characters are no obstacles for each other: those that overlap go apart, each by the share of the other's mass.
 //
 // What it stands on bears its weight. A sleeping body came to rest under the load that it had; it wakes when that load
 // comes, goes, or moves into another cell of the body's frame. So it can tip, and who stands still lets it sleep.
@@ -42,9 +46,10 @@ constexpr double kMaxSpeed = 60.0;       ///< m/s, falling
 constexpr double kAirControl = 3.0;      ///< 1/s: rate at which the velocity follows a wish without ground
 constexpr double kSwimControl = 6.0;     ///< 1/s, in water
 constexpr double kChest = 0.6;           ///< fraction of its height: under water there, it swims
-constexpr double kLookAhead = 0.25;      ///< metres of free ground that a step must lead to
+constexpr double kMinTread = 0.19;       ///< metres that a step is deep at least: 0.2, less what rounding may take
 constexpr double kJumpOutHeight = 1.2;   ///< fraction of its height: it jumps out of water whose surface is lower
 constexpr double kMaxLandingRise = 0.1;  ///< m/s away from the ground, above which it does not land
+constexpr double kMinFall = 0.01;        ///< m/s in a step by which ground that falls away gets faster than it falls
 constexpr double kMaxKick = 0.25;        ///< m/s that a step on a body may give it, if that is more than the push force
 constexpr double kMinWakeImpulse = 1e-3;  ///< N s: a weaker push wakes no body
 constexpr double kLoadCell = 0.1;         ///< metres; a body bears another load when the feet are in another such cell
@@ -73,10 +78,11 @@ public:
         CollisionObject* const ground = groundObject();
         const bool wasGrounded = m_c.grounded;
         const BodyHandle stoodOn = m_c.ground;
-        if (wasGrounded) m_ground = ground, m_groundVelocity = velocityOf(ground, m_c.position);
+        if (wasGrounded) followGround(ground);
         const glm::dvec3 velocity = m_c.velocity;
         if (m_c.grounded && !m_c.wantsJump) moveWithGround(ground);  // who jumps gets its velocity
         depenetrate();
+        makeRoom();
         crouch();
         const Water* water =
             m_around.waters ? m_around.waters->at(m_c.position + kUp * (kChest * m_c.currentHeight())) : nullptr;
@@ -93,11 +99,12 @@ public:
             m_c.velocity = horizontal(m_c.position - start) / m_around.seconds;
             pushBack(m_c.velocity - horizontal(velocity), start);
         } else
-            slide(m_c.velocity * m_around.seconds, false, true);
+            slide((m_c.velocity - 0.5 * m_fall) * m_around.seconds, false, true);
         probeGround(walks, wasGrounded ? stoodOn : BodyHandle{}, start, handles);
         if (ground && m_c.ground != stoodOn && !ground->dynamic->quarantined())
             m_pushes.push_back({ground->dynamic, glm::dvec3(0.0), start, false, true});
         m_c.velocity = clampedLength(m_c.velocity, ranges::kMaxCharacterSpeed);  // it may have taken on a body's
+        m_c.groundVelocity = clampedLength(m_c.groundVelocity, ranges::kMaxCharacterSpeed);
     }
 
 private:
@@ -160,41 +167,53 @@ private:
                                          : glm::dvec3(0.0);
     }
 
-    /// Walks along the ground, and up a step where there is one that leads somewhere.
+    /// Walks along the ground, and up steps that lead somewhere: in parts no longer than its radius, each of which
+    /// meets one step at most.
     void walk(glm::dvec3 displacement) {
         displacement = horizontal(displacement);
+        const double parts = std::max(1.0, std::ceil(glm::length(displacement) / m_c.radius));
+        for (double i = 0.0; i < parts; ++i) walkPart(displacement / parts);
+    }
+    void walkPart(glm::dvec3 displacement) {
         if (displacement == glm::dvec3(0.0)) return;
         const glm::dvec3 start = m_c.position;
         const size_t pushed = m_pushes.size();
         if (!slide(displacement, true, false)) return;
         const glm::dvec3 slid = m_c.position;
-        const double before = glm::length(horizontal(slid - start));
+        const size_t pushedThere = m_pushes.size();
         m_c.position = start;
-        if (climbStep(displacement, start, before))
+        const bool climbed = climbStep(displacement, start, glm::length(horizontal(slid - start)));
+        if (climbed)
             m_pushes.resize(pushed);  // it went over the step and pushed nothing
         else
-            m_c.position = slid;
+            m_pushes.resize(pushedThere), m_c.position = slid;
     }
-    /// Tries the displacement again, lifted by the step height. before: metres that it got without that. False if there
-    /// is no step, or if it leads no farther.
+    /// Tries the displacement again, lifted by the step height above what it stands on, then lowered onto what is
+    /// there. before: metres that it got without that. False if there is no step, or if it leads no farther.
     bool climbStep(glm::dvec3 displacement, glm::dvec3 start, double before) {
-        const glm::dvec3 forward = displacement / glm::length(displacement);
-        advance(kUp * m_c.stepHeight);
-        const double climbed = m_c.position.y - start.y;
+        const CharacterHit under = m_queries.sweep(start, -kUp * (2.0 * kSkin));
+        const double highest = (under.hit ? under.point.y : start.y) + m_c.stepHeight + kSkin;
+        advance(kUp * (highest - start.y));
         const glm::dvec3 lifted = m_c.position;
-        const CharacterHit ahead = advance(displacement);
-        const double after = glm::length(horizontal(m_c.position - lifted));
-        const glm::dvec3 reached = m_c.position;
+        slide(displacement, true, false);
+        const glm::dvec3 reached = m_c.position, way = horizontal(reached - lifted);
+        if (glm::length(way) <= before + 1e-6) return false;
+        const double climbed = reached.y - start.y;
         const CharacterHit step = m_queries.sweep(reached, -kUp * (climbed + kSkin));
-        const double rise = climbed - step.t * (climbed + kSkin);
-        if (ahead.hit && ahead.object->dynamic == nullptr && after <= before + 1e-6) return false;
-        if (!step.hit || !step.isFlat || step.point.y > start.y + m_c.stepHeight + kSkin || after <= before + 1e-6 ||
-            rise <= 0.0)
-            return false;
-        m_c.position = reached - kUp * std::max(0.0, step.t * (climbed + kSkin) - kSkin);
-        const double headroom = m_c.maxSlope * kLookAhead + kSkin;
-        if (m_queries.sweep(m_c.position + kUp * headroom, forward * kLookAhead).hit) return false;
-        return !m_queries.sweep(m_c.position, kUp * headroom).hit;
+        const double drop = step.t * (climbed + kSkin);
+        if (!step.hit || !step.isFlat || step.point.y > highest || drop >= climbed) return false;
+        m_c.position = reached - kUp * std::max(0.0, drop - kSkin);
+        return isTread(step.point, lifted, way);
+    }
+    /// Whether a foot finds place behind the edge of a step, or whether the steps are together no steeper than it can
+    /// climb. point: on the step. from, way: how its axis came there, horizontally.
+    bool isTread(glm::dvec3 point, glm::dvec3 from, glm::dvec3 way) const {
+        const glm::dvec3 forward = way / glm::length(way);
+        const glm::dvec3 below(from.x, point.y - kSkin, from.z);
+        const double edge = m_queries.castPoint(below, way);  // that its axis has passed, if any
+        if (edge < 1.0) point = below + way * edge;
+        point.y += m_c.maxSlope * kMinTread + 2.0 * kSkin;
+        return m_queries.castPoint(point, forward * kMinTread) == 1.0;
     }
 
     /// Pushes the body that it hit, with at most its push force.
@@ -243,12 +262,24 @@ private:
             if (object->dynamic && object->dynamic->handle() == m_c.ground) return object;
         return nullptr;
     }
+    /// Takes over the velocity of the ground, unless that is gone or falls away under it: nothing pulls a character
+    /// down faster than it falls.
+    void followGround(CollisionObject* ground) {
+        m_ground = ground;
+        m_groundVelocity = m_c.groundVelocity;
+        if (!ground && m_groundVelocity != glm::dvec3(0.0)) return leaveGround();
+        const double falling = m_groundVelocity.y + std::min(0.0, m_around.gravity.y) * m_around.seconds;
+        m_groundVelocity = velocityOf(ground, m_c.position);
+        m_groundFalls = m_groundVelocity.y < falling - kMinFall;
+        if (m_groundFalls) m_groundVelocity.y = falling;
+    }
     /// Moves by as much as the ground has moved under its feet in this step.
     void moveWithGround(const CollisionObject* ground) {
         if (!ground || ground->dynamic->asleep()) return;
         const glm::dvec3 there =
             ground->dynamic->bodyPose().transformPoint(ground->dynamic->state().pose.inversePoint(m_c.position));
-        const glm::dvec3 displacement = there - m_c.position;
+        glm::dvec3 displacement = there - m_c.position;
+        if (m_groundFalls) displacement.y = 0.5 * (m_c.groundVelocity.y + m_groundVelocity.y) * m_around.seconds;
         m_queries.setIgnoresBodies(true);
         if (displacement.y > 0.0) advance(kUp * displacement.y);
         slide(horizontal(displacement), false, false);
@@ -286,6 +317,20 @@ private:
         m_queries.setIgnoresBodies(false);
     }
 
+    /// Goes sideways by its share of what it overlaps other characters by; they do the rest in their turn.
+    void makeRoom() {
+        const CollisionFilter mine{m_c.collisionLayer, m_c.collisionMask};
+        for (const Character* other : m_around.others) {
+            const glm::dvec3 away = m_c.position - other->position;
+            const double distance = glm::length(horizontal(away)), overlap = m_c.radius + other->radius - distance;
+            const bool isBeside = away.y < other->currentHeight() && away.y > -m_c.currentHeight();
+            if (overlap <= 0.0 || !isBeside || !mine.meets({other->collisionLayer, other->collisionMask})) continue;
+            const glm::dvec3 direction =
+                distance > 1e-6 ? horizontal(away) / distance : glm::dvec3(&m_c < other ? -1.0 : 1.0, 0.0, 0.0);
+            slide(direction * (overlap * other->mass / (m_c.mass + other->mass)), true, false);
+        }
+    }
+
     void crouch() {
         if (m_c.wantsCrouch)
             m_c.crouched = true;
@@ -293,23 +338,25 @@ private:
             m_c.crouched = false;
     }
 
-    /// Sets the velocity that it wishes on the ground; in the air the velocity only tends to the wish,
-    /// if there is one: who jumps on a train lands on it.
+    /// Sets the velocity that it wishes on the ground. In the air its velocity along the wish tends to that, and
+    /// nothing slows it down otherwise: who jumps on a train, or walks off its side, goes on with it.
     void accelerate() {
         const glm::dvec3 wish = clampedLength(horizontal(m_c.wish), m_c.crouched ? m_c.crouchSpeed : m_c.walkSpeed);
-        if (!m_c.grounded) {
-            const double share = wish == glm::dvec3(0.0) ? 0.0 : kAirControl * m_around.seconds;
-            m_c.velocity += (wish - horizontal(m_c.velocity)) * share + m_around.gravity * m_around.seconds;
-            return;
-        }
-        if (!m_c.wantsJump) {
+        if (m_c.grounded && !m_c.wantsJump) {
             m_c.velocity = horizontal(m_c.velocity);
             m_c.velocity += possibleChange(wish - m_c.velocity);
             return;
         }
-        m_c.velocity = wish;
-        leaveGround();
-        m_c.velocity.y += m_c.jumpSpeed;
+        if (m_c.grounded) {
+            m_c.velocity = wish;
+            leaveGround();
+            m_c.velocity.y += m_c.jumpSpeed;
+        } else if (const double speed = glm::length(wish); speed > 0.0) {
+            const double missing = std::max(0.0, speed - glm::dot(m_c.velocity, wish) / speed);
+            m_c.velocity += wish / speed * (missing * kAirControl * m_around.seconds);
+        }
+        m_fall = m_around.gravity * m_around.seconds;
+        m_c.velocity += m_fall;
     }
     void swim(const Water& water) {
         const glm::dvec3 wish = clampedLength(m_c.wish, m_c.swimSpeed) + water.flow;
@@ -323,20 +370,23 @@ private:
     void probeGround(bool walks, BodyHandle stoodOn, glm::dvec3 start, const std::vector<BodyHandle>& handles) {
         leaveGround();
         m_c.ground = {};
-        const double queryDistance = walks ? m_c.stepHeight + 2.0 * kSkin : 2.0 * kSkin;
+        m_c.groundVelocity = glm::dvec3(0.0);
+        const double queryDistance = walks && !m_groundFalls ? m_c.stepHeight + 2.0 * kSkin : 2.0 * kSkin;
         const CharacterHit hit = m_queries.sweep(m_c.position, -kUp * queryDistance);
+        const bool fallsAway = m_groundFalls && hit.object == m_ground;
         const double rising = walks ? 0.0 : m_c.velocity.y - velocityOf(hit.object, hit.point).y;
         if (!hit.hit || m_c.swimming || rising > kMaxLandingRise) return;
         if (!hit.isFlat) return;
         const double drop = hit.t * queryDistance;
-        if (drop > kSkin) m_c.position.y -= drop - kSkin;
+        if (drop > kSkin && !fallsAway) m_c.position.y -= drop - kSkin;
         m_c.grounded = true;
         m_c.ground = hit.object->body < handles.size() ? handles[hit.object->body] : BodyHandle{};
         DynamicBody* body = hit.object->dynamic;
         const glm::dvec3 groundVelocity =
             hit.object == m_ground ? m_groundVelocity : velocityOf(hit.object, m_c.position);
         m_c.velocity = horizontal(m_c.velocity - groundVelocity);
-        if (!body || body->quarantined()) return;
+        m_c.groundVelocity = groundVelocity;
+        if (!body || body->quarantined() || fallsAway) return;
         const glm::dvec3 fall = kUp * std::min(0.0, rising) * m_c.mass / (1.0 + m_c.mass * body->motion.inverseMass);
         const bool changes = stoodOn != m_c.ground || loadCell(*body, start) != loadCell(*body, m_c.position);
         if (changes || !body->asleep())
@@ -352,7 +402,9 @@ private:
     std::vector<CharacterPush>& m_pushes;
     CharacterQueries m_queries;
     CollisionObject* m_ground = nullptr;  ///< the dynamic body on which it stood when the step began
-    glm::dvec3 m_groundVelocity{0.0};     ///< there, m/s
+    glm::dvec3 m_groundVelocity{0.0};     ///< there, m/s; of a ground that falls away, its own downward
+    bool m_groundFalls = false;           ///< the ground falls away under it
+    glm::dvec3 m_fall{0.0};               ///< m/s that gravity has given it in this step
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "physics/character/character_queries.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rubble {
@@ -83,6 +84,18 @@ bool CharacterQueries::isFreeOfStatic(glm::dvec3 feet) const {
                (object.dynamic || !findOverlap(part.grid(), capsule(object, i, feet, m_c.currentHeight(), m_c.radius)));
     });
     return free;
+}
+
+double CharacterQueries::castPoint(glm::dvec3 from, glm::dvec3 displacement) const {
+    double way = 1.0;
+    forEachPart([&](CollisionObject& object, size_t i, const ColliderPart& part) {
+        const glm::dmat3 toCells = metresToCells(object.cellTransforms()[i], part.voxelSize());
+        CellShape point;
+        point.a = point.b = toCells * (from - object.pose.position - object.cellTransforms()[i].corner);
+        const CellContact contact = castShape(part.grid(), point, toCells * displacement, way);
+        if (contact.hit) way = std::min(way, contact.t);
+    });
+    return way;
 }
 
 CharacterHit CharacterQueries::findDeepest(glm::dvec3 feet, double extra, double& depth) const {

@@ -29,6 +29,8 @@ public:
     bool isFree(glm::dvec3 feet, double height) const;
     /// Whether the capsule would overlap nothing static.
     bool isFreeOfStatic(glm::dvec3 feet) const;
+    /// The fraction of a displacement that a point can move, world, until it meets something; 1: all of it.
+    double castPoint(glm::dvec3 from, glm::dvec3 displacement) const;
     /// The deepest overlap of a capsule that is wider by `extra` metres; of a static object if there is one. depth:
     /// metres.
     CharacterHit findDeepest(glm::dvec3 feet, double extra, double& depth) const;

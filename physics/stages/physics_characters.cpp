@@ -1,5 +1,7 @@
 #include "physics/stages/physics_characters.h"
 
+#include <algorithm>
+
 namespace rubble {
 namespace {
 
@@ -37,14 +39,39 @@ void PhysicsCharacters::load(const World& world, PhysicsBodies& bodies) {
         [&](CharacterHandle handle, const Character& character) { m_characters.emplace_back(handle, character); });
 }
 
+void PhysicsCharacters::sortByPlace() {
+    m_places.clear();
+    m_maxRadius = 0.0;
+    for (size_t i = 0; i < m_characters.size(); ++i) {
+        m_places.emplace_back(m_characters[i].second.position.x, i);
+        m_maxRadius = std::max(m_maxRadius, m_characters[i].second.radius);
+    }
+    std::ranges::sort(m_places);
+}
+
+std::vector<const Character*> PhysicsCharacters::near(size_t index, double radius) const {
+    std::vector<size_t> found;
+    const double x = m_characters[index].second.position.x, reach = radius + m_maxRadius;
+    for (auto i = std::ranges::lower_bound(m_places, std::pair(x - reach, size_t(0)));
+         i != m_places.end() && i->first <= x + reach; ++i)
+        if (i->second != index) found.push_back(i->second);
+    std::ranges::sort(found);
+    std::vector<const Character*> others;
+    for (const size_t i : found) others.push_back(&m_characters[i].second);
+    return others;
+}
+
 double PhysicsCharacters::move(PhysicsBodies& bodies, const WaterVolumes* waters, glm::dvec3 gravity, double seconds) {
     double work = 0.0;
-    for (auto& [handle, character] : m_characters) {
+    sortByPlace();
+    for (size_t i = 0; i < m_characters.size(); ++i) {
+        auto& [handle, character] = m_characters[i];
         const Character before = character;
         const double radius = characterQueryRadius(character, seconds);
         const CharacterSurroundings around{
             .objects = bodies.objectsIn(before.position - radius,
                                         before.position + glm::dvec3(0.0, character.height, 0.0) + radius),
+            .others = near(i, radius),
             .waters = waters,
             .gravity = gravity,
             .seconds = seconds};
@@ -60,8 +87,8 @@ double PhysicsCharacters::move(PhysicsBodies& bodies, const WaterVolumes* waters
         }
         character.wantsJump = false;
         if (character == before) continue;
-        m_moves.push_back({handle, character.position, character.velocity, character.grounded, character.crouched,
-                           character.swimming, character.ground});
+        m_moves.push_back({handle, character.position, character.velocity, character.groundVelocity, character.grounded,
+                           character.crouched, character.swimming, character.ground});
     }
     return work;
 }

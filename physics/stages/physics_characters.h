@@ -22,7 +22,14 @@ public:
     std::span<const CharacterMove> moves() const { return m_moves; }
 
 private:
+    /// Sorts the characters along x.
+    void sortByPlace();
+    /// The characters that are at most `radius` metres from one along x, by slot.
+    std::vector<const Character*> near(size_t index, double radius) const;
+
     std::vector<std::pair<CharacterHandle, Character>> m_characters;  ///< by slot
+    std::vector<std::pair<double, size_t>> m_places;                  ///< x when the step began, and index; sorted
+    double m_maxRadius = 0.0;                                         ///< of a character, metres
     std::vector<CharacterPush> m_pushes;
     std::vector<CharacterMove> m_moves;
 };

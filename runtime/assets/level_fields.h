@@ -227,6 +227,7 @@ inline constexpr auto kFields<Character> = std::tuple{
     Field{"wants_crouch", &Character::wantsCrouch},
     Field{"position", &Character::position},
     Field{"velocity", &Character::velocity},
+    BinaryField{"ground_velocity", &Character::groundVelocity},
     Field{"grounded", &Character::grounded},
     Field{"crouched", &Character::crouched},
     Field{"swimming", &Character::swimming},

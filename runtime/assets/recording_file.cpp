@@ -29,9 +29,9 @@ inline constexpr auto kFields<BodyPose> = std::tuple{
 template <>
 inline constexpr auto kFields<CharacterMove> = std::tuple{
     Field{"character", &CharacterMove::character}, Field{"position", &CharacterMove::position},
-    Field{"velocity", &CharacterMove::velocity},   Field{"grounded", &CharacterMove::grounded},
-    Field{"crouched", &CharacterMove::crouched},   Field{"swimming", &CharacterMove::swimming},
-    Field{"ground", &CharacterMove::ground},
+    Field{"velocity", &CharacterMove::velocity},   Field{"ground_velocity", &CharacterMove::groundVelocity},
+    Field{"grounded", &CharacterMove::grounded},   Field{"crouched", &CharacterMove::crouched},
+    Field{"swimming", &CharacterMove::swimming},   Field{"ground", &CharacterMove::ground},
 };
 template <>
 inline constexpr auto kFields<HostMotion> = std::tuple{

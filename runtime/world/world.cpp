@@ -169,6 +169,7 @@ void World::setCharacters(std::span<const CharacterMove> moves) {
         if (Character* character = m_data.characters.find(move.character)) {
             character->position = move.position;
             character->velocity = move.velocity;
+            character->groundVelocity = move.groundVelocity;
             character->grounded = move.grounded;
             character->crouched = move.crouched;
             character->swimming = move.swimming;

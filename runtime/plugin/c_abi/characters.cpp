@@ -43,19 +43,11 @@ TeleportCharacterEdit readTeleport(const World& world, const rubble_character_te
             readVector(given.position, "position"), readVelocity(given.velocity, "velocity")};
 }
 
-/// m/s, world: on a body, that against it and its own there.
-glm::dvec3 worldVelocity(const World& world, const Character& character) {
-    const Body* ground = character.grounded ? world.bodies().find(character.ground) : nullptr;
-    if (!ground || ground->isStatic) return character.velocity;
-    const glm::dvec3 center = ground->pose.transformPoint(bodyMass(world, character.ground).center);
-    return character.velocity + ground->velocity + glm::cross(ground->angularVelocity, character.position - center);
-}
-
-rubble_character_state characterState(const World& world, CharacterHandle handle, const Character& character) {
+rubble_character_state characterState(CharacterHandle handle, const Character& character) {
     rubble_character_state row = {};
     row.character = handle.bits;
     writeVector(row.position, character.position);
-    writeVector(row.velocity, worldVelocity(world, character));
+    writeVector(row.velocity, character.velocity + character.groundVelocity);
     row.ground_body = character.ground.bits;
     row.flags = (character.grounded ? RUBBLE_CHARACTER_GROUNDED : 0) |
                 (character.crouched ? RUBBLE_CHARACTER_CROUCHED : 0) |
@@ -93,8 +85,7 @@ rubble_result getCharacterState(rubble_world world, rubble_character character, 
     return inWorld("get_character_state", world, [&](const HostedWorld& hosted) {
         const Character* found =
             findLive<HandleType::Character>(hosted.loop.world().characters(), character, "character");
-        if (found && isGiven(out, "out"))
-            *out = characterState(hosted.loop.world(), CharacterHandle{character}, *found);
+        if (found && isGiven(out, "out")) *out = characterState(CharacterHandle{character}, *found);
     });
 }
 
@@ -103,7 +94,7 @@ rubble_result getCharacterState(rubble_world world, rubble_character character, 
 void writeRows(const HostedWorld& hosted, RowWriter<rubble_character_state>& rows) {
     const World& world = hosted.loop.world();
     world.characters().forEach([&](CharacterHandle handle, const Character& character) {
-        rows.add([&] { return characterState(world, handle, character); });
+        rows.add([&] { return characterState(handle, character); });
     });
 }
 

@@ -31,6 +31,7 @@ struct Character {
     // Where it is
     glm::dvec3 position{0.0};  ///< of the feet, metres, world
     glm::dvec3 velocity{0.0};  ///< m/s; while it is grounded, against what it stands on
+    glm::dvec3 groundVelocity{0.0};  ///< m/s, world: of what it stands on, there; zero without ground
     bool grounded = false;
     bool crouched = false;
     bool swimming = false;
@@ -46,7 +47,7 @@ struct Character {
 /// A character's new state, as physics hands it over.
 struct CharacterMove {
     Handle<HandleType::Character> character;
-    glm::dvec3 position{0.0}, velocity{0.0};
+    glm::dvec3 position{0.0}, velocity{0.0}, groundVelocity{0.0};
     bool grounded = false, crouched = false, swimming = false;
     BodyHandle ground;
 };

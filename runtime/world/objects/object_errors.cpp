@@ -145,6 +145,7 @@ std::string objectError(const Character& c) {
         .include(characterVelocityError("desired_velocity", c.wish))
         .vector("position", c.position, ranges::kPlace)
         .include(characterVelocityError("velocity", c.velocity))
+        .include(characterVelocityError("ground_velocity", c.groundVelocity))
         .error();
 }
 

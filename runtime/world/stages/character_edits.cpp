@@ -8,6 +8,7 @@ namespace rubble {
 void apply(EditContext& context, const AddCharacterEdit& edit) {
     Character character = edit.character;
     character.ground = {};
+    character.groundVelocity = glm::dvec3(0.0);
     context.changes.characters.push_back(context.make(context.world.characters, std::move(character)));
 }
 
@@ -34,6 +35,7 @@ void apply(EditContext& context, const TeleportCharacterEdit& edit) {
     character->velocity = edit.velocity;
     character->grounded = false;
     character->ground = {};
+    character->groundVelocity = glm::dvec3(0.0);
     context.changes.characters.push_back(edit.character);
 }
 

@@ -136,7 +136,7 @@ TEST(Trigger, SavesAndUndoAgree) {
     Trigger other{.kind = TriggerKind::Sphere, .pose = {{2.0, 0.0, 0.0}}};
     region.events({AddTriggerEdit{other}, RemoveWaterEdit{region.world.waters().handleAt(0)},
                    MoveCharacterEdit{who, {1.0, 0.0, 0.0}}});
-    const CharacterMove move{who, {1.0, 2.0, 3.0}, {0.0, 1.0, 0.0}, true, false, false, {}};
+    const CharacterMove move{who, {1.0, 2.0, 3.0}, {0.0, 1.0, 0.0}, {}, true, false, false, {}};
     region.world.setCharacters(std::span(&move, 1));
     region.move(2, {0.0, 5.0, 0.0});
 

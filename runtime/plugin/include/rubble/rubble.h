@@ -1060,7 +1060,8 @@ typedef struct rubble_collision_shape {
 } rubble_collision_shape;
 
 /* A volume of water: bodies in it float or sink, characters swim, fires go out. Where waters overlap, one of them
- * counts. */
+ * counts. A body displaces the volume of its solid voxels and nothing else: water fills every hollow, also a closed
+ * one, so that a hull of metal sinks. What shall float is of light material, or is made solid with one. */
 typedef struct rubble_water_settings {
     uint32_t struct_size;
     uint32_t outline_count; /* corners: 3 to 10000 */
@@ -1100,7 +1101,11 @@ typedef struct rubble_trigger_event {
 /* A character: an upright capsule that walks, jumps, climbs steps, crouches and swims. A body that it walks on bears
  * its weight and goes back under it as it gets faster, but does not feel its inertia otherwise, nor its jumps. It is no
  * obstacle for bodies: it pushes them with max_push_force, is pushed aside, and what falls on it with more goes through
- * it and leaves it on top. */
+ * it and leaves it on top. Characters push each other apart.
+ * It climbs steps up to step_height, from tread to tread, at any speed and angle, if the treads are 0.2 m deep or more,
+ * whatever its radius; less deep ones only where they are together no steeper than max_slope.
+ * In the air it keeps the velocity of what it left, falls with gravity alone, also where its ground falls faster, and
+ * desired_velocity only makes it faster. */
 typedef struct rubble_character_settings {
     uint32_t struct_size;
     uint32_t reserved;
