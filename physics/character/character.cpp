@@ -371,7 +371,9 @@ private:
         leaveGround();
         m_c.ground = {};
         m_c.groundVelocity = glm::dvec3(0.0);
-        const double queryDistance = walks && !m_groundFalls ? m_c.stepHeight + 2.0 * kSkin : 2.0 * kSkin;
+        // Bodies have moved before it: above one that lifts it, it has risen once more by the velocity of that.
+        const double risen = std::max(0.0, m_c.velocity.y) * m_around.seconds;
+        const double queryDistance = walks && !m_groundFalls ? m_c.stepHeight + 2.0 * kSkin : 2.0 * kSkin + risen;
         const CharacterHit hit = m_queries.sweep(m_c.position, -kUp * queryDistance);
         const bool fallsAway = m_groundFalls && hit.object == m_ground;
         const double rising = walks ? 0.0 : m_c.velocity.y - velocityOf(hit.object, hit.point).y;

@@ -81,6 +81,7 @@ struct JointRows {
     Softness<double> locked, limit;
     AxisSpring spring;
     FreeAxis freeAxis;
+    std::array<glm::dvec3, 2> fall{};  ///< m/s that gravity has given the two bodies in this substep
     double startValue = 0.0;           ///< of the free axis, before the bodies moved in this substep
     double servoSpeed = 0.0;           ///< m/s or rad/s that a position motor wants in this substep
     double servoLimit = 0.0;           ///< N s or N m s that it may give

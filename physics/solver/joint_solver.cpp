@@ -77,24 +77,26 @@ void addClamped(double& sum, double impulse, double bound, F&& apply) {
     apply(sum - before);
 }
 
-/// Applies an impulse along a free axis, with what keeps the locked rows still. Counts its work, if there is a sum.
-void applyAlong(JointRows& e, const FreeAxis& axis, SolverState& A, SolverState& B, double impulse, double* work) {
-    if (work)
-        applyCounted(axis.push, A, B, impulse, *work);
+/// Applies an impulse and counts its work. Velocities are those of the middles of substeps (energy_bound.cpp), and have
+/// the fall of a whole substep in them: half of it is too much.
+void applyWork(const JointRows& e, const JointRow& row, SolverState& A, SolverState& B, double impulse) {
+    applyCounted(row, A, B, impulse, e.c->work);
+    e.c->work -= 0.5 * impulse * (glm::dot(row.linearB, e.fall[1]) - glm::dot(row.linearA, e.fall[0]));
+}
+
+/// Applies an impulse along a free axis, with what keeps the locked rows still. isWork: it may add energy.
+void applyAlong(JointRows& e, const FreeAxis& axis, SolverState& A, SolverState& B, double impulse, bool isWork) {
+    if (isWork)
+        applyWork(e, axis.push, A, B, impulse);
     else
         axis.push.apply(A, B, impulse);
     for (size_t r = 0; r < size_t(e.rows); ++r) e.c->lockedImpulse[r] -= axis.held[r] * impulse;
 }
 
-/// A rope that stretches may add energy.
-double* workOfLimit(const JointRows& e) {
-    return e.isSoft ? &e.c->work : nullptr;
-}
-
 /// Applies an impulse along a locked row. Soft rows may add energy.
 void applyLocked(const JointRows& e, size_t row, SolverState& A, SolverState& B, double impulse) {
     if (e.isSoft)
-        applyCounted(e.row[row], A, B, impulse, e.c->work);
+        applyWork(e, e.row[row], A, B, impulse);
     else
         e.row[row].apply(A, B, impulse);
 }
@@ -115,7 +117,8 @@ void JointSolver::begin(std::span<JointConstraint* const> joints, std::span<Solv
     }
 }
 
-void JointSolver::prepare(std::span<const SolverBody> bodies, std::span<SolverState> states, double seconds) {
+void JointSolver::prepare(std::span<const SolverBody> bodies, std::span<SolverState> states, double seconds,
+                          glm::dvec3 fall) {
     m_seconds = seconds;
     for (JointRows& e : m_joints) computeRows(e, bodies);
     if (m_isNew) m_system.build(m_joints);
@@ -125,6 +128,8 @@ void JointSolver::prepare(std::span<const SolverBody> bodies, std::span<SolverSt
         SolverState &A = e.stateA(states), &B = e.stateB(states);
         if (isSolvedAlone(e)) factorize(e, A, B);
         e.startValue = e.freeAxis.value;
+        for (size_t i = 0; i < 2; ++i)
+            e.fall[i] = e.c->bodies[i] ? fall * double(states[size_t(e.c->bodies[i])].gravityScale) : glm::dvec3(0.0);
         projectFreeAxes(e, A, B);
         prepareJoint(e, A, B);
         if (e.hasServo) prepareServo(e, A, B);
@@ -164,9 +169,9 @@ void JointSolver::prepareFreeAxis(JointRows& e) const {
     if (e.hasSpring) e.spring = makeSpring(joint.spring, m_seconds);
     e.hasServo = !e.hasSpring && hasFreeAxisSpring(joint) && hasPositionMotor(joint);
     if (joint.kind == JointKind::Rope) {
-        e.isSoft = joint.rope.stretch > 0.0;
+        e.isSoft = joint.rope.stretch > 0.0 && e.freeAxis.mass > 0.0;
         const double stiffness = e.isSoft ? kRopeStretchForce / (joint.rope.stretch * joint.rope.length) : 0.0;
-        if (e.isSoft) e.limit = makeSoft<double>(std::sqrt(stiffness * e.freeAxis.mass) / kSoftTwoPi, 1.0, m_seconds);
+        if (e.isSoft) e.limit = makeSoft<double>(std::sqrt(stiffness / e.freeAxis.mass) / kSoftTwoPi, 1.0, m_seconds);
     }
 }
 
@@ -193,11 +198,11 @@ void JointSolver::warmStart(const JointRows& e, SolverState& A, SolverState& B) 
     for (size_t i = 0; i < size_t(e.rows); ++i)
         applyLocked(e, i, A, B, c.lockedImpulse[i] + e.freeAxis.held[i] * along + e.motorAxis.held[i] * alongMotor);
     if (e.isSoft)
-        applyCounted(e.freeAxis.push, A, B, limit, c.work);
+        applyWork(e, e.freeAxis.push, A, B, limit);
     else
         e.freeAxis.push.apply(A, B, limit);
-    if (c.springImpulse != 0.0) applyCounted(e.freeAxis.push, A, B, c.springImpulse, c.work);
-    if (c.motorImpulse != 0.0) applyCounted(e.motorAxis.push, A, B, c.motorImpulse, c.work);
+    if (c.springImpulse != 0.0) applyWork(e, e.freeAxis.push, A, B, c.springImpulse);
+    if (c.motorImpulse != 0.0) applyWork(e, e.motorAxis.push, A, B, c.motorImpulse);
     e.motorAxis.push.apply(A, B, c.frictionImpulse);
     if (e.hasBallFriction) JointRow{{}, c.ballFriction, {}, c.ballFriction}.apply(A, B, 1.0);
 }
@@ -252,15 +257,15 @@ void JointSolver::solveFreeAxis(JointRows& e, SolverState& A, SolverState& B, bo
     if (e.hasSpring && useBias) solveSpring(e, A, B);
     if (e.hasServo)
         addClamped(c.springImpulse, e.freeAxis.mass * (e.servoSpeed - e.freeAxis.row.velocity(A, B)), e.servoLimit,
-                   [&](double impulse) { applyAlong(e, e.freeAxis, A, B, impulse, &c.work); });
+                   [&](double impulse) { applyAlong(e, e.freeAxis, A, B, impulse, true); });
     if (joint.motor.mode == MotorMode::Speed) {
         const double speed = axis.row.velocity(A, B) - joint.motor.target;
         addClamped(c.motorImpulse, -axis.mass * speed, joint.motor.maxForce * m_seconds,
-                   [&](double impulse) { applyAlong(e, axis, A, B, impulse, &c.work); });
+                   [&](double impulse) { applyAlong(e, axis, A, B, impulse, true); });
     }
     if (joint.friction > 0.0 && !e.hasBallFriction)
         addClamped(c.frictionImpulse, -axis.mass * axis.row.velocity(A, B), joint.friction * m_seconds,
-                   [&](double impulse) { applyAlong(e, axis, A, B, impulse, nullptr); });
+                   [&](double impulse) { applyAlong(e, axis, A, B, impulse, false); });
     if (!joint.limits.on && !hasOnlyUpperLimit(joint)) return;
     if (e.isSoft && joint.kind == JointKind::Rope && !useBias) return;
     if (!hasOnlyUpperLimit(joint)) solveLimit(e, A, B, false, useBias);
@@ -275,7 +280,7 @@ void JointSolver::solveSpring(JointRows& e, SolverState& A, SolverState& B) cons
     const double change = e.spring.pull * targetError(e) + e.spring.massScale * e.freeAxis.row.velocity(A, B);
     const double impulse = -e.freeAxis.mass * change - e.spring.impulseScale * c.springImpulse;
     addClamped(c.springImpulse, impulse, maxImpulse,
-               [&](double added) { applyAlong(e, e.freeAxis, A, B, added, &c.work); });
+               [&](double added) { applyAlong(e, e.freeAxis, A, B, added, true); });
 }
 
 /// One limit of the free coordinate. Short of the limit, the coordinate may move up to it within the substep (as a
@@ -296,7 +301,7 @@ void JointSolver::solveLimit(JointRows& e, SolverState& A, SolverState& B, bool 
     double& impulse = e.c->limitImpulse[isHigh ? 1 : 0];
     const double before = impulse, speed = sign * e.freeAxis.row.velocity(A, B);
     impulse = std::max(before - e.freeAxis.mass * massScale * (speed + bias) - impulseScale * before, 0.0);
-    applyAlong(e, e.freeAxis, A, B, sign * (impulse - before), workOfLimit(e));
+    applyAlong(e, e.freeAxis, A, B, sign * (impulse - before), e.isSoft);  // a rope that stretches
 }
 
 /// Friction against the relative rotation of a ball about any axis; the impulse is clamped by its length.

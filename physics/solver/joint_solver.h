@@ -13,8 +13,9 @@ class JointSolver {
 public:
     /// Begins a step; marks the states of jointed bodies. The constraints must stay until its end.
     void begin(std::span<JointConstraint* const> joints, std::span<SolverState> states);
-    /// Begins a substep of this length: computes rows and masses where the bodies are, and warm starts.
-    void prepare(std::span<const SolverBody> bodies, std::span<SolverState> states, double seconds);
+    /// Begins a substep of this length: computes rows and masses where the bodies are, and warm starts. fall: m/s that
+    /// gravity has given the bodies in it.
+    void prepare(std::span<const SolverBody> bodies, std::span<SolverState> states, double seconds, glm::dvec3 fall);
     /// A few iterations over all joints. useBias: before the bodies move, with correction of position errors; false:
     /// after they have moved, for velocities alone.
     void solve(std::span<const SolverBody> bodies, std::span<SolverState> states, bool useBias);
