@@ -24,20 +24,28 @@ void Client::tick() {
     ++m_ticks;
     try {
         if (m_transport) receive();
-        if (m_state == State::Playing) follow();
     } catch (const rubble::Error&) {  // this is not, or no longer, the server's world
         rejoin();
     }
+    if (m_state == State::Playing) m_clock.tick(m_received);
+    show(0.0);
     if (m_transport) {
         send();
         m_transport->tick();
     }
 }
 
-void Client::follow() {
-    m_clock.tick();
-    moveBodies();
-    applySteps();
+/// The world is at the end of the step that is shown, its bodies where they are then.
+void Client::show(double partOfStep) try {
+    if (m_state != State::Playing) return;
+    const double time = std::min(m_clock.now() + partOfStep, double(m_received));
+    for (; !m_steps.empty() && double(m_steps.front().step) < time + 1.0; m_steps.pop_front()) {
+        moveBodies(m_steps.front().step);
+        apply(m_steps.front());
+    }
+    m_alpha = std::clamp(time + 1.0 - double(m_applied), 0.0, 1.0);
+} catch (const rubble::Error&) {
+    rejoin();
 }
 
 void Client::receive() {
@@ -72,6 +80,7 @@ void Client::take(const Snapshot& snapshot) {
     m_steps.clear(), m_bodies.clear(), m_ids.clear(), m_moving.clear();
     m_world.load_game_data(snapshot.game.data(), snapshot.game.size());
     m_applied = m_received = snapshot.step;
+    m_clock = {};
     for (const BodyName& each : snapshot.names) name(each);
     m_state = State::Playing;
     ++m_snapshots;
@@ -130,35 +139,32 @@ void Client::name(const BodyName& name) {
     tracked.track.add(name.step - 1, pose);
 }
 
-/// Bodies go where they are at the time that is shown.
-void Client::moveBodies() {
+/// Bodies go where they are after a step, which follows.
+void Client::moveBodies(uint64_t step) {
+    const double time = double(step);
     std::vector<rubble_body_state> states;
-    const double now = m_clock.now();
     std::erase_if(m_moving, [&](uint32_t id) {
         Tracked& tracked = m_bodies[id];
         if (!tracked.body) return false;
-        const std::optional<BodyPose> pose = tracked.track.at(now);
+        const std::optional<BodyPose> pose = tracked.track.at(time);
         if (!pose) return false;
         rubble_body_state state = m_world.get_body_state(tracked.body);
-        tracked.track.forgetBefore(now);
+        tracked.track.forgetBefore(time);
         if (state.flags & RUBBLE_BODY_STATIC) return true;
         std::copy(pose->position.begin(), pose->position.end(), state.position);
         std::copy(pose->rotation.begin(), pose->rotation.end(), state.rotation);
         state.flags = pose->isAsleep ? RUBBLE_BODY_ASLEEP : 0;
         states.push_back(state);
-        return tracked.track.isAtRest(now);
+        return tracked.track.isAtRest(time);
     });
     m_world.set_body_states(states.data(), uint32_t(states.size()));
 }
 
-void Client::applySteps() {
-    for (; !m_steps.empty() && double(m_steps.front().step) <= m_clock.now(); m_steps.pop_front()) {
-        const Step& step = m_steps.front();
-        m_world.apply_deltas(step.delta.data(), step.delta.size());
-        m_applied = step.step;
-        forgetDestroyed();
-        for (const BodyName& each : step.names) name(each);
-    }
+void Client::apply(const Step& step) {
+    m_world.apply_deltas(step.delta.data(), step.delta.size());
+    m_applied = step.step;
+    forgetDestroyed();
+    for (const BodyName& each : step.names) name(each);
 }
 
 void Client::forgetDestroyed() {

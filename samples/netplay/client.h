@@ -30,6 +30,10 @@ public:
     void disconnect();
     /// One step of 1/60 s: reads what has come, follows, sends.
     void tick();
+    /// Follows to so much of a step behind the last tick(): for hosts that draw between two, before each frame.
+    void show(double partOfStep);
+    /// Where between the last two steps of the world the shown time is, for rubble_view.alpha.
+    double alpha() const { return m_alpha; }
     /// Wants to fly, m/s along each axis; the server decides.
     void move(const Vec3& velocity);
     /// Asks to use a tool in a direction, which has a length; the server decides.
@@ -45,8 +49,6 @@ public:
     const std::vector<Poses::Player>& players() const { return m_players; }
     /// The last step whose edits it has carried out.
     uint64_t appliedStep() const { return m_applied; }
-    /// The time that it shows, in steps of the server.
-    double shownTime() const { return m_clock.now(); }
     /// How far bodies jumped when a pose arrived that was not as foreseen: how many by so many millimetres; the last:
     /// more.
     const std::vector<uint64_t>& corrections() const { return m_corrections; }
@@ -68,7 +70,6 @@ private:
         PoseTrack track;
     };
 
-    void follow();
     void receive();
     void handle(const Message& message);
     void take(const Snapshot& snapshot);
@@ -76,8 +77,8 @@ private:
     void take(const Poses& poses);
     void noteSequence(uint16_t sequence);
     void name(const BodyName& name);
-    void moveBodies();
-    void applySteps();
+    void moveBodies(uint64_t step);
+    void apply(const Step& step);
     void forgetDestroyed();
     void send();
     void rejoin();
@@ -89,6 +90,7 @@ private:
     uint64_t m_token = 0, m_game = 0;
     uint32_t m_player = 0;
     PlayoutClock m_clock;
+    double m_alpha = 1.0;
     uint64_t m_ticks = 0, m_applied = 0, m_received = 0;  ///< the last step that was carried out; that has come
     std::deque<Step> m_steps;
     std::unordered_map<uint32_t, Tracked> m_bodies;

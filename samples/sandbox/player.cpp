@@ -8,7 +8,6 @@ namespace {
 constexpr double kEyesBelowTop = 0.12;                // metres from the eyes to the top of the head
 constexpr double kFlySpeed = 8.0, kFastFactor = 3.0;  // m/s
 constexpr double kEyeFollowRate = 14.0;               // 1/s: smooths the eye's height over steps and crouching
-constexpr double kMaxPitch = 1.5;                     // radians
 constexpr const char* kName = "player";
 constexpr const char* kTorchName = "player's torch";
 constexpr glm::dvec3 kTorchOffset(0.25, -0.3, -0.2);  // from the eyes, in their frame, metres
@@ -32,13 +31,10 @@ void Player::place(const Pose& eye) {
 }
 
 Edits Player::move(const PlayerInput& input, const World& world, double seconds) {
-    m_camera.yaw -= input.turnRight;
-    m_camera.pitch = std::clamp(m_camera.pitch + input.turnUp, -kMaxPitch, kMaxPitch);
+    m_camera.turn(input);
     if (m_walks) return walk(input, world, seconds);
     m_isSpawning = false;
-    const glm::dvec3 step =
-        m_camera.rotation() * glm::dvec3(input.right, 0, -input.forward) + glm::dvec3(0.0, input.up, 0.0);
-    m_camera.position += step * (kFlySpeed * (input.fast ? kFastFactor : 1.0) * seconds);
+    m_camera.position += m_camera.flight(input) * (kFlySpeed * (input.fast ? kFastFactor : 1.0) * seconds);
     const CharacterHandle left = findNamed(world.characters(), kName);
     return left ? Edits{RemoveCharacterEdit{left}} : Edits{};
 }

@@ -1,15 +1,9 @@
 #pragma once
 #include "runtime/world/world.h"
 #include "samples/support/camera.h"
+#include "samples/support/player_input.h"
 
 namespace rubble {
-
-/// What the player asks for. forward, right, up: in [-1, 1].
-struct PlayerInput {
-    double forward = 0.0, right = 0.0, up = 0.0;
-    double turnRight = 0.0, turnUp = 0.0;  ///< radians since the last call
-    bool fast = false;
-};
 
 /// The sandbox's camera: it flies freely, or follows a character that walks, jumps, crouches and swims.
 class Player {

@@ -22,7 +22,6 @@ namespace {
 
 constexpr double kStepSeconds = 1.0 / kStepsPerSecond;
 constexpr int kMaxStepsPerFrame = 4;  ///< a slower machine runs game time slower instead of falling ever further behind
-constexpr double kMouseRadiansPerPixel = 0.0025;
 constexpr int kScreenshotFrames = 12;                 ///< drawn before --screenshot writes its image
 constexpr double kToolSeconds[] = {0.25, 0.5, 0.03};  ///< between two uses while the button is held
 
@@ -82,14 +81,7 @@ private:
     }
 
     void readKeys(double elapsed) {
-        PlayerInput input;
-        input.forward = m_window.held(GLFW_KEY_W) - m_window.held(GLFW_KEY_S);
-        input.right = m_window.held(GLFW_KEY_D) - m_window.held(GLFW_KEY_A);
-        input.up = m_window.held(GLFW_KEY_SPACE) - m_window.held(GLFW_KEY_LEFT_SHIFT);
-        input.fast = m_window.held(GLFW_KEY_LEFT_CONTROL);
-        const glm::dvec2 mouse = m_window.takeMouseMotion();
-        input.turnRight = mouse.x * kMouseRadiansPerPixel;
-        input.turnUp = -mouse.y * kMouseRadiansPerPixel;
+        const PlayerInput input = readPlayerInput(m_window);
         m_loop.edits().push(m_player.move(input, m_loop.world(), elapsed));
         for (int i = 0; i < 3; ++i)
             if (m_window.pressed(GLFW_KEY_1 + i)) {
@@ -180,7 +172,7 @@ int runWindow(const SandboxOptions& options) {
     Result<SandboxStage> stage = loadStage(options);
     if (!stage) return logError(stage.error()), 1;
     auto window = Window::create({options.width, options.height}, "Rubble sandbox");
-    if (!window) return logError(window.error()), 1;
+    if (!window) return logError(window.error() + "; without a display run with --headless"), 1;
     RenderSettings settings = RenderSettings::preset(options.preset);
     settings.fullscreen = RenderSettings::fullscreenFromName(options.fullscreen);
     settings.hostState = HostState::Reset;

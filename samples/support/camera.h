@@ -1,9 +1,13 @@
 #pragma once
+#include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
 
-#include "render/renderer.h"
+#include "samples/support/player_input.h"
 
 namespace rubble {
+
+struct View;
 
 /// A camera by position, yaw and pitch (radians). Yaw 0 looks along -z; positive pitch looks up.
 struct Camera {
@@ -24,16 +28,12 @@ struct Camera {
         yaw = std::atan2(-d.x, -d.z);
         pitch = std::asin(d.y);
     }
+    /// Turns as the player asks for.
+    void turn(const PlayerInput& input);
+    /// Where the player asks to fly, seen from here: world, of length 1 along one axis of the input.
+    glm::dvec3 flight(const PlayerInput& input) const;
     /// The renderer's view from here into a framebuffer of `size` pixels; 0 is the window's.
-    View view(glm::ivec2 size, unsigned framebuffer) const {
-        View view;
-        view.position = position;
-        view.rotation = rotation();
-        view.verticalFov = verticalFov;
-        view.size = size;
-        view.framebuffer = framebuffer;
-        return view;
-    }
+    View view(glm::ivec2 size, unsigned framebuffer) const;
 };
 
 }  // namespace rubble

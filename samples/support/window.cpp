@@ -14,8 +14,7 @@ Result<std::unique_ptr<Window>> Window::create(glm::ivec2 size, const std::strin
         const char* reason = nullptr;
         glfwGetError(&reason);
         glfwTerminate();
-        return Error{std::string(what) + ": " + (reason ? reason : "no reason given") +
-                     "; without a display run with --headless"};
+        return Error{std::string(what) + ": " + (reason ? reason : "no reason given")};
     };
     if (!glfwInit()) return failure("cannot open a display");
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);

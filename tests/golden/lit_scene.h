@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "runtime/frame/frame_snapshot.h"
+#include "render/renderer.h"
 #include "samples/support/camera.h"
 
 namespace rubble {

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "render/passes/glass_pass.h"
+#include "render/renderer.h"
 #include "runtime/core/random.h"
 #include "runtime/voxel/ray_walk.h"
 #include "samples/support/camera.h"

@@ -6,6 +6,7 @@
 
 #include "render/frame/frame_camera.h"
 #include "render/frame/frame_context.h"
+#include "render/renderer.h"
 #include "runtime/core/random.h"
 #include "samples/support/camera.h"
 #include "tests/render/gl_fixture.h"

@@ -25,6 +25,7 @@ HEAD = '''/* Generated from rubble.h by runtime/plugin/bindings/generate.py: cha
 #include <vector>
 
 namespace rubble {
+inline namespace wrapper {  // apart from the library's own classes, for programs that link its parts too
 
 /** What a call that failed throws: what() is get_last_error(). */
 class Error : public std::runtime_error {
@@ -229,5 +230,5 @@ def wrapper(description):
                             made_of="const World& world, rubble_renderer_settings settings = {}",
                             made_with="world.handle(), &settings, ", settings=set_size,
                             methods=methods["rubble_renderer"])
-    tail = "\n}  // namespace rubble\n\n#endif\n"
+    tail = "\n}  // namespace wrapper\n}  // namespace rubble\n\n#endif\n"
     return HEAD + world + renderer + tail

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/gl/framebuffer.h"
+#include "render/renderer.h"
 #include "runtime/voxel/ray_walk.h"
 #include "samples/support/camera.h"
 #include "tests/benchmark/houses.h"

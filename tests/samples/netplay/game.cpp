@@ -14,9 +14,9 @@
 namespace netplay {
 namespace {
 
-rubble_world_settings worldSettings(uint32_t flags) {
+rubble_world_settings serverSettings() {
     rubble_world_settings settings{};
-    settings.flags = RUBBLE_WORLD_NO_RENDERER | flags;
+    settings.flags = RUBBLE_WORLD_NO_RENDERER;
     return settings;
 }
 
@@ -33,10 +33,10 @@ std::vector<uint8_t> cells(const rubble::World& world, const rubble_shape_state&
 
 }  // namespace
 
-Seat::Seat(uint32_t seedOfBot, int rows, int stepsBetweenAsks)
-    : world(worldSettings(RUBBLE_WORLD_HOST_PHYSICS)), bot(seedOfBot, rows, stepsBetweenAsks), seed(seedOfBot) {}
+Seat::Seat(const rubble_world_settings& settings, uint32_t seedOfBot, int rows, int stepsBetweenAsks)
+    : world(settings), bot(seedOfBot, rows, stepsBetweenAsks), seed(seedOfBot) {}
 
-Game::Game(const GameSettings& settings) : m_settings(settings), m_world(worldSettings(0)) {
+Game::Game(const GameSettings& settings) : m_settings(settings), m_world(serverSettings()) {
     buildYard(m_world, settings.rows);
     auto listening = listenWithEnet(0, settings.players + 8, true);
     m_port = portOf(*listening);
@@ -48,7 +48,7 @@ Game::Game(const GameSettings& settings) : m_settings(settings), m_world(worldSe
 
 Seat& Game::add() {
     const auto seed = uint32_t(m_seats.size() + 1);
-    m_seats.push_back(std::make_unique<Seat>(seed, m_settings.rows, m_settings.stepsBetweenAsks));
+    m_seats.push_back(std::make_unique<Seat>(m_settings.world, seed, m_settings.rows, m_settings.stepsBetweenAsks));
     connect(*m_seats.back());
     return *m_seats.back();
 }
@@ -70,20 +70,11 @@ void Game::remember() {
 }
 
 void Game::compare(Seat& seat) {
-    const double time = seat.client.shownTime();
-    if (seat.client.state() != Client::State::Playing || m_past.size() < 120) return;
-    const auto index = size_t(std::max(0.0, std::floor(time) - double(m_past.front().step)));
-    if (index + 1 >= m_past.size()) return;
-    const PastStep &before = m_past[index], &after = m_past[index + 1];
-    const double part = time - std::floor(time);
-    for (const auto& [body, to] : after.positions) {
-        const auto from = before.positions.find(body);
+    const uint64_t step = seat.client.appliedStep();
+    if (seat.client.state() != Client::State::Playing || m_past.empty() || step < m_past.front().step) return;
+    for (const auto& [body, expected] : m_past[size_t(step - m_past.front().step)].positions) {
         rubble_body there = 0;
-        if (from == before.positions.end() ||
-            rubble::api().translate_handle(seat.world.handle(), body, &there) != RUBBLE_OK)
-            continue;
-        Vec3 expected;
-        for (size_t i = 0; i < 3; ++i) expected[i] = from->second[i] + (to[i] - from->second[i]) * part;
+        if (rubble::api().translate_handle(seat.world.handle(), body, &there) != RUBBLE_OK) continue;
         const double error = distance(expected.data(), seat.world.get_body_state(there).position);
         ++m_errors[std::min(size_t(error * 1000.0), m_errors.size() - 1)];
     }

@@ -26,7 +26,7 @@ struct Seat {
     uint32_t seed;
     bool isPlaying = true;  ///< the bot acts
     /// seed: of the bot, and of the link.
-    Seat(uint32_t seed, int rows, int stepsBetweenAsks);
+    Seat(const rubble_world_settings& settings, uint32_t seed, int rows, int stepsBetweenAsks);
 };
 
 struct GameSettings {
@@ -34,6 +34,7 @@ struct GameSettings {
     int stepsBetweenAsks = 90;
     LinkSettings link;  ///< of each end
     size_t players = 8;
+    rubble_world_settings world{.flags = RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_HOST_PHYSICS};  ///< of each client
 };
 
 /// A server and clients over ENet on the loopback, each end behind a LinkConditioner, in one thread and by one clock of

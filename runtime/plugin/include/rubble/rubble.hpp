@@ -20,6 +20,7 @@
 #include <vector>
 
 namespace rubble {
+inline namespace wrapper {  // apart from the library's own classes, for programs that link its parts too
 
 /** What a call that failed throws: what() is get_last_error(). */
 class Error : public std::runtime_error {
@@ -1068,6 +1069,7 @@ private:
     rubble_renderer m_handle = 0;
 };
 
+}  // namespace wrapper
 }  // namespace rubble
 
 #endif
