@@ -13,6 +13,7 @@ using ResetStatus = GLenum(GLAD_API_PTR*)();
 ResetStatus g_resetStatus = nullptr;
 using PixelTransfer = void(GLAD_API_PTR*)(GLenum, GLfloat);
 PixelTransfer g_pixelTransfer = nullptr;  ///< null in core profiles
+constexpr GLenum kUnmaskedRenderer = 0x9246;  ///< of WEBGL_debug_renderer_info
 bool g_hasCompute = false, g_isEmbedded = false;
 
 /// The function that tells of lost contexts: of GL 4.5, KHR_robustness or ARB_robustness; null: there is none.
@@ -87,6 +88,10 @@ bool isContextLost() {
 
 bool isSoftwareGl() {
     const auto* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    if (isEmbedded() && offers("GL_WEBGL_debug_renderer_info")) {  // browsers hide the name behind an extension
+        const auto* unmasked = reinterpret_cast<const char*>(glGetString(kUnmaskedRenderer));
+        text = glGetError() == GL_NO_ERROR && unmasked ? unmasked : text;
+    }
     const std::string_view name = text ? text : "";
     for (const char* software : {"llvmpipe", "softpipe", "SwiftShader"})
         if (name.find(software) != std::string_view::npos) return true;

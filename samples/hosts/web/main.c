@@ -27,7 +27,8 @@ static struct { /* an image of its own: the canvas has no depth of 32-bit floats
     int width, height;
 } image;
 static char preset[16] = "balanced";
-static int keys[4]; /* held: W, S, A, D */
+static int with_meshes = 1; /* the host's own triangles, with depth */
+static int keys[4];         /* held: W, S, A, D */
 
 static void check(rubble_result result, const char* what) {
     const struct yard failed = {.api = api};
@@ -86,17 +87,18 @@ static void take_gl_errors(void) {
  * that is to be compared. */
 static int draw_frame(double alpha, int with_world, int compares) {
     static struct gl_state before, after;
-    rubble_view view = {.struct_size = sizeof view, .flags = RUBBLE_VIEW_DEPTH, .alpha = alpha};
+    rubble_view view = {.struct_size = sizeof view, .alpha = alpha};
     int differences = 0;
     if (!renderer) return 0;
     fit_image();
+    if (with_meshes) view.flags = RUBBLE_VIEW_DEPTH;
     view.framebuffer = image.framebuffer, view.width = (uint32_t)image.width, view.height = (uint32_t)image.height;
     yard_look(&yard, &view);
     glBindFramebuffer(GL_FRAMEBUFFER, image.framebuffer);
     glViewport(0, 0, image.width, image.height);
     glClearColor(0.4f, 0.5f, 0.6f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    draw_own_meshes(&view, kTownPyramids, 0.02 * (double)yard.steps);
+    if (with_meshes) draw_own_meshes(&view, kTownPyramids, 0.02 * (double)yard.steps);
     if (with_world) {
         if (compares) read_gl_state(find_gl, &before), take_gl_errors();
         check(api->draw(renderer, &view), "draw");
@@ -130,6 +132,7 @@ static void make_drawing(void) {
     settings.flags = RUBBLE_RENDERER_COMPILE_LATE;
     emscripten_webgl_enable_extension(context, "EXT_color_buffer_float");
     emscripten_webgl_enable_extension(context, "OES_texture_float_linear");
+    emscripten_webgl_enable_extension(context, "WEBGL_debug_renderer_info"); /* says whether there is a GPU */
     memset(&image, 0, sizeof image);
     make_own_meshes(find_gl, "#version 300 es\n");
     check(api->create_renderer(world, &settings, &renderer), "create_renderer");
@@ -150,6 +153,7 @@ static EM_BOOL on_context_lost(int type, const void* reserved, void* user) {
 static EM_BOOL on_context_restored(int type, const void* reserved, void* user) {
     (void)type, (void)reserved, (void)user;
     make_drawing();
+    yard_step(&yard); /* which shows the world to the new renderer */
     printf("the WebGL context is back\n");
     return EM_TRUE;
 }
@@ -219,11 +223,13 @@ EMSCRIPTEN_KEEPALIVE void host_memory(void) {
            (unsigned)((mallinfo().uordblks + stats.texture_bytes) / 1024));
 }
 
-/* Draws with another preset from now on. */
-EMSCRIPTEN_KEEPALIVE void host_preset(const char* name) {
+/* Draws with another preset from now on, with the host's own triangles or without. */
+EMSCRIPTEN_KEEPALIVE void host_quality(const char* name, int meshes) {
     snprintf(preset, sizeof preset, "%s", name);
+    with_meshes = meshes;
     destroy_renderer();
     make_drawing();
+    yard_step(&yard); /* which shows the world to the new renderer */
 }
 
 /* Begins with a level of the page, which stays its own. */

@@ -34,12 +34,13 @@ async function begin() {
     const address = host._malloc(level.length);
     host.HEAPU8.set(level, address);
     host._host_begin(address, level.length);
-    if (options.has("preset")) setPreset(host, options.get("preset"));
+    if (options.has("preset")) setQuality(host, options.get("preset"), true);
     return host;
 }
 
-function setPreset(host, name) {
-    host.ccall("host_preset", null, ["string"], [name]);
+/** Draws with a preset, with the host's own triangles or without. */
+function setQuality(host, preset, withMeshes) {
+    host.ccall("host_quality", null, ["string", "number"], [preset, Number(withMeshes)]);
 }
 
 /** Plays in real time: as many steps of 1/60 s as have passed, at most four a frame. Frames of the last second go to

@@ -50,21 +50,27 @@ async function loseContext() {
     await restored;
 }
 
-/** Frames a second in real time, second by second, with each preset. */
+/** The median of the frames a second in real time, with each preset. */
 async function measure(host, seconds) {
-    for (const name of ["balanced", "fast"]) {
-        setPreset(host, name);
-        const rates = [];
-        await play(host, rate => rates.push(rate), () => rates.length >= seconds + 2);
-        const counted = rates.slice(2).sort((a, b) => a - b);  // programs are compiled in the first
-        say(`${name} at ${canvas.width}x${canvas.height}: ${counted[counted.length >> 1].toFixed(1)} frames/s`);
+    for (const preset of (options.get("presets") || "balanced,fast").split(",")) {
+        for (const withMeshes of [true, false]) {
+            setQuality(host, preset, withMeshes);
+            const rates = [];
+            await play(host, rate => rates.push(rate), () => rates.length >= seconds + 2);
+            const counted = rates.slice(2).sort((a, b) => a - b);  // programs are compiled in the first
+            const rate = counted[counted.length >> 1].toFixed(1);
+            say(`${preset} at ${canvas.width}x${canvas.height}, ${withMeshes ? "with" : "without"} own triangles: ` +
+                `${rate} frames/s`);
+        }
     }
 }
 
 async function playScript(host) {
-    await playCycle(host, name => takeImage(host, name));
-    await loseContext();
-    await takeImage(host, "5_restored");
+    if (!options.has("skip")) {
+        await playCycle(host, name => takeImage(host, name));
+        await loseContext();
+        await takeImage(host, "5_restored");
+    }
     if (options.has("speed")) await measure(host, Number(options.get("speed")));
     for (let i = 1; i < Number(options.get("cycles") || 1); ++i) {
         press("KeyR");
