@@ -46,6 +46,7 @@ namespace {
 
 constexpr float kStill = 1.0f / float(kStepsPerSecond);  ///< seconds of a frame in which no game time passes
 constexpr double kLongestFrame = 1.0;                    ///< seconds
+constexpr double kGreenSeconds = 1.0;                    ///< for which a dot tells of reloaded shaders
 
 /// Makes a block the one that shaders see.
 void uploadBlock(const FrameBlock& block, GLuint buffer) {
@@ -55,8 +56,6 @@ void uploadBlock(const FrameBlock& block, GLuint buffer) {
 }
 
 }  // namespace
-
-constexpr double kGreenSeconds = 1.0;  ///< for which a dot tells of reloaded shaders
 
 struct Renderer::Impl {
     Impl(const std::string& shaderFolder, const RenderSettings& given)
@@ -146,7 +145,7 @@ struct Renderer::Impl {
     GlName<BufferKind> blockBuffer = GlName<BufferKind>::make();
     VertexArray emptyVertexArray = VertexArray::make();
     Texture blueNoise = makeNoiseTexture();
-    PassTimer timer{isSoftwareGl(), settings.processorTime};
+    PassTimer timer{isSoftwareGl() || isEmbedded(), settings.processorTime};
     RenderStats stats;
     float stepAlpha = 1.0f;       ///< of this frame: 0 to 1 between the last two steps
     float frameSeconds = kStill;  ///< since the frame before of this view
@@ -284,7 +283,8 @@ void Renderer::Impl::showImage(const FrameContext& frame, const View& view) {
 
 void Renderer::Impl::fillBlock(const View& view, glm::ivec2 renderSize) {
     history->camera.begin(view, renderSize, settings.temporal, scene.origin(), block);
-    block.counters.z = int(std::ranges::count(scene.lights(), false, &SnapshotLight::fleeting));
+    block.counters.z = int(std::count_if(scene.lights().begin(), scene.lights().end(),
+                                         [](const SnapshotLight& light) { return !light.fleeting; }));
     scene.describe(block);
 }
 
@@ -468,7 +468,7 @@ bool Renderer::reloadShaders() {
 
 bool Renderer::showPass(std::string_view name) {
     const auto views = ShowPass::views();
-    const auto found = std::ranges::find(views, name, &ShowPass::TargetView::name);
+    const auto found = std::find_if(views.begin(), views.end(), [&](const auto& view) { return view.name == name; });
     if (found != views.end()) m_impl->shown = &*found;
     return found != views.end();
 }
@@ -480,7 +480,8 @@ std::vector<std::string> Renderer::passNames() const {
 }
 
 Result<FloatImage> Renderer::readTarget(std::string_view name) const {
-    const auto declared = std::ranges::find(kTargets, name, &TargetDeclaration::name);
+    const auto declared =
+        std::find_if(kTargets.begin(), kTargets.end(), [&](const auto& target) { return target.name == name; });
     const std::string text = "target \"" + std::string(name) + "\": ";
     if (declared == kTargets.end()) return Error{text + "expected a name of render/frame/targets.h"};
     ViewHistory* drawn = m_impl->histories.last();

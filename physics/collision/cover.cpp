@@ -11,8 +11,8 @@ void Cover::add(const ColliderPart& solid, const CellTransform& solidCells, cons
 }
 
 bool Cover::contains(const glm::vec3& point) {
-    return std::ranges::any_of(
-        m_solids, [&](Solid& solid) { return solid.occupancy.solid(cellOf(solid.corner + solid.axes * point)); });
+    return std::any_of(m_solids.begin(), m_solids.end(),
+                       [&](Solid& solid) { return solid.occupancy.solid(cellOf(solid.corner + solid.axes * point)); });
 }
 
 bool Cover::covers(Cell cell, const glm::vec3& p, int axis, int sign) {

@@ -61,8 +61,9 @@ StaticNeighbours neighboursOf(std::span<const ObjectPair> pairs, size_t number) 
 }
 
 bool isTouchedAsRound(const Manifold& manifold) {
-    return std::ranges::any_of(manifold.all(),
-                               [](const ManifoldPoint& p) { return p.feature & (kFirstIsRound | kSecondIsRound); });
+    const auto points = manifold.all();
+    return std::any_of(points.begin(), points.end(),
+                       [](const ManifoldPoint& p) { return p.feature & (kFirstIsRound | kSecondIsRound); });
 }
 
 }  // namespace

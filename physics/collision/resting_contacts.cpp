@@ -21,7 +21,7 @@ void RestingContacts::keep(std::span<Manifold* const> manifolds) {
         if (isAwake(*first) || isAwake(*second)) continue;
         if (m_pairs.size() <= first->number) m_pairs.resize(first->number + 1);
         std::vector<Pair>& pairs = m_pairs[first->number];
-        auto at = std::ranges::lower_bound(pairs, second->number, {}, &Pair::second);
+        auto at = std::lower_bound(pairs.begin(), pairs.end(), second->number, Pair::isBefore);
         if (at == pairs.end() || at->second != second->number) at = pairs.insert(at, Pair{second->number});
         at->pose = relativePose(first->pose, second->pose);
         at->allowedPenetration = manifold->allowedPenetration;
@@ -34,7 +34,7 @@ void RestingContacts::keep(std::span<Manifold* const> manifolds) {
 bool RestingContacts::find(const CollisionObject& first, const CollisionObject& second, LoneManifold& out) const {
     if (first.number >= m_pairs.size()) return false;
     const std::vector<Pair>& pairs = m_pairs[first.number];
-    const auto at = std::ranges::lower_bound(pairs, second.number, {}, &Pair::second);
+    const auto at = std::lower_bound(pairs.begin(), pairs.end(), second.number, Pair::isBefore);
     if (at == pairs.end() || at->second != second.number ||
         maxPointDisplacement(at->pose, relativePose(first.pose, second.pose), first.radius) > kMaxMotion)
         return false;

@@ -31,6 +31,8 @@ private:
         RelativePose pose;
         float allowedPenetration = 0.0f;
         std::vector<Point> points;
+
+        static bool isBefore(const Pair& pair, uint32_t number) { return pair.second < number; }
     };
     std::vector<std::vector<Pair>> m_pairs;  ///< by the first's slot, each sorted by `second`
 };

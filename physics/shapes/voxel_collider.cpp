@@ -156,7 +156,8 @@ const HullPoints& ColliderPart::hull() const {
 void changedBricks(const FrameChanges& changes, ShapeHandle shape, std::vector<glm::ivec3>& out) {
     out.clear();
     const auto slotOf = [](const BrickChange& change) { return change.shape.slot(); };
-    auto change = std::ranges::lower_bound(changes.bricks, shape.slot(), {}, slotOf);
+    auto change = std::lower_bound(changes.bricks.begin(), changes.bricks.end(), shape.slot(),
+                                   [&](const BrickChange& each, uint32_t slot) { return slotOf(each) < slot; });
     for (; change != changes.bricks.end() && slotOf(*change) == shape.slot(); ++change)
         if (change->shape == shape) out.push_back(change->brick);
 }

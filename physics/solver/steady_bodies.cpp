@@ -31,7 +31,8 @@ void SteadyBodies::startSubstep(ContactSet& set, const glm::vec3& fall, bool isF
 void SteadyBodies::markGroups(ContactSet& set) {
     const auto isSteady = [&](int body) { return !body || set.states[size_t(body)].isSteady; };
     for (PairGroup& group : set.groups)
-        group.isSteady = std::ranges::all_of(group.a, isSteady) && std::ranges::all_of(group.b, isSteady);
+        group.isSteady = std::all_of(std::begin(group.a), std::end(group.a), isSteady) &&
+                         std::all_of(std::begin(group.b), std::end(group.b), isSteady);
 }
 
 }  // namespace rubble

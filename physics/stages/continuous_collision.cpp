@@ -210,7 +210,7 @@ void ContinuousCollision::stopAt(const DynamicBody& body, double fraction) {
     if (fraction > 1.0 || known <= fraction) return;
     known = fraction;
     m_queue.push_back({fraction, body.handle().slot()});
-    std::ranges::push_heap(m_queue, std::greater());
+    std::push_heap(m_queue.begin(), m_queue.end(), std::greater());
 }
 
 /// Bodies that are joined stop together, or their joints would pull them through.
@@ -276,7 +276,7 @@ bool ContinuousCollision::stop(PhysicsBodies& bodies, const JointTable& joints, 
     for (const uint32_t slot : m_swept) stopAt(bodies.at(slot), fractionOf(bodies.at(slot), bodies, joints));
     while (!m_queue.empty()) {
         const Stop next = m_queue.front();
-        std::ranges::pop_heap(m_queue, std::greater());
+        std::pop_heap(m_queue.begin(), m_queue.end(), std::greater());
         m_queue.pop_back();
         const DynamicBody& body = bodies.at(next.slot);
         if (m_fractions[size_t(body.solverIndex)] != next.fraction) continue;  // it stops before

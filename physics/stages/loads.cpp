@@ -43,7 +43,8 @@ bool bears(const Manifold& manifold, bool isFirst, glm::dvec3 up) {
 /// By how much a sleeping body is pressed otherwise than before by one that now presses with an impulse, N s.
 glm::dvec3 changeBy(const DynamicBody& other, DynamicBody& sleeper, const glm::dvec3& impulse) {
     std::vector<SleepLoad::Neighbour>& known = sleeper.sleepLoad.neighbours;
-    auto at = std::ranges::find(known, other.handle().slot(), &SleepLoad::Neighbour::slot);
+    auto at = std::find_if(known.begin(), known.end(),
+                           [&](const SleepLoad::Neighbour& each) { return each.slot == other.handle().slot(); });
     if (at == known.end()) {
         if (!sleeper.isAsLoaded || !other.isAsLoaded) return impulse;
         at = known.insert(known.end(), {other.handle().slot(), glm::dvec3(0.0), kStepsToLearn});

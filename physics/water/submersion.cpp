@@ -155,9 +155,10 @@ private:
         const Place sideways = m_isWithin ? Place::In : outlinePlace(m_water, low, one);
         if (sideways == Place::Out) return;
         const double before = m_cut;
-        const bool isWhole = sideways == Place::In && std::ranges::none_of(m_before, [&](const Water* other) {
-                                 return outlinePlace(*other, low, one) == Place::Cut;
-                             });
+        const bool isWhole =
+            sideways == Place::In && std::none_of(m_before.begin(), m_before.end(), [&](const Water* other) {
+                return outlinePlace(*other, low, one) == Place::Cut;
+            });
         if (isWhole)
             addCube(low, 1.0);
         else

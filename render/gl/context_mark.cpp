@@ -25,8 +25,10 @@ private:
 ContextMark::ContextMark() : m_buffer(GlName<BufferKind>::make()) {
     static std::atomic<uint64_t> marks{0};
     m_content = {0x656c62627552u, ++marks, reinterpret_cast<uintptr_t>(&marks)};  // "Rubble"
+    m_size = GLint(sizeof m_content + (isEmbedded() ? 8 * (marks % kSizes) : 0));
     const BoundForCopy bound(m_buffer.get());
-    glBufferData(GL_COPY_READ_BUFFER, sizeof m_content, m_content.data(), GL_STATIC_READ);
+    glBufferData(GL_COPY_READ_BUFFER, m_size, nullptr, GL_STATIC_READ);
+    glBufferSubData(GL_COPY_READ_BUFFER, 0, sizeof m_content, m_content.data());
 }
 
 bool ContextMark::isCurrent() const {
@@ -35,7 +37,8 @@ bool ContextMark::isCurrent() const {
     GLint size = 0, isMapped = 0;
     glGetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &size);
     glGetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_MAPPED, &isMapped);
-    if (size != GLint(sizeof m_content) || isMapped) return false;
+    if (size != m_size || isMapped) return false;
+    if (isEmbedded()) return true;
     Content found{};
     glGetBufferSubData(GL_COPY_READ_BUFFER, 0, sizeof found, found.data());
     return found == m_content;

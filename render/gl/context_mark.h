@@ -7,7 +7,8 @@
 namespace rubble {
 
 /// Recognises the GL context that it was made in, and those that share objects with it: names of objects mean other
-/// objects in other contexts. It is a buffer whose content no other has. [render-thread]
+/// objects in other contexts. It is a buffer whose content no other has; in OpenGL ES, which does not tell what a
+/// buffer holds, one of a size that few have. [render-thread]
 class ContextMark {
 public:
     /// Marks the current context.
@@ -17,8 +18,10 @@ public:
 
 private:
     using Content = std::array<uint64_t, 3>;
+    static constexpr uint64_t kSizes = 1024;  ///< of marks in OpenGL ES
     GlName<BufferKind> m_buffer;
     Content m_content;
+    GLint m_size;  ///< bytes
 };
 
 }  // namespace rubble

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "render/gl/embedded_gl.h"
+
 namespace rubble {
 namespace {
 
@@ -11,15 +13,8 @@ using ResetStatus = GLenum(GLAD_API_PTR*)();
 ResetStatus g_resetStatus = nullptr;
 using PixelTransfer = void(GLAD_API_PTR*)(GLenum, GLfloat);
 PixelTransfer g_pixelTransfer = nullptr;  ///< null in core profiles
-bool g_hasCompute = false;
-
-bool offers(std::string_view extension) {
-    GLint count = 0;
-    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-    for (GLint i = 0; i < count; ++i)
-        if (extension == reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, GLuint(i)))) return true;
-    return false;
-}
+constexpr GLenum kUnmaskedRenderer = 0x9246;  ///< of WEBGL_debug_renderer_info
+bool g_hasCompute = false, g_isEmbedded = false;
 
 /// The function that tells of lost contexts: of GL 4.5, KHR_robustness or ARB_robustness; null: there is none.
 const char* resetStatusName(int version) {
@@ -39,11 +34,15 @@ std::string versionText() {
 Result<Done> loadGl(void* (*loader)(const char* name)) {
     static thread_local void* (*current)(const char*);
     current = loader;
-    const int version = gladLoadGL([](const char* name) { return reinterpret_cast<GLADapiproc>(current(name)); });
+    const auto find = [](const char* name) { return reinterpret_cast<GLADapiproc>(current(name)); };
+    const int version = gladLoadGL(find);
     if (!version) return Error{"OpenGL: no functions could be loaded; is a context current?"};
     const std::string found = versionText();
-    if (found.starts_with("OpenGL ES"))
-        return Error{"OpenGL: expected a context of desktop OpenGL 3.3 or newer, found one of OpenGL ES: " + found};
+    g_isEmbedded = found.starts_with("OpenGL ES");
+    if (g_isEmbedded) {
+        g_hasCompute = false, g_resetStatus = nullptr, g_pixelTransfer = nullptr;
+        return loadEmbeddedGl(find);
+    }
     if (version < GLAD_MAKE_VERSION(3, 3)) return Error{"OpenGL: expected 3.3 or newer, found " + found};
     GLint major = 0, minor = 0;
     glGetIntegerv(GL_MAJOR_VERSION, &major);
@@ -57,6 +56,18 @@ Result<Done> loadGl(void* (*loader)(const char* name)) {
     const bool isCompatible = profiles & GL_CONTEXT_COMPATIBILITY_PROFILE_BIT;
     g_pixelTransfer = isCompatible ? reinterpret_cast<PixelTransfer>(loader("glPixelTransferf")) : nullptr;
     return Done{};
+}
+
+bool offers(std::string_view extension) {
+    GLint count = 0;
+    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i)
+        if (extension == reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, GLuint(i)))) return true;
+    return false;
+}
+
+bool isEmbedded() {
+    return g_isEmbedded;
 }
 
 bool hasCompute() {
@@ -77,6 +88,10 @@ bool isContextLost() {
 
 bool isSoftwareGl() {
     const auto* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    if (isEmbedded() && offers("GL_WEBGL_debug_renderer_info")) {  // browsers hide the name behind an extension
+        const auto* unmasked = reinterpret_cast<const char*>(glGetString(kUnmaskedRenderer));
+        text = glGetError() == GL_NO_ERROR && unmasked ? unmasked : text;
+    }
     const std::string_view name = text ? text : "";
     for (const char* software : {"llvmpipe", "softpipe", "SwiftShader"})
         if (name.find(software) != std::string_view::npos) return true;

@@ -19,7 +19,7 @@ int limitOf(GLenum name) {
 GlLimits GlLimits::ofContext() {
     GlLimits limits;
     limits.textureUnits = limitOf(GL_MAX_TEXTURE_IMAGE_UNITS);
-    limits.bufferTexels = limitOf(GL_MAX_TEXTURE_BUFFER_SIZE);
+    limits.bufferTexels = isEmbedded() ? 0 : limitOf(GL_MAX_TEXTURE_BUFFER_SIZE);
     limits.textureSide = limitOf(GL_MAX_TEXTURE_SIZE);
     limits.arrayLayers = limitOf(GL_MAX_ARRAY_TEXTURE_LAYERS);
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, &limits.viewport.x);

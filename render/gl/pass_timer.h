@@ -8,7 +8,7 @@ namespace rubble {
 
 /// Times the passes of a frame. On a GPU by timestamps, which do not meet a host's own timer queries; they are read
 /// when the GPU has passed them, some frames later, so that nothing waits. On a software renderer by the clock after
-/// glFinish, because queries do not see its work. [render-thread]
+/// glFinish, because queries do not see its work, and so in OpenGL ES, which has none of time. [render-thread]
 class PassTimer {
 public:
     /// The time of one pass of one frame.
@@ -19,8 +19,8 @@ public:
     };
     using Times = std::vector<Time>;  ///< in the order drawn
 
-    /// software: whether the GL draws on the processor. processorTime: if so, the milliseconds that all threads of this
-    /// process worked, instead of the elapsed ones.
+    /// software: whether the GL draws on the processor, or has no queries of time. processorTime: if so, the
+    /// milliseconds that all threads of this process worked, instead of the elapsed ones.
     PassTimer(bool software, bool processorTime) : m_software(software), m_processorTime(processorTime) {}
     /// Whether a pass's time is known when it ends; else it comes some frames later.
     bool isImmediate() const { return m_software; }

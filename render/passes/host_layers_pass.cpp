@@ -20,6 +20,25 @@ void copyFramebuffer(const Texture& into) {
     glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, into.size().x, into.size().y);
 }
 
+/// Whether blits can copy the depth of the framebuffer that is bound: OpenGL ES changes no format.
+bool hasBlittedDepth(unsigned framebuffer) {
+    const GLenum depth = framebuffer ? GL_DEPTH_ATTACHMENT : GL_DEPTH;
+    GLint type = GL_NONE, bits = 0;
+    glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
+    glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE, &bits);
+    return type == GL_FLOAT && bits == 32;
+}
+
+/// The same as two copyFramebuffer() in OpenGL ES, which copies neither depths nor colours to floats but by a blit.
+void blitFramebuffer(unsigned from, const Framebuffer& color, const Framebuffer& depth) {
+    const glm::ivec2 size = color.size();
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
+    for (const auto& [into, what] : {std::pair(&color, GL_COLOR_BUFFER_BIT), std::pair(&depth, GL_DEPTH_BUFFER_BIT)}) {
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, into->name());
+        glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GLbitfield(what), GL_NEAREST);
+    }
+}
+
 /// Copies what mirrors show to the displayed pixels.
 void copyReflection(const FrameContext& frame) {
     if (!ReflectionsPass::needed(frame) || !frame.scene.hasGlass()) return;
@@ -52,10 +71,16 @@ bool HostLayersPass::copyImage(const FrameContext& frame, const View& view) cons
     glGetIntegerv(GL_SAMPLE_BUFFERS, &samples);
     glGetIntegerv(GL_DRAW_BUFFER0, &drawn);
     glGetIntegerv(GL_READ_BUFFER, &read);
-    if (samples > 0 || drawn == GL_NONE) return false;
+    if (samples > 0 || drawn == GL_NONE || (isEmbedded() && !hasBlittedDepth(view.framebuffer))) return false;
     glReadBuffer(GLenum(drawn));
-    copyFramebuffer(color);
-    copyFramebuffer(depth);
+    if (isEmbedded()) {
+        const Framebuffer &intoColor = frame.targets.framebuffer({&color}),
+                          &intoDepth = frame.targets.framebuffer({}, &depth);
+        blitFramebuffer(view.framebuffer, intoColor, intoDepth);
+    } else {
+        copyFramebuffer(color);
+        copyFramebuffer(depth);
+    }
     glReadBuffer(GLenum(read));
     return true;
 }

@@ -89,7 +89,7 @@ void setLookChanges(const Program& program, const LookChanges& changes, int olde
 /// Whether any history is shorter for them.
 bool shortenHistory(const LookChanges& changes, int oldest) {
     return changes.lightChange(oldest + 1) > kKeptChange ||
-           std::ranges::any_of(changes.boxes(), [&](const LookChanges::Box& each) {
+           std::any_of(changes.boxes().begin(), changes.boxes().end(), [&](const LookChanges::Box& each) {
                return (oldest > 0 ? each.lately : each.now) > kKeptChange;
            });
 }
@@ -99,7 +99,8 @@ bool shortenHistory(const LookChanges& changes, int oldest) {
 bool hasKnownChanges(const FrameContext& frame, int oldestLight) {
     const auto counts = [&](const LightGrid::Change& change) { return change.frames <= oldestLight; };
     return !frame.scene.dirtyRegions().boxes().empty() || shortenHistory(frame.scene.lookChanges(), oldestLight) ||
-           (frame.lightGrid && std::ranges::any_of(frame.lightGrid->changes(), counts));
+           (frame.lightGrid &&
+            std::any_of(frame.lightGrid->changes().begin(), frame.lightGrid->changes().end(), counts));
 }
 
 void setKnownChanges(const Program& program, const FrameContext& frame, int oldestLight) {

@@ -1,7 +1,6 @@
 #include "render/scene/bodies.h"
 
 #include <algorithm>
-#include <bit>
 #include <glm/common.hpp>
 #include <utility>
 
@@ -172,7 +171,7 @@ uint32_t Bodies::acquireGpuPalette(const PaletteRef& palette) {
         to[0] = uint32_t(e.red) | uint32_t(e.green) << 8 | uint32_t(e.blue) << 16 | uint32_t(e.opacity) << 24;
         to[1] = uint32_t(e.roughness) | uint32_t(e.metallic) << 8 | uint32_t(e.reflectivity) << 16 |
                 uint32_t(e.material) << 24;
-        to[2] = std::bit_cast<uint32_t>(e.emission);
+        to[2] = glm::floatBitsToUint(e.emission);
         to[3] = m_detailMaps[e.material];
         use.detail |= to[3] != 0;
     }

@@ -105,7 +105,8 @@ void LookChanges::addBox(const Box& added) {
         return;
     }
     const auto growth = [&](const Box& box) { return box.box.merged(added.box).area() - box.box.area(); };
-    Box& least = *std::ranges::min_element(m_boxes, {}, growth);
+    Box& least = *std::min_element(m_boxes.begin(), m_boxes.end(),
+                                   [&](const Box& a, const Box& b) { return growth(a) < growth(b); });
     least = {least.box.merged(added.box), std::max(least.now, added.now), std::max(least.lately, added.lately),
              std::max(least.newShare, added.newShare)};
 }

@@ -33,7 +33,8 @@ void MovingBodies::add(const Box& drawn, const Box& inShadows) {
         m_bodies.push_back(body);
         return;
     }
-    Body& least = *std::ranges::min_element(m_bodies, {}, &Body::weight);
+    Body& least = *std::min_element(m_bodies.begin(), m_bodies.end(),
+                                    [](const Body& a, const Body& b) { return a.weight < b.weight; });
     if (least.weight < body.weight) least = body;
 }
 

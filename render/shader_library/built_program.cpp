@@ -33,8 +33,8 @@ void BuiltProgram::start(const std::filesystem::path& folder, const ShaderBuild&
     }
     ShaderSource& fragment = m_sources.back();
     if (m_method) fragment = asFullscreen(std::move(fragment), m_kind, *m_method);
-    if (m_method == FullscreenMethod::Fragment && how.uniformsAsVaryings)
-        passUniformsAsVaryings(m_sources.front(), fragment);
+    if (m_method == FullscreenMethod::Fragment && how.varyingVectors > 0)
+        passUniformsAsVaryings(m_sources.front(), fragment, how.varyingVectors);
     m_files.clear();
     for (const ShaderSource& source : m_sources)
         m_files.insert(m_files.end(), source.files.begin(), source.files.end());

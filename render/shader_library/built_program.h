@@ -13,9 +13,9 @@ namespace rubble {
 
 /// What the context asks of shader sources.
 struct ShaderBuild {
-    std::string defines;              ///< of all shaders: see readShader()
-    bool uniformsAsVaryings = false;  ///< of full-screen fragment programs: see passUniformsAsVaryings()
-    ProgramCache* cache = nullptr;    ///< of programs as the driver made them; null: none
+    std::string defines;     ///< of all shaders: see readShader()
+    int varyingVectors = 0;  ///< for full-screen fragment programs: see passUniformsAsVaryings(); 0: they read uniforms
+    ProgramCache* cache = nullptr;  ///< of programs as the driver made them; null: none
 };
 
 /// A program, the files that it is built from, and the error in them, if they do not build as they are now.

@@ -1,17 +1,29 @@
 #include "render/shader_library/shader_library.h"
 
+#include <limits>
 #include <utility>
 
 #include "render/gl/gl.h"
 #include "runtime/core/log.h"
 
 namespace rubble {
+namespace {
+
+/// How many vectors a vertex program may hand to a fragment program beside its own few.
+int varyingVectors() {
+    constexpr int kOwn = 4;
+    GLint most = std::numeric_limits<int>::max();
+    if (isEmbedded()) glGetIntegerv(GL_MAX_VARYING_VECTORS, &most);
+    return most - kOwn;
+}
+
+}  // namespace
 
 ShaderLibrary::ShaderLibrary(std::filesystem::path folder, Fullscreen fullscreen, std::string defines,
                              ProgramCache* cache)
     : m_folder(std::move(folder)),
       m_fullscreen(fullscreen),
-      m_build{.defines = std::move(defines), .uniformsAsVaryings = isSoftwareGl(), .cache = cache} {}
+      m_build{.defines = std::move(defines), .varyingVectors = isSoftwareGl() ? varyingVectors() : 0, .cache = cache} {}
 
 const Program& ShaderLibrary::load(const std::string& fragmentFile, const std::string& vertexFile,
                                    const char* missing) {

@@ -7,12 +7,18 @@
 #include <regex>
 #include <sstream>
 
+#include "render/gl/gl.h"
 #include "render/shader_library/embedded_shaders.h"
 
 namespace rubble {
 namespace {
 
-constexpr const char* kVersionPrefix = "#version 330 core\nprecision highp float;\nprecision highp int;\n";
+constexpr const char* kDesktopHead = "#version 330 core\nprecision highp float;\nprecision highp int;\n";
+/// OpenGL ES has default precisions of 2D samplers of floats alone, and lower ones.
+constexpr const char* kEmbeddedHead =
+    "#version 300 es\nprecision highp float;\nprecision highp int;\n"
+    "precision highp sampler2D; precision highp isampler2D; precision highp usampler2D;\n"
+    "precision highp usampler2DArray; precision highp usampler3D;\n";
 
 std::optional<std::string> includedFile(const std::string& line) {
     static const std::regex pattern(R"(^\s*#\s*include\s*"([^"]+)\".*)");
@@ -78,7 +84,7 @@ std::string ShaderSource::explain(const std::string& log) const {
 Result<ShaderSource> readShader(const std::filesystem::path& folder, const std::string& file,
                                 const std::string& defines) {
     ShaderSource source;
-    source.text = kVersionPrefix + defines;
+    source.text = (isEmbedded() ? kEmbeddedHead : kDesktopHead) + defines;
     source.lines.assign(size_t(std::count(source.text.begin(), source.text.end(), '\n')), {-1, 0});
     if (std::string error = append(folder, file, "", source); !error.empty()) return Error{error};
     return source;

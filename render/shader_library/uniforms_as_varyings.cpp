@@ -60,15 +60,21 @@ std::string_view firstWord(std::string_view text) {
 
 }  // namespace
 
-void passUniformsAsVaryings(ShaderSource& vertex, ShaderSource& fragment) {
+void passUniformsAsVaryings(ShaderSource& vertex, ShaderSource& fragment, int vectors) {
     static const std::regex uniform(R"(\buniform\s+(float|u?int|[iu]?vec[234]|mat4)\s+(\w+)\s*;)"),
         member(R"(\b([iu]?vec4|mat4)\s+(\w+)\s*;)");
     const std::string block(frameBlock(fragment.text));
     const TypeByName uniforms = declarations(fragment.text, uniform), members = declarations(block, member);
     TypeByName flat;     // the flat inputs, by their names in the fragment program
     std::string copies;  // assignments that end the vertex program
+    /// The expression for a uniform that was `from`: the input of its name, while there is room for one.
     const auto pass = [&](const std::string& name, const std::string& type, const std::string& from) {
-        if (flat.emplace(name, type).second) copies += "    " + name + " = " + from + ";\n";
+        if (flat.contains(name)) return name;
+        const int size = type == "mat4" ? 4 : 1;
+        if (size > vectors) return from;
+        vectors -= size;
+        flat.emplace(name, type);
+        copies += "    " + name + " = " + from + ";\n";
         return name;
     };
     fragment.text =
@@ -90,7 +96,8 @@ void passUniformsAsVaryings(ShaderSource& vertex, ShaderSource& fragment) {
         outputs += "flat out " + type + " " + name + ";\n";
         if (name.starts_with("frame_")) inputs += "flat in " + type + " " + name + "; ";
     }
-    fragment.text = std::regex_replace(fragment.text, uniform, "flat in $1 $2;");
+    static const std::regex passed(R"(\buniform\s+(\w+)\s+(flat_\w+)\s*;)");
+    fragment.text = std::regex_replace(fragment.text, passed, "flat in $1 $2;");
     if (const size_t at = fragment.text.find(kBlockBegin); at != std::string::npos) fragment.text.insert(at, inputs);
 
     // The vertex program declares what the fragment program read, calls its own main() and writes the outputs.

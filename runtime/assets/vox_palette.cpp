@@ -1,7 +1,8 @@
 #include "runtime/assets/vox_palette.h"
 
 #include <algorithm>
-#include <charconv>
+#include <locale>
+#include <sstream>
 
 #include "runtime/voxel/material.h"
 
@@ -17,10 +18,10 @@ constexpr uint8_t kMinOpacity = 26;  // of 255: clear glass stays visible
 float number(const VoxAttributes& attributes, const char* key, float fallback, float low, float high) {
     const auto found = attributes.find(key);
     if (found == attributes.end()) return fallback;
+    std::istringstream in(found->second);
+    in.imbue(std::locale::classic());  // numbers have points, whatever the host's language
     float value = 0;
-    const char* end = found->second.data() + found->second.size();
-    const auto parsed = std::from_chars(found->second.data(), end, value);
-    return parsed.ec == std::errc{} && value == value ? std::clamp(value, low, high) : fallback;
+    return in >> value ? std::clamp(value, low, high) : fallback;
 }
 
 uint8_t toByte(float fraction) {

@@ -19,8 +19,18 @@ class ThreadPool {
 public:
     /// Starts threads - 1 workers. `threads`: with the calling thread.
     explicit ThreadPool(int threads) {
-        for (int i = 1; i < threads; ++i) m_threads.emplace_back([this](const std::stop_token& stop) { serve(stop); });
+        for (int i = 1; i < threads; ++i) m_threads.emplace_back([this] { serve(); });
     }
+    ~ThreadPool() {
+        {
+            const std::lock_guard lock(m_mutex);
+            m_isOver = true;
+        }
+        m_wake.notify_all();
+        for (std::thread& thread : m_threads) thread.join();
+    }
+    ThreadPool(const ThreadPool&) = delete;
+    ThreadPool& operator=(const ThreadPool&) = delete;
 
     /// Calls body(i) for i in [0, count) on all threads; returns when all calls have returned. Throws what one of them
     /// has thrown; the calls that had not begun then are left out.
@@ -67,13 +77,14 @@ private:
         if (!m_thrown) m_thrown = std::current_exception();
         m_left = 0;
     }
-    void serve(const std::stop_token& stop) {
+    void serve() {
         for (uint64_t seen = 0;;) {
-            spinWhile([&] { return m_round == seen && !stop.stop_requested(); });
+            spinWhile([&] { return m_round == seen && !m_isOver; });
             const std::function<void(size_t)>* body;
             {
                 std::unique_lock lock(m_mutex);
-                if (!m_wake.wait(lock, stop, [&] { return m_round != seen; })) return;
+                m_wake.wait(lock, [&] { return m_round != seen || m_isOver; });
+                if (m_isOver) return;
                 seen = m_round;
                 body = m_body;
                 if (!body) continue;
@@ -86,15 +97,15 @@ private:
     }
 
     std::mutex m_mutex;
-    std::condition_variable_any m_wake;
-    std::condition_variable m_done;
+    std::condition_variable m_wake, m_done;
     const std::function<void(size_t)>* m_body = nullptr;  ///< null: there is no work
     std::exception_ptr m_thrown;                          ///< the first
     /// Of the calls that have not begun: the first, and above 32 bits the one after the last.
     std::atomic<uint64_t> m_left = 0;
     std::atomic<size_t> m_busy = 0;  ///< threads that have begun
     std::atomic<uint64_t> m_round = 0;
-    std::vector<std::jthread> m_threads;  ///< declared last: joined before the members that they use are destroyed
+    std::atomic<bool> m_isOver = false;
+    std::vector<std::thread> m_threads;
 };
 
 }  // namespace rubble

@@ -18,6 +18,12 @@ public:
     LevelLoading(std::string path, std::string vdbTool)
         : m_thread([this, path = std::move(path), vdbTool = std::move(vdbTool)] { read(path, vdbTool); }) {}
 
+    ~LevelLoading() {
+        if (m_thread.joinable()) m_thread.join();
+    }
+    LevelLoading(const LevelLoading&) = delete;
+    LevelLoading& operator=(const LevelLoading&) = delete;
+
     /// 0 to 1, by the bytes that are read; 1: take() does not wait.
     double progress() const { return m_isDone ? 1.0 : 0.99 * m_progress; }
     /// The level; waits for it. Throws std::bad_alloc if there was no memory for it.
@@ -51,7 +57,7 @@ private:
     std::atomic<double> m_progress = 0.0;
     std::atomic<bool> m_isDone = false;
     std::optional<Result<Level>> m_level;  ///< none: there was no memory for it
-    std::jthread m_thread;                 ///< declared last: it uses the others
+    std::thread m_thread;                  ///< declared last: it uses the others
 };
 
 }  // namespace rubble

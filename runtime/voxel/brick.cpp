@@ -30,7 +30,7 @@ std::unique_ptr<BrickIndices> paintOf(const BrickBits& solid, const BrickIndices
 
 /// The indices of the `solid` voxels (at least one), zero elsewhere. Null if all are the same: then it is `uniform`.
 std::unique_ptr<BrickIndices> maskIndices(const BrickIndices& indices, const BrickBits& solid, uint8_t& uniform) {
-    auto out = std::make_unique_for_overwrite<BrickIndices>();
+    std::unique_ptr<BrickIndices> out(new BrickIndices);  // all of it is written below
     uint64_t first = 0, others = 0;  // the first index in all eight bytes; the bits in which others differ from it
     for (size_t row = 0; row < 64; ++row) {
         const uint64_t bits = solid[row / 8] >> 8 * (row % 8) & 0xff;

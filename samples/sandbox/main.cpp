@@ -5,8 +5,10 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "runtime/assets/assets.h"
 #include "samples/sandbox/headless.h"
 #include "samples/sandbox/options.h"
+#include "samples/sandbox/stage.h"
 #include "samples/sandbox/window.h"
 #include "samples/scenes/scene.h"
 
@@ -38,6 +40,13 @@ int runAllScenes(const SandboxOptions& options) {
     return worst;
 }
 
+int writeLevel(const SandboxOptions& options) {
+    const Result<SandboxStage> stage = loadStage(options);
+    const Result<Done> written = stage ? writeRubble(options.write, stage->level) : Result<Done>(Error{stage.error()});
+    if (!written) std::fprintf(stderr, "sandbox: %s\n", written.error().c_str());
+    return written ? 0 : 1;
+}
+
 constexpr const char* kHelp =
     "Rubble sandbox: a town corner to take apart.\n"
     "With a display: WASD and mouse fly, Space/Shift up and down, 1 hammer, 2 explosive, 3 spray can, left click uses "
@@ -57,6 +66,7 @@ void addSceneOptions(CLI::App& app, SandboxOptions& options) {
         ->check(CLI::ExistingFile);
     app.add_option("--level", options.level, "open this level instead of the town")->check(CLI::ExistingFile);
     app.add_option("--scene", options.scene, "a scripted scene instead of the town; all: one after the other");
+    app.add_option("--write", options.write, "write the level to this .rubble file, and play nothing");
     app.add_option("--time", options.time, "time of day: noon, afternoon, dusk, night or rain")
         ->check(CLI::IsMember({"noon", "afternoon", "dusk", "night", "rain"}));
     app.add_option("--seconds", options.seconds, "game time (default: as long as the scene says, or 10)")
@@ -92,9 +102,9 @@ void addRenderOptions(CLI::App& app, SandboxOptions& options) {
     app.add_option("--pass", options.pass, "show this target of the renderer (an unknown name lists them)")
         ->capture_default_str();
     app.add_flag("--inline-shadow", options.inlineShadow, "shadow volume on the main thread instead of the worker");
-    app.add_option("--gl", options.gl, "without a window: auto, osmesa or egl")
+    app.add_option("--gl", options.gl, "without a window: auto, osmesa, egl or egl-es (OpenGL ES 3.0)")
         ->capture_default_str()
-        ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
+        ->check(CLI::IsMember({"auto", "osmesa", "egl", "egl-es"}));
     app.add_option("--shaders", options.shaders, "folder of the shaders")->capture_default_str();
 }
 
@@ -123,6 +133,7 @@ int run(int argc, char** argv) {
         return app.exit(error);
     }
     if (list) return listScenes();
+    if (!options.write.empty()) return writeLevel(options);
     if (options.scene == "all") return runAllScenes(options);
     return options.wantsWindow() ? runWindow(options) : runHeadless(options);
 }

@@ -9,6 +9,7 @@ struct SandboxOptions {
     std::string model;        ///< .vox, .vdb or .rubble to put on the street instead of the house
     std::string level;        ///< a whole level to open instead of the town
     std::string scene;        ///< one of the scripted scenes instead of the town; "all": one after the other
+    std::string write;        ///< where the level goes to, as .rubble; nothing is played then
     std::string time;         ///< time of day instead of the level's own: noon, afternoon, dusk, night or rain
     int frames = 0;           ///< draw this many stills, evenly over the run, and no MP4; 0: a video at `fps`
     std::string out = "out";  ///< folder for frames and figures

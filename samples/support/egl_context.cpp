@@ -6,14 +6,20 @@
 
 namespace rubble {
 
-bool EglContext::open(void* display) {
+bool EglContext::open(void* display, bool isEmbedded) {
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return false;
     m_display = display;
-    const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
+    const EGLint kind = isEmbedded ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT;
+    const EGLint wanted[] = {EGL_RENDERABLE_TYPE, kind, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
     EGLConfig config = EGL_NO_CONFIG_KHR;
     EGLint count = 0;
     eglChooseConfig(display, wanted, &config, 1, &count);
-    if (!eglBindAPI(EGL_OPENGL_API)) return false;
+    if (!eglBindAPI(isEmbedded ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) return false;
+    if (isEmbedded) {
+        const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE};
+        m_context = eglCreateContext(display, count ? config : EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version);
+        return m_context != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, m_context);
+    }
     for (const GlVersion wantedGl : kWantedGl) {
         const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,
                                   wantedGl.major,
@@ -28,7 +34,7 @@ bool EglContext::open(void* display) {
     return m_context != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, m_context);
 }
 
-Result<std::unique_ptr<GlContext>> EglContext::create() {
+Result<std::unique_ptr<GlContext>> EglContext::create(bool isEmbedded) {
     const auto queryDevices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
     const auto platformDisplay =
         reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
@@ -41,9 +47,10 @@ Result<std::unique_ptr<GlContext>> EglContext::create() {
         const bool surfaceless = i == count;
         EGLDisplay display = surfaceless ? platformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)
                                          : platformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr);
-        if (result->open(display)) return std::unique_ptr<GlContext>(std::move(result));
+        if (result->open(display, isEmbedded)) return std::unique_ptr<GlContext>(std::move(result));
     }
-    return Error{"EGL: no device gave an OpenGL 3.3 core context without a surface"};
+    return Error{std::string("EGL: no device gave a context of OpenGL ") + (isEmbedded ? "ES 3.0" : "3.3 core") +
+                 " without a surface"};
 }
 
 void EglContext::makeCurrent() {

@@ -21,10 +21,11 @@ public:
         Auto,    ///< EGL on a GPU if there is one, else OSMesa, else EGL
         OsMesa,  ///< Mesa's software renderer in this process
         Egl,     ///< EGL on a device, or surfaceless
+        EglEs,   ///< the same, but a context of OpenGL ES 3.0, as those of browsers are
     };
     /// Creates a context and makes it current. An error if there is none of that kind.
     static Result<std::unique_ptr<GlContext>> create(Kind kind = Kind::Auto);
-    /// The kind of a name, "osmesa" or "egl"; Auto for any other text.
+    /// The kind of a name, "osmesa", "egl" or "egl-es"; Auto for any other text.
     static Kind kindOf(std::string_view name);
 
     virtual ~GlContext() = default;

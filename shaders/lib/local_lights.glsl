@@ -206,6 +206,7 @@ LightSample evaluateArea(LocalLight light, vec3 toCentre, float solidAngle, vec3
 }
 
 LightSample evaluateLight(LocalLight light, vec3 toCentre, SphericalRectangle face, vec3 direction, bool isHit) {
-    return light.kind >= kArea ? evaluateArea(light, toCentre, face.solidAngle, direction, isHit)
-                               : evaluateSphere(light, toCentre, direction, isHit);
+    // WebGL has no ?: for structs.
+    if (light.kind >= kArea) return evaluateArea(light, toCentre, face.solidAngle, direction, isHit);
+    return evaluateSphere(light, toCentre, direction, isHit);
 }

@@ -126,7 +126,11 @@ vec3 otherInscatter(FogRay ray, ivec2 pixel, vec2 random, vec3 u) {
     }
     // One call, as lanes of a GPU would run two one after the other.
     bool isSky = reservoir.light < 0;
-    FogSample chosen = isSky ? sampleTowardSky(ray, u) : sampleTowardLight(ray, readLight(reservoir.light), u.xy);
+    FogSample chosen;  // WebGL has no ?: for structs
+    if (isSky)
+        chosen = sampleTowardSky(ray, u);
+    else
+        chosen = sampleTowardLight(ray, readLight(reservoir.light), u.xy);
     float t;
     bool dark = luminance(chosen.light) <= 0.0;
     if (shadowTrace(chosen.place, chosen.direction, dark ? -1.0 : chosen.range, t)) return vec3(0.0);

@@ -227,11 +227,12 @@ void* functionOf(const char* name) {
     if (wanted == "glGetIntegerv") return reinterpret_cast<void*>(getInteger);
     return wanted == "glGetStringi" ? reinterpret_cast<void*>(getIndexed) : nullptr;
 }
-constexpr char kEmbedded[] = "OpenGL ES 3.2 Mesa", kOld[] = "3.1 Mesa";
+constexpr char kEmbedded[] = "OpenGL ES 3.2 Mesa", kOldEmbedded[] = "OpenGL ES 2.0 Mesa", kOld[] = "3.1 Mesa";
 
 TEST_F(AbiRenderer, AContextOfTheWrongKindIsNamed) {
     const std::pair<void* (*)(const char*), const char*> wrong[] = {
-        {functionOf<kEmbedded>, "expected a context of desktop OpenGL 3.3 or newer, found one of OpenGL ES: OpenGL ES"},
+        {functionOf<kEmbedded>, "expected the extension EXT_color_buffer_float, which OpenGL ES 3.2 Mesa lacks"},
+        {functionOf<kOldEmbedded>, "OpenGL ES: expected 3.0 or newer, found OpenGL ES 2.0 Mesa"},
         {functionOf<kOld>, "expected 3.3 or newer, found 3.1 Mesa"}};
     for (const auto& [loader, text] : wrong) {
         auto host = sized<rubble_host>();

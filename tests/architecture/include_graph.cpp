@@ -33,6 +33,7 @@ const std::vector<Library>& libraries() {
          {"samples/support/", "samples/sandbox/window.cpp", "editor/"}},
         {"SDL", {"SDL"}, {"samples/hosts/sdl/", "samples/hosts/ogre/main.cpp"}},
         {"Ogre", {"Ogre"}, {"samples/hosts/ogre/"}},
+        {"emscripten", {"emscripten"}, {"samples/hosts/web/"}},
         {"Lua", {"lua"}, {"runtime/script/"}},
         {"Dear ImGui", {"imgui"}, {"editor/"}},
     };

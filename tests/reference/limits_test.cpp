@@ -33,11 +33,12 @@ protected:
         setLogSink(nullptr, nullptr);
         GlTest::TearDown();
     }
-    static std::unique_ptr<Renderer> makeRenderer(std::optional<GlLimits> limits, bool compileAhead = false) {
+    static std::unique_ptr<Renderer> makeRenderer(std::optional<GlLimits> limits, bool compileAhead = false,
+                                                  const GlContext& context = testContext()) {
         RenderSettings settings;
         settings.limits = limits;
         settings.compileAhead = compileAhead;
-        auto made = Renderer::create(testContext().loader(), shaderFolder(), settings);
+        auto made = Renderer::create(context.loader(), shaderFolder(), settings);
         EXPECT_TRUE(made) << made.error();
         return std::move(made).value();
     }
@@ -57,6 +58,20 @@ protected:
         for (size_t i = 0; i < image.pixels.size(); ++i)
             image.pixels[i] = glm::vec4(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2], 255.0f) / 255.0f;
         return image;
+    }
+    /// The town, half a second into its demolition.
+    FloatImage drawTown(Renderer& renderer) {
+        FrameLoopSettings settings;
+        settings.shadow = ShadowWorker::Mode::Inline;
+        settings.waitForShadow = true;
+        FrameLoop loop(settings);
+        loop.load(makeTown(1));
+        draw(renderer, loop, 2.0, 1);
+        for (int i = 0; i < 30; ++i) {
+            loop.edits().push(demolition(i, 1));
+            loop.step();
+        }
+        return draw(renderer, loop, 2.0, 4);
     }
     std::vector<std::string> m_lines;
 };
@@ -95,25 +110,33 @@ TEST_F(LimitsTest, EveryProgramKeepsWithinWhatGlPromises) {
 }
 
 TEST_F(LimitsTest, TheTownLooksTheSame) {
-    FrameLoopSettings settings;
-    settings.shadow = ShadowWorker::Mode::Inline;
-    settings.waitForShadow = true;
     std::vector<FloatImage> images;
-    for (const auto& limits : {std::optional<GlLimits>(), std::optional<GlLimits>(GlLimits())}) {
-        FrameLoop loop(settings);
-        loop.load(makeTown(1));
-        const auto renderer = makeRenderer(limits);
-        draw(*renderer, loop, 2.0, 1);
-        for (int i = 0; i < 30; ++i) {
-            loop.edits().push(demolition(i, 1));
-            loop.step();
-        }
-        images.push_back(draw(*renderer, loop, 2.0, 4));
-    }
+    for (const auto& limits : {std::optional<GlLimits>(), std::optional<GlLimits>(GlLimits())})
+        images.push_back(drawTown(*makeRenderer(limits)));
     const double difference = flip(images[0], images[1]);
     EXPECT_LT(difference, 0.01);
     EXPECT_TRUE(m_lines.empty()) << m_lines.front();
     std::printf("FLIP %.5f\n", difference);
+}
+
+/// OpenGL ES 3.0, as in browsers, with the same shaders: every program builds, and the picture is the same.
+TEST_F(LimitsTest, OpenGlEsDrawsTheSame) {
+    const FloatImage desktop = drawTown(*makeRenderer(GlLimits()));
+    auto embedded = GlContext::create(GlContext::Kind::EglEs);
+    ASSERT_TRUE(embedded) << embedded.error();
+    FloatImage image;
+    {
+        const auto renderer = makeRenderer({}, true, **embedded);
+        ASSERT_TRUE(isEmbedded());
+        image = drawTown(*renderer);
+        EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+    }
+    EXPECT_LT(flip(desktop, image), 0.01);
+    EXPECT_TRUE(m_lines.empty()) << m_lines.front();
+    embedded->reset();
+    testContext().makeCurrent();
+    ASSERT_TRUE(loadGl(testContext().loader()));
+    EXPECT_FALSE(isEmbedded());
 }
 
 /// Where even the shared textures are too small, what has no room is left out, said once, and nothing is read or

@@ -93,7 +93,8 @@ namespace rubble::abi {
     X(rubble_particle, 72)             \
     X(rubble_rope_point, 56)
 
-/// The size of a struct in the first version that had it; for handles and numbers their size.
+/// The size of a struct in the first version that had it; for handles and numbers their size. The table is of pointers
+/// of eight bytes. Where they have four, as in browsers, library and host are one program, of one version.
 template <class T>
 inline constexpr uint32_t kFirstSize = 0;
 template <>
@@ -102,7 +103,7 @@ template <>
 inline constexpr uint32_t kFirstSize<double> = 8;
 #define RUBBLE_FIRST_SIZE(type, size) \
     template <>                       \
-    inline constexpr uint32_t kFirstSize<type> = size;
+    inline constexpr uint32_t kFirstSize<type> = sizeof(void*) == 8 ? size : sizeof(type);
 RUBBLE_FIRST_SIZES(RUBBLE_FIRST_SIZE)
 #undef RUBBLE_FIRST_SIZE
 

@@ -57,7 +57,7 @@ class Game {
 public:
     Game(const Options& options, const std::string& parent)
         : m_options(options), m_scene(makeScene(options.plugin, parent, options.width, options.height)) {
-        yard_enter(&m_yard, options.level.c_str(), &m_scene.world->api(), m_scene.world->world());
+        yard_enter(&m_yard, options.level.c_str(), nullptr, &m_scene.world->api(), m_scene.world->world());
     }
     ~Game() { destroyScene(m_scene); }
     Game(const Game&) = delete;

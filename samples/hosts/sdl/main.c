@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "samples/hosts/sdl/own_meshes.h"
 #include "samples/hosts/support/gl_state.h"
+#include "samples/hosts/support/own_meshes.h"
 #include "samples/hosts/support/report.h"
 #include "samples/hosts/support/yard.h"
 
@@ -18,6 +18,8 @@ struct options {
     unsigned width, height;
 };
 
+/* One before the wall, one that reaches through it. */
+static const float kPyramids[2][3] = {{0.2f, 0.3f, 0.6f}, {1.75f, 0.2f, -1.0f}};
 static SDL_Window* window;
 static struct yard yard;
 static rubble_renderer renderer;
@@ -76,7 +78,7 @@ static void start(const struct options* options) {
     rubble_renderer_settings settings = {.struct_size = sizeof settings, .preset = "fast"};
     settings.flags = RUBBLE_RENDERER_COMPILE_LATE;
     open_window(options);
-    make_own_meshes(SDL_GL_GetProcAddress);
+    make_own_meshes(SDL_GL_GetProcAddress, "#version 330 core\n");
     yard_open(&yard, options->level, &host);
     yard_check(&yard, yard.api->create_renderer(yard.world, &settings, &renderer), "create_renderer");
 }
@@ -92,7 +94,7 @@ static int draw_frame(double alpha, int with_world) {
     glViewport(0, 0, width, height);
     glClearColor(0.4f, 0.5f, 0.6f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    draw_own_meshes(&view, 0.02 * (double)yard.steps);
+    draw_own_meshes(&view, kPyramids, 0.02 * (double)yard.steps);
     if (!with_world) return 0;
     read_gl_state(SDL_GL_GetProcAddress, &before);
     yard_check(&yard, yard.api->draw(renderer, &view), "draw");

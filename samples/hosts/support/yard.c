@@ -21,20 +21,23 @@ void yard_open(struct yard* yard, const char* level, const rubble_host* host) {
     yard_check(yard, rubble_get_api(RUBBLE_VERSION, &yard->api), "rubble_get_api");
     CHECK(set_host(host));
     CHECK(create_world(&settings, &yard->world));
-    yard_enter(yard, level, yard->api, yard->world);
+    yard_enter(yard, level, NULL, yard->api, yard->world);
 }
 
-void yard_enter(struct yard* yard, const char* level, const rubble_api* api, rubble_world world) {
+void yard_enter(struct yard* yard, const char* level, const struct yard_start* start, const rubble_api* api,
+                rubble_world world) {
+    static const struct yard_start usual = {{0.6, 0.0, 4.6}, 0.1, -0.05};
     memset(yard, 0, sizeof *yard);
-    yard->api = api, yard->world = world, yard->level = level;
+    yard->api = api, yard->world = world, yard->level = level, yard->start = start ? *start : usual;
     yard_restart(yard);
 }
 
 void yard_restart(struct yard* yard) {
-    rubble_character_settings player = {.struct_size = sizeof player, .position = {0.6, 0.0, 4.6}};
+    rubble_character_settings player = {.struct_size = sizeof player};
+    memcpy(player.position, yard->start.position, sizeof player.position);
     CHECK(load_level(yard->world, yard->level, NULL));
     CHECK(create_character(yard->world, &player, &yard->player));
-    yard->yaw = 0.1, yard->pitch = -0.05;
+    yard->yaw = yard->start.yaw, yard->pitch = yard->start.pitch;
     CHECK(step(yard->world));
 }
 

@@ -16,10 +16,16 @@ enum {
     SCRIPT_CYCLE = 300     /* the level is loaded again */
 };
 
+/* Where a player begins: metres, and radians to the left and up. */
+struct yard_start {
+    double position[3], yaw, pitch;
+};
+
 struct yard {
     const rubble_api* api;
     rubble_world world;
     const char* level;       /* path of the level */
+    struct yard_start start; /* of the player in it */
     rubble_character player; /* walks in it */
     double position[3];      /* of the player's eyes, world, metres */
     double yaw, pitch;       /* radians: turned to the left, and up */
@@ -32,8 +38,9 @@ struct yard {
 void yard_check(const struct yard* yard, rubble_result result, const char* what);
 /* Makes the world, loads the level and places the player. host: services as for set_host(). */
 void yard_open(struct yard* yard, const char* level, const rubble_host* host);
-/* The same in a world that the host has made. */
-void yard_enter(struct yard* yard, const char* level, const rubble_api* api, rubble_world world);
+/* The same in a world that the host has made. start: null for that of the yard. */
+void yard_enter(struct yard* yard, const char* level, const struct yard_start* start, const rubble_api* api,
+                rubble_world world);
 /* Loads the level again. */
 void yard_restart(struct yard* yard);
 /* Says where the player walks: metres a second forward and to the right. */

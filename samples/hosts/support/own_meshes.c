@@ -1,4 +1,4 @@
-#include "samples/hosts/sdl/own_meshes.h"
+#include "samples/hosts/support/own_meshes.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -25,7 +25,7 @@ FUNCTIONS(DECLARE)
 
 /* A vertex is made from its number: four triangles of a pyramid whose base is open. */
 static const char* const kVertexShader =
-    "#version 330 core\n"
+    "precision highp float;\n"
     "uniform mat4 projection; uniform vec4 rotation, place, eye; flat out float shade;\n"
     "vec3 unturn(vec4 q, vec3 v) { return v + 2.0 * cross(-q.xyz, cross(-q.xyz, v) + q.w * v); }\n"
     "void main() {\n"
@@ -36,34 +36,34 @@ static const char* const kVertexShader =
     "    gl_Position = projection * vec4(unturn(rotation, place.xyz + point - eye.xyz), 1);\n"
     "}\n";
 static const char* const kFragmentShader =
-    "#version 330 core\n"
+    "precision highp float;\n"
     "flat in float shade; out vec4 color;\n"
     "void main() { color = vec4(0.5 + 0.5 * shade, 0, 0.5 + 0.5 * shade, 1); }\n";
 
 static GLuint program, vertices;
 
-static GLuint compile(GLenum kind, const char* source) {
+static GLuint compile(GLenum kind, const char* version, const char* source) {
+    const char* const sources[2] = {version, source};
     const GLuint shader = my_glCreateShader(kind);
-    my_glShaderSource(shader, 1, &source, NULL);
+    my_glShaderSource(shader, 2, sources, NULL);
     my_glCompileShader(shader);
     return shader;
 }
 
-void make_own_meshes(void* (*get)(const char* name)) {
+void make_own_meshes(void* (*get)(const char* name), const char* version) {
     GLint linked = 0;
 #define LOAD(type, name) my_##name = (type)get(#name);
     FUNCTIONS(LOAD)
     program = my_glCreateProgram();
-    my_glAttachShader(program, compile(GL_VERTEX_SHADER, kVertexShader));
-    my_glAttachShader(program, compile(GL_FRAGMENT_SHADER, kFragmentShader));
+    my_glAttachShader(program, compile(GL_VERTEX_SHADER, version, kVertexShader));
+    my_glAttachShader(program, compile(GL_FRAGMENT_SHADER, version, kFragmentShader));
     my_glLinkProgram(program);
     my_glGetProgramiv(program, GL_LINK_STATUS, &linked);
     if (!linked) fprintf(stderr, "the host's own program does not link\n"), exit(1);
     my_glGenVertexArrays(1, &vertices);
 }
 
-void draw_own_meshes(const rubble_view* view, double turn) {
-    static const float places[2][3] = {{0.2f, 0.3f, 0.6f}, {1.75f, 0.2f, -1.0f}};
+void draw_own_meshes(const rubble_view* view, const float places[2][3], double turn) {
     float projection[16];
     int i;
     for (i = 0; i < 16; ++i) projection[i] = (float)view->projection[i];
