@@ -167,17 +167,24 @@ glm::dvec3 velocityAt(const CollisionObject& object, const glm::dvec3& point) {
     return motion.velocity + glm::cross(motion.angularVelocity, point - motion.position);
 }
 
-bool isSolid(const CollisionObject& object) {
+/// Whether an object may have another one inside.
+static bool mayHold(const CollisionObject& object, const CollisionObject& other) {
     const auto& parts = object.collider.parts;
-    if (parts.size() != 1) return false;
-    if (parts[0]->round()) return true;
+    if (parts.size() != 1) return true;
+    if (parts[0]->round()) return false;
     const PartSurface* surface = parts[0]->whole();
-    return surface && !surface->hasGaps;
+    if (!surface) return true;
+    const int gap = surface->widestGap;
+    return gap > 0 && (gap + 1) * parts[0]->voxelSize() >= 2.0 * other.minHalfExtent;  // one more: edges overlap
+}
+
+bool mayBeInside(const CollisionObject& a, const CollisionObject& b) {
+    return mayHold(a, b) || mayHold(b, a);
 }
 
 bool mayPass(const CollisionObject& a, const CollisionObject& b, double displacement) {
     if (!a.dynamic || a.dynamic->asleep() || !b.dynamic || b.dynamic->asleep()) return true;
-    return !isSolid(a) || !isSolid(b) || displacement > a.minHalfExtent + b.minHalfExtent;
+    return mayBeInside(a, b) || displacement > a.minHalfExtent + b.minHalfExtent;
 }
 
 }  // namespace rubble

@@ -1,6 +1,7 @@
 #include "physics/shapes/solid_rows.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "runtime/core/assertion.h"
 
@@ -31,21 +32,24 @@ SolidRows::SolidRows(const VoxelGrid& grid, const CellBox& box) : m_box(box), m_
             }
 }
 
-bool SolidRows::hasGaps() const {
-    for (const uint64_t row : m_rows)
-        if (const uint64_t starts = row & ~(row << 1); starts & (starts - 1)) return true;
-    const auto hasGapsAlong = [&](int outer, int outerStride, int inner, int innerStride) {
-        for (int i = 0; i < outer; ++i) {
-            uint64_t seen = 0, gaps = 0;
-            for (int k = 0; k < inner; ++k) {
-                const uint64_t row = m_rows[size_t(i * outerStride + k * innerStride)];
-                if (row & gaps) return true;
-                seen |= row, gaps |= seen & ~row;
+int SolidRows::widestGap() const {
+    int widest = 0;
+    const auto visit = [&](int& last, int now) {
+        if (last >= 0) widest = std::max(widest, now - last - 1);
+        last = now;
+    };
+    std::vector<int> lastZ(size_t(m_nx) * size_t(m_ny), -1), lastY;
+    for (int z = 0; z < m_nz; ++z) {
+        lastY.assign(size_t(m_nx), -1);
+        for (int y = 0; y < m_ny; ++y) {
+            int lastX = -1;
+            for (uint64_t cells = m_rows[size_t(y + m_ny * z)]; cells; cells &= cells - 1) {
+                const int x = std::countr_zero(cells);
+                visit(lastX, x), visit(lastY[size_t(x)], y), visit(lastZ[size_t(x + m_nx * y)], z);
             }
         }
-        return false;
-    };
-    return hasGapsAlong(m_nz, m_ny, m_ny, 1) || hasGapsAlong(m_ny, 1, m_nz, m_ny);
+    }
+    return widest;
 }
 
 }  // namespace rubble

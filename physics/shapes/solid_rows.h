@@ -29,8 +29,9 @@ public:
         const glm::ivec3 c = cell - m_low;
         return unsigned(c.x) < unsigned(m_nx) && unsigned(c.y) < unsigned(m_ny) && unsigned(c.z) < unsigned(m_nz);
     }
-    /// Whether a row of cells along an axis is solid, open, and solid again: something may be inside.
-    bool hasGaps() const;
+    /// The longest run of open cells between two solid ones along an axis, in cells; 0: there is none. What is wider is
+    /// not inside.
+    int widestGap() const;
     /// False for cells that are not covered.
     bool solid(glm::ivec3 cell) const {
         const glm::ivec3 c = cell - m_low;

@@ -196,7 +196,7 @@ double ContinuousCollision::fractionOf(DynamicBody& body, PhysicsBodies& bodies,
     double fraction = kNoStop;
     for (const auto& [first, second] : m_pairs) {
         const CollisionObject& other = first == &body.object ? *second : *first;
-        if (isFree(body) && isMoving(other) && isSolid(body.object) && isSolid(other)) continue;
+        if (isFree(body) && isMoving(other) && !mayBeInside(body.object, other)) continue;
         // A body that is put back is in the way of what follows it, which would then be deep in it.
         if (!mayPass(body.object, other, relativeDisplacement(body, other))) continue;
         fraction = std::min(fraction, timeOfImpact(body.object.collider, path, other.collider, pathOf(other, still)));
@@ -229,7 +229,7 @@ void ContinuousCollision::stopFollowers(const DynamicBody& body, PhysicsBodies& 
     for (const auto& [first, second] : m_pairs) {
         const CollisionObject& other = first == &body.object ? *second : *first;
         if (!isMoving(other) || !other.dynamic->finite()) continue;
-        if (isFree(*other.dynamic) && isSolid(other) && isSolid(body.object)) continue;
+        if (isFree(*other.dynamic) && !mayBeInside(other, body.object)) continue;
         const double to = std::min(m_fractions[size_t(other.dynamic->solverIndex)], 1.0);
         if (to <= from) continue;
         std::array<Pose, 2> ends;
