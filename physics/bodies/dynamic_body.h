@@ -33,9 +33,9 @@ public:
     DynamicBody(const DynamicBody&) = delete;
     DynamicBody& operator=(const DynamicBody&) = delete;
 
-    /// Takes over a change of its shapes' voxels, with the new mass and frame, and wakes. False, without a change, if
-    /// it has other shapes now or shapes of other size.
-    bool updateShape(const World& world, const FrameChanges& changes);
+    /// Takes over a change of its motion and of its shapes' voxels, with the new mass and frame, and wakes. False,
+    /// without a change, if it has other shapes now or shapes of other size.
+    bool update(const World& world, const FrameChanges& changes);
 
     /// The part of its collider that is one of its shapes; null: it is none of them.
     ColliderPart* partOf(ShapeHandle shape) const;

@@ -15,8 +15,8 @@ namespace rubble {
 /// tested or combined with its neighbours at once. Cells are those of the grid.
 class SolidRows {
 public:
-    static constexpr int kPadding = 2, kMaxLength = 64 - 2 * kPadding;
-    /// box: at most kMaxLength cells long in x; it may stick out of the grid, where nothing is solid.
+    static constexpr int kPadding = 2, kMaxSide = 64, kMaxLength = kMaxSide - 2 * kPadding;
+    /// box: at most kMaxLength cells long; it may stick out of the grid, where nothing is solid.
     SolidRows(const VoxelGrid& grid, const CellBox& box);
 
     /// The box without its padding.

@@ -362,6 +362,28 @@ TEST(PhysicsWorld, AnIdleStepAllocatesNothing) {
               before);  // Bullet does not use operator new, but a step without awake bodies does not call Bullet
 }
 
+/// Hosts set velocities in each step. The colliders stay as they are.
+TEST(PhysicsWorld, ASetVelocityCostsNoSurface) {
+    constexpr int kBodies = 50;
+    PhysicsScene scene;
+    Random random(5);
+    for (int i = 0; i < kBodies; ++i) scene.add(lump(random, 90, kMasonry), {2.0 * i, 9.0, 0.0}, false);
+    scene.load();
+    size_t allocations = 0;
+    for (int step = 0; step < 60; ++step) {
+        Edits edits;
+        for (int i = 0; i < kBodies; ++i)
+            edits.push_back(SetBodyEdit{.body = scene.handle(i), .setsVelocity = true, .velocity = {0.0, 1.0, 0.0}});
+        const FrameChanges changes = scene.world.applyEdits(edits);
+        const size_t before = allocationCount();
+        scene.physics.apply(changes, scene.world);
+        if (step > 0) allocations += allocationCount() - before;
+        scene.step();
+        EXPECT_NEAR(scene.body(0).velocity.y, 1.0 + scene.world.environment().gravity.y / 60.0, 1e-5);
+    }
+    EXPECT_LT(allocations, size_t(59 * kBodies));
+}
+
 TEST(PhysicsWorld, SameScenesGiveSameBits) {
     const auto run = [] {
         PhysicsScene scene;
