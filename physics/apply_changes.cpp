@@ -28,33 +28,33 @@ void updateStatics(PhysicsBodies& bodies, const FrameChanges& changes, const Wor
         if (world.shapes().find(handle)) bodies.updateStatic(world, handle, changes);
 }
 
-/// Updates each changed body once, in slot order. One that was not only carved is created from World again.
+/// Updates each changed body once, in slot order. One with other shapes is created from World again.
 void updateDynamics(PhysicsBodies& bodies, const FrameChanges& changes, const World& world) {
     struct Changed {
         BodyHandle body;
-        bool onlyCarved;
+        bool keepsShapes;
     };
     std::vector<Changed> changed;
-    const auto add = [&](BodyHandle handle, bool onlyCarved) {
+    const auto add = [&](BodyHandle handle, bool keepsShapes) {
         const Body* body = world.bodies().find(handle);
-        if (body && !body->isStatic) changed.push_back({handle, onlyCarved});
+        if (body && !body->isStatic) changed.push_back({handle, keepsShapes});
     };
-    const auto addOwner = [&](ShapeHandle handle, bool onlyCarved) {
-        if (const Shape* shape = world.shapes().find(handle)) add(shape->body, onlyCarved);
+    const auto addOwner = [&](ShapeHandle handle, bool keepsShapes) {
+        if (const Shape* shape = world.shapes().find(handle)) add(shape->body, keepsShapes);
     };
     for (const BodyHandle handle : changes.bodiesCreated) add(handle, false);
-    for (const BodyHandle handle : changes.teleported) add(handle, false);
+    for (const BodyHandle handle : changes.teleported) add(handle, true);
     for (const ShapeHandle handle : changes.carved) addOwner(handle, true);
     for (const ShapeHandle handle : changes.shapesCreated) addOwner(handle, false);
     for (const ShapeHandle handle : changes.shapesDestroyed)
         if (handle.slot() < bodies.owners().size()) add(bodies.owners()[handle.slot()], false);
     std::sort(changed.begin(), changed.end(), [](const Changed& a, const Changed& b) {
-        return a.body.slot() != b.body.slot() ? a.body.slot() < b.body.slot() : a.onlyCarved < b.onlyCarved;
+        return a.body.slot() != b.body.slot() ? a.body.slot() < b.body.slot() : a.keepsShapes < b.keepsShapes;
     });
     changed.erase(std::unique(changed.begin(), changed.end(),
                               [](const Changed& a, const Changed& b) { return a.body == b.body; }),
                   changed.end());
-    for (const auto& [handle, onlyCarved] : changed) bodies.updateDynamic(world, handle, changes, onlyCarved);
+    for (const auto& [handle, keepsShapes] : changed) bodies.updateDynamic(world, handle, changes, keepsShapes);
 }
 
 /// Takes over changed waters and wakes the bodies in them: they may fall or float now.

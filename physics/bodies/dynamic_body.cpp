@@ -7,6 +7,9 @@
 namespace rubble {
 namespace {
 
+/// Of a voxel, by which a body must move to be through a wall of one: less than that, contacts take back.
+constexpr double kMinPass = 0.25;
+
 /// Whether each coordinate is a number below the limit.
 bool finiteBelow(glm::dvec3 v, double limit) {
     return std::abs(v.x) < limit && std::abs(v.y) < limit && std::abs(v.z) < limit;
@@ -23,6 +26,17 @@ bool clampLength(glm::dvec3& v, double maxLength) {
 Pose inverse(const Pose& pose) {
     const glm::dquat rotation = glm::conjugate(pose.rotation);
     return {-(rotation * pose.position), rotation};
+}
+
+/// Whether an object may have another one inside.
+bool mayHold(const CollisionObject& object, const CollisionObject& other) {
+    const auto& parts = object.collider.parts;
+    if (parts.size() != 1) return true;
+    if (parts[0]->round()) return false;
+    const PartSurface* surface = parts[0]->whole();
+    if (!surface) return true;
+    const int gap = surface->widestGap;
+    return gap > 0 && (gap + 1) * parts[0]->voxelSize() >= 2.0 * other.minHalfExtent;  // one more: edges overlap
 }
 
 }  // namespace
@@ -73,7 +87,7 @@ void DynamicBody::takeState(const World& world) {
     object.minHalfExtent = 0.5 * std::min({high.x - low.x, high.y - low.y, high.z - low.z});
 }
 
-bool DynamicBody::updateShape(const World& world, const FrameChanges& changes) {
+bool DynamicBody::update(const World& world, const FrameChanges& changes) {
     if (m_quarantined || world.bodies().at(m_handle).shapes != m_shapes) return false;
     for (size_t i = 0; i < m_shapes.size(); ++i)
         if (world.shapes().at(m_shapes[i]).grid.size() != object.collider.parts[i]->grid().size()) return false;
@@ -85,7 +99,9 @@ bool DynamicBody::updateShape(const World& world, const FrameChanges& changes) {
     }
     takeState(world);
     object.isNew = true;
-    touching = false;
+    touching = isAsLoaded = false;
+    held = 0;
+    sleepLoad = {};
     setAsleep(false);
     return true;
 }
@@ -167,17 +183,14 @@ glm::dvec3 velocityAt(const CollisionObject& object, const glm::dvec3& point) {
     return motion.velocity + glm::cross(motion.angularVelocity, point - motion.position);
 }
 
-bool isSolid(const CollisionObject& object) {
-    const auto& parts = object.collider.parts;
-    if (parts.size() != 1) return false;
-    if (parts[0]->round()) return true;
-    const PartSurface* surface = parts[0]->whole();
-    return surface && !surface->hasGaps;
+bool mayBeInside(const CollisionObject& a, const CollisionObject& b) {
+    return mayHold(a, b) || mayHold(b, a);
 }
 
 bool mayPass(const CollisionObject& a, const CollisionObject& b, double displacement) {
     if (!a.dynamic || a.dynamic->asleep() || !b.dynamic || b.dynamic->asleep()) return true;
-    return !isSolid(a) || !isSolid(b) || displacement > a.minHalfExtent + b.minHalfExtent;
+    return displacement > (mayBeInside(a, b) ? kMinPass * std::min(a.smallestVoxel, b.smallestVoxel)
+                                             : a.minHalfExtent + b.minHalfExtent);
 }
 
 }  // namespace rubble

@@ -33,9 +33,9 @@ public:
     DynamicBody(const DynamicBody&) = delete;
     DynamicBody& operator=(const DynamicBody&) = delete;
 
-    /// Takes over a change of its shapes' voxels, with the new mass and frame, and wakes. False, without a change, if
-    /// it has other shapes now or shapes of other size.
-    bool updateShape(const World& world, const FrameChanges& changes);
+    /// Takes over a change of its motion and of its shapes' voxels, with the new mass and frame, and wakes. False,
+    /// without a change, if it has other shapes now or shapes of other size.
+    bool update(const World& world, const FrameChanges& changes);
 
     /// The part of its collider that is one of its shapes; null: it is none of them.
     ColliderPart* partOf(ShapeHandle shape) const;
@@ -125,9 +125,9 @@ private:
 /// The velocity of an object at a point, world, m/s; 0 for what is static or asleep.
 glm::dvec3 velocityAt(const CollisionObject& object, const glm::dvec3& point);
 
-/// Whether nothing can be inside of an object: it is round, or one part whose rows of voxels have no gaps. What has may
-/// be a box with thin walls.
-bool isSolid(const CollisionObject& object);
+/// Whether one of two objects may be inside of the other, behind thin walls: not of a round one, nor of one part whose
+/// rows of voxels have no gap as wide as the other's smallest side.
+bool mayBeInside(const CollisionObject& a, const CollisionObject& b);
 
 /// Whether two objects may be past each other after a relative displacement (metres). Always if one is static or
 /// asleep. Two moving bodies that still overlap are not: their contacts part them.

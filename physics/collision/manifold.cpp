@@ -14,6 +14,8 @@ constexpr float kMinLineDistance = 0.02f;
 // Points that were kept in the last step are preferred, so that the choice does not flicker:
 constexpr float kKeptDepthBonus = 0.001f;    ///< metres by which they count as deeper
 constexpr float kKeptDistanceFactor = 2.0f;  ///< by which they count as farther out
+/// Metres apart up to which a point touches; where all are apart, metres farther than the nearest.
+constexpr float kTouching = 0.002f;
 /// Metres by which a point of a hit that is farther than the deepest one touches later, if at all.
 constexpr float kLater = 0.03f;
 /// Metres inside the static world above which a penetration is no error of stepping.
@@ -27,9 +29,10 @@ bool wasKept(const Manifold* before, uint64_t feature) {
 }
 
 /// Moves points of contacts[from + count, to) behind the first `count`, as long as one lies outside of their polygon
-/// and there are fewer than `most`. Returns how many are chosen then. normal: of the polygon.
+/// and there are fewer than `most`. Returns how many are chosen then. normal: of the polygon. before: what was kept
+/// there counts as farther out; null: nothing does.
 size_t widenPolygon(std::vector<ContactPoint>& contacts, size_t from, size_t count, size_t to, size_t most,
-                    const glm::vec3& normal) {
+                    const glm::vec3& normal, const Manifold* before) {
     for (; count < most && from + count < to; ++count) {
         glm::vec3 middle(0.0f);
         for (size_t i = from; i < from + count; ++i) middle += contacts[i].position / float(count);
@@ -48,6 +51,7 @@ size_t widenPolygon(std::vector<ContactPoint>& contacts, size_t from, size_t cou
                 if (length > 0.0f)
                     outside = std::max(outside, glm::dot(glm::cross(edge, normal), p - corners[k]) / length);
             }
+            if (outside > 0.0f && wasKept(before, contacts[i].feature)) outside *= kKeptDistanceFactor;
             if (outside > farthest) farthest = outside, best = i;
         }
         if (!(farthest > kMinLineDistance * size)) break;
@@ -81,20 +85,35 @@ size_t chooseWidest(std::vector<ContactPoint>& contacts, size_t from, size_t to,
     if (best(from + 2, [&](const ContactPoint& c) { return std::abs(across(c)); }) < inLine) return 2;
     const float sign = across(contacts[from + 2]) > 0 ? -1.0f : 1.0f;
     if (best(from + 3, [&](const ContactPoint& c) { return sign * across(c); }) < inLine) return 3;
-    return most > 4 ? widenPolygon(contacts, from, 4, to, most, normal) : 4;
+    return most > 4 ? widenPolygon(contacts, from, 4, to, most, normal, nullptr) : 4;
 }
 
-/// As chooseWidest(), but what touches about as soon as the deepest goes before what touches later: a ball that hits a
-/// wall with one layer of voxels would turn about one of its corners if the wider layer behind took the others' places.
+/// Moves what has a separation up to a limit before the rest of contacts[from, to); returns where that begins.
+size_t partitionBySeparation(std::vector<ContactPoint>& contacts, size_t from, size_t to, float limit) {
+    for (;; ++from, --to) {
+        while (from < to && contacts[from].separation <= limit) ++from;
+        while (from < to && contacts[to - 1].separation > limit) --to;
+        if (from == to) return from;
+        std::swap(contacts[from], contacts[to - 1]);
+    }
+}
+
+/// As chooseWidest(), but what touches goes before what would touch if the body tipped: else it tips, as nothing bears
+/// it there. And what touches about as soon as the deepest goes before what touches later: a ball that hits a wall with
+/// one layer of voxels would turn about one of its corners if the wider layer behind took the others' places.
 size_t chooseWidestPoints(std::vector<ContactPoint>& contacts, size_t from, size_t to, size_t most,
                           const Manifold* before) {
-    const float limit = contacts[from].separation + kLater;
-    size_t later = from + 1;
-    for (size_t i = later; i < to; ++i)
-        if (contacts[i].separation <= limit) std::swap(contacts[later++], contacts[i]);
-    if (later == to || later == from + 1) return chooseWidest(contacts, from, to, most, before);
-    const size_t soon = chooseWidest(contacts, from, later, most, before);
-    return widenPolygon(contacts, from, soon, to, most, contacts[from].normal);
+    if (to - from <= 4) return to - from;
+    const float deepest = contacts[from].separation;
+    size_t count = 1, done = from + 1;
+    for (const float limit : {std::max(deepest, 0.0f) + kTouching, deepest + kLater, 1e30f}) {
+        done = partitionBySeparation(contacts, done, to, limit);
+        if (count == 1)
+            count = chooseWidest(contacts, from, done, most, before);
+        else
+            count = widenPolygon(contacts, from, count, done, most, contacts[from].normal, before);
+    }
+    return count;
 }
 
 /// Warm start: points that were there before get the impulses they had. The impulses of points that are gone are shared

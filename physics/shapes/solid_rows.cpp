@@ -1,6 +1,8 @@
 #include "physics/shapes/solid_rows.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 
 #include "runtime/core/assertion.h"
 
@@ -8,7 +10,7 @@ namespace rubble {
 
 SolidRows::SolidRows(const VoxelGrid& grid, const CellBox& box) : m_box(box), m_low(box.low - kPadding) {
     const glm::ivec3 size = box.high - m_low + kPadding, bricks = grid.sizeInBricks();
-    RUBBLE_ASSERT(size.x <= 64);
+    RUBBLE_ASSERT(std::max({size.x, size.y, size.z}) <= kMaxSide);
     m_nx = size.x, m_ny = size.y, m_nz = size.z;
     m_rows.resize(size_t(m_ny) * size_t(m_nz));
     const glm::ivec3 first = brickOfCell(glm::max(m_low, glm::ivec3(0)));
@@ -31,21 +33,44 @@ SolidRows::SolidRows(const VoxelGrid& grid, const CellBox& box) : m_box(box), m_
             }
 }
 
-bool SolidRows::hasGaps() const {
-    for (const uint64_t row : m_rows)
-        if (const uint64_t starts = row & ~(row << 1); starts & (starts - 1)) return true;
-    const auto hasGapsAlong = [&](int outer, int outerStride, int inner, int innerStride) {
-        for (int i = 0; i < outer; ++i) {
-            uint64_t seen = 0, gaps = 0;
-            for (int k = 0; k < inner; ++k) {
-                const uint64_t row = m_rows[size_t(i * outerStride + k * innerStride)];
-                if (row & gaps) return true;
-                seen |= row, gaps |= seen & ~row;
-            }
+namespace {
+
+/// Of a row of cells, those between two solid ones.
+uint64_t gapsOf(uint64_t row) {
+    const int first = std::countr_zero(row), last = 63 - std::countl_zero(row);
+    return row ? ~row & (~uint64_t(0) << first) & (~uint64_t(0) >> (63 - last)) : 0;
+}
+
+}  // namespace
+
+int SolidRows::widestGap() const {
+    int widest = 0;
+    for (const uint64_t row : m_rows) {
+        uint64_t gaps = gapsOf(row);
+        for (int width = 1; gaps; gaps &= gaps << 1, ++width) widest = std::max(widest, width);
+    }
+    // Along the other two axes, all columns of a plane at once: each round shortens every run of open cells by one.
+    const auto visitPlane = [&](size_t first, size_t stride, size_t count) {
+        std::array<uint64_t, kMaxSide> gaps;
+        uint64_t seen = 0, any = 0;
+        for (size_t i = 0; i < count; ++i) {
+            const uint64_t row = m_rows[first + i * stride];
+            gaps[i] = seen & ~row, seen |= row;
         }
-        return false;
+        seen = 0;
+        for (size_t i = count; i-- > 0;) {
+            any |= gaps[i] &= seen;
+            seen |= m_rows[first + i * stride];
+        }
+        for (int width = 1; any; ++width) {
+            widest = std::max(widest, width);
+            any = 0;
+            for (size_t i = count; i-- > 1;) any |= gaps[i] &= gaps[i - 1];
+        }
     };
-    return hasGapsAlong(m_nz, m_ny, m_ny, 1) || hasGapsAlong(m_ny, 1, m_nz, m_ny);
+    for (size_t z = 0; z < size_t(m_nz); ++z) visitPlane(z * size_t(m_ny), 1, size_t(m_ny));
+    for (size_t y = 0; y < size_t(m_ny); ++y) visitPlane(y, size_t(m_ny), size_t(m_nz));
+    return widest;
 }
 
 }  // namespace rubble

@@ -15,8 +15,8 @@ namespace rubble {
 /// tested or combined with its neighbours at once. Cells are those of the grid.
 class SolidRows {
 public:
-    static constexpr int kPadding = 2, kMaxLength = 64 - 2 * kPadding;
-    /// box: at most kMaxLength cells long in x; it may stick out of the grid, where nothing is solid.
+    static constexpr int kPadding = 2, kMaxSide = 64, kMaxLength = kMaxSide - 2 * kPadding;
+    /// box: at most kMaxLength cells long; it may stick out of the grid, where nothing is solid.
     SolidRows(const VoxelGrid& grid, const CellBox& box);
 
     /// The box without its padding.
@@ -29,8 +29,9 @@ public:
         const glm::ivec3 c = cell - m_low;
         return unsigned(c.x) < unsigned(m_nx) && unsigned(c.y) < unsigned(m_ny) && unsigned(c.z) < unsigned(m_nz);
     }
-    /// Whether a row of cells along an axis is solid, open, and solid again: something may be inside.
-    bool hasGaps() const;
+    /// The longest run of open cells between two solid ones along an axis, in cells; 0: there is none. What is wider is
+    /// not inside.
+    int widestGap() const;
     /// False for cells that are not covered.
     bool solid(glm::ivec3 cell) const {
         const glm::ivec3 c = cell - m_low;

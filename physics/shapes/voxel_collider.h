@@ -35,7 +35,7 @@ struct PartSurface {
         : rows(grid, bounds),
           box(findBoxSurface(rows)),
           hull(box ? HullPoints(bounds) : HullPoints(rows)),
-          hasGaps(!box && rows.hasGaps()),
+          widestGap(box ? 0 : rows.widestGap()),
           entry(commonEntry(grid)) {}
     /// What boxes that meet boxes do not need. [any thread]
     const FeatureList& features() const {
@@ -45,7 +45,7 @@ struct PartSurface {
     SolidRows rows;
     std::optional<BoxSurface> box;
     HullPoints hull;
-    bool hasGaps;   ///< see SolidRows
+    int widestGap;  ///< see SolidRows, cells
     uint8_t entry;  ///< of the palette, of all its voxels; 0: they have several
 
 private:

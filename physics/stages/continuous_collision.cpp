@@ -150,11 +150,10 @@ WorldBox boundsOf(const CollisionObject& object, const SweptPose& path) {
 }
 
 /// The part of a path between two fractions of the step, in as many poses.
-std::vector<Pose> partOf(const SweptPose& path, double from, double to) {
-    std::vector<Pose> part;
+void takePart(const SweptPose& path, double from, double to, std::vector<Pose>& part) {
+    part.clear();
     for (size_t i = 0; i < path.poses.size(); ++i)
         part.push_back(path.at(from + (to - from) * double(i) / double(path.poses.size() - 1)));
-    return part;
 }
 
 /// Whether the body has been held for so long that what moves does not hold it now.
@@ -196,7 +195,7 @@ double ContinuousCollision::fractionOf(DynamicBody& body, PhysicsBodies& bodies,
     double fraction = kNoStop;
     for (const auto& [first, second] : m_pairs) {
         const CollisionObject& other = first == &body.object ? *second : *first;
-        if (isFree(body) && isMoving(other) && isSolid(body.object) && isSolid(other)) continue;
+        if (isFree(body) && isMoving(other) && !mayBeInside(body.object, other)) continue;
         // A body that is put back is in the way of what follows it, which would then be deep in it.
         if (!mayPass(body.object, other, relativeDisplacement(body, other))) continue;
         fraction = std::min(fraction, timeOfImpact(body.object.collider, path, other.collider, pathOf(other, still)));
@@ -229,13 +228,13 @@ void ContinuousCollision::stopFollowers(const DynamicBody& body, PhysicsBodies& 
     for (const auto& [first, second] : m_pairs) {
         const CollisionObject& other = first == &body.object ? *second : *first;
         if (!isMoving(other) || !other.dynamic->finite()) continue;
-        if (isFree(*other.dynamic) && isSolid(other) && isSolid(body.object)) continue;
+        if (isFree(*other.dynamic) && !mayBeInside(other, body.object)) continue;
         const double to = std::min(m_fractions[size_t(other.dynamic->solverIndex)], 1.0);
         if (to <= from) continue;
         std::array<Pose, 2> ends;
-        const std::vector<Pose> rest = partOf(simplified(*other.dynamic, ends), from, to);
-        if (!mayPass(body.object, other, displacement(rest.front(), rest.back(), other.radius))) continue;
-        const double hit = timeOfImpact(other.collider, {rest}, body.object.collider, {still});
+        takePart(simplified(*other.dynamic, ends), from, to, m_rest);
+        if (!mayPass(body.object, other, displacement(m_rest.front(), m_rest.back(), other.radius))) continue;
+        const double hit = timeOfImpact(other.collider, {m_rest}, body.object.collider, {still});
         if (hit <= 1.0) stopAt(*other.dynamic, from + hit * (to - from));
     }
 }

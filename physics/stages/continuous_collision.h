@@ -36,6 +36,7 @@ private:
     std::vector<Stop> m_queue;        ///< a heap, the first on top: what it holds up is still to be found
     std::vector<CollisionObject*> m_found;
     std::vector<ObjectPair> m_pairs;
+    std::vector<Pose> m_rest;  ///< of a path
 };
 
 }  // namespace rubble

@@ -12,9 +12,8 @@
 //     bounces or rolls past is gone by then. A pile shifts its forces a little while parts of it stir: of 1,416 such
 //     shifts in a pile of 200 that comes to rest, 12 were larger than a fifth of all that pressed on the body;
 //   * what a level or a save has asleep has slept in balance, but the impulses are not in the file. If neither of two
-//   has
-//     moved since it was loaded, what the one that wakes presses on the other with, when the solver has found it, is
-//     what it pressed with before. So a saved pile sleeps on as one that was not saved.
+//     has moved since it was loaded, what the one that wakes presses on the other with, when the solver has found it,
+//     is what it pressed with before. So a saved pile sleeps on as one that was not saved.
 
 namespace rubble {
 namespace {

@@ -161,8 +161,11 @@ void PhysicsBodies::destroyDynamic(BodyHandle handle) {
     if (wasThere) wakeTouching(low, high);
 }
 
-void PhysicsBodies::updateDynamic(const World& world, BodyHandle handle, const FrameChanges& changes, bool onlyCarved) {
+void PhysicsBodies::updateDynamic(const World& world, BodyHandle handle, const FrameChanges& changes,
+                                  bool keepsShapes) {
     const Body& body = world.bodies().at(handle);
+    const bool isTeleported =
+        std::find(changes.teleported.begin(), changes.teleported.end(), handle) != changes.teleported.end();
     DynamicBody* known = dynamicAt(handle.slot());
     if (known) {  // taken out, and put back with another shape and centre of mass
         const glm::dvec3 low = known->object.low, high = known->object.high;
@@ -171,13 +174,12 @@ void PhysicsBodies::updateDynamic(const World& world, BodyHandle handle, const F
         m_awake.remove(*known);
         std::erase(m_ended, handle.slot());
         if (wasThere) wakeTouching(low, high);
-        if (onlyCarved && known->updateShape(world, changes) && insert(world, *known, false)) return;
-        m_dynamics[handle.slot()].reset();
     }
-    for (const ShapeHandle shape : body.shapes) takeStatic(shape.slot());  // it may have been static until now
-    const bool isTeleported =
-        std::find(changes.teleported.begin(), changes.teleported.end(), handle) != changes.teleported.end();
-    createDynamic(world, handle, body.asleep && (!known || isTeleported));
+    const bool asleep = body.asleep && (!known || isTeleported);
+    if (!(keepsShapes && known && known->update(world, changes) && insert(world, *known, asleep))) {
+        for (const ShapeHandle shape : body.shapes) takeStatic(shape.slot());  // it may have been static until now
+        createDynamic(world, handle, asleep);
+    }
     const DynamicBody& now = *dynamicAt(handle.slot());
     if (!now.asleep() || now.quarantined()) return;
     for (CollisionObject* object : objectsIn(now.object.low, now.object.high))  // what sleeps pushes nothing away

@@ -27,9 +27,9 @@ public:
     void updateStatic(const World& world, ShapeHandle handle, const FrameChanges& changes);
     /// Removes a dynamic body and wakes what touched it. Does nothing if the handle is stale.
     void destroyDynamic(BodyHandle handle);
-    /// Takes over a change of a dynamic body, or creates it, and wakes what touched it before. onlyCarved: nothing but
-    /// its voxels has changed.
-    void updateDynamic(const World& world, BodyHandle handle, const FrameChanges& changes, bool onlyCarved);
+    /// Takes over a change of a dynamic body, or creates it, and wakes what touched it before. keepsShapes: nothing but
+    /// its motion and its voxels has changed.
+    void updateDynamic(const World& world, BodyHandle handle, const FrameChanges& changes, bool keepsShapes);
     /// Takes over a shape's new collision filter, and wakes what may touch it now or no longer.
     void updateFilter(const World& world, ShapeHandle handle);
 

@@ -27,16 +27,17 @@ public:
     /// it is true for a part of it.
     template <class IsNear, class F>
     void find(IsNear&& isNear, F&& f) const {
-        if (m_root == kNone) return;
-        std::vector<uint32_t> open{m_root};
-        while (!open.empty()) {
-            const Node& node = m_nodes[open.back()];
-            open.pop_back();
-            if (!isNear(node.box)) continue;
-            if (node.isLeaf())
+        uint32_t at = m_root;
+        while (at != kNone) {
+            const Node& node = m_nodes[at];
+            if (!isNear(node.box)) {
+                at = nextOf(at);
+            } else if (!node.isLeaf()) {
+                at = node.right;
+            } else {
                 f(node.item);
-            else
-                open.insert(open.end(), {node.left, node.right});
+                at = nextOf(at);
+            }
         }
     }
     /// Nodes on the longest path from the root.
@@ -51,6 +52,12 @@ private:
         /// Whether it holds an item.
         bool isLeaf() const { return left == kNone; }
     };
+    /// The node after a node and all below it, from right to left; kNone: there is none.
+    uint32_t nextOf(uint32_t node) const {
+        for (uint32_t parent = m_nodes[node].parent; parent != kNone; node = parent, parent = m_nodes[node].parent)
+            if (m_nodes[parent].left != node) return m_nodes[parent].left;
+        return kNone;
+    }
     uint32_t allocate();
     uint32_t bestSibling(const WorldBox& box) const;
     void insertLeaf(uint32_t leaf);
