@@ -7,6 +7,19 @@
 #include "samples/netplay/player.h"
 
 namespace netplay {
+namespace {
+
+constexpr int kMaxMessagesPerTick = 4096;
+constexpr size_t kMaxEarlyBodies = 8192;                   // that poses tell of before edits have made them
+constexpr size_t kMaxWaitingBytes = 128u << 20;            // of steps that are not shown yet
+constexpr uint64_t kMaxStepsAhead = 60 * kStepsPerSecond;  // of poses, of the edits that have come
+
+/// Leaves a server that lies, as tick() and show() leave one whose bytes the library refuses.
+void expect(bool holds, const char* what) {
+    if (!holds) throw rubble::Error(RUBBLE_ERROR_FILE, what);
+}
+
+}  // namespace
 
 void Client::connect(std::unique_ptr<Transport> transport) {
     m_transport = std::move(transport);
@@ -42,6 +55,7 @@ void Client::show(double partOfStep) try {
     for (; !m_steps.empty() && double(m_steps.front().step) < time + 1.0; m_steps.pop_front()) {
         moveBodies(m_steps.front().step);
         apply(m_steps.front());
+        m_waitingBytes -= m_steps.front().bytes();
     }
     m_alpha = std::clamp(time + 1.0 - double(m_applied), 0.0, 1.0);
 } catch (const rubble::Error&) {
@@ -50,17 +64,17 @@ void Client::show(double partOfStep) try {
 
 void Client::receive() {
     Event event;
-    while (m_transport && m_transport->receive(event)) {
+    for (int i = 0; i < kMaxMessagesPerTick && m_transport && m_transport->receive(event); ++i) {
         if (event.kind == Event::Kind::Connected) {
             m_server = event.peer;
             m_transport->send(m_server, Delivery::Reliable, encode(Join{kVersion, m_token, m_game, m_received}));
         } else if (event.kind == Event::Kind::Disconnected) {
             if (m_state != State::Refused) m_state = State::Disconnected;
             m_transport.reset();
-        } else if (const std::optional<Message> message = decode(event.bytes, false)) {
-            handle(*message);
         } else {
-            rejoin();
+            const std::optional<Message> message = decode(event.bytes, false);
+            expect(message.has_value(), "expected a message of the server");
+            handle(*message);
         }
     }
 }
@@ -77,10 +91,11 @@ void Client::handle(const Message& message) {
 }
 
 void Client::take(const Snapshot& snapshot) {
-    m_steps.clear(), m_bodies.clear(), m_ids.clear(), m_moving.clear();
+    forget();
     m_world.load_game_data(snapshot.game.data(), snapshot.game.size());
     m_applied = m_received = snapshot.step;
     m_clock = {};
+    m_hasSequence = false;
     for (const BodyName& each : snapshot.names) name(each);
     m_state = State::Playing;
     ++m_snapshots;
@@ -88,10 +103,13 @@ void Client::take(const Snapshot& snapshot) {
 
 void Client::take(EditSteps message) {
     const uint64_t before = message.last - message.deltas.size();
-    if (before != m_received) return rejoin();
+    expect(m_state == State::Playing && before == m_received, "expected the step behind the last one");
     for (auto& delta : message.deltas) m_steps.push_back({++m_received, std::move(delta), {}});
     for (const BodyName& each : message.names)
         if (each.step > before) m_steps[m_steps.size() - 1 - size_t(message.last - each.step)].names.push_back(each);
+    for (size_t i = m_steps.size() - message.deltas.size(); i < m_steps.size(); ++i)
+        m_waitingBytes += m_steps[i].bytes();
+    expect(m_waitingBytes <= kMaxWaitingBytes, "expected poses, which say that steps can be shown");
 }
 
 void Client::noteSequence(uint16_t sequence) {
@@ -107,10 +125,13 @@ void Client::noteSequence(uint16_t sequence) {
 }
 
 void Client::take(const Poses& poses) {
+    if (m_state != State::Playing) return;  // they are of a world that is still to come
+    expect(poses.step <= m_received || poses.step - m_received <= kMaxStepsAhead, "expected poses of about now");
     noteSequence(poses.sequence);
     m_clock.hear(poses.step);
     m_players = poses.players;
     for (const BodyPose& pose : poses.bodies) {
+        if (poses.step <= m_applied && !m_bodies.contains(pose.id)) continue;  // it is gone by now
         Tracked& tracked = m_bodies[pose.id];
         const auto foreseen = tracked.body ? tracked.track.at(m_clock.now()) : std::nullopt;
         tracked.track.add(poses.step, pose);
@@ -119,18 +140,24 @@ void Client::take(const Poses& poses) {
         const BodyPose now = *tracked.track.at(m_clock.now());
         const double jump = std::hypot(now.position[0] - foreseen->position[0], now.position[1] - foreseen->position[1],
                                        now.position[2] - foreseen->position[2]);
-        ++m_corrections[std::min(size_t(jump * 1000.0), m_corrections.size() - 1)];
+        ++m_corrections[size_t(std::min(jump * 1000.0, double(m_corrections.size() - 1)))];
     }
+    expect(m_bodies.size() <= m_ids.size() + kMaxEarlyBodies, "expected poses of bodies that edits make");
 }
 
 /// The body is there from now on, where it was before the step in which it first moved.
 void Client::name(const BodyName& name) {
-    Tracked& tracked = m_bodies[name.id];
-    if (rubble::api().translate_handle(m_world.handle(), name.handle, &tracked.body) != RUBBLE_OK) {
-        tracked.body = 0;  // it is gone again
+    rubble_body body = 0;
+    const auto known = m_bodies.find(name.id);
+    expect(known == m_bodies.end() || !known->second.body, "expected a number for one body");
+    if (rubble::api().translate_handle(m_world.handle(), name.handle, &body) != RUBBLE_OK) {  // it is gone again
+        m_bodies.erase(name.id);
+        m_moving.erase(name.id);
         return;
     }
-    m_ids[tracked.body] = name.id;
+    expect(m_ids.try_emplace(body, name.id).second, "expected one number for a body");
+    Tracked& tracked = m_bodies[name.id];
+    tracked.body = body;
     const rubble_body_state state = m_world.get_body_state(tracked.body);
     BodyPose pose;
     pose.id = name.id;
@@ -145,7 +172,11 @@ void Client::moveBodies(uint64_t step) {
     std::vector<rubble_body_state> states;
     std::erase_if(m_moving, [&](uint32_t id) {
         Tracked& tracked = m_bodies[id];
-        if (!tracked.body) return false;
+        if (!tracked.body) {  // edits up to its first pose have not made it: it is gone again
+            const bool isLate = tracked.track.firstStep() < step;
+            if (isLate) m_bodies.erase(id);
+            return isLate;
+        }
         const std::optional<BodyPose> pose = tracked.track.at(time);
         if (!pose) return false;
         rubble_body_state state = m_world.get_body_state(tracked.body);
@@ -178,8 +209,14 @@ void Client::forgetDestroyed() {
     }
 }
 
+void Client::forget() {
+    m_steps.clear(), m_bodies.clear(), m_ids.clear(), m_moving.clear(), m_players.clear();
+    m_waitingBytes = 0;
+}
+
 /// What it has does not fit what comes: it is to begin again, as the same player.
 void Client::rejoin() {
+    forget();
     m_game = m_received = 0;
     disconnect();
 }

@@ -15,7 +15,8 @@
 namespace netplay {
 
 /// Follows a server's world: carries out what edits came to, moves bodies between the poses that it gets, and asks. It
-/// runs no edits and no physics of its own.
+/// runs no edits and no physics of its own. A server that sends what is no message, or what cannot be true, is left,
+/// and what it said forgotten; memory for bodies and steps that are not there yet is bounded.
 class Client {
 public:
     enum class State : uint8_t { Disconnected, Joining, Playing, Refused };
@@ -54,6 +55,10 @@ public:
     const std::vector<uint64_t>& corrections() const { return m_corrections; }
     /// How many bodies may not yet be where they come to rest.
     size_t moving() const { return m_moving.size(); }
+    /// How many bodies it has poses of, with those that are not there yet.
+    size_t tracked() const { return m_bodies.size(); }
+    /// Bytes of the steps that wait until they are shown.
+    size_t waitingBytes() const { return m_waitingBytes; }
     /// How often it has taken a snapshot.
     int snapshots() const { return m_snapshots; }
 
@@ -63,6 +68,8 @@ private:
         uint64_t step = 0;
         std::vector<uint8_t> delta;
         std::vector<BodyName> names;  ///< of bodies that first moved in it
+        /// About, with what holds it.
+        size_t bytes() const { return delta.size() + names.size() * sizeof(BodyName) + sizeof(Step); }
     };
     /// A body that moves.
     struct Tracked {
@@ -77,6 +84,7 @@ private:
     void take(const Poses& poses);
     void noteSequence(uint16_t sequence);
     void name(const BodyName& name);
+    void forget();
     void moveBodies(uint64_t step);
     void apply(const Step& step);
     void forgetDestroyed();
@@ -93,8 +101,9 @@ private:
     double m_alpha = 1.0;
     uint64_t m_ticks = 0, m_applied = 0, m_received = 0;  ///< the last step that was carried out; that has come
     std::deque<Step> m_steps;
+    size_t m_waitingBytes = 0;  ///< of them
     std::unordered_map<uint32_t, Tracked> m_bodies;
-    std::unordered_map<rubble_body, uint32_t> m_ids;
+    std::unordered_map<rubble_body, uint32_t> m_ids;  ///< of those that are there
     std::unordered_set<uint32_t> m_moving;
     std::vector<Poses::Player> m_players;
     bool m_hasSequence = false;

@@ -17,6 +17,8 @@ public:
     std::optional<BodyPose> at(double time) const;
     /// Whether the body sleeps at a time, and nothing else is known of later.
     bool isAtRest(double time) const;
+    /// The step of the first known pose; 0: none is known.
+    uint64_t firstStep() const { return m_samples.empty() ? 0 : m_samples.front().step; }
     /// Forgets what at() does not need from a time on.
     void forgetBefore(double time);
 

@@ -5,8 +5,8 @@
 namespace netplay {
 namespace {
 
-constexpr uint64_t kMaxGameBytes = uint64_t(256) << 20, kMaxEditBytes = uint64_t(64) << 20;
-constexpr size_t kMaxNames = 1u << 20, kMaxBodies = 4096;
+constexpr uint64_t kMaxGameBytes = uint64_t(32) << 20, kMaxEditBytes = uint64_t(64) << 20;
+constexpr size_t kMaxNames = 1u << 20, kMaxBodies = 4096, kMaxSteps = 64;
 
 /// step: of the message, from which theirs are counted back.
 void putNames(BitWriter& out, const std::vector<BodyName>& names, uint64_t step) {
@@ -110,6 +110,7 @@ void get(BitReader& in, EditSteps& steps) {
     BitReader inner(bytes);
     steps.names = getNames(inner, steps.last);
     const uint64_t count = inner.getVarint();
+    if (count > kMaxSteps) inner.fail();
     for (uint64_t i = 0; i < count && !inner.failed(); ++i) {
         const auto delta = inner.getBytes(inner.getVarint());
         steps.deltas.emplace_back(delta.begin(), delta.end());

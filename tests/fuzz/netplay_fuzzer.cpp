@@ -41,14 +41,68 @@ void buildWall(rubble::World& world) {
     world.step();
 }
 
-/// Changes one in eight of the messages that arrive.
+/// Changes a step or a number in one of the ways that a server must not.
+uint64_t wrong(Decisions& decisions, uint64_t value) {
+    const uint32_t kind = decisions.below(4);
+    return kind == 0 ? decisions.bits() : kind == 1 ? value + decisions.below(1u << 20) : value + kind - 2;
+}
+
+void lie(Decisions& decisions, std::vector<BodyName>& names) {
+    if (!names.empty() && decisions.oneIn(2)) names.push_back(names[decisions.below(uint32_t(names.size()))]);
+    for (BodyName& name : names) {
+        if (decisions.oneIn(4)) name.id = uint32_t(wrong(decisions, name.id));
+        if (decisions.oneIn(4)) name.handle = wrong(decisions, name.handle);
+        if (decisions.oneIn(4)) name.step = wrong(decisions, name.step);
+    }
+}
+void lie(Decisions& decisions, Welcome& welcome) {
+    welcome.isResumed = !welcome.isResumed;
+    welcome.game = wrong(decisions, welcome.game);
+}
+void lie(Decisions& decisions, Snapshot& snapshot) {
+    if (decisions.oneIn(2)) snapshot.step = wrong(decisions, snapshot.step);
+    lie(decisions, snapshot.names);
+    if (decisions.oneIn(2)) mutateBytes(decisions, snapshot.game);
+}
+void lie(Decisions& decisions, EditSteps& steps) {
+    if (decisions.oneIn(4)) steps.last = wrong(decisions, steps.last);
+    lie(decisions, steps.names);
+    for (auto& delta : steps.deltas)
+        if (decisions.oneIn(4)) mutateBytes(decisions, delta);
+    if (decisions.oneIn(8)) steps.deltas.resize(decisions.below(70));
+}
+/// Of thousands of bodies that there are not.
+void lie(Decisions& decisions, Poses& poses) {
+    if (decisions.oneIn(4)) poses.step = wrong(decisions, poses.step);
+    if (decisions.oneIn(4)) poses.sequence = uint16_t(decisions.bits());
+    const uint32_t first = poses.bodies.empty() ? 0 : poses.bodies.back().id + 1 + decisions.below(1u << 20);
+    for (uint32_t i = 0, count = decisions.below(3000); i < count; ++i) {
+        BodyPose& pose = poses.bodies.emplace_back();
+        pose.id = first + i;
+        for (double& part : pose.position) part = 2e9 * (decisions.unit() - 0.5);
+    }
+}
+template <class T>
+void lie(Decisions&, T&) {}
+
+/// The bytes of a message that is well-formed and says something else; the same where it is none.
+void lie(Decisions& decisions, std::vector<uint8_t>& bytes) {
+    std::optional<Message> message = decode(bytes, false);
+    if (!message) return;
+    std::visit([&](auto& kind) { lie(decisions, kind); }, *message);
+    bytes = encode(*message);
+    reached("lies of a server");
+}
+
+/// Changes one in eight of the messages that arrive: their bytes, or what they say.
 class Garbled final : public Transport {
 public:
     Garbled(std::unique_ptr<Transport> inner, Decisions& decisions)
         : m_inner(std::move(inner)), m_decisions(decisions) {}
     bool receive(Event& event) override {
         if (!m_inner->receive(event)) return false;
-        if (event.kind == Event::Kind::Received && m_decisions.oneIn(8)) mutateBytes(m_decisions, event.bytes);
+        if (event.kind == Event::Kind::Received && m_decisions.oneIn(8))
+            m_decisions.oneIn(2) ? lie(m_decisions, event.bytes) : mutateBytes(m_decisions, event.bytes);
         return true;
     }
     void send(Peer peer, Delivery delivery, std::span<const uint8_t> bytes) override {
@@ -158,6 +212,8 @@ void rubble::fuzz(Decisions& decisions) {
         if (garbled.state() == Client::State::Disconnected)
             garbled.connect(std::make_unique<Garbled>(network.connect(), decisions));
         server.tick(), honest.tick(), garbled.tick();
+        if (garbled.tracked() > 20'000) fail("a client keeps poses of bodies that there are not");
+        if (garbled.state() == Client::State::Disconnected) reached("servers left");
         std::erase_if(attackers, [](auto& attacker) { return !attacker->isOpen(); });
     }
     expectSameWorld(server, honest, world, honestWorld);

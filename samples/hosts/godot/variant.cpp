@@ -1,21 +1,24 @@
 #include "samples/hosts/godot/variant.h"
 
-#include <bit>
 #include <cmath>
 #include <cstring>
 
 namespace rubble_godot {
 namespace {
 
-template <gd::Pool pool, class T>
-gd::PoolBytes makePool(const std::vector<T>& values) {
+/// A pool array of values; makeVariant: the function of its type.
+template <gd::Pool pool, class T, class Make>
+gd::VariantBytes makePool(const std::vector<T>& values, Make makeVariant) {
     gd::PoolBytes array;
     gd::poolNew<pool>(&array);
     gd::poolResize<pool>(&array, int32_t(values.size()));
     gd::PoolWriteAccess* access = gd::poolWrite<pool>(&array);
     if (!values.empty()) std::memcpy(gd::poolWritePointer<pool>(access), values.data(), values.size() * sizeof(T));
     gd::poolWriteDestroy<pool>(access);
-    return array;
+    gd::VariantBytes bytes;
+    makeVariant(&bytes, &array);
+    gd::poolDestroy<pool>(&array);
+    return bytes;
 }
 
 }  // namespace
@@ -60,65 +63,24 @@ Variant Variant::array(const std::vector<Variant>& values) {
 }
 
 Variant Variant::pool(const std::vector<int32_t>& values) {
-    gd::PoolBytes array = makePool<gd::Pool::Int>(values);
-    gd::VariantBytes bytes;
-    gd::variantPoolInt(&bytes, &array);
-    gd::poolDestroy<gd::Pool::Int>(&array);
-    return take(bytes);
+    return take(makePool<gd::Pool::Int>(values, gd::variantPoolInt));
 }
 
 Variant Variant::pool(const std::vector<Vec3>& values) {
-    gd::PoolBytes array = makePool<gd::Pool::Vector3>(values);
-    gd::VariantBytes bytes;
-    gd::variantPoolVector3(&bytes, &array);
-    gd::poolDestroy<gd::Pool::Vector3>(&array);
-    return take(bytes);
+    return take(makePool<gd::Pool::Vector3>(values, gd::variantPoolVector3));
 }
 
 Variant Variant::pool(const std::vector<Color>& values) {
-    gd::PoolBytes array = makePool<gd::Pool::Color>(values);
-    gd::VariantBytes bytes;
-    gd::variantPoolColor(&bytes, &array);
-    gd::poolDestroy<gd::Pool::Color>(&array);
-    return take(bytes);
+    return take(makePool<gd::Pool::Color>(values, gd::variantPoolColor));
 }
 
-template <>
-bool Variant::as<bool>() const {
-    return gd::asBool(&m_bytes);
-}
-template <>
-int64_t Variant::as<int64_t>() const {
-    return gd::asInt(&m_bytes);
-}
-template <>
-double Variant::as<double>() const {
-    return gd::asReal(&m_bytes);
-}
-template <>
-std::string Variant::as<std::string>() const {
+std::string Variant::asString() const {
     gd::StringBytes string = gd::asString(&m_bytes);
     gd::CharStringBytes utf8 = gd::stringUtf8(&string);
     std::string text = gd::charStringData(&utf8);
     gd::charStringDestroy(&utf8);
     gd::stringDestroy(&string);
     return text;
-}
-template <>
-Vec3 Variant::as<Vec3>() const {
-    return std::bit_cast<Vec3>(gd::asVector3(&m_bytes));
-}
-template <>
-Color Variant::as<Color>() const {
-    return std::bit_cast<Color>(gd::asColor(&m_bytes));
-}
-template <>
-Transform Variant::as<Transform>() const {
-    return std::bit_cast<Transform>(gd::asTransform(&m_bytes));
-}
-template <>
-gd::Object* Variant::as<gd::Object*>() const {
-    return gd::asObject(&m_bytes);
 }
 
 std::array<int32_t, 2> Variant::asSize() const {

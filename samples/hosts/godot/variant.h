@@ -1,8 +1,10 @@
 #pragma once
 #include <array>
+#include <bit>
 #include <concepts>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -68,7 +70,16 @@ public:
 
     /// The value as one of C++: bool, int64_t, double, std::string, Vec3, Color, Transform, gd::Object*.
     template <class T>
-    T as() const;
+    T as() const {
+        if constexpr (std::is_same_v<T, bool>) return gd::asBool(&m_bytes);
+        if constexpr (std::is_same_v<T, int64_t>) return gd::asInt(&m_bytes);
+        if constexpr (std::is_same_v<T, double>) return gd::asReal(&m_bytes);
+        if constexpr (std::is_same_v<T, std::string>) return asString();
+        if constexpr (std::is_same_v<T, Vec3>) return std::bit_cast<T>(gd::asVector3(&m_bytes));
+        if constexpr (std::is_same_v<T, Color>) return std::bit_cast<T>(gd::asColor(&m_bytes));
+        if constexpr (std::is_same_v<T, Transform>) return std::bit_cast<T>(gd::asTransform(&m_bytes));
+        if constexpr (std::is_same_v<T, gd::Object*>) return gd::asObject(&m_bytes);
+    }
     /// Width and height of a Vector2, rounded.
     std::array<int32_t, 2> asSize() const;
     /// The content of a PoolByteArray.
@@ -81,6 +92,7 @@ public:
     gd::VariantBytes release();
 
 private:
+    std::string asString() const;
     gd::VariantBytes m_bytes{};
 };
 

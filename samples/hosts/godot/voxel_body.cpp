@@ -8,8 +8,7 @@
 namespace rubble_godot {
 namespace {
 
-const Method kGetTransform{"Spatial", "get_global_transform"}, kSetTransform{"Spatial", "set_global_transform"},
-    kEmitSignal{"Object", "emit_signal"};
+const Method kEmitSignal{"Object", "emit_signal"};
 constexpr double kVoxel = 0.1;  // metres
 constexpr uint32_t kEntry = 1;  // of the palette: the one that a box has
 
@@ -28,13 +27,6 @@ void VoxelBody::registerClass(void* handle) {
         .signal("destroyed", {});
 }
 
-Variant VoxelBody::enterTree(Arguments) {
-    m_start = kGetTransform(m_node).as<Transform>();
-    m_world = VoxelWorld::above(m_node);
-    if (m_world) m_world->add(*this);
-    return {};
-}
-
 void VoxelBody::spawn() {
     rubble_body_settings body = {.struct_size = sizeof body, .flags = isStatic ? uint32_t(RUBBLE_BODY_STATIC) : 0u};
     copy(m_start.origin, body.position);
@@ -45,31 +37,27 @@ void VoxelBody::spawn() {
         box.position[i] = -0.5 * kVoxel * box.size[i];  // the node is in the middle
     }
     box.index = kEntry;
-    if (!m_world->check(m_world->api().create_body(m_world->world(), &body, &m_body), "VoxelBody")) return;
+    if (!m_world->call("VoxelBody", &rubble_api::create_body, &body, &m_body)) return;
     box.body = m_body;
     rubble_shape shape = 0;
-    if (m_world->check(m_world->api().create_shape(m_world->world(), &box, &shape), "VoxelBody")) paint(shape);
+    if (m_world->call("VoxelBody", &rubble_api::create_shape, &box, &shape)) paint(shape);
 }
 
 void VoxelBody::paint(rubble_shape shape) const {
     const rubble_palette_range range = {.struct_size = sizeof range, .shape = shape, .first = kEntry, .count = 1};
     rubble_palette_entry entry = {.roughness = 200, .reflectivity = 10};
     uint32_t index = 0;
-    const rubble_api& api = m_world->api();
-    if (!m_world->check(api.find_material(m_world->world(), material.c_str(), &index), "VoxelBody.material")) return;
+    if (!m_world->call("VoxelBody.material", &rubble_api::find_material, material.c_str(), &index)) return;
     if (index == 0) printWarning("VoxelBody.material: expected a material of the world, found \"" + material + "\"");
     for (size_t i = 0; i < 3; ++i) entry.color[i] = uint8_t(std::lround(255 * std::clamp(color[i], 0.0f, 1.0f)));
     entry.opacity = uint8_t(std::lround(255 * std::clamp(color[3], 0.1f, 1.0f)));
     entry.material = uint8_t(index);
-    m_world->check(api.set_palette(m_world->world(), &range, &entry), "VoxelBody");
+    m_world->call("VoxelBody", &rubble_api::set_palette, &range, &entry);
 }
 
-Variant VoxelBody::exitTree(Arguments) {
-    if (!m_world) return {};
-    m_world->remove(*this);
+void VoxelBody::despawn() {
     if (m_body) m_world->api().destroy_body(m_world->world(), m_body);
-    m_world = nullptr, m_body = 0;
-    return {};
+    m_body = 0;
 }
 
 Variant VoxelBody::physicsProcess(Arguments) {
@@ -84,7 +72,7 @@ Variant VoxelBody::physicsProcess(Arguments) {
     }
     if (!m_world->check(result, "VoxelBody")) return {};
     if (!(state.flags & (RUBBLE_BODY_ASLEEP | RUBBLE_BODY_STATIC)))
-        kSetTransform(m_node, toTransform(state.position, state.rotation));
+        setPlace(toTransform(state.position, state.rotation));
     return {};
 }
 
@@ -92,7 +80,7 @@ Variant VoxelBody::applyImpulse(Arguments arguments) {
     rubble_impulse impulse = {.struct_size = sizeof impulse, .body = m_body};
     copy(arguments.get<Vec3>(0), impulse.position);
     copy(arguments.get<Vec3>(1), impulse.impulse);
-    if (m_world && m_body) m_world->check(m_world->api().apply_impulse(m_world->world(), &impulse), "apply_impulse");
+    if (m_world && m_body) m_world->call("apply_impulse", &rubble_api::apply_impulse, &impulse);
     return {};
 }
 

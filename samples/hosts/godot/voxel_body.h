@@ -4,7 +4,7 @@
 #include <string>
 
 #include "samples/hosts/godot/node_class.h"
-#include "samples/hosts/godot/voxel_world.h"
+#include "samples/hosts/godot/world_child.h"
 
 namespace rubble_godot {
 
@@ -13,9 +13,9 @@ namespace rubble_godot {
 class VoxelBody final : public WorldChild {
 public:
     /// As Godot gives a node its script.
-    explicit VoxelBody(gd::Object* node) : m_node(node) {}
-    /// Makes the body where the node was at first.
+    explicit VoxelBody(gd::Object* node) : WorldChild(node) {}
     void spawn() override;
+    void despawn() override;
     /// Registers the class.
     static void registerClass(void* handle);
 
@@ -25,15 +25,10 @@ public:
     bool isStatic = false;
 
 private:
-    Variant enterTree(Arguments);
-    Variant exitTree(Arguments);
     Variant physicsProcess(Arguments);
     Variant applyImpulse(Arguments);
     void paint(rubble_shape shape) const;
 
-    gd::Object* m_node;
-    VoxelWorld* m_world = nullptr;  // above it, while it is in the tree
-    Transform m_start;
     rubble_body m_body = 0;
 };
 

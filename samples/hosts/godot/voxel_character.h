@@ -2,7 +2,7 @@
 #include <rubble/rubble.h>
 
 #include "samples/hosts/godot/node_class.h"
-#include "samples/hosts/godot/voxel_world.h"
+#include "samples/hosts/godot/world_child.h"
 
 namespace rubble_godot {
 
@@ -11,9 +11,9 @@ namespace rubble_godot {
 class VoxelCharacter final : public WorldChild {
 public:
     /// As Godot gives a node its script.
-    explicit VoxelCharacter(gd::Object* node) : m_node(node) {}
-    /// Makes the character where the node was at first.
+    explicit VoxelCharacter(gd::Object* node) : WorldChild(node) {}
     void spawn() override;
+    void despawn() override;
     /// Registers the class.
     static void registerClass(void* handle);
 
@@ -21,15 +21,10 @@ public:
     double jumpSpeed = 4.5;             ///< metres a second
 
 private:
-    Variant enterTree(Arguments);
-    Variant exitTree(Arguments);
     Variant physicsProcess(Arguments);
     Variant move(Arguments);
     Variant isGrounded(Arguments) { return m_grounded; }
 
-    gd::Object* m_node;
-    VoxelWorld* m_world = nullptr;  // above it, while it is in the tree
-    Transform m_start;
     rubble_character m_character = 0;
     bool m_grounded = false;
 };

@@ -7,6 +7,7 @@
 
 #include "samples/hosts/godot/host_services.h"
 #include "samples/hosts/godot/spatial_math.h"
+#include "samples/hosts/godot/world_child.h"
 
 namespace rubble_godot {
 namespace {

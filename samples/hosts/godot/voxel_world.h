@@ -13,13 +13,7 @@
 
 namespace rubble_godot {
 
-/// What lives in a VoxelWorld, as a child of it.
-class WorldChild {
-public:
-    virtual ~WorldChild() = default;
-    /// Makes it, also after the world has loaded its level again.
-    virtual void spawn() = 0;
-};
+class WorldChild;
 
 /// The node VoxelWorld: a world of Rubble that plays with Godot's physics frames, 60 a second. With the whole library
 /// it moves and draws its voxels itself; with the runtime alone Godot's physics and meshes do. World positions are
@@ -46,6 +40,11 @@ public:
     void remove(WorldChild& child);
     /// Prints the last error, unless a call came out; returns whether it did.
     bool check(rubble_result result, const char* what) const;
+    /// Calls a function of Rubble for this world, with the arguments behind that of the world; the same.
+    template <class Function, class... Arguments>
+    bool call(const char* what, Function rubble_api::*function, Arguments... arguments) const {
+        return check((m_api->*function)(m_world, arguments...), what);
+    }
 
     std::string level;            ///< a .rubble or .vox file by Godot's path; "": an empty world
     std::string preset = "fast";  ///< of the renderer
