@@ -467,10 +467,9 @@ bool Renderer::reloadShaders() {
 }
 
 bool Renderer::showPass(std::string_view name) {
-    const auto views = ShowPass::views();
-    const auto found = std::find_if(views.begin(), views.end(), [&](const auto& view) { return view.name == name; });
-    if (found != views.end()) m_impl->shown = &*found;
-    return found != views.end();
+    for (const ShowPass::TargetView& view : ShowPass::views())
+        if (view.name == name) return m_impl->shown = &view;
+    return false;
 }
 
 std::vector<std::string> Renderer::passNames() const {
@@ -480,8 +479,7 @@ std::vector<std::string> Renderer::passNames() const {
 }
 
 Result<FloatImage> Renderer::readTarget(std::string_view name) const {
-    const auto declared =
-        std::find_if(kTargets.begin(), kTargets.end(), [&](const auto& target) { return target.name == name; });
+    const auto declared = std::find_if(kTargets.begin(), kTargets.end(), [&](auto& each) { return each.name == name; });
     const std::string text = "target \"" + std::string(name) + "\": ";
     if (declared == kTargets.end()) return Error{text + "expected a name of render/frame/targets.h"};
     ViewHistory* drawn = m_impl->histories.last();

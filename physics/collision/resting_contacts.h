@@ -32,6 +32,7 @@ private:
         float allowedPenetration = 0.0f;
         std::vector<Point> points;
 
+        /// Orders pairs by `second`, for a search.
         static bool isBefore(const Pair& pair, uint32_t number) { return pair.second < number; }
     };
     std::vector<std::vector<Pair>> m_pairs;  ///< by the first's slot, each sorted by `second`

@@ -34,13 +34,18 @@ RenderSettings RenderSettings::inRange() const {
 
 RenderSettings RenderSettings::preset(std::string_view name) {
     RenderSettings settings;
-    if (name == "fast") {
+    if (name == "fast" || name == "draft") {
         settings.resolutionScale = 0.75f;
         settings.skyDistance = 12.0f;
         settings.skyExactDistance = 1.6f;
         settings.bounceColors = false;
         settings.bounces = 1;
         settings.filterPasses = 2;
+    }
+    if (name == "draft") {  // a quarter of the pixels is traced; for software renderers, and for views beside others
+        settings.resolutionScale = 0.5f;
+        settings.reflections = settings.glare = false;
+        settings.bloom = 0.0f;
     }
     if (name == "accurate") {
         settings.skyRays = 8;

@@ -111,7 +111,7 @@ struct RenderSettings {
 
     /// These settings, with what is out of its range moved to the nearest end. The log says so.
     RenderSettings inRange() const;
-    /// "fast", "balanced" or "accurate"; any other name gives the defaults, which are "balanced".
+    /// "draft", "fast", "balanced" or "accurate"; any other name gives the defaults, which are "balanced".
     static RenderSettings preset(std::string_view name);
     /// "fragment", "compute" or "fastest"; Auto for any other text.
     static Fullscreen fullscreenFromName(std::string_view name);

@@ -11,15 +11,21 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/core/start_thread.h"
+
 namespace rubble {
 
 /// A simple ParallelFor with threads. The calling thread works too, and waits for no thread that has not begun: on a
 /// busy machine it does all of the work itself.
 class ThreadPool {
 public:
-    /// Starts threads - 1 workers. `threads`: with the calling thread.
+    /// Starts threads - 1 workers, or as many as the system gives. `threads`: with the calling thread.
     explicit ThreadPool(int threads) {
-        for (int i = 1; i < threads; ++i) m_threads.emplace_back([this] { serve(); });
+        for (int i = 1; i < threads; ++i) {
+            std::thread thread = startThread([this] { serve(); });
+            if (!thread.joinable()) return;
+            m_threads.push_back(std::move(thread));
+        }
     }
     ~ThreadPool() {
         {

@@ -8,15 +8,19 @@
 
 #include "runtime/assets/assets.h"
 #include "runtime/core/progress.h"
+#include "runtime/core/start_thread.h"
 
 namespace rubble {
 
-/// Reads a level on a thread of its own. Its destructor waits for the thread. [one thread]
+/// Reads a level on a thread of its own, or at once where there are no threads. Its destructor waits for the thread.
+/// [one thread]
 class LevelLoading {
 public:
     /// Begins; see readLevel().
-    LevelLoading(std::string path, std::string vdbTool)
-        : m_thread([this, path = std::move(path), vdbTool = std::move(vdbTool)] { read(path, vdbTool); }) {}
+    LevelLoading(const std::string& path, const std::string& vdbTool)
+        : m_thread(startThread([this, path, vdbTool] { read(path, vdbTool); })) {
+        if (!m_thread.joinable()) read(path, vdbTool);
+    }
 
     ~LevelLoading() {
         if (m_thread.joinable()) m_thread.join();
@@ -28,7 +32,7 @@ public:
     double progress() const { return m_isDone ? 1.0 : 0.99 * m_progress; }
     /// The level; waits for it. Throws std::bad_alloc if there was no memory for it.
     Result<Level> take() {
-        m_thread.join();
+        if (m_thread.joinable()) m_thread.join();
         if (!m_level) throw std::bad_alloc();
         return std::move(*m_level);
     }

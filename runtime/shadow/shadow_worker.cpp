@@ -13,6 +13,7 @@
 #include "runtime/core/assertion.h"
 #include "runtime/core/log.h"
 #include "runtime/core/mailbox.h"
+#include "runtime/core/start_thread.h"
 #include "runtime/shadow/shadow_replica.h"
 #include "runtime/shadow/shadow_step.h"
 
@@ -105,7 +106,7 @@ struct ShadowWorker::Impl {
 ShadowWorker::ShadowWorker(Mode mode, std::function<void()> onProgress) : m_impl(std::make_unique<Impl>()) {
     m_impl->onProgress = std::move(onProgress);
     if (mode == Mode::Inline) return;
-    m_impl->thread = std::thread([impl = m_impl.get()] {
+    m_impl->thread = startThread([impl = m_impl.get()] {
         while (auto next = impl->queue.take()) impl->work(std::move(*next));
     });
 }

@@ -23,8 +23,9 @@ inline bool changesShadow(const FrameChanges& changes, std::span<const BodyPose>
 class ShadowWorker {
 public:
     enum class Mode { Thread, Inline };
-    /// Thread: starts a thread. Inline: submit() does the work itself, for tests and single-threaded hosts.
-    /// onProgress: called on the worker's thread before each piece of its work, a shape or a brick; for tests.
+    /// Thread: starts a thread; where there are none it is as Inline. Inline: submit() does the work itself, for tests
+    /// and single-threaded hosts. onProgress: called on the worker's thread before each piece of its work, a shape or a
+    /// brick; for tests.
     explicit ShadowWorker(Mode mode, std::function<void()> onProgress = {});
     ~ShadowWorker();  ///< does not wait for queued steps
     ShadowWorker(const ShadowWorker&) = delete;

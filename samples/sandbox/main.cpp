@@ -92,9 +92,9 @@ void addFrameOptions(CLI::App& app, SandboxOptions& options) {
 }
 
 void addRenderOptions(CLI::App& app, SandboxOptions& options) {
-    app.add_option("--preset", options.preset, "fast, balanced or accurate")
+    app.add_option("--preset", options.preset, "draft, fast, balanced or accurate")
         ->capture_default_str()
-        ->check(CLI::IsMember({"fast", "balanced", "accurate"}));
+        ->check(CLI::IsMember({"draft", "fast", "balanced", "accurate"}));
     app.add_option("--fullscreen", options.fullscreen,
                    "what draws full-screen passes: fragment, compute, fastest (measured) or auto")
         ->capture_default_str()

@@ -119,7 +119,7 @@ TEST_F(LimitsTest, TheTownLooksTheSame) {
     std::printf("FLIP %.5f\n", difference);
 }
 
-/// OpenGL ES 3.0, as in browsers, with the same shaders: every program builds, and the picture is the same.
+/// OpenGL ES 3.0, as in browsers, with the same shaders: every program builds, and the image is the same.
 TEST_F(LimitsTest, OpenGlEsDrawsTheSame) {
     const FloatImage desktop = drawTown(*makeRenderer(GlLimits()));
     auto embedded = GlContext::create(GlContext::Kind::EglEs);

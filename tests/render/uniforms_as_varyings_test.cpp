@@ -75,6 +75,15 @@ TEST(UniformsAsVaryings, VertexUniformsAreNotDeclaredTwice) {
     EXPECT_EQ(text.find(declaration), text.rfind(declaration));
 }
 
+TEST(UniformsAsVaryings, StayUniformsWhereThereIsNoRoom) {
+    ShaderSource vertex{"void main() { gl_Position = vec4(0.0); }\n", {}, {}}, fragment{kFragment, {}, {}};
+    passUniformsAsVaryings(vertex, fragment, 1);
+    EXPECT_NE(fragment.text.find("flat in vec3 flat_uTint;"), std::string::npos) << fragment.text;
+    EXPECT_NE(fragment.text.find("uniform float uUnused;"), std::string::npos) << fragment.text;
+    EXPECT_NE(fragment.text.find("vec4(flat_uTint, 1.0) * frame.sunColor"), std::string::npos) << fragment.text;
+    EXPECT_EQ(vertex.text.find("frame_sunColor"), std::string::npos) << vertex.text;
+}
+
 /// That images are the same to the bit: tests/golden/fullscreen_test.cpp, as compute programs keep their uniforms.
 class UniformsAsVaryingsGlTest : public GBufferTest {};
 

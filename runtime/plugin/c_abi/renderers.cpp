@@ -18,8 +18,8 @@ constexpr double kMaxStart = 1e5;                               // metres to the
 
 std::string readPreset(const char* preset) {
     const std::string name = preset ? preset : "balanced";
-    if (name != "fast" && name != "balanced" && name != "accurate")
-        refuse(RUBBLE_ERROR_ARGUMENT, "settings->preset is \"{}\", expected fast, balanced or accurate", name);
+    if (name != "draft" && name != "fast" && name != "balanced" && name != "accurate")
+        refuse(RUBBLE_ERROR_ARGUMENT, "settings->preset is \"{}\", expected draft, fast, balanced or accurate", name);
     return isRefused() ? "balanced" : name;
 }
 

@@ -37,7 +37,7 @@ void VoxelWorld::registerClass(void* handle) {
         .method<&VoxelWorld::layers>("layers")
         .method<&VoxelWorld::reload>("reload")
         .property<&VoxelWorld::level>("level", {gd::kHintFile, "*.rubble,*.vox"})
-        .property<&VoxelWorld::preset>("preset", {gd::kHintEnum, "fast,balanced,accurate"})
+        .property<&VoxelWorld::preset>("preset", {gd::kHintEnum, "draft,fast,balanced,accurate"})
         .property<&VoxelWorld::sky>("sky")
         .property<&VoxelWorld::godotLights>("godot_lights")
         .property<&VoxelWorld::brightness>("brightness", {gd::kHintRange, "0.01,4,0.01"})

@@ -15,8 +15,7 @@ import sys
 import tempfile
 import threading
 
-# The system's OpenGL instead of Chromium's own software renderer, which takes several times as long as Mesa's. It needs a
-# display, also headless: xvfb-run gives one.
+# The system's OpenGL: Chromium's own software renderer takes several times as long as Mesa's.
 CHROMIUM = ["chromium", "--headless", "--no-sandbox", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "--disable-dev-shm-usage"]
 
 

@@ -152,7 +152,7 @@ TEST(HostGodot, TheInspectorShowsPropertiesAndSignals) {
     const HostRun run = runHost("HOME=" + folder + " godot3-server --path " + kProject +
                                 " -s " RUBBLE_SOURCE_DIR "/tests/samples/hosts/godot_inspect.gd");
     for (const char* line :
-         {"voxel_world.level:  \"*.rubble,*.vox\"", "voxel_world.preset: fast \"fast,balanced,accurate\"",
+         {"voxel_world.level:  \"*.rubble,*.vox\"", "voxel_world.preset: fast \"draft,fast,balanced,accurate\"",
           "voxel_world.godot_lights: True", "voxel_world signals piece_made", "voxel_world signals broken",
           "voxel_world signals hit", "voxel_body.size: (10, 10, 10)", "voxel_body.material: wood \"wood,brick",
           "voxel_body.static: False", "voxel_body signals destroyed", "voxel_character.height: 1.8 \"0.5,3,0.05\"",

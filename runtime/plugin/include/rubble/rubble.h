@@ -1510,7 +1510,7 @@ typedef struct rubble_renderer_settings {
     /* Null, as the shaders are in the library. Those who change them name a folder with their shaders/, from which
      * programs are rebuilt as its files change. */
     const char* shader_folder;
-    const char* preset; /* "fast", "balanced" or "accurate"; null: "balanced" */
+    const char* preset; /* "draft", "fast", "balanced" or "accurate"; null: "balanced" */
     /* Path of a folder, made if it is missing, in which compiled programs are kept for later runs, where the driver
      * supports that. Null: none. */
     const char* program_cache;
@@ -1787,7 +1787,7 @@ typedef struct rubble_api {
      * step had another hash because another build made the recording (the world is as after that step). */
     rubble_result (*play_recording)(rubble_world world, const char* path, uint64_t* steps);
 
-    /* ---- renderer: OpenGL 3.3 core or later, always with the same context current ---- */
+    /* ---- renderer: OpenGL 3.3 core or later, OpenGL ES 3.0 or WebGL 2, always with the same context current ---- */
 
     /* [render-thread] Creates the renderer of a world, which can have one at a time. Another one after the first, as
      * after a lost context, shows the world from the next step() on. Needs rubble_host.gl_get_proc_address.
@@ -2051,8 +2051,9 @@ typedef struct rubble_api {
 
     /* ---- loading in the background ---- */
 
-    /* [main-thread] Begins to read a level, as load_level() does, on a thread of its own; the world plays on. A level
-     * that is being read already is dropped, when it has been read. */
+    /* [main-thread] Begins to read a level, as load_level() does, on a thread of its own; the world plays on. Where
+     * there are no threads, as in browsers, it reads it now. A level that is being read already is dropped, when it has
+     * been read. */
     rubble_result (*start_loading)(rubble_world world, const char* path, const char* vdb_tool);
     /* [main-thread] How far that is: *out is 0 to 1, by parts of the file; 1: finish_loading() does not wait for it.
      * RUBBLE_ERROR_ARGUMENT: no level is being read. */

@@ -827,8 +827,9 @@ public:
         check(api().get_resolved_hash(m_handle, &out));
         return out;
     }
-    /** Begins to read a level, as load_level() does, on a thread of its own; the world plays on. A level that is being
-     * read already is dropped, when it has been read. */
+    /** Begins to read a level, as load_level() does, on a thread of its own; the world plays on. Where there are no
+     * threads, as in browsers, it reads it now. A level that is being read already is dropped, when it has been read.
+     * */
     void start_loading(const char* path, const char* vdb_tool = nullptr) {
         check(api().start_loading(m_handle, path, vdb_tool));
     }
