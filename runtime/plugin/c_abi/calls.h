@@ -61,9 +61,9 @@ rubble_result inRenderer(const char* function, rubble_renderer renderer, F&& bod
     });
 }
 
-/// Changes a world or renderer by work(): what that throws leaves it broken, because it was half done.
-template <class Hosted, class F>
-void change(Hosted& hosted, F&& work) {
+/// Changes a world by work(): what that throws leaves the world broken, because it was half done.
+template <class F>
+void change(HostedWorld& hosted, F&& work) {
     try {
         work();
     } catch (const std::exception& error) {

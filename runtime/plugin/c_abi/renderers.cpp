@@ -148,7 +148,7 @@ rubble_result draw(rubble_renderer renderer, const rubble_view* view) {
         const double alpha = readOrDefault(given.alpha, {0.0, 1.0}, 0.0, "alpha");
         const View read = readView(given);
         if (isRefused()) return;
-        change(hosted, [&] { world->loop.draw(*hosted.renderer, read, float(alpha)); });
+        world->loop.draw(*hosted.renderer, read, float(alpha));
         if (const std::string& error = hosted.renderer->lastError(); !error.empty())
             return refuse(RUBBLE_ERROR_GL, "{}", error);
         hosted.applyMs = world->loop.times()[Stage::Apply];

@@ -53,8 +53,8 @@
  *    was found. Numbers that are not finite or out of range are RUBBLE_ERROR_ARGUMENT; the errors named at a function
  *    come on top of RUBBLE_ERROR_NULL, _STRUCT_SIZE, _STALE, _ARGUMENT, _BUSY, _BROKEN and _MEMORY, which most
  *    functions can give. RUBBLE_ERROR_MEMORY of those that work on a world as a whole leaves it half done, and broken:
- *    step(), what loads a level or game or plays a recording, apply_deltas(), set_body_states(), report_impacts(); of
- *    draw() the renderer. Where the shadow volume runs out of memory, the log says so, and shadows stay as they are.
+ *    step(), what loads a level or game or plays a recording, apply_deltas(), set_body_states() and report_impacts().
+ *    Where the shadow volume runs out of memory, the log says so, and shadows stay as they are.
  *  - Edits are commands: the call checks them and puts them into the world's queue. The next step() carries them out in
  *    the order of the calls, those of undo before all others. An edit whose object is destroyed before its turn does
  *    nothing, and what only step() can find out (a joint without a voxel to hold on to, an undo where no marks are
