@@ -153,7 +153,7 @@ struct Renderer::Impl {
     std::string lastError;
     double greenUntil = 0.0;  ///< when the dot that tells of reloaded shaders goes out, by RenderSettings::seconds
 
-    GBufferPass gbuffer{(shaders.setPagedShadows(false), shaders.beginBatch(), shaders)};  // all start before one ends
+    GBufferPass gbuffer{(shaders.setRareFeatures(false), shaders.beginBatch(), shaders)};  // all start before one ends
     GlassPass glass{shaders};
     SunPass sun{shaders};
     HistoryLeftPass historyLeft{shaders};
@@ -348,7 +348,8 @@ void Renderer::Impl::drawFrames(const View& view, float alpha) {
     isMomentOver = false;
     stepAlpha = alpha;
     stats.uploadBytes = scene.beginFrame(alpha, view.position, isSameMoment);
-    shaders.setPagedShadows(scene.shadow().directory().paged().bricks > 0);
+    shaders.setRareFeatures(scene.shadow().directory().paged().bricks > 0 ||
+                            std::ranges::any_of(scene.lights(), &SnapshotLight::isRectangle));
     // Where the game stands still its frames count as those of a screen.
     const double now = scene.seconds() + double(alpha - 1.0f) / kStepsPerSecond, passed = now - history->gameSeconds;
     frameSeconds = passed > 0.0 ? float(std::min(passed, kLongestFrame)) : kStill;

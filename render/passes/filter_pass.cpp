@@ -18,7 +18,8 @@ void FilterPass::draw(const FrameContext& frame) const {
         // The two targets alternate; the last step writes DenoisedLight.
         const Texture& target =
             frame.targets.target((steps - step) % 2 ? Target::DenoisedLight : Target::DenoisedLightScratch);
-        const FullscreenTargets into{{&target}, &frame.targets.at(Target::DepthBuffer), {glm::vec4(0.0f)}};
+        FullscreenTargets into{{&target}, &frame.targets.at(Target::DepthBuffer)};
+        if (step < 2) into.clear = {glm::vec4(0.0f)};  // later steps draw the same pixels
         drawFullscreen(frame, m_program, into, [&](const Program& program) {
             program.set("uSurface", frame.targets.at(Target::Surface));
             program.set("uSunRays", float(frame.settings.sunRays));

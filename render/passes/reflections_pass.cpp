@@ -87,8 +87,10 @@ void ReflectionsPass::filter(const FrameContext& frame, const Texture& mask) con
     const int steps = std::clamp(frame.settings.filterPasses, 1, kMaxFilterPasses);
     for (int step = 0; step < steps; ++step) {
         // The two targets alternate; the last step writes Reflection.
-        const Texture& target = frame.targets.target((steps - step) % 2 ? Target::Reflection : Target::NoisyReflection);
-        const FullscreenTargets into{{&target}, &mask, {kNone}};
+        const bool isFinal = (steps - step) % 2;
+        const Texture& target = frame.targets.target(isFinal ? Target::Reflection : Target::NoisyReflection);
+        FullscreenTargets into{{&target}, &mask};
+        if (isFinal && step < 2) into.clear = {kNone};  // the other target was cleared for the rays
         drawFullscreen(frame, m_filter, into, [&](const Program& program) {
             program.set("uReflection", *source);
             program.set("uMoments", frame.targets.at(Target::ReflectionMoments));

@@ -28,8 +28,7 @@ int sliceAt(float depth) {
 /// Radius around a light's position within which all of it lies.
 float extentOf(const SnapshotLight& light) {
     if (light.kind == LightKind::Capsule) return 0.5f * light.width + light.radius;
-    if (light.kind == LightKind::Area || light.kind == LightKind::Screen)
-        return 0.5f * glm::length(glm::vec2(light.width, light.height));
+    if (light.isRectangle()) return 0.5f * glm::length(glm::vec2(light.width, light.height));
     return light.radius;
 }
 
@@ -45,8 +44,7 @@ glm::vec4 angularFalloff(const SnapshotLight& light) {
         const float scale = 1.0f / std::max(std::cos(light.coneInner) - outer, 1e-3f);
         return {light.direction * scale, -outer * scale};
     }
-    const bool isRectangle = light.kind == LightKind::Area || light.kind == LightKind::Screen;
-    return isRectangle && !light.twoSided ? glm::vec4(light.direction, 0.0f) : glm::vec4(0, 0, 0, 1);
+    return light.isRectangle() && !light.twoSided ? glm::vec4(light.direction, 0.0f) : glm::vec4(0, 0, 0, 1);
 }
 
 /// Mean linear colour of a screen's image, by at most kSamples of its texels.

@@ -40,16 +40,20 @@ SnapshotShape makeShape() {
     return shape;
 }
 
-std::vector<SnapshotLight> makeLights() {
+SnapshotLight makeLight() {
     SnapshotLight light{LightKind::Sphere, {0.5, 1.5, 0.5}, {0, -1, 0}, glm::vec3(4.0f), 0.05f, 20.0f, 0.3f, 0.5f};
-    SnapshotLight screen = light;
+    light.light = LightHandle::make(1, 1, 0);
+    return light;
+}
+
+SnapshotLight makeScreen() {
+    SnapshotLight screen = makeLight();
     screen.kind = LightKind::Screen;
     screen.width = screen.height = 0.5f;
     screen.image.width = 1;
     screen.image.texels = {0xffffffu};
-    light.light = LightHandle::make(1, 1, 0);
     screen.light = LightHandle::make(1, 1, 1);
-    return {light, screen};
+    return screen;
 }
 
 std::vector<SnapshotParticle> makeParticles() {
@@ -60,7 +64,7 @@ std::vector<SnapshotParticle> makeParticles() {
     return particles;
 }
 
-/// Everything.
+/// Everything but rare features.
 FrameSnapshot makeScene() {
     FrameSnapshot scene;
     scene.version = scene.newestStep = 1;
@@ -70,7 +74,7 @@ FrameSnapshot makeScene() {
     scene.created.push_back(makeShape());
     const Pose pose{{-1.0, 0.6, 0.0}, {1, 0, 0, 0}};
     scene.poses.push_back({kShape, pose, pose});
-    scene.lights = makeLights();
+    scene.lights = {makeLight()};
     scene.particles = makeParticles();
     scene.ropes.push_back(
         {JointHandle::make(1, 1, 0), {{-1, 1, 0}, {1, 1, 0}}, {{-1, 1, 0}, {1, 1, 0}}, 0.02f, glm::vec3(0.5f)});
@@ -94,11 +98,14 @@ FrameSnapshot makeGlass(uint8_t opacity) {
     return step;
 }
 
-/// A brick far away, for the paged part of the shadow volume.
-std::vector<ShadowPatch> makeOutside() {
+/// Adds what ShaderLibrary::setRareFeatures() is for: a light that is a rectangle, and a brick far away, for the paged
+/// part of the shadow volume.
+void addRareFeatures(FrameSnapshot& step) {
+    step.lights = {makeLight(), makeScreen()};
+    step.lightsChanged = true;
     ShadowWords cells{};
     cells.fill(1);
-    return {{{4000, 0, 0}, makeShadowBrick(cells)}};
+    step.shadow = {{{4000, 0, 0}, makeShadowBrick(cells)}};
 }
 
 }  // namespace
@@ -108,7 +115,7 @@ std::vector<FrameSnapshot> warmUpSteps() {
     steps.push_back(makeScene());
     steps.push_back(makeGlass(kOpaque));
     steps.push_back(makeGlass(kClear));
-    steps.back().shadow = makeOutside();
+    addRareFeatures(steps.back());
     for (size_t i = 0; i < steps.size(); ++i) steps[i].version = steps[i].newestStep = i + 1;
     return steps;
 }

@@ -80,15 +80,15 @@ void ShaderLibrary::forEach(F&& visit) const {
 
 ShaderBuild ShaderLibrary::buildOf() const {
     ShaderBuild how = m_build;
-    if (!m_arePaged) how.defines += "#define NO_PAGED_SHADOWS\n";
+    if (!m_hasRareFeatures) how.defines += "#define NO_PAGED_SHADOWS\n#define NO_AREA_LIGHTS\n";
     return how;
 }
 
-void ShaderLibrary::setPagedShadows(bool arePaged) {
-    if (!isSoftwareGl() || m_arePaged == arePaged) return;
-    m_arePaged = arePaged;
+void ShaderLibrary::setRareFeatures(bool areWanted) {
+    if (!isSoftwareGl() || m_hasRareFeatures == areWanted) return;
+    m_hasRareFeatures = areWanted;
     forEach([&](BuiltProgram& built) {
-        if (!built.includes("lib/shadow_trace.glsl")) return;
+        if (!built.includes("lib/shadow_trace.glsl") && !built.includes("lib/local_lights.glsl")) return;
         built.swapVariant();
         if (built.program()) return;
         built.start(m_folder, buildOf());

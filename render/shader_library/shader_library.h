@@ -36,10 +36,11 @@ public:
     void beginBatch() { m_isBatch = true; }
     /// Waits for all programs that were started.
     void endBatch();
-    /// Whether shadow rays look into the paged part of the shadow volume (lib/shadow_trace.glsl); at first they do. On
-    /// a GPU that is one branch, which this does not change. A software GL runs both sides of any branch, an eighth of
-    /// a ray's time, so there are programs without it there, each built when it is first wanted.
-    void setPagedShadows(bool arePaged);
+    /// Whether shaders have what most scenes do not need: the paged part of the shadow volume (lib/shadow_trace.glsl)
+    /// and lights that are rectangles (lib/local_lights.glsl); at first they do. On a GPU these are branches, which
+    /// this does not change. A software GL runs both sides of any branch: an eighth of a ray's time, a sixth of the
+    /// light of lights. So there are programs without both there, each built when it is first wanted.
+    void setRareFeatures(bool areWanted);
     /// Rebuilds the programs whose files changed on disk; on an error the last good program stays. True if any was
     /// rebuilt.
     bool reloadChanged();
@@ -67,7 +68,7 @@ private:
     std::vector<std::unique_ptr<BuiltProgram>> m_programs;
     std::vector<std::unique_ptr<FullscreenProgram>> m_fullscreenPrograms;
     std::vector<Started> m_started;  ///< of the batch
-    bool m_isBatch = false, m_arePaged = true;
+    bool m_isBatch = false, m_hasRareFeatures = true;
 };
 
 }  // namespace rubble

@@ -57,6 +57,8 @@ struct SnapshotLight {
     LightImage image = {};   ///< of a screen
     LightHandle light = {};  ///< null: of a fire or of particles
     bool fleeting = false;   ///< of a fire or of particles: no voxels glow for it
+    /// Whether its face is a rectangle.
+    bool isRectangle() const { return kind == LightKind::Area || kind == LightKind::Screen; }
 };
 
 /// The numbers are those of shaders/lib/particle_kinds.glsl.

@@ -40,6 +40,15 @@ struct LocalLight {
     ivec3 image;  // of a screen: first texel, columns, rows
 };
 
+/// Whether it is a rectangle. NO_AREA_LIGHTS: see ShaderLibrary::setRareFeatures().
+bool isRectangle(LocalLight light) {
+#ifdef NO_AREA_LIGHTS
+    return false;
+#else
+    return light.kind >= kArea;
+#endif
+}
+
 LocalLight readLight(int i) {
     i *= kTexelsPerLight;
     vec4 a = fetch4f(uLights, i), c = fetch4f(uLights, i + 2), d = fetch4f(uLights, i + 3), e = fetch4f(uLights, i + 4),
@@ -156,11 +165,11 @@ SphericalRectangle rectangleOf(LocalLight light, vec3 toCentre) {
 vec3 sampleLightDirection(LocalLight light, vec3 toCentre, SphericalRectangle face, vec2 u) {
     float range2 = max(dot(toCentre, toCentre), 1e-6);
     float fall = u.y * hemisphereFraction(light.radius, range2);
-    float angle = light.kind < kArea ? 2.0 * kPi * u.x : rectangleAngle(face, u.x);
+    float angle = isRectangle(light) ? rectangleAngle(face, u.x) : 2.0 * kPi * u.x;
     vec2 turn = vec2(cos(angle), sin(angle));
     vec3 local = vec3(sqrt(fall * (2.0 - fall)) * turn, 1.0 - fall);
     vec3 ball = orthonormalBasis(toCentre * inversesqrt(range2)) * local;
-    if (light.kind < kArea) return ball;
+    if (!isRectangle(light)) return ball;
     vec3 up = cross(light.right, light.axis);
     vec2 place = (2.0 * u - 1.0) * light.halfSize;
     if (face.solidAngle > kWideAngle)
@@ -207,6 +216,6 @@ LightSample evaluateArea(LocalLight light, vec3 toCentre, float solidAngle, vec3
 
 LightSample evaluateLight(LocalLight light, vec3 toCentre, SphericalRectangle face, vec3 direction, bool isHit) {
     // WebGL has no ?: for structs.
-    if (light.kind >= kArea) return evaluateArea(light, toCentre, face.solidAngle, direction, isHit);
+    if (isRectangle(light)) return evaluateArea(light, toCentre, face.solidAngle, direction, isHit);
     return evaluateSphere(light, toCentre, direction, isHit);
 }

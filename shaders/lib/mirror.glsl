@@ -14,7 +14,9 @@ struct Mirror {
 /// The nearest pane of a pixel, else its surface.
 Mirror mirrorAt(ivec2 pixel, vec2 uv) {
     Surface s = readSurface(pixel);
-    float f0 = max(s.reflectivity, s.metallic * max(s.albedo.r, max(s.albedo.g, s.albedo.b)));
+    vec3 color = texelFetch(uAlbedo, pixel, 0).rgb;
+    float brightest = srgbToLinear(vec3(max(color.r, max(color.g, color.b)))).r;  // one power instead of three
+    float f0 = max(s.reflectivity, s.metallic * brightest);
     vec4 pane = uHasGlass ? texelFetch(uGlassSurface, pixel, 0) : vec4(0.0);
     Mirror m;
     bool isPane = pane.w > 0.0, isEntered = pane.xyz != vec3(0.0);

@@ -158,7 +158,7 @@ bool walkShadowPart(bool isPaged, vec3 originWorld, vec3 direction, float tMax, 
 /// Beyond exactDistance metres any word with an occupied cell stops the ray: too much shadow there, never too little.
 bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exactDistance, out float t) {
     bool stopped = walkShadowPart(false, originWorld, direction, tMax, exactDistance, t);
-#ifndef NO_PAGED_SHADOWS  // see ShaderLibrary::setPagedShadows()
+#ifndef NO_PAGED_SHADOWS  // see ShaderLibrary::setRareFeatures()
     if (frame.shadowPagedSize.w != 0)
         stopped = walkShadowPart(true, originWorld, direction, t, exactDistance, t) || stopped;
 #endif

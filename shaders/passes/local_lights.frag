@@ -49,7 +49,7 @@ float sampleLight(ivec2 cell, vec3 position, vec3 normal, vec2 random, out int l
 /// Probability q of a direction from the lobe: the highlight's share of what the pixel shows of this light, as the
 /// diffuse light loses samples by it. 0 where the lobe hardly varies over the light, for there p_light does as well.
 float lobeProbability(LocalLight localLight, vec3 toCentre, Surface s, vec3 view, vec3 f0) {
-    float extent = localLight.kind >= kArea ? localLight.extent : localLight.radius;
+    float extent = isRectangle(localLight) ? localLight.extent : localLight.radius;
     float subtended = hemisphereFraction(extent, max(dot(toCentre, toCentre), 1e-6));
     // The lobe is densest toward the light's point nearest to the mirrored ray (Karis 2013, the representative point).
     vec3 mirrored = reflect(-view, s.normal), aside = mirrored * max(dot(toCentre, mirrored), 1e-3) - toCentre;
