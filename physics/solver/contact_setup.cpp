@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "physics/bodies/dynamic_body.h"
 #include "physics/collision/round_contacts.h"
@@ -12,6 +13,7 @@ namespace {
 constexpr float kHitSpeed = 0.5f;  ///< closing speed, m/s, from which a pair's normals are solved in several passes
 constexpr float kFollowedSpeed = 0.5f;  ///< m/s between two bodies from which their points are followed
 constexpr float kEndCosine = 0.7f;      ///< between a normal and a cylinder's axis above which it is touched on its end
+constexpr float kNothing = std::numeric_limits<float>::max();  ///< 1/kg of what a body bears, if it bears nothing heavy
 constexpr float kMinSupportSlope = 0.3f;  ///< vertical part of a normal above which one body lies on the other
 /// m/s that the warm start may give a body. Balanced impulses cancel.
 constexpr float kMaxWarmStartSpeed = 4.0f;
@@ -206,12 +208,13 @@ void LoadBearing::findLoads(ContactSet& set, const glm::vec3& up) {
 
 /// Gauss-Seidel converges slowly where a heavy body lies on a light one, and the light one would be pressed into what
 /// is under it. Stiffer contacts and more passes over just these pairs help. The load is what the last step found: it
-/// goes down from body to body, and where it is spread over many they bear little.
+/// goes down from body to body, as far as they are as light, and where it is spread over many they bear little.
 void LoadBearing::find(ContactSet& set, const glm::vec3& up, float fall, float ratio) {
     m_pairs.clear();
     const auto isHeavy = [&](size_t upper, size_t under) {
         return set.states[under].inverseMass > ratio * set.states[upper].inverseMass;
     };
+    const auto isLight = [&](size_t body) { return set.states[body].inverseMass > ratio * m_heaviest[body]; };
     bool any = false;
     for (const PairConstraints& pair : set.pairs)
         any |= pair.a && pair.b && (isHeavy(size_t(pair.a), size_t(pair.b)) || isHeavy(size_t(pair.b), size_t(pair.a)));
@@ -220,14 +223,17 @@ void LoadBearing::find(ContactSet& set, const glm::vec3& up, float fall, float r
     const auto bearsMuch = [&](size_t body) {
         return m_loads[body] == 0.0f || m_loads[body] * set.states[body].inverseMass > ratio * fall;
     };
+    m_heaviest.assign(set.states.size(), kNothing);
     for (const auto& [upper, under] : m_supports)
-        if (isHeavy(upper, under) && bearsMuch(under)) set.states[under].isLoadBearing = true;
+        if (isHeavy(upper, under) && bearsMuch(under))
+            m_heaviest[under] = std::min(m_heaviest[under], set.states[upper].inverseMass);
     for (bool more = true; more;) {  // down to the ground
         more = false;
         for (const auto& [upper, under] : m_supports)
-            if (set.states[upper].isLoadBearing && !set.states[under].isLoadBearing && bearsMuch(under))
-                set.states[under].isLoadBearing = more = true;
+            if (isLight(upper) && m_heaviest[upper] < m_heaviest[under] && bearsMuch(under))
+                m_heaviest[under] = m_heaviest[upper], more = true;
     }
+    for (size_t i = 0; i < set.states.size(); ++i) set.states[i].isLoadBearing = isLight(i);
     for (size_t i = 0; i < set.pairs.size(); ++i) {
         PairConstraints& pair = set.pairs[i];
         if (!set.stateA(pair).isLoadBearing && !set.stateB(pair).isLoadBearing) continue;

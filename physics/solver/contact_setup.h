@@ -43,9 +43,9 @@ private:
 /// Bodies that bear much more than their own weight.
 class LoadBearing {
 public:
-    /// Marks the bodies under something `ratio` times as heavy, and those under these in turn, as far as they bore
-    /// `ratio` times their weight in the last step, or nothing yet. Makes their contacts stiff. fall: speed that
-    /// gravity adds in a substep, m/s.
+    /// Marks the bodies under something `ratio` times as heavy, and those under these in turn that are as light, as far
+    /// as they bore `ratio` times their weight in the last step, or nothing yet. Makes their contacts stiff. fall:
+    /// speed that gravity adds in a substep, m/s.
     void find(ContactSet& set, const glm::vec3& up, float fall, float ratio);
     /// Forgets the pairs.
     void clear() { m_pairs.clear(); }
@@ -57,6 +57,7 @@ private:
 
     std::vector<std::pair<size_t, size_t>> m_supports;  ///< the upper body, the one under it
     std::vector<float> m_loads;                         ///< impulses from above by body, N s a substep
+    std::vector<float> m_heaviest;                      ///< 1/kg by body: of the heaviest that it bears; or kNothing
     std::vector<size_t> m_pairs;
 };
 

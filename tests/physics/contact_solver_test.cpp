@@ -79,6 +79,26 @@ TEST(ContactSolver, ALoadSpreadOverManyMakesNoneOfThemLoadBearing) {
     EXPECT_EQ(loadBearing(2, true), (std::vector<bool>{true, true, true, true})) << "what has just been laid on them";
 }
 
+/// A column under 100 kg, just built. The contacts of what is not light under the load are not stiff, nor is what is
+/// under that.
+TEST(ContactSolver, WhatIsNotLightUnderALoadIsNotLoadBearing) {
+    ContactSet set;
+    set.states.resize(6);
+    std::deque<LoneManifold> manifolds;
+    for (const auto& [body, mass] :
+         {std::pair(1, 100.0f), std::pair(2, 1.0f), std::pair(3, 1.0f), std::pair(4, 50.0f), std::pair(5, 1.0f)}) {
+        set.states[size_t(body)].inverseMass = 1.0f / mass;
+        Manifold& manifold = manifolds.emplace_back();
+        manifold.count = 1;
+        manifold.points[0] = contact({0, 0, 0}, {0, 1, 0});
+        set.pairs.push_back({body, (body + 1) % 6, &manifold});
+    }
+    LoadBearing().find(set, {0, 1, 0}, 10.0f / 360.0f, 30.0f);
+    std::vector<bool> result;
+    for (const SolverState& state : set.states) result.push_back(state.isLoadBearing);
+    EXPECT_EQ(result, (std::vector<bool>{false, false, true, true, false, true})) << "1 kg under 50 is a load anew";
+}
+
 TEST(ContactSolver, ALoadedContactWarmStarts) {
     std::vector<SolverBody> bodies = {{}, body(1.5, glm::dvec3(0.01))};
     const double weight = 1.5 * 10.0 * SolverSettings{}.seconds / SolverSettings{}.substeps;

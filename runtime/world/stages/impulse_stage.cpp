@@ -39,50 +39,75 @@ void applyImpulse(EditContext& context, const ImpulseEdit& edit) {
         applyImpulseTo(context, {edit.body, edit.position, edit.impulse});
 }
 
-/// The share of a body that a blast sees past what stands still after it has broken what it breaks: of its centre of
-/// mass, and of the places halfway from there to the corners of its bounds if it is large.
-double exposure(const WorldData& world, BodyHandle body, glm::dvec3 center, const ExplodeEdit& blast) {
-    const WorldBox bounds = bodyBounds(world, body);
-    const bool isLarge = glm::length(bounds.high - bounds.low) > kSmallBody;
-    const QueryFilter standing{.rejectDynamic = true, .rejectUnphysical = true};
-    const int places = isLarge ? 9 : 1;
-    int seen = 0;
-    for (int i = 0; i < places; ++i) {
-        const int corner = i - 1;
-        const glm::dvec3 end(corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
-                             corner & 4 ? bounds.high.z : bounds.low.z);
-        const glm::dvec3 from = i == 0 ? center : glm::mix(center, end, 0.5), way = blast.position - from;
-        const double distance = glm::length(way) - kOpenRadiusRatio * blast.size;
-        seen += !(distance > 0.0) || !castRay(world, {from, way, distance}, standing).hit;
+/// A body that a blast may push.
+struct Blasted {
+    BodyHandle body;
+    glm::dvec3 center{0.0};  ///< of mass, world
+    int places = 1;          ///< of the body that the blast may see
+    int seen = 0;            ///< of these
+};
+
+/// The dynamic bodies whose centre of mass is within a blast's radius, by slot.
+std::vector<Blasted> bodiesNear(const WorldData& world, glm::dvec3 position, double blastRadius) {
+    std::vector<BodyHandle> near;
+    for (const ShapeHandle shape : shapesNear(world, position, blastRadius))
+        near.push_back(world.shapes.at(shape).body);
+    std::sort(near.begin(), near.end(), [](BodyHandle a, BodyHandle b) { return a.slot() < b.slot(); });
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    std::vector<Blasted> found;
+    for (const BodyHandle handle : near) {
+        const Body& body = world.bodies.at(handle);
+        if (body.isStatic) continue;
+        const MassProperties mass = bodyMass(world, handle);
+        const glm::dvec3 center = body.pose.transformPoint(mass.center);
+        if (glm::distance(center, position) < blastRadius && mass.mass > 0.0) found.push_back({handle, center});
     }
-    return double(seen) / places;
+    return found;
+}
+
+/// Counts the places of each body that a blast sees past what stands still after it has broken what it breaks: its
+/// centre of mass, and if it is large the places halfway from there to the corners of its bounds.
+void findExposed(const WorldData& world, std::vector<Blasted>& bodies, const ExplodeEdit& blast) {
+    std::vector<RayQuery> rays;
+    std::vector<size_t> bodyOf;  // by ray
+    for (size_t n = 0; n < bodies.size(); ++n) {
+        Blasted& body = bodies[n];
+        const WorldBox bounds = bodyBounds(world, body.body);
+        if (glm::length(bounds.high - bounds.low) > kSmallBody) body.places = 9;
+        for (int i = 0; i < body.places; ++i) {
+            const int corner = i - 1;
+            const glm::dvec3 end(corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
+                                 corner & 4 ? bounds.high.z : bounds.low.z);
+            const glm::dvec3 from = i == 0 ? body.center : glm::mix(body.center, end, 0.5), way = blast.position - from;
+            const double distance = glm::length(way) - kOpenRadiusRatio * blast.size;
+            ++body.seen;
+            if (!(distance > 0.0)) continue;
+            rays.push_back({from, way, distance});
+            bodyOf.push_back(n);
+        }
+    }
+    const auto hide = [&](size_t first, std::span<const WorldHit> hits) {
+        for (size_t i = 0; i < hits.size(); ++i) bodies[bodyOf[first + i]].seen -= hits[i].hit;
+    };
+    castRays(world, rays, hide, {.rejectDynamic = true, .rejectUnphysical = true});
 }
 
 void applyImpulse(EditContext& context, const ExplodeEdit& edit) {
     const double blastRadius = kBlastRadiusRatio * edit.size;
     const double maxImpulse = edit.impulse > 0.0 ? edit.impulse : kBlastImpulse * edit.size * edit.size;
-    std::vector<BodyHandle> near;
-    for (const ShapeHandle shape : shapesNear(context.world, edit.position, blastRadius))
-        near.push_back(context.world.shapes.at(shape).body);
-    std::sort(near.begin(), near.end(), [](BodyHandle a, BodyHandle b) { return a.slot() < b.slot(); });
-    near.erase(std::unique(near.begin(), near.end()), near.end());
-    for (const BodyHandle handle : near) {
-        const Body& body = context.world.bodies.at(handle);
-        if (body.isStatic) continue;
-        const MassProperties mass = bodyMass(context.world, handle);
-        const glm::dvec3 center = body.pose.transformPoint(mass.center);
-        const glm::dvec3 away = center - edit.position;
-        const double distance = glm::length(away);
-        if (!(distance < blastRadius) || mass.mass <= 0.0) continue;
+    std::vector<Blasted> bodies = bodiesNear(context.world, edit.position, blastRadius);
+    findExposed(context.world, bodies, edit);
+    for (const Blasted& blasted : bodies) {
+        if (blasted.seen == 0) continue;
+        const MassProperties mass = bodyMass(context.world, blasted.body);
+        const glm::dvec3 away = blasted.center - edit.position;
+        const double distance = glm::length(away), share = double(blasted.seen) / blasted.places;
         const glm::dvec3 direction = distance > 1e-6 ? away / distance : glm::dvec3(0.0, 1.0, 0.0);
-        const double share = exposure(context.world, handle, center, edit);
-        if (share == 0.0) continue;
         const double size =
             std::min(maxImpulse, mass.mass * kMaxBlastSpeed * edit.size) * (1.0 - distance / blastRadius) * share;
         const double meanRadius = std::sqrt(mass.principalInertia.x / mass.mass);
-        applyImpulseTo(context,
-                       {handle, center + randomOffset(handle, context.changes.step) * (kImpactOffset * meanRadius),
-                        direction * size});
+        const glm::dvec3 offset = randomOffset(blasted.body, context.changes.step) * (kImpactOffset * meanRadius);
+        applyImpulseTo(context, {blasted.body, blasted.center + offset, direction * size});
     }
 }
 
