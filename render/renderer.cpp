@@ -48,6 +48,9 @@ constexpr float kStill = 1.0f / float(kStepsPerSecond);  ///< seconds of a frame
 constexpr double kLongestFrame = 1.0;                    ///< seconds
 constexpr double kGreenSeconds = 1.0;                    ///< for which a dot tells of reloaded shaders
 
+std::string shaderDefines(const RenderSettings& settings, const TexelStore& texels) {
+    return texels.shaderDefines() + (settings.noise == Noise::White ? "#define WHITE_NOISE\n" : "");
+}
 /// Makes a block the one that shaders see.
 void uploadBlock(const FrameBlock& block, GLuint buffer) {
     glBindBuffer(GL_UNIFORM_BUFFER, buffer);
@@ -59,7 +62,8 @@ void uploadBlock(const FrameBlock& block, GLuint buffer) {
 
 struct Renderer::Impl {
     Impl(const std::string& shaderFolder, const RenderSettings& given)
-        : settings(given.inRange()), shaders(shaderFolder, programsFor(fullscreen), shaderDefines(), &programCache) {
+        : settings(given.inRange()),
+          shaders(shaderFolder, programsFor(fullscreen), shaderDefines(settings, texels), &programCache) {
         startScene();
         if (isSoftwareGl() && !texels.isShared()) samplerReset.emplace(shaders);
         shaders.endBatch();
@@ -69,9 +73,6 @@ struct Renderer::Impl {
         scene = Scene();
         scene.setUploadBudget(settings.uploadBudget);
         scene.setBounceColors(settings.sky && settings.bounce && settings.bounceColors);
-    }
-    std::string shaderDefines() const {
-        return texels.shaderDefines() + (settings.noise == Noise::White ? "#define WHITE_NOISE\n" : "");
     }
     void compileAhead();
     template <class F>

@@ -96,7 +96,8 @@ TEST(ContactSolver, WhatIsNotLightUnderALoadIsNotLoadBearing) {
     LoadBearing().find(set, {0, 1, 0}, 10.0f / 360.0f, 30.0f);
     std::vector<bool> result;
     for (const SolverState& state : set.states) result.push_back(state.isLoadBearing);
-    EXPECT_EQ(result, (std::vector<bool>{false, false, true, true, false, true})) << "1 kg under 50 is a load anew";
+    EXPECT_EQ(result, (std::vector<bool>{false, false, true, true, false, true}))
+        << "1 kg under 50 bears a load of its own";
 }
 
 TEST(ContactSolver, ALoadedContactWarmStarts) {
