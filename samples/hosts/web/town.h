@@ -4,6 +4,6 @@
 #include "samples/hosts/support/yard.h"
 
 static const struct yard_start kTownStart = {{9.0, 0.2, 43.0}, -1.024, 0.05};
-/* One before the house, one that reaches through its wall. */
-static const float kTownPyramids[2][3] = {{13.0f, 0.2f, 40.5f}, {17.0f, 0.2f, 37.0f}};
+/* One before the fence of the house, one behind it. */
+static const float kTownPyramids[2][3] = {{12.0f, 0.2f, 39.3f}, {14.7f, 0.2f, 36.9f}};
 #endif
