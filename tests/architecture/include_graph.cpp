@@ -33,7 +33,7 @@ const std::vector<Library>& libraries() {
          {"samples/support/", "samples/sandbox/window.cpp", "editor/"}},
         {"SDL", {"SDL"}, {"samples/hosts/sdl/", "samples/hosts/ogre/main.cpp"}},
         {"Ogre", {"Ogre"}, {"samples/hosts/ogre/"}},
-        {"Lua", {"lua"}, {"runtime/script/"}},
+        {"Lua", {"lua"}, {"runtime/script/", "tests/runtime/script/"}},
         {"Dear ImGui", {"imgui"}, {"editor/"}},
     };
     return table;
