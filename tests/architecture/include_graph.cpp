@@ -34,7 +34,7 @@ const std::vector<Library>& libraries() {
         {"SDL", {"SDL"}, {"samples/hosts/sdl/", "samples/hosts/ogre/main.cpp"}},
         {"Ogre", {"Ogre"}, {"samples/hosts/ogre/"}},
         {"emscripten", {"emscripten"}, {"samples/hosts/web/"}},
-        {"Lua", {"lua"}, {"runtime/script/"}},
+        {"Lua", {"lua"}, {"runtime/script/", "tests/runtime/script/"}},
         {"Dear ImGui", {"imgui"}, {"editor/"}},
     };
     return table;

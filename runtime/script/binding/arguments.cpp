@@ -1,0 +1,179 @@
+#include "runtime/script/binding/arguments.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#include "runtime/script/binding/script_context.h"
+
+namespace rubble::script {
+namespace {
+
+const char kMetatables[3] = {};  ///< their addresses are keys in the registry
+
+/// What a message says that was found.
+std::string described(lua_State* L, int index) {
+    switch (lua_type(L, index)) {
+        case LUA_TNONE:
+            return "nothing";
+        case LUA_TNIL:
+            return "nil";
+        case LUA_TBOOLEAN:
+            return lua_toboolean(L, index) ? "true" : "false";
+        case LUA_TNUMBER: {
+            lua_pushvalue(L, index);
+            const std::string text = lua_tostring(L, -1);
+            lua_pop(L, 1);
+            return text;
+        }
+        case LUA_TSTRING:
+            return "\"" + std::string(lua_tostring(L, index)).substr(0, 40) + "\"";
+        case LUA_TTABLE:
+            return "a table of " + std::to_string(lua_rawlen(L, index)) + " values";
+        default:
+            return std::string("a ") + luaL_typename(L, index);
+    }
+}
+
+/// Reads `count` numbers of a table; false: they are not all there.
+bool readNumbers(lua_State* L, int index, double* out, int count) {
+    if (lua_type(L, index) != LUA_TTABLE) return false;
+    bool isGood = true;
+    for (int i = 0; i < count; ++i) {
+        isGood = lua_rawgeti(L, index, i + 1) == LUA_TNUMBER && isGood;
+        out[i] = lua_tonumber(L, -1);
+        lua_pop(L, 1);
+    }
+    return isGood;
+}
+
+void pushNumbers(lua_State* L, const double* numbers, int count, ValueKind kind) {
+    lua_createtable(L, count, 0);
+    for (int i = 0; i < count; ++i) {
+        lua_pushnumber(L, numbers[i]);
+        lua_rawseti(L, -2, i + 1);
+    }
+    pushMetatable(L, kind);
+    lua_setmetatable(L, -2);
+}
+
+}  // namespace
+
+void refuseArgument(lua_State* L, int index, const char* name, const char* expected) {
+    luaL_error(L, "%s: %s: expected %s, found %s", runningFunction(L).name().c_str(), name, expected,
+               described(L, index).c_str());
+    std::abort();  // luaL_error() does not return
+}
+
+double numberAt(lua_State* L, int index, const char* name) {
+    int isNumber = 0;
+    const double number = lua_tonumberx(L, index, &isNumber);
+    if (!isNumber) refuseArgument(L, index, name, "a number");
+    return number;
+}
+
+double numberOr(lua_State* L, int index, const char* name, double otherwise) {
+    return lua_isnoneornil(L, index) ? otherwise : numberAt(L, index, name);
+}
+
+bool boolOr(lua_State* L, int index, bool otherwise) {
+    return lua_isnoneornil(L, index) ? otherwise : lua_toboolean(L, index);
+}
+
+Vector vectorAt(lua_State* L, int index, const char* name) {
+    Vector vector;
+    if (!readNumbers(L, index, vector.data(), 3)) refuseArgument(L, index, name, "a vector {x, y, z}");
+    return vector;
+}
+
+Rotation rotationAt(lua_State* L, int index, const char* name) {
+    Rotation rotation;
+    if (!readNumbers(L, index, rotation.data(), 4)) refuseArgument(L, index, name, "a rotation {x, y, z, w}");
+    return rotation;
+}
+
+Placement placementAt(lua_State* L, int index, const char* name) {
+    Placement placement;
+    if (lua_type(L, index) != LUA_TTABLE) refuseArgument(L, index, name, "a transform {pos =, rot =}");
+    lua_getfield(L, index, "pos");
+    lua_getfield(L, index, "rot");
+    const bool isGood = readNumbers(L, lua_gettop(L) - 1, placement.position.data(), 3) &&
+                        readNumbers(L, lua_gettop(L), placement.rotation.data(), 4);
+    lua_pop(L, 2);
+    if (!isGood) refuseArgument(L, index, name, "a transform {pos =, rot =}");
+    return placement;
+}
+
+std::string textAt(lua_State* L, int index, const char* name) {
+    if (lua_type(L, index) != LUA_TSTRING) refuseArgument(L, index, name, "a text");
+    size_t length = 0;
+    const char* bytes = lua_tolstring(L, index, &length);
+    return {bytes, length};
+}
+
+std::string textOr(lua_State* L, int index, const char* name, const char* otherwise) {
+    return lua_isnoneornil(L, index) ? otherwise : textAt(L, index, name);
+}
+
+uint64_t handleAt(lua_State* L, int index, const char* name) {
+    int isInteger = 0;
+    const lua_Integer handle = lua_tointegerx(L, index, &isInteger);
+    if (!isInteger) refuseArgument(L, index, name, "a handle");
+    return uint64_t(handle);
+}
+
+void pushMetatable(lua_State* L, ValueKind kind) {
+    const void* key = &kMetatables[int(kind)];
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, key) == LUA_TTABLE) return;
+    lua_pop(L, 1);
+    lua_newtable(L);
+    lua_pushvalue(L, -1);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, key);
+}
+
+void pushVector(lua_State* L, const double* vector) {
+    pushNumbers(L, vector, 3, ValueKind::Vec);
+}
+
+void pushRotation(lua_State* L, const double* rotation) {
+    pushNumbers(L, rotation, 4, ValueKind::Quat);
+}
+
+void pushPlacement(lua_State* L, const Placement& placement) {
+    lua_createtable(L, 0, 2);
+    pushVector(L, placement.position.data());
+    lua_setfield(L, -2, "pos");
+    pushRotation(L, placement.rotation.data());
+    lua_setfield(L, -2, "rot");
+    pushMetatable(L, ValueKind::Transform);
+    lua_setmetatable(L, -2);
+}
+
+void pushHandle(lua_State* L, uint64_t handle) {
+    lua_pushinteger(L, lua_Integer(handle));
+}
+
+int pushHandles(lua_State* L, const uint64_t* handles, size_t count) {
+    lua_createtable(L, int(count), 0);
+    for (size_t i = 0; i < count; ++i) {
+        pushHandle(L, handles[i]);
+        lua_rawseti(L, -2, lua_Integer(i) + 1);
+    }
+    return 1;
+}
+
+bool isDone(lua_State* L, rubble_result result) {
+    if (result == RUBBLE_OK) return true;
+    ScriptContext& context = ScriptContext::of(L);
+    const std::string text = runningFunction(L).name() + ": " + context.shared.api->get_last_error();
+    if (result != RUBBLE_ERROR_STALE) luaL_error(L, "%s", text.c_str());
+    const std::string place = placeOf(L);
+    if (context.warned.size() < 1000 && context.warned.insert(place).second && context.shared.log)
+        context.shared.log(RUBBLE_LOG_WARNING, place + ": " + text);
+    return false;
+}
+
+const ScriptFunction& runningFunction(lua_State* L) {
+    return *static_cast<const ScriptFunction*>(lua_touserdata(L, lua_upvalueindex(1)));
+}
+
+}  // namespace rubble::script

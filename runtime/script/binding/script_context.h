@@ -1,0 +1,114 @@
+#pragma once
+#include <rubble/rubble.h>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "runtime/script/sandbox/sandbox.h"
+
+namespace rubble::script {
+
+/// A line of DebugLine() or DebugCross(), for the host to draw until the next frame.
+struct DebugLine {
+    std::array<double, 3> from, to;  ///< world, metres
+    std::array<double, 4> color;     ///< 0 to 1, with opacity
+};
+
+/// The voxels of a shape as they will be after the edits that wait: what several calls draw in one step adds up.
+struct GridCopy {
+    std::array<int32_t, 3> size{};
+    std::vector<uint8_t> voxels;  ///< as read_voxels() gives them
+
+    /// Where a cell is in `voxels`.
+    size_t at(int32_t x, int32_t y, int32_t z) const {
+        return (size_t(z) * size_t(size[1]) + size_t(y)) * size_t(size[0]) + size_t(x);
+    }
+};
+
+/// What the scripts of a world share: all functions of scripts work on it by the C interface.
+struct ScriptWorld {
+    const rubble_api* api = nullptr;
+    rubble_world world = 0;
+    std::string folder;            ///< that files are read from; empty: none
+    double time = 0.0;             ///< seconds of steps
+    double timeScale = 1.0;        ///< as SetTimeScale() has set it; the host decides how many steps a frame has
+    double timeStep = 1.0 / 60.0;  ///< of the callback that runs
+    uint64_t step = 0;
+    std::set<uint64_t> created;              ///< what calls since the last step have made: reads do not know it yet
+    std::map<rubble_shape, GridCopy> grids;  ///< of shapes whose voxels calls since the last step have written
+    std::set<rubble_body> brokenBodies;      ///< that have lost voxels
+    std::set<rubble_shape> brokenShapes;
+    std::map<uint64_t, rubble_light> pointLights;  ///< of PointLight() in this step and in the last, by its number
+    std::map<std::string, std::string> registry;   ///< "a.b.c": its value as a text
+    std::vector<DebugLine> debugLines;
+    std::map<std::string, std::string> watches;              ///< of DebugWatch(), by name
+    std::function<void(int level, const std::string&)> log;  ///< RUBBLE_LOG_..., a line without a break
+};
+
+/// What QueryRequire() and its like have set, for the next query.
+struct QuerySettings {
+    uint32_t flags = 0;  ///< RUBBLE_FILTER_...
+    uint32_t layers = 0;
+    std::vector<rubble_body> bodies;
+    std::vector<rubble_shape> shapes;
+};
+
+/// What SetBrush() has set.
+struct Brush {
+    bool isCube = false, isNoise = false;
+    double size = 1.0;  ///< cells
+    uint8_t entry = 1;  ///< of the palette; 0: none
+};
+
+/// One script, as its functions see it.
+struct ScriptContext {
+    ScriptWorld& shared;
+    std::string name;
+    lua_State* callback = nullptr;  ///< the thread of the callback that runs: only there may functions wait
+    QuerySettings query;
+    Brush brush;
+    rubble_particle_burst particle = {};
+    std::vector<int> started;  ///< of start(): references to lists of a function and its arguments
+    std::map<std::string, std::string> parameters;
+    std::set<std::string> warned;  ///< places that have been told of once
+    std::vector<uint64_t> calls;   ///< of each function of the vocabulary
+    std::vector<uint64_t> rows;    ///< for lists, so that calls do not allocate
+
+    /// That of the script that runs.
+    static ScriptContext& of(lua_State* L) { return *static_cast<ScriptContext*>(Sandbox::of(L).owner()); }
+};
+
+/// A struct of the interface with its struct_size and zeros.
+template <class T>
+T sized() {
+    T value = {};
+    value.struct_size = sizeof(T);
+    return value;
+}
+
+/// Checks what a call of the interface came to. False: something that it names is gone, which is told once for each
+/// line of a script, and the function has no effect. Everything else that is wrong is an error of the script.
+bool isDone(lua_State* L, rubble_result result);
+
+/// A function that scripts call.
+struct ScriptFunction {
+    const char* signature;  ///< "MakeHole(pos, r0, r1, r2, silent)"
+    const char* meaning;    ///< one sentence
+    lua_CFunction function;
+
+    /// The name in its signature.
+    std::string name() const {
+        const std::string text = signature;
+        return text.substr(0, text.find('('));
+    }
+};
+
+/// The function that runs, for messages.
+const ScriptFunction& runningFunction(lua_State* L);
+
+}  // namespace rubble::script

@@ -1,0 +1,198 @@
+#include <algorithm>
+
+#include "runtime/script/binding/calls.h"
+#include "runtime/script/binding/vector_math.h"
+#include "runtime/script/functions/vocabulary.h"
+
+namespace rubble::script {
+namespace {
+
+/// The state of the body of argument 1; that of one that is gone is at rest at the origin.
+rubble_body_state stateAt(lua_State* L) {
+    rubble_body_state state = {};
+    state.rotation[3] = 1.0;
+    rubble_body_state read = {};
+    if (isDone(L, apiOf(L).get_body_state(worldOf(L), handleAt(L, 1, "body"), &read))) state = read;
+    return state;
+}
+
+Placement frameOf(const rubble_body_state& state) {
+    return placementOf(state.position, state.rotation);
+}
+
+rubble_body_properties propertiesAt(lua_State* L) {
+    auto properties = sized<rubble_body_properties>();
+    isDone(L, apiOf(L).get_body_properties(worldOf(L), handleAt(L, 1, "body"), &properties));
+    return properties;
+}
+
+rubble_body_change changeAt(lua_State* L, uint32_t fields) {
+    auto change = sized<rubble_body_change>();
+    change.fields = fields;
+    change.body = handleAt(L, 1, "body");
+    change.rotation[3] = 1.0;
+    return change;
+}
+
+int apply(lua_State* L, const rubble_body_change& change) {
+    isDone(L, apiOf(L).set_body(worldOf(L), &change));
+    return 0;
+}
+
+int getTransform(lua_State* L) {
+    pushPlacement(L, frameOf(stateAt(L)));
+    return 1;
+}
+
+int setTransform(lua_State* L) {
+    rubble_body_change change = changeAt(L, RUBBLE_SET_POSE);
+    const Placement placement = placementAt(L, 2, "transform");
+    copy(change.position, placement.position);
+    copy(change.rotation, placement.rotation);
+    return apply(L, change);
+}
+
+int getVelocity(lua_State* L) {
+    pushVector(L, stateAt(L).velocity);
+    return 1;
+}
+
+int getAngularVelocity(lua_State* L) {
+    pushVector(L, stateAt(L).angular_velocity);
+    return 1;
+}
+
+/// Sets one of the two velocities: the interface sets both.
+int setMotion(lua_State* L, bool isAngular) {
+    const rubble_body_state state = stateAt(L);
+    const Vector given = vectorAt(L, 2, "velocity");
+    if (!state.body) return 0;
+    rubble_body_change change = changeAt(L, RUBBLE_SET_VELOCITY);
+    std::copy_n(state.velocity, 3, change.velocity);
+    std::copy_n(state.angular_velocity, 3, change.angular_velocity);
+    copy(isAngular ? change.angular_velocity : change.velocity, given);
+    return apply(L, change);
+}
+
+int setVelocity(lua_State* L) {
+    return setMotion(L, false);
+}
+
+int setAngularVelocity(lua_State* L) {
+    return setMotion(L, true);
+}
+
+int getVelocityAtPos(lua_State* L) {
+    const rubble_body_state state = stateAt(L);
+    const Vector center = toParent(frameOf(state), vectorOf(propertiesAt(L).center));
+    const Vector arm = vectorAt(L, 2, "pos") - center;
+    const Vector velocity = vectorOf(state.velocity) + cross(vectorOf(state.angular_velocity), arm);
+    pushVector(L, velocity.data());
+    return 1;
+}
+
+int getMass(lua_State* L) {
+    const bool isStatic = stateAt(L).flags & RUBBLE_BODY_STATIC;
+    lua_pushnumber(L, isStatic ? 0.0 : propertiesAt(L).mass);
+    return 1;
+}
+
+int getCenterOfMass(lua_State* L) {
+    pushVector(L, propertiesAt(L).center);
+    return 1;
+}
+
+int getShapes(lua_State* L) {
+    const std::vector<uint64_t>& shapes = readOwned(L, handleAt(L, 1, "body"), RUBBLE_KIND_SHAPE);
+    return pushHandles(L, shapes.data(), shapes.size());
+}
+
+/// The box around the grids of all shapes of a body.
+int getBounds(lua_State* L) {
+    Vector low{}, high{};
+    bool isFirst = true;
+    for (const rubble_shape shape : readOwned(L, handleAt(L, 1, "body"), RUBBLE_KIND_SHAPE)) {
+        rubble_shape_state state = {};
+        if (!isDone(L, apiOf(L).get_shape_state(worldOf(L), shape, &state))) continue;
+        const Placement frame = placementOf(state.position, state.rotation);
+        for (int corner = 0; corner < 8; ++corner) {
+            Vector point;
+            for (int i = 0; i < 3; ++i) point[i] = corner >> i & 1 ? state.size[i] * state.voxel_size : 0.0;
+            point = toParent(frame, point);
+            for (int i = 0; i < 3; ++i) {
+                low[i] = isFirst ? point[i] : std::min(low[i], point[i]);
+                high[i] = isFirst ? point[i] : std::max(high[i], point[i]);
+            }
+            isFirst = false;
+        }
+    }
+    pushVector(L, low.data());
+    pushVector(L, high.data());
+    return 2;
+}
+
+int isActive(lua_State* L) {
+    const rubble_body_state state = stateAt(L);
+    lua_pushboolean(L, state.body && !(state.flags & (RUBBLE_BODY_STATIC | RUBBLE_BODY_ASLEEP)));
+    return 1;
+}
+
+int setActive(lua_State* L) {
+    return apply(L, changeAt(L, boolOr(L, 2, true) ? RUBBLE_SET_AWAKE : RUBBLE_SET_ASLEEP));
+}
+
+int isDynamic(lua_State* L) {
+    const rubble_body_state state = stateAt(L);
+    lua_pushboolean(L, state.body && !(state.flags & RUBBLE_BODY_STATIC));
+    return 1;
+}
+
+int setDynamic(lua_State* L) {
+    return apply(L, changeAt(L, boolOr(L, 2, true) ? RUBBLE_SET_DYNAMIC : RUBBLE_SET_STATIC));
+}
+
+int isBroken(lua_State* L) {
+    const rubble_body body = handleAt(L, 1, "body");
+    const bool isGone = !stateAt(L).body;
+    lua_pushboolean(L, isGone || ScriptContext::of(L).shared.brokenBodies.count(body));
+    return 1;
+}
+
+int applyImpulse(lua_State* L) {
+    auto push = sized<rubble_impulse>();
+    push.body = handleAt(L, 1, "body");
+    copy(push.position, vectorAt(L, 2, "pos"));
+    copy(push.impulse, vectorAt(L, 3, "impulse"));
+    isDone(L, apiOf(L).apply_impulse(worldOf(L), &push));
+    return 0;
+}
+
+constexpr ScriptFunction kFunctions[] = {
+    {"GetBodyTransform(body) -> transform", "Where a body's frame is.", getTransform},
+    {"SetBodyTransform(body, transform)", "Puts a body elsewhere in the next step.", setTransform},
+    {"GetBodyVelocity(body) -> v", "The velocity of its centre of mass, in m/s.", getVelocity},
+    {"SetBodyVelocity(body, velocity)", "Sets that velocity in the next step.", setVelocity},
+    {"GetBodyAngularVelocity(body) -> v", "How it turns, in radians a second about the world's axes.",
+     getAngularVelocity},
+    {"SetBodyAngularVelocity(body, velocity)", "Sets how it turns in the next step.", setAngularVelocity},
+    {"GetBodyVelocityAtPos(body, pos) -> v", "The velocity of the body's point at a place of the world.",
+     getVelocityAtPos},
+    {"GetBodyMass(body) -> kg", "Its mass; 0 of a static one.", getMass},
+    {"GetBodyCenterOfMass(body) -> v", "Its centre of mass, in its own frame.", getCenterOfMass},
+    {"GetBodyBounds(body) -> min, max", "The box around its shapes' grids, in the world.", getBounds},
+    {"GetBodyShapes(body) -> list", "Its shapes.", getShapes},
+    {"IsBodyActive(body) -> boolean", "Whether it is simulated: neither static nor asleep.", isActive},
+    {"SetBodyActive(body, active)", "Wakes it, or puts it to sleep.", setActive},
+    {"IsBodyDynamic(body) -> boolean", "Whether it moves freely.", isDynamic},
+    {"SetBodyDynamic(body, dynamic)", "Lets it move freely, or holds it where it is.", setDynamic},
+    {"IsBodyBroken(body) -> boolean", "Whether it has lost voxels since the scripts began, or is gone.", isBroken},
+    {"ApplyBodyImpulse(body, pos, impulse)", "Pushes it at a place of the world, in N s.", applyImpulse},
+};
+
+}  // namespace
+
+std::span<const ScriptFunction> bodyFunctions() {
+    return kFunctions;
+}
+
+}  // namespace rubble::script

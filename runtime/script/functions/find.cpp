@@ -1,0 +1,124 @@
+#include "runtime/script/binding/calls.h"
+#include "runtime/script/functions/vocabulary.h"
+
+namespace rubble::script {
+namespace {
+
+/// The objects of a kind with the tag of argument 1, or all.
+const std::vector<uint64_t>& readFound(lua_State* L, uint32_t kind) {
+    const std::string tag = textOr(L, 1, "tag", "");
+    return readHandles(L, [&](uint64_t* out, uint32_t capacity, uint32_t* count) {
+        if (tag.empty()) return apiOf(L).get_objects(worldOf(L), kind, out, capacity, count);
+        return apiOf(L).find_by_tag(worldOf(L), kind, tag.c_str(), nullptr, out, capacity, count);
+    });
+}
+
+template <uint32_t Kind>
+int findOne(lua_State* L) {
+    const std::vector<uint64_t>& found = readFound(L, Kind);
+    pushHandle(L, found.empty() ? 0 : found.front());
+    return 1;
+}
+
+template <uint32_t Kind>
+int findAll(lua_State* L) {
+    const std::vector<uint64_t>& found = readFound(L, Kind);
+    return pushHandles(L, found.data(), found.size());
+}
+
+int setTag(lua_State* L) {
+    const uint64_t object = handleAt(L, 1, "handle");
+    const std::string tag = textAt(L, 2, "tag");
+    std::string value;
+    if (!lua_isnoneornil(L, 3)) {
+        if (!lua_isstring(L, 3)) refuseArgument(L, 3, "value", "a text");
+        value = lua_tostring(L, 3);
+    }
+    isDone(L, apiOf(L).set_tag(worldOf(L), object, tag.c_str(), value.c_str()));
+    return 0;
+}
+
+/// The value of a tag, with a zero at its end; empty: there is no such tag.
+std::string readTag(lua_State* L) {
+    const uint64_t object = handleAt(L, 1, "handle");
+    const std::string tag = textAt(L, 2, "tag");
+    std::string value(64, '\0');
+    uint32_t count = 0;
+    const auto read = [&] {
+        return apiOf(L).get_tag(worldOf(L), object, tag.c_str(), value.data(), uint32_t(value.size()), &count);
+    };
+    rubble_result result = read();
+    if (result == RUBBLE_ERROR_CAPACITY) {
+        value.resize(count);
+        result = read();
+    }
+    value.resize(isDone(L, result) ? count : 0);
+    return value;
+}
+
+int hasTag(lua_State* L) {
+    lua_pushboolean(L, !readTag(L).empty());
+    return 1;
+}
+
+int getTagValue(lua_State* L) {
+    const std::string value = readTag(L);
+    lua_pushstring(L, value.c_str());
+    return 1;
+}
+
+int removeTag(lua_State* L) {
+    const uint64_t object = handleAt(L, 1, "handle");
+    isDone(L, apiOf(L).remove_tag(worldOf(L), object, textAt(L, 2, "tag").c_str()));
+    return 0;
+}
+
+int isHandleValid(lua_State* L) {
+    const uint64_t object = handleAt(L, 1, "handle");
+    uint64_t value = 0;
+    lua_pushboolean(L, apiOf(L).get_user_value(worldOf(L), object, &value) == RUBBLE_OK ||
+                           ScriptContext::of(L).shared.created.count(object));
+    return 1;
+}
+
+int deleteObject(lua_State* L) {
+    const uint64_t object = handleAt(L, 1, "handle");
+    const rubble_api& api = apiOf(L);
+    using Remove = rubble_result (*)(rubble_world, uint64_t);
+    for (const Remove remove : {Remove(api.destroy_shape), Remove(api.destroy_body), Remove(api.remove_light),
+                                Remove(api.remove_joint), Remove(api.remove_water), Remove(api.remove_trigger)}) {
+        const rubble_result result = remove(worldOf(L), object);
+        if (result == RUBBLE_OK) return 0;
+        if (result != RUBBLE_ERROR_STALE) isDone(L, result);
+    }
+    isDone(L, api.remove_character(worldOf(L), object));
+    return 0;
+}
+
+constexpr ScriptFunction kFunctions[] = {
+    {"FindBody(tag, global) -> handle", "The first body with a tag, or 0. Without a tag the first of all.",
+     findOne<RUBBLE_KIND_BODY>},
+    {"FindBodies(tag, global) -> list", "All bodies with a tag. Without a tag all.", findAll<RUBBLE_KIND_BODY>},
+    {"FindShape(tag, global) -> handle", "The first shape with a tag, or 0.", findOne<RUBBLE_KIND_SHAPE>},
+    {"FindShapes(tag, global) -> list", "All shapes with a tag.", findAll<RUBBLE_KIND_SHAPE>},
+    {"FindLight(tag, global) -> handle", "The first light with a tag, or 0.", findOne<RUBBLE_KIND_LIGHT>},
+    {"FindLights(tag, global) -> list", "All lights with a tag.", findAll<RUBBLE_KIND_LIGHT>},
+    {"FindJoint(tag, global) -> handle", "The first joint with a tag, or 0.", findOne<RUBBLE_KIND_JOINT>},
+    {"FindJoints(tag, global) -> list", "All joints with a tag.", findAll<RUBBLE_KIND_JOINT>},
+    {"FindTrigger(tag, global) -> handle", "The first trigger with a tag, or 0.", findOne<RUBBLE_KIND_TRIGGER>},
+    {"FindTriggers(tag, global) -> list", "All triggers with a tag.", findAll<RUBBLE_KIND_TRIGGER>},
+    {"SetTag(handle, tag, value)", "Gives an object a tag, with a value or without.", setTag},
+    {"HasTag(handle, tag) -> boolean", "Whether an object has a tag.", hasTag},
+    {"GetTagValue(handle, tag) -> text", "The value of a tag; \"\" if there is none.", getTagValue},
+    {"RemoveTag(handle, tag)", "Takes a tag away.", removeTag},
+    {"IsHandleValid(handle) -> boolean", "Whether the object is there.", isHandleValid},
+    {"Delete(handle)", "Removes an object in the next step, without dust or pieces.", deleteObject},
+};
+
+}  // namespace
+
+std::span<const ScriptFunction> findFunctions() {
+    return kFunctions;
+}
+
+}  // namespace rubble::script

@@ -1,0 +1,89 @@
+#include "runtime/script/binding/calls.h"
+#include "runtime/script/functions/vocabulary.h"
+
+namespace rubble::script {
+namespace {
+
+rubble_particle_burst& burstOf(lua_State* L) {
+    rubble_particle_burst& burst = ScriptContext::of(L).particle;
+    if (burst.struct_size) return burst;
+    burst = sized<rubble_particle_burst>();
+    burst.kind = RUBBLE_PARTICLE_SMOKE;
+    burst.size = 0.3;
+    burst.opacity = 1.0;
+    std::fill_n(burst.color, 3, 1.0);
+    return burst;
+}
+
+int reset(lua_State* L) {
+    ScriptContext::of(L).particle = {};
+    return 0;
+}
+
+int setType(lua_State* L) {
+    static constexpr const char* kNames[] = {"dust", "smoke", "flame", "spark", "crumb", "glint", "ember"};
+    const std::string name = textAt(L, 1, "type");
+    for (uint32_t kind = 0; kind < std::size(kNames); ++kind)
+        if (name == kNames[kind] || (name == "plain" && kind == RUBBLE_PARTICLE_DUST)) {
+            burstOf(L).kind = kind;
+            return 0;
+        }
+    refuseArgument(L, 1, "type",
+                   "\"plain\", \"dust\", \"smoke\", \"flame\", \"spark\", \"crumb\", \"glint\" or \"ember\"");
+}
+
+int setColor(lua_State* L) {
+    const Vector color{numberAt(L, 1, "r"), numberAt(L, 2, "g"), numberAt(L, 3, "b")};
+    copy(burstOf(L).color, color);
+    return 0;
+}
+
+int setRadius(lua_State* L) {
+    const double first = numberAt(L, 1, "r0"), last = numberOr(L, 2, "r1", first);
+    rubble_particle_burst& burst = burstOf(L);
+    burst.size = std::clamp(first, 0.001, 10.0);
+    burst.growth = std::clamp(last - first, 0.0, 10.0);  // of a whole life, until it is spawned
+    return 0;
+}
+
+int setAlpha(lua_State* L) {
+    burstOf(L).opacity = std::clamp(numberAt(L, 1, "a0"), 0.001, 1.0);
+    return 0;
+}
+
+int setEmissive(lua_State* L) {
+    burstOf(L).glow = std::clamp(numberAt(L, 1, "e0"), 0.0, 1e6);
+    return 0;
+}
+
+int spawn(lua_State* L) {
+    rubble_particle_burst burst = burstOf(L);
+    copy(burst.position, vectorAt(L, 1, "pos"));
+    copy(burst.velocity, vectorAt(L, 2, "vel"));
+    burst.life = std::clamp(numberAt(L, 3, "life"), 0.02, 60.0);
+    burst.growth = std::min(burst.growth / burst.life, 10.0);
+    const rubble_result result = apiOf(L).spawn_particles(worldOf(L), &burst);
+    if (result != RUBBLE_ERROR_ARGUMENT) isDone(L, result);
+    return 0;
+}
+
+constexpr ScriptFunction kFunctions[] = {
+    {"ParticleReset()", "Begins a particle of white smoke; what follows changes it.", reset},
+    {"ParticleType(type)",
+     "\"plain\", \"dust\", \"smoke\", \"flame\", \"spark\", \"crumb\", \"glint\" or \"ember\": how it moves and looks.",
+     setType},
+    {"ParticleColor(r, g, b)", "Its linear colour, 0 to 1.", setColor},
+    {"ParticleRadius(r0, r1)", "Its radius at birth and at the end, in metres.", setRadius},
+    {"ParticleAlpha(a0)", "Its opacity at birth, 0 to 1.", setAlpha},
+    {"ParticleEmissive(e0)", "How much it glows.", setEmissive},
+    {"SpawnParticle(pos, vel, life)",
+     "Throws one into the air for life seconds. Where nothing is drawn there are none.", spawn},
+};
+
+}  // namespace
+
+std::span<const ScriptFunction> particleFunctions() {
+    return kFunctions;
+}
+
+}  // namespace rubble::script

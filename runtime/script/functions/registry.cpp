@@ -1,0 +1,144 @@
+#include <cstdlib>
+
+#include "runtime/script/binding/calls.h"
+#include "runtime/script/functions/vocabulary.h"
+
+namespace rubble::script {
+namespace {
+
+constexpr size_t kMaxKeys = 10'000, kMaxText = 4096;
+
+std::map<std::string, std::string>& keysOf(lua_State* L) {
+    return ScriptContext::of(L).shared.registry;
+}
+
+/// The value of the key of argument 1, or null.
+const std::string* valueAt(lua_State* L) {
+    const auto found = keysOf(L).find(textAt(L, 1, "key"));
+    return found == keysOf(L).end() ? nullptr : &found->second;
+}
+
+int set(lua_State* L, const std::string& value) {
+    const std::string key = textAt(L, 1, "key");
+    if (key.empty() || key.size() > kMaxText) refuseArgument(L, 1, "key", "1 to 4096 bytes");
+    if (value.size() > kMaxText) refuseArgument(L, 2, "value", "at most 4096 bytes");
+    auto& keys = keysOf(L);
+    if (keys.size() >= kMaxKeys && !keys.count(key))
+        return luaL_error(L, "%s: the registry has %d keys already", runningFunction(L).name().c_str(), int(kMaxKeys));
+    keys[key] = value;
+    return 0;
+}
+
+std::string textOf(double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.17g", number);
+    return text;
+}
+
+int setInt(lua_State* L) {
+    return set(L, std::to_string(int64_t(numberAt(L, 2, "value"))));
+}
+
+int setFloat(lua_State* L) {
+    return set(L, textOf(numberAt(L, 2, "value")));
+}
+
+int setBool(lua_State* L) {
+    return set(L, lua_toboolean(L, 2) ? "1" : "0");
+}
+
+int setString(lua_State* L) {
+    if (!lua_isstring(L, 2)) refuseArgument(L, 2, "value", "a text");
+    return set(L, lua_tostring(L, 2));
+}
+
+int pushInt(lua_State* L, const std::string* value) {
+    lua_pushinteger(L, value ? std::strtoll(value->c_str(), nullptr, 10) : 0);
+    return 1;
+}
+
+int pushFloat(lua_State* L, const std::string* value) {
+    lua_pushnumber(L, value ? std::strtod(value->c_str(), nullptr) : 0.0);
+    return 1;
+}
+
+int pushBool(lua_State* L, const std::string* value) {
+    lua_pushboolean(L, value && !value->empty() && *value != "0" && *value != "false");
+    return 1;
+}
+
+int pushString(lua_State* L, const std::string* value) {
+    lua_pushstring(L, value ? value->c_str() : "");
+    return 1;
+}
+
+template <int (*Push)(lua_State*, const std::string*)>
+int getKey(lua_State* L) {
+    return Push(L, valueAt(L));
+}
+
+/// A parameter of the script, or argument 2 where it has none.
+template <int (*Push)(lua_State*, const std::string*)>
+int getParam(lua_State* L) {
+    const auto& parameters = ScriptContext::of(L).parameters;
+    const auto found = parameters.find(textAt(L, 1, "name"));
+    if (found != parameters.end()) return Push(L, &found->second);
+    lua_settop(L, 2);
+    return 1;
+}
+
+int hasKey(lua_State* L) {
+    const std::string key = textAt(L, 1, "key");
+    const auto next = keysOf(L).lower_bound(key);
+    const bool isThere = next != keysOf(L).end() && (next->first == key || next->first.starts_with(key + "."));
+    lua_pushboolean(L, isThere);
+    return 1;
+}
+
+int clearKey(lua_State* L) {
+    const std::string key = textAt(L, 1, "key");
+    std::erase_if(keysOf(L), [&](const auto& row) { return row.first == key || row.first.starts_with(key + "."); });
+    return 0;
+}
+
+int listKeys(lua_State* L) {
+    const std::string parent = textAt(L, 1, "parent") + ".";
+    lua_newtable(L);
+    std::string last;
+    lua_Integer count = 0;
+    for (auto row = keysOf(L).lower_bound(parent); row != keysOf(L).end() && row->first.starts_with(parent); ++row) {
+        const std::string child = row->first.substr(parent.size(), row->first.find('.', parent.size()) - parent.size());
+        Sandbox::of(L).charge(L, 10);
+        if (child == last) continue;
+        lua_pushstring(L, child.c_str());
+        lua_rawseti(L, -2, ++count);
+        last = child;
+    }
+    return 1;
+}
+
+constexpr ScriptFunction kFunctions[] = {
+    {"SetInt(key, value)", "Writes a key of the registry, \"a.b.c\", which all scripts of the world share.", setInt},
+    {"GetInt(key) -> number", "A key as a whole number; 0 if it is not there.", getKey<pushInt>},
+    {"SetFloat(key, value)", "Writes a number.", setFloat},
+    {"GetFloat(key) -> number", "A key as a number; 0 if it is not there.", getKey<pushFloat>},
+    {"SetBool(key, value)", "Writes true or false.", setBool},
+    {"GetBool(key) -> boolean", "A key as true or false; false if it is not there.", getKey<pushBool>},
+    {"SetString(key, value)", "Writes a text.", setString},
+    {"GetString(key) -> text", "A key as a text; \"\" if it is not there.", getKey<pushString>},
+    {"HasKey(key) -> boolean", "Whether a key is there, or keys under it.", hasKey},
+    {"ClearKey(key)", "Removes a key and all under it.", clearKey},
+    {"ListKeys(parent) -> list", "The names of the keys right under a key, sorted.", listKeys},
+    {"GetIntParam(name, default) -> number", "A parameter of the script.", getParam<pushInt>},
+    {"GetFloatParam(name, default) -> number", "A parameter of the script.", getParam<pushFloat>},
+    {"GetBoolParam(name, default) -> boolean", "A parameter of the script.", getParam<pushBool>},
+    {"GetStringParam(name, default) -> text", "A parameter of the script.", getParam<pushString>},
+};
+
+}  // namespace
+
+std::span<const ScriptFunction> registryFunctions() {
+    return kFunctions;
+}
+
+}  // namespace rubble::script

@@ -1,0 +1,95 @@
+#include "runtime/script/functions/vocabulary.h"
+
+namespace rubble::script {
+namespace {
+
+constexpr int64_t kCallWork = 20;
+const char kWait = 0;  ///< its address marks a wait
+
+/// Calls the function of a row. Upvalues: the row, its number in the vocabulary, or -1.
+int callFunction(lua_State* L) {
+    Sandbox& box = Sandbox::of(L);
+    box.charge(L, kCallWork);
+    const lua_Integer index = lua_tointeger(L, lua_upvalueindex(2));
+    if (index >= 0) ++static_cast<ScriptContext*>(box.owner())->calls[size_t(index)];
+    return runningFunction(L).function(L);
+}
+
+int yieldUntil(lua_State* L, double until, lua_KContext context, lua_KFunction continuation) {
+    if (ScriptContext::of(L).callback != L)
+        return luaL_error(L, "%s: expected a callback or what start() has begun, found a coroutine of the script",
+                          runningFunction(L).name().c_str());
+    lua_pushlightuserdata(L, const_cast<char*>(&kWait));
+    lua_pushnumber(L, until);
+    return lua_yieldk(L, 2, context, continuation);
+}
+
+int nothing(lua_State*, int, lua_KContext) {
+    return 0;
+}
+
+}  // namespace
+
+const std::vector<Subject>& vocabulary() {
+    static const std::vector<Subject> subjects = {
+        {"vectors", "Vectors", vectorFunctions()},
+        {"rotations", "Rotations", rotationFunctions()},
+        {"transforms", "Transforms", transformFunctions()},
+        {"break", "Breaking, fire and paint", breakFunctions()},
+        {"find", "Finding things, tags and handles", findFunctions()},
+        {"bodies", "Bodies", bodyFunctions()},
+        {"shapes", "Shapes", shapeFunctions()},
+        {"shape-edits", "Making and changing shapes", shapeEditFunctions()},
+        {"lights", "Lights", lightFunctions()},
+        {"joints", "Joints and ropes", jointFunctions()},
+        {"queries", "Queries", queryFunctions()},
+        {"particles", "Particles", particleFunctions()},
+        {"world", "World, time and waiting", worldFunctions()},
+        {"registry", "Registry and parameters", registryFunctions()},
+    };
+    return subjects;
+}
+
+void pushFunction(lua_State* L, const ScriptFunction& function, lua_Integer index) {
+    lua_pushlightuserdata(L, const_cast<ScriptFunction*>(&function));
+    lua_pushinteger(L, index);
+    lua_pushcclosure(L, callFunction, 2);
+}
+
+void openVocabulary(lua_State* L) {
+    lua_Integer index = 0;
+    for (const Subject& subject : vocabulary())
+        for (const ScriptFunction& function : subject.functions) {
+            pushFunction(L, function, index++);
+            lua_setglobal(L, function.name().c_str());
+        }
+    ScriptContext::of(L).calls.assign(size_t(index), 0);
+    openVectorOperators(L);
+    openRotationOperators(L);
+    openTransformOperators(L);
+}
+
+void openOperators(lua_State* L, ValueKind kind, std::span<const ScriptFunction> operators) {
+    pushMetatable(L, kind);
+    for (const ScriptFunction& function : operators) {
+        pushFunction(L, function, -1);
+        lua_setfield(L, -2, function.name().c_str());
+    }
+    lua_pop(L, 1);
+}
+
+int waitForStep(lua_State* L, lua_KContext context, lua_KFunction continuation) {
+    return yieldUntil(L, -1.0, context, continuation);
+}
+
+int waitUntil(lua_State* L, double time) {
+    return yieldUntil(L, time, 0, nothing);
+}
+
+bool isWait(lua_State* L, int results, double& until) {
+    if (results != 2 || lua_touserdata(L, -2) != &kWait) return false;
+    until = lua_tonumber(L, -1);
+    return true;
+}
+
+}  // namespace rubble::script

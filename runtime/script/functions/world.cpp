@@ -1,0 +1,150 @@
+#include "runtime/script/binding/calls.h"
+#include "runtime/script/functions/vocabulary.h"
+
+namespace rubble::script {
+namespace {
+
+constexpr size_t kMaxDebugLines = 10'000;
+
+int setTimeScale(lua_State* L) {
+    ScriptContext::of(L).shared.timeScale = std::clamp(numberAt(L, 1, "scale"), 0.0, 10.0);
+    return 0;
+}
+
+int setGravity(lua_State* L) {
+    const Vector gravity = vectorAt(L, 1, "gravity");
+    auto environment = sized<rubble_environment>();
+    isDone(L, apiOf(L).get_environment(worldOf(L), &environment));
+    copy(environment.gravity, gravity);
+    isDone(L, apiOf(L).set_environment(worldOf(L), &environment));
+    return 0;
+}
+
+int getTime(lua_State* L) {
+    lua_pushnumber(L, ScriptContext::of(L).shared.time);
+    return 1;
+}
+
+int getTimeStep(lua_State* L) {
+    lua_pushnumber(L, ScriptContext::of(L).shared.timeStep);
+    return 1;
+}
+
+/// Whether a path stays inside of a folder: no root, no "..", no backslash.
+bool staysInside(const std::string& path) {
+    return !path.empty() && path[0] != '/' && path.find('\\') == path.npos && path.find("..") == path.npos &&
+           path.find('\0') == path.npos;
+}
+
+int spawn(lua_State* L) {
+    const ScriptContext& context = ScriptContext::of(L);
+    const std::string file = textAt(L, 1, "file");
+    const Placement placement = lua_isnoneornil(L, 2) ? Placement{} : placementAt(L, 2, "transform");
+    if (context.shared.folder.empty() || !staysInside(file))
+        return luaL_error(
+            L, "Spawn: file: expected a file inside of the folder that the host gives to scripts, found \"%s\"",
+            file.c_str());
+    const std::string path = context.shared.folder + "/" + file;
+    auto prefab = sized<rubble_prefab>();
+    prefab.path = path.c_str();
+    copy(prefab.position, placement.position);
+    copy(prefab.rotation, placement.rotation);
+    uint32_t count = 0;
+    isDone(L, apiOf(L).create_prefab(worldOf(L), &prefab, nullptr, 0, &count));
+    Sandbox::of(L).charge(L, 100'000);  // reading a file
+    std::vector<rubble_prefab_row> rows(count);
+    isDone(L, apiOf(L).create_prefab(worldOf(L), &prefab, rows.data(), count, &count));
+    std::vector<uint64_t> handles;
+    for (const rubble_prefab_row& row : rows) {
+        ScriptContext::of(L).shared.created.insert(row.handle);
+        handles.push_back(row.handle);
+    }
+    return pushHandles(L, handles.data(), handles.size());
+}
+
+void addLine(lua_State* L, const Vector& from, const Vector& to, int colorAt) {
+    DebugLine line{from, to, {1.0, 1.0, 1.0, 1.0}};
+    const char* const names[] = {"r", "g", "b", "a"};
+    for (int i = 0; i < 4; ++i) line.color[size_t(i)] = numberOr(L, colorAt + i, names[i], 1.0);
+    std::vector<DebugLine>& lines = ScriptContext::of(L).shared.debugLines;
+    if (lines.size() < kMaxDebugLines) lines.push_back(line);
+}
+
+int debugLine(lua_State* L) {
+    addLine(L, vectorAt(L, 1, "p0"), vectorAt(L, 2, "p1"), 3);
+    return 0;
+}
+
+int debugCross(lua_State* L) {
+    const Vector middle = vectorAt(L, 1, "pos");
+    for (size_t axis = 0; axis < 3; ++axis) {
+        Vector from = middle, to = middle;
+        from[axis] -= 0.25;
+        to[axis] += 0.25;
+        addLine(L, from, to, 2);
+    }
+    return 0;
+}
+
+int debugPrint(lua_State* L) {
+    luaL_tolstring(L, 1, nullptr);
+    Sandbox& box = Sandbox::of(L);
+    box.charge(L, 100 + int64_t(lua_rawlen(L, -1)));
+    if (box.output) box.output(lua_tostring(L, -1));
+    return 0;
+}
+
+int debugWatch(lua_State* L) {
+    const std::string name = textAt(L, 1, "name");
+    luaL_tolstring(L, 2, nullptr);
+    auto& watches = ScriptContext::of(L).shared.watches;
+    if (watches.size() < 1000 || watches.count(name)) watches[name] = std::string(lua_tostring(L, -1)).substr(0, 1000);
+    return 0;
+}
+
+int wait(lua_State* L) {
+    const double seconds = numberOr(L, 1, "seconds", 0.0);
+    if (!(seconds >= 0.0)) refuseArgument(L, 1, "seconds", "0 or more");
+    return waitUntil(L, ScriptContext::of(L).shared.time + seconds);
+}
+
+int start(lua_State* L) {
+    if (lua_type(L, 1) != LUA_TFUNCTION) refuseArgument(L, 1, "f", "a function");
+    std::vector<int>& started = ScriptContext::of(L).started;
+    if (started.size() >= 1000) return luaL_error(L, "start: expected at most 1000 at once");
+    const int count = lua_gettop(L);
+    lua_createtable(L, count, 0);
+    for (int i = 1; i <= count; ++i) {
+        lua_pushvalue(L, i);
+        lua_rawseti(L, -2, i);
+    }
+    lua_pushinteger(L, count);
+    lua_rawseti(L, -2, 0);
+    started.push_back(luaL_ref(L, LUA_REGISTRYINDEX));
+    return 0;
+}
+
+constexpr ScriptFunction kFunctions[] = {
+    {"SetTimeScale(scale)", "How fast the world's time goes: 1 as usual, 0 stands still.", setTimeScale},
+    {"SetGravity(gravity)", "The acceleration of all that falls, in m/s2.", setGravity},
+    {"GetTime() -> seconds", "The time of the world, in steps since the scripts began.", getTime},
+    {"GetTimeStep() -> seconds", "What tick() or update() was given.", getTimeStep},
+    {"Spawn(file, transform) -> list",
+     "Places a model or level of the scripts' folder into the world; gives its bodies, shapes, joints and lights.",
+     spawn},
+    {"DebugLine(p0, p1, r, g, b, a)", "A line of the world that the host draws until the next frame.", debugLine},
+    {"DebugCross(pos, r, g, b, a)", "A cross at a place, drawn likewise.", debugCross},
+    {"DebugPrint(text)", "Writes a line to the log.", debugPrint},
+    {"DebugWatch(name, value)", "Shows a value by its name until it is given again.", debugWatch},
+    {"wait(seconds)", "Lets the world go on for so long, then continues. In callbacks and in what start() began.",
+     wait},
+    {"start(f, ...)", "Begins a function beside the callbacks, which may wait.", start},
+};
+
+}  // namespace
+
+std::span<const ScriptFunction> worldFunctions() {
+    return kFunctions;
+}
+
+}  // namespace rubble::script

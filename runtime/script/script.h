@@ -1,0 +1,116 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/script/binding/script_context.h"
+#include "runtime/script/sandbox/sandbox.h"
+
+namespace rubble::script {
+
+/// What scripts are called for. A script without such a function costs nothing for it.
+enum class Callback : uint8_t {
+    Init,       ///< init(), once
+    Tick,       ///< tick(dt), each frame
+    Update,     ///< update(dt), each step, before it
+    Destroy,    ///< destroy(), at the end
+    Split,      ///< onSplit(shape, pieces)
+    Break,      ///< onBreak(shape, voxels, entry)
+    BodyBreak,  ///< onBodyBreak(body), when it loses voxels for the first time
+    Contact,    ///< onContact(bodyA, bodyB, pos, normal, impulse)
+    LightOut,   ///< onLightOut(group)
+    Fire,       ///< onFire(shape, pos, lit)
+    Joint,      ///< onJoint(joint, what, from, to); what: "voxel gone", "overloaded", "removed", "cut", "moved"
+    Trigger,    ///< onTrigger(trigger, body, entered)
+};
+inline constexpr size_t kCallbacks = size_t(Callback::Trigger) + 1;
+/// The name of the function.
+const char* nameOf(Callback callback);
+
+/// What calls into a script have cost.
+struct CallbackProfile {
+    uint64_t calls = 0;
+    double seconds = 0.0;
+    uint64_t allocations = 0;
+    int64_t work = 0;  ///< units of SandboxLimits::work
+};
+
+/// One script of a world: a state of Lua of its own, which nothing of other scripts is in reach of.
+class Script {
+public:
+    /// `name` stands before the line in messages.
+    Script(ScriptWorld& shared, const std::string& name, const SandboxLimits& limits);
+
+    /// Compiles and runs the text of a script, which defines its callbacks; false: it has failed, error() says why.
+    bool load(const std::string& text);
+    /// Compiles a text and runs it as a callback would run; false: it has failed. What it returns is in `answer`.
+    bool evaluate(const std::string& text, std::string& answer);
+
+    /// Whether a text is whole: without running it.
+    bool compiles(const std::string& text);
+
+    /// Whether the script has such a function.
+    bool has(Callback callback) const { return m_has[size_t(callback)]; }
+    /// Looks which callbacks there are.
+    void findCallbacks();
+    /// Calls a callback. `push` puts its arguments onto the stack and returns how many.
+    template <class Push>
+    void call(Callback callback, Push&& push) {
+        if (lua_State* thread = begin(callback)) finish(callback, thread, run(thread, pushTrusted(thread, push)));
+    }
+    /// Goes on with all that waits for a time of the world, or for a step that is done, and begins what start() was
+    /// given.
+    void resumeWaiting(bool stepIsDone);
+    /// Whether anything waits.
+    bool isWaiting() const { return !m_waiting.empty() || !m_context.started.empty(); }
+
+    /// As the constructor was given it.
+    const std::string& name() const { return m_context.name; }
+    /// What its functions work on: parameters, calls of each function.
+    ScriptContext& context() { return m_context; }
+    /// The same.
+    const ScriptContext& context() const { return m_context; }
+    /// Its state of Lua: what it has used.
+    const Sandbox& sandbox() const { return m_sandbox; }
+    /// It took more than it may and runs no more.
+    bool isStopped() const { return m_sandbox.isStopped(); }
+    /// What has failed last, with script and line; "" if nothing has.
+    const std::string& error() const { return m_error; }
+    /// What a callback has cost so far.
+    const CallbackProfile& profile(Callback callback) const { return m_profile[size_t(callback)]; }
+
+private:
+    /// A coroutine that waits.
+    struct Waiting {
+        lua_State* thread;
+        int reference;  ///< that keeps it alive
+        double until;   ///< seconds of steps; negative: the next step
+    };
+
+    template <class Push>
+    int pushTrusted(lua_State* thread, Push&& push) {
+        const Sandbox::HostAccess access(m_sandbox);
+        return push(thread);
+    }
+    lua_State* takeThread(int& reference);
+    lua_State* begin(Callback callback);
+    RunResult run(lua_State* thread, int arguments);
+    void finish(Callback callback, lua_State* thread, const RunResult& result);
+    void settle(lua_State* thread, int reference, const RunResult& result);
+    void startAll();
+    void report(const std::string& error);
+
+    ScriptContext m_context;
+    Sandbox m_sandbox;
+    bool m_has[kCallbacks] = {};
+    CallbackProfile m_profile[kCallbacks];
+    std::vector<Waiting> m_waiting;
+    std::vector<std::pair<lua_State*, int>> m_idle;  ///< threads for calls, with their references
+    int m_reference = 0;                             ///< of the thread that begin() has taken
+    double m_startedAt = 0.0;
+    uint64_t m_allocationsBefore = 0;
+    std::string m_error;
+    uint64_t m_repeats = 0;  ///< of the same error
+};
+
+}  // namespace rubble::script

@@ -1,0 +1,182 @@
+#include "runtime/script/script_host.h"
+
+#include <algorithm>
+
+#include "runtime/script/binding/arguments.h"
+
+namespace rubble::script {
+namespace {
+
+constexpr double kStep = 1.0 / 60.0;
+
+constexpr const char* kJointReports[] = {"voxel gone", "overloaded", "removed", "cut", "moved"};
+
+int pushAll(lua_State* L, std::initializer_list<uint64_t> handles) {
+    for (const uint64_t handle : handles) pushHandle(L, handle);
+    return int(handles.size());
+}
+
+}  // namespace
+
+ScriptHost::ScriptHost(const rubble_api& api, rubble_world world, ScriptHostSettings settings)
+    : m_settings(std::move(settings)) {
+    m_shared.api = &api;
+    m_shared.world = world;
+    m_shared.folder = m_settings.folder;
+    m_shared.log = m_settings.log;
+}
+
+ScriptHost::~ScriptHost() {
+    callAll(Callback::Destroy, 0.0);
+}
+
+Script& ScriptHost::add(const std::string& name, const std::string& text,
+                        std::map<std::string, std::string> parameters) {
+    Script& script = m_scripts.emplace_back(m_shared, name, m_settings.limits);
+    script.context().parameters = std::move(parameters);
+    if (script.load(text)) {
+        script.call(Callback::Init, [](lua_State*) { return 0; });
+        if (!script.isStopped()) script.findCallbacks();
+    }
+    setReports();
+    return script;
+}
+
+bool ScriptHost::anyHas(Callback callback) const {
+    return std::any_of(m_scripts.begin(), m_scripts.end(), [&](const Script& script) { return script.has(callback); });
+}
+
+void ScriptHost::setReports() {
+    const uint32_t kinds = (anyHas(Callback::Contact) ? RUBBLE_REPORT_CONTACT_HIT : 0) |
+                           (anyHas(Callback::Fire) ? RUBBLE_REPORT_FIRE : 0) |
+                           (anyHas(Callback::Joint) ? RUBBLE_REPORT_JOINT : 0);
+    if (kinds == m_reports) return;
+    rubble_report_filter filter = m_settings.reports;
+    filter.struct_size = sizeof filter;
+    filter.kinds |= kinds;
+    if (m_shared.api->set_report_filter(m_shared.world, &filter) == RUBBLE_OK) m_reports = kinds;
+}
+
+void ScriptHost::callAll(Callback callback, double dt) {
+    const bool givesTime = callback == Callback::Tick || callback == Callback::Update;
+    m_shared.timeStep = dt;
+    for (Script& script : m_scripts)
+        script.call(callback, [&](lua_State* L) {
+            if (givesTime) lua_pushnumber(L, dt);
+            return int(givesTime);
+        });
+}
+
+void ScriptHost::tick(double dt) {
+    m_shared.debugLines.clear();
+    callAll(Callback::Tick, dt);
+}
+
+rubble_result ScriptHost::step() {
+    callAll(Callback::Update, kStep);
+    const rubble_result result = m_shared.api->step(m_shared.world);
+    if (result != RUBBLE_OK) return result;
+    ++m_shared.step;
+    m_shared.time = double(m_shared.step) * kStep;
+    m_shared.created.clear();
+    m_shared.grids.clear();
+    if (!m_shared.pointLights.empty()) dropPointLights();
+    readEvents();
+    for (Script& script : m_scripts)
+        if (script.isWaiting()) script.resumeWaiting(true);
+    return result;
+}
+
+void ScriptHost::dropPointLights() {
+    std::erase_if(m_shared.pointLights, [&](const auto& row) {
+        if (row.second + 1 > m_shared.step) return false;
+        m_shared.api->remove_light(m_shared.world, row.first);
+        return true;
+    });
+}
+
+void ScriptHost::readEvents() {
+    auto events = sized<rubble_events>();
+    if (m_scripts.empty() || m_shared.api->get_events(m_shared.world, &events) != RUBBLE_OK) return;
+    for (uint32_t i = 0; i < events.bodies_broken_count; ++i) m_shared.brokenBodies.insert(events.bodies_broken[i]);
+    for (uint32_t i = 0; i < events.removed_count; ++i) m_shared.brokenShapes.insert(events.removed[i].shape);
+    for (uint32_t i = 0; i < events.bodies_destroyed_count; ++i)
+        m_shared.brokenBodies.erase(events.bodies_destroyed[i]);
+    for (uint32_t i = 0; i < events.shapes_destroyed_count; ++i)
+        m_shared.brokenShapes.erase(events.shapes_destroyed[i]);
+    for (Script& script : m_scripts) {
+        for (uint32_t i = 0; script.has(Callback::Break) && i < events.removed_count; ++i)
+            script.call(Callback::Break, [&](lua_State* L) {
+                const rubble_removed_voxels& row = events.removed[i];
+                return pushAll(L, {row.shape, row.count, row.palette_index});
+            });
+        for (uint32_t i = 0; script.has(Callback::BodyBreak) && i < events.bodies_broken_count; ++i)
+            script.call(Callback::BodyBreak, [&](lua_State* L) { return pushAll(L, {events.bodies_broken[i]}); });
+        for (uint32_t i = 0; script.has(Callback::LightOut) && i < events.light_groups_out_count; ++i)
+            script.call(Callback::LightOut, [&](lua_State* L) { return pushAll(L, {events.light_groups_out[i]}); });
+    }
+    if (events.split_count && anyHas(Callback::Split)) tellSplits(events);
+    if (m_reports) tellReports();
+    if (anyHas(Callback::Trigger)) tellTriggers();
+}
+
+void ScriptHost::tellSplits(const rubble_events& events) {
+    for (uint32_t first = 0; first < events.split_count;) {
+        const rubble_shape parent = events.splits[first].parent;
+        std::vector<uint64_t> pieces;
+        for (; first < events.split_count && events.splits[first].parent == parent; ++first)
+            pieces.push_back(events.splits[first].piece);
+        for (Script& script : m_scripts)
+            script.call(Callback::Split, [&](lua_State* L) {
+                pushHandle(L, parent);
+                return 1 + pushHandles(L, pieces.data(), pieces.size());
+            });
+    }
+}
+
+void ScriptHost::tellReports() {
+    auto reports = sized<rubble_reports>();
+    if (m_shared.api->get_reports(m_shared.world, &reports) != RUBBLE_OK) return;
+    for (Script& script : m_scripts) {
+        for (uint32_t i = 0; script.has(Callback::Contact) && i < reports.contact_count; ++i)
+            script.call(Callback::Contact, [&](lua_State* L) {
+                const rubble_contact& contact = reports.contacts[i];
+                pushAll(L, {contact.bodies[0], contact.bodies[1]});
+                pushVector(L, contact.position);
+                pushVector(L, contact.normal);
+                lua_pushnumber(L, contact.impulse);
+                return 5;
+            });
+        for (uint32_t i = 0; script.has(Callback::Fire) && i < reports.fire_count; ++i)
+            script.call(Callback::Fire, [&](lua_State* L) {
+                pushHandle(L, reports.fires[i].shape);
+                pushVector(L, reports.fires[i].position);
+                lua_pushboolean(L, reports.fires[i].lit);
+                return 3;
+            });
+        for (uint32_t i = 0; script.has(Callback::Joint) && i < reports.joint_count; ++i)
+            script.call(Callback::Joint, [&](lua_State* L) {
+                const rubble_joint_report& row = reports.joints[i];
+                pushHandle(L, row.joint);
+                lua_pushstring(L, kJointReports[std::min<size_t>(row.what, std::size(kJointReports) - 1)]);
+                return 2 + pushAll(L, {row.from, row.to});
+            });
+    }
+}
+
+void ScriptHost::tellTriggers() {
+    uint32_t count = 0;
+    m_shared.api->get_trigger_events(m_shared.world, nullptr, 0, &count);
+    if (!count) return;
+    std::vector<rubble_trigger_event> rows(count);
+    if (m_shared.api->get_trigger_events(m_shared.world, rows.data(), count, &count) != RUBBLE_OK) return;
+    for (Script& script : m_scripts)
+        for (const rubble_trigger_event& row : rows)
+            script.call(Callback::Trigger, [&](lua_State* L) {
+                pushAll(L, {row.trigger, row.body});
+                lua_pushboolean(L, row.entered);
+                return 3;
+            });
+}
+
+}  // namespace rubble::script

@@ -1,0 +1,77 @@
+#pragma once
+#include <rubble/rubble.h>
+
+#include <functional>
+#include <list>
+#include <map>
+#include <string>
+
+#include "runtime/script/script.h"
+
+namespace rubble::script {
+
+/// What a host gives to the scripts of a world.
+struct ScriptHostSettings {
+    SandboxLimits limits;  ///< of each script
+    /// The folder of which scripts may read files, by Spawn() and require(); empty: none.
+    std::string folder;
+    /// Reports that the host wants beside those of the scripts: scripts set the filter of the world.
+    rubble_report_filter reports = {};
+    /// What print() writes, and what went wrong with script and line: RUBBLE_LOG_..., without a break.
+    std::function<void(int level, const std::string&)> log;
+};
+
+/// The scripts of one world. All they do they do by the C interface, so that saves, recordings and undo know it as the
+/// host's own edits; a replay needs no script.
+///
+///     ScriptHost scripts(*api, world, settings);
+///     scripts.add("lift.lua", text);
+///     for (;;) {
+///         scripts.tick(secondsOfTheFrame);
+///         while (a step is due) scripts.step();    // in place of api->step(world)
+///         api->draw(renderer, &view);
+///     }
+class ScriptHost {
+public:
+    /// The world must outlive it.
+    ScriptHost(const rubble_api& api, rubble_world world, ScriptHostSettings settings = {});
+    /// Calls destroy() of all scripts.
+    ~ScriptHost();
+    ScriptHost(const ScriptHost&) = delete;
+    ScriptHost& operator=(const ScriptHost&) = delete;
+
+    /// Adds a script: runs its text, then init(). What goes wrong is logged, and Script::error() says it. `parameters`
+    /// is what GetIntParam() and its like read.
+    Script& add(const std::string& name, const std::string& text, std::map<std::string, std::string> parameters = {});
+
+    /// Calls tick(dt) of all scripts: once a frame.
+    void tick(double dt);
+    /// Calls update(1/60 s), steps the world, and tells scripts what happened. The result is that of step().
+    rubble_result step();
+
+    /// How many seconds of the world a second of the host shall be, as SetTimeScale() says.
+    double timeScale() const { return m_shared.timeScale; }
+    /// What scripts share: lines to draw, watches, the registry, which a host may fill and keep.
+    ScriptWorld& shared() { return m_shared; }
+    /// All scripts, in the order in which they are called.
+    const std::list<Script>& scripts() const { return m_scripts; }
+    /// The same: erase one between steps to end it.
+    std::list<Script>& scripts() { return m_scripts; }
+
+private:
+    void callAll(Callback callback, double dt);
+    bool anyHas(Callback callback) const;
+    void setReports();
+    void readEvents();
+    void tellSplits(const rubble_events& events);
+    void tellReports();
+    void tellTriggers();
+    void dropPointLights();
+
+    ScriptHostSettings m_settings;
+    ScriptWorld m_shared;
+    std::list<Script> m_scripts;
+    uint32_t m_reports = 0;  ///< kinds that the world lists for the scripts
+};
+
+}  // namespace rubble::script

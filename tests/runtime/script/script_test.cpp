@@ -1,0 +1,170 @@
+#include "runtime/script/script.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/runtime/script/attacks.h"
+#include "tests/runtime/script/yard_fixture.h"
+
+namespace rubble::script {
+namespace {
+
+TEST(Script, CallbacksAreCalled) {
+    Yard yard;
+    Script& script = yard.host().add("calls.lua",
+                                     "function init() print('init') end\n"
+                                     "function tick(dt) print('tick', dt) end\n"
+                                     "function update(dt) print('update', dt * 60) end\n"
+                                     "function destroy() print('destroy') end");
+    yard.host().tick(0.25);
+    yard.host().step();
+    EXPECT_EQ(yard.logged(0), "calls.lua: init\ncalls.lua: tick\t0.25\ncalls.lua: update\t1.0\n");
+    EXPECT_EQ(script.profile(Callback::Tick).calls, 1u);
+    EXPECT_GT(script.profile(Callback::Tick).work, 0);
+    EXPECT_EQ(script.profile(Callback::Contact).calls, 0u);
+}
+
+TEST(Script, AnErrorNamesScriptLineAndValue) {
+    Yard yard;
+    yard.host().add("bad.lua",
+                    "function update()\n  MakeHole({1, 2}, 0.5)\nend\nfunction tick()\n  MakeHole(Vec(), 'big') end");
+    yard.host().step();
+    yard.host().step();
+    yard.host().tick(0.1);
+    EXPECT_EQ(yard.logged(RUBBLE_LOG_WARNING),
+              "bad.lua:2: MakeHole: pos: expected a vector {x, y, z}, found a table of 2 values\n"
+              "bad.lua:2: MakeHole: pos: expected a vector {x, y, z}, found a table of 2 values (1 times more)\n"
+              "bad.lua:5: MakeHole: r0: expected a number, found \"big\"\n");
+}
+
+TEST(Script, ATextThatDoesNotCompileIsReported) {
+    Yard yard;
+    EXPECT_EQ(yard.host().add("bad.lua", "function init()\n  x = = 1\nend").error(),
+              "bad.lua:2: unexpected symbol near '='");
+}
+
+TEST(Script, WhatIsGoneIsToldOnceForEachLine) {
+    Yard yard;
+    EXPECT_EQ(yard.run("local crate = FindBody('crate') Delete(crate) wait(0.1) "
+                       "for i = 1, 3 do assert(VecLength(GetBodyVelocity(crate)) == 0) end"),
+              "");
+    const std::string log = yard.logged(RUBBLE_LOG_WARNING);
+    EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 1) << log;
+    EXPECT_NE(log.find("test:2: GetBodyVelocity: get_body_state"), std::string::npos) << log;
+}
+
+TEST(Script, WaitingStepsWithTheWorld) {
+    Yard yard;
+    yard.host().add("wait.lua",
+                    "function init() wait(0.5) print(GetTime() * 60) local ok = pcall(wait, 0.5) "
+                    "print(ok, GetTime() * 60) end");
+    for (int i = 0; i < 70; ++i) yard.host().step();
+    EXPECT_EQ(yard.logged(0), "wait.lua: 30.0\nwait.lua: true\t60.0\n");
+}
+
+TEST(Script, OnlyCallbacksWait) {
+    Yard yard;
+    EXPECT_EQ(yard.run("coroutine.wrap(function() wait(1) end)()"),
+              "test:2: wait: expected a callback or what start() has begun, found a coroutine of the script");
+    EXPECT_EQ(yard.run("coroutine.yield(5)"),
+              "test: coroutine.yield: expected a coroutine, found a callback: use wait()");
+}
+
+TEST(Script, EventsAreTold) {
+    Yard yard;
+    yard.host().add(
+        "events.lua",
+        "function init() start(function() MakeHole({-5, 2.2, 0}, 1.5, 1.5) wait(0.1) SpawnFire({0, 0.8, -1.6}) "
+        "Delete(FindJoint('hinge')) end) end\n"
+        "local told = {}\n"
+        "local function tell(name) if not told[name] then told[name] = true print(name) end end\n"
+        "function onSplit(shape, pieces) assert(#pieces > 0 and IsHandleValid(pieces[1])) tell('split') end\n"
+        "function onBreak(shape, voxels, entry) assert(voxels > 0 and entry > 0) tell('break') end\n"
+        "function onBodyBreak(body) tell('body') end\n"
+        "function onFire(shape, pos, lit) assert(#pos == 3) tell('fire') end\n"
+        "function onJoint(joint, what) tell(what) end\n"
+        "function onContact(a, b, pos, normal, impulse) assert(impulse >= 0) tell('contact') end\n"
+        "function onTrigger(trigger, body, entered) tell('trigger') end\n");
+    yard.host().add("throw.lua", "function init() wait(0.2) SetBodyVelocity(FindBody('crate'), {0, 4, -4}) end");
+    for (int i = 0; i < 180; ++i) yard.host().step();
+    const std::string log = yard.logged(0);
+    for (const char* name : {"split", "break", "body", "fire", "removed", "contact", "trigger"})
+        EXPECT_NE(log.find("events.lua: " + std::string(name) + "\n"), std::string::npos) << name << " in\n" << log;
+    EXPECT_EQ(yard.logged(RUBBLE_LOG_WARNING), "");
+}
+
+TEST(Script, ScriptsDoNotSeeEachOther) {
+    Yard yard;
+    yard.host().add("a.lua", "secret = 1 SetInt('shared', 7)");
+    yard.host().add("b.lua", "print(secret, GetInt('shared')) string.format = nil");
+    yard.host().add("c.lua", "print(string.format('%d', 3))");
+    EXPECT_EQ(yard.logged(0), "b.lua: nil\t7\nc.lua: 3\n");
+}
+
+TEST(Script, OneThatIsStoppedLetsTheGameGoOn) {
+    Yard yard;
+    Script& bad = yard.host().add("bad.lua", "function update() while true do end end");
+    yard.host().add("good.lua", "function update() print('here') end");
+    EXPECT_EQ(yard.host().step(), RUBBLE_OK);
+    EXPECT_EQ(yard.host().step(), RUBBLE_OK);
+    EXPECT_TRUE(bad.isStopped());
+    EXPECT_EQ(yard.logged(0),
+              "bad.lua:1: the script wanted more than its 2000000 instructions in one call and was stopped\n"
+              "good.lua: here\ngood.lua: here\n");
+}
+
+TEST(Script, AFullMemoryDoesNotReachTheHost) {
+    SandboxLimits limits;
+    limits.memory = 1 << 20;
+    Yard yard(limits);
+    yard.host().add(
+        "full.lua",
+        "local all = {}\nfunction init() pcall(function() while true do all[#all + 1] = 'x' .. #all end end) end\n"
+        "function update(dt) end\nfunction onBreak(shape, voxels) end\nfunction onSplit(shape, pieces) end");
+    yard.run("MakeHole({-5, 2.2, 0}, 1.5, 1.5) wait(0.5)");
+    EXPECT_EQ(yard.host().step(), RUBBLE_OK);
+}
+
+TEST(Script, OneThatDoesNothingCostsNothing) {
+    Yard plain, scripted;
+    Script& script = scripted.host().add("nothing.lua", "local x = 1");
+    const uint64_t before = script.sandbox().allocations();
+    for (int i = 0; i < 30; ++i) {
+        plain.host().step();
+        scripted.host().tick(0.1);
+        scripted.host().step();
+    }
+    EXPECT_EQ(script.sandbox().allocations(), before);
+    EXPECT_EQ(plain.hash(), scripted.hash());
+}
+
+TEST(Script, TheSameScriptGivesTheSameWorld) {
+    const std::string text =
+        "for i = 1, 20 do MakeHole({math.random() * 4 - 2, math.random() * 2, 0}, 0.3, 0.3) wait(0.05) "
+        "for k, v in pairs({a = 1, b = 2, c = 3}) do ApplyBodyImpulse(FindBody('crate'), {0, 0.4, -2}, "
+        "{v * 10, 0, 0}) end end";
+    Yard first, second;
+    EXPECT_EQ(first.run(text), "");
+    EXPECT_EQ(second.run(text), "");
+    EXPECT_EQ(first.hash(), second.hash());
+}
+
+TEST(Script, AttacksLeaveTheWorldAsItWas) {
+    SandboxLimits limits;
+    limits.memory = 4 << 20;
+    limits.work = 100'000;
+    limits.processorSeconds = 0.2;
+    Yard plain, attacked(limits);
+    for (const Attack& attack : readAttacks()) {
+        attacked.host().add(attack.name, attack.text);
+        attacked.host().add(attack.name, "function init() " + attack.text + "\nend");
+        attacked.host().scripts().clear();
+    }
+    for (int i = 0; i < 5; ++i) {
+        plain.host().step();
+        attacked.host().step();
+    }
+    EXPECT_EQ(plain.hash(), attacked.hash());
+}
+
+}  // namespace
+}  // namespace rubble::script

@@ -1,0 +1,93 @@
+#pragma once
+#include <gtest/gtest.h>
+#include <rubble/rubble.h>
+
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/script/script_host.h"
+#include "samples/lua/yard.h"
+#include "tests/support/temp_folder.h"
+
+namespace rubble::script {
+
+/// Writes a model of one voxel as a .vox file.
+inline void writeTinyModel(const std::filesystem::path& path) {
+    std::string bytes("VOX \x96\0\0\0", 8);
+    const auto put = [](std::string& to, uint32_t value) {
+        for (int i = 0; i < 4; ++i) to += char(value >> 8 * i & 255);
+    };
+    std::string chunks = "SIZE";
+    for (const uint32_t value : {12, 0, 2, 2, 2}) put(chunks, value);
+    chunks += "XYZI";
+    for (const uint32_t value : {8, 0, 1, 0}) put(chunks, value);
+    chunks[chunks.size() - 1] = char(60);  // the colour of the voxel at 0, 0, 0
+    bytes += "MAIN";
+    put(bytes, 0);
+    put(bytes, uint32_t(chunks.size()));
+    std::ofstream(path, std::ios::binary) << bytes << chunks;
+}
+
+/// A yard with scripts.
+class Yard {
+public:
+    /// Builds it, with limits for each script.
+    explicit Yard(const SandboxLimits& limits = {}) {
+        EXPECT_EQ(rubble_get_api(RUBBLE_VERSION, &m_api), RUBBLE_OK);
+        auto settings = sized<rubble_world_settings>();
+        settings.flags = RUBBLE_WORLD_NO_RENDERER;
+        EXPECT_EQ(m_api->create_world(&settings, &m_world), RUBBLE_OK);
+        EXPECT_EQ(lua_sample::buildYard(*m_api, m_world), "");
+        writeTinyModel(m_folder.path() / "post.vox");
+        ScriptHostSettings given;
+        given.limits = limits;
+        given.folder = m_folder.path().string();
+        given.log = [this](int level, const std::string& line) {
+            if (m_log.size() < 1000) m_log.push_back({level, line.substr(0, 1000)});
+        };
+        m_host = std::make_unique<ScriptHost>(*m_api, m_world, given);
+    }
+    ~Yard() {
+        m_host.reset();
+        m_api->destroy_world(m_world);
+    }
+    Yard(const Yard&) = delete;
+    Yard& operator=(const Yard&) = delete;
+
+    /// Adds a script whose init() is this text, and steps until it waits no more. What went wrong, or "".
+    std::string run(const std::string& text) {
+        Script& script = m_host->add("test", "function init()\n" + text + "\nend");
+        for (int i = 0; i < 300 && script.isWaiting(); ++i) EXPECT_EQ(m_host->step(), RUBBLE_OK);
+        return script.error();
+    }
+    /// Its scripts.
+    ScriptHost& host() { return *m_host; }
+    /// The table of functions.
+    const rubble_api& api() const { return *m_api; }
+    /// Its world.
+    rubble_world world() const { return m_world; }
+    /// All lines of the log at a level or above.
+    std::string logged(int level) const {
+        std::string text;
+        for (const auto& [each, line] : m_log)
+            if (each >= level) text += line + "\n";
+        return text;
+    }
+    /// The hash of its state.
+    uint64_t hash() const {
+        uint64_t out = 0;
+        EXPECT_EQ(m_api->get_state_hash(m_world, &out), RUBBLE_OK);
+        return out;
+    }
+
+private:
+    const rubble_api* m_api = nullptr;
+    rubble_world m_world = 0;
+    TempFolder m_folder;
+    std::vector<std::pair<int, std::string>> m_log;
+    std::unique_ptr<ScriptHost> m_host;
+};
+
+}  // namespace rubble::script
