@@ -366,10 +366,9 @@ void Renderer::Impl::drawFrames(const View& view, float alpha) {
 
 void Renderer::Impl::drawSmallerOnFailure(const View& view) {
     while (history->allocationFailed()) {
-        if (history->downscale == ViewHistories::kMaxDownscale) {
-            logError(lastError = "the GL could not make render targets of any size: it is probably out of memory");
-            return;
-        }
+        dropErrors();
+        if (history->downscale == ViewHistories::kMaxDownscale)
+            return logError(lastError = "the GL could not make targets of any size: it is probably out of memory");
         ++history->downscale;
         logWarning("the GL could not make render targets for a view of " + std::to_string(view.size.x) + "x" +
                    std::to_string(view.size.y) + "; it is drawn at 1/" + std::to_string(1 << history->downscale) +

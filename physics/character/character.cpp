@@ -323,7 +323,9 @@ private:
     void probeGround(bool walks, BodyHandle stoodOn, glm::dvec3 start, const std::vector<BodyHandle>& handles) {
         leaveGround();
         m_c.ground = {};
-        const double queryDistance = walks ? m_c.stepHeight + 2.0 * kSkin : 2.0 * kSkin;
+        // Bodies have moved before it: above one that lifts it, it has risen once more by the velocity of that.
+        const double risen = std::max(0.0, m_c.velocity.y) * m_around.seconds;
+        const double queryDistance = walks ? m_c.stepHeight + 2.0 * kSkin : 2.0 * kSkin + risen;
         const CharacterHit hit = m_queries.sweep(m_c.position, -kUp * queryDistance);
         const double rising = walks ? 0.0 : m_c.velocity.y - velocityOf(hit.object, hit.point).y;
         if (!hit.hit || m_c.swimming || rising > kMaxLandingRise) return;

@@ -108,7 +108,8 @@ void PhysicsBodies::wakeAtChangedCells(const CollisionObject* before, const Coll
         if (object && !object->collider.empty()) wakeTouching(object->low, object->high);
 }
 
-/// Or replaces it. One whose numbers are invalid is quarantined, with a warning.
+/// Or replaces it. One whose numbers are invalid is quarantined, with a warning: one that is too far away, with that of
+/// LimitMonitor.
 void PhysicsBodies::createDynamic(const World& world, BodyHandle handle, bool asleep) {
     const uint32_t slot = handle.slot();
     slotOf(m_handles, slot) = handle;
@@ -116,10 +117,9 @@ void PhysicsBodies::createDynamic(const World& world, BodyHandle handle, bool as
     std::unique_ptr<DynamicBody>& body = slotOf(m_dynamics, slot);
     body = std::make_unique<DynamicBody>(world, handle);
     if (insert(world, *body, asleep)) return;
-    if (!world.bodies().at(handle).shapes.empty())
+    if (!world.bodies().at(handle).shapes.empty() && (body->object.collider.empty() || !body->finite()))
         logWarning(fmt::format(
-            "physics: body {} '{}' is not simulated. Expected solid voxels, and a pose and velocity that are "
-            "finite and within 1,000 km of the middle of the level",
+            "physics: body {} '{}' is not simulated. Expected solid voxels, and a pose and velocity that are finite",
             slot, world.bodies().at(handle).name));
     body->setAsleep(true);
     body->quarantine();
@@ -191,6 +191,11 @@ void PhysicsBodies::updateFilter(const World& world, ShapeHandle handle) {
     const CollisionFilter filter{shape.collisionLayer, shape.collisionMask};
     ColliderPart* part = object ? object->collider.parts[0].get() : dynamic ? dynamic->partOf(handle) : nullptr;
     if (part) part->setFilter(filter), part->setCollisionShape(shape.collisionShape);
+    if (part && shape.collisionShape != CollisionShape::Voxels && !part->round())
+        logWarning(
+            fmt::format("set_collision_shape: shape \"{}\" is touched as voxels, not as something round: its voxels "
+                        "leave more than one voxel to the round surface around them",
+                        shape.name));
     if (!object && dynamic) object = &dynamic->object;
     if (!object || object->collider.empty()) return;
     object->setPose(object->pose);

@@ -178,6 +178,12 @@ GlStateGuard::GlStateGuard(HostState host, const GlUse& use) {
 
 GlStateGuard::~GlStateGuard() {
     m_after.set();
+    if (std::uncaught_exceptions() > m_exceptions) dropErrors();
+}
+
+void dropErrors() {
+    constexpr int kMaxErrors = 16;  // without a context there is no last one
+    for (int i = 0; i < kMaxErrors && glGetError() != GL_NO_ERROR;) ++i;
 }
 
 PixelPackGuard::PixelPackGuard() : m_buffer(asked(GL_PIXEL_PACK_BUFFER_BINDING)) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <exception>
 #include <optional>
 
 #include "render/gl/compatibility_state.h"
@@ -76,7 +77,11 @@ struct GlState {
     void set() const;
 };
 
-/// Sets what the renderer draws with, and sees to the host's state at the end of its scope.
+/// After a failure: leaves none of our errors in the GL's queue.
+void dropErrors();
+
+/// Sets what the renderer draws with, and sees to the host's state at the end of its scope: also to its queue of
+/// errors, if that ends with an exception.
 class GlStateGuard {
 public:
     /// Of the context that is current. use: in its scope.
@@ -87,6 +92,7 @@ public:
 
 private:
     GlState m_after;  ///< what the host gets
+    const int m_exceptions = std::uncaught_exceptions();
 };
 
 /// Sets how pixels are read into main memory, tightly packed, and restores the host's settings at the end of its scope.

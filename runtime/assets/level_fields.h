@@ -301,6 +301,7 @@ inline constexpr auto kFields<Joint> = std::tuple{
     Field{"drives", &Joint::drives},
     Field{"velocity", &Joint::velocity},
     Field{"angular_velocity", &Joint::angularVelocity},
+    Field{"steer_target", &Joint::steerTarget},
 };
 template <>
 inline constexpr auto kFields<LevelJoint> = std::tuple{

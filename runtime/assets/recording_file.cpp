@@ -70,6 +70,10 @@ std::FILE* openAlone(const std::string& path) {
 
 }  // namespace
 
+RecordingWriter::~RecordingWriter() {
+    if (m_file) std::remove(m_part.c_str());
+}
+
 Result<RecordingWriter> RecordingWriter::open(const std::string& path, const SavedGame& start) {
     RecordingWriter writer;
     writer.m_path = path;
@@ -87,7 +91,6 @@ Result<RecordingWriter> RecordingWriter::open(const std::string& path, const Sav
     writer.write({bytes, sizeof header});
     writer.write(chunks);
     if (!writer.m_failure) return writer;
-    std::remove(writer.partPath().c_str());
     return fileError(path, "cannot write", writer.m_failure);
 }
 
@@ -97,7 +100,8 @@ Result<Done> RecordingWriter::openPart() {
     const Result<std::string> target = fileToWrite(path);
     if (!target) return Error{target.error()};
     m_path = *target;
-    const Result<std::string> part = fileToWrite(partPath());
+    m_part = m_path + ".part";
+    const Result<std::string> part = fileToWrite(m_part);
     if (!part) return Error{part.error()};
     m_file.reset(openAlone(*part));
     if (!m_file && errno == EWOULDBLOCK)
@@ -158,12 +162,12 @@ Result<Done> RecordingWriter::close() {
     errno = 0;
     const bool isWritten = !m_failure && !m_isBroken && std::fseek(file, 0, SEEK_SET) == 0 &&
                            std::fwrite(&header, sizeof header, 1, file) == 1 && fsync(fileno(file)) == 0 &&
-                           std::rename(partPath().c_str(), m_path.c_str()) == 0;
+                           std::rename(m_part.c_str(), m_path.c_str()) == 0;
     const int reason = failure ? failure : m_failure ? m_failure : errno;
     m_file.reset();
     m_claim.release();
     if (isWritten && !failure) return Done{};
-    if (!isWritten) std::remove(partPath().c_str());
+    if (!isWritten) std::remove(m_part.c_str());
     const std::string text = fileError(m_path, "cannot write", reason).text;
     return Error{isWritten ? text + "; the recording ends before the first step that could not be written" : text};
 }

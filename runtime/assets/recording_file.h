@@ -37,8 +37,12 @@ struct RecordedStep {
 
 /// Writes a recording: a chunk file with a saved game (GAME) and a chunk for each step (STEP). Until close() the file's
 /// name ends in ".part"; where the host writes files (file_hooks.h) it is kept in memory and written as a whole.
+/// Without close() no file is left.
 class RecordingWriter {
 public:
+    RecordingWriter(RecordingWriter&&) = default;
+    RecordingWriter& operator=(RecordingWriter&&) = delete;
+    ~RecordingWriter();
     /// Opens the file and writes the saved game. An error if that cannot be written, if the file could not get its
     /// name, or if another recording is being written to it.
     static Result<RecordingWriter> open(const std::string& path, const SavedGame& start);
@@ -50,6 +54,7 @@ public:
     Result<Done> close();
 
 private:
+    RecordingWriter() = default;
     struct Closer {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
@@ -57,9 +62,8 @@ private:
     void write(std::span<const uint8_t> bytes);
     void write(const ChunkWriter& chunks);
     Result<Done> handOver(const FileHeader& header);
-    std::string partPath() const { return m_path + ".part"; }
 
-    std::string m_path;
+    std::string m_path, m_part;
     FileClaim m_claim;
     std::unique_ptr<std::FILE, Closer> m_file;  ///< null: m_whole
     std::vector<uint8_t> m_whole;               ///< for the host

@@ -9,7 +9,8 @@
 namespace rubble {
 
 RangeCheck& RangeCheck::number(const char* name, double value, NumberRange range) {
-    if (!m_error.empty() || isWithin(value, range)) return *this;
+    const bool isRoundedEnd = value == double(float(range.low)) || value == double(float(range.high));
+    if (!m_error.empty() || isRoundedEnd || isWithin(value, range)) return *this;
     char text[96];
     std::snprintf(text, sizeof text, " is %g, expected %g to %g", value, range.low, range.high);
     m_error = std::string(name) + text;

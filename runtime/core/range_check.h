@@ -12,7 +12,7 @@ namespace rubble {
 /// LOW to HIGH".
 class RangeCheck {
 public:
-    /// A number.
+    /// A number. An end of the range may be rounded to single precision, in which most objects keep their numbers.
     RangeCheck& number(const char* name, double value, NumberRange range);
     /// Three numbers of one range.
     RangeCheck& vector(const char* name, const glm::dvec3& value, NumberRange range);

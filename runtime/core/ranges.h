@@ -75,9 +75,11 @@ inline constexpr NumberRange kCharacterSpeed{0.0, 100.0};   ///< m/s: walking, c
 inline constexpr NumberRange kForce{0.0, 1e9};              ///< N, of a character's push and of a grab
 
 // Joints
-inline constexpr NumberRange kJointNumber{0.0, 1e12};    ///< forces, torques, lengths, frequencies
-inline constexpr NumberRange kJointTarget{-1e12, 1e12};  ///< limits and a motor's target
-inline constexpr NumberRange kAnchorRadius{0.0, 100.0};  ///< m within which the voxel is that holds an end
+inline constexpr NumberRange kJointNumber{0.0, 1e12};       ///< forces, torques, lengths, frequencies
+inline constexpr NumberRange kJointTarget{-1e12, 1e12};     ///< limits and a motor's target
+inline constexpr NumberRange kHingeAngle{-3.1416, 3.1416};  ///< rad: limits of a hinge, and what its motor goes to
+inline constexpr NumberRange kConeLimit{0.0, 3.1416};       ///< rad
+inline constexpr NumberRange kAnchorRadius{0.0, 100.0};     ///< m within which the voxel is that holds an end
 inline constexpr NumberRange kRopePoints{2, 256};
 inline constexpr NumberRange kRopeRadius{1e-3, 10.0};    ///< m
 inline constexpr NumberRange kRopeMass{1e-4, 1e6};       ///< kg/m

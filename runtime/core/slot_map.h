@@ -54,6 +54,13 @@ public:
         m_slots[slot].reserved = true;
         return Handle::make(m_world, m_slots[slot].generation, slot);
     }
+    /// Whether so many more can be reserved. If so, reserve() takes no memory for them.
+    bool makeRoom(size_t count) {
+        const size_t added = count - std::min(count, m_free.size()), needed = m_slots.size() + added;
+        if (needed > kMaxSlots) return false;
+        if (needed > m_slots.capacity()) m_slots.reserve(std::max(needed, 2 * m_slots.capacity()));
+        return true;
+    }
     /// Reserves what reserve() gave in another copy of this map, in the order of those calls. False if the slot has
     /// another use or generation here.
     bool claim(Handle handle) {

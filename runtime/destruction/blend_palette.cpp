@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "runtime/voxel/equal_entries.h"
+
 namespace rubble {
 namespace {
 
@@ -108,11 +110,12 @@ int BlendPalette::freeCount() const {
     return count;
 }
 
+/// First those that equal another one, which nobody misses; if they are not enough, all.
 void BlendPalette::freeUnused() {
-    if (m_hasFreedUnused) return;
-    m_hasFreedUnused = true;
-    for (size_t i = 1; i < 256; ++i)
-        if (!m_used.contains(i) && !m_isTaken[i]) m_palette[i] = {.material = 0};
+    for (; m_freeings < 2 && freeCount() <= kPaintReserve; ++m_freeings)
+        for (size_t i = 255; i > 0; --i)
+            if (!m_used.contains(i) && !m_isTaken[i] && (m_freeings == 1 || equalsEarlierEntry(m_palette, i)))
+                m_palette[i] = {.material = 0};
 }
 
 }  // namespace rubble

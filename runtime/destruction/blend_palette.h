@@ -37,7 +37,7 @@ private:
     const Paint& m_paint;
     std::array<int16_t, 256> m_blended;  ///< by source entry: the result of blended(); -1: none yet
     std::array<bool, 256> m_isTaken{};   ///< entries chosen in this step: they must not be freed
-    bool m_hasFreedUnused = false;
+    int m_freeings = 0;                  ///< that freeUnused() has done in this step
     bool m_hasChanged = false;
     uint64_t m_merges = 0;
 };

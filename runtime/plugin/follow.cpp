@@ -6,12 +6,15 @@
 namespace rubble {
 
 void FrameLoop::keepDeltas(std::optional<DeltaContent> content) {
-    m_deltaRecorder.reset();
-    m_deltas.reset();
-    if (!content) return;
-    m_deltas = std::make_unique<DeltaWriter>(m_world.step(), *content);
-    m_deltaRecorder = std::make_unique<Recorder>(m_world, *content,
-                                                 [to = m_deltas.get()](const RecordedStep& step) { to->add(step); });
+    std::unique_ptr<DeltaWriter> deltas;  // what throws leaves those that are kept
+    std::unique_ptr<Recorder> recorder;
+    if (content) {
+        deltas = std::make_unique<DeltaWriter>(m_world.step(), *content);
+        recorder = std::make_unique<Recorder>(m_world, *content,
+                                              [to = deltas.get()](const RecordedStep& step) { to->add(step); });
+    }
+    m_deltaRecorder = std::move(recorder);
+    m_deltas = std::move(deltas);
 }
 
 Result<Done> FrameLoop::follow(const Deltas& deltas, const std::function<void()>& afterStep) {

@@ -122,12 +122,14 @@ void FrameLoop::goOnAsLoaded(bool dropMarks) {
 Result<Done> FrameLoop::startRecording(const std::string& path) {
     Result<RecordingWriter> writer = RecordingWriter::open(path, savedGame({}));
     if (!writer) return Error{writer.error()};
-    endRecording();
+    auto recording = std::make_unique<RecordingWriter>(std::move(*writer));
+    auto recorder = std::make_unique<Recorder>(m_world, DeltaContent::All,
+                                               [to = recording.get()](const RecordedStep& step) { to->add(step); });
+    endRecording();  // from here on nothing throws
     goOnAsLoaded(true);
     forgetHostMotion();  // it is in the saved game
-    m_recording = std::make_unique<RecordingWriter>(std::move(*writer));
-    m_recorder = std::make_unique<Recorder>(m_world, DeltaContent::All,
-                                            [to = m_recording.get()](const RecordedStep& step) { to->add(step); });
+    m_recording = std::move(recording);
+    m_recorder = std::move(recorder);
     return Done{};
 }
 
@@ -138,9 +140,13 @@ Result<Done> FrameLoop::stopRecording() {
     return writer->close();
 }
 
-/// Stops a recording that nobody waits for.
-void FrameLoop::endRecording() {
-    if (const Result<Done> stopped = stopRecording(); !stopped) logError(stopped.error());
+/// Stops a recording that nobody waits for. Throws nothing: destructors and calls that may not fail use it.
+void FrameLoop::endRecording() noexcept {
+    try {
+        if (const Result<Done> stopped = stopRecording(); !stopped) logError(stopped.error());
+    } catch (const std::exception& error) {
+        logError(error.what());
+    }
 }
 
 void FrameLoop::step() {

@@ -146,7 +146,7 @@ private:
     void addPose(BodyHandle handle, std::vector<BodyPose>& out) const;
     void publish(const FrameChanges& changes);
     void publish(const FrameChanges& changes, std::span<const BodyPose> moved, std::span<const Impact> impacts);
-    void endRecording();
+    void endRecording() noexcept;
     void recordEdits(const Edits& hostEdits);
     void recordMotion(std::span<const BodyPose> poses, std::span<const CharacterMove> characters);
     Result<Done> followStep(const RecordedStep& step, DeltaContent content);

@@ -1,6 +1,7 @@
 #include "runtime/world/world.h"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "runtime/core/log.h"
@@ -134,7 +135,11 @@ void World::resetSearches(const FrameChanges& changes) {
 }
 
 void World::resetCaches(bool dropMarks) {
-    m_data.restartStress();
+    try {
+        m_data.restartStress();
+    } catch (const std::bad_alloc&) {
+        m_data.stress.reset();  // applyEdits() begins it
+    }
     restartPendingSplits(m_data);
     if (dropMarks) m_undo.clear();
 }

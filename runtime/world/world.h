@@ -122,6 +122,11 @@ template <class Handle, class T>
 Handle reserveHandle(World& world, SlotMap<Handle, T> WorldObjects::*map) {
     return (objectsToReserve(world).*map).reserve();
 }
+/// Whether so many more handles can be reserved; reserving them takes no memory then.
+template <class Handle, class T>
+bool makeRoomForHandles(World& world, SlotMap<Handle, T> WorldObjects::*map, size_t count) {
+    return (objectsToReserve(world).*map).makeRoom(count);
+}
 /// Reserves the handles of edits that another copy of this world has reserved, in their order.
 void claimHandles(World& world, const Edits& edits);
 

@@ -109,6 +109,20 @@ TEST_F(AbiDeltas, AnotherWorldFollowsStepByStep) {
     EXPECT_GT(bodies(m_other).size(), 2u);
 }
 
+TEST_F(AbiDeltas, AMergeThatAddsNoVoxelIsFollowed) {
+    const rubble_body body = make(bodyAt(3.0, 0.0, RUBBLE_BODY_STATIC));
+    const rubble_shape around = make(shapeOn(body, RUBBLE_SHAPE_BOX, 8));
+    auto inside = shapeOn(body, RUBBLE_SHAPE_BOX, 3);
+    inside.position[0] = inside.position[1] = inside.position[2] = 0.3;
+    const rubble_shape merged = make(inside);
+    step();
+    ASSERT_EQ(api()->merge_shape(m_world, merged, around), RUBBLE_OK) << api()->get_last_error();
+    step();
+    EXPECT_TRUE(isStale(merged));
+    ASSERT_EQ(apply(take()), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(resolved(m_world), resolved(m_other));
+}
+
 /// A shape that is made and destroyed in one step leaves nothing but a body that is awake.
 TEST_F(AbiDeltas, AFollowerHearsOfBodiesThatEditsWake) {
     const rubble_body body = make(bodyAt(3.0, 0.0, 0));

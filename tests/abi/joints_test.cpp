@@ -1,6 +1,7 @@
 #include <array>
 #include <vector>
 
+#include "runtime/core/constants.h"
 #include "tests/abi/abi_fixture.h"
 
 namespace rubble {
@@ -57,6 +58,34 @@ TEST_F(Abi, JointsAreMadeReadAndRemoved) {
     expectRefused(api()->add_joint(m_world, &table), RUBBLE_ERROR_ARGUMENT, "both ends are on one body");
     table.kind = RUBBLE_JOINT_ROPE;
     EXPECT_EQ(api()->add_joint(m_world, &table), RUBBLE_OK);
+}
+
+TEST_F(Abi, AnglesOfJointsAreWithinHalfATurn) {
+    auto joint = sized<rubble_joint_settings>();
+    rubble_shape_state shape{};
+    uint32_t count = 0;
+    ASSERT_EQ(api()->get_shape_states(m_world, bodies(m_world).at(0).body, &shape, 1, &count), RUBBLE_OK);
+    joint.shapes[0] = shape.shape;
+    joint.position[0] = joint.position[1] = joint.position[2] = 0.85;
+    joint.kind = RUBBLE_JOINT_HINGE, joint.flags = RUBBLE_JOINT_LIMITED;
+    joint.lower_limit = -4.0, joint.upper_limit = 4.0;
+    rubble_joint made = 0;
+    expectRefused(api()->create_joint(m_world, &joint, &made), RUBBLE_ERROR_ARGUMENT, "lower_limit is -4, expected");
+    joint.lower_limit = -kPi;
+    expectRefused(api()->create_joint(m_world, &joint, &made), RUBBLE_ERROR_ARGUMENT, "upper_limit is 4, expected");
+    joint.upper_limit = kPi;
+    joint.motor = RUBBLE_MOTOR_POSITION, joint.motor_target = 100.0;
+    expectRefused(api()->create_joint(m_world, &joint, &made), RUBBLE_ERROR_ARGUMENT, "motor_target is 100, expected");
+    joint.motor_target = 3.0;
+    EXPECT_EQ(api()->create_joint(m_world, &joint, &made), RUBBLE_OK) << api()->get_last_error();
+    step();
+    auto motor = sized<rubble_joint_motor>();
+    motor.joint = made, motor.motor = RUBBLE_MOTOR_POSITION, motor.motor_target = 100.0;
+    expectRefused(api()->set_joint_motor(m_world, &motor), RUBBLE_ERROR_ARGUMENT, "motor_target is 100, expected");
+    motor.motor = RUBBLE_MOTOR_SPEED;
+    EXPECT_EQ(api()->set_joint_motor(m_world, &motor), RUBBLE_OK) << "rad/s";
+    joint.kind = RUBBLE_JOINT_CONE, joint.motor = RUBBLE_MOTOR_OFF, joint.upper_limit = 4.0;
+    expectRefused(api()->create_joint(m_world, &joint, &made), RUBBLE_ERROR_ARGUMENT, "upper_limit is 4, expected");
 }
 
 TEST_F(Abi, WheelsAreDriven) {

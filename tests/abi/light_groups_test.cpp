@@ -9,6 +9,9 @@ class AbiLightGroups : public AbiCreate {
 protected:
     void SetUp() override {
         AbiCreate::SetUp();
+        makeBulb();
+    }
+    void makeBulb() {
         auto settings = sized<rubble_light_group_settings>();
         settings.threshold = 0.5;
         ASSERT_EQ(api()->create_light_group(m_world, &settings, &m_group), RUBBLE_OK) << api()->get_last_error();
@@ -37,6 +40,12 @@ protected:
     void set(const rubble_light_group_change& to) {
         ASSERT_EQ(api()->set_light_group(m_world, &to), RUBBLE_OK) << api()->get_last_error();
     }
+    void supplyFrom(rubble_shape shape, int32_t y) {
+        rubble_light_group_change supply = change(RUBBLE_GROUP_SUPPLY);
+        supply.supply_shape = shape, supply.supply_cell[1] = y;
+        set(supply);
+    }
+    bool isOut() { return state().flags & RUBBLE_GROUP_OUT; }
     void carveAt(double y) {
         auto carve = sized<rubble_carve>();
         carve.brush = RUBBLE_BRUSH_BOX;
@@ -124,6 +133,91 @@ TEST_F(AbiLightGroups, AWireFeedsAGroupUntilItIsCut) {
     carveAt(0.45);
     step(2);
     EXPECT_TRUE(state().flags & RUBBLE_GROUP_OUT);
+}
+
+TEST_F(AbiLightGroups, AWireFeedsAGroupInAWorldWithoutALevel) {
+    ASSERT_EQ(api()->destroy_world(m_world), RUBBLE_OK);
+    auto settings = sized<rubble_world_settings>();
+    settings.flags = RUBBLE_WORLD_NO_RENDERER;
+    rubble_world worlds[2] = {};
+    for (rubble_world& world : worlds) ASSERT_EQ(api()->create_world(&settings, &world), RUBBLE_OK);
+    m_world = worlds[0];
+    makeBulb();
+    std::vector<uint8_t> game(1 << 20);
+    uint64_t bytes = 0, hashes[2] = {};
+    ASSERT_EQ(api()->save_game_data(m_world, game.data(), game.size(), &bytes), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->load_game_data(worlds[1], game.data(), bytes), RUBBLE_OK) << api()->get_last_error();
+    for (int i : {1, 0}) {  // the running game and the loaded one
+        m_world = worlds[i];
+        ASSERT_EQ(api()->translate_handle(m_world, m_group, &m_group), RUBBLE_OK);
+        ASSERT_EQ(api()->translate_handle(m_world, m_bulb, &m_bulb), RUBBLE_OK);
+        supplyFrom(m_bulb, 0);
+        step(2);
+        EXPECT_EQ(state().flags, uint32_t(RUBBLE_GROUP_ON));
+        hashes[i] = hash();
+        carveAt(0.45);
+        step(2);
+        EXPECT_TRUE(isOut());
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+    EXPECT_EQ(api()->destroy_world(worlds[1]), RUBBLE_OK);
+}
+
+TEST_F(AbiLightGroups, ASupplyMovesWithTheCellsOfItsShape) {
+    supplyFrom(m_bulb, 2);
+    step();
+    auto resize = sized<rubble_resize>();
+    resize.shape = m_bulb;
+    resize.low[0] = -3, resize.low[1] = 1;
+    resize.size[0] = 4, resize.size[1] = 12, resize.size[2] = 1;
+    ASSERT_EQ(api()->resize_shape(m_world, &resize), RUBBLE_OK) << api()->get_last_error();
+    step();
+    EXPECT_EQ(state().supply_cell[0], 3);
+    EXPECT_EQ(state().supply_cell[1], 1);
+    ASSERT_EQ(api()->trim_shape(m_world, m_bulb), RUBBLE_OK) << api()->get_last_error();
+    step();
+    EXPECT_EQ(state().supply_cell[0], 0);
+    EXPECT_EQ(state().supply_cell[1], 1);
+    EXPECT_EQ(state().flags, uint32_t(RUBBLE_GROUP_ON)) << "a wire that the resize cut below the supply";
+    carveAt(0.45);
+    step(2);
+    EXPECT_TRUE(isOut());
+}
+
+TEST_F(AbiLightGroups, ASupplyGoesWithAShapeThatIsMerged) {
+    supplyFrom(m_bulb, 2);
+    auto below = shapeOn(bodies(m_world).back().body, RUBBLE_SHAPE_BOX, 1);
+    below.position[1] = -0.1, below.palette_of = m_bulb, below.index = 2;
+    const rubble_shape into = make(below);
+    step();
+    ASSERT_EQ(api()->merge_shape(m_world, m_bulb, into), RUBBLE_OK) << api()->get_last_error();
+    step(2);
+    EXPECT_EQ(state().supply_shape, into);
+    EXPECT_EQ(state().supply_cell[1], 3);
+    EXPECT_EQ(state().flags, uint32_t(RUBBLE_GROUP_ON));
+    carveAt(0.45);
+    step(2);
+    EXPECT_TRUE(isOut());
+}
+
+TEST_F(AbiLightGroups, MeshesGlowAsTheGroupAndItsShapeDo) {
+    const auto emission = [&] {
+        std::vector<rubble_mesh_vertex> vertices(4096);
+        const int32_t brick[3] = {0, 1, 0};
+        uint32_t count = 0;
+        EXPECT_EQ(api()->mesh_brick(m_world, m_bulb, brick, vertices.data(), 4096, &count), RUBBLE_OK);
+        EXPECT_GT(count, 0u);
+        return vertices[0].emission;
+    };
+    EXPECT_EQ(emission(), 8.0f);
+    auto brighter = sized<rubble_shape_change>();
+    brighter.shape = m_bulb, brighter.fields = RUBBLE_SHAPE_EMISSION, brighter.emission = 2.0;
+    ASSERT_EQ(api()->set_shape(m_world, &brighter), RUBBLE_OK) << api()->get_last_error();
+    step();
+    EXPECT_EQ(emission(), 16.0f);
+    set(change(RUBBLE_GROUP_SWITCH));
+    step();
+    EXPECT_EQ(emission(), 0.0f) << "switched off";
 }
 
 TEST_F(AbiLightGroups, ASupplyWithoutWireFeedsNothing) {

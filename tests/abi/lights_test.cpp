@@ -231,6 +231,14 @@ TEST_F(AbiLights, InvalidLightsAreRefused) {
     EXPECT_DOUBLE_EQ(levelLight().color[1], 4.0);
 }
 
+TEST_F(AbiLights, BothEndsOfARangeAreAllowed) {
+    rubble_light_settings light = torch();
+    light.cone_inner = light.cone_outer = 3.15;  // as a float it is a little more
+    EXPECT_EQ(api()->add_light(m_world, &light), RUBBLE_OK) << api()->get_last_error();
+    light.cone_outer = 3.1501;
+    expectRefused(api()->add_light(m_world, &light), RUBBLE_ERROR_ARGUMENT, "cone_outer is 3.1501, expected 0 to 3.15");
+}
+
 TEST_F(AbiLights, InvalidWeatherIsRefused) {
     rubble_environment sky = environment();
     sky.exposure = std::numeric_limits<double>::quiet_NaN();

@@ -26,6 +26,13 @@ GLenum refuseSome(GLenum) {
     return GLuint(bound) != g_viewFramebuffer && g_refusals-- > 0 ? GL_FRAMEBUFFER_UNSUPPORTED
                                                                   : GL_FRAMEBUFFER_COMPLETE;
 }
+decltype(glad_glTexImage2D) g_texImage2D = nullptr;
+/// A GL that has no memory for textures of the image's size.
+void texImageNotOfTheView(GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height, GLint border,
+                          GLenum format, GLenum type, const void* data) {
+    if (glm::ivec2(width, height) != kSize)
+        g_texImage2D(target, level, internal, width, height, border, format, type, data);
+}
 GLenum statusWithoutWindow(GLenum) {
     GLint bound = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
@@ -99,6 +106,20 @@ TEST_F(ResilienceTest, AFramebufferThatTheGlRefusesIsDrawnSmaller) {
     const Image image = draw(streetCamera(0));
     glad_glCheckFramebufferStatus = real;
     EXPECT_TRUE(wasLogged("drawn at 1/2")) << "no warning was logged";
+    EXPECT_EQ(renderer->lastError(), "");
+    EXPECT_GT(colors(image), 50u);
+}
+
+TEST_F(ResilienceTest, TargetsThatTheGlHasNoMemoryForLeaveTheHostNoError) {
+    start(streetScene(), kSize);
+    g_texImage2D = glad_glTexImage2D;
+    Image image;
+    {
+        const GlReplaced refusal(glad_glTexImage2D, decltype(glad_glTexImage2D)(texImageNotOfTheView));
+        image = draw(streetCamera(0));
+    }
+    EXPECT_TRUE(wasLogged("drawn at 1/2")) << "no warning was logged";
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
     EXPECT_EQ(renderer->lastError(), "");
     EXPECT_GT(colors(image), 50u);
 }

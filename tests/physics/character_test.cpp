@@ -229,6 +229,27 @@ TEST(Character, LandsWhereItJumpedFromWhatMoves) {
     }
 }
 
+TEST(Character, LandsOnAPlatformThatRises) {
+    for (const double speed : {0.5, 1.0, 3.0, 8.0}) {
+        Walk scene({0.0, 1.2, 0.0});
+        scene.add(solidGrid({20, 2, 20}, 7), {-1.0, 0.0, -1.0}, false);
+        scene.load();
+        scene.stepWith({SetBodyEdit{.body = scene.handle(0),
+                                    .setsVelocity = true,
+                                    .velocity = {0.0, speed, 0.0},
+                                    .setsGravityScale = true,
+                                    .gravityScale = 0.0}});
+        int steps = 0;
+        for (; !scene.me().grounded && steps < 60; ++steps) scene.walk(1);
+        ASSERT_LT(steps, 60) << speed;
+        for (int i = 0; i < 60; ++i) {
+            scene.walk(1);
+            ASSERT_TRUE(scene.me().grounded) << speed << " m/s, step " << i;
+        }
+        EXPECT_NEAR(scene.me().position.y - scene.center(0).y - 0.1, 0.0, 0.01) << speed;
+    }
+}
+
 TEST(Character, PushesWhatIsLightAndIsStoppedByWhatIsHeavy) {
     Walk scene;
     scene.addFloor();

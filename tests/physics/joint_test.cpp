@@ -84,6 +84,45 @@ TEST(Rope, HoldsAThousandTimesTheMassOfItsPoints) {
     EXPECT_LT(pulley.sunk, 0.03);
 }
 
+/// Adds a cube at the origin on a joint to the world, whose frame is turned about z.
+void addCubeOn(PhysicsScene& scene, JointKind kind, double degrees) {
+    scene.add(solidGrid({4, 4, 4}, 7), {-0.2, -0.2, -0.2}, false);
+    LevelJoint joint{{.kind = kind}, {"", "body 0"}};
+    const glm::dquat turn = glm::angleAxis(degrees * kPi / 180.0, glm::dvec3(0, 0, 1));
+    joint.joint.ends[0].frame = {{}, turn};
+    joint.joint.ends[1].frame = {{0.2, 0.2, 0.2}, turn};
+    scene.level.joints.push_back(joint);
+}
+
+TEST(Joint, AMotorLiftsWithAllOfItsForce) {
+    for (const PhysicsSettings& settings : {fastPhysics(), balancedPhysics(), accuratePhysics()})
+        for (const double acceleration : {0.1, 1.0, 4.0}) {
+            PhysicsScene scene(settings);
+            addCubeOn(scene, JointKind::Prismatic, 90.0);
+            scene.load();
+            const double mass = bodyMass(scene.world, scene.handle(0)).mass;
+            scene.level.joints[0].joint.motor = {MotorMode::Speed, 2.0, mass * (9.81 + acceleration)};
+            scene.load();
+            scene.seconds(1.0);
+            EXPECT_NEAR(scene.body(0).velocity.y, std::min(acceleration, 2.0), 0.01) << acceleration;
+        }
+}
+
+TEST(Rope, IsLongerByItsStretchUnderALoad) {
+    for (const double stretch : {0.01, 0.1, 1.0}) {
+        PhysicsScene scene;
+        addCubeOn(scene, JointKind::Rope, 0.0);
+        scene.level.joints[0].joint.ends[0].frame.position.y = 4.2;
+        scene.level.joints[0].joint.ends[1].frame.position.y = 0.4;
+        scene.level.joints[0].joint.rope.length = 4.0;
+        scene.level.joints[0].joint.rope.stretch = stretch;
+        scene.load();
+        const double mass = bodyMass(scene.world, scene.handle(0)).mass, expected = 4.0 * stretch * mass * 9.81 / 1e4;
+        scene.seconds(20.0);
+        EXPECT_NEAR(4.2 - scene.center(0).y - 0.2, 4.0 + expected, 0.02 * expected + 1e-4) << stretch;
+    }
+}
+
 /// A block on a hinge, one on a rope, and a chain of two.
 void addMobile(PhysicsScene& scene) {
     scene.addFloor();

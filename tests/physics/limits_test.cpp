@@ -118,6 +118,17 @@ TEST(PhysicsLimits, ABodyThatGetsTooFarIsFrozen) {
     EXPECT_TRUE(scene.body(1).asleep);
 }
 
+TEST(PhysicsLimits, BodiesThatBeginTooFarAwayAreWarnedOfOnce) {
+    Warnings warnings;
+    PhysicsScene scene;
+    for (const double x : {3e6, -3e6, 4e6, -4e6}) scene.add(solidGrid({4, 4, 4}, 7), {x, 1.0, 0.0}, false);
+    scene.load();
+    scene.step(3);
+    EXPECT_EQ(countOf(scene, LimitKind::Distance), 4u);
+    ASSERT_EQ(warnings.list.size(), 1u);
+    EXPECT_NE(warnings.list[0].find("1,000 km"), std::string::npos) << warnings.list[0];
+}
+
 TEST(PhysicsLimits, WhatRestsOnABodyThatIsFrozenFalls) {
     Warnings warnings;
     PhysicsScene scene;

@@ -44,10 +44,10 @@ rubble_mesh_vertex vertexOf(const WorldData& world, const Shape& shape, const Fa
         color = paintOver(color, shape.paintColors->colors[size_t(paintColor(quad.paint) - 1)], paintSteps(quad.paint));
     std::copy(color.begin(), color.end(), vertex.color);
     vertex.color[3] = entry.opacity;
-    vertex.emission = entry.emission;
-    if (entry.lightGroup && entry.emission > 0.0f) {
+    vertex.emission = entry.emission * shape.emission;
+    if (entry.lightGroup && vertex.emission > 0.0f) {
         const LightGroup* group = world.groups.find(world.groups.handleAt(entry.lightGroup - 1));
-        if (group && group->out) vertex.emission = 0.0f;
+        if (group && (group->out || group->off)) vertex.emission = 0.0f;
     }
     vertex.material = entry.material;
     vertex.palette_index = quad.entry;

@@ -163,11 +163,11 @@ template <class EditType, class Map>
 void pushMaker(HostedWorld& hosted, EditType&& edit, Map WorldObjects::*map, uint64_t* out) {
     if (isRefused()) return;
     Edit queued(std::forward<EditType>(edit));
+    hosted.loop.edits().makeRoom(1);  // no handle is reserved without its edit
     queued.made = {reserveHandle(hosted.loop.world(), map).bits};
     if (!queued.made) return refuse(RUBBLE_ERROR_CAPACITY, "the world is full: 16,777,215 of these were made");
-    const uint64_t made = queued.made.bits;
-    change(hosted, [&] { hosted.loop.edits().push(std::move(queued)); });  // a handle without its edit breaks the world
-    *out = made;
+    *out = queued.made.bits;
+    hosted.loop.edits().push(std::move(queued));
 }
 
 /// A function that queues an edit which makes something: convert(world, struct) makes the edit from the host's struct.

@@ -15,7 +15,7 @@ rubble_result keepDeltas(rubble_world world, uint32_t on) {
         std::optional<DeltaContent> content;
         if (kind == RUBBLE_DELTAS_ALL) content = DeltaContent::All;
         if (kind == RUBBLE_DELTAS_EDITS) content = DeltaContent::EditsOnly;
-        change(hosted, [&] { hosted.loop.keepDeltas(content); });
+        hosted.loop.keepDeltas(content);
     });
 }
 
@@ -50,9 +50,9 @@ rubble_result applyDeltas(rubble_world world, const void* data, uint64_t size) {
                 hosted.bricks.forget();
                 refuse(RUBBLE_ERROR_FILE, "data: {}", done.error());
             }
+            hosted.events.fill(hosted.loop.changes());
+            hosted.reports.clear();
         });
-        hosted.events.fill(hosted.loop.changes());
-        hosted.reports.clear();
     });
 }
 

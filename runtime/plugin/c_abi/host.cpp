@@ -1,5 +1,7 @@
 #include "runtime/plugin/c_abi/host.h"
 
+#include <array>
+#include <new>
 #include <string>
 
 #include "runtime/assets/file_hooks.h"
@@ -14,14 +16,26 @@ namespace {
 rubble_host g_host = {};
 thread_local const WorldServices* t_services = nullptr;
 
+/// Hands a message to a host's callback; without memory for a copy of it, its beginning.
+void handOver(void (*log)(void*, int32_t, const char*), void* user, LogLevel level, std::string_view message) {
+    std::array<char, 512> beginning{};
+    message.copy(beginning.data(), beginning.size() - 1);
+    std::string whole;
+    try {
+        whole = message;
+    } catch (const std::bad_alloc&) {
+        return log(user, int32_t(level), beginning.data());
+    }
+    log(user, int32_t(level), whole.c_str());
+}
+
 void logToWorld(void* services, LogLevel level, std::string_view message) {
     const auto& to = *static_cast<const WorldServices*>(services);
-    to.log(to.user, int32_t(level), std::string(message).c_str());
+    handOver(to.log, to.user, level, message);
 }
 
 void logToHost(void*, LogLevel level, std::string_view message) {
-    const std::string text(message);
-    g_host.log(g_host.user, int32_t(level), text.c_str());
+    handOver(g_host.log, g_host.user, level, message);
 }
 
 /// In a call of the host an assert ends the call, and breaks its world; a worker of a call hands that on. There is

@@ -66,9 +66,12 @@ AddJointEdit readJoint(const World& world, const rubble_joint_settings& given) {
 }
 
 SetJointMotorEdit readJointMotor(const World& world, const rubble_joint_motor& given) {
-    return {readLiveHandle<HandleType::Joint>(world.joints(), given.joint, "joint"),
-            readMotor(given.motor, given.motor_target, given.motor_max_force), readSize(given.friction, "friction"),
-            readOrDefault(given.steer_angle, ranges::kSteer, 0.0, "steer_angle")};
+    const SetJointMotorEdit edit{readLiveHandle<HandleType::Joint>(world.joints(), given.joint, "joint"),
+                                 readMotor(given.motor, given.motor_target, given.motor_max_force),
+                                 readSize(given.friction, "friction"),
+                                 readOrDefault(given.steer_angle, ranges::kSteer, 0.0, "steer_angle")};
+    if (const Joint* joint = world.joints().find(edit.joint)) requireNoError(jointMotorError(joint->kind, edit.motor));
+    return edit;
 }
 
 DriveEdit readDrive(const World& world, const rubble_drive& given) {

@@ -59,9 +59,10 @@ public:
     }
     size_t size() const { return m_made.size(); }
 
-    /// Reserves a handle for each and queues the edits.
+    /// Reserves a handle for each and queues the edits. Queues none of them if the call is refused.
     std::vector<rubble_prefab_row> queue(HostedWorld& hosted) {
         std::vector<rubble_prefab_row> rows(m_made.size());
+        makeRoom(hosted);
         for (size_t i = 0; i < m_made.size() && !isRefused(); ++i) {
             Made& made = m_made[i];
             rows[i].kind = made.kind;
@@ -93,6 +94,18 @@ private:
         std::array<size_t, 2> on{kNone, kNone};  ///< rows of what it is on
     };
 
+    /// From here on each edit takes no memory. Refuses the call if there are too few handles.
+    void makeRoom(HostedWorld& hosted) const {
+        std::array<size_t, 4> counts{};
+        for (const Made& made : m_made) ++counts[made.kind];
+        World& world = hosted.loop.world();
+        if (!makeRoomForHandles(world, &WorldObjects::bodies, counts[RUBBLE_PREFAB_BODY]) ||
+            !makeRoomForHandles(world, &WorldObjects::shapes, counts[RUBBLE_PREFAB_SHAPE]) ||
+            !makeRoomForHandles(world, &WorldObjects::joints, counts[RUBBLE_PREFAB_JOINT]) ||
+            !makeRoomForHandles(world, &WorldObjects::lights, counts[RUBBLE_PREFAB_LIGHT]))
+            refuse(RUBBLE_ERROR_CAPACITY, "the world is full: expected at most 16,777,215 objects of a kind");
+        hosted.loop.edits().makeRoom(m_made.size());
+    }
     static bool isLeftOut(const LevelShape& shape) { return shape.hidden || shape.grid.empty(); }
     void addBody(const LevelBody& from) {
         m_bodies.push_back(kNone);

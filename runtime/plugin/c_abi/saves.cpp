@@ -74,8 +74,10 @@ void play(HostedWorld& hosted, Result<Recording> recording, const std::string& n
     change(hosted, [&] { loop.load(std::move(recording->start)); });
     hosted.forgetSteps();
     for (const RecordedStep& step : recording->steps) {
-        change(hosted, [&] { loop.replay(step); });
-        hosted.listStep();
+        change(hosted, [&] {
+            loop.replay(step);
+            hosted.listStep();
+        });
         if (loop.world().hash() != step.hash)
             return refuse(RUBBLE_ERROR_FILE,
                           "{}: step {}: expected the recorded state hash, found another: the recording was made by "

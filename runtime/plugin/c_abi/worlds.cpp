@@ -73,8 +73,10 @@ rubble_result loadLevel(rubble_world world, const char* path, const char* vdbToo
 
 rubble_result step(rubble_world world) {
     return inWorld("step", world, [&](HostedWorld& hosted) {
-        change(hosted, [&] { hosted.loop.step(); });
-        hosted.listStep();
+        change(hosted, [&] {
+            hosted.loop.step();
+            hosted.listStep();
+        });
     });
 }
 

@@ -13,12 +13,15 @@ bool hasRenderer() {
 }
 
 void FrameLoop::draw(Renderer& renderer, const View& view, float alpha) {
-    {
+    try {
         m_times[Stage::Apply] = 0.0;
         const ScopedTimer timer(m_times[Stage::Apply]);
         std::optional<FrameSnapshot> snapshot = m_snapshots.take();
         if (snapshot && snapshot->replacesAll) m_awaitsAll = false;
         if (snapshot && !m_awaitsAll) renderer.apply(std::move(*snapshot));
+    } catch (...) {
+        restartDrawing();  // what was handed over is lost
+        throw;
     }
     m_times[Stage::Draw] = 0.0;
     const ScopedTimer timer(m_times[Stage::Draw]);

@@ -214,6 +214,11 @@ class EditQueue {
 public:
     /// Adds an edit behind the others.
     void push(Edit edit) { m_edits.push_back(std::move(edit)); }
+    /// Makes room for so many more: they are pushed without taking memory.
+    void makeRoom(size_t count) {
+        const size_t needed = m_edits.size() + count;
+        if (needed > m_edits.capacity()) m_edits.reserve(std::max(needed, 2 * m_edits.capacity()));
+    }
     /// Adds edits behind the others, in their order.
     void push(Edits edits) {
         if (m_edits.empty())

@@ -162,6 +162,22 @@ void journalGroups(const WorldDelta& before, WorldData& world, FrameChanges& cha
     }
 }
 
+/// Bodies that are in a trigger now and were not, or the other way round.
+void journalInside(TriggerHandle trigger, const std::vector<BodyHandle>& before, const std::vector<BodyHandle>& now,
+                   FrameChanges& changes) {
+    std::vector<TriggerEvent> events;
+    const auto list = [&](const std::vector<BodyHandle>& some, const std::vector<BodyHandle>& others, bool entered) {
+        for (const BodyHandle body : some)
+            if (std::find(others.begin(), others.end(), body) == others.end())
+                events.push_back({trigger, body, entered});
+    };
+    list(before, now, false);
+    list(now, before, true);
+    std::stable_sort(events.begin(), events.end(),
+                     [](const TriggerEvent& a, const TriggerEvent& b) { return a.body.slot() < b.body.slot(); });
+    changes.triggerEvents.insert(changes.triggerEvents.end(), events.begin(), events.end());
+}
+
 void journalTriggers(const WorldDelta& before, WorldData& world, FrameChanges& changes) {
     for (const auto& [slot, was] : before.triggers) {
         world.triggerBounds.remove(slot);
@@ -169,6 +185,9 @@ void journalTriggers(const WorldDelta& before, WorldData& world, FrameChanges& c
             world.triggerBounds.update(slot, world.triggers.at(is).bounds());
     }
     journalSlots(before.triggers, world.triggers, changes.triggers);
+    for (const auto& [slot, was] : before.triggers)
+        if (const Trigger* now = world.triggers.find(was.first))
+            journalInside(was.first, was.second->inside, now->inside, changes);
 }
 
 void journalNotes(const WorldDelta& before, WorldData& world, FrameChanges& changes) {

@@ -13,7 +13,22 @@ uint64_t hashPose(const Pose& pose, uint64_t seed) {
     return hashBytes(&pose.rotation, sizeof pose.rotation, hashBytes(&pose.position, sizeof pose.position, seed));
 }
 
+/// About the angles that a hinge or cone can have.
+std::string jointAngleError(const Joint& joint) {
+    RangeCheck check;
+    if (joint.kind == JointKind::Hinge && joint.limits.on)
+        check.number("lower_limit", joint.limits.low, ranges::kHingeAngle)
+            .number("upper_limit", joint.limits.high, ranges::kHingeAngle);
+    if (joint.kind == JointKind::Cone) check.number("upper_limit", joint.limits.high, ranges::kConeLimit);
+    return check.include(jointMotorError(joint.kind, joint.motor)).error();
+}
+
 }  // namespace
+
+std::string jointMotorError(JointKind kind, const JointMotor& motor) {
+    if (kind != JointKind::Hinge || motor.mode != MotorMode::Position) return "";
+    return RangeCheck().number("motor_target", motor.target, ranges::kHingeAngle).error();
+}
 
 std::string jointError(const Joint& joint) {
     RangeCheck check;
@@ -28,6 +43,7 @@ std::string jointError(const Joint& joint) {
         .number("motor", double(joint.motor.mode), {0.0, double(MotorMode::Position)})
         .number("motor_target", joint.motor.target, ranges::kJointTarget)
         .number("steer", joint.steer, ranges::kSteer)
+        .number("steer_target", joint.steerTarget, ranges::kSteer)
         .number("max_spin", joint.wheel.maxSpin, ranges::kWheelSpin)
         .number("max_steer_angle", joint.wheel.steerAngle, ranges::kSteerAngle)
         .number("steer_rate", joint.wheel.steerRate, ranges::kSteerRate)
@@ -50,6 +66,7 @@ std::string jointError(const Joint& joint) {
                                                       {"drive_torque", joint.wheel.driveTorque},
                                                       {"brake_torque", joint.wheel.brakeTorque}};
     for (const auto& [name, number] : numbers) check.number(name, number, ranges::kJointNumber);
+    check.include(jointAngleError(joint));
     if (joint.kind != JointKind::Rope) return check.require(joint.points.empty(), "only ropes have points").error();
     const bool isAutomatic = joint.rope.points == 0 && joint.points.empty();
     check.number("rope_points", isAutomatic ? ranges::kRopePoints.low : joint.rope.points, ranges::kRopePoints)
@@ -77,6 +94,7 @@ uint64_t hashJoint(const Joint& joint, uint64_t seed) {
         hash = hashValue(uint64_t(end.isFree) << 33 | uint64_t(bool(end.shape)) << 32 | end.shape.slot(), hash);
         hash = hashBytes(&end.cell, sizeof end.cell, hashPose(end.frame, hash));
     }
+    if (joint.steerTarget != joint.steer) hash = hashValue(joint.steerTarget, hash);
     for (const double value : {joint.limits.low, joint.limits.high, joint.motor.target, joint.motor.maxForce,
                                joint.spring.hertz, joint.spring.dampingRatio, joint.friction, joint.maxForce,
                                joint.maxTorque, joint.breakForce, joint.breakTorque, joint.steer, joint.rope.length,

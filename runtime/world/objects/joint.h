@@ -96,6 +96,7 @@ struct Joint {
     double maxTorque = 0.0;  ///< N m that a fixed joint turns with at most; 0: no limit
     double breakForce = 0.0, breakTorque = 0.0;  ///< N and N m, mean of a step, at which it breaks; 0: never
     double steer = 0.0;                          ///< of a wheel: radians about y
+    double steerTarget = 0.0;                    ///< to which it turns by its steerRate; at first where it is
     WheelSettings wheel;
     uint32_t hand = 0;                ///< not 0: a grab, by hand - 1; see GrabEdit
     bool drives = false;              ///< a grab that holds velocities, not places
@@ -118,6 +119,8 @@ enum class JointBreak : uint8_t { VoxelGone, Force, Removed, Cut };
 
 /// Says what is wrong with the numbers of a joint; empty: nothing. Handles are not checked.
 std::string jointError(const Joint& joint);
+/// The same of a motor on a joint of a kind, as far as the kind matters.
+std::string jointMotorError(JointKind kind, const JointMotor& motor);
 /// Says what is wrong with what the ends of a joint are on; empty: nothing. Whether their shapes exist is not checked.
 std::string jointEndsError(const Joint& joint);
 /// Chains all of a joint but a rope's points into a hash.

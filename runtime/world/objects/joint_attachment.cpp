@@ -66,6 +66,7 @@ std::string attachJoint(const WorldObjects& objects, Joint& joint) {
         if (!cell) return "no voxel to hold on to within the radius of an end";
         end.cell = *cell;
     }
+    joint.steerTarget = joint.steer;
     if (joint.kind == JointKind::Rope)
         initRopePoints(joint, jointToWorld(objects, joint.ends[0]).position,
                        jointToWorld(objects, joint.ends[1]).position);

@@ -73,7 +73,7 @@ void forEachWheel(EditContext& context, const Body& body, F&& f) {
         }
 }
 
-/// The wheel with motor, brake and steering as the edit sets them for this step. steer: radians that it aims at.
+/// The wheel with motor, brake and steering as the edit sets them. steer: radians that it turns to.
 Joint drivenWheel(const Joint& wheel, const DriveEdit& drive, double steer) {
     Joint out = wheel;
     const WheelSettings& settings = wheel.wheel;
@@ -85,8 +85,7 @@ Joint drivenWheel(const Joint& wheel, const DriveEdit& drive, double steer) {
     out.friction = std::min(
         drive.brake * settings.brakeTorque + kRollingResistance * std::max(settings.driveTorque, settings.brakeTorque),
         ranges::kJointNumber.high);
-    const double turn = settings.steerRate * kStep;
-    out.steer += std::clamp(steer - wheel.steer, -turn, turn);
+    out.steerTarget = steer;
     return out;
 }
 
@@ -105,11 +104,23 @@ void apply(EditContext& context, const DriveEdit& edit) {
         Joint wheel = drivenWheel(joint, edit, steer == 0.0 ? 0.0 : geometry.angleOf(frame, steer));
         const bool isSame = wheel.motor.mode == joint.motor.mode && wheel.motor.target == joint.motor.target &&
                             wheel.motor.maxForce == joint.motor.maxForce && wheel.friction == joint.friction &&
-                            wheel.steer == joint.steer;
+                            wheel.steerTarget == joint.steerTarget;
         if (isSame) return;
         joint = std::move(wheel);
         context.changes.jointsChanged.push_back(handle);
     });
+}
+
+void updateSteering(EditContext& context) {
+    for (const JointHandle handle : context.world.jointIndex.wheels()) {
+        Joint& wheel = context.world.joints.at(handle);
+        if (wheel.steer == wheel.steerTarget) continue;
+        const double turn = wheel.wheel.steerRate * kStep;
+        const double left = wheel.steerTarget - wheel.steer;
+        wheel.steer =
+            std::abs(left) <= turn * (1.0 + 1e-9) ? wheel.steerTarget : wheel.steer + std::copysign(turn, left);
+        context.changes.jointsChanged.push_back(handle);
+    }
 }
 
 }  // namespace rubble

@@ -51,6 +51,7 @@ void EditStep::run(const Edits& edits) {
     for (const Edit& edit : edits) applyEdit(edit);
     refuseEmptyShapes(m_context);
     updateWinches(m_context);
+    updateSteering(m_context);
     m_fire.update();
     splitShapes(m_context);
     releaseUnheldJoints(m_context);

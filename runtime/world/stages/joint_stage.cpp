@@ -71,9 +71,11 @@ void apply(EditContext& context, const RemoveJointEdit& edit) {
 void apply(EditContext& context, const SetJointMotorEdit& edit) {
     Joint* joint = context.world.joints.find(edit.joint);
     if (!joint) return logWarning("set_joint_motor: the handle of its joint is stale; nothing was set");
+    if (const std::string error = jointMotorError(joint->kind, edit.motor); !error.empty())
+        return logWarning("set_joint_motor: " + error + "; nothing was set");
     joint->motor = edit.motor;
     joint->friction = edit.friction;
-    joint->steer = edit.steer;
+    joint->steer = joint->steerTarget = edit.steer;
     context.changes.jointsChanged.push_back(edit.joint);
 }
 

@@ -1,6 +1,7 @@
 #include "runtime/world/stages/light_group_stage.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <utility>
 
 #include "runtime/core/log.h"
@@ -95,6 +96,18 @@ void countMade(EditContext& context, const Palette& palette, const EntryCounts& 
         context.world.groups.at(handle).initialVoxels += made[i] - again;
         context.changes.groups.push_back(handle);
     }
+}
+
+void moveSupplies(EditContext& context, ShapeHandle from, ShapeHandle into, glm::ivec3 offset) {
+    const bool isCut = context.cutWires.contains(from.slot());
+    context.world.groups.forEach([&](LightGroupHandle handle, LightGroup& group) {
+        if (group.supply != from) return;
+        group.supply = into;
+        group.supplyShape = context.world.shapes.at(into).name;
+        group.supplyCell = glm::clamp(group.supplyCell + offset, glm::ivec3(-kMaxGridSize), glm::ivec3(kMaxGridSize));
+        context.changes.groups.push_back(handle);
+        if (isCut) context.cutWires.insert(into.slot());
+    });
 }
 
 void apply(EditContext& context, const CreateLightGroupEdit& edit) {

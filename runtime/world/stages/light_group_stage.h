@@ -12,6 +12,10 @@ void updateLightGroups(EditContext& context);
 /// lost in this step and has again is not lost.
 void countMade(EditContext& context, const Palette& palette, const EntryCounts& made);
 
+/// Moves the supplies of light groups that are on `from` to the cells of `into` that lie there now. `offset`: the cell
+/// of `into` at which cell 0 of `from` was.
+void moveSupplies(EditContext& context, ShapeHandle from, ShapeHandle into, glm::ivec3 offset);
+
 /// Makes a light group.
 void apply(EditContext& context, const CreateLightGroupEdit& edit);
 /// Switches a light group, or changes what puts it out.

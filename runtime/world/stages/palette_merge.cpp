@@ -2,7 +2,28 @@
 
 #include <algorithm>
 
+#include "runtime/voxel/equal_entries.h"
+
 namespace rubble {
+
+namespace {
+
+/// The entry that is missed least: one without a voxel and a material, or that equals another one, or any without a
+/// voxel. The palette's size if there is none.
+size_t findPlace(const Palette& palette, const UsedEntries& used) {
+    const auto first = [&](auto&& isFree) {
+        size_t place = 1;
+        while (place < palette.size() && (used.contains(place) || !isFree(place))) ++place;
+        return place;
+    };
+    if (const size_t place = first([&](size_t i) { return palette[i].material == 0; }); place < palette.size())
+        return place;
+    if (const size_t place = first([&](size_t i) { return equalsEarlierEntry(palette, i); }); place < palette.size())
+        return place;
+    return first([](size_t) { return true; });
+}
+
+}  // namespace
 
 std::optional<std::array<uint8_t, 256>> mergePalette(Palette& into, UsedEntries usedInto, const Palette& from,
                                                      const UsedEntries& usedFrom) {
@@ -10,10 +31,7 @@ std::optional<std::array<uint8_t, 256>> mergePalette(Palette& into, UsedEntries 
     bool fits = true;
     usedFrom.forEach([&](size_t i) {
         size_t place = into[i] == from[i] ? i : size_t(std::find(into.begin() + 1, into.end(), from[i]) - into.begin());
-        if (place == into.size()) {
-            place = 1;
-            while (place < into.size() && (into[place].material || usedInto.contains(place))) ++place;
-        }
+        if (place == into.size()) place = findPlace(into, usedInto);
         fits = fits && place < into.size();
         if (!fits) return;
         into[place] = from[i];

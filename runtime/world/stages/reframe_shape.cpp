@@ -8,6 +8,7 @@
 #include "runtime/world/stages/entry_counts.h"
 #include "runtime/world/stages/heat_moves.h"
 #include "runtime/world/stages/joint_stage.h"
+#include "runtime/world/stages/light_group_stage.h"
 #include "runtime/world/stages/shape_lifecycle.h"
 
 namespace rubble {
@@ -39,6 +40,7 @@ bool reframeShape(EditContext& context, ShapeHandle handle, const CellBox& box) 
         context.changes.lights.push_back(light);
     });
     reframeJoints(context, handle, box.low);
+    moveSupplies(context, handle, handle, -box.low);
     if (isLess)
         context.recordRemoved(handle, removed, {shapeToWorld(context.world, handle).transformPoint({}), 0.0, {}});
     for (PendingSplit& pending : context.world.pendingSplits)  // their cuts are in the old cells

@@ -13,6 +13,7 @@
 #include "runtime/world/stages/entry_counts.h"
 #include "runtime/world/stages/heat_moves.h"
 #include "runtime/world/stages/joint_stage.h"
+#include "runtime/world/stages/light_group_stage.h"
 #include "runtime/world/stages/light_stage.h"
 #include "runtime/world/stages/palette_merge.h"
 #include "runtime/world/stages/reframe_shape.h"
@@ -109,7 +110,7 @@ void moveConnectivity(EditContext& context, ShapeHandle from, ShapeHandle target
     into.knownConnected = into.knownConnected && isTested && context.world.shapes.at(from).knownConnected;
 }
 
-/// Lights and joints of a shape that is merged into another go with it.
+/// Lights, joints and supplies of a shape that is merged into another go with it.
 void moveAttached(EditContext& context, ShapeHandle from, ShapeHandle into, glm::ivec3 at) {
     context.world.lights.forEach([&](LightHandle light, Light& attached) {
         if (attached.shape != from) return;
@@ -185,10 +186,12 @@ void apply(EditContext& context, const MergeShapeEdit& edit) {
     const EntryCounts lost = mergeVoxels(*into, *from, *entries, at, context.editState(target).filled);
     if (looksBefore != std::pair(into->palette, into->paintColors)) context.listPalette(target);
     for (const CellBox& anchor : from->anchors) into->anchors.push_back({anchor.low + at, anchor.high + at});
+    if (!from->anchors.empty()) context.changes.filters.push_back(target);
     into->moments = gridMoments(into->grid, *into->palette, context.world.materials);
     moveAttached(context, edit.shape, target, at);
     moveConnectivity(context, edit.shape, target);
     context.recordRemoved(edit.shape, lost, {shapeToWorld(context.world, edit.shape).transformPoint({}), 0.0, {}});
+    moveSupplies(context, edit.shape, target, at);
     destroyShape(context, edit.shape);
     context.wakeBody(into->body);
 }

@@ -20,6 +20,7 @@ void JointIndex::add(JointHandle handle, const Joint& joint) {
         if (const ShapeHandle shape = joint.ends[i].shape; shape && (i == 0 || shape != joint.ends[0].shape))
             insert(m_byShape[shape.slot()], handle);
     if (joint.kind == JointKind::Rope) insert(m_ropes, handle);
+    if (joint.kind == JointKind::Wheel) insert(m_wheels, handle);
     if (joint.hand) insert(m_grabs, handle);
 }
 
@@ -31,12 +32,14 @@ void JointIndex::remove(JointHandle handle, const Joint& joint) {
         if (found->second.empty()) m_byShape.erase(found);
     }
     std::erase(m_ropes, handle);
+    std::erase(m_wheels, handle);
     std::erase(m_grabs, handle);
 }
 
 void JointIndex::clear() {
     m_byShape.clear();
     m_ropes.clear();
+    m_wheels.clear();
     m_grabs.clear();
 }
 

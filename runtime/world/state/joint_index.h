@@ -7,7 +7,8 @@
 
 namespace rubble {
 
-/// Finds the joints of a shape, the ropes and the grabs: a split costs its own joints, not all of the world.
+/// Finds the joints of a shape, the ropes, the wheels and the grabs: a split costs its own joints, not all of the
+/// world.
 class JointIndex {
 public:
     /// Adds a joint under the shapes of its ends.
@@ -20,12 +21,14 @@ public:
     std::span<const JointHandle> of(ShapeHandle shape) const;
     /// All ropes, in slot order.
     std::span<const JointHandle> ropes() const { return m_ropes; }
+    /// All wheels, in slot order.
+    std::span<const JointHandle> wheels() const { return m_wheels; }
     /// All grabs, in slot order.
     std::span<const JointHandle> grabs() const { return m_grabs; }
 
 private:
     std::map<uint32_t, std::vector<JointHandle>> m_byShape;
-    std::vector<JointHandle> m_ropes, m_grabs;
+    std::vector<JointHandle> m_ropes, m_wheels, m_grabs;
 };
 
 }  // namespace rubble

@@ -13,6 +13,7 @@ namespace rubble {
 WorldData::WorldData(uint8_t worldId, uint32_t firstGeneration) : id(worldId) {
     forEachKind([&](auto& map) { map = std::decay_t<decltype(map)>(worldId, firstGeneration); }, *this);
     materials = defaultMaterials();
+    wire = materials.find("wire");
 }
 
 void WorldData::clear() {
@@ -152,7 +153,8 @@ void WorldData::addStress(ShapeHandle handle) {
 
 bool WorldData::isBusy() const {
     return hasDebrisWork() || flickeringGroups || fire.isActive() || (stress && stress->isBusy()) ||
-           !movedBodies.empty() || !leftBounds.empty() || !pendingSplits.empty() || hasActiveWinch();
+           !movedBodies.empty() || !leftBounds.empty() || !pendingSplits.empty() || hasActiveWinch() ||
+           hasTurningWheel();
 }
 
 bool WorldData::hasDebrisWork() const {
@@ -165,6 +167,11 @@ bool WorldData::hasDebrisWork() const {
 bool WorldData::hasActiveWinch() const {
     const auto winds = [&](JointHandle rope) { return joints.at(rope).motor.mode != MotorMode::Off; };
     return std::any_of(jointIndex.ropes().begin(), jointIndex.ropes().end(), winds);
+}
+
+bool WorldData::hasTurningWheel() const {
+    const auto turns = [&](JointHandle wheel) { return joints.at(wheel).steer != joints.at(wheel).steerTarget; };
+    return std::any_of(jointIndex.wheels().begin(), jointIndex.wheels().end(), turns);
 }
 
 }  // namespace rubble

@@ -77,6 +77,7 @@ struct WorldData : WorldState {
 private:
     bool hasDebrisWork() const;
     bool hasActiveWinch() const;
+    bool hasTurningWheel() const;
     void indexTriggers();
 };
 

@@ -177,7 +177,7 @@ TEST(SaveFile, ANewFieldChangesTheSizesCheckedHere) {
     EXPECT_EQ(sizeof(BoundsSettings), 56u);
     EXPECT_EQ(sizeof(WorldSettings), 64 + sizeof(BoundsSettings) + sizeof(DebrisSettings) + sizeof(StressSettings) +
                                          sizeof(FireSettings) + sizeof(SplitSettings) + 8u);
-    EXPECT_EQ(sizeof(Joint), 536u);
+    EXPECT_EQ(sizeof(Joint), 544u);
     EXPECT_EQ(sizeof(Light), 192u);
     EXPECT_EQ(sizeof(Environment), 136u);
     EXPECT_EQ(sizeof(PaintEdit), 80u);

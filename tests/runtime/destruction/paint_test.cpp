@@ -106,6 +106,20 @@ TEST(Paint, UnusedEntriesAreFreed) {
     EXPECT_EQ((*painted.palette)[9], scene.palette[9]);
 }
 
+TEST(Paint, EntriesThatEqualAnotherOneAreTakenBeforeOthers) {
+    UsedPalette scene(255);
+    for (size_t i = 201; i < 256; ++i) scene.palette[i] = scene.palette[200];
+    VoxelGrid grid = solidGrid({16, 16, 16}, 9);
+    PaletteRef palette = shared(scene.palette);
+    for (uint8_t i = 0; i < 6; ++i) {
+        const Paint paint{{uint8_t(40 * i), uint8_t(255 - 40 * i), 3}, 255, 255, 0};
+        const PaintResult painted = paintPalette(grid, palette, sphereBrush({16, 8, 2 * i}, {3, 3, 3}), paint);
+        EXPECT_GT(painted.voxels, 0u);
+        if (painted.palette) palette = painted.palette;
+    }
+    for (size_t i = 1; i <= 200; ++i) EXPECT_EQ((*palette)[i], scene.palette[i]);
+}
+
 TEST(Paint, ProbabilityThinsTheRimOnly) {
     VoxelGrid grid = solidGrid({64, 64, 8});
     const PaintResult painted = paintPalette(grid, shared(test::fiveEntries()), sphereBrush({32, 32, 4}, {24, 24, 24}),

@@ -275,6 +275,39 @@ TEST(ShadowWorker, AShapeBeyondItsBudgetIsLoggedOnce) {
     EXPECT_EQ(g_lines - before, 1);
 }
 
+TEST(ShadowWorker, WithoutMemoryTheVolumeStaysAsItIsUntilAllIsReplaced) {
+    World world = worldOf({makeBody(solidGrid({64, 64, 64}), {}, true)});
+    if (!allocationCount()) GTEST_SKIP() << "this sanitizer counts no allocations";
+    ShadowWorker worker(ShadowWorker::Mode::Thread);
+    Volume volume;
+    const auto submit = [&](const Edits& edits) {
+        const FrameChanges changes = world.applyEdits(edits);
+        worker.submit(changes, {}, world);
+        worker.waitFor(changes.step);
+        for (const ShadowPatches& publication : worker.takePatches()) volume.apply(publication);
+    };
+    submit({});
+    const Volume before = volume;
+    const int lines = g_lines;
+    setLogSink([](void* count, LogLevel, std::string_view) { ++*static_cast<std::atomic<int>*>(count); }, &g_lines);
+    CarveEdit carve;
+    carve.position = {1.0, 6.4, 1.0};
+    carve.radii = {0.8, 0.8, 0.8};
+    {
+        const AllocationFailure failure(0, AllocationFailure::Threads::Others);
+        submit({carve});
+        EXPECT_TRUE(failure.hasHappened());
+    }
+    carve.position.x = 3.0;
+    submit({carve});
+    setLogSink(nullptr, nullptr);
+    EXPECT_EQ(g_lines - lines, 1) << "the log says it once";
+    EXPECT_TRUE(volume == before);
+    world = worldOf({makeBody(solidGrid({16, 16, 16}), {}, true)});
+    submit({});
+    EXPECT_TRUE(volume == rebuild(world));
+}
+
 TEST(ShadowWorker, AnEditOfLargeVoxelsBuildsTheBricksBesideIt) {
     World world = worldOf({makeBody(solidGrid({32, 8, 32}), {{1.0, 2.0, 3.0}}, true, 2.0f)});
     size_t work = 0;

@@ -70,6 +70,21 @@ TEST(Drive, OnlySteeredWheelsSteerAtTheirRate) {
     EXPECT_EQ(cart.drive(0.0, 1.0, 0.0), 0u) << "nothing changes, nothing wakes";
 }
 
+TEST(Drive, OneCommandSteersUntilTheWheelsAreThere) {
+    Cart cart;
+    cart.drive(0.0, 1.0, 0.0);
+    EXPECT_NEAR(cart.wheel(1).steer, 0.05, 1e-12) << "3 rad/s";
+    World copy = cart.world;  // as a save made while they turn
+    for (int i = 0; i < 8; ++i) cart.world.applyEdits({});
+    EXPECT_LT(cart.wheel(1).steer, 0.5);
+    EXPECT_EQ(cart.world.applyEdits({}).jointsChanged.size(), 1u);
+    EXPECT_EQ(cart.wheel(1).steer, 0.5);
+    EXPECT_TRUE(cart.world.applyEdits({}).jointsChanged.empty()) << "nothing turns any more";
+    copy.applyEdits({SetJointMotorEdit{.joint = copy.joints().handleAt(1), .steer = 0.2}});
+    for (int i = 0; i < 3; ++i) copy.applyEdits({});
+    EXPECT_EQ(copy.joints().at(copy.joints().handleAt(1)).steer, 0.2) << "a motor's angle ends the turning";
+}
+
 /// Two wheels that stand still and two that turn, ahead of them or behind.
 TEST(Drive, AxlesMeetInOnePoint) {
     for (const double ahead : {1.6, -1.6})

@@ -4,6 +4,7 @@
 
 #include "runtime/destruction/detachment.h"
 #include "runtime/world/history/world_baseline.h"
+#include "runtime/world/state/load_level.h"
 #include "tests/runtime/world/worlds.h"
 #include "tests/support/grids.h"
 
@@ -283,6 +284,26 @@ TEST(ShapeEdits, AMergeTakesNoEntryThatVoxelsHave) {
     EXPECT_EQ((*merged.palette)[2], (*palette)[2]);
     EXPECT_EQ((*merged.palette)[merged.grid.at({9, 5, 5})].red, 7);
     EXPECT_EQ(merged.moments, gridMoments(merged.grid, *merged.palette, world.materials()));
+}
+
+TEST(ShapeEdits, AMergeTakesEntriesThatNoVoxelHasIfAllHaveMaterials) {
+    Level level = frameAndPeg(false);
+    World world;
+    auto full = std::make_shared<Palette>(*materialPalette(world.materials()));
+    level.bodies[0].shapes[0].palette = full;
+    auto red = std::make_shared<Palette>(*full);
+    for (PaletteEntry& entry : *red) entry.red = 7;
+    level.bodies[0].shapes[1].palette = red;
+    world.load(level);
+    const ShapeHandle into = world.shapes().handleAt(0);
+    world.applyEdits({MergeShapeEdit{world.shapes().handleAt(1), into}});
+    ASSERT_EQ(world.shapes().size(), 1u);
+    const Shape& merged = world.shapes().at(into);
+    EXPECT_EQ((*merged.palette)[merged.grid.at({9, 5, 5})].red, 7);
+    size_t others = 0;
+    for (size_t i = 1; i < 256; ++i) others += (*merged.palette)[i] != (*full)[i];
+    EXPECT_EQ(others, 1u);
+    for (size_t i = 1; i + 1 < world.materials().materials.size(); ++i) EXPECT_EQ((*merged.palette)[i], (*full)[i]);
 }
 
 TEST(SlicedSplits, AShapeThatLostAllItsVoxelsDoesNotWait) {

@@ -120,6 +120,20 @@ TEST(Trigger, EditsAddAndRemoveThemAndLayersFilter) {
     EXPECT_EQ(region.world.triggers().size(), 1u) << "nonsense is refused";
 }
 
+TEST(Trigger, UndoAndRedoReportWhoLeavesAndEnters) {
+    Region region;
+    region.level.triggers.push_back({.name = "box", .pose = {{2.25, 0.25, 0.25}}, .halfSize = {1.0, 1.0, 1.0}});
+    region.world.load(region.level);
+    WorldSettings settings;
+    settings.undoMarks = 2;
+    EXPECT_EQ(region.events({SettingsEdit{settings}}), "0+1 ");
+    EXPECT_EQ(region.events({HistoryEdit{HistoryAction::Mark}}), "");
+    EXPECT_EQ(region.events({DestroyBodyEdit{region.world.bodies().handleAt(1)}}), "0-1 ");
+    EXPECT_EQ(region.events({HistoryEdit{HistoryAction::Undo}}), "0+1 ");
+    EXPECT_EQ(region.events({HistoryEdit{HistoryAction::Redo}}), "0-1 ");
+    EXPECT_EQ(region.events(), "");
+}
+
 TEST(Trigger, SavesAndUndoAgree) {
     Region region;
     region.level.triggers.push_back({.pose = {{4.25, 0.25, 0.25}}, .halfSize = {1.0, 1.0, 1.0}});

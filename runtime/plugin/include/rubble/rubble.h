@@ -36,6 +36,7 @@
  *  - Units and spaces: metres, kilograms, seconds, radians, newtons. The world is right-handed with y up. World
  *    positions are doubles. Rotations are unit quaternions x, y, z, w; all zeros means no rotation. Lengths of vectors
  *    are in the unit of the field; a "direction" may have any length but zero. Components of vectors are at most 1e9.
+ *    A free body that is more than 1,000 km from the middle of the level, or from 0 without one, is frozen there.
  *    Colours of voxels are sRGB bytes, colours of light are linear.
  *  - Structs: a struct that begins with `struct_size` is filled in by the host: struct_size = sizeof(the struct), every
  *    other field zero or set. Zero selects the default that the comment names. Such structs may grow at their end in
@@ -51,7 +52,9 @@
  *    array (see below) and where a function says otherwise. get_last_error() says in words what was expected and what
  *    was found. Numbers that are not finite or out of range are RUBBLE_ERROR_ARGUMENT; the errors named at a function
  *    come on top of RUBBLE_ERROR_NULL, _STRUCT_SIZE, _STALE, _ARGUMENT, _BUSY, _BROKEN and _MEMORY, which most
- *    functions can give.
+ *    functions can give. RUBBLE_ERROR_MEMORY of those that work on a world as a whole leaves it half done, and broken:
+ *    step(), what loads a level or game or plays a recording, apply_deltas(), set_body_states() and report_impacts().
+ *    Where the shadow volume runs out of memory, the log says so, and shadows stay as they are.
  *  - Edits are commands: the call checks them and puts them into the world's queue. The next step() carries them out in
  *    the order of the calls, those of undo before all others. An edit whose object is destroyed before its turn does
  *    nothing, and what only step() can find out (a joint without a voxel to hold on to, an undo where no marks are
@@ -127,7 +130,7 @@ enum {
     RUBBLE_ERROR_INTERNAL = 10, /* a bug of the plugin: please report the text of get_last_error() */
     /* the world or renderer is in another call: of another thread, or around a callback */
     RUBBLE_ERROR_BUSY = 11,
-    /* a bug of the plugin has left the world or renderer in no defined state: destroy it */
+    /* a bug of the plugin, or RUBBLE_ERROR_MEMORY, has left the world or renderer in no defined state: destroy it */
     RUBBLE_ERROR_BROKEN = 12,
     /* this library lacks the layer that does it, see get_layers(); or the host's physics does it in this world */
     RUBBLE_ERROR_UNSUPPORTED = 13,
@@ -571,7 +574,7 @@ typedef struct rubble_mesh_vertex {
     float position[3]; /* metres from the corner of the shape's grid, along its axes; a whole number of voxels */
     float normal[3];   /* unit, along the same axes */
     uint8_t color[4];  /* sRGB with paint; the fourth is the opacity, 255: opaque */
-    float emission;    /* radiance as a multiple of the linear colour; 0: none, or its light group is out */
+    float emission;    /* radiance as a multiple of the linear colour; 0: none, or its light group is dark */
     uint8_t material;  /* index into the level's materials */
     uint8_t palette_index;
     uint8_t roughness, metallic; /* in 255ths */
@@ -706,20 +709,21 @@ typedef struct rubble_joint_settings {
     double anchor_radius;   /* metres around the position in which each side looks for its voxel; 0: 0.2 */
     uint32_t flags;         /* RUBBLE_JOINT_COLLIDES ... */
     uint32_t motor;         /* RUBBLE_MOTOR_...; rope: a winch that changes its length */
-    double motor_target;    /* rad/s or m/s; RUBBLE_MOTOR_POSITION: radians or metres */
+    double motor_target;    /* rad/s or m/s; RUBBLE_MOTOR_POSITION: radians (-pi to pi) or metres */
     /* N m for turning, N for sliding; a winch does not read it. 0: RUBBLE_MOTOR_SPEED does nothing,
      * RUBBLE_MOTOR_POSITION takes what it needs, up to 1,000 m/s2 of what it moves */
     double motor_max_force;
-    /* hinge: radians, -pi to pi; prismatic and wheel: metres; cone: upper_limit, radians */
+    /* hinge: radians, -pi to pi; prismatic and wheel: metres; cone: upper_limit, radians, 0 to pi */
     double lower_limit, upper_limit;
     /* hinge, prismatic, wheel: pulls the free motion back to 0; others: makes the joint give. Frequency 0: no spring,
      * or rigid. Damping ratio 1: critical */
     double spring_hertz, spring_damping_ratio;
-    double friction;                    /* N m for turning, N for sliding; wheel: a brake that is always on */
-    double break_force, break_torque;   /* N, N m, as the mean of a step; 0: never breaks */
-    double rope_end[3];                 /* world: the rope's second end */
-    double rope_length, rope_radius;    /* metres; length 0: the distance of its ends; radius 0: 0.03 */
-    double rope_stretch;                /* relative elongation under 10 kN */
+    double friction;                  /* N m for turning, N for sliding; wheel: a brake that is always on */
+    double break_force, break_torque; /* N, N m, as the mean of a step; 0: never breaks */
+    double rope_end[3];               /* world: the rope's second end */
+    /* metres; length 0: the distance of its ends, a shorter one pulls them together at 0.2 m/s; radius 0: 0.03 */
+    double rope_length, rope_radius;
+    double rope_stretch;                /* relative elongation under 10 kN, as of a critically damped spring */
     double rope_strength;               /* N at which the rope breaks; 0: never */
     double drive_torque, brake_torque;  /* wheel: N m at full throttle and at full brake, see drive_wheels() */
     double max_spin;                    /* wheel: rad/s forward, half of it backward; 0: 60 */
@@ -736,7 +740,7 @@ typedef struct rubble_joint_motor {
     double steer_angle;                   /* wheel: radians about y, -3 to 3; positive turns left */
 } rubble_joint_motor;
 
-/* Drives, steers and brakes all wheels of a body. Holds until the next such command. */
+/* Drives, steers and brakes all wheels of a body, which turn by their steer_rate. Holds until the next such command. */
 typedef struct rubble_drive {
     uint32_t struct_size;
     uint32_t reserved;
@@ -1051,8 +1055,8 @@ enum {
 
 /* What physics takes a shape for where it touches others. The round ones are the smallest that hold all its voxels,
  * about the middle of its bounds: a wheel rolls on a cylinder and a ball on a sphere, not on the corners of voxels. A
- * shape that leaves a voxel of it, as after a cut, is touched as voxels. Queries, water and characters always see
- * voxels. */
+ * shape that leaves more than a voxel of it, as after a cut, is touched as voxels, and so is a full box more than 4
+ * voxels wide: the log says so when it is set. Queries, water and characters always see voxels. */
 typedef struct rubble_collision_shape {
     uint32_t struct_size;
     uint32_t kind; /* RUBBLE_COLLISION_VOXELS ... RUBBLE_COLLISION_CYLINDER_Z */
@@ -1464,7 +1468,7 @@ typedef struct rubble_light_group_change {
     double threshold;          /* share of its voxels whose loss puts it out, 0 to 1 */
     rubble_shape supply_shape; /* 0: it needs no supply */
     /* a cell of that shape where its wire begins: voxels of the material "wire", which lead to a voxel of the group in
-     * the same shape. It goes out if none do, or when they are cut */
+     * the same shape. It goes out if none do, or when they are cut. Trims, resizes and merges take the cell along */
     int32_t supply_cell[3];
     uint32_t reserved_2;
 } rubble_light_group_change;
@@ -1828,8 +1832,9 @@ typedef struct rubble_api {
      * largest part, stays. For shapes that come in parts from a level; what an edit cuts off comes off by itself. */
     rubble_result (*split_shape)(rubble_world world, rubble_shape shape);
     /* [main-thread] Adds a shape to another one of the same body and voxel size that it touches face to face; 0: to the
-     * first that fits. Where both have a voxel, `into` keeps its own. Joints and lights go with it. The step logs a
-     * warning, and does nothing, if their cells do not line up or their palettes need more than 255 entries. */
+     * first that fits. Where both have a voxel, `into` keeps its own. Joints and lights go with it, and its voxels'
+     * palette entries: those of `into` that no voxel has make room. The step logs a warning, and does nothing, if their
+     * cells do not line up or their voxels need more than 255 entries. */
     rubble_result (*merge_shape)(rubble_world world, rubble_shape shape, rubble_shape into);
     /* [main-thread] Shrinks a shape's grid to its voxels. If it gets smaller, its fires go out. */
     rubble_result (*trim_shape)(rubble_world world, rubble_shape shape);
@@ -1879,7 +1884,7 @@ typedef struct rubble_api {
     rubble_result (*create_body)(rubble_world world, const rubble_body_settings* settings, rubble_body* out);
     /* [main-thread] Makes a shape on a body, as a level brings it: on a static body its lowest layer of voxels holds it
      * to the world (of RUBBLE_SHAPE_EMPTY the lowest cells), and parts of it that touch nothing stay until something is
-     * cut. The centre of mass of a free body moves on as it did. A shape that has no voxels after the edits of the step
+     * cut. Each point of a free body moves on as it did. A shape that has no voxels after the edits of the step
      * is refused. *out as by create_body(). */
     rubble_result (*create_shape)(rubble_world world, const rubble_shape_settings* settings, rubble_shape* out);
     /* [main-thread] As add_joint(), with a handle as by create_body(). The joint is placed where its shapes are when
@@ -1969,7 +1974,7 @@ typedef struct rubble_api {
     /* [main-thread] Replaces entries of a shape's palette from the next step on: `range->count` rows. Voxels look,
      * weigh, break, burn and slide as their new material does; those that change their light group count in the new
      * one. Shapes that share the palette keep theirs, but with RUBBLE_PALETTE_ALL_EQUAL. Paint that blends takes
-     * entries that have no material and no voxel. */
+     * entries that no voxel has: those without a material, then those that equal another one, then any. */
     rubble_result (*set_palette)(rubble_world world, const rubble_palette_range* range,
                                  const rubble_palette_entry* entries);
     /* [main-thread] Reads entries of a shape's palette: `range->count` rows. */

@@ -484,8 +484,9 @@ public:
         check(api().split_shape(m_handle, shape));
     }
     /** Adds a shape to another one of the same body and voxel size that it touches face to face; 0: to the first that
-     * fits. Where both have a voxel, `into` keeps its own. Joints and lights go with it. The step logs a warning, and
-     * does nothing, if their cells do not line up or their palettes need more than 255 entries. */
+     * fits. Where both have a voxel, `into` keeps its own. Joints and lights go with it, and its voxels' palette
+     * entries: those of `into` that no voxel has make room. The step logs a warning, and does nothing, if their cells
+     * do not line up or their voxels need more than 255 entries. */
     void merge_shape(rubble_shape shape, rubble_shape into) {
         check(api().merge_shape(m_handle, shape, into));
     }
@@ -563,9 +564,9 @@ public:
         return out;
     }
     /** Makes a shape on a body, as a level brings it: on a static body its lowest layer of voxels holds it to the world
-     * (of RUBBLE_SHAPE_EMPTY the lowest cells), and parts of it that touch nothing stay until something is cut. The
-     * centre of mass of a free body moves on as it did. A shape that has no voxels after the edits of the step is
-     * refused. *out as by create_body(). */
+     * (of RUBBLE_SHAPE_EMPTY the lowest cells), and parts of it that touch nothing stay until something is cut. Each
+     * point of a free body moves on as it did. A shape that has no voxels after the edits of the step is refused. *out
+     * as by create_body(). */
     rubble_shape create_shape(rubble_shape_settings settings) {
         settings.struct_size = sizeof settings;
         rubble_shape out{};
@@ -723,8 +724,8 @@ public:
     }
     /** Replaces entries of a shape's palette from the next step on: `range->count` rows. Voxels look, weigh, break,
      * burn and slide as their new material does; those that change their light group count in the new one. Shapes that
-     * share the palette keep theirs, but with RUBBLE_PALETTE_ALL_EQUAL. Paint that blends takes entries that have no
-     * material and no voxel. */
+     * share the palette keep theirs, but with RUBBLE_PALETTE_ALL_EQUAL. Paint that blends takes entries that no voxel
+     * has: those without a material, then those that equal another one, then any. */
     void set_palette(rubble_palette_range range, const rubble_palette_entry* entries) {
         range.struct_size = sizeof range;
         range.entry_size = sizeof(rubble_palette_entry);
