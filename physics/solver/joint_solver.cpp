@@ -110,6 +110,7 @@ void JointSolver::applyLocked(const JointRows& e, size_t row, SolverState& A, So
 void JointSolver::begin(std::span<JointConstraint* const> joints, std::span<SolverState> states) {
     m_joints.clear();
     m_isNew = true;
+    if (!joints.empty()) m_stiffness.begin(states.size());
     for (JointConstraint* c : joints) {
         JointRows& e = m_joints.emplace_back();
         e.c = c;
@@ -125,6 +126,7 @@ void JointSolver::prepare(std::span<const SolverBody> bodies, std::span<SolverSt
                           double seconds) {
     m_seconds = seconds;
     m_early = m_halfFall = 0.5 * fall;
+    m_stiffness.apply(m_joints, bodies, states, seconds);
     for (JointRows& e : m_joints) {
         computeRows(e, bodies);
         e.c->ropeLength += e.c->ropeSpeed * seconds;

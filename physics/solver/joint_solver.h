@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "physics/solver/geometric_stiffness.h"
 #include "physics/solver/joint_rows.h"
 #include "physics/solver/joint_system.h"
 
@@ -56,6 +57,7 @@ private:
     std::vector<JointRows> m_joints;
     std::vector<Impulses> m_saved;  ///< during solveImpact()
     JointSystem m_system;
+    GeometricStiffness m_stiffness;
     double m_seconds = 0.0;      ///< of the substep
     glm::dvec3 m_halfFall{0.0};  ///< m/s, half of what gravity gives in a substep
     glm::dvec3 m_early{0.0};     ///< see applyCounted(): gravity acts before the bodies move
