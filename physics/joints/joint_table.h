@@ -23,6 +23,8 @@ struct JointProxy {
     std::vector<RopeBend> bends;                          ///< of a rope between its bodies, as of its last motion
     /// Where a rope leaves the body at its end, in the frame of that body's centre of mass; none: at the end.
     std::array<std::optional<glm::dvec3>, 2> leaves;
+    double wound = 0.0;   ///< metres by which a winch has changed a rope's length since the last step
+    double excess = 0.0;  ///< metres by which a rope is still longer than it was made: see PhysicsJoints::findPath()
     JointConstraint constraint;  ///< with the impulses of the last step
 
     /// Whether a speed motor or a hand drives it: then nothing that it joins may sleep.

@@ -100,6 +100,7 @@ uint32_t fullPoints(const ContactSet& set, const PairGroup& group) {
 
 void prepareStates(ContactSet& set, std::span<const SolverBody> bodies) {
     set.states.assign(bodies.size(), {});
+    set.states[0].gravityScale = 0.0f;
     for (size_t i = 1; i < bodies.size(); ++i) {
         SolverState& state = set.states[i];
         state.v = glm::vec3(bodies[i].velocity);

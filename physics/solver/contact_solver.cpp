@@ -131,7 +131,7 @@ void ContactSolver::substep(std::span<SolverBody> bodies, glm::dvec3 gravity, co
                             bool isFirst) {
     const double h = settings.seconds / settings.substeps;
     m_steadyBodies.startSubstep(m_set, glm::vec3(gravity * h), isFirst);
-    if (!m_joints.empty()) m_joints.prepare(bodies, m_set.states, h, gravity * h);
+    if (!m_joints.empty()) m_joints.prepare(bodies, m_set.states, gravity * h, h);
     const ContactArrays set = arrays();
     m_coloring.run(m_parallelFor, [&](size_t from, size_t to) { m_kernels->warmStart(set, from, to, isFirst); });
     m_restitution.solve(m_set, float(h), bodies, m_joints);

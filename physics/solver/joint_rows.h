@@ -28,6 +28,7 @@ struct JointConstraint {
     std::vector<glm::dvec3> bendPoints;  ///< where a rope lies on something, from end 0 to end 1, world
     /// Of a rope: the longest path that it allows. Infinite until its path is known.
     double ropeLength = std::numeric_limits<double>::infinity();
+    double ropeSpeed = 0.0;  ///< m/s at which ropeLength changes in this step: a winch, or what was made too short
     glm::dvec3 force{0.0}, torque{0.0};  ///< N and N m on the second body, mean of the last step
     /// Joules that motors, winches, springs and soft rows gave the bodies in the last step: all that a joint may add.
     /// Infinite for a grab, as a hand may do any work.
@@ -49,8 +50,10 @@ struct JointRow {
 };
 
 /// As JointRow::apply(), and adds the energy that the impulse gives the bodies, joules: the impulse times the mean of
-/// the row's velocities before and after it.
-void applyCounted(const JointRow& row, SolverState& A, SolverState& B, double impulse, double& work);
+/// the row's velocities before and after it. early: m/s of these velocities that gravity has given at this moment of
+/// the substep and had not given yet in its middle, where the energy of a swing is measured (energy_bound.cpp).
+void applyCounted(const JointRow& row, SolverState& A, SolverState& B, double impulse, const glm::dvec3& early,
+                  double& work);
 
 /// The axis along or about which a joint is free but for limits, spring, motor and friction.
 struct FreeAxis {
@@ -81,8 +84,6 @@ struct JointRows {
     Softness<double> locked, limit;
     AxisSpring spring;
     FreeAxis freeAxis;
-    std::array<glm::dvec3, 2> fall{};  ///< m/s that gravity has given the two bodies in this substep
-    double startValue = 0.0;           ///< of the free axis, before the bodies moved in this substep
     double servoSpeed = 0.0;           ///< m/s or rad/s that a position motor wants in this substep
     double servoLimit = 0.0;           ///< N s or N m s that it may give
     FreeAxis motorAxis;                ///< the free axis; of a wheel its spin, where the free axis is its suspension

@@ -17,7 +17,7 @@
 //   * The free axis: spring, motor, friction and limits, one after the other, each with its own accumulated impulse and
 //     its bounds. A limit is an inequality, as a contact is: its impulse is clamped at 0. A position motor is a servo:
 //     it wants the velocity that a damped spring without any load would have, so what it bears does not bend it.
-//   * A rope is a limit on the length of its path.
+//   * A rope is a limit on the length of its path, which a winch moves: what hangs on it gets the winch's speed.
 // Iterations go through the joints forward and back, so that a load on one end of a chain arrives at the other. After
 // the bodies have moved, the same without bias removes the velocity that corrected positions.
 
@@ -77,35 +77,40 @@ void addClamped(double& sum, double impulse, double bound, F&& apply) {
     apply(sum - before);
 }
 
-/// Applies an impulse and counts its work. Velocities are those of the middles of substeps (energy_bound.cpp), and have
-/// the fall of a whole substep in them: half of it is too much.
-void applyWork(const JointRows& e, const JointRow& row, SolverState& A, SolverState& B, double impulse) {
-    applyCounted(row, A, B, impulse, e.c->work);
-    e.c->work -= 0.5 * impulse * (glm::dot(row.linearB, e.fall[1]) - glm::dot(row.linearA, e.fall[0]));
+/// The length of a rope's path that its winch allows, so many seconds before the end of the substep.
+double ropeLimit(const JointConstraint& c, double seconds) {
+    return c.ropeLength - c.ropeSpeed * seconds;
 }
 
-/// Applies an impulse along a free axis, with what keeps the locked rows still. isWork: it may add energy.
-void applyAlong(JointRows& e, const FreeAxis& axis, SolverState& A, SolverState& B, double impulse, bool isWork) {
-    if (isWork)
-        applyWork(e, axis.push, A, B, impulse);
+/// A rope that stretches may add energy.
+double* workOfLimit(const JointRows& e) {
+    return e.isSoft ? &e.c->work : nullptr;
+}
+
+}  // namespace
+
+/// Applies an impulse along a free axis, with what keeps the locked rows still. Counts its work, if there is a sum.
+void JointSolver::applyAlong(JointRows& e, const FreeAxis& axis, SolverState& A, SolverState& B, double impulse,
+                             double* work) const {
+    if (work)
+        applyCounted(axis.push, A, B, impulse, m_early, *work);
     else
         axis.push.apply(A, B, impulse);
     for (size_t r = 0; r < size_t(e.rows); ++r) e.c->lockedImpulse[r] -= axis.held[r] * impulse;
 }
 
 /// Applies an impulse along a locked row. Soft rows may add energy.
-void applyLocked(const JointRows& e, size_t row, SolverState& A, SolverState& B, double impulse) {
+void JointSolver::applyLocked(const JointRows& e, size_t row, SolverState& A, SolverState& B, double impulse) const {
     if (e.isSoft)
-        applyWork(e, e.row[row], A, B, impulse);
+        applyCounted(e.row[row], A, B, impulse, m_early, e.c->work);
     else
         e.row[row].apply(A, B, impulse);
 }
 
-}  // namespace
-
 void JointSolver::begin(std::span<JointConstraint* const> joints, std::span<SolverState> states) {
     m_joints.clear();
     m_isNew = true;
+    if (!joints.empty()) m_stiffness.begin(states.size());
     for (JointConstraint* c : joints) {
         JointRows& e = m_joints.emplace_back();
         e.c = c;
@@ -117,19 +122,21 @@ void JointSolver::begin(std::span<JointConstraint* const> joints, std::span<Solv
     }
 }
 
-void JointSolver::prepare(std::span<const SolverBody> bodies, std::span<SolverState> states, double seconds,
-                          glm::dvec3 fall) {
+void JointSolver::prepare(std::span<const SolverBody> bodies, std::span<SolverState> states, const glm::dvec3& fall,
+                          double seconds) {
     m_seconds = seconds;
-    for (JointRows& e : m_joints) computeRows(e, bodies);
+    m_early = m_halfFall = 0.5 * fall;
+    m_stiffness.apply(m_joints, bodies, states, seconds);
+    for (JointRows& e : m_joints) {
+        computeRows(e, bodies);
+        e.c->ropeLength += e.c->ropeSpeed * seconds;
+    }
     if (m_isNew) m_system.build(m_joints);
     m_isNew = false;
     m_system.factorize(m_joints, states);
     for (JointRows& e : m_joints) {
         SolverState &A = e.stateA(states), &B = e.stateB(states);
         if (isSolvedAlone(e)) factorize(e, A, B);
-        e.startValue = e.freeAxis.value;
-        for (size_t i = 0; i < 2; ++i)
-            e.fall[i] = e.c->bodies[i] ? fall * double(states[size_t(e.c->bodies[i])].gravityScale) : glm::dvec3(0.0);
         projectFreeAxes(e, A, B);
         prepareJoint(e, A, B);
         if (e.hasServo) prepareServo(e, A, B);
@@ -191,23 +198,24 @@ void JointSolver::prepareServo(JointRows& e, const SolverState& A, const SolverS
 }
 
 /// What acts along a free axis is taken out of the locked impulses, so that its work is counted by itself.
-void JointSolver::warmStart(const JointRows& e, SolverState& A, SolverState& B) {
+void JointSolver::warmStart(const JointRows& e, SolverState& A, SolverState& B) const {
     JointConstraint& c = *e.c;
     const double limit = c.limitImpulse[0] - c.limitImpulse[1], along = limit + c.springImpulse,
                  alongMotor = c.motorImpulse + c.frictionImpulse;
     for (size_t i = 0; i < size_t(e.rows); ++i)
         applyLocked(e, i, A, B, c.lockedImpulse[i] + e.freeAxis.held[i] * along + e.motorAxis.held[i] * alongMotor);
     if (e.isSoft)
-        applyWork(e, e.freeAxis.push, A, B, limit);
+        applyCounted(e.freeAxis.push, A, B, limit, m_early, c.work);
     else
         e.freeAxis.push.apply(A, B, limit);
-    if (c.springImpulse != 0.0) applyWork(e, e.freeAxis.push, A, B, c.springImpulse);
-    if (c.motorImpulse != 0.0) applyWork(e, e.motorAxis.push, A, B, c.motorImpulse);
+    if (c.springImpulse != 0.0) applyCounted(e.freeAxis.push, A, B, c.springImpulse, m_early, c.work);
+    if (c.motorImpulse != 0.0) applyCounted(e.motorAxis.push, A, B, c.motorImpulse, m_early, c.work);
     e.motorAxis.push.apply(A, B, c.frictionImpulse);
     if (e.hasBallFriction) JointRow{{}, c.ballFriction, {}, c.ballFriction}.apply(A, B, 1.0);
 }
 
 void JointSolver::solve(std::span<const SolverBody> bodies, std::span<SolverState> states, bool useBias) {
+    m_early = useBias ? m_halfFall : -m_halfFall;
     if (!useBias) {  // the bodies have moved: velocities must be right along the rows of now
         for (JointRows& e : m_joints) {
             computeRows(e, bodies);
@@ -257,15 +265,15 @@ void JointSolver::solveFreeAxis(JointRows& e, SolverState& A, SolverState& B, bo
     if (e.hasSpring && useBias) solveSpring(e, A, B);
     if (e.hasServo)
         addClamped(c.springImpulse, e.freeAxis.mass * (e.servoSpeed - e.freeAxis.row.velocity(A, B)), e.servoLimit,
-                   [&](double impulse) { applyAlong(e, e.freeAxis, A, B, impulse, true); });
+                   [&](double impulse) { applyAlong(e, e.freeAxis, A, B, impulse, &c.work); });
     if (joint.motor.mode == MotorMode::Speed) {
         const double speed = axis.row.velocity(A, B) - joint.motor.target;
         addClamped(c.motorImpulse, -axis.mass * speed, joint.motor.maxForce * m_seconds,
-                   [&](double impulse) { applyAlong(e, axis, A, B, impulse, true); });
+                   [&](double impulse) { applyAlong(e, axis, A, B, impulse, &c.work); });
     }
     if (joint.friction > 0.0 && !e.hasBallFriction)
         addClamped(c.frictionImpulse, -axis.mass * axis.row.velocity(A, B), joint.friction * m_seconds,
-                   [&](double impulse) { applyAlong(e, axis, A, B, impulse, false); });
+                   [&](double impulse) { applyAlong(e, axis, A, B, impulse, nullptr); });
     if (!joint.limits.on && !hasOnlyUpperLimit(joint)) return;
     if (e.isSoft && joint.kind == JointKind::Rope && !useBias) return;
     if (!hasOnlyUpperLimit(joint)) solveLimit(e, A, B, false, useBias);
@@ -280,14 +288,14 @@ void JointSolver::solveSpring(JointRows& e, SolverState& A, SolverState& B) cons
     const double change = e.spring.pull * targetError(e) + e.spring.massScale * e.freeAxis.row.velocity(A, B);
     const double impulse = -e.freeAxis.mass * change - e.spring.impulseScale * c.springImpulse;
     addClamped(c.springImpulse, impulse, maxImpulse,
-               [&](double added) { applyAlong(e, e.freeAxis, A, B, added, true); });
+               [&](double added) { applyAlong(e, e.freeAxis, A, B, added, &c.work); });
 }
 
 /// One limit of the free coordinate. Short of the limit, the coordinate may move up to it within the substep (as a
 /// speculative contact); beyond, it is pushed back.
 void JointSolver::solveLimit(JointRows& e, SolverState& A, SolverState& B, bool isHigh, bool useBias) const {
     const Joint& joint = *e.c->joint;
-    const double high = joint.kind == JointKind::Rope ? e.c->ropeLength : joint.limits.high;
+    const double high = joint.kind == JointKind::Rope ? ropeLimit(*e.c, useBias ? m_seconds : 0.0) : joint.limits.high;
     const double distance = isHigh ? high - e.freeAxis.value : e.freeAxis.value - joint.limits.low;
     const double sign = isHigh ? -1.0 : 1.0;
     double bias = 0.0, massScale = 1.0, impulseScale = 0.0;
@@ -299,9 +307,10 @@ void JointSolver::solveLimit(JointRows& e, SolverState& A, SolverState& B, bool 
         impulseScale = e.limit.impulseScale;
     }
     double& impulse = e.c->limitImpulse[isHigh ? 1 : 0];
-    const double before = impulse, speed = sign * e.freeAxis.row.velocity(A, B);
+    const double before = impulse, speed = sign * (e.freeAxis.row.velocity(A, B) - e.c->ropeSpeed);
     impulse = std::max(before - e.freeAxis.mass * massScale * (speed + bias) - impulseScale * before, 0.0);
-    applyAlong(e, e.freeAxis, A, B, sign * (impulse - before), e.isSoft);  // a rope that stretches
+    if (workOfLimit(e) && distance > 0.0) impulse = 0.0;  // a spring that is not stretched
+    applyAlong(e, e.freeAxis, A, B, sign * (impulse - before), workOfLimit(e));
 }
 
 /// Friction against the relative rotation of a ball about any axis; the impulse is clamped by its length.
@@ -345,8 +354,7 @@ void JointSolver::accumulateForces(double stepSeconds) {
         add(e.freeAxis.row, c.limitImpulse[0] - c.limitImpulse[1] + c.springImpulse);
         add(e.motorAxis.row, c.motorImpulse + c.frictionImpulse);
         if (e.hasBallFriction) c.torque += c.ballFriction / stepSeconds;
-        if (c.joint->kind == JointKind::Rope && c.joint->motor.mode != MotorMode::Off)  // a winch winds
-            c.work += c.limitImpulse[1] / m_seconds * std::max(e.startValue - e.freeAxis.value, 0.0);
+        if (c.ropeSpeed < 0.0 && !e.isSoft) c.work -= c.limitImpulse[1] * c.ropeSpeed;  // a winch winds
     }
 }
 

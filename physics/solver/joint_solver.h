@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "physics/solver/geometric_stiffness.h"
 #include "physics/solver/joint_rows.h"
 #include "physics/solver/joint_system.h"
 
@@ -14,8 +15,9 @@ public:
     /// Begins a step; marks the states of jointed bodies. The constraints must stay until its end.
     void begin(std::span<JointConstraint* const> joints, std::span<SolverState> states);
     /// Begins a substep of this length: computes rows and masses where the bodies are, and warm starts. fall: m/s that
-    /// gravity has given the bodies in it.
-    void prepare(std::span<const SolverBody> bodies, std::span<SolverState> states, double seconds, glm::dvec3 fall);
+    /// gravity gave what falls freely in this substep.
+    void prepare(std::span<const SolverBody> bodies, std::span<SolverState> states, const glm::dvec3& fall,
+                 double seconds);
     /// A few iterations over all joints. useBias: before the bodies move, with correction of position errors; false:
     /// after they have moved, for velocities alone.
     void solve(std::span<const SolverBody> bodies, std::span<SolverState> states, bool useBias);
@@ -33,7 +35,10 @@ private:
     void prepareFreeAxis(JointRows& e) const;
     void prepareServo(JointRows& e, const SolverState& A, const SolverState& B) const;
     static void dropImpulsesOfWhatIsOff(JointRows& e);
-    static void warmStart(const JointRows& e, SolverState& A, SolverState& B);
+    void warmStart(const JointRows& e, SolverState& A, SolverState& B) const;
+    void applyAlong(JointRows& e, const FreeAxis& axis, SolverState& A, SolverState& B, double impulse,
+                    double* work) const;
+    void applyLocked(const JointRows& e, size_t row, SolverState& A, SolverState& B, double impulse) const;
     void solveFreeAxis(JointRows& e, SolverState& A, SolverState& B, bool useBias) const;
     void solveSpring(JointRows& e, SolverState& A, SolverState& B) const;
     void solveLimit(JointRows& e, SolverState& A, SolverState& B, bool isHigh, bool useBias) const;
@@ -52,8 +57,11 @@ private:
     std::vector<JointRows> m_joints;
     std::vector<Impulses> m_saved;  ///< during solveImpact()
     JointSystem m_system;
-    double m_seconds = 0.0;  ///< of the substep
-    bool m_isNew = true;     ///< the system is not built for these joints yet
+    GeometricStiffness m_stiffness;
+    double m_seconds = 0.0;      ///< of the substep
+    glm::dvec3 m_halfFall{0.0};  ///< m/s, half of what gravity gives in a substep
+    glm::dvec3 m_early{0.0};     ///< see applyCounted(): gravity acts before the bodies move
+    bool m_isNew = true;         ///< the system is not built for these joints yet
 };
 
 }  // namespace rubble

@@ -193,6 +193,11 @@ void PhysicsBodies::updateFilter(const World& world, ShapeHandle handle) {
     const CollisionFilter filter{shape.collisionLayer, shape.collisionMask};
     ColliderPart* part = object ? object->collider.parts[0].get() : dynamic ? dynamic->partOf(handle) : nullptr;
     if (part) part->setFilter(filter), part->setCollisionShape(shape.collisionShape);
+    if (part && shape.collisionShape != CollisionShape::Voxels && !part->round())
+        logWarning(
+            fmt::format("set_collision_shape: shape \"{}\" is touched as voxels, not as something round: its voxels "
+                        "leave more than one voxel to the round surface around them",
+                        shape.name));
     if (!object && dynamic) object = &dynamic->object;
     if (!object || object->collider.empty()) return;
     object->setPose(object->pose);

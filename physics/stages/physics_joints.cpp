@@ -9,9 +9,10 @@
 namespace rubble {
 namespace {
 
-constexpr int kRopeRestSteps = 60;    ///< of hardly moving, after which a rope is not simulated
-constexpr double kRopeSlow = 0.05;    ///< m/s that count as hardly moving
-constexpr double kRopeMargin = 0.25;  ///< metres around a rope in which it may touch something
+constexpr int kRopeRestSteps = 60;        ///< of hardly moving, after which a rope is not simulated
+constexpr double kRopeSlow = 0.05;        ///< m/s that count as hardly moving
+constexpr double kRopeMargin = 0.25;      ///< metres around a rope in which it may touch something
+constexpr double kShorteningSpeed = 0.2;  ///< m/s at which a rope that was made too short pulls its ends together
 
 /// The box that the points of a rope stay in during the step.
 void boundsOf(std::span<const RopePoint> points, double seconds, glm::dvec3& low, glm::dvec3& high) {
@@ -75,6 +76,15 @@ void setPath(JointProxy& rope, const std::array<glm::dvec3, 2>& ends, double sla
         pathLength(leavesOf(rope, ends, bodies), rope.bends) + slackAfter(slack, measured, seconds);
 }
 
+/// The speed at which a rope's length changes in a step, m/s; 0 for other joints. Takes it out of what is to be wound.
+double windingSpeed(JointProxy& rope, double seconds) {
+    const double excess = std::min(rope.excess, kShorteningSpeed * seconds);
+    const double change = rope.wound - excess;
+    rope.excess -= excess;
+    rope.wound = 0.0;
+    return change / seconds;
+}
+
 /// Keeps what a joint's old form knew: the impulses with which the next step starts, and the path of a rope.
 void takeOver(JointProxy& joint, const JointProxy& old) {
     if (joint.joint.kind != old.joint.kind) return;
@@ -86,7 +96,8 @@ void takeOver(JointProxy& joint, const JointProxy& old) {
         joint.constraint = {now, joint.handle};
     joint.bends = old.bends;
     if (joint.bodies == old.bodies) joint.leaves = old.leaves;
-    joint.constraint.ropeLength += joint.joint.rope.length - old.joint.rope.length;
+    joint.excess = old.excess;
+    joint.wound = old.wound + joint.joint.rope.length - old.joint.rope.length;
 }
 
 }  // namespace
@@ -166,7 +177,7 @@ void PhysicsJoints::wakeJointed(PhysicsBodies& bodies) const {
     }
 }
 
-std::span<JointConstraint* const> PhysicsJoints::gather(PhysicsBodies& bodies) {
+std::span<JointConstraint* const> PhysicsJoints::gather(PhysicsBodies& bodies, double seconds) {
     m_active.clear();
     if (m_table.empty()) return m_active;
     std::vector<uint32_t> slots;
@@ -179,6 +190,7 @@ std::span<JointConstraint* const> PhysicsJoints::gather(PhysicsBodies& bodies) {
         JointConstraint& c = proxy.constraint;
         bool isValid = !proxy.joint.ends[0].isFree && !proxy.joint.ends[1].isFree;
         if (isValid && proxy.joint.kind == JointKind::Rope && std::isinf(c.ropeLength)) findPath(proxy, bodies);
+        c.ropeSpeed = windingSpeed(proxy, seconds);
         for (size_t i = 0; i < 2; ++i) {
             c.bodies[i] = 0;
             c.frames[i] = proxy.frames[i];
@@ -249,11 +261,14 @@ RopeStep PhysicsJoints::ropeStep(const JointProxy& rope, PhysicsBodies& bodies, 
     return step;
 }
 
+/// A rope without stretch that is shorter than the distance of its ends begins with that, and winds the excess up.
 void PhysicsJoints::findPath(JointProxy& rope, PhysicsBodies& bodies) {
     const RopeStep step = ropeStep(rope, bodies, 0.0);
     findBends(rope.joint.points, step, rope.bends);
     const std::array<glm::dvec3, 2> ends = {*step.ends[0], *step.ends[1]};
-    setPath(rope, ends, rope.constraint.ropeLength, step.length, 0.0, bodies);
+    rope.wound = 0.0;
+    rope.excess = rope.joint.rope.stretch > 0.0 ? 0.0 : std::max(glm::distance(ends[0], ends[1]) - step.length, 0.0);
+    setPath(rope, ends, rope.constraint.ropeLength, step.length + rope.excess, 0.0, bodies);
 }
 
 void PhysicsJoints::moveRopes(PhysicsBodies& bodies, glm::dvec3 gravity, double seconds) {
@@ -273,7 +288,7 @@ void PhysicsJoints::moveRopes(PhysicsBodies& bodies, glm::dvec3 gravity, double 
                                                 step.ends[1].value_or(glm::dvec3(0.0))};
         const double slack = rope.constraint.ropeLength - pathLength(leavesOf(rope, ends, bodies), rope.bends);
         const double fastest = moveRope(rope.joint.points, step, rope.bends);
-        if (isHeld) setPath(rope, ends, slack, step.length, seconds, bodies);
+        if (isHeld) setPath(rope, ends, slack, step.length + rope.excess, seconds, bodies);
         rope.restSteps = fastest < kRopeSlow ? rope.restSteps + 1 : 0;
         m_ropeMotions.push_back({rope.handle, rope.joint.points});
     }

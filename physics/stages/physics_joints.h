@@ -24,9 +24,9 @@ public:
     void begin();
     /// Wakes whatever is jointed to an awake body.
     void wakeJointed(PhysicsBodies& bodies) const;
-    /// The constraints of awake bodies, in the order of slots; valid until the next call. Bodies must know their solver
-    /// index.
-    std::span<JointConstraint* const> gather(PhysicsBodies& bodies);
+    /// The constraints of awake bodies in a step, in the order of slots; valid until the next call. Bodies must know
+    /// their solver index.
+    std::span<JointConstraint* const> gather(PhysicsBodies& bodies, double seconds);
     /// Joules that the joints of the last gather() gave their bodies in the solve: see JointConstraint::work.
     double work() const;
     /// Notes the joints whose force or torque in the last solve was more than they can stand.

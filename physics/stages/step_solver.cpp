@@ -53,7 +53,7 @@ void StepSolver::solve(PhysicsBodies& bodies, std::span<Manifold* const> manifol
     m_bodyOf.clear();
     for (const Manifold* manifold : manifolds)
         m_bodyOf.emplace_back(solverIndexOf(*manifold->objects.first), solverIndexOf(*manifold->objects.second));
-    const std::span<JointConstraint* const> activeJoints = joints.gather(bodies);
+    const std::span<JointConstraint* const> activeJoints = joints.gather(bodies, settings.stepSeconds);
     m_energy.record(m_bodies, gravity, settings.stepSeconds / settings.substeps);
     m_solver.solve(m_bodies, manifolds, m_bodyOf, gravity,
                    {.substeps = settings.substeps,

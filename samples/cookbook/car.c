@@ -4,9 +4,14 @@
 static void add_wheel(rubble_shape chassis, double x, double z, double steering) {
     rubble_joint_settings wheel = {.struct_size = sizeof wheel, .kind = RUBBLE_JOINT_WHEEL};
     rubble_collision_shape round = {.struct_size = sizeof round, .kind = RUBBLE_COLLISION_CYLINDER_X};
+    rubble_shape_settings disc = {.struct_size = sizeof disc, .source = RUBBLE_SHAPE_INDICES, .size = {2, 6, 6}};
+    uint8_t rubber[72]; /* a square without its corners: a full box would be touched as a box */
     rubble_joint made;
+    for (int i = 0; i < 72; ++i) rubber[i] = (i / 2 % 6) % 5 || (i / 12) % 5 ? 19 : 0;
+    disc.body = make_body(x - 0.1, 0, z - 0.3, 0), disc.indices = rubber, disc.count = 72;
+    OK(api->create_shape(world, &disc, &round.shape));
     wheel.shapes[0] = chassis, wheel.max_steer_angle = steering, wheel.drive_torque = 2000, wheel.brake_torque = 4000;
-    round.shape = wheel.shapes[1] = make_box(make_body(x - 0.1, 0, z - 0.3, 0), 0, 0, 0, 2, 6, 6, 19); /* rubber */
+    wheel.shapes[1] = round.shape;
     wheel.position[0] = x, wheel.position[1] = 0.3, wheel.position[2] = z, wheel.anchor_radius = 0.6;
     wheel.spring_hertz = 8, wheel.spring_damping_ratio = 0.6; /* of the wheel's mass against the car's */
     OK(api->set_collision_shape(world, &round));
@@ -14,7 +19,7 @@ static void add_wheel(rubble_shape chassis, double x, double z, double steering)
 }
 
 int main(void) {
-    rubble_drive drive = {.struct_size = sizeof drive, .throttle = 1};
+    rubble_drive drive = {.struct_size = sizeof drive, .throttle = 0.25};
     rubble_shape chassis;
     double start;
     begin();
@@ -25,9 +30,9 @@ int main(void) {
     steps(60);
     start = state_of(drive.body).position[2];
     OK(api->drive_wheels(world, &drive));
-    steps(180);
+    steps(90);
     printf("driven %.1f m\n", state_of(drive.body).position[2] - start);
-    require(state_of(drive.body).position[2] - start > 1, "the car drives");
+    require(state_of(drive.body).position[2] - start > 3, "the car drives");
     OK(api->destroy_world(world));
     return 0;
 }

@@ -72,6 +72,14 @@ TEST(Joint, AChainStaysTogether) {
     EXPECT_LT(hangHeavy(accuratePhysics(), 5, 1000.0), 1e-3);
 }
 
+/// The pull turns light links back into their line faster than substeps are short.
+TEST(Joint, AChainOfLightLinksHoldsAnyEnd) {
+    for (const PhysicsSettings& settings : {fastPhysics(), balancedPhysics(), accuratePhysics()})
+        for (const int links : {1, 3, 10})
+            for (const double ratio : {1e3, 3e3, 1e4, 2e4})
+                EXPECT_LT(hangHeavy(settings, links, ratio), 0.01) << links << " links, 1:" << ratio;
+}
+
 TEST(Rope, HoldsAThousandTimesTheMassOfItsPoints) {
     for (const double ratio : {10.0, 1000.0}) {
         const RopeSwing swing = swingOnRope({}, ratio);

@@ -168,6 +168,36 @@ TEST(Rolling, ACarTurnsByItsSteeringAngle) {
     }
 }
 
+/// One command holds: the wheels turn to its angle at their rate, and stay there, whether the car rests or not.
+TEST(Rolling, WheelsSteerAtTheirRateAndStay) {
+    for (const double rate : {0.02, 0.5, 2.0}) {
+        PhysicsScene scene;
+        addCar(scene, {});
+        for (LevelJoint& joint : scene.level.joints) joint.joint.wheel.steerRate = rate;
+        scene.load();
+        const auto steered = [&] {  // by the middle of the axle, which is the left front wheel's for small angles
+            double sum = 0.0;
+            for (int i = 0; i < 4; ++i) {
+                const glm::dvec3 axle =
+                    glm::conjugate(scene.body(1).pose.rotation) * scene.body(2 + i).pose.rotation * glm::dvec3(0, 0, 1);
+                sum += std::atan(axle.x / axle.z);
+            }
+            return 0.5 * sum;
+        };
+        for (const double target : {0.1, 0.0}) {
+            const double from = steered(), way = target - from;
+            scene.stepWith({DriveEdit{scene.handle(1), 0.0, target, 0.0}});
+            const auto goOn = [&](double seconds) {
+                for (int i = scene.stepsIn(seconds); i > 0; --i) scene.stepWith({});
+            };
+            goOn(0.5 * std::abs(way) / rate);
+            EXPECT_NEAR(steered(), from + 0.5 * way, 0.05 * std::abs(way) + rate / 30.0) << rate << " rad/s";
+            goOn(1.0 + std::abs(way) / rate);
+            EXPECT_NEAR(steered(), target, 0.002) << rate << " rad/s";
+        }
+    }
+}
+
 /// What drives says one angle: the wheels stand so that all axles meet in one point.
 TEST(Rolling, ADrivenCarTurnsOnTheRadiusOfItsWheelBaseAndAngle) {
     for (const double steer : {-0.5, -0.2, 0.1, 0.3, 0.5, 0.8}) {

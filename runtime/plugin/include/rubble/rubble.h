@@ -718,12 +718,12 @@ typedef struct rubble_joint_settings {
     /* hinge, prismatic, wheel: pulls the free motion back to 0; others: makes the joint give. Frequency 0: no spring,
      * or rigid. Damping ratio 1: critical */
     double spring_hertz, spring_damping_ratio;
-    double friction;                    /* N m for turning, N for sliding; wheel: a brake that is always on */
-    double break_force, break_torque;   /* N, N m, as the mean of a step; 0: never breaks */
-    double rope_end[3];                 /* world: the rope's second end */
-    /* metres; length 0: the distance of its ends, and a shorter one is drawn in at 0.1 m/s; radius 0: 0.03 */
+    double friction;                  /* N m for turning, N for sliding; wheel: a brake that is always on */
+    double break_force, break_torque; /* N, N m, as the mean of a step; 0: never breaks */
+    double rope_end[3];               /* world: the rope's second end */
+    /* metres; length 0: the distance of its ends, a shorter one pulls them together at 0.2 m/s; radius 0: 0.03 */
     double rope_length, rope_radius;
-    double rope_stretch;                /* relative elongation under 10 kN */
+    double rope_stretch;                /* relative elongation under 10 kN, as of a critically damped spring */
     double rope_strength;               /* N at which the rope breaks; 0: never */
     double drive_torque, brake_torque;  /* wheel: N m at full throttle and at full brake, see drive_wheels() */
     double max_spin;                    /* wheel: rad/s forward, half of it backward; 0: 60 */
@@ -1055,8 +1055,8 @@ enum {
 
 /* What physics takes a shape for where it touches others. The round ones are the smallest that hold all its voxels,
  * about the middle of its bounds: a wheel rolls on a cylinder and a ball on a sphere, not on the corners of voxels. A
- * shape that leaves a voxel of it, as after a cut, is touched as voxels. Queries, water and characters always see
- * voxels. */
+ * shape that leaves more than a voxel of it, as after a cut, is touched as voxels, and so is a full box more than 4
+ * voxels wide: the log says so when it is set. Queries, water and characters always see voxels. */
 typedef struct rubble_collision_shape {
     uint32_t struct_size;
     uint32_t kind; /* RUBBLE_COLLISION_VOXELS ... RUBBLE_COLLISION_CYLINDER_Z */
