@@ -50,7 +50,8 @@ constexpr double kMinTread = 0.19;       ///< metres that a step is deep at leas
 constexpr double kJumpOutHeight = 1.2;   ///< fraction of its height: it jumps out of water whose surface is lower
 constexpr double kMaxLandingRise = 0.1;  ///< m/s away from the ground, above which it does not land
 constexpr double kMinFall = 0.01;        ///< m/s in a step by which ground that falls away gets faster than it falls
-constexpr double kMaxKick = 0.25;        ///< m/s that a step on a body may give it, if that is more than the push force
+constexpr double kLeastCarryingShare = 0.25;  ///< of the character's mass: what is lighter does not take it along
+constexpr double kMaxKick = 0.25;  ///< m/s that a step on a body may give it, if that is more than the push force
 constexpr double kMinWakeImpulse = 1e-3;  ///< N s: a weaker push wakes no body
 constexpr double kLoadCell = 0.1;         ///< metres; a body bears another load when the feet are in another such cell
 constexpr double kQueryMargin = 1.0;      ///< metres, for what ground, gravity and pushes add to its own motion
@@ -262,6 +263,15 @@ private:
             if (object->dynamic && object->dynamic->handle() == m_c.ground) return object;
         return nullptr;
     }
+    /// Whether a body takes along who stands on it. A flying crumb under the feet does not.
+    bool carries(const CollisionObject& object) const {
+        return !object.dynamic || object.dynamic->motion.inverseMass * kLeastCarryingShare * m_c.mass <= 1.0;
+    }
+    /// The velocity of a ground under the feet, as far as it takes the character along.
+    glm::dvec3 carryingVelocity(const CollisionObject* ground) const {
+        const glm::dvec3 velocity = velocityOf(ground, m_c.position);
+        return !ground || carries(*ground) ? velocity : kUp * std::min(velocity.y, 0.0);
+    }
     /// Takes over the velocity of the ground, unless that is gone or falls away under it: nothing pulls a character
     /// down faster than it falls.
     void followGround(CollisionObject* ground) {
@@ -269,7 +279,7 @@ private:
         m_groundVelocity = m_c.groundVelocity;
         if (!ground && m_groundVelocity != glm::dvec3(0.0)) return leaveGround();
         const double falling = m_groundVelocity.y + std::min(0.0, m_around.gravity.y) * m_around.seconds;
-        m_groundVelocity = velocityOf(ground, m_c.position);
+        m_groundVelocity = carryingVelocity(ground);
         m_groundFalls = m_groundVelocity.y < falling - kMinFall;
         if (m_groundFalls) m_groundVelocity.y = falling;
     }
@@ -279,6 +289,7 @@ private:
         const glm::dvec3 there =
             ground->dynamic->bodyPose().transformPoint(ground->dynamic->state().pose.inversePoint(m_c.position));
         glm::dvec3 displacement = there - m_c.position;
+        if (!carries(*ground)) displacement = kUp * std::min(displacement.y, 0.0);
         if (m_groundFalls) displacement.y = 0.5 * (m_c.groundVelocity.y + m_groundVelocity.y) * m_around.seconds;
         m_queries.setIgnoresBodies(true);
         if (displacement.y > 0.0) advance(kUp * displacement.y);
@@ -384,8 +395,7 @@ private:
         m_c.grounded = true;
         m_c.ground = hit.object->body < handles.size() ? handles[hit.object->body] : BodyHandle{};
         DynamicBody* body = hit.object->dynamic;
-        const glm::dvec3 groundVelocity =
-            hit.object == m_ground ? m_groundVelocity : velocityOf(hit.object, m_c.position);
+        const glm::dvec3 groundVelocity = hit.object == m_ground ? m_groundVelocity : carryingVelocity(hit.object);
         m_c.velocity = horizontal(m_c.velocity - groundVelocity);
         m_c.groundVelocity = groundVelocity;
         if (!body || body->quarantined() || fallsAway) return;

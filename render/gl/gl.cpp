@@ -12,7 +12,7 @@ namespace {
 using ResetStatus = GLenum(GLAD_API_PTR*)();
 ResetStatus g_resetStatus = nullptr;
 using PixelTransfer = void(GLAD_API_PTR*)(GLenum, GLfloat);
-PixelTransfer g_pixelTransfer = nullptr;  ///< null in core profiles
+PixelTransfer g_pixelTransfer = nullptr;      ///< null in core profiles
 constexpr GLenum kUnmaskedRenderer = 0x9246;  ///< of WEBGL_debug_renderer_info
 bool g_hasCompute = false, g_isEmbedded = false;
 

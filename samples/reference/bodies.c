@@ -54,8 +54,12 @@ EXAMPLE(set_collision_filter) {
 }
 
 EXAMPLE(set_collision_shape) {
-    rubble_collision_shape ball = {.struct_size = sizeof ball, .kind = RUBBLE_COLLISION_SPHERE, .shape = crate_box};
-    OK(api->set_collision_shape(world, &ball)); /* for what is drawn as a ball of voxels and should roll as one */
+    rubble_shape_settings voxels = {.struct_size = sizeof voxels, .source = RUBBLE_SHAPE_SPHERE, .size = {9, 9, 9}};
+    rubble_collision_shape ball = {.struct_size = sizeof ball, .kind = RUBBLE_COLLISION_SPHERE};
+    voxels.body = make_body(4, 3, 0, 0);
+    voxels.index = WOOD;
+    OK(api->create_shape(world, &voxels, &ball.shape));
+    OK(api->set_collision_shape(world, &ball)); /* it is drawn as a ball of voxels, and rolls as one */
     steps(1);
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/frame/frame_snapshot.h"
 #include "render/renderer.h"
+#include "runtime/frame/frame_snapshot.h"
 #include "samples/support/camera.h"
 
 namespace rubble {

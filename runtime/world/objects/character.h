@@ -29,8 +29,8 @@ struct Character {
     bool wantsJump = false;  ///< until it has jumped, or a step has passed
     bool wantsCrouch = false;
     // Where it is
-    glm::dvec3 position{0.0};  ///< of the feet, metres, world
-    glm::dvec3 velocity{0.0};  ///< m/s; while it is grounded, against what it stands on
+    glm::dvec3 position{0.0};        ///< of the feet, metres, world
+    glm::dvec3 velocity{0.0};        ///< m/s; while it is grounded, against what it stands on
     glm::dvec3 groundVelocity{0.0};  ///< m/s, world: of what it stands on, there; zero without ground
     bool grounded = false;
     bool crouched = false;
