@@ -350,7 +350,8 @@ void Renderer::Impl::drawFrames(const View& view, float alpha) {
     stepAlpha = alpha;
     stats.uploadBytes = scene.beginFrame(alpha, view.position, isSameMoment);
     shaders.setRareFeatures(scene.shadow().directory().paged().bricks > 0 ||
-                            std::ranges::any_of(scene.lights(), &SnapshotLight::isRectangle));
+                            std::any_of(scene.lights().begin(), scene.lights().end(),
+                                        [](const SnapshotLight& light) { return light.isRectangle(); }));
     // Where the game stands still its frames count as those of a screen.
     const double now = scene.seconds() + double(alpha - 1.0f) / kStepsPerSecond, passed = now - history->gameSeconds;
     frameSeconds = passed > 0.0 ? float(std::min(passed, kLongestFrame)) : kStill;

@@ -39,18 +39,18 @@
 namespace rubble {
 namespace {
 
-constexpr double kSkin = 0.008;          ///< metres kept from what it meets
-constexpr int kMaxSlides = 4;            ///< walls that it follows in one step
-constexpr int kMaxDepenetrations = 12;   ///< pushes out of what came into it
-constexpr double kMaxSpeed = 60.0;       ///< m/s, falling
-constexpr double kAirControl = 3.0;      ///< 1/s: rate at which the velocity follows a wish without ground
-constexpr double kSwimControl = 6.0;     ///< 1/s, in water
-constexpr double kChest = 0.6;           ///< fraction of its height: under water there, it swims
-constexpr double kMinTread = 0.19;       ///< metres that a step is deep at least: 0.2, less what rounding may take
-constexpr double kJumpOutHeight = 1.2;   ///< fraction of its height: it jumps out of water whose surface is lower
-constexpr double kMaxLandingRise = 0.1;  ///< m/s away from the ground, above which it does not land
-constexpr double kMinFall = 0.01;        ///< m/s in a step by which ground that falls away gets faster than it falls
-constexpr double kLeastCarryingShare = 0.25;  ///< of the character's mass: what is lighter does not take it along
+constexpr double kSkin = 0.008;             ///< metres kept from what it meets
+constexpr int kMaxSlides = 4;               ///< walls that it follows in one step
+constexpr int kMaxDepenetrations = 12;      ///< pushes out of what came into it
+constexpr double kMaxSpeed = 60.0;          ///< m/s, falling
+constexpr double kAirControl = 3.0;         ///< 1/s: rate at which the velocity follows a wish without ground
+constexpr double kSwimControl = 6.0;        ///< 1/s, in water
+constexpr double kChest = 0.6;              ///< fraction of its height: under water there, it swims
+constexpr double kMinTread = 0.19;          ///< metres that a step is deep at least: 0.2, less what rounding may take
+constexpr double kJumpOutHeight = 1.2;      ///< fraction of its height: it jumps out of water whose surface is lower
+constexpr double kMaxLandingRise = 0.1;     ///< m/s away from the ground, above which it does not land
+constexpr double kMinFall = 0.01;           ///< m/s in a step by which ground that falls away gets faster than it falls
+constexpr double kMinCarryingShare = 0.25;  ///< of the character's mass: what is lighter does not take it along
 constexpr double kMaxKick = 0.25;  ///< m/s that a step on a body may give it, if that is more than the push force
 constexpr double kMinWakeImpulse = 1e-3;  ///< N s: a weaker push wakes no body
 constexpr double kLoadCell = 0.1;         ///< metres; a body bears another load when the feet are in another such cell
@@ -265,7 +265,7 @@ private:
     }
     /// Whether a body takes along who stands on it. A flying crumb under the feet does not.
     bool carries(const CollisionObject& object) const {
-        return !object.dynamic || object.dynamic->motion.inverseMass * kLeastCarryingShare * m_c.mass <= 1.0;
+        return !object.dynamic || object.dynamic->motion.inverseMass * kMinCarryingShare * m_c.mass <= 1.0;
     }
     /// The velocity of a ground under the feet, as far as it takes the character along.
     glm::dvec3 carryingVelocity(const CollisionObject* ground) const {

@@ -46,16 +46,16 @@ void PhysicsCharacters::sortByPlace() {
         m_places.emplace_back(m_characters[i].second.position.x, i);
         m_maxRadius = std::max(m_maxRadius, m_characters[i].second.radius);
     }
-    std::ranges::sort(m_places);
+    std::sort(m_places.begin(), m_places.end());
 }
 
 std::vector<const Character*> PhysicsCharacters::near(size_t index, double radius) const {
     std::vector<size_t> found;
     const double x = m_characters[index].second.position.x, reach = radius + m_maxRadius;
-    for (auto i = std::ranges::lower_bound(m_places, std::pair(x - reach, size_t(0)));
+    for (auto i = std::lower_bound(m_places.begin(), m_places.end(), std::pair(x - reach, size_t(0)));
          i != m_places.end() && i->first <= x + reach; ++i)
         if (i->second != index) found.push_back(i->second);
-    std::ranges::sort(found);
+    std::sort(found.begin(), found.end());
     std::vector<const Character*> others;
     for (const size_t i : found) others.push_back(&m_characters[i].second);
     return others;

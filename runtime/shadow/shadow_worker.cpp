@@ -120,7 +120,7 @@ ShadowWorker::~ShadowWorker() {
 void ShadowWorker::submit(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world) {
     const bool isQueued = changesShadow(changes, moved);
     std::optional<Impl::Work> work;
-    if (isQueued) work.emplace(makeShadowStep(changes, moved, world));
+    if (isQueued) work = Impl::Work{.step = makeShadowStep(changes, moved, world)};
     {
         const std::lock_guard lock(m_impl->mutex);
         Impl::Shared& shared = m_impl->shared;
