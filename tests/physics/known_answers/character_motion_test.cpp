@@ -46,6 +46,18 @@ TEST(CharacterMotion, WhoseGroundVanishesKeepsItsVelocity) {
     }
 }
 
+/// A crumb of 18 kg that flies from under 80 kg.
+TEST(CharacterMotion, ACrumbTakesNobodyAlong) {
+    Walk scene({0.0, 0.11, 0.0});
+    LevelBody& crumb = scene.add(solidGrid({3, 1, 3}, 7), {-0.15, 0.0, -0.15}, false);
+    crumb.velocity = {10.0f, 3.0f, 0.0f};
+    crumb.angularVelocity = {0.0f, 30.0f, 0.0f};
+    scene.load();
+    scene.walk(30);
+    EXPECT_LT(glm::length(glm::dvec2(scene.me().position.x, scene.me().position.z)), 0.2);
+    EXPECT_LT(scene.me().position.y, 0.2);
+}
+
 /// A trap door that is pulled away, one that only falls, and one that is braked.
 TEST(CharacterMotion, NothingPullsItDownFasterThanItFalls) {
     for (const double gravityScale : {3.0, 1.2, 1.0}) {
