@@ -205,7 +205,8 @@ static std::string motionError(const RecordedStep& step) {
     if (step.hostMotion) includePoses(step.hostMotion->poses);
     for (const CharacterMove& move : step.characters)
         check.vector("position", move.position, ranges::kPlace)
-            .include(characterVelocityError("velocity", move.velocity));
+            .include(characterVelocityError("velocity", move.velocity))
+            .include(characterVelocityError("ground_velocity", move.groundVelocity));
     return check.error();
 }
 
