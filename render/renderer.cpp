@@ -470,7 +470,7 @@ bool Renderer::reloadShaders() {
 
 bool Renderer::showPass(std::string_view name) {
     for (const ShowPass::TargetView& view : ShowPass::views())
-        if (view.name == name) return m_impl->shown = &view;
+        if (view.name == name) return m_impl->shown = &view, true;
     return false;
 }
 

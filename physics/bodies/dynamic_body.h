@@ -129,8 +129,8 @@ glm::dvec3 velocityAt(const CollisionObject& object, const glm::dvec3& point);
 /// rows of voxels have no gap as wide as the other's smallest side.
 bool mayBeInside(const CollisionObject& a, const CollisionObject& b);
 
-/// Whether two objects may be past each other after a relative displacement (metres). Always if one is static or
-/// asleep. Two moving bodies that still overlap are not: their contacts part them.
+/// Whether two objects may be past each other, or through each other's walls, after a relative displacement (metres).
+/// Always if one is static or asleep. Two moving bodies that still overlap are not: their contacts part them.
 bool mayPass(const CollisionObject& a, const CollisionObject& b, double displacement);
 
 }  // namespace rubble

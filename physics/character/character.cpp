@@ -336,6 +336,7 @@ private:
             const double distance = glm::length(horizontal(away)), overlap = m_c.radius + other->radius - distance;
             const bool isBeside = away.y < other->currentHeight() && away.y > -m_c.currentHeight();
             if (overlap <= 0.0 || !isBeside || !mine.meets({other->collisionLayer, other->collisionMask})) continue;
+            // Of two in one place, the one before in their array goes to the left.
             const glm::dvec3 direction =
                 distance > 1e-6 ? horizontal(away) / distance : glm::dvec3(&m_c < other ? -1.0 : 1.0, 0.0, 0.0);
             slide(direction * (overlap * other->mass / (m_c.mass + other->mass)), true, false);

@@ -10,7 +10,7 @@ namespace rubble {
 /// What a character can touch in a step.
 struct CharacterSurroundings {
     std::vector<CollisionObject*> objects;  ///< within characterQueryRadius(), by number
-    std::vector<const Character*> others;   ///< characters within characterQueryRadius(), by slot
+    std::vector<const Character*> others;   ///< characters that it may touch, by slot
     const WaterVolumes* waters = nullptr;   ///< null: none
     glm::dvec3 gravity{0.0};                ///< m/s2
     double seconds = 1.0 / 60.0;

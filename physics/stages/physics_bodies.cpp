@@ -164,8 +164,6 @@ void PhysicsBodies::destroyDynamic(BodyHandle handle) {
 void PhysicsBodies::updateDynamic(const World& world, BodyHandle handle, const FrameChanges& changes,
                                   bool keepsShapes) {
     const Body& body = world.bodies().at(handle);
-    const bool isTeleported =
-        std::find(changes.teleported.begin(), changes.teleported.end(), handle) != changes.teleported.end();
     DynamicBody* known = dynamicAt(handle.slot());
     if (known) {  // taken out, and put back with another shape and centre of mass
         const glm::dvec3 low = known->object.low, high = known->object.high;
@@ -175,7 +173,10 @@ void PhysicsBodies::updateDynamic(const World& world, BodyHandle handle, const F
         std::erase(m_ended, handle.slot());
         if (wasThere) wakeTouching(low, high);
     }
-    const bool asleep = body.asleep && (!known || isTeleported);
+    const auto isTeleported = [&] {
+        return std::find(changes.teleported.begin(), changes.teleported.end(), handle) != changes.teleported.end();
+    };
+    const bool asleep = body.asleep && (!known || isTeleported());
     if (!(keepsShapes && known && known->update(world, changes) && insert(world, *known, asleep))) {
         for (const ShapeHandle shape : body.shapes) takeStatic(shape.slot());  // it may have been static until now
         createDynamic(world, handle, asleep);

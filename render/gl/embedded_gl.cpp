@@ -62,21 +62,16 @@ void completeTargets() {
     glad_glGetBooleani_v = [](GLenum name, GLuint, GLboolean* out) { glGetBooleanv(name, out); };
 }
 
-/// Takes errors that the GL has kept, as of a host's calls.
-void takeErrors() {
-    while (glGetError() != GL_NO_ERROR) continue;
-}
-
 /// Whether there was memory for a texture shows in its width; ES tells it by an error alone.
 void completeAllocations() {
     glad_glTexImage2D = [](GLenum target, GLint level, GLint internalFormat, GLsizei width, GLsizei height,
                            GLint border, GLenum format, GLenum type, const void* pixels) {
-        takeErrors();
+        dropErrors();  // of before, as of a host's calls
         g_es.texImage2D(target, level, internalFormat, width, height, border, format, type, pixels);
     };
     glad_glTexImage3D = [](GLenum target, GLint level, GLint internalFormat, GLsizei width, GLsizei height,
                            GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels) {
-        takeErrors();
+        dropErrors();  // of before, as of a host's calls
         g_es.texImage3D(target, level, internalFormat, width, height, depth, border, format, type, pixels);
     };
     glad_glGetTexLevelParameteriv = [](GLenum, GLint, GLenum, GLint* out) { *out = glGetError() == GL_NO_ERROR; };

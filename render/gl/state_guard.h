@@ -77,7 +77,7 @@ struct GlState {
     void set() const;
 };
 
-/// After a failure: leaves none of our errors in the GL's queue.
+/// Empties the GL's queue of errors.
 void dropErrors();
 
 /// Sets what the renderer draws with, and sees to the host's state at the end of its scope: also to its queue of

@@ -21,7 +21,7 @@ void copyFramebuffer(const Texture& into) {
 }
 
 /// Whether blits can copy the depth of the framebuffer that is bound: OpenGL ES changes no format.
-bool hasBlittedDepth(unsigned framebuffer) {
+bool canBlitDepth(unsigned framebuffer) {
     const GLenum depth = framebuffer ? GL_DEPTH_ATTACHMENT : GL_DEPTH;
     GLint type = GL_NONE, bits = 0;
     glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
@@ -71,7 +71,7 @@ bool HostLayersPass::copyImage(const FrameContext& frame, const View& view) cons
     glGetIntegerv(GL_SAMPLE_BUFFERS, &samples);
     glGetIntegerv(GL_DRAW_BUFFER0, &drawn);
     glGetIntegerv(GL_READ_BUFFER, &read);
-    if (samples > 0 || drawn == GL_NONE || (isEmbedded() && !hasBlittedDepth(view.framebuffer))) return false;
+    if (samples > 0 || drawn == GL_NONE || (isEmbedded() && !canBlitDepth(view.framebuffer))) return false;
     glReadBuffer(GLenum(drawn));
     if (isEmbedded()) {
         const Framebuffer &intoColor = frame.targets.framebuffer({&color}),

@@ -38,8 +38,8 @@ public:
     void endBatch();
     /// Whether shaders have what most scenes do not need: the paged part of the shadow volume (lib/shadow_trace.glsl)
     /// and lights that are rectangles (lib/local_lights.glsl); at first they do. On a GPU these are branches, which
-    /// this does not change. A software GL runs both sides of any branch: an eighth of a ray's time, a sixth of the
-    /// light of lights. So there are programs without both there, each built when it is first wanted.
+    /// this does not change. A software GL runs both sides of any branch: an eighth of a ray's time, a fifth of the
+    /// pass of local lights. So there are programs without both there, each built when it is first wanted.
     void setRareFeatures(bool areWanted);
     /// Rebuilds the programs whose files changed on disk; on an error the last good program stays. True if any was
     /// rebuilt.

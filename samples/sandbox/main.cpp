@@ -11,13 +11,12 @@
 #include "samples/sandbox/stage.h"
 #include "samples/sandbox/window.h"
 #include "samples/scenes/scene.h"
+#include "samples/support/window.h"
 
 namespace rubble {
 
 bool SandboxOptions::wantsWindow() const {
-    if (headless || noRender) return false;
-    const auto isSet = [](const char* name) { return std::getenv(name) && *std::getenv(name); };
-    return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY");
+    return !headless && !noRender && Window::hasDisplay();
 }
 
 namespace {

@@ -3,11 +3,17 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "samples/support/gl_context.h"
 
 namespace rubble {
+
+bool Window::hasDisplay() {
+    const auto isSet = [](const char* name) { return std::getenv(name) && *std::getenv(name); };
+    return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY");
+}
 
 Result<std::unique_ptr<Window>> Window::create(glm::ivec2 size, const std::string& title) {
     const auto failure = [](const char* what) {

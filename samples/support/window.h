@@ -13,6 +13,8 @@ namespace rubble {
 /// A window with a GL core context, current on the thread that created it. Keys are GLFW's key codes.
 class Window {
 public:
+    /// Whether there is a display to open a window on.
+    static bool hasDisplay();
     /// Opens a window of `size` pixels, the cursor captured. An error without a display or without OpenGL 3.3.
     static Result<std::unique_ptr<Window>> create(glm::ivec2 size, const std::string& title);
     ~Window();

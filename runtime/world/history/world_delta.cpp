@@ -162,20 +162,22 @@ void journalGroups(const WorldDelta& before, WorldData& world, FrameChanges& cha
     }
 }
 
-/// Bodies that are in a trigger now and were not, or the other way round.
-void journalInside(TriggerHandle trigger, const std::vector<BodyHandle>& before, const std::vector<BodyHandle>& now,
+/// Bodies that are in a trigger now and were not, or the other way round. Both lists are in slot order.
+void journalInside(TriggerHandle trigger, std::span<const BodyHandle> before, std::span<const BodyHandle> now,
                    FrameChanges& changes) {
-    std::vector<TriggerEvent> events;
-    const auto list = [&](const std::vector<BodyHandle>& some, const std::vector<BodyHandle>& others, bool entered) {
-        for (const BodyHandle body : some)
-            if (std::find(others.begin(), others.end(), body) == others.end())
-                events.push_back({trigger, body, entered});
-    };
-    list(before, now, false);
-    list(now, before, true);
-    std::stable_sort(events.begin(), events.end(),
-                     [](const TriggerEvent& a, const TriggerEvent& b) { return a.body.slot() < b.body.slot(); });
-    changes.triggerEvents.insert(changes.triggerEvents.end(), events.begin(), events.end());
+    const auto slotOf = [](std::span<const BodyHandle> bodies) { return bodies.empty() ? ~0u : bodies[0].slot(); };
+    while (!before.empty() || !now.empty()) {
+        const uint32_t left = slotOf(before), entered = slotOf(now);
+        const bool stays = left == entered && before[0] == now[0];
+        if (left <= entered) {
+            if (!stays) changes.triggerEvents.push_back({trigger, before[0], false});
+            before = before.subspan(1);
+        }
+        if (entered <= left) {
+            if (!stays) changes.triggerEvents.push_back({trigger, now[0], true});
+            now = now.subspan(1);
+        }
+    }
 }
 
 void journalTriggers(const WorldDelta& before, WorldData& world, FrameChanges& changes) {

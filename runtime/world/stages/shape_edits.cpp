@@ -110,7 +110,7 @@ void moveConnectivity(EditContext& context, ShapeHandle from, ShapeHandle target
     into.knownConnected = into.knownConnected && isTested && context.world.shapes.at(from).knownConnected;
 }
 
-/// Lights, joints and supplies of a shape that is merged into another go with it.
+/// Lights and joints of a shape that is merged into another go with it.
 void moveAttached(EditContext& context, ShapeHandle from, ShapeHandle into, glm::ivec3 at) {
     context.world.lights.forEach([&](LightHandle light, Light& attached) {
         if (attached.shape != from) return;

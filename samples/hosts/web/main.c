@@ -102,8 +102,8 @@ static int draw_frame(double alpha, int with_world, int compares) {
     if (with_world) {
         if (compares) read_gl_state(find_gl, &before), take_gl_errors();
         check(api->draw(renderer, &view), "draw");
-        if (compares) read_gl_state(find_gl, &after), differences = compare_gl_states(&before, &after);
-        take_gl_errors();
+        if (compares)
+            read_gl_state(find_gl, &after), take_gl_errors(), differences = compare_gl_states(&before, &after);
     }
     glBindFramebuffer(GL_READ_FRAMEBUFFER, image.framebuffer);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);

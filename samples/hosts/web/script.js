@@ -1,5 +1,5 @@
 // What is played where no player does: the events that a player's hands make, images after them, a context that is lost,
-// and, if the address asks for it (?speed=SECONDS), frames a second. serve.py collects what it reports.
+// and, if the address asks for it (?speed=SECONDS), frames a second with each of ?presets=A,B. serve.py collects what it reports.
 "use strict";
 
 const kFrames = 16;  // of an image: light gathers over some frames
@@ -52,7 +52,7 @@ async function loseContext() {
 
 /** The median of the frames a second in real time, with each preset. */
 async function measure(host, seconds) {
-    for (const preset of (options.get("presets") || "balanced,fast").split(",")) {
+    for (const preset of (options.get("presets") || "balanced,draft").split(",")) {
         for (const withMeshes of [true, false]) {
             setQuality(host, preset, withMeshes);
             const rates = [];

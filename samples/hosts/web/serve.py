@@ -54,13 +54,14 @@ def play_script(server, out, options):
     with tempfile.TemporaryDirectory() as profile:
         browser = subprocess.Popen([*CHROMIUM, f"--user-data-dir={profile}", address],
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        watch = threading.Thread(target=lambda: (browser.communicate(), Page.is_over.set()), daemon=True)
+        errors = []
+        watch = threading.Thread(target=lambda: (errors.append(browser.communicate()[1]), Page.is_over.set()), daemon=True)
         watch.start()
         Page.is_over.wait()
         browser.terminate()
         watch.join()
     if not Page.result:
-        print("serve.py: the browser ended before the script did", file=sys.stderr)
+        print("serve.py: the browser ended before the script did:\n" + "".join(errors), file=sys.stderr)
         return 1
     name, text = Page.result
     for line in text.splitlines():

@@ -19,11 +19,6 @@ constexpr const char* kHelp =
     "In a window: WASD and mouse fly, Space/Shift up and down, Control fast, 1 blast, 2 hammer, 3 paint, 4 push, left "
     "click uses it, Esc leaves.";
 
-void say(const std::string& line) {
-    fmt::print("{}\n", line);
-    std::fflush(stdout);
-}
-
 int serve(const Options& options) {
     rubble_world_settings settings{};
     settings.flags = RUBBLE_WORLD_NO_RENDERER;
@@ -68,9 +63,9 @@ void addImageOptions(CLI::App& app, Options& options) {
                 throw CLI::ValidationError("--size", error);
         },
         "of the image, WIDTHxHEIGHT [640x360]");
-    app.add_option("--preset", options.preset, "fast, balanced or accurate")
+    app.add_option("--preset", options.preset, "draft, fast, balanced or accurate")
         ->capture_default_str()
-        ->check(CLI::IsMember({"fast", "balanced", "accurate"}));
+        ->check(CLI::IsMember({"draft", "fast", "balanced", "accurate"}));
 }
 
 int run(int argc, char** argv) {

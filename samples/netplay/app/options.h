@@ -22,7 +22,7 @@ struct Options {
 /// A new connection to the server, over a link as bad as the options say. Throws std::runtime_error if there is no such
 /// host.
 std::unique_ptr<Transport> connectTo(const Options& options, uint32_t seed);
-/// The same for the server's end: makes it worse.
+/// A transport over a link with the options' latency and loss; itself if they ask for none. seed: of what is lost.
 std::unique_ptr<Transport> overLink(std::unique_ptr<Transport> transport, const Options& options, uint32_t seed);
 
 }  // namespace netplay

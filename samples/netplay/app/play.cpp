@@ -12,17 +12,17 @@ namespace netplay {
 
 volatile std::sig_atomic_t isInterrupted = 0;
 
+void say(const std::string& line) {
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+}
+
 namespace {
 
 constexpr int kStepsBetweenAsks = 60;                     // of a bot
 constexpr int kStepsBetweenClicks = 15;                   // of a player who holds the button, as the server allows
 constexpr int kDefaultFrames = 12, kDefaultSeconds = 12;  // without a display
 constexpr const char* kToolNames[kTools] = {"blast", "hammer", "paint", "push"};
-
-void say(const std::string& line) {
-    fmt::print("{}\n", line);
-    std::fflush(stdout);
-}
 
 /// A client with its world.
 struct Seat {

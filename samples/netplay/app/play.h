@@ -1,5 +1,6 @@
 #pragma once
 #include <csignal>
+#include <string>
 
 #include "samples/netplay/app/options.h"
 
@@ -7,6 +8,8 @@ namespace netplay {
 
 /// Ends all loops of this program.
 extern volatile std::sig_atomic_t isInterrupted;
+/// Prints a line, at once.
+void say(const std::string& line);
 
 /// A player in a window, until he leaves. Returns the exit code.
 int playInWindow(const Options& options);

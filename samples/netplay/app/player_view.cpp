@@ -63,9 +63,8 @@ void PlayerView::use(Tool tool) {
 void PlayerView::follow() {
     if (m_client.state() != Client::State::Playing || m_client.players().empty()) return;
     const glm::dvec3 there = toGlm(m_client.position());
-    if (m_camera.position += m_velocity / double(kStepsPerSecond);
-        !m_isPlaced || glm::distance(m_camera.position, there) > kJump)
-        m_camera.position = there;
+    m_camera.position += m_velocity / double(kStepsPerSecond);
+    if (!m_isPlaced || glm::distance(m_camera.position, there) > kJump) m_camera.position = there;
     if (!std::exchange(m_isPlaced, true)) lookAt({0.0, 3.0, 0.0});
     m_camera.position += (there - m_camera.position) * kPull;
     showOthers();

@@ -1,7 +1,6 @@
 // Apart from what sees rubble.hpp, whose classes have the names of some that are included here.
 #include "samples/netplay/app/screen.h"
 
-#include <cstdlib>
 #include <stdexcept>
 
 #include "render/gl/gl.h"
@@ -67,8 +66,7 @@ private:
 }  // namespace
 
 bool Screen::hasDisplay() {
-    const auto isSet = [](const char* name) { return std::getenv(name) && *std::getenv(name); };
-    return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY");
+    return rubble::Window::hasDisplay();
 }
 
 std::unique_ptr<Screen> Screen::openWindow(Size size, const std::string& title) {

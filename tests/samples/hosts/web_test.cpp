@@ -131,7 +131,7 @@ TEST(HostWeb, BreaksTheTownAndDrawsItAsTheDesktopDoes) {
     desktop.writeImage(folder + "/desktop_hole.png");
     for (const auto& [own, other] : {std::pair("desktop_start.png", 0), std::pair("desktop_hole.png", 1)}) {
         const double difference = differenceOf(folder + "/" + own, run.images[size_t(other)].path);
-        EXPECT_LT(difference, 0.05) << own;
+        EXPECT_LT(difference, 0.01) << own;
         std::printf("%s: FLIP %.4f\n", own, difference);
     }
 }
@@ -145,7 +145,7 @@ TEST(HostWeb, IsASmallDownload) {
         bytes += std::stoull(runCommand("gzip -9 -c " + kPage + "/" + file + " | wc -c", code));
         EXPECT_EQ(code, 0);
     }
-    EXPECT_LT(bytes, 4'000'000u);
+    EXPECT_LT(bytes, 2'000'000u);
     std::printf("%.2f MB compressed\n", double(bytes) * 1e-6);
 }
 
