@@ -13,7 +13,7 @@ namespace rubble::script {
 /// What a host gives to the scripts of a world.
 struct ScriptHostSettings {
     SandboxLimits limits;  ///< of each script
-    /// The folder of which scripts may read files, by Spawn() and require(); empty: none.
+    /// The folder of which scripts may read files, by Spawn(); empty: none.
     std::string folder;
     /// Reports that the host wants beside those of the scripts: scripts set the filter of the world.
     rubble_report_filter reports = {};

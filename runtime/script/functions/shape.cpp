@@ -111,22 +111,22 @@ int getMaterial(lua_State* L) {
     return pushEntry(L, handleAt(L, 1, "shape"), uint32_t(entry));
 }
 
-int setDensity(lua_State* L) {
+/// Sets one number of a shape. field: its RUBBLE_SHAPE_ flag.
+int setNumber(lua_State* L, uint32_t field, double rubble_shape_change::*number, const char* name) {
     auto change = sized<rubble_shape_change>();
-    change.fields = RUBBLE_SHAPE_DENSITY;
+    change.fields = field;
     change.shape = handleAt(L, 1, "shape");
-    change.density = numberAt(L, 2, "density");
+    change.*number = numberAt(L, 2, name);
     isDone(L, apiOf(L).set_shape(worldOf(L), &change));
     return 0;
 }
 
+int setDensity(lua_State* L) {
+    return setNumber(L, RUBBLE_SHAPE_DENSITY, &rubble_shape_change::density, "density");
+}
+
 int setEmissiveScale(lua_State* L) {
-    auto change = sized<rubble_shape_change>();
-    change.fields = RUBBLE_SHAPE_EMISSION;
-    change.shape = handleAt(L, 1, "shape");
-    change.emission = numberAt(L, 2, "scale");
-    isDone(L, apiOf(L).set_shape(worldOf(L), &change));
-    return 0;
+    return setNumber(L, RUBBLE_SHAPE_EMISSION, &rubble_shape_change::emission, "scale");
 }
 
 int getCollisionFilter(lua_State* L) {
