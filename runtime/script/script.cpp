@@ -219,13 +219,12 @@ void Script::startAll() {
     }
 }
 
-void Script::resumeWaiting(bool stepIsDone) {
+void Script::resumeWaiting() {
     std::vector<Waiting> waiting;
     waiting.swap(m_waiting);
     for (const Waiting& each : waiting) {
         if (isStopped()) return;
-        const bool isDue = each.until < 0.0 ? stepIsDone : each.until <= m_context.shared.time + 1e-9;
-        if (isDue)
+        if (each.until <= m_context.shared.time + 1e-9)
             settle(each.thread, each.reference, run(each.thread, 0));
         else
             m_waiting.push_back(each);

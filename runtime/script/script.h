@@ -58,9 +58,9 @@ public:
     void call(Callback callback, Push&& push) {
         if (lua_State* thread = begin(callback)) finish(callback, thread, run(thread, pushTrusted(thread, push)));
     }
-    /// Goes on with all that waits for a time of the world, or for a step that is done, and begins what start() was
-    /// given.
-    void resumeWaiting(bool stepIsDone);
+    /// After a step: goes on with all that waits for that, or for a time of the world that has come, and begins what
+    /// start() was given.
+    void resumeWaiting();
     /// Whether anything waits.
     bool isWaiting() const { return !m_waiting.empty() || !m_context.started.empty(); }
 

@@ -83,7 +83,7 @@ rubble_result ScriptHost::step() {
     if (!m_shared.pointLights.empty()) dropPointLights();
     readEvents();
     for (Script& script : m_scripts)
-        if (script.isWaiting()) script.resumeWaiting(true);
+        if (script.isWaiting()) script.resumeWaiting();
     return result;
 }
 

@@ -55,7 +55,7 @@ public:
     ScriptWorld& shared() { return m_shared; }
     /// All scripts, in the order in which they are called.
     const std::list<Script>& scripts() const { return m_scripts; }
-    /// The same: erase one between steps to end it.
+    /// The same: erase one between steps to end it, without destroy().
     std::list<Script>& scripts() { return m_scripts; }
 
 private:

@@ -19,7 +19,8 @@ struct DebugLine {
     std::array<double, 4> color;     ///< 0 to 1, with opacity
 };
 
-/// The voxels of a shape as they will be after the edits that wait: what several calls draw in one step adds up.
+/// The voxels of a shape with what calls that draw have written since the last step: what several of them draw in one
+/// step adds up. Holes, TrimShape() and MergeShape() of that step are not in it.
 struct GridCopy {
     std::array<int32_t, 3> size{};
     std::vector<uint8_t> voxels;  ///< as read_voxels() gives them

@@ -6,9 +6,9 @@ namespace rubble::script {
 namespace {
 
 /// What the next query may find. Taking it puts the settings of the script back to none, as in Teardown.
-class TakenFilter {
+class QueryFilter {
 public:
-    explicit TakenFilter(lua_State* L) : m_settings(ScriptContext::of(L).query) {
+    explicit QueryFilter(lua_State* L) : m_settings(ScriptContext::of(L).query) {
         m_filter.flags = m_settings.flags;
         m_filter.layer_mask = m_settings.layers;
         m_filter.rejected_bodies = m_settings.bodies.data();
@@ -16,7 +16,7 @@ public:
         m_filter.rejected_shapes = m_settings.shapes.data();
         m_filter.rejected_shape_count = uint32_t(m_settings.shapes.size());
     }
-    ~TakenFilter() {
+    ~QueryFilter() {
         m_settings.flags = m_settings.layers = 0;
         m_settings.bodies.clear();
         m_settings.shapes.clear();
@@ -97,7 +97,7 @@ int queryRaycast(lua_State* L) {
     copy(ray.direction, vectorAt(L, 2, "dir"));
     ray.max_distance = numberAt(L, 3, "maxDist");
     ray.radius = numberOr(L, 4, "radius", 0.0);
-    TakenFilter filter(L);
+    QueryFilter filter(L);
     if (boolOr(L, 5, false)) filter.get().flags |= RUBBLE_FILTER_REJECT_TRANSPARENT;
     rubble_hit hit = {};
     isDone(L, apiOf(L).cast_rays(worldOf(L), &ray, 1, &filter.get(), &hit));
@@ -107,7 +107,7 @@ int queryRaycast(lua_State* L) {
 int queryClosestPoint(lua_State* L) {
     const Vector origin = vectorAt(L, 1, "origin");
     const double distance = numberAt(L, 2, "maxDist");
-    TakenFilter filter(L);
+    QueryFilter filter(L);
     rubble_hit hit = {};
     isDone(L, apiOf(L).find_closest_point(worldOf(L), origin.data(), distance, &filter.get(), &hit));
     lua_pushboolean(L, hit.hit);
@@ -128,7 +128,7 @@ rubble_query_shape boxAt(lua_State* L) {
 
 int queryAabbShapes(lua_State* L) {
     const rubble_query_shape box = boxAt(L);
-    TakenFilter filter(L);
+    QueryFilter filter(L);
     const auto& found = readHandles(L, [&](uint64_t* out, uint32_t capacity, uint32_t* count) {
         return apiOf(L).overlap_shapes(worldOf(L), &box, &filter.get(), out, capacity, count);
     });
@@ -137,7 +137,7 @@ int queryAabbShapes(lua_State* L) {
 
 int queryAabbBodies(lua_State* L) {
     const rubble_query_shape box = boxAt(L);
-    TakenFilter filter(L);
+    QueryFilter filter(L);
     const auto& found = readHandles(L, [&](uint64_t* out, uint32_t capacity, uint32_t* count) {
         return apiOf(L).overlap_bodies(worldOf(L), &box, &filter.get(), out, capacity, count);
     });
@@ -161,7 +161,7 @@ int queryRaycasts(lua_State* L) {
         ray.max_distance = distance;
     }
     std::vector<rubble_hit> hits(rays.size());
-    TakenFilter filter(L);
+    QueryFilter filter(L);
     isDone(L, apiOf(L).cast_rays(worldOf(L), rays.data(), uint32_t(count), &filter.get(), hits.data()));
     lua_createtable(L, int(count), 0);
     lua_createtable(L, int(count), 0);

@@ -1,5 +1,6 @@
 #include "runtime/script/binding/calls.h"
 #include "runtime/script/functions/vocabulary.h"
+#include "runtime/script/sandbox/libraries.h"
 
 namespace rubble::script {
 namespace {
@@ -87,7 +88,7 @@ int debugCross(lua_State* L) {
 }
 
 int debugPrint(lua_State* L) {
-    luaL_tolstring(L, 1, nullptr);
+    pushText(L, 1);
     Sandbox& box = Sandbox::of(L);
     box.charge(L, 100 + int64_t(lua_rawlen(L, -1)));
     if (box.output) box.output(lua_tostring(L, -1));
@@ -96,7 +97,7 @@ int debugPrint(lua_State* L) {
 
 int debugWatch(lua_State* L) {
     const std::string name = textAt(L, 1, "name");
-    luaL_tolstring(L, 2, nullptr);
+    pushText(L, 2);
     auto& watches = ScriptContext::of(L).shared.watches;
     if (watches.size() < 1000 || watches.count(name)) watches[name] = std::string(lua_tostring(L, -1)).substr(0, 1000);
     return 0;
@@ -127,7 +128,7 @@ int start(lua_State* L) {
 constexpr ScriptFunction kFunctions[] = {
     {"SetTimeScale(scale)", "How fast the world's time goes: 1 as usual, 0 stands still.", setTimeScale},
     {"SetGravity(gravity)", "The acceleration of all that falls, in m/s2.", setGravity},
-    {"GetTime() -> seconds", "The time of the world, in steps since the scripts began.", getTime},
+    {"GetTime() -> seconds", "The seconds of all steps since the scripts began.", getTime},
     {"GetTimeStep() -> seconds", "What tick() or update() was given.", getTimeStep},
     {"Spawn(file, transform) -> list",
      "Places a model or level of the scripts' folder into the world; gives its bodies, shapes, joints and lights.",

@@ -47,12 +47,6 @@ int wrap(lua_State* L) {
     return 1;
 }
 
-void watchField(lua_State* L, const char* name) {
-    lua_getfield(L, -1, name);
-    lua_pushcclosure(L, resume, 1);
-    lua_setfield(L, -2, name);
-}
-
 }  // namespace
 
 void openCoroutine(lua_State* L) {
@@ -61,8 +55,8 @@ void openCoroutine(lua_State* L) {
     lua_getfield(L, -2, "create");
     lua_pushcclosure(L, wrap, 2);
     lua_setfield(L, -2, "wrap");
-    watchField(L, "resume");
-    watchField(L, "close");
+    wrapField(L, "resume", resume);
+    wrapField(L, "close", resume);
     lua_pop(L, 1);
 }
 

@@ -31,11 +31,7 @@ int limitThenCall(lua_State* L) {
 }
 
 void wrapAll(lua_State* L, const char* const* names, lua_CFunction function) {
-    for (; *names; ++names) {
-        lua_getfield(L, -1, *names);
-        lua_pushcclosure(L, function, 1);
-        lua_setfield(L, -2, *names);
-    }
+    for (; *names; ++names) wrapField(L, *names, function);
 }
 
 /// math.randomseed(): without a number it starts the sequence of the sandbox again.
@@ -53,6 +49,12 @@ void openLibrary(lua_State* L, const char* name, lua_CFunction open) {
 }
 
 }  // namespace
+
+void wrapField(lua_State* L, const char* name, lua_CFunction function) {
+    lua_getfield(L, -1, name);
+    lua_pushcclosure(L, function, 1);
+    lua_setfield(L, -2, name);
+}
 
 void chargeArguments(lua_State* L, const char* const* names) {
     wrapAll(L, names, chargeThenCall);

@@ -32,6 +32,9 @@ inline constexpr lua_Integer kMaxResults = 8000;
 /// The same for functions of a string and two positions, as string.byte, that give a value for each byte between.
 void limitResults(lua_State* L, const char* const* names);
 
+/// Replaces a function of the table on the stack by one that has it as its upvalue.
+void wrapField(lua_State* L, const char* name, lua_CFunction function);
+
 /// What it costs to compile a text, in units of work.
 int64_t compileCost(std::string_view text);
 

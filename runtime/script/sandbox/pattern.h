@@ -20,8 +20,6 @@ public:
 
     /// The end of the match that begins at `start`, or kNoMatch.
     size_t matchAt(size_t start);
-    /// How many captures the last match has.
-    int captureCount() const { return m_count; }
     /// Pushes capture `index`, of none the whole match; an error if there is no such capture.
     void pushCapture(int index, size_t start, size_t end) const;
     /// Pushes all captures, or the whole match if the pattern has none and `wholeIfNone`; returns their number.

@@ -30,8 +30,7 @@ struct RunResult {
 ///  - A count hook charges instructions. Functions of C that work for long charge what they do (charge()), and
 ///    allocations charge their bytes.
 ///  - A script over its limits is stopped for good: pcall, coroutines and `__close` pass the stop on, because all of
-///  them
-///    look at isStopped().
+///    them look at isStopped().
 ///  - Nothing runs where hooks do not: no finalisers, own patterns, own sort.
 ///  - No file, process, bytecode or address of memory is in reach, and nothing depends on the time: `pairs` has a fixed
 ///    order, `math.random` a seed.
@@ -59,7 +58,8 @@ public:
     /// Starts or goes on with a coroutine, as lua_resume() does, under new limits of work and time: for a start the
     /// function and its arguments lie on its stack. A thread that has failed is ready for another start.
     RunResult run(lua_State* thread, int arguments);
-    /// Runs a function of C in protected mode, for those that prepare a state; false: it has failed, error() says why.
+    /// Runs a function of C in protected mode, for those that prepare a state; false: it has failed, refusal() says
+    /// why.
     bool prepare(lua_CFunction function, void* argument);
 
     /// Counts work of a function of C, before it is done. Stops the script if that is more than it has left.
@@ -77,7 +77,7 @@ public:
     const std::string& stopReason() const { return m_stopReason; }
     /// Gives a thread the hook that counts; every thread has it before it runs.
     void watch(lua_State* thread) const;
-    /// Why memory was refused last: the text of an error of kind LUA_ERRMEM.
+    /// Why memory was refused, or prepare() failed, last.
     const std::string& refusal() const { return m_refusal; }
 
     /// While one lives the host itself puts values into the state, outside of run(): memory is not refused.

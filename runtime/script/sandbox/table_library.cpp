@@ -148,12 +148,6 @@ int sort(lua_State* L) {
     return 0;
 }
 
-void wrapField(lua_State* L, const char* name, lua_CFunction function) {
-    lua_getfield(L, -1, name);
-    lua_pushcclosure(L, function, 1);
-    lua_setfield(L, -2, name);
-}
-
 }  // namespace
 
 void openTable(lua_State* L) {

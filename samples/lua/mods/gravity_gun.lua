@@ -1,5 +1,5 @@
--- Gravity gun: holds the body that the player looks at before the eye, and throws it after two seconds. The player is
--- a parameter here, since a script without a window has none: --param eye=...
+-- Gravity gun: holds the body that the player looks at before the eye, and throws it after two seconds. The eye
+-- stands at a fixed place here, since a script without a window has no player.
 local eye = Vec(0, 0.4, -6)
 local ahead = Vec(0, 0, 1)
 local held = 0

@@ -166,5 +166,17 @@ TEST(Script, AttacksLeaveTheWorldAsItWas) {
     EXPECT_EQ(plain.hash(), attacked.hash());
 }
 
+TEST(Script, TheHostReadsWhatScriptsSet) {
+    Yard yard;
+    EXPECT_EQ(yard.run("SetTimeScale(0.5) DebugLine({0, 0, 0}, {0, 5, 0}) DebugWatch('n', 3) DebugWatch('t', {}) "
+                       "PointLight({0, 2, 0})"),
+              "");
+    EXPECT_EQ(yard.host().timeScale(), 0.5);
+    EXPECT_EQ(yard.host().shared().debugLines.size(), 1u);
+    EXPECT_EQ(yard.host().shared().watches["n"], "3");
+    EXPECT_LT(yard.host().shared().watches["t"].size(), 12u) << "not an address: " << yard.host().shared().watches["t"];
+    EXPECT_EQ(yard.host().shared().pointLights.size(), 1u);
+}
+
 }  // namespace
 }  // namespace rubble::script
