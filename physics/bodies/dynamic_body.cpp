@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "physics/math/clamp_length.h"
+
 namespace rubble {
 namespace {
 
@@ -13,14 +15,6 @@ constexpr double kMinPass = 0.25;
 /// Whether each coordinate is a number below the limit.
 bool finiteBelow(glm::dvec3 v, double limit) {
     return std::abs(v.x) < limit && std::abs(v.y) < limit && std::abs(v.z) < limit;
-}
-
-/// Shortens a vector that is longer than maxLength; false if it is not.
-bool clampLength(glm::dvec3& v, double maxLength) {
-    const double length2 = glm::dot(v, v);
-    if (length2 <= maxLength * maxLength * (1.0 + 1e-9)) return false;  // a clamped vector is not clamped again
-    v *= maxLength / std::sqrt(length2);
-    return true;
 }
 
 Pose inverse(const Pose& pose) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "physics/character/character_queries.h"
+#include "physics/math/clamp_length.h"
 #include "runtime/core/ranges.h"
 
 // A kinematic character: a capsule that collides and slides (after Fauerby, "Improved Collision detection and
@@ -58,11 +59,6 @@ constexpr double kQueryMargin = 1.0;      ///< metres, for what ground, gravity 
 
 glm::dvec3 horizontal(glm::dvec3 v) {
     return {v.x, 0.0, v.z};
-}
-
-glm::dvec3 clampedLength(glm::dvec3 v, double maxLength) {
-    const double length = glm::length(v);
-    return length > maxLength ? v * (maxLength / length) : v;
 }
 
 glm::dvec3 velocityOf(const CollisionObject* object, glm::dvec3 point) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "physics/math/clamp_length.h"
 #include "runtime/core/constants.h"
 
 // Joints by sequential impulses, with a direct solver for what is rigid.
@@ -62,11 +63,6 @@ double targetError(const JointRows& e) {
     const Joint& joint = *e.c->joint;
     const double error = e.freeAxis.value - (hasPositionMotor(joint) ? joint.motor.target : 0.0);
     return joint.kind == JointKind::Hinge ? withinHalfTurn(error) : error;
-}
-
-glm::dvec3 clampedLength(const glm::dvec3& v, double maxLength) {
-    const double length2 = glm::dot(v, v);
-    return length2 > maxLength * maxLength ? v * (maxLength / std::sqrt(length2)) : v;
 }
 
 /// Adds to an accumulated impulse within bounds, and calls apply with what was added.
