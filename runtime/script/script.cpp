@@ -8,9 +8,9 @@
 namespace rubble::script {
 namespace {
 
-constexpr const char* kNames[kCallbacks] = {"init",       "tick",    "update",      "destroy",
-                                            "onSplit",    "onBreak", "onBodyBreak", "onContact",
-                                            "onLightOut", "onFire",  "onJoint",     "onTrigger"};
+constexpr const char* kNames[kCallbacks] = {"init",    "tick",        "update",    "destroy",    "onSplit",
+                                            "onBreak", "onBodyBreak", "onContact", "onLightOut", "onFire",
+                                            "onJoint", "onTrigger",   "draw"};
 constexpr size_t kMaxIdle = 4;
 
 double seconds() {

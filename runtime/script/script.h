@@ -22,8 +22,9 @@ enum class Callback : uint8_t {
     Fire,       ///< onFire(shape, pos, lit)
     Joint,      ///< onJoint(joint, what, from, to); what: "voxel gone", "overloaded", "removed", "cut", "moved"
     Trigger,    ///< onTrigger(trigger, body, entered)
+    Draw,       ///< draw(dt), each frame, after tick()
 };
-inline constexpr size_t kCallbacks = size_t(Callback::Trigger) + 1;
+inline constexpr size_t kCallbacks = size_t(Callback::Draw) + 1;
 /// The name of the function.
 const char* nameOf(Callback callback);
 

@@ -58,7 +58,7 @@ void ScriptHost::setReports() {
 }
 
 void ScriptHost::callAll(Callback callback, double dt) {
-    const bool givesTime = callback == Callback::Tick || callback == Callback::Update;
+    const bool givesTime = callback == Callback::Tick || callback == Callback::Update || callback == Callback::Draw;
     m_shared.timeStep = dt;
     for (Script& script : m_scripts)
         script.call(callback, [&](lua_State* L) {

@@ -49,6 +49,11 @@ public:
     /// Calls update(1/60 s), steps the world, and tells scripts what happened. The result is that of step().
     rubble_result step();
 
+    /// Calls draw(dt) of all scripts after tick(), for a view that is drawn next, and gives what they have drawn, the
+    /// lines of DebugLine() and the values of DebugWatch() to its renderer. [render-thread, which is the main thread
+    /// here] renderer 0: what is drawn only stands in shared().ui.items. Where no script draws, nothing is given.
+    rubble_result draw(rubble_renderer renderer, const rubble_view& view, double dt);
+
     /// How many seconds of the world a second of the host shall be, as SetTimeScale() says.
     double timeScale() const { return m_shared.timeScale; }
     /// What scripts share: lines to draw, watches, the registry, which a host may fill and keep.
@@ -67,11 +72,15 @@ private:
     void tellReports();
     void tellTriggers();
     void dropPointLights();
+    void beginDrawing(const rubble_view& view);
+    void addDebugItems();
+    rubble_result show(rubble_renderer renderer);
 
     ScriptHostSettings m_settings;
     ScriptWorld m_shared;
     std::list<Script> m_scripts;
-    uint32_t m_reports = 0;  ///< kinds that the world lists for the scripts
+    bool m_hasDrawn = false;  ///< the renderer has an overlay
+    uint32_t m_reports = 0;   ///< kinds that the world lists for the scripts
 };
 
 }  // namespace rubble::script

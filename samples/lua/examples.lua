@@ -501,6 +501,118 @@ end, 0.2)
 wait(0.5)
 assert(done)
 
+--- UiPush
+UiPush()
+UiTranslate(100, 100)
+UiText("here")
+UiPop()
+UiText("where it was before")
+--- UiPop
+UiPush()
+UiFont("bold.ttf", 60)
+UiPop()
+local width, height = UiGetTextSize("as before")
+assert(height < 40)
+--- UiTranslate
+UiTranslate(UiCenter(), UiMiddle())
+UiAlign("center middle")
+UiText("in the middle")
+--- UiRotate
+UiTranslate(200, 200)
+UiRotate(90)
+UiText("upwards")
+--- UiScale
+UiScale(2)
+UiText("twice as large")
+--- UiWindow
+UiTranslate(100, 100)
+UiWindow(300, 200, true)
+assert(UiWidth() == 300 and UiCenter() == 150)
+UiRect(1000, 10)  -- 300 units of it are seen
+--- UiAlign
+UiTranslate(UiWidth(), 0)
+UiAlign("right top")
+UiText("in the right upper corner")
+--- UiColor
+UiColor(1, 0.5, 0)
+UiRect(100, 20)
+UiColor(1, 1, 1, 0.5)
+UiRect(100, 20)
+--- UiColorFilter
+UiColorFilter(1, 1, 1, 0.5)  -- all at half opacity
+UiColor(1, 0, 0)
+UiRect(100, 20)
+--- UiFont
+UiFont("bold.ttf", 48)
+local bold = UiGetTextSize("wide")
+UiFont("regular.ttf", 48)
+assert(bold > UiGetTextSize("wide"))
+--- UiFontHeight
+UiFont("regular.ttf", 50)
+assert(UiFontHeight() > 50 and UiFontHeight() < 70)
+--- UiTextOutline
+UiTextOutline(0, 0, 0, 1, 0.1)
+UiText("seen on any ground")
+--- UiTextShadow
+UiTextShadow(0, 0, 0, 0.8, 2, 0.2)
+UiText("above the ground")
+--- UiWordWrap
+UiWordWrap(200)
+local width, height = UiText("A long text, of which no line is wider than it should be.")
+assert(width <= 200 and height > 2 * UiFontHeight())
+--- UiWidth
+assert(UiWidth() > UiHeight())
+--- UiHeight
+assert(UiHeight() == 1080)  -- of each screen
+--- UiCenter
+assert(UiCenter() == UiWidth() / 2)
+--- UiMiddle
+assert(UiMiddle() == 540)
+--- UiWorld
+UiPush()
+UiWorld(Transform(Vec(-1, 3, 0), QuatEuler(0, 30, 0)), 0.01)
+UiFont("bold.ttf", 40)
+UiText("a sign, 40 cm high")
+UiPop()
+--- UiText
+local width, height = UiText("Größe: 12 m", true)
+UiText("a line below")
+assert(width > height)
+--- UiGetTextSize
+local width, height = UiGetTextSize("text")
+UiRect(width, height)
+--- UiRect
+UiTranslate(10, 10)
+UiRect(200, 30)
+--- UiRectOutline
+UiRectOutline(200, 30, 2)
+--- UiRoundedRect
+UiRoundedRect(200, 30, 8)
+--- UiCircle
+UiTranslate(UiCenter(), UiMiddle())
+UiAlign("center middle")
+UiCircle(3)
+--- UiCircleOutline
+UiAlign("center middle")
+UiCircleOutline(20, 2)
+--- UiLine
+UiLine(100, 50, 3)
+--- UiImage
+local width, height = UiImage("picture.png")
+assert(width == 16 and height == 8)
+UiImage("picture.png", 0, 0, 8, 8)  -- its left half
+--- UiGetImageSize
+assert(UiGetImageSize("picture.png") == 16)
+--- UiImageBox
+UiImageBox("picture.png", 300, 100, 4, 4)
+--- UiWorldToPixel
+local x, y, depth = UiWorldToPixel(GetCameraTransform() * Vec(0, 0, -5))
+assert(math.abs(depth - 5) < 1e-6 and math.abs(x - UiCenter()) < 1e-3)
+--- GetCameraTransform
+local eye = GetCameraTransform()
+local hit, dist = QueryRaycast(eye.pos, eye.rot * Vec(0, 0, -1), 100)
+--- DrawLine
+DrawLine(Vec(0, 0, 0), Vec(0, 3, 0), 1, 0, 0)
 --- SetInt
 SetInt("game.score", 5)
 assert(GetInt("game.score") == 5)

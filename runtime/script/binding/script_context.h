@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/script/binding/ui_state.h"
 #include "runtime/script/sandbox/sandbox.h"
 
 namespace rubble::script {
@@ -47,6 +48,7 @@ struct ScriptWorld {
     std::map<uint64_t, rubble_light> pointLights;  ///< of PointLight() in this step and in the last, by its number
     std::map<std::string, std::string> registry;   ///< "a.b.c": its value as a text
     std::vector<DebugLine> debugLines;
+    UiFrame ui;
     std::map<std::string, std::string> watches;              ///< of DebugWatch(), by name
     std::function<void(int level, const std::string&)> log;  ///< RUBBLE_LOG_..., a line without a break
 };
@@ -74,6 +76,7 @@ struct ScriptContext {
     QuerySettings query;
     Brush brush;
     rubble_particle_burst particle = {};
+    std::vector<UiState> ui;   ///< of UiPush(), the last one in use
     std::vector<int> started;  ///< of start(): references to lists of a function and its arguments
     std::map<std::string, std::string> parameters;
     std::set<std::string> warned;  ///< places that have been told of once

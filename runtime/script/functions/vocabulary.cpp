@@ -45,6 +45,8 @@ const std::vector<Subject>& vocabulary() {
         {"queries", "Queries", queryFunctions()},
         {"particles", "Particles", particleFunctions()},
         {"world", "World, time and waiting", worldFunctions()},
+        {"ui", "Drawing: places, colours, letters", uiStateFunctions()},
+        {"ui-items", "Drawing: texts, shapes, images, lines", uiDrawFunctions()},
         {"registry", "Registry and parameters", registryFunctions()},
     };
     return subjects;

@@ -35,6 +35,10 @@ std::span<const ScriptFunction> queryFunctions();
 std::span<const ScriptFunction> particleFunctions();
 /// Gravity, time, Spawn, Debug..., waiting.
 std::span<const ScriptFunction> worldFunctions();
+/// What applies to all that is drawn after it.
+std::span<const ScriptFunction> uiStateFunctions();
+/// Texts, rectangles, images and lines over the image.
+std::span<const ScriptFunction> uiDrawFunctions();
 /// Keys that scripts share, and parameters.
 std::span<const ScriptFunction> registryFunctions();
 

@@ -98,6 +98,28 @@ void prepareTag(HostCall& call) {
     call.point("tag", "t");
 }
 
+/// `name`: of the argument.
+void prepareOverlay(HostCall& call, const char* name, uint32_t kind, uint32_t flags) {
+    static const uint8_t kPixel[4] = {};
+    auto& item = call.at<rubble_overlay_item>(name);
+    item.kind = kind, item.flags = flags, item.text = kind == RUBBLE_OVERLAY_IMAGE ? "i" : "text";
+    item.transform[0] = item.transform[3] = item.clip[2] = item.clip[3] = item.source[2] = item.source[3] = 1.0;
+    fillAll(item.size, 1.0);
+    if (kind != RUBBLE_OVERLAY_IMAGE) return;
+    auto image = sized<rubble_overlay_image>();
+    image.name = "i", image.pixels = kPixel, image.width = image.height = 1;
+    api()->set_overlay_image(call.world().live().at("rubble_renderer"), &image);
+}
+template <uint32_t kKind, uint32_t kFlags>
+void prepareItem(HostCall& call) {
+    prepareOverlay(call, "items", kKind, kFlags);
+}
+void prepareOverlayImage(HostCall& call) {
+    static const uint8_t kPixel[4] = {};
+    auto& image = call.at<rubble_overlay_image>("image");
+    image.name = "i", image.pixels = kPixel, image.width = image.height = 1;
+}
+
 const std::map<std::string, std::vector<Prepare>> kCalls = {
     {"load_level", {[](HostCall& c) { c.point("path", callFiles().level.c_str()); }}},
     {"start_loading", {[](HostCall& c) { c.point("path", callFiles().level.c_str()); }}},
@@ -216,6 +238,11 @@ const std::map<std::string, std::vector<Prepare>> kCalls = {
     {"get_shadow_bricks", {[](HostCall& c) { c.set("capacity", 100u); }}},
     {"create_renderer", {prepareRenderer}},
     {"draw", {prepareView<nullptr>, prepareView<kPerspective>, prepareView<kOrthographic>}},
+    {"set_overlay",
+     {prepareItem<RUBBLE_OVERLAY_TEXT, RUBBLE_OVERLAY_IN_WORLD>, prepareItem<RUBBLE_OVERLAY_BOX, 0>,
+      prepareItem<RUBBLE_OVERLAY_IMAGE, 0>, prepareItem<RUBBLE_OVERLAY_WORLD_LINE, 0>}},
+    {"set_overlay_image", {prepareOverlayImage}},
+    {"measure_text", {[](HostCall& c) { prepareOverlay(c, "item", RUBBLE_OVERLAY_TEXT, 0); }}},
     {"set_debug_view", {[](HostCall& c) { c.point("name", "albedo"); }}},
 };
 

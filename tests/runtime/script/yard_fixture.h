@@ -9,6 +9,7 @@
 
 #include "runtime/script/script_host.h"
 #include "samples/lua/yard.h"
+#include "samples/support/image.h"
 #include "tests/support/temp_folder.h"
 
 namespace rubble::script {
@@ -30,6 +31,13 @@ inline void writeTinyModel(const std::filesystem::path& path) {
     std::ofstream(path, std::ios::binary) << bytes << chunks;
 }
 
+/// Writes a red picture of 16 x 8 pixels.
+inline void writeTinyPicture(const std::filesystem::path& path) {
+    Image image(16, 8);
+    for (size_t i = 0; i < image.rgb.size(); i += 3) image.rgb[i] = 255;
+    EXPECT_TRUE(writePng(path.string(), image));
+}
+
 /// A yard with scripts.
 class Yard {
 public:
@@ -41,6 +49,7 @@ public:
         EXPECT_EQ(m_api->create_world(&settings, &m_world), RUBBLE_OK);
         EXPECT_EQ(lua_sample::buildYard(*m_api, m_world), "");
         writeTinyModel(m_folder.path() / "post.vox");
+        writeTinyPicture(m_folder.path() / "picture.png");
         ScriptHostSettings given;
         given.limits = limits;
         given.folder = m_folder.path().string();

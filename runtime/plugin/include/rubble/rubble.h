@@ -1569,6 +1569,62 @@ typedef struct rubble_draw_stats {
     double draw_ms;         /* of the calling thread; the GPU may take longer */
 } rubble_draw_stats;
 
+/* What an item of an overlay is; RUBBLE_OVERLAY_LINE and those before it lie on a surface. */
+enum {
+    RUBBLE_OVERLAY_TEXT = 0,
+    RUBBLE_OVERLAY_BOX = 1, /* a rectangle of `size`; with a radius of half of it a circle */
+    RUBBLE_OVERLAY_IMAGE = 2,
+    RUBBLE_OVERLAY_LINE = 3,      /* from (0, 0) to `size` */
+    RUBBLE_OVERLAY_WORLD_LINE = 4 /* from `position` to `end`, its stroke in pixels */
+};
+
+/* Flags of rubble_overlay_item. */
+enum {
+    RUBBLE_OVERLAY_IN_WORLD = 1, /* its surface is a plane in the world, else the view */
+    RUBBLE_OVERLAY_FACING = 2,   /* that plane faces the camera: rotation is not read */
+    RUBBLE_OVERLAY_OCCLUDED = 4, /* in the world: voxels that are nearer hide it */
+    RUBBLE_OVERLAY_BASELINE = 8  /* of a text: y = 0 is its first baseline; align[1] is not read */
+};
+
+/* Something that is drawn over the image. Its surface has x to the right and y down: the view in pixels from its left
+ * upper corner, or a plane in the world in units of `scale` metres. Colours are sRGB with opacity, 0 to 1. */
+typedef struct rubble_overlay_item {
+    uint32_t struct_size;
+    uint32_t kind;  /* RUBBLE_OVERLAY_TEXT ... */
+    uint32_t flags; /* RUBBLE_OVERLAY_IN_WORLD ... */
+    uint32_t reserved;
+    const char* text; /* UTF-8, at most 65536 bytes: a text, whose line feeds begin lines; the name of an image */
+    const char* font; /* null or "sans", "bold", "mono": DejaVu; else the path of a font's file */
+    double font_size; /* height of an em, 0 to 10000; 0: 16 */
+    double
+        size[2]; /* 0 to 1e6, of a line -1e6 to 1e6; size[0] of a text: the width at which lines are broken, 0: none */
+    double transform[6]; /* (x, y) of the item is (t0 x + t2 y + t4, t1 x + t3 y + t5) of the surface; all 0: (x, y) */
+    double align[2];     /* the point of it that is at (0, 0): 0 left or top, 0.5 middle, 1 right or bottom */
+    double color[4];     /* also multiplies an image */
+    double clip[4];      /* left, top, right, bottom on the surface: nothing is drawn outside; all 0: no such limit */
+    double source[4];    /* left, top, right, bottom of the part of an image, in shares; all 0: the whole image */
+    double radius;       /* of a box's corners, 0 to 1e6 */
+    double stroke;       /* width of a line, or of a box's border, 0 to 1e6; 0: a line of 1, a filled box */
+    double outline;      /* width round letters, 0 to 1e4; at most a fifth of font_size is drawn */
+    double outline_color[4];
+    double shadow_offset[2];
+    double shadow_blur;     /* 0 to 1e4; at most a quarter of font_size is drawn */
+    double shadow_color[4]; /* opacity 0: letters without a shadow */
+    double position[3];     /* in the world, metres: of the surface's (0, 0) */
+    double rotation[4];     /* of the surface, whose x is to the right and whose y is against the world's y */
+    double scale;           /* metres of a unit, 0 to 1000; 0: 0.01 */
+    double end[3];          /* of a world line */
+} rubble_overlay_item;
+
+/* An image for items of an overlay. */
+typedef struct rubble_overlay_image {
+    uint32_t struct_size;
+    uint32_t width, height; /* pixels, 1 to 8192 */
+    uint32_t reserved;
+    const char* name;      /* UTF-8, 1 to 4096 bytes */
+    const uint8_t* pixels; /* RGBA with straight alpha, sRGB, rows from the top; null: takes the image away */
+} rubble_overlay_image;
+
 /* ---- the function table ---- */
 
 typedef struct rubble_api {
@@ -2175,6 +2231,19 @@ typedef struct rubble_api {
     /* [main-thread] A hash of what RUBBLE_DELTAS_EDITS keep equal: voxels, their palettes and paint, and light groups.
      * Poses are not in it: it is the same on every machine. */
     rubble_result (*get_voxel_hash)(rubble_world world, uint64_t* out);
+
+    /* ---- an overlay: text, boxes, images and lines over the image ---- */
+
+    /* [render-thread] What draw() draws over the image from now on, in this order; count 0: nothing, which costs
+     * nothing. The items are copied. All have the struct_size of the first one; 65536 at most. The first draw() with an
+     * overlay builds its program. RUBBLE_ERROR_FILE: a font cannot be read. RUBBLE_ERROR_ARGUMENT: an image is not
+     * there, among others. Then the items are as before. */
+    rubble_result (*set_overlay)(rubble_renderer renderer, const rubble_overlay_item* items, uint32_t count);
+    /* [render-thread] Gives an image a name for items, or replaces it. The pixels are copied. */
+    rubble_result (*set_overlay_image)(rubble_renderer renderer, const rubble_overlay_image* image);
+    /* [any-thread] Width and height of a text as set_overlay() draws it, of which text, font, font_size and size[0]
+     * are read. RUBBLE_ERROR_FILE: the font cannot be read. */
+    rubble_result (*measure_text)(const rubble_overlay_item* item, double out[2]);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

@@ -1063,6 +1063,18 @@ public:
         check(api().get_draw_stats(m_handle, &out));
         return out;
     }
+    /** What draw() draws over the image from now on, in this order; count 0: nothing, which costs nothing. The items
+     * are copied. All have the struct_size of the first one; 65536 at most. The first draw() with an overlay builds its
+     * program. RUBBLE_ERROR_FILE: a font cannot be read. RUBBLE_ERROR_ARGUMENT: an image is not there, among others.
+     * Then the items are as before. */
+    void set_overlay(const rubble_overlay_item* items, uint32_t count) {
+        check(api().set_overlay(m_handle, items, count));
+    }
+    /** Gives an image a name for items, or replaces it. The pixels are copied. */
+    void set_overlay_image(rubble_overlay_image image) {
+        image.struct_size = sizeof image;
+        check(api().set_overlay_image(m_handle, &image));
+    }
 private:
     void release() noexcept {
         if (m_handle) api().destroy_renderer(std::exchange(m_handle, 0));
