@@ -92,6 +92,8 @@ namespace rubble::abi {
     X(rubble_particle_burst, 144)      \
     X(rubble_particle, 72)             \
     X(rubble_rope_point, 56)           \
+    X(rubble_joint_properties, 104)    \
+    X(rubble_body_constraint, 96)      \
     X(rubble_overlay_item, 416)        \
     X(rubble_overlay_image, 32)
 

@@ -33,6 +33,8 @@ const std::map<std::string, std::string> kAccepted = {
     {"cast_shapes filter.rejected_shape_count: huge", kLength},
     {"cast_shapes filter.rejected_shapes: null", kOptional},
     {"cast_shapes filter: null", kOptional},
+    {"constrain_bodies constraint.other: 0", kWorld},
+    {"count_carve carve.shape: 0", kAll},
     {"create_joint settings.shapes: 0", "0 is the world: of both ends it is another error"},
     {"create_light settings.group: 0", kNone},
     {"create_light settings.light: 0", kNotRead},

@@ -144,11 +144,17 @@ const std::map<std::string, std::vector<Prepare>> kCalls = {
     {"save_game_data", {[](HostCall& c) { c.set("capacity", uint64_t(60'000)); }}},
     {"take_deltas", {[](HostCall& c) { c.set("capacity", uint64_t(60'000)); }}},
     {"carve", {prepareCarve<RUBBLE_BRUSH_SPHERE>, prepareCarve<RUBBLE_BRUSH_BOX>, prepareCarve<RUBBLE_BRUSH_CAPSULE>}},
+    {"count_carve",
+     {prepareCarve<RUBBLE_BRUSH_SPHERE>, prepareCarve<RUBBLE_BRUSH_BOX>, prepareCarve<RUBBLE_BRUSH_CAPSULE>}},
     {"break_voxels", {[](HostCall& c) { fillAll(c.at<rubble_break>("edit").radii, 0.5); }}},
     {"add_joint", {prepareJoint<RUBBLE_JOINT_CONE>, prepareJoint<RUBBLE_JOINT_ROPE>, prepareJoint<RUBBLE_JOINT_WHEEL>}},
     {"create_joint",
      {prepareJoint<RUBBLE_JOINT_CONE>, prepareJoint<RUBBLE_JOINT_ROPE>, prepareJoint<RUBBLE_JOINT_WHEEL>}},
     {"grab_body", {prepareGrab<RUBBLE_GRAB_TURNS>, prepareGrab<RUBBLE_GRAB_TURNS | RUBBLE_GRAB_VELOCITY>}},
+    {"constrain_bodies", {[](HostCall& c) {
+         auto& constraint = c.at<rubble_body_constraint>("constraint");
+         constraint.other = 0, constraint.direction[1] = 1.0;
+     }}},
     {"add_water", {[](HostCall& c) { prepareWater(c.at<rubble_water_settings>("water")); }}},
     {"create_water", {[](HostCall& c) { prepareWater(c.at<rubble_water_settings>("settings")); }}},
     {"add_trigger",

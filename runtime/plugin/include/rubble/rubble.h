@@ -611,12 +611,14 @@ enum {
     RUBBLE_PARTICLE_EMBER = 6
 };
 
+enum { RUBBLE_PARTICLE_PASSES = 1 /* it falls through the ground */ };
+
 /* Particles that spawn_particles() adds. */
 typedef struct rubble_particle_burst {
     uint32_t struct_size;
-    uint32_t kind;  /* RUBBLE_PARTICLE_... */
-    uint32_t count; /* 1 to 4096; 0: 1. A world has 4096 at a time: what is beyond is left out */
-    uint32_t reserved;
+    uint32_t kind;      /* RUBBLE_PARTICLE_... */
+    uint32_t count;     /* 1 to 4096; 0: 1. A world has 4096 at a time: what is beyond is left out */
+    uint32_t flags;     /* RUBBLE_PARTICLE_PASSES */
     double position[3]; /* world */
     double radius;      /* metres around it within which they begin, 0 to 100 */
     double velocity[3]; /* m/s, -1000 to 1000 */
@@ -627,6 +629,10 @@ typedef struct rubble_particle_burst {
     double opacity;     /* 0.001 to 1; 0: 1 */
     double life;        /* seconds, 0.02 to 60; 0: 2 */
     double glow;        /* radiant intensity at birth, 0 to 1e6 */
+    double gravity;     /* m/s2 downward, beside what its kind falls and rises by, -100 to 100 */
+    double drag;        /* 1/s, beside that of its kind: the rate at which its velocity decays, 0 to 100 */
+    double spin;        /* rad/s of its image, -100 to 100; where drawn by the renderer, as what follows */
+    double stretch;     /* seconds of its motion by which its image is longer along it, 0 to 1 */
 } rubble_particle_burst;
 
 /* A row of get_particles(). */
@@ -791,6 +797,43 @@ typedef struct rubble_release {
     uint32_t hand;
     double impulse[3]; /* N s, world, at the point that was held */
 } rubble_release;
+
+/* What a joint is and where it is, as get_joint_properties() gives it. */
+typedef struct rubble_joint_properties {
+    uint32_t struct_size;
+    uint32_t kind;                                       /* RUBBLE_JOINT_BALL ... */
+    uint32_t flags;                                      /* RUBBLE_JOINT_COLLIDES ... */
+    uint32_t motor;                                      /* RUBBLE_MOTOR_... */
+    double motor_target, motor_max_force;                /* as in rubble_joint_settings, as all that follows */
+    double lower_limit, upper_limit;                     /* of RUBBLE_JOINT_LIMITED; else 0 */
+    double spring_hertz, spring_damping_ratio, friction; /* the same */
+    double break_force, break_torque;                    /* the same */
+    double steer_angle;                                  /* wheel: radians about y, now */
+    /* where its free motion is, 0 in the pose in which it was made. Hinge: radians, -pi to pi; prismatic and wheel:
+     * metres; ball and cone: radians between the axes of both sides; fixed: 0. Rope: metres between its ends */
+    double movement;
+} rubble_joint_properties;
+
+enum {
+    RUBBLE_CONSTRAINT_VELOCITY = 0,        /* of a point, along a direction */
+    RUBBLE_CONSTRAINT_ANGULAR_VELOCITY = 1 /* about a direction */
+};
+
+/* Holds one component of the velocity of a body, against the world or another body, which then bears the force. It acts
+ * in one step, together with contacts and joints: call it before each step for which it shall hold. Three of them hold
+ * a point, and three more a rotation: toward a place by the speed that leads there within the step, its distance
+ * times 60. */
+typedef struct rubble_body_constraint {
+    uint32_t struct_size;
+    uint32_t kind; /* RUBBLE_CONSTRAINT_... */
+    rubble_body body;
+    rubble_body other;   /* 0: the world. One of the two must be free */
+    double position[3];  /* RUBBLE_CONSTRAINT_VELOCITY: the point, world */
+    double direction[3]; /* world */
+    double speed;        /* of body against other: m/s along the direction, or rad/s about it */
+    /* N or N m on the body along the direction, -1e9 to 1e9. Both 0: no limit. A minimum of 0 pushes and never pulls */
+    double min_force, max_force;
+} rubble_body_constraint;
 
 /* A row of get_ropes(). */
 typedef struct rubble_rope_point {
@@ -2231,6 +2274,22 @@ typedef struct rubble_api {
     /* [main-thread] A hash of what RUBBLE_DELTAS_EDITS keep equal: voxels, their palettes and paint, and light groups.
      * Poses are not in it: it is the same on every machine. */
     rubble_result (*get_voxel_hash)(rubble_world world, uint64_t* out);
+
+    /* ---- edits: commands for the next step ---- */
+
+    /* [main-thread] How many voxels that carve() would remove from the world as the last step left it. Nothing is
+     * queued, and edits that wait are not counted; nor is what would come off and is too small to be a piece. Costs
+     * what the carve costs. */
+    rubble_result (*count_carve)(rubble_world world, const rubble_carve* carve, uint64_t* count);
+
+    /* ---- edits: joints, wheels and grabbing ---- */
+
+    /* [main-thread] Holds the velocity of a body in the next step; see rubble_body_constraint. Wakes both bodies. */
+    rubble_result (*constrain_bodies)(rubble_world world, const rubble_body_constraint* constraint);
+    /* [main-thread] One joint. */
+    rubble_result (*get_joint_state)(rubble_world world, rubble_joint joint, rubble_joint_state* out);
+    /* [main-thread] Limits, motor and spring of a joint, and where its free motion is. */
+    rubble_result (*get_joint_properties)(rubble_world world, rubble_joint joint, rubble_joint_properties* out);
 
     /* ---- an overlay: text, boxes, images and lines over the image ---- */
 

@@ -1022,6 +1022,33 @@ public:
         check(api().get_voxel_hash(m_handle, &out));
         return out;
     }
+    /** How many voxels that carve() would remove from the world as the last step left it. Nothing is queued, and edits
+     * that wait are not counted; nor is what would come off and is too small to be a piece. Costs what the carve costs.
+     * */
+    uint64_t count_carve(rubble_carve carve) {
+        carve.struct_size = sizeof carve;
+        uint64_t out{};
+        check(api().count_carve(m_handle, &carve, &out));
+        return out;
+    }
+    /** Holds the velocity of a body in the next step; see rubble_body_constraint. Wakes both bodies. */
+    void constrain_bodies(rubble_body_constraint constraint) {
+        constraint.struct_size = sizeof constraint;
+        check(api().constrain_bodies(m_handle, &constraint));
+    }
+    /** One joint. */
+    rubble_joint_state get_joint_state(rubble_joint joint) const {
+        rubble_joint_state out{};
+        check(api().get_joint_state(m_handle, joint, &out));
+        return out;
+    }
+    /** Limits, motor and spring of a joint, and where its free motion is. */
+    rubble_joint_properties get_joint_properties(rubble_joint joint) const {
+        rubble_joint_properties out{};
+        out.struct_size = sizeof out;
+        check(api().get_joint_properties(m_handle, joint, &out));
+        return out;
+    }
 private:
     void release() noexcept {
         if (m_handle) api().destroy_world(std::exchange(m_handle, 0));
