@@ -81,9 +81,9 @@ assert(TransformToLocalPoint(Transform({1, 1, 1}), {1, 2, 3}) == Vec(0, 1, 2))
 --- MakeHole
 local wall = FindShape("wall")
 local before = GetShapeVoxelCount(wall)
-MakeHole({0, 1.5, 0.15}, 0.5, 0.5) -- brick is of medium hardness
+local removed = MakeHole({0, 1.5, 0.15}, 0.5, 0.5) -- brick is of medium hardness
 wait(0.1)
-assert(GetShapeVoxelCount(wall) < before)
+assert(removed > 0 and GetShapeVoxelCount(wall) <= before - removed)
 --- Explosion
 Explosion({0, 0.4, -0.5}, 1.5)
 wait(0.1)
@@ -152,6 +152,13 @@ assert(#FindJoints() == 2)
 assert(FindTrigger("gate") ~= 0)
 --- FindTriggers
 assert(#FindTriggers("gate") == 1)
+--- FindLocation
+local place = FindLocation("spawn")  -- 0: the level has no such place, as this yard
+if place ~= 0 then SetBodyTransform(FindBody("crate"), GetLocationTransform(place)) end
+--- FindLocations
+for _, place in ipairs(FindLocations("lamp")) do PointLight(GetLocationTransform(place).pos, 1, 1, 1, 10) end
+--- GetLocationTransform
+assert(not pcall(GetLocationTransform, 5))  -- this yard has no places
 --- SetTag
 SetTag(FindBody("crate"), "owner", "me")
 wait(0.1)
@@ -228,6 +235,37 @@ assert(not IsBodyBroken(crate))
 MakeHole({0, 0.4, -2}, 0.2)
 wait(0.1)
 assert(IsBodyBroken(crate))
+--- ConstrainPosition
+local crate = FindBody("crate")
+local target = GetBodyTransform(crate).pos + Vec(0, 1, 0)
+for i = 1, 60 do
+    ConstrainPosition(crate, 0, GetBodyTransform(crate).pos, target, 3)
+    wait(0)
+end
+assert(VecLength(GetBodyTransform(crate).pos - target) < 0.1)  -- it hangs in the air
+--- ConstrainOrientation
+local crate = FindBody("crate")
+ApplyBodyImpulse(crate, GetBodyTransform(crate).pos, {0, 1000, 0})
+for i = 1, 30 do
+    ConstrainOrientation(crate, 0, GetBodyTransform(crate).rot, QuatEuler(0, 45, 0), 5)
+    wait(0)
+end
+local x, y, z = GetQuatEuler(GetBodyTransform(crate).rot)
+assert(math.abs(y - 45) < 5)
+--- ConstrainVelocity
+local crate = FindBody("crate")
+for i = 1, 10 do
+    ConstrainVelocity(crate, 0, GetBodyTransform(crate).pos, {0, 1, 0}, 2)
+    wait(0)
+end
+assert(GetBodyTransform(crate).pos.y > 0.2)  -- raised at 2 m/s
+--- ConstrainAngularVelocity
+local crate = FindBody("crate")
+for i = 1, 10 do
+    ConstrainAngularVelocity(crate, 0, {0, 1, 0}, 3)
+    wait(0)
+end
+assert(math.abs(GetBodyAngularVelocity(crate).y - 3) < 0.2)
 --- ApplyBodyImpulse
 local crate = FindBody("crate")
 ApplyBodyImpulse(crate, {0, 0.4, -2}, {2000, 0, 0})
@@ -396,6 +434,11 @@ SetJointMotorTarget(FindJoint("hinge"), 0.5, 1, 5000)
 wait(1)
 local x, y = GetQuatEuler(GetBodyTransform(FindBody("door")).rot)
 assert(math.abs(math.abs(y) - math.deg(0.5)) < 3)
+--- GetJointLimits
+local least, most = GetJointLimits(FindJoint("hinge"))
+assert(least <= most)
+--- GetJointMovement
+assert(math.abs(GetJointMovement(FindJoint("hinge"))) < 0.1)  -- the door is as it was built
 --- DetachJointFromShape
 local weight = FindShape("weight")
 DetachJointFromShape(FindJoint("rope"), weight)
@@ -460,6 +503,16 @@ ParticleRadius(0.1, 0.5)
 ParticleAlpha(0.5)
 --- ParticleEmissive
 ParticleEmissive(5)
+--- ParticleGravity
+ParticleGravity(-10)  -- falls
+--- ParticleDrag
+ParticleDrag(2)
+--- ParticleRotation
+ParticleRotation(3)
+--- ParticleStretch
+ParticleStretch(0.1)
+--- ParticleCollide
+ParticleCollide(0)  -- goes through walls
 --- SpawnParticle
 for i = 1, 10 do SpawnParticle({0, 2, 0}, {math.random(), 2, math.random()}, 1) end
 
@@ -613,6 +666,12 @@ local eye = GetCameraTransform()
 local hit, dist = QueryRaycast(eye.pos, eye.rot * Vec(0, 0, -1), 100)
 --- DrawLine
 DrawLine(Vec(0, 0, 0), Vec(0, 3, 0), 1, 0, 0)
+--- require
+local tools = require("tools")  -- tools.lua, which returns a table
+assert(tools.double(4) == 8 and require("tools") == tools)
+--- saved
+local progress = saved("progress", {broken = 0, spawn = Vec(0, 1, 0)})
+progress.broken = progress.broken + 1  -- a save keeps it
 --- SetInt
 SetInt("game.score", 5)
 assert(GetInt("game.score") == 5)

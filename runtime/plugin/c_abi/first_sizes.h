@@ -94,6 +94,8 @@ namespace rubble::abi {
     X(rubble_rope_point, 56)           \
     X(rubble_joint_properties, 104)    \
     X(rubble_body_constraint, 96)      \
+    X(rubble_location, 64)             \
+    X(rubble_level_script, 16)         \
     X(rubble_overlay_item, 416)        \
     X(rubble_overlay_image, 32)
 

@@ -39,16 +39,9 @@ std::string readText(const char* text, size_t least, size_t most, const char* na
     return isRefused() ? "" : std::string(text, length);
 }
 
-/// What is common to set_overlay() and measure_text().
-void readText(const rubble_overlay_item& given, OverlayItem& item) {
-    item.text = readText(given.text, 0, kMaxTextBytes, "text");
+void readLetters(const rubble_overlay_item& given, OverlayItem& item) {
     if (given.font) item.font = readText(given.font, 0, kMaxNameBytes, "font");
     item.fontSize = float(readOrDefault(given.font_size, kFontSize, item.fontSize, "font_size"));
-    item.size = readNumbers<glm::vec2>(given.size, kLength, "size");
-}
-
-void readLetters(const rubble_overlay_item& given, OverlayItem& item) {
-    readText(given, item);
     item.outline = float(readInRange(given.outline, kOutline, "outline"));
     item.outlineColor = readNumbers<glm::vec4>(given.outline_color, kShare, "outline_color");
     item.shadowOffset = readNumbers<glm::vec2>(given.shadow_offset, kPlace, "shadow_offset");
@@ -56,32 +49,32 @@ void readLetters(const rubble_overlay_item& given, OverlayItem& item) {
     item.shadowColor = readNumbers<glm::vec4>(given.shadow_color, kShare, "shadow_color");
 }
 
-void readImage(const rubble_overlay_item& given, OverlayItem& item) {
-    item.text = readText(given.text, 1, kMaxNameBytes, "text");
-    if (!areZero(given.source)) item.source = readNumbers<glm::vec4>(given.source, kShare, "source");
-}
-
-std::optional<OverlayItem::Plane> readPlane(const rubble_overlay_item& given, uint32_t flags) {
-    if (!(flags & RUBBLE_OVERLAY_IN_WORLD) && given.kind != RUBBLE_OVERLAY_WORLD_LINE) return {};
+void readPlane(const rubble_overlay_item& given, uint32_t flags, OverlayItem& item) {
     OverlayItem::Plane plane;
     plane.position = readVector(given.position, "position");
     plane.facesCamera = flags & RUBBLE_OVERLAY_FACING;
     plane.isOccluded = flags & RUBBLE_OVERLAY_OCCLUDED;
-    if (!plane.facesCamera) plane.rotation = readRotation(given.rotation, "rotation");
+    plane.rotation = readRotation(given.rotation, "rotation");
     plane.scale = readOrDefault(given.scale, kScale, plane.scale, "scale");
-    return plane;
+    item.end = readVector(given.end, "end");
+    if (flags & RUBBLE_OVERLAY_IN_WORLD || item.kind == OverlayItem::Kind::WorldLine) item.plane = plane;
 }
 
 void readSurface(const rubble_overlay_item& given, OverlayItem& item) {
-    if (!areZero(given.transform)) {
-        const auto& t = given.transform;
+    if (!areZero(given.transform))
         for (int i = 0; i < 6; ++i)
-            item.transform[i / 2][i % 2] = float(readInRange(t[i], kFactor, fmt::format("transform[{}]", i).c_str()));
-    }
+            item.transform[i / 2][i % 2] =
+                float(readInRange(given.transform[i], kFactor, fmt::format("transform[{}]", i).c_str()));
     item.align = readNumbers<glm::vec2>(given.align, kAlign, "align");
     if (!areZero(given.clip)) item.clip = readNumbers<glm::vec4>(given.clip, kPlace, "clip");
+    if (!areZero(given.source)) item.source = readNumbers<glm::vec4>(given.source, kShare, "source");
+    const bool isLine = item.kind == OverlayItem::Kind::Line;
+    item.size = readNumbers<glm::vec2>(given.size, isLine ? kPlace : kLength, "size");
+    item.radius = float(readInRange(given.radius, kLength, "radius"));
+    item.stroke = float(readInRange(given.stroke, kLength, "stroke"));
 }
 
+/// All numbers are checked, also those that this kind of item has no use for.
 OverlayItem readItem(const rubble_overlay_item& given) {
     OverlayItem item;
     const uint32_t known =
@@ -91,17 +84,11 @@ OverlayItem readItem(const rubble_overlay_item& given) {
     item.kind = OverlayItem::Kind(kind);
     item.isOnBaseline = flags & RUBBLE_OVERLAY_BASELINE;
     item.color = readNumbers<glm::vec4>(given.color, kShare, "color");
-    item.plane = readPlane(given, flags);
-    if (kind == RUBBLE_OVERLAY_WORLD_LINE) item.end = readVector(given.end, "end");
-    if (kind != RUBBLE_OVERLAY_WORLD_LINE) readSurface(given, item);
-    if (kind == RUBBLE_OVERLAY_TEXT) readLetters(given, item);
-    if (kind == RUBBLE_OVERLAY_IMAGE) readImage(given, item);
-    if (kind == RUBBLE_OVERLAY_LINE) item.size = readNumbers<glm::vec2>(given.size, kPlace, "size");
-    if (kind == RUBBLE_OVERLAY_BOX || kind == RUBBLE_OVERLAY_IMAGE)
-        item.size = readNumbers<glm::vec2>(given.size, kLength, "size");
-    if (kind == RUBBLE_OVERLAY_BOX) item.radius = float(readInRange(given.radius, kLength, "radius"));
-    if (kind != RUBBLE_OVERLAY_TEXT && kind != RUBBLE_OVERLAY_IMAGE)
-        item.stroke = float(readInRange(given.stroke, kLength, "stroke"));
+    if (kind == RUBBLE_OVERLAY_TEXT) item.text = readText(given.text, 0, kMaxTextBytes, "text");
+    if (kind == RUBBLE_OVERLAY_IMAGE) item.text = readText(given.text, 1, kMaxNameBytes, "text");
+    readLetters(given, item);
+    readPlane(given, flags, item);
+    readSurface(given, item);
     return item;
 }
 
@@ -146,9 +133,11 @@ rubble_result measureText(const rubble_overlay_item* item, double* out) {
         if (!isGiven(out, "out")) return;
         out[0] = out[1] = 0.0;
         const rubble_overlay_item given = readStruct(item, "item");
-        OverlayItem read;
-        if (!isRefused()) readText(given, read);
+        if (!isRefused() && given.kind != RUBBLE_OVERLAY_TEXT)
+            refuse(RUBBLE_ERROR_ARGUMENT, "item->kind is {}, expected RUBBLE_OVERLAY_TEXT", given.kind);
         if (isRefused()) return;
+        const OverlayItem read = readItem(given);
+        if (isRefused()) return Call::current().locate("item->");
         const auto size = Renderer::measureText(read.font, read.fontSize, read.size.x, read.text);
         if (!size) return refuse(RUBBLE_ERROR_FILE, "{}", size.error());
         out[0] = size->x, out[1] = size->y;

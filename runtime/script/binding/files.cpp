@@ -4,15 +4,11 @@
 #include "runtime/script/binding/script_context.h"
 
 namespace rubble::script {
-namespace {
 
-/// Whether a path stays inside of a folder: no root, no "..", no backslash.
 bool staysInside(const std::string& path) {
     return !path.empty() && path[0] != '/' && path.find('\\') == path.npos && path.find("..") == path.npos &&
            path.find('\0') == path.npos;
 }
-
-}  // namespace
 
 std::string fileAt(lua_State* L, int index, const char* name) {
     const std::string file = textAt(L, index, name), &folder = ScriptContext::of(L).shared.folder;

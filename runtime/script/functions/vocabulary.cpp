@@ -1,17 +1,43 @@
 #include "runtime/script/functions/vocabulary.h"
 
+#include <chrono>
+
 namespace rubble::script {
 namespace {
 
 constexpr int64_t kCallWork = 20;
 const char kWait = 0;  ///< its address marks a wait
 
+/// Adds what happens while it lives to what a function has cost.
+class CostMeter {
+public:
+    CostMeter(const Sandbox& box, FunctionCost& cost)
+        : m_box(box), m_cost(cost), m_start(std::chrono::steady_clock::now()), m_allocations(box.allocations()) {}
+    ~CostMeter() {
+        m_cost.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
+        m_cost.allocations += m_box.allocations() - m_allocations;
+    }
+    CostMeter(const CostMeter&) = delete;
+    CostMeter& operator=(const CostMeter&) = delete;
+
+private:
+    const Sandbox& m_box;
+    FunctionCost& m_cost;
+    std::chrono::steady_clock::time_point m_start;
+    uint64_t m_allocations;
+};
+
 /// Calls the function of a row. Upvalues: the row, its number in the vocabulary, or -1.
 int callFunction(lua_State* L) {
     Sandbox& box = Sandbox::of(L);
     box.charge(L, kCallWork);
     const lua_Integer index = lua_tointeger(L, lua_upvalueindex(2));
-    if (index >= 0) ++static_cast<ScriptContext*>(box.owner())->calls[size_t(index)];
+    ScriptContext& context = *static_cast<ScriptContext*>(box.owner());
+    if (index >= 0) ++context.calls[size_t(index)];
+    if (index >= 0 && !context.costs.empty()) {
+        const CostMeter meter(box, context.costs[size_t(index)]);
+        return runningFunction(L).function(L);
+    }
     return runningFunction(L).function(L);
 }
 
@@ -38,6 +64,7 @@ const std::vector<Subject>& vocabulary() {
         {"break", "Breaking, fire and paint", breakFunctions()},
         {"find", "Finding things, tags and handles", findFunctions()},
         {"bodies", "Bodies", bodyFunctions()},
+        {"constraints", "Holding bodies for a step", constrainFunctions()},
         {"shapes", "Shapes", shapeFunctions()},
         {"shape-edits", "Making and changing shapes", shapeEditFunctions()},
         {"lights", "Lights", lightFunctions()},
@@ -47,6 +74,7 @@ const std::vector<Subject>& vocabulary() {
         {"world", "World, time and waiting", worldFunctions()},
         {"ui", "Drawing: places, colours, letters", uiStateFunctions()},
         {"ui-items", "Drawing: texts, shapes, images, lines", uiDrawFunctions()},
+        {"files", "Files and saved tables", fileFunctions()},
         {"registry", "Registry and parameters", registryFunctions()},
     };
     return subjects;

@@ -45,6 +45,7 @@ int spawn(lua_State* L) {
     std::vector<rubble_prefab_row> rows(count);
     isDone(L, apiOf(L).create_prefab(worldOf(L), &prefab, rows.data(), count, &count));
     std::vector<uint64_t> handles;
+    ScriptContext::of(L).shared.mayHaveScripts = true;
     for (const rubble_prefab_row& row : rows) {
         ScriptContext::of(L).shared.created.insert(row.handle);
         handles.push_back(row.handle);

@@ -50,6 +50,7 @@ public:
         EXPECT_EQ(lua_sample::buildYard(*m_api, m_world), "");
         writeTinyModel(m_folder.path() / "post.vox");
         writeTinyPicture(m_folder.path() / "picture.png");
+        std::ofstream(m_folder.path() / "tools.lua") << "return {double = function(x) return 2 * x end}";
         ScriptHostSettings given;
         given.limits = limits;
         given.folder = m_folder.path().string();
@@ -70,6 +71,12 @@ public:
         Script& script = m_host->add("test", "function init()\n" + text + "\nend");
         for (int i = 0; i < 300 && script.isWaiting(); ++i) EXPECT_EQ(m_host->step(), RUBBLE_OK);
         return script.error();
+    }
+    /// The folder of its scripts.
+    std::filesystem::path folder() const { return m_folder.path(); }
+    /// What its host logs with.
+    std::function<void(int, const std::string&)> log() {
+        return [this](int level, const std::string& line) { m_log.push_back({level, line}); };
     }
     /// Its scripts.
     ScriptHost& host() { return *m_host; }

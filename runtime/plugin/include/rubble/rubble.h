@@ -1612,6 +1612,19 @@ typedef struct rubble_draw_stats {
     double draw_ms;         /* of the calling thread; the GPU may take longer */
 } rubble_draw_stats;
 
+/* A named place of the level. Lives until the next level or save is loaded, as what follows. */
+typedef struct rubble_location {
+    const char* name;
+    double position[3]; /* world */
+    double rotation[4];
+} rubble_location;
+
+/* A script that the level names, or a prefab that was placed. The library does not run it. */
+typedef struct rubble_level_script {
+    const char* path;       /* in the level's folder */
+    const char* parameters; /* "name=value", a line each */
+} rubble_level_script;
+
 /* What an item of an overlay is; RUBBLE_OVERLAY_LINE and those before it lie on a surface. */
 enum {
     RUBBLE_OVERLAY_TEXT = 0,
@@ -2290,6 +2303,22 @@ typedef struct rubble_api {
     rubble_result (*get_joint_state)(rubble_world world, rubble_joint joint, rubble_joint_state* out);
     /* [main-thread] Limits, motor and spring of a joint, and where its free motion is. */
     rubble_result (*get_joint_properties)(rubble_world world, rubble_joint joint, rubble_joint_properties* out);
+
+    /* ---- places, scripts and data that a game carries ---- */
+
+    /* [main-thread] The named places of the level. Saves keep them. */
+    rubble_result (*get_locations)(rubble_world world, rubble_location* out, uint32_t capacity, uint32_t* count);
+    /* [main-thread] The scripts of the level, then those of the prefabs that were placed. Saves keep them. */
+    rubble_result (*get_level_scripts)(rubble_world world, rubble_level_script* out, uint32_t capacity,
+                                       uint32_t* count);
+    /* [main-thread] Keeps bytes under a name with the game, at once: saves have them, and the start of a recording.
+     * They are no part of the state hash. name: UTF-8, 1 to 4096 bytes. size: at most 16 MiB; 0: forgets them. A level
+     * that is loaded forgets all. */
+    rubble_result (*set_host_data)(rubble_world world, const char* name, const uint8_t* data, uint64_t size);
+    /* [main-thread] Copies such bytes. *count becomes their number, 0 where there are none. Capacity 0 asks for that
+     * alone; fewer: RUBBLE_ERROR_CAPACITY, and nothing is written. */
+    rubble_result (*get_host_data)(rubble_world world, const char* name, uint8_t* out, uint64_t capacity,
+                                   uint64_t* count);
 
     /* ---- an overlay: text, boxes, images and lines over the image ---- */
 

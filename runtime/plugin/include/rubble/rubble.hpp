@@ -1049,6 +1049,31 @@ public:
         check(api().get_joint_properties(m_handle, joint, &out));
         return out;
     }
+    /** The named places of the level. Saves keep them. */
+    std::vector<rubble_location> get_locations() const {
+        return rows<rubble_location, uint32_t>([&](rubble_location* out, uint32_t capacity, uint32_t* count) {
+            return api().get_locations(m_handle, out, capacity, count);
+        });
+    }
+    /** The scripts of the level, then those of the prefabs that were placed. Saves keep them. */
+    std::vector<rubble_level_script> get_level_scripts() const {
+        return rows<rubble_level_script, uint32_t>([&](rubble_level_script* out, uint32_t capacity, uint32_t* count) {
+            return api().get_level_scripts(m_handle, out, capacity, count);
+        });
+    }
+    /** Keeps bytes under a name with the game, at once: saves have them, and the start of a recording. They are no part
+     * of the state hash. name: UTF-8, 1 to 4096 bytes. size: at most 16 MiB; 0: forgets them. A level that is loaded
+     * forgets all. */
+    void set_host_data(const char* name, const uint8_t* data, uint64_t size) {
+        check(api().set_host_data(m_handle, name, data, size));
+    }
+    /** Copies such bytes. *count becomes their number, 0 where there are none. Capacity 0 asks for that alone; fewer:
+     * RUBBLE_ERROR_CAPACITY, and nothing is written. */
+    std::vector<uint8_t> get_host_data(const char* name) const {
+        return rows<uint8_t, uint64_t>([&](uint8_t* out, uint64_t capacity, uint64_t* count) {
+            return api().get_host_data(m_handle, name, out, capacity, count);
+        });
+    }
 private:
     void release() noexcept {
         if (m_handle) api().destroy_world(std::exchange(m_handle, 0));
