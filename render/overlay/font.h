@@ -18,7 +18,7 @@ struct GlyphImage {
     glm::vec2 low{0.0f};  ///< em: its left upper corner from the pen, y down
     std::vector<uint8_t> texels;
 };
-inline constexpr int kGlyphEm = 48, kGlyphSpread = 12;
+inline constexpr int kGlyphEm = 32, kGlyphSpread = 8;
 
 /// The outlines of a font. All lengths are in em.
 class Font {

@@ -18,7 +18,7 @@ flat in float softness;
 out vec4 color;
 
 const float kGlyph = 0.0, kBox = 1.0, kImage = 2.0, kLine = 3.0;  // OverlayQuad::Kind
-const float kSpread = 12.0;                                       // kGlyphSpread
+const float kSpread = 8.0;                                        // kGlyphSpread
 const float kDepthSlack = 0.01;  // of the depth: what lies on a surface is before it
 
 /// Whether voxels hide this pixel.
