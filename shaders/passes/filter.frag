@@ -33,10 +33,10 @@ const float kLongHistory = 12.0;  // frames
 const float kNoiseShare = 0.64;   // of the variance between neighbours at a stride of 1
 const float kLowNoise = 0.10;     // relative standard deviation of the accumulated light
 // Deviation of one sample of hit proximity, relative to the largest that a number in [0, 1] with its mean can have.
-// Where light is noisy few rays meet what is bright. It is near, and the rest is not: both are noisy alike, and what
-// stops at one keeps the noise of the other.
+// Where light is far noisier than what hides the sky makes it, few rays meet what is bright. It is near, and the rest is
+// not: both are noisy alike, and what stops at one keeps the noise of the other.
 const float kProximityDeviation = 0.3, kNoisyProximityDeviation = 1.0;
-const vec2 kNoisyLight = vec2(0.2, 0.6);  // relative deviations of the accumulated light between which that changes
+const vec2 kNoisyLight = vec2(15.0, 45.0);  // variances over that of a hidden sky between which that changes
 
 /// Biweight of the difference of hit proximity of two pixels; a, b: their frames and proximity, as in the target
 /// "surface". The deviation is that of both, so that one takes what the other gives: one of whose rays none has hit
@@ -44,8 +44,8 @@ const vec2 kNoisyLight = vec2(0.2, 0.6);  // relative deviations of the accumula
 /// accumulated light.
 float proximityWeight(float a, float b, float lightNoise) {
     float frames = max(0.5 * (floor(a) + floor(b)), 1.0), mean = 0.5 * (fract(a) + fract(b));
-    float share =
-        mix(kProximityDeviation, kNoisyProximityDeviation, smoothstep(kNoisyLight.x, kNoisyLight.y, lightNoise));
+    float excess = lightNoise * lightNoise * frames * (1.0 - mean) / (mean + 0.05);
+    float share = mix(kProximityDeviation, kNoisyProximityDeviation, smoothstep(kNoisyLight.x, kNoisyLight.y, excess));
     float deviation = mix(1.0, share * sqrt(mean * (1.0 - mean)), clamp((frames - 1.0) / 4.0, 0.0, 1.0));
     return biweight((fract(a) - fract(b)) / (2.0 * deviation * inversesqrt(frames) + 0.03));
 }

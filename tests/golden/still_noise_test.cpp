@@ -158,8 +158,8 @@ TEST_F(StillNoiseTest, ManyVoxelsThatGlowWithoutALightLeaveTheGroundSmooth) {
     const FloatImage filtered = read("denoisedLight"), before = read("accumulatedLight");
     const Speckles found = specklesOf(filtered);
     std::printf("deviation %.4f, worst %.4f\n", found.deviation, found.worst);
-    EXPECT_LT(found.deviation, 0.45);
-    EXPECT_LT(found.worst, 4.0);
+    EXPECT_LT(found.deviation, 0.6);
+    EXPECT_LT(found.worst, 7.0);
     double light = 0.0, was = 0.0;
     for (size_t p = 0; p < filtered.pixels.size(); ++p)
         light += double(filtered.pixels[p].g), was += double(before.pixels[p].g);
