@@ -33,8 +33,8 @@ const float kLongHistory = 12.0;  // frames
 const float kNoiseShare = 0.64;   // of the variance between neighbours at a stride of 1
 const float kLowNoise = 0.10;     // relative standard deviation of the accumulated light
 // Deviation of one sample of hit proximity, relative to the largest that a number in [0, 1] with its mean can have.
-// Where light is far noisier than what hides the sky makes it, few rays meet what is bright. It is near, and the rest is
-// not: both are noisy alike, and what stops at one keeps the noise of the other.
+// Where light is far noisier than a hidden sky makes it, few rays meet what is bright. It is near, and the rest is not:
+// both are noisy alike, and what stops at one keeps the noise of the other.
 const float kProximityDeviation = 0.3, kNoisyProximityDeviation = 1.0;
 const vec2 kNoisyLight = vec2(15.0, 45.0);  // variances over that of a hidden sky between which that changes
 
