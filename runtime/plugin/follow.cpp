@@ -23,10 +23,10 @@ Result<Done> FrameLoop::follow(const Deltas& deltas, const std::function<void()>
     keepDeltas(std::nullopt);
     if (span.from == span.to) return Done{};
     if (span.from != m_world.step() || (span.from != span.start && span.start != m_followedStart))
-        return Error{
-            fmt::format("expected the delta of step {}, the next of those that were applied, found that of "
-                        "step {}, kept since step {}",
-                        m_world.step() + 1, span.from + 1, span.start)};
+        return Error{fmt::format(
+            "expected the delta of step {}, the next of those that were applied, found that of step {}, kept "
+            "since step {}: a follower begins with the game that is saved after keep_deltas()",
+            m_world.step() + 1, span.from + 1, span.start)};
     if (span.from == span.start) m_followedPalettes.clear();
     m_followedStart = span.start;
     auto next = deltas.steps.begin();

@@ -4,11 +4,12 @@
 static void add_wheel(rubble_shape chassis, double x, double z, double steering) {
     rubble_joint_settings wheel = {.struct_size = sizeof wheel, .kind = RUBBLE_JOINT_WHEEL};
     rubble_collision_shape round = {.struct_size = sizeof round, .kind = RUBBLE_COLLISION_CYLINDER_X};
-    rubble_shape_settings disc = {.struct_size = sizeof disc, .source = RUBBLE_SHAPE_INDICES, .size = {2, 6, 6}};
-    uint8_t rubber[72]; /* a square without its corners: a full box would be touched as a box */
+    rubble_shape_settings disc = {.struct_size = sizeof disc, .source = RUBBLE_SHAPE_INDICES, .size = {4, 12, 12}};
+    uint8_t rubber[576]; /* a disc: a full box would be touched as a box */
     rubble_joint made;
-    for (int i = 0; i < 72; ++i) rubber[i] = (i / 2 % 6) % 5 || (i / 12) % 5 ? 19 : 0;
-    disc.body = make_body(x - 0.1, 0, z - 0.3, 0), disc.indices = rubber, disc.count = 72;
+    for (int i = 0, u, v; i < 576; ++i) /* u and v in half cells from the axle */
+        u = i / 4 % 12 * 2 - 11, v = i / 48 * 2 - 11, rubber[i] = u * u + v * v < 144 ? 19 : 0;
+    disc.body = make_body(x - 0.1, 0, z - 0.3, 0), disc.indices = rubber, disc.count = 576, disc.voxel_size = 0.05;
     OK(api->create_shape(world, &disc, &round.shape));
     wheel.shapes[0] = chassis, wheel.max_steer_angle = steering, wheel.drive_torque = 2000, wheel.brake_torque = 4000;
     wheel.shapes[1] = round.shape;

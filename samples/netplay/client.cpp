@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kMaxMessagesPerTick = 4096;
 constexpr size_t kMaxEarlyBodies = 8192;                   // that poses tell of before edits have made them
+constexpr size_t kMaxGameBytes = 4u << 20;                 // of a snapshot; reading it may take 64 times as much
 constexpr size_t kMaxWaitingBytes = 128u << 20;            // of steps that are not shown yet
 constexpr uint64_t kMaxStepsAhead = 60 * kStepsPerSecond;  // of poses, of the edits that have come
 
@@ -91,6 +92,7 @@ void Client::handle(const Message& message) {
 }
 
 void Client::take(const Snapshot& snapshot) {
+    expect(snapshot.game.size() <= kMaxGameBytes, "expected a snapshot of at most 4 MB");
     forget();
     m_world.load_game_data(snapshot.game.data(), snapshot.game.size());
     m_applied = m_received = snapshot.step;

@@ -11,6 +11,7 @@
 #include "samples/sandbox/stage.h"
 #include "samples/sandbox/window.h"
 #include "samples/scenes/scene.h"
+#include "samples/support/image_size.h"
 #include "samples/support/window.h"
 
 namespace rubble {
@@ -107,12 +108,10 @@ void addRenderOptions(CLI::App& app, SandboxOptions& options) {
     app.add_option("--shaders", options.shaders, "folder of the shaders")->capture_default_str();
 }
 
-/// Reads "WIDTHxHEIGHT" into the options; throws what CLI11 reports as an error of --size.
+/// Reads the size of the image; throws what CLI11 reports as an error of --size.
 void parseSize(SandboxOptions& options) {
-    char end = 0;
-    if (std::sscanf(options.size.c_str(), "%dx%d%c", &options.width, &options.height, &end) != 2 ||
-        options.width < 16 || options.height < 16 || options.width > 8192 || options.height > 8192)
-        throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT from 16x16 to 8192x8192, found " + options.size);
+    const std::string error = readImageSize(options.size, options.width, options.height);
+    if (!error.empty()) throw CLI::ValidationError("--size", error);
 }
 
 int run(int argc, char** argv) {

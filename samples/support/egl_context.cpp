@@ -4,6 +4,8 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <span>
+
 namespace rubble {
 
 bool EglContext::open(void* display, bool isEmbedded) {
@@ -15,17 +17,14 @@ bool EglContext::open(void* display, bool isEmbedded) {
     EGLint count = 0;
     eglChooseConfig(display, wanted, &config, 1, &count);
     if (!eglBindAPI(isEmbedded ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) return false;
-    if (isEmbedded) {
-        const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE};
-        m_context = eglCreateContext(display, count ? config : EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version);
-        return m_context != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, m_context);
-    }
-    for (const GlVersion wantedGl : kWantedGl) {
+    static constexpr GlVersion kWantedEmbedded[] = {{3, 0}};
+    const std::span<const GlVersion> versions = isEmbedded ? std::span<const GlVersion>(kWantedEmbedded) : kWantedGl;
+    for (const GlVersion wantedGl : versions) {
         const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,
                                   wantedGl.major,
                                   EGL_CONTEXT_MINOR_VERSION,
                                   wantedGl.minor,
-                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                  isEmbedded ? EGL_NONE : EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                   EGL_NONE};
         m_context = eglCreateContext(display, count ? config : EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version);

@@ -303,5 +303,19 @@ TEST_F(HostPhysics, WrongRowsAreRefusedAsAWhole) {
     EXPECT_EQ(hash(), before);
 }
 
+TEST_F(HostPhysics, PaintChangesNoCollider) {
+    const rubble_body cube = makeCube(5.0, 10.0);
+    step();
+    auto paint = sized<rubble_paint>();
+    paint.position[0] = 5.0, paint.position[1] = 10.0;
+    ASSERT_EQ(api()->paint(m_world, &paint), RUBBLE_OK);
+    step();
+    auto events = sized<rubble_events>();
+    ASSERT_EQ(api()->get_events(m_world, &events), RUBBLE_OK);
+    ASSERT_GT(events.painted_voxel_count, 0u);
+    EXPECT_TRUE(rigids().empty());
+    EXPECT_NE(cube, 0u);
+}
+
 }  // namespace
 }  // namespace rubble

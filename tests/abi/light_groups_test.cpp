@@ -67,6 +67,22 @@ TEST_F(AbiLightGroups, VoxelsThatComeToAGroupCountInIt) {
     EXPECT_TRUE(state().flags & RUBBLE_GROUP_OUT);
 }
 
+TEST_F(AbiLightGroups, ATenthOfItsVoxelsIsATenth) {
+    auto bar = sized<rubble_voxel_box>();
+    bar.shape = m_bulb, bar.size[0] = bar.size[2] = 1, bar.size[1] = 10;
+    const uint8_t cells[10] = {3, 3, 3, 3, 3, 3, 3, 3, 3, 3};
+    ASSERT_EQ(api()->write_voxels(m_world, &bar, cells, sizeof cells), RUBBLE_OK) << api()->get_last_error();
+    rubble_light_group_change tenth = change(RUBBLE_GROUP_THRESHOLD);
+    tenth.threshold = 0.1;
+    set(tenth);
+    step();
+    ASSERT_EQ(state().voxels, 10u);
+    carveAt(0.95);
+    step();
+    EXPECT_EQ(state().removed_voxels, 1u);
+    EXPECT_TRUE(isOut());
+}
+
 TEST_F(AbiLightGroups, VoxelsThatAreMadeOrWrittenCountInTheirGroup) {
     auto copy = shapeOn(bodies(m_world).back().body, RUBBLE_SHAPE_COPY, 0);
     copy.copied = m_bulb, copy.position[0] = 2.0;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <atomic>
 #include <cstring>
 #include <filesystem>
@@ -198,6 +199,29 @@ TEST_F(Services, EachWorldHasItsOwnLog) {
         EXPECT_EQ(each, "undo: no marks are kept; call set_undo_limit() with more than 0 first\n");
     EXPECT_EQ(api()->destroy_world(first), RUBBLE_OK);
     EXPECT_EQ(api()->destroy_world(second), RUBBLE_OK);
+}
+
+TEST_F(Services, TheLogSaysWhichRoundShapesAreTouchedAsVoxels) {
+    std::string lines;
+    auto settings = sized<rubble_world_settings>();
+    settings.flags = RUBBLE_WORLD_NO_RENDERER, settings.log = addLine, settings.user = &lines;
+    const rubble_world world = makeWith(settings);
+    const auto makeRound = [&](uint32_t source) {
+        const auto free = sized<rubble_body_settings>();
+        auto shape = sized<rubble_shape_settings>();
+        shape.source = source, std::fill_n(shape.size, 3, 8);
+        auto round = sized<rubble_collision_shape>();
+        round.kind = RUBBLE_COLLISION_SPHERE;
+        ASSERT_EQ(api()->create_body(world, &free, &shape.body), RUBBLE_OK);
+        ASSERT_EQ(api()->create_shape(world, &shape, &round.shape), RUBBLE_OK);
+        ASSERT_EQ(api()->set_collision_shape(world, &round), RUBBLE_OK);
+        ASSERT_EQ(api()->step(world), RUBBLE_OK);
+    };
+    makeRound(RUBBLE_SHAPE_SPHERE);
+    EXPECT_EQ(lines, "");
+    makeRound(RUBBLE_SHAPE_BOX);
+    EXPECT_NE(lines.find("is touched as voxels"), std::string::npos) << lines;
+    EXPECT_EQ(api()->destroy_world(world), RUBBLE_OK);
 }
 
 /// A job system of the host's: as many threads as there are jobs, three at most.

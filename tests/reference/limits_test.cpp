@@ -53,11 +53,7 @@ protected:
         view.framebuffer = target.framebuffer();
         for (int i = 0; i < frames; ++i) loop.draw(renderer, view, 1.0f);
         EXPECT_EQ(renderer.lastError(), "");
-        FloatImage image(kSize);
-        const std::vector<uint8_t> rgb = target.readRgb();
-        for (size_t i = 0; i < image.pixels.size(); ++i)
-            image.pixels[i] = glm::vec4(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2], 255.0f) / 255.0f;
-        return image;
+        return FloatImage(kSize, target.readRgb());
     }
     /// The town, half a second into its demolition.
     FloatImage drawTown(Renderer& renderer) {

@@ -47,7 +47,7 @@ std::vector<ChangedBody> changedBodies(const FrameChanges& changes, const World&
     for (const BodyHandle body : changes.bodiesCreated) add(body, RUBBLE_RIGID_NEW);
     for (const BodyHandle body : changes.teleported) add(body, RUBBLE_RIGID_MOVED);
     for (const BodyHandle body : changes.lostShapes) add(body, RUBBLE_RIGID_SOLID);
-    for (const auto* list : {&changes.shapesCreated, &changes.carved, &changes.palettes, &changes.filters})
+    for (const auto* list : {&changes.shapesCreated, &changes.carved, &changes.filters})
         for (const ShapeHandle shape : *list) addOwner(shape);
     sortChanges(out);
     return out;

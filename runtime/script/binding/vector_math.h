@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "runtime/script/binding/arguments.h"
 
@@ -30,7 +32,11 @@ inline double length(const Vector& a) {
 /// Of a vector without a length (0, 0, 1), as in Teardown.
 inline Vector normalized(const Vector& a) {
     const double size = length(a);
-    return size > 0.0 ? a * (1.0 / size) : Vector{0.0, 0.0, 1.0};
+    if (size > 1e-140 && size < 1e150) return a * (1.0 / size);
+    const double largest = std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});  // squares are no numbers
+    if (!(largest > 0.0 && largest < std::numeric_limits<double>::infinity())) return {0.0, 0.0, 1.0};
+    const Vector near{a[0] / largest, a[1] / largest, a[2] / largest};
+    return near * (1.0 / length(near));
 }
 /// First b, then a.
 inline Rotation operator*(const Rotation& a, const Rotation& b) {

@@ -108,7 +108,8 @@ void FireStage::igniteBrick(ShapeHandle handle, HotBrick& hot) {
 }
 
 void FireStage::apply(const ExtinguishEdit& edit) {
-    const uint32_t wet = uint32_t(edit.wetSeconds * kHeatUpdatesPerSecond);
+    // The first update may come at once.
+    const uint32_t wet = edit.wetSeconds > 0.0 ? uint32_t(std::ceil(edit.wetSeconds * kHeatUpdatesPerSecond)) + 1 : 0;
     FireState& fire = m_context.world.fire;
     if (wet == 0 && !fire.isActive()) return;
     for (const ShapeHandle handle : shapesNear(m_context.world, edit.position, edit.radius)) {

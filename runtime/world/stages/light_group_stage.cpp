@@ -141,8 +141,7 @@ void updateLightGroups(EditContext& context) {
         group.removedVoxels += removed;
         if (removed) context.changes.groups.push_back(handle);
         if (group.out) return;
-        const bool isBroken =
-            removed && double(group.removedVoxels) >= double(group.threshold) * double(group.initialVoxels);
+        const bool isBroken = removed && float(group.removedVoxels) / float(group.initialVoxels) >= group.threshold;
         if (!group.failingSince && (isBroken || lostPower(context, handle, group))) {
             group.failingSince = context.changes.step;
             ++context.world.flickeringGroups;

@@ -29,9 +29,10 @@ static void fail(const char* what) {
     exit(1);
 }
 
+static const char usage[] = "usage: host_sdl LEVEL [--script FOLDER] [--steps N] [--size WIDTHxHEIGHT]\n";
+
 static void refuse(const char* expected, const char* found) {
-    fprintf(stderr, "host_sdl: expected %s, found \"%s\"\n", expected, found);
-    fprintf(stderr, "usage: host_sdl LEVEL [--script FOLDER] [--steps N] [--size WIDTHxHEIGHT]\n");
+    fprintf(stderr, "host_sdl: expected %s, found \"%s\"\n%s", expected, found, usage);
     exit(2);
 }
 
@@ -40,6 +41,10 @@ static struct options read_options(int argc, char** argv) {
     int i;
     for (i = 1; i < argc; ++i) {
         const char* const value = i + 1 < argc ? argv[i + 1] : "";
+        if (strcmp(argv[i], "--help") == 0) {
+            fputs(usage, stdout);
+            exit(0);
+        }
         if (strncmp(argv[i], "--", 2) != 0) {
             options.level = argv[i];
             continue;

@@ -10,6 +10,7 @@
 #include "samples/netplay/enet_transport.h"
 #include "samples/netplay/server.h"
 #include "samples/netplay/yard.h"
+#include "samples/support/image_size.h"
 
 namespace netplay {
 namespace {
@@ -43,15 +44,6 @@ int join(const Options& options) {
     return options.frames || !Screen::hasDisplay() ? playIntoFrames(options) : playInWindow(options);
 }
 
-/// Reads "WIDTHxHEIGHT"; an error says what is wrong.
-std::string readSize(const std::string& text, Size& out) {
-    char end = 0;
-    const bool isSize = std::sscanf(text.c_str(), "%dx%d%c", &out.width, &out.height, &end) == 2;
-    return isSize && std::min(out.width, out.height) >= 16 && std::max(out.width, out.height) <= 8192
-               ? ""
-               : "expected WIDTHxHEIGHT from 16x16 to 8192x8192, found " + text;
-}
-
 void addImageOptions(CLI::App& app, Options& options) {
     app.add_option("--frames", options.frames, "no window: a bot plays, as so many images evenly over the time")
         ->check(CLI::Range(1, 1000));
@@ -59,7 +51,8 @@ void addImageOptions(CLI::App& app, Options& options) {
     app.add_option_function<std::string>(
         "--size",
         [&](const std::string& text) {
-            if (const std::string error = readSize(text, options.size); !error.empty())
+            if (const std::string error = rubble::readImageSize(text, options.size.width, options.size.height);
+                !error.empty())
                 throw CLI::ValidationError("--size", error);
         },
         "of the image, WIDTHxHEIGHT [640x360]");

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "render/gl/gl.h"
+#include "samples/support/image_size.h"
 #include "tests/benchmark/render/benchmarks.h"
 
 double rubble::bench::median(std::vector<double> values) {
@@ -27,9 +28,9 @@ int main(int argc, char** argv) {
     app.add_option("--gl", gl, "osmesa, egl or auto")->capture_default_str();
     app.add_flag("--processor-time", options.processorTime,
                  "milliseconds of all threads together: steady on a busy machine");
-    app.add_option("--preset", options.preset, "frame: fast, balanced or accurate")
+    app.add_option("--preset", options.preset, "frame: draft, fast, balanced or accurate")
         ->capture_default_str()
-        ->check(CLI::IsMember({"fast", "balanced", "accurate"}));
+        ->check(CLI::IsMember({"draft", "fast", "balanced", "accurate"}));
     app.add_option("--fullscreen", options.fullscreen,
                    "frame: what draws full-screen passes; both: fragment and compute side by side")
         ->capture_default_str()
@@ -38,9 +39,8 @@ int main(int argc, char** argv) {
     app.add_option("--against", options.against, "frame: another folder of shaders, drawn by turns with the first");
     app.add_option("--images", options.imageFolder, "folder for images of the measured views");
     CLI11_PARSE(app, argc, argv);
-    if (std::sscanf(size.c_str(), "%dx%d", &options.size.x, &options.size.y) != 2 || options.size.x < 1 ||
-        options.size.y < 1) {
-        fmt::print(stderr, "--size: expected WIDTHxHEIGHT, found {}\n", size);
+    if (const std::string error = readImageSize(size, options.size.x, options.size.y); !error.empty()) {
+        fmt::print(stderr, "--size: {}\n", error);
         return 1;
     }
     auto context = GlContext::create(GlContext::kindOf(gl));

@@ -42,6 +42,14 @@ TEST(Script, ATextThatDoesNotCompileIsReported) {
               "bad.lua:2: unexpected symbol near '='");
 }
 
+TEST(Script, DirectionsOfAnyLengthAreNormalized) {
+    Yard yard;
+    EXPECT_EQ(yard.run("for _, size in ipairs({1e-300, 1e-160, 1, 1e200, 1e308}) do "
+                       "local v = VecNormalize(Vec(size, size, 0)) "
+                       "assert(math.abs(v.x - 0.5 ^ 0.5) < 1e-15 and v.x == v.y and v.z == 0, v.x) end"),
+              "");
+}
+
 TEST(Script, WhatIsGoneIsToldOnceForEachLine) {
     Yard yard;
     EXPECT_EQ(yard.run("local crate = FindBody('crate') Delete(crate) wait(0.1) "

@@ -29,10 +29,7 @@ std::string missing() {
 FloatImage readImage(const std::string& path) {
     const Result<Image> read = readPng(path);
     EXPECT_TRUE(read) << read.error();
-    FloatImage image(read ? glm::ivec2(read->width, read->height) : glm::ivec2(0));
-    for (size_t i = 0; i < image.pixels.size(); ++i)
-        image.pixels[i] = glm::vec4(read->rgb[3 * i], read->rgb[3 * i + 1], read->rgb[3 * i + 2], 255.0f) / 255.0f;
-    return image;
+    return read ? FloatImage({read->width, read->height}, read->rgb) : FloatImage();
 }
 
 /// The page's world on the desktop, as its images show it.

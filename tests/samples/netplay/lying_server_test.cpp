@@ -117,6 +117,15 @@ TEST_F(LyingServer, ThatGivesABodyTwoNumbersIsLeft) {
     EXPECT_TRUE(isLeft);
 }
 
+TEST_F(LyingServer, ThatSendsAHugeSnapshotIsLeft) {
+    Snapshot huge;
+    huge.step = m_step, huge.game = m_world.save_game_data();
+    huge.game.resize((4u << 20) + 1);
+    send(huge);
+    EXPECT_FALSE(isFollowed());
+    EXPECT_EQ(m_client.state(), Client::State::Disconnected);
+}
+
 TEST_F(LyingServer, ThatSendsNoMessageIsLeft) {
     const std::vector<uint8_t> bytes(3000, 0xff);
     m_server->send(m_peer, Delivery::Reliable, bytes);

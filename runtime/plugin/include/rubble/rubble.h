@@ -906,7 +906,7 @@ typedef struct rubble_events {
     const rubble_body* bodies_broken; /* lost voxels for the first time */
     /* debris that came to rest and left the simulation until something breaks or moves near it */
     const rubble_body* bodies_settled;
-    const rubble_body* bodies_unsettled; /* settled debris that is simulated again */
+    const rubble_body* bodies_unsettled; /* settled debris that is simulated again; if physics woke it, a step later */
     uint32_t bodies_broken_count;
     uint32_t bodies_settled_count;
     uint32_t bodies_unsettled_count;
@@ -978,7 +978,9 @@ typedef struct rubble_joint_report {
     rubble_shape from, to; /* of a joint that moved; else 0 */
 } rubble_joint_report;
 
-/* A part of a shape of at most 8 x 8 x 8 voxels that was lit or went out. Fires of destroyed shapes are not listed. */
+/* A part of a shape of at most 8 x 8 x 8 voxels that was lit or went out. Fires of destroyed shapes are not listed, nor
+ * parts that burn already when a piece comes off with them, which then go out on the piece. One that has burnt down is
+ * listed as out up to 6 steps after get_fires() has dropped it: count what burns by get_fires(). */
 typedef struct rubble_fire_report {
     rubble_shape shape;
     uint32_t lit; /* 1: lit, 0: out */
@@ -1065,7 +1067,7 @@ typedef struct rubble_voxel_accounting {
 /* Counters and wall-clock times of the last step. */
 typedef struct rubble_step_stats {
     uint32_t struct_size;
-    uint32_t bodies; /* dynamic, in the physics simulation */
+    uint32_t bodies; /* dynamic ones that physics knows, asleep and settled ones too */
     uint32_t bodies_awake;
     uint32_t contacts;
     uint64_t step;
@@ -1166,7 +1168,7 @@ typedef struct rubble_character_settings {
     double step_height;     /* metres that it climbs without a jump; 0: 0.45 */
     double max_slope;       /* steepest ground that it can stand on, rise over run; 0: 1 */
     double mass;            /* kg; 0: 80 */
-    double walk_speed;      /* m/s; 0: 4 */
+    double walk_speed;      /* m/s; 0: 4. No character moves faster than 60 m/s */
     double jump_speed;      /* m/s upward; 0: 4.5 */
     double swim_speed;      /* m/s; 0: 2 */
     double max_push_force;  /* N on bodies that it walks against or on; 0: 400 */
@@ -1198,7 +1200,7 @@ enum { RUBBLE_CHARACTER_GROUNDED = 1, RUBBLE_CHARACTER_CROUCHED = 2, RUBBLE_CHAR
 typedef struct rubble_character_state {
     rubble_character character;
     double position[3];      /* of the feet, world */
-    double velocity[3];      /* m/s, world: with that of ground_body */
+    double velocity[3];      /* m/s, world: with that of ground_body, without what slopes and steps lift it by */
     rubble_body ground_body; /* the body that it stands on; 0: none */
     uint32_t flags;          /* RUBBLE_CHARACTER_... */
     uint32_t reserved;
@@ -1714,7 +1716,8 @@ typedef struct rubble_api {
      * recording. Until the next step() get_events() is empty. Bodies begin
      * asleep where the level has them, in the air too, until something wakes them: a hit, an impulse (one of length 0
      * is enough), or an edit that changes what they touch. Those to which the level gives a velocity begin awake.
-     * RUBBLE_ERROR_FILE says what is wrong with the file and where; the world is then unchanged. */
+     * RUBBLE_ERROR_FILE says what is wrong with the file and where, or that there is not enough memory for what it
+     * describes; the world is then unchanged. */
     rubble_result (*load_level)(rubble_world world, const char* path, const char* vdb_tool);
     /* [main-thread] Advances the world by exactly 1/60 s: queued edits, then physics. The host decides how many
      * steps a frame needs and draws between them with rubble_view.alpha. */
@@ -1822,10 +1825,11 @@ typedef struct rubble_api {
     rubble_result (*get_waters)(rubble_world world, rubble_water* out, uint32_t capacity, uint32_t* count);
     /* [main-thread] All triggers, in the same order as get_waters(). */
     rubble_result (*get_triggers)(rubble_world world, rubble_trigger* out, uint32_t capacity, uint32_t* count);
-    /* [main-thread] Which bodies entered and left triggers in the last step. */
+    /* [main-thread] Which bodies entered and left triggers in the last step: where its edits found them. What its
+     * physics has moved in or out counts in the next step. */
     rubble_result (*get_trigger_events)(rubble_world world, rubble_trigger_event* out, uint32_t capacity,
                                         uint32_t* count);
-    /* [main-thread] The bodies that have a voxel in a trigger now. */
+    /* [main-thread] The bodies that had a voxel in a trigger when the last step found its events. */
     rubble_result (*get_trigger_bodies)(rubble_world world, rubble_trigger trigger, rubble_body* out, uint32_t capacity,
                                         uint32_t* count);
     /* [main-thread] All characters, in the same order as get_waters(). */

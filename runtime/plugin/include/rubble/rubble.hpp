@@ -93,8 +93,8 @@ public:
      * Drops the edits that wait in the queue, with a warning in the log, and stops a recording. Until the next step()
      * get_events() is empty. Bodies begin asleep where the level has them, in the air too, until something wakes them:
      * a hit, an impulse (one of length 0 is enough), or an edit that changes what they touch. Those to which the level
-     * gives a velocity begin awake. RUBBLE_ERROR_FILE says what is wrong with the file and where; the world is then
-     * unchanged. */
+     * gives a velocity begin awake. RUBBLE_ERROR_FILE says what is wrong with the file and where, or that there is not
+     * enough memory for what it describes; the world is then unchanged. */
     void load_level(const char* path, const char* vdb_tool = nullptr) {
         check(api().load_level(m_handle, path, vdb_tool));
     }
@@ -291,13 +291,14 @@ public:
             return api().get_triggers(m_handle, out, capacity, count);
         });
     }
-    /** Which bodies entered and left triggers in the last step. */
+    /** Which bodies entered and left triggers in the last step: where its edits found them. What its physics has moved
+     * in or out counts in the next step. */
     std::vector<rubble_trigger_event> get_trigger_events() const {
         rubble_row_list list{};
         list.kind = RUBBLE_ROWS_TRIGGER_EVENTS;
         return read_rows<rubble_trigger_event>(list);
     }
-    /** The bodies that have a voxel in a trigger now. */
+    /** The bodies that had a voxel in a trigger when the last step found its events. */
     std::vector<rubble_body> get_trigger_bodies(rubble_trigger trigger) const {
         return rows<rubble_body, uint32_t>([&](rubble_body* out, uint32_t capacity, uint32_t* count) {
             return api().get_trigger_bodies(m_handle, trigger, out, capacity, count);
