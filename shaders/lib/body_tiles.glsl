@@ -8,7 +8,6 @@ uniform ivec2 uTileGrid;       // tiles in a row; log2 of a tile's side in pixel
 
 /// A body and the ray of a pixel in the body's cells.
 struct BodyView {
-    float nearest;  // no voxel of it is nearer: metres along the view axis
     int instance;
     vec3 camera, ray;  // in cells; the ray has a length of 1 along the view axis
     Layout shape;
@@ -19,6 +18,12 @@ ivec2 tileList(ivec2 pixel) {
     ivec2 tile = pixel >> uTileGrid.y;
     int i = tile.y * uTileGrid.x + tile.x;
     return ivec2(fetch1(uTileOffsets, i), fetch1(uTileOffsets, i + 1));
+}
+
+/// Whether an entry of a list that ends at `end` may show something nearer than t, metres along the view axis: as no
+/// later one does if it does not.
+bool isNearer(int entry, int end, float t) {
+    return entry < end && uintBitsToFloat(fetch4(uBodyViews, int(fetch1(uTileBodies, entry)) * 5).w) < t;
 }
 
 /// The body of a list entry, with the ray through a point of the screen (in pixels). Rays in a body's cells are linear
@@ -36,5 +41,5 @@ BodyView bodyViewAt(int entry, vec2 screen) {
     else ray = ray + stepX * screen.x + stepY * screen.y;
     Layout shape = Layout(int(c.w), int(d.w >> 8), d.w & 255u, (ivec3(e.w) >> ivec3(0, 10, 20)) & 1023,
                           ivec3(e.xyz & 65535u), ivec3(e.xyz >> 16));
-    return BodyView(uintBitsToFloat(a.w), int(b.w), start, ray, shape);
+    return BodyView(int(b.w), start, ray, shape);
 }

@@ -143,9 +143,11 @@ OffscreenFace shadeOffscreenFace(vec3 hitWorld, vec3 normal, vec3 direction, Pat
     // be a cell farther along the ray.
     vec3 middle = (floor((hitWorld - normal * (0.5 * kShadowCell)) / kShadowCell) + 0.5) * kShadowCell;
     Entry entry;
-    bool found = false;
-    for (int i = loopBegin(); i < 2 && !found; ++i)
+    bool found;
+    int i = loopBegin();
+    do {
         found = voxelAt(middle + direction * (kShadowCell * float(i)), entry);
+    } while (!found && ++i < 2);
     if (!found) return OffscreenFace(kDefaultAlbedo * (sun + localLight), vec3(kDefaultAlbedo));
     vec3 albedo = srgbToLinear(entry.color), f0 = mix(vec3(entry.reflectivity), albedo, entry.metallic);
     vec3 emitted =

@@ -10,6 +10,9 @@ layout(std140) uniform FrameBlock {
 /// 0, which compilers do not know. They do not unroll a loop that begins with it, and a software GL leaves it where no
 /// pixel of a group takes part: else it would run all steps there. Mesa unrolls any other loop over a uniform array, as
 /// the array's length bounds its steps.
+///
+/// Loops of unknown length are written do {...} while (++i < n), and begin with `if (n == 0) break;` where there may be
+/// no step. A software GL leaves a loop only at its end: `for`, which asks at its beginning, runs a whole step more.
 int loopBegin() { return min(frame.counters.x, 0); }
 
 /// Whether the rays of all pixels are parallel: they begin side by side, in the plane through the camera.

@@ -39,14 +39,16 @@ float historyLeftAfter(float relativeChange) {
 /// changed in most of a small box.
 float historyNearVoxels(vec3 position) {
     float share = 0.0;
-    for (int i = loopBegin(); i < uDirtyCornerCount; i += 2) {
+    int i = loopBegin();
+    do {
+        if (uDirtyCornerCount == 0) break;
         vec3 low = uDirtyCorners[i].xyz, high = uDirtyCorners[i + 1].xyz;
         vec3 outside = max(max(low - position, position - high), vec3(0.0)), away = 0.5 * (low + high) - position,
              halfSize = 0.5 * (high - low);
         if (dot(outside, outside) < kResetDistance * kResetDistance) return 0.0;
         float radius2 = dot(halfSize, halfSize);
         share += radius2 / (dot(away, away) + radius2);
-    }
+    } while ((i += 2) < uDirtyCornerCount);
     return historyLeftAfter(share * share);
 }
 
@@ -54,13 +56,15 @@ float historyNearVoxels(vec3 position) {
 /// one before.
 float historyNearLooks(vec3 position, int moments) {
     float left = 1.0;
-    for (int i = loopBegin(); i < uLookCornerCount; i += 2) {
+    int i = loopBegin();
+    do {
+        if (uLookCornerCount == 0) break;
         vec3 low = uLookCorners[i].xyz, high = uLookCorners[i + 1].xyz;
         vec3 outside = max(max(low - position, position - high), vec3(0.0)), halfSize = 0.5 * (high - low);
         float radius2 = dot(halfSize, halfSize), share = radius2 / (dot(outside, outside) + radius2);
         float change = moments > 0 ? abs(uLookCorners[i + 1].w) : max(uLookCorners[i + 1].w, 0.0);
         left = min(left, historyLeftAfter(kReflected * share * share * change));
-    }
+    } while ((i += 2) < uLookCornerCount);
     return left;
 }
 
@@ -71,14 +75,16 @@ float newShareAt(vec3 position, bool through) {
     vec3 ray = isOrthographic() ? frame.viewMiddle.xyz * 1e4 : position - frame.cameraPosition.xyz;
     vec3 origin = through ? position - ray : position, inverse = 1.0 / (ray + vec3(equal(ray, vec3(0.0))) * 1e-6);
     float margin = 0.02 + pixelMetres(viewDepth(position));
-    for (int i = loopBegin(); i < uLookCornerCount; i += 2) {
+    int i = loopBegin();
+    do {
+        if (uLookCornerCount == 0) break;
         vec3 a = (uLookCorners[i].xyz - margin - origin) * inverse,
              b = (uLookCorners[i + 1].xyz + margin - origin) * inverse;
         vec3 enter = min(a, b), leave = max(a, b);
         float end = through ? 1.0 : 0.0;
         bool isMet = max(max(enter.x, enter.y), max(enter.z, 0.0)) <= min(min(leave.x, leave.y), min(leave.z, end));
         share = max(share, isMet ? uLookCorners[i].w : 0.0);
-    }
+    } while ((i += 2) < uLookCornerCount);
     return share;
 }
 
@@ -86,12 +92,14 @@ float newShareAt(vec3 position, bool through) {
 /// of an angle.
 bool meetsChange(vec3 origin, vec3 ray, float margin) {
     vec3 inverse = 1.0 / (ray + vec3(equal(ray, vec3(0.0))) * 1e-6);
-    for (int i = loopBegin(); i < uDirtyCornerCount; i += 2) {
+    int i = loopBegin();
+    do {
+        if (uDirtyCornerCount == 0) break;
         vec3 low = uDirtyCorners[i].xyz - origin, high = uDirtyCorners[i + 1].xyz - origin;
         vec3 wider = vec3(margin * length(0.5 * (low + high)));
         vec3 a = (low - wider) * inverse, b = (high + wider) * inverse, enter = min(a, b), leave = max(a, b);
         if (max(max(enter.x, enter.y), max(enter.z, 0.0)) <= min(min(leave.x, leave.y), min(leave.z, 1.0))) return true;
-    }
+    } while ((i += 2) < uDirtyCornerCount);
     return false;
 }
 
@@ -107,20 +115,25 @@ vec3 irradianceOf(vec4 place, vec4 color, vec4 falloff, vec3 position) {
 /// By how much the irradiance differs of the changed lights from texel `first` to `end`.
 vec3 changeByLights(vec3 position, int first, int end) {
     vec3 change = vec3(0.0);
-    for (int i = first + loopBegin(); i < end; i += 6)
+    int i = first + loopBegin();
+    do {
+        if (i >= end) break;
         change += abs(irradianceOf(uChangedLights[i + 3], uChangedLights[i + 4], uChangedLights[i + 5], position) -
                       irradianceOf(uChangedLights[i], uChangedLights[i + 1], uChangedLights[i + 2], position));
+    } while ((i += 6) < end);
     return change;
 }
 
 /// Irradiance of the lights before which changed voxels lie.
 vec3 changeByShadows(vec3 position) {
     vec3 change = vec3(0.0);
-    for (int i = loopBegin(); i < uShadowedLightTexels; i += 3) {
+    int i = loopBegin();
+    do {
+        if (uShadowedLightTexels == 0) break;
         vec3 toLight = uShadowedLights[i].xyz - position;
         if (meetsChange(position, toLight, uShadowedLights[i + 1].w / max(length(toLight), 0.05)))
             change += irradianceOf(uShadowedLights[i], uShadowedLights[i + 1], uShadowedLights[i + 2], position);
-    }
+    } while ((i += 3) < uShadowedLightTexels);
     return change;
 }
 

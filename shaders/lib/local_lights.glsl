@@ -126,10 +126,12 @@ void updateReservoir(inout Reservoir reservoir, int light, float weight, float m
 Reservoir chooseLight(ivec2 cell, vec3 position, vec3 normal, vec2 random) {
     int candidates = candidateCount(cell.y);
     Reservoir reservoir = Reservoir(-1, 1.0, 0.0, random.x);
-    for (int i = 0; i < candidates; ++i) {
+    int i = 0;
+    do {
+        if (candidates == 0) break;
         vec2 next = candidateLight(cell, i, random.y);
         updateReservoir(reservoir, int(next.x), unshadowedIrradiance(int(next.x), position, normal), next.y);
-    }
+    } while (++i < candidates);
     return reservoir;
 }
 

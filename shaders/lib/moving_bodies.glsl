@@ -16,7 +16,9 @@ vec3 placeInShadows(vec3 position, vec3 normal, float moving) {
     float most = 0.0;
     vec3 shift = vec3(0.0);
     bool isOn = false;
-    for (int i = loopBegin(); i < uMovingVectors; i += kVectorsPerMovingBody) {
+    int i = loopBegin();
+    do {
+        if (uMovingVectors == 0) break;
         vec3 fromCentre = position - uMovingBodies[i].xyz;
         vec3 local = vec3(dot(fromCentre, uMovingBodies[i + 1].xyz), dot(fromCentre, uMovingBodies[i + 2].xyz),
                           dot(fromCentre, uMovingBodies[i + 3].xyz));
@@ -28,6 +30,6 @@ vec3 placeInShadows(vec3 position, vec3 normal, float moving) {
         vec3 move = uMovingBodies[i + 4].xyz + cross(uMovingBodies[i + 5].xyz, fromCentre);
         shift = isNearest ? move * share : shift;
         isOn = isNearest ? moving > 0.5 && beside < kOnBody : isOn;
-    }
+    } while ((i += kVectorsPerMovingBody) < uMovingVectors);
     return position + shift - (isOn ? vec3(0.0) : normal * min(dot(shift, normal), 0.0));
 }

@@ -55,11 +55,12 @@ float valueNoise(vec2 p) {
 /// Fractal noise: octaves of value noise in [0, 1], each rotated so that the grid does not show.
 float fractalNoise(vec2 p, int octaves) {
     float sum = 0.0, weight = 0.5, total = 0.0;
-    for (int i = loopBegin(); i < octaves; ++i) {
+    int i = loopBegin();
+    do {
         sum += weight * valueNoise(p);
         total += weight;
         weight *= 0.5;
         p = mat2(1.62, 1.18, -1.18, 1.62) * p + 17.3;
-    }
+    } while (++i < octaves);
     return sum / total;
 }

@@ -40,14 +40,15 @@ Around gatherAround(ivec2 pixel) {
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
     vec3 sum = vec3(0.0), squares = vec3(0.0);
     float inverses = 0.0, count = 0.0;
-    for (int i = loopBegin(); i < 9; ++i) {
+    int i = loopBegin();
+    do {
         vec4 there = texelFetch(uNoisyReflection, clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), high), 0);
         float counts = step(1e-6, there.a);
         sum += counts * there.rgb;
         squares += counts * there.rgb * there.rgb;
         inverses += counts / max(there.a, 1e-3);
         count += counts;
-    }
+    } while (++i < 9);
     vec3 mean = sum / max(count, 1.0);
     return Around(mean, sqrt(max(squares / max(count, 1.0) - mean * mean, vec3(0.0))), count / max(inverses, 1e-6));
 }
@@ -74,16 +75,17 @@ vec4 reprojectHistory(Mirror m, Surface s, vec3 last, out vec4 lastMoments) {
     Taps taps = tapsAt(last.xy);
     vec4 sum = vec4(0.0);
     float total = 0.0;
-    for (int i = loopBegin(); i < taps.count; ++i) {
+    int i = loopBegin();
+    do {
         ivec2 p;
         float w = tapWeight(taps, i, p);
         vec4 surface = texelFetch(uSurfaceHistory, p, 0), there = texelFetch(uReflectionHistory, p, 0);
-        if (there.a <= 0.0 || abs(surface.x - last.z) > tolerance || dot(unpackNormal(surface.y), m.normal) < 0.98)
-            continue;
-        sum += w * there;
-        lastMoments += w * texelFetch(uMomentHistory, p, 0);
-        total += w;
-    }
+        if (there.a > 0.0 && abs(surface.x - last.z) <= tolerance && dot(unpackNormal(surface.y), m.normal) >= 0.98) {
+            sum += w * there;
+            lastMoments += w * texelFetch(uMomentHistory, p, 0);
+            total += w;
+        }
+    } while (++i < taps.count);
     if (total < 0.01) return vec4(0.0);
     lastMoments /= total;
     return sum / total;

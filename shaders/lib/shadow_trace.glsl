@@ -225,11 +225,14 @@ const int kMaxCellsLeft = 4;
 vec3 movedTowardEye(vec3 positionWorld, vec3 toEyeWorld) {
     vec3 direction = toEyeWorld / (abs(toEyeWorld) + 0.1);
     vec3 inverse = 1.0 / max(abs(direction), 1e-4);
-    for (int i = loopBegin(); i < kMaxCellsLeft && isShadowOccupied(positionWorld); ++i) {
+    bool isInside;
+    int i = loopBegin();
+    do {
+        isInside = isShadowOccupied(positionWorld);
         vec3 inCell = fract(positionWorld * kShadowCellsPerMetre);
         vec3 leave = mix(1.0 - inCell, inCell, lessThan(direction, vec3(0.0))) * inverse;
-        positionWorld += direction * ((min(leave.x, min(leave.y, leave.z)) + 0.01) * kShadowCell);
-    }
+        if (isInside) positionWorld += direction * ((min(leave.x, min(leave.y, leave.z)) + 0.01) * kShadowCell);
+    } while (isInside && ++i < kMaxCellsLeft);
     return positionWorld;
 }
 

@@ -37,9 +37,12 @@ struct BodySearch {
 /// The next body whose box holds a point, and the point's cell in it; -1 if there are no more.
 int nextBodyAt(inout BodySearch search, vec3 world, out ivec3 cell) {
     int body = -1;
-    while (body < 0 && search.left > 0) {
-        while (search.next == 0u && search.level < uBodyLevels) search.next = firstBodyAt(world, search.level++);
-        if (search.next == 0u) break;
+    do {
+        do {
+            if (search.next != 0u || search.level >= uBodyLevels) break;
+            search.next = firstBodyAt(world, search.level++);
+        } while (search.next == 0u && search.level < uBodyLevels);
+        if (search.next == 0u || search.left == 0) break;
         uvec2 listed = fetch2(uBodyEntries, int(search.next) - 1);
         int candidate = int(listed.x);
         vec4 place = fetch4f(uTransforms, candidate * 4 + 1);
@@ -49,7 +52,7 @@ int nextBodyAt(inout BodySearch search, vec3 world, out ivec3 cell) {
         if (insideCells(cell, low, high)) body = candidate;
         search.next = listed.y;
         --search.left;
-    }
+    } while (body < 0);
     return body;
 }
 

@@ -51,18 +51,20 @@ History reprojectHistory(Surface s, float packed_, vec3 position) {
     float expected = previousDepth(position);
     float tolerance = depthTolerance(position, s.normal, s.depth) + s.moving * 0.5;
     Taps taps = tapsAt(lastUv);
-    for (int i = loopBegin(); i < taps.count; ++i) {
+    int i = loopBegin();
+    do {
         ivec2 p;
         float w = tapWeight(taps, i, p);
         vec4 there = texelFetch(uSurfaceHistory, p, 0);
-        if (abs(there.x - expected) > tolerance || (there.y != packed_ && dot(unpackNormal(there.y), s.normal) < 0.9))
-            continue;
-        history.light += w * texelFetch(uLightHistory, p, 0);
-        history.frames += w * floor(there.z);
-        history.hitProximity += w * fract(there.z);
-        history.secondMoment += w * max(there.w, 0.0);
-        history.weight += w;
-    }
+        if (abs(there.x - expected) <= tolerance &&
+            (there.y == packed_ || dot(unpackNormal(there.y), s.normal) >= 0.9)) {
+            history.light += w * texelFetch(uLightHistory, p, 0);
+            history.frames += w * floor(there.z);
+            history.hitProximity += w * fract(there.z);
+            history.secondMoment += w * max(there.w, 0.0);
+            history.weight += w;
+        }
+    } while (++i < taps.count);
     if (history.weight < 0.01) {
         history.weight = 0.0;
         return history;
@@ -77,12 +79,14 @@ History reprojectHistory(Surface s, float packed_, vec3 position) {
 /// A past share of the sun, within what `neighbours` pixels see of it now: the 9 around, or none to keep it.
 float clampToNeighbours(float sun, ivec2 pixel, int neighbours) {
     float least = neighbours > 0 ? 1.0 : 0.0, most = 1.0 - least;
-    for (int i = 0; i < neighbours; ++i) {
+    int i = 0;
+    do {
+        if (neighbours == 0) break;
         ivec2 p = clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), ivec2(frame.targetSize.xy) - 1);
         float there = texelFetch(uLight, p, 0).a;
         least = min(least, there);
         most = max(most, there);
-    }
+    } while (++i < neighbours);
     return clamp(sun, least, most);
 }
 

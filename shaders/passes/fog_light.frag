@@ -120,10 +120,12 @@ vec3 otherInscatter(FogRay ray, ivec2 pixel, vec2 random, vec3 u) {
     Reservoir reservoir = Reservoir(-1, sky, sky, random.x);
     ivec2 cell = uHasLocalLights ? lightsAt(pixel, -1.0) : ivec2(0);
     int candidates = candidateCount(cell.y);
-    for (int i = 0; i < candidates; ++i) {
+    int i = 0;
+    do {
+        if (candidates == 0) break;
         vec2 next = candidateLight(cell, i, random.y);
         updateReservoir(reservoir, int(next.x), unshadowedFogRadiance(ray, int(next.x)), next.y);
-    }
+    } while (++i < candidates);
     // One call, as lanes of a GPU would run two one after the other.
     bool isSky = reservoir.light < 0;
     FogSample chosen;  // WebGL has no ?: for structs

@@ -26,16 +26,17 @@ void main() {
     VoxelHit best = VoxelHit(false, ivec3(0), 0, 0, kSkyDepth, vec3(0.0), 0, kFarthest);
     float glassT = kFarthest;
     BodyView nearestView;
-    for (int i = list.x; i < list.y; ++i) {
+    int i = list.x;
+    do {
+        if (i >= list.y) break;
         BodyView view = bodyViewAt(i, gl_FragCoord.xy);
-        if (view.nearest >= best.t) break;
         VoxelHit hit = walkVoxels(view.shape, view.camera, view.ray, 0.0, best.t, kStopAtOpaque);
         glassT = min(glassT, hit.glassT);
         if (hit.hit) {
             best = hit;
             nearestView = view;
         }
-    }
+    } while (isNearer(++i, list.y, best.t));
     bool behindGlass = glassT < best.t;
     if (!best.hit && !behindGlass) discard;
     outGlass = float(behindGlass);

@@ -14,9 +14,10 @@ void main() {
     Panes all = kNoPanes;
     int nearestBody = -1;
     ivec2 list = tileList(ivec2(gl_FragCoord.xy));
-    for (int e = list.x; e < list.y; ++e) {
+    int e = list.x;
+    do {
+        if (!isNearer(e, list.y, tMax)) break;
         BodyView view = bodyViewAt(e, gl_FragCoord.xy);
-        if (view.nearest >= tMax) break;
         Panes panes = walkGlass(view.instance, view.shape, view.camera, view.ray, tMax);
         all.tint *= panes.tint;
         if (panes.first < all.first) {
@@ -24,7 +25,7 @@ void main() {
             all.normal = panes.normal;
             nearestBody = view.instance;
         }
-    }
+    } while (isNearer(++e, list.y, tMax));
     if (nearestBody < 0) discard;
     outTint = vec4(all.tint, 1.0);
     outSurface = vec4(rotate(readTransform(nearestBody).rotation, all.normal), max(all.first, frame.cameraPosition.w));

@@ -54,26 +54,28 @@ bool isUncovered(ivec2 pixel, int i, vec3 position, ivec2 high) {
 /// The least history that is left to any pixel of a tile. meanRadiance: of the light that the tile had.
 float historyLeftIn(ivec2 tile, ivec2 high, float meanRadiance) {
     float left = historyLeftAfter(uLateSkylightChange);
-    int pixels = uDirtyCornerCount + uChangedLightTexels + uLookCornerCount > 0 ? 16 : 0;
-    for (int i = 0; i < pixels; ++i) {
+    int i = loopBegin();
+    do {
+        if (uDirtyCornerCount + uChangedLightTexels + uLookCornerCount == 0) break;
         ivec2 p = min(tile + ivec2(i & 3, i >> 2), high);
         vec3 position = worldFromDepth((vec2(p) + 0.5) * frame.targetSize.zw, texelFetch(uDepth, p, 0).r);
         left = min(left, historyLeftAt(position, meanRadiance));
         if ((uHasGlass || isUncovered(p, i, position, high)) && isSeenThroughChange(position)) left = 0.0;
         if (isSunSeenThroughChange(position)) left = 0.0;
-    }
+    } while (++i < 16);
     return left;
 }
 
 /// The least share of colours' history that is left to any pixel of a tile or beside it.
 float colorsLeftIn(ivec2 tile, ivec2 high) {
     float share = uLookEverywhere;
-    int pixels = uLookCornerCount > 0 ? 36 : 0;
-    for (int i = 0; i < pixels; ++i) {
+    int i = loopBegin();
+    do {
+        if (uLookCornerCount == 0) break;
         ivec2 p = clamp(tile + ivec2(i % 6, i / 6) - 1, ivec2(0), high);
         vec3 position = worldFromDepth((vec2(p) + 0.5) * frame.targetSize.zw, texelFetch(uDepth, p, 0).r);
         share = max(share, newShareAt(position, uHasGlass));
-    }
+    } while (++i < 36);
     return 1.0 - share;
 }
 

@@ -64,9 +64,12 @@ float lobeProbability(LocalLight localLight, vec3 toCentre, Surface s, vec3 view
 /// How many frames the highlights of a place are averaged over.
 float maxHistoryAt(vec3 position) {
     float maxFrames = uMaxHighlightHistory;
-    for (int i = loopBegin(); i < uLightChangeCount; i += 2)
+    int i = loopBegin();
+    do {
+        if (uLightChangeCount == 0) break;
         if (distance(position, uLightChange[i].xyz) < uLightChange[i].w)
             maxFrames = min(maxFrames, uLightChange[i + 1].x);
+    } while ((i += 2) < uLightChangeCount);
     return maxFrames;
 }
 
@@ -144,8 +147,10 @@ void main() {
                                  mix(vec3(s.reflectivity), s.albedo, s.metallic), lightsAt(pixel, s.depth),
                                  surfaceOrigin(placeInShadows(position, s.normal, s.moving), s.normal, s.fine));
     light = specular = vec4(0.0);
-    int rays = raysOf(pixel);
-    for (int i = 0; i < rays; ++i) addSample(receiver, frame.counters.x * rays + i, light, specular);
+    int rays = raysOf(pixel), i = 0;
+    do {
+        addSample(receiver, frame.counters.x * rays + i, light, specular);
+    } while (++i < rays);
     light /= float(rays), specular /= float(rays);
     specular = accumulateSpecular(specular, position, s, float(rays));
 }

@@ -42,7 +42,8 @@ void main() {
         start.hitProximity = fract(texelFetch(uSurfaceHistory, last, 0).z);
         rays = max(rays, left.rays);
     }
-    for (int i = 0; i < rays; ++i) {
+    int i = 0;
+    do {
         int n = frame.counters.x * rays + i;
         vec3 direction = cosineDirection(s.normal, blueNoise(pixel, 1, n));
         start.directionSample = blueNoise(pixel, 7, n, kR5Steps.xy);
@@ -55,7 +56,7 @@ void main() {
         } else {
             light.rgb += skyRadiance(direction);
         }
-    }
+    } while (++i < rays);
     light.rgb /= float(rays);
     light.rgb = halfRange(light.rgb);
     hitProximity.x /= float(rays);

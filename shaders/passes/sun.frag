@@ -22,11 +22,12 @@ void main() {
     if (s.sky || dot(s.normal, frame.sunDirection.xyz) <= 0.0) return;
     vec3 place = placeInShadows(worldFromDepth(uv, s.depth), s.normal, s.moving);
     vec3 origin = surfaceOrigin(place, s.normal, s.fine);
-    for (int i = 0; i < uRayCount; ++i) {
+    int i = 0;
+    do {
         vec2 u = blueNoise(pixel, 0, frame.counters.x * uRayCount + i);
         float t;
         if (!shadowTrace(origin, coneDirection(frame.sunDirection.xyz, frame.sunDirection.w, u), uMaxDistance, t))
             light.a += 1.0;
-    }
+    } while (++i < uRayCount);
     light.a *= sunThroughSmoke(origin) / float(uRayCount);
 }

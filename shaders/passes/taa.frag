@@ -71,13 +71,14 @@ vec3 sampleHistory(vec2 place) {
     vec2 w12 = w1 + w2;
     vec2 t0 = (centre - 1.0) / size, t12 = (centre + w2 / w12) / size, t3 = (centre + 2.0) / size;
     vec4 sum = vec4(texture(uHistory, t12).rgb, 1.0) * (w12.x * w12.y);
-    int others = max(f.x, f.y) < kOnCentre ? 0 : 4;
-    for (int i = loopBegin(); i < others; ++i) {  // below, above, left, right
+    int i = loopBegin();
+    do {  // below, above, left, right
+        if (max(f.x, f.y) < kOnCentre) break;
         bool isAside = i >= 2, isHigh = (i & 1) == 1;
         vec2 side = isHigh ? t3 : t0, w = isHigh ? w3 : w0;
         sum += vec4(texture(uHistory, isAside ? vec2(side.x, t12.y) : vec2(t12.x, side.y)).rgb, 1.0) *
                (isAside ? w.x * w12.y : w12.x * w.y);
-    }
+    } while (++i < 4);
     return max(sum.rgb / sum.a, vec3(0.0));
 }
 
@@ -172,10 +173,12 @@ bool isDisoccluded(Neighbourhood n, vec2 before, bool isAsked) {
     }
     ivec2 middle = ivec2(before * frame.targetSize.xy), high = ivec2(frame.targetSize.xy) - 1;
     float nearest = kSkyDepth;
-    int end = isAsked ? 9 : 0;
-    for (int i = 0; i < end; i += 2)
+    int i = loopBegin();
+    do {
+        if (!isAsked) break;
         nearest =
             min(nearest, texelFetch(uSurfaceHistory, clamp(middle + ivec2(i % 3, i / 3) - 1, ivec2(0), high), 0).x);
+    } while ((i += 2) < 9);
     return nearest < expected - tolerance;
 }
 

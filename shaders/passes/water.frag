@@ -84,16 +84,21 @@ void addSide(inout Crossings found, vec4 side, vec2 origin, vec2 direction, floa
 Crossings outlineCrossings(vec2 origin, vec2 direction, float begin) {
     const int kRun = 1 + kOutlineSides, kGroup = 1 + kOutlineRuns * kRun;
     Crossings found = Crossings(kSkyDepth, kSkyDepth, false);
-    for (int group = uOutlineFirst; group < uOutlineEnd; group += kGroup) {
-        if (!meetsBox(fetch4f(uOutline, group), origin, direction, begin)) continue;
-        int groupEnd = min(group + kGroup, uOutlineEnd);
-        for (int run = group + 1; run < groupEnd; run += kRun) {
-            if (!meetsBox(fetch4f(uOutline, run), origin, direction, begin)) continue;
-            int runEnd = min(run + kRun, groupEnd);
-            for (int side = run + 1; side < runEnd; ++side)
+    int group = uOutlineFirst;
+    do {
+        if (group >= uOutlineEnd) break;
+        bool isGroupMet = meetsBox(fetch4f(uOutline, group), origin, direction, begin);
+        int run = group + 1, groupEnd = min(group + kGroup, uOutlineEnd);
+        do {
+            if (!isGroupMet) break;
+            bool isRunMet = meetsBox(fetch4f(uOutline, run), origin, direction, begin);
+            int side = run + 1, runEnd = min(run + kRun, groupEnd);
+            do {
+                if (!isRunMet) break;
                 addSide(found, fetch4f(uOutline, side), origin, direction, begin);
-        }
-    }
+            } while (++side < runEnd);
+        } while ((run += kRun) < groupEnd);
+    } while ((group += kGroup) < uOutlineEnd);
     return found;
 }
 
@@ -107,15 +112,18 @@ vec2 insideOutline(vec2 origin, vec2 direction, float begin) {
 /// xy: slope of the rings on the water; z: height of their crests here.
 vec3 ringSlope(vec2 p) {
     vec3 sum = vec3(0.0);
-    for (int i = loopBegin(); i < uRippleCount; ++i) {
+    int i = loopBegin();
+    do {
+        if (uRippleCount == 0) break;
         vec2 away = p - uRipples[i].xy;
         float range = length(away);
         float phase = (range - uRipples[i].z) / kRingWidth;
-        if (abs(phase) >= 1.0 || range < 1e-3) continue;
-        float window = (1.0 - phase * phase) * (1.0 - phase * phase);
-        sum.xy += away / range * (uRipples[i].w * window * cos(kRingPhase * phase) * kRingPhase / kRingWidth);
-        sum.z += uRipples[i].w * window * max(sin(kRingPhase * phase + 1.57), 0.0);
-    }
+        if (abs(phase) < 1.0 && range >= 1e-3) {
+            float window = (1.0 - phase * phase) * (1.0 - phase * phase);
+            sum.xy += away / range * (uRipples[i].w * window * cos(kRingPhase * phase) * kRingPhase / kRingWidth);
+            sum.z += uRipples[i].w * window * max(sin(kRingPhase * phase + 1.57), 0.0);
+        }
+    } while (++i < uRippleCount);
     return sum;
 }
 

@@ -104,6 +104,21 @@ def check_layout(name, lines):
         yield name, len(lines), 'file', f'{len(lines)} lines, at most {MAX_FILE_LINES} in a file'
 
 
+def check_loops(name, text):
+    """Loops of shaders, which a software GL unrolls or runs a step too often: see loopBegin() in shaders/lib/frame.glsl."""
+    plain = cpp_scan.blank(text)
+    known = r'for \((int \w+ = (\d+|k[A-Z]\w*))?; \w+ < (\d+|k[A-Z][\w.]*);|for \([^;]*;;'
+    for match in re.finditer(r'\bfor \([^;]*;[^;]*;|(?<!\})\s\bwhile \(', plain):
+        if not re.fullmatch(known, match.group(0)):
+            yield name, plain.count('\n', 0, match.end()) + 1, 'loop', 'a loop of unknown length is do {...} while (...)'
+    arrays = '|'.join(re.findall(r'\buniform \w+ (\w+)\[', plain))
+    lines = plain.split('\n')
+    for function in cpp_scan.scan(text)[0] if arrays else ():
+        body = '\n'.join(lines[function.first_line - 1:function.last_line])
+        if re.search(rf'\b(?:{arrays})\[[a-z]', body) and 'loopBegin()' not in body:
+            yield name, function.first_line, 'loop', 'a loop over an array of uniforms begins with loopBegin()'
+
+
 def check_includes(name, text):
     """A header includes the standard header of each name of STANDARD that it uses, and opens no namespace for its users."""
     included = set(re.findall(r'^[ \t]*#[ \t]*include[ \t]*<([\w/.]+)>', cpp_scan.blank_comments(text), re.M))
@@ -181,6 +196,8 @@ def check(root, paths=()):
             found += check_layout(name, lines)
             found += check_words(name, cpp_scan.blank(text).split('\n'), REFUSED_NAMES)
             found += check_code(name, text, long_functions, counts)
+        if name.startswith('shaders/'):
+            found += check_loops(name, text)
         if name.endswith(HEADERS):
             found += check_includes(name, text)
         if name.startswith('docs/decisions/'):

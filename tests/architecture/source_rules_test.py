@@ -100,6 +100,20 @@ class SourceRules(unittest.TestCase):
             text = HEADER.format(method=methods).replace('class World', 'class ' + head)
             self.assertEqual(self.faults('a.h', text), [(4, 'class')], head)
 
+    def test_a_loop_that_a_software_gl_runs_too_often(self):
+        for loop in ('for (int i = 0; i < uCount; ++i) {', 'for (int i = begin; i < 4; ++i) {', 'while (i < uCount) {',
+                     'for (int i = 0; i < 4 && isOn; ++i) {', 'while (++i < uCount);'):
+            self.assertEqual(self.faults('shaders/lib/a.glsl', f'void f() {{\n    {loop}\n'), [(2, 'loop')], loop)
+        for loop in ('for (int i = 0; i < 4; ++i) {', 'for (int i = 1; i < kTaps; ++i) {', 'for (;;) {', 'for (int i = 1;; ++i) {',
+                     'do {\n    } while (++i < uCount);', 'for (; i < kMaxSteps; ++i) {'):
+            self.assertEqual(self.faults('shaders/lib/a.glsl', f'void f() {{\n    {loop}\n'), [], loop)
+
+    def test_a_loop_over_uniforms_that_is_unrolled(self):
+        text = 'uniform vec4 uBoxes[8];\nvoid f() {\n    int i = 0;\n    do {\n        g(uBoxes[i]);\n    } while (++i < uCount);\n}\n'
+        self.assertEqual(self.faults('shaders/lib/a.glsl', text), [(2, 'loop')])
+        self.assertEqual(self.faults('shaders/lib/a.glsl', text.replace('= 0', '= loopBegin()')), [])
+        self.assertEqual(self.faults('shaders/lib/a.glsl', 'uniform vec4 uBoxes[8];\nvoid f() {\n    g(uBoxes[0]);\n}\n'), [])
+
     def test_a_test_that_is_never_built(self):
         self.assertEqual(self.faults('tests/new/a_test.cpp', 'int x;\n'), [(1, 'test')])
 
