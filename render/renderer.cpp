@@ -95,13 +95,9 @@ struct Renderer::Impl {
     void drawLight(const FrameContext& frame);
     void drawImage(const FrameContext& frame, const View& view);
     void showImage(const FrameContext& frame, const View& view);
-    void drawOverlay(const FrameContext& frame, const View& view, const Texture& depth) {
-        if (!overlayPass) overlayPass.emplace(shaders, limits.textureSide);
-        overlayPass->draw(frame, *overlay, view, depth);
-    }
     /// For passes of what most scenes never have: builds the pass with the first frame that needs it.
     template <class Pass, class... Rest>
-    void drawLazily(std::optional<Pass>& pass, const FrameContext& frame, const Rest&... rest) {
+    void drawLazily(std::optional<Pass>& pass, const FrameContext& frame, Rest&&... rest) {
         if (!pass) pass.emplace(shaders);
         pass->draw(frame, rest...);
     }
@@ -179,7 +175,7 @@ struct Renderer::Impl {
     std::optional<RopesPass> ropes;
     std::optional<GBufferPass> exact;
     std::optional<HostLayersPass> hostLayers;
-    std::optional<Overlay> overlay;  ///< none: no item was ever given
+    std::optional<Overlay> overlay;
     std::optional<OverlayPass> overlayPass;
     TaaPass taa{shaders};
     BloomPass bloom{shaders};
@@ -287,7 +283,8 @@ void Renderer::Impl::showImage(const FrameContext& frame, const View& view) {
         show.draw(frame, *shown, view, depth, statusDot());
         if (hasLayers) hostLayers->show(layers, view);
     });
-    if (overlay && !overlay->empty()) run("overlay", Depth, {}, [&] { drawOverlay(frame, view, depth); });
+    if (overlay && !overlay->empty())
+        run("overlay", Depth, {}, [&] { drawLazily(overlayPass, frame, *overlay, view, depth, limits.textureSide); });
 }
 
 void Renderer::Impl::fillBlock(const View& view, glm::ivec2 renderSize) {
@@ -450,7 +447,6 @@ Renderer::~Renderer() {
     const WithoutGlContext gone(!m_impl->check.isItsContext());
     m_impl.reset();
 }
-
 void Renderer::apply(FrameSnapshot&& snapshot) {
     m_impl->scene.apply(std::move(snapshot));
     m_impl->isMomentOver = true;
@@ -467,24 +463,9 @@ std::vector<std::string> Renderer::shaderErrors() const {
 const RenderStats& Renderer::stats() const {
     return m_impl->stats;
 }
-
-Result<Done> Renderer::setOverlay(std::vector<OverlayItem> items) {
-    std::optional<Overlay>& overlay = m_impl->overlay;
-    if (!overlay && items.empty()) return Done{};
-    if (!overlay) overlay.emplace();
-    return overlay->set(std::move(items));
+Overlay& Renderer::overlay() {
+    return m_impl->overlay ? *m_impl->overlay : m_impl->overlay.emplace();
 }
-
-void Renderer::setOverlayImage(const std::string& name, OverlayImage image) {
-    std::optional<Overlay>& overlay = m_impl->overlay;
-    if (!overlay) overlay.emplace();
-    overlay->setImage(name, std::move(image));
-}
-
-Result<glm::vec2> Renderer::measureText(const std::string& font, float fontSize, float width, std::string_view text) {
-    return rubble::measureText(font, fontSize, width, text);
-}
-
 bool Renderer::reloadShaders() {
     if (m_impl->check.isLost()) return false;
     const GlStateGuard hostState = m_impl->guardHostState();
@@ -509,17 +490,11 @@ Result<FloatImage> Renderer::readTarget(std::string_view name) const {
     const auto declared = std::find_if(kTargets.begin(), kTargets.end(), [&](auto& each) { return each.name == name; });
     const std::string text = "target \"" + std::string(name) + "\": ";
     if (declared == kTargets.end()) return Error{text + "expected a name of render/frame/targets.h"};
-    ViewHistory* drawn = m_impl->histories.last();
-    const Texture* texture = drawn && !m_impl->check.isLost() ? drawn->targets.find(declared->id) : nullptr;
+    ViewHistory* drawn = m_impl->check.isLost() ? nullptr : m_impl->histories.last();
+    const Texture* texture = drawn ? drawn->targets.find(declared->id) : nullptr;
     if (!texture) return Error{text + "no pass has drawn it; call draw() with the settings that need it"};
-    const bool isDepth = pixelFormat(texture->internalFormat()).format == GL_DEPTH_COMPONENT;
-    if (isDepth) return Error{text + "expected colours, found a depth buffer"};
     const GlStateGuard hostState = m_impl->guardHostState();
-    const PixelPackGuard packing;
-    FloatImage image(texture->size());
-    drawn->targets.framebuffer({texture}).begin();
-    glReadPixels(0, 0, image.size.x, image.size.y, GL_RGBA, GL_FLOAT, image.pixels.data());
-    return image;
+    return drawn->targets.read(*texture);
 }
 
 }  // namespace rubble

@@ -2,6 +2,7 @@
 
 #include <glm/common.hpp>
 
+#include "render/gl/state_guard.h"
 #include "runtime/core/assertion.h"
 
 namespace rubble {
@@ -144,6 +145,16 @@ const Framebuffer& TargetPool::framebuffer(const std::vector<const Texture*>& co
     const Framebuffer& made = m_framebuffers.emplace(std::move(key), Framebuffer(colors, depth)).first->second;
     m_framebufferFailed |= !made.isComplete();
     return made;
+}
+
+Result<FloatImage> TargetPool::read(const Texture& texture) {
+    if (pixelFormat(texture.internalFormat()).format == GL_DEPTH_COMPONENT)
+        return Error{"expected colours, found a depth buffer"};
+    const PixelPackGuard packing;
+    FloatImage image(texture.size());
+    framebuffer({&texture}).begin();
+    glReadPixels(0, 0, image.size.x, image.size.y, GL_RGBA, GL_FLOAT, image.pixels.data());
+    return image;
 }
 
 uint64_t TargetPool::bytes() const {

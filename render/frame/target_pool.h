@@ -4,9 +4,11 @@
 #include <string_view>
 #include <vector>
 
+#include "render/float_image.h"
 #include "render/frame/pixel_rect.h"
 #include "render/frame/targets.h"
 #include "render/gl/framebuffer.h"
+#include "runtime/core/result.h"
 
 namespace rubble {
 
@@ -49,6 +51,9 @@ public:
 
     /// The framebuffer of these colour attachments and depth buffer. Made once for each combination.
     const Framebuffer& framebuffer(const std::vector<const Texture*>& colors, const Texture* depth = nullptr);
+
+    /// The values of a target's texture. Waits for the GL. An error if it is a depth buffer.
+    Result<FloatImage> read(const Texture& texture);
 
     /// GPU memory of all targets.
     uint64_t bytes() const;

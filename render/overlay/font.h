@@ -51,6 +51,7 @@ private:
 /// The fonts that are open. One thread at a time.
 class Fonts {
 public:
+    /// None is open.
     Fonts();
     ~Fonts();
     Fonts(const Fonts&) = delete;

@@ -1,5 +1,6 @@
 #pragma once
 #include <glm/mat4x4.hpp>
+#include <string>
 #include <vector>
 
 #include "render/overlay/glyph_atlas.h"

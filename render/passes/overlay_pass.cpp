@@ -27,9 +27,8 @@ std::vector<uint8_t> premultiplied(std::vector<uint8_t> pixels) {
 
 }  // namespace
 
-OverlayPass::OverlayPass(ShaderLibrary& shaders, int maxTextureSide)
-    : m_program(shaders.load("passes/overlay.frag", "passes/overlay.vert", "the overlay is not drawn")),
-      m_atlas(maxTextureSide) {
+OverlayPass::OverlayPass(ShaderLibrary& shaders)
+    : m_program(shaders.load("passes/overlay.frag", "passes/overlay.vert", "the overlay is not drawn")) {
     glBindVertexArray(m_vertexArray.get());
     for (GLuint i = 0; i < kAttributes; ++i) {
         glEnableVertexAttribArray(i);
@@ -44,22 +43,22 @@ uint64_t OverlayPass::bytes() const {
     return sum;
 }
 
-/// An atlas without room is filled anew with the glyphs of this frame.
+/// An atlas without room is emptied, and filled with the glyphs of this frame.
 void OverlayPass::fill(const FrameContext& frame, Overlay& overlay, const View& view) {
     const OverlayCamera camera = cameraOf(frame, view);
-    fillQuads(overlay, camera, m_atlas, m_quads);
+    fillQuads(overlay, camera, *m_atlas, m_quads);
     if (!m_quads.areGlyphsMissing) return;
-    m_atlas.clear();
-    fillQuads(overlay, camera, m_atlas, m_quads);
+    m_atlas->clear();
+    fillQuads(overlay, camera, *m_atlas, m_quads);
     if (m_quads.areGlyphsMissing && !std::exchange(m_hasWarned, true))
         logWarning("the overlay has more different letters than a texture has room for; some are not drawn");
 }
 
 void OverlayPass::uploadGlyphs() {
-    if (m_glyphVersion == m_atlas.version() || !m_atlas.size().y) return;
-    if (m_glyphs.size() != m_atlas.size()) m_glyphs = Texture(GL_R8, m_atlas.size(), Filter::Linear);
-    m_glyphs.upload(m_atlas.texels().data());
-    m_glyphVersion = m_atlas.version();
+    if (m_glyphVersion == m_atlas->version() || !m_atlas->size().y) return;
+    if (m_glyphs.size() != m_atlas->size()) m_glyphs = Texture(GL_R8, m_atlas->size(), Filter::Linear);
+    m_glyphs.upload(m_atlas->texels().data());
+    m_glyphVersion = m_atlas->version();
 }
 
 void OverlayPass::uploadImages(Overlay& overlay) {
@@ -82,8 +81,10 @@ void OverlayPass::drawRun(const OverlayRun& run) const {
     glDrawArraysInstanced(GL_TRIANGLES, 0, 6, GLsizei(run.count));
 }
 
-void OverlayPass::draw(const FrameContext& frame, Overlay& overlay, const View& view, const Texture& depth) {
+void OverlayPass::draw(const FrameContext& frame, Overlay& overlay, const View& view, const Texture& depth,
+                       int maxTextureSide) {
     if (!m_program) return;
+    if (!m_atlas) m_atlas.emplace(maxTextureSide);
     uploadImages(overlay);
     fill(frame, overlay, view);
     uploadGlyphs();

@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 
 #include "render/frame/frame_context.h"
@@ -11,10 +12,11 @@ namespace rubble {
 /// frame that has an overlay makes it: it is not among what is compiled ahead.
 class OverlayPass {
 public:
-    /// Builds its program. If that fails, shaders.errors() says why and draw() does nothing. maxTextureSide: pixels.
-    OverlayPass(ShaderLibrary& shaders, int maxTextureSide);
-    /// depth: linear, of the voxels, in any size. Leaves the framebuffer's own depth as it is.
-    void draw(const FrameContext& frame, Overlay& overlay, const View& view, const Texture& depth);
+    /// Builds its program. If that fails, shaders.errors() says why and draw() does nothing.
+    explicit OverlayPass(ShaderLibrary& shaders);
+    /// depth: linear, of the voxels, in any size. Leaves the framebuffer's own depth as it is. maxTextureSide: pixels
+    /// of the texture of glyphs; the first one holds.
+    void draw(const FrameContext& frame, Overlay& overlay, const View& view, const Texture& depth, int maxTextureSide);
     /// GPU memory.
     uint64_t bytes() const;
 
@@ -25,7 +27,7 @@ private:
     void drawRun(const OverlayRun& run) const;
 
     const Program& m_program;
-    GlyphAtlas m_atlas;
+    std::optional<GlyphAtlas> m_atlas;
     Texture m_glyphs;
     uint64_t m_glyphVersion = 0;
     bool m_hasWarned = false;  ///< of glyphs without room

@@ -41,13 +41,14 @@ void World::load(const Level& level) {
     loadLevel(m_data, level);
 }
 
-void World::setHostData(const std::string& name, std::string bytes) {
-    std::erase_if(m_data.hostData, [&](const HostData& each) { return each.name == name; });
-    if (!bytes.empty()) m_data.hostData.push_back({name, std::move(bytes)});
+void setHostData(World& world, const std::string& name, std::string bytes) {
+    std::vector<HostData>& all = world.m_data.hostData;
+    std::erase_if(all, [&](const HostData& each) { return each.name == name; });
+    if (!bytes.empty()) all.push_back({name, std::move(bytes)});
 }
 
-void World::addScript(LevelScript script) {
-    m_data.scripts.push_back(std::move(script));
+void addScript(World& world, LevelScript script) {
+    world.m_data.scripts.push_back(std::move(script));
 }
 
 void World::setState(WorldState state) {

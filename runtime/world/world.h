@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "runtime/world/edits/edit.h"
@@ -70,10 +71,6 @@ public:
 
     /// State and indexes, to read.
     const WorldData& data() const { return m_data; }
-    /// Keeps bytes under a name with the game; none: forgets them. Nothing in the world follows from them.
-    void setHostData(const std::string& name, std::string bytes);
-    /// Adds a script, as of a prefab, to those of the level.
-    void addScript(LevelScript script);
     /// The number that all handles of this world carry.
     uint8_t id() const { return m_data.id; }
     /// Steps done since the level was loaded.
@@ -108,6 +105,8 @@ public:
 
 private:
     friend WorldObjects& objectsToReserve(World& world);
+    friend void setHostData(World& world, const std::string& name, std::string bytes);
+    friend void addScript(World& world, LevelScript script);
     bool runHistory(const Edits& edits, FrameChanges& changes, bool wasUndoOrRedo);
     void resetSearches(const FrameChanges& changes);
     FrameChanges beginStep();
@@ -115,6 +114,11 @@ private:
     WorldData m_data;
     std::vector<UndoHistory> m_undo;  ///< one, or none if nothing is to be remembered
 };
+
+/// Keeps bytes under a name with the game; none: forgets them. Nothing in the world follows from them.
+void setHostData(World& world, const std::string& name, std::string bytes);
+/// Adds a script, as of a prefab, to those of the level.
+void addScript(World& world, LevelScript script);
 
 /// The slot maps of a world, to reserve handles in and for nothing else.
 inline WorldObjects& objectsToReserve(World& world) {

@@ -1,4 +1,4 @@
--- What Ui...() draws, for the picture of docs/scripting: ./rubble lua samples/lua/drawing.lua --steps 30 --image FILE
+-- What Ui...() draws, for the image of docs/scripting: ./rubble lua samples/lua/drawing.lua --steps 30 --image FILE
 local function row(name, draw)
     UiPush()
     UiFont("mono.ttf", 22)

@@ -156,7 +156,7 @@ assert(#FindTriggers("gate") == 1)
 local place = FindLocation("spawn")  -- 0: the level has no such place, as this yard
 if place ~= 0 then SetBodyTransform(FindBody("crate"), GetLocationTransform(place)) end
 --- FindLocations
-for _, place in ipairs(FindLocations("lamp")) do PointLight(GetLocationTransform(place).pos, 1, 1, 1, 10) end
+for _, place in ipairs(FindLocations("bulb")) do PointLight(GetLocationTransform(place).pos, 1, 1, 1, 10) end
 --- GetLocationTransform
 assert(not pcall(GetLocationTransform, 5))  -- this yard has no places
 --- SetTag
@@ -651,13 +651,13 @@ UiCircleOutline(20, 2)
 --- UiLine
 UiLine(100, 50, 3)
 --- UiImage
-local width, height = UiImage("picture.png")
+local width, height = UiImage("image.png")
 assert(width == 16 and height == 8)
-UiImage("picture.png", 0, 0, 8, 8)  -- its left half
+UiImage("image.png", 0, 0, 8, 8)  -- its left half
 --- UiGetImageSize
-assert(UiGetImageSize("picture.png") == 16)
+assert(UiGetImageSize("image.png") == 16)
 --- UiImageBox
-UiImageBox("picture.png", 300, 100, 4, 4)
+UiImageBox("image.png", 300, 100, 4, 4)
 --- UiWorldToPixel
 local x, y, depth = UiWorldToPixel(GetCameraTransform() * Vec(0, 0, -5))
 assert(math.abs(depth - 5) < 1e-6 and math.abs(x - UiCenter()) < 1e-3)

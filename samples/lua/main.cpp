@@ -10,7 +10,7 @@
 
 #include "runtime/script/functions/vocabulary.h"
 #include "runtime/script/script_host.h"
-#include "samples/lua/picture.h"
+#include "samples/lua/offscreen_view.h"
 #include "samples/lua/reference.h"
 #include "samples/lua/yard.h"
 
@@ -113,7 +113,7 @@ private:
     fs::file_time_type m_changed;
 };
 
-int play(ScriptHost& host, Picture* picture, rubble_world world, const Options& options) {
+int play(ScriptHost& host, OffscreenView* view, rubble_world world, const Options& options) {
     std::map<std::string, std::string> parameters;
     for (const std::string& each : options.parameters)
         parameters[each.substr(0, each.find('='))] =
@@ -128,14 +128,14 @@ int play(ScriptHost& host, Picture* picture, rubble_world world, const Options& 
     FileWatch watch(options.script);
     for (int i = 0; i < options.steps && !(host.scripts().front().isStopped() && host.scripts().size() == 1); ++i) {
         host.tick(1.0 / 60.0);
-        if (picture) host.draw(0, picture->view(), 1.0 / 60.0);
+        if (view) host.draw(0, view->view(), 1.0 / 60.0);
         for (due += host.timeScale(); due >= 1.0; due -= 1.0) host.step();
         if (!options.watches) continue;
         watch.look(host);
         std::this_thread::sleep_for(std::chrono::milliseconds(16));
     }
     if (options.prints) printProfile(host);
-    const std::string error = picture ? picture->write(host, world, options.image) : "";
+    const std::string error = view ? view->write(host, world, options.image) : "";
     if (!error.empty()) fmt::print(stderr, "lua: {}\n", error);
     return error.empty() && isGood() ? 0 : 1;
 }
@@ -153,13 +153,13 @@ int run(const Options& options) {
     rubble_world world = 0;
     rubble_world_settings settings = {.struct_size = sizeof settings, .flags = RUBBLE_WORLD_NO_RENDERER};
     std::string error;
-    Picture picture;
-    Picture::Camera camera;
+    OffscreenView view;
+    OffscreenView::Camera camera;
     if (options.camera.size() == 6)
         std::copy_n(options.camera.data(), 3, camera.eye), std::copy_n(options.camera.data() + 3, 3, camera.target);
     if (!options.image.empty()) settings.flags = RUBBLE_WORLD_WAIT_FOR_SHADOW;
     if (rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK) error = "this library is of another version";
-    if (error.empty() && !options.image.empty()) error = picture.open(*api, 1280, 720, camera);
+    if (error.empty() && !options.image.empty()) error = view.open(*api, 1280, 720, camera);
     if (error.empty() && api->create_world(&settings, &world) != RUBBLE_OK) error = api->get_last_error();
     if (error.empty() && options.level.empty()) error = buildYard(*api, world);
     if (error.empty() && !options.level.empty() &&
@@ -183,7 +183,7 @@ int run(const Options& options) {
         else if (options.script.empty() && host.scripts().empty())
             result = readLines(host);
         else
-            result = play(host, options.image.empty() ? nullptr : &picture, world, options);
+            result = play(host, options.image.empty() ? nullptr : &view, world, options);
     }
     api->destroy_world(world);
     return result;

@@ -31,7 +31,8 @@ bool isHidden() {
 
 /// How much of the pixel a glyph covers. pixel: its size, in texels.
 float glyphCoverage(vec2 texel, float pixel) {
-    float inside = (texture(uGlyphs, texel / vec2(textureSize(uGlyphs, 0))).r - 128.0 / 255.0) * (255.0 / 128.0) * kSpread;
+    float value = texture(uGlyphs, texel / vec2(textureSize(uGlyphs, 0))).r;
+    float inside = (value - 128.0 / 255.0) * (255.0 / 128.0) * kSpread;
     float width = max(pixel, 2.0 * softness);
     return clamp((inside + lookOut.y) / width + 0.5, 0.0, 1.0);
 }

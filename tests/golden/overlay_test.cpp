@@ -53,7 +53,7 @@ protected:
     }
     /// The colour of a pixel from the left upper corner after a draw of these items.
     Image drawWith(std::vector<OverlayItem> items) {
-        const auto set = renderer->setOverlay(std::move(items));
+        const auto set = renderer->overlay().set(std::move(items));
         EXPECT_TRUE(set) << set.error();
         return draw(camera());
     }
@@ -101,7 +101,7 @@ TEST_F(OverlayDrawing, TransformsTurnAndScale) {
 
 TEST_F(OverlayDrawing, AnImageHasItsColoursAndItsPart) {
     OverlayImage halves{{2, 1}, {255, 0, 0, 255, 0, 255, 0, 255}};
-    renderer->setOverlayImage("halves", halves);
+    renderer->overlay().setImage("halves", halves);
     OverlayItem item = boxAt({10, 10}, {40, 20}, glm::vec4(1.0f));
     item.kind = Kind::Image, item.text = "halves";
     OverlayItem part = item;

@@ -48,7 +48,7 @@ rubble_result setHostData(rubble_world world, const char* name, const uint8_t* d
         if (!isRefused() && size) isGiven(data, "data");
         const auto& kept = hosted.loop.world().data().hostData;
         if (size && kept.size() >= kMaxNames) refuse(RUBBLE_ERROR_CAPACITY, "there are {} names already", kMaxNames);
-        if (!isRefused()) hosted.loop.world().setHostData(key, std::string(data, data + size));
+        if (!isRefused()) rubble::setHostData(hosted.loop.world(), key, std::string(data, data + size));
     });
 }
 

@@ -104,7 +104,7 @@ rubble_result setOverlay(rubble_renderer renderer, const rubble_overlay_item* it
             if (!isRefused()) read.push_back(readItem(given));
             if (isRefused()) return Call::current().locate(fmt::format("items[{}].", i));
         }
-        const auto set = hosted.renderer->setOverlay(std::move(read));
+        const auto set = hosted.renderer->overlay().set(std::move(read));
         if (set) return;
         const bool isFont = set.error().find("].font: ") != std::string::npos;
         refuse(isFont ? RUBBLE_ERROR_FILE : RUBBLE_ERROR_ARGUMENT, "{}", set.error());
@@ -124,7 +124,7 @@ rubble_result setOverlayImage(rubble_renderer renderer, const rubble_overlay_ima
             if (isRefused()) return;
             read.pixels.assign(given.pixels, given.pixels + size_t(given.width) * given.height * 4);
         }
-        if (!isRefused()) hosted.renderer->setOverlayImage(name, std::move(read));
+        if (!isRefused()) hosted.renderer->overlay().setImage(name, std::move(read));
     });
 }
 
@@ -138,7 +138,7 @@ rubble_result measureText(const rubble_overlay_item* item, double* out) {
         if (isRefused()) return;
         const OverlayItem read = readItem(given);
         if (isRefused()) return Call::current().locate("item->");
-        const auto size = Renderer::measureText(read.font, read.fontSize, read.size.x, read.text);
+        const auto size = rubble::measureText(read.font, read.fontSize, read.size.x, read.text);
         if (!size) return refuse(RUBBLE_ERROR_FILE, "{}", size.error());
         out[0] = size->x, out[1] = size->y;
     });

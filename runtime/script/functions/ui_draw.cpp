@@ -176,7 +176,7 @@ int getImageSize(lua_State* L) {
     return pushSize(L, read.width, read.height);
 }
 
-/// A picture of nine parts, of which those at the sides keep their width.
+/// An image of nine parts, of which those at the sides keep their width.
 int imageBox(lua_State* L) {
     std::string name;
     const UiImage& read = imageAt(L, name);

@@ -3,6 +3,7 @@
 #include <rubble/rubble.h>
 
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,8 +32,8 @@ inline void writeTinyModel(const std::filesystem::path& path) {
     std::ofstream(path, std::ios::binary) << bytes << chunks;
 }
 
-/// Writes a red picture of 16 x 8 pixels.
-inline void writeTinyPicture(const std::filesystem::path& path) {
+/// Writes a red image of 16 x 8 pixels.
+inline void writeTinyImage(const std::filesystem::path& path) {
     Image image(16, 8);
     for (size_t i = 0; i < image.rgb.size(); i += 3) image.rgb[i] = 255;
     EXPECT_TRUE(writePng(path.string(), image));
@@ -49,7 +50,7 @@ public:
         EXPECT_EQ(m_api->create_world(&settings, &m_world), RUBBLE_OK);
         EXPECT_EQ(lua_sample::buildYard(*m_api, m_world), "");
         writeTinyModel(m_folder.path() / "post.vox");
-        writeTinyPicture(m_folder.path() / "picture.png");
+        writeTinyImage(m_folder.path() / "image.png");
         std::ofstream(m_folder.path() / "tools.lua") << "return {double = function(x) return 2 * x end}";
         ScriptHostSettings given;
         given.limits = limits;

@@ -11,7 +11,7 @@ class ScriptHost;
 namespace lua_sample {
 
 /// Draws a world, and what scripts draw over it, without a window.
-class Picture {
+class OffscreenView {
 public:
     /// A camera at a place that looks at another one, both in metres.
     struct Camera {
@@ -19,14 +19,14 @@ public:
     };
     /// Makes a GL context and tells the host's services of it, before worlds are made. What is missing, or "".
     std::string open(const rubble_api& api, uint32_t width, uint32_t height, const Camera& camera);
-    Picture();
-    ~Picture();
+    /// Draws nothing until open().
+    OffscreenView();
+    ~OffscreenView();
 
     /// The view of the camera.
     const rubble_view& view() const { return m_view; }
     /// Draws some frames of the world as it is, so that light settles, and writes the last one as PNG. What is wrong,
-    /// or
-    /// "".
+    /// or "".
     std::string write(rubble::script::ScriptHost& scripts, rubble_world world, const std::string& path);
 
 private:

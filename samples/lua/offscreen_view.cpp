@@ -1,4 +1,4 @@
-#include "samples/lua/picture.h"
+#include "samples/lua/offscreen_view.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
@@ -16,15 +16,15 @@ constexpr int kFrames = 16;
 
 }  // namespace
 
-struct Picture::Gl {
+struct OffscreenView::Gl {
     std::unique_ptr<rubble::GlContext> context;
     std::optional<rubble::Offscreen> target;
 };
 
-Picture::Picture() = default;
-Picture::~Picture() = default;
+OffscreenView::OffscreenView() = default;
+OffscreenView::~OffscreenView() = default;
 
-std::string Picture::open(const rubble_api& api, uint32_t width, uint32_t height, const Camera& camera) {
+std::string OffscreenView::open(const rubble_api& api, uint32_t width, uint32_t height, const Camera& camera) {
     auto made = rubble::GlContext::create();
     if (!made) return made.error();
     m_api = &api;
@@ -48,7 +48,7 @@ std::string Picture::open(const rubble_api& api, uint32_t width, uint32_t height
     return "";
 }
 
-std::string Picture::write(rubble::script::ScriptHost& scripts, rubble_world world, const std::string& path) {
+std::string OffscreenView::write(rubble::script::ScriptHost& scripts, rubble_world world, const std::string& path) {
     rubble_renderer renderer = 0;
     rubble_renderer_settings settings = {};
     settings.struct_size = sizeof settings;
