@@ -19,7 +19,7 @@ namespace rubble {
 /// physics_world.cpp runs a step.
 struct PhysicsWorld::Impl {
     /// An empty world.
-    explicit Impl(const PhysicsSettings& given) : settings(given) {}
+    explicit Impl(const PhysicsSettings& given) : settings(given) { bodies.budget().setWakes(given.wakesPerStep); }
 
     /// Creates everything, in slot order.
     void load(const World& world);

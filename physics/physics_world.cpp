@@ -46,7 +46,7 @@ void PhysicsWorld::step() {
     impl.work = 0.0;
     impl.characters.begin();
     impl.joints.begin();
-    impl.bodies.wakeWaiting();
+    impl.bodies.wakeWaiting(settings);
     impl.joints.wakeJointed(impl.bodies);
     PhysicsReports* const reports = m_reports.get();
     if (reports) reports->begin();
@@ -122,13 +122,14 @@ std::span<const WaterEntry> PhysicsWorld::waterEntries() const {
 }
 
 PhysicsStats PhysicsWorld::stats() const {
-    const PhysicsBodies& bodies = m_impl->bodies;
+    PhysicsBodies& bodies = m_impl->bodies;
     PhysicsStats stats;
     stats.work = m_impl->work;
     stats.clamped = m_impl->bodies.limits().counts();
     stats.awake = int(bodies.awake().size());
     for (uint32_t slot = 0; slot < bodies.handles().size(); ++slot) stats.bodies += bodies.dynamicAt(slot) != nullptr;
     for (const uint32_t slot : bodies.awake()) stats.crowded += bodies.dynamicAt(slot)->object.isCrowded;
+    stats.waiting = int(bodies.budget().waiting());
     stats.leftOut = int(m_impl->contacts.leftOut());
     stats.bricksLeftOut = int(m_impl->contacts.bricksLeftOut());
     stats.candidates = int(m_impl->contacts.candidates());

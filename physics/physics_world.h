@@ -16,6 +16,7 @@ struct PhysicsStats {
     int candidates = 0;           ///< pairs of objects whose bounds met in the last step
     int pairs = 0, contacts = 0;  ///< pairs of objects in contact, and their points, in the last step
     int crowded = 0;              ///< awake bodies that are in one place with many others: they have coarser contacts
+    int waiting = 0;              ///< sleeping bodies that wait to wake: see PhysicsSettings::wakesPerStep
     int leftOut = 0;        ///< pairs of crowded bodies that were not looked at in the last step, some counted for both
     int bricksLeftOut = 0;  ///< of large surfaces, that may touch and were not searched in the last step
     LimitCounts clamped{};  ///< how often each limit was exceeded, since the beginning

@@ -12,8 +12,8 @@ void AwakeBodies::remove(const DynamicBody& body) {
     m_debris -= eraseSorted(m_slots, body.handle().slot()) && body.isDebris;
 }
 
-void AwakeBodies::wait(uint32_t slot) {
-    insertSorted(m_waiting, slot);
+void AwakeBodies::wait(const DynamicBody& body) {
+    insertSorted(m_waiting[body.isDebris], body.handle().slot());
 }
 
 }  // namespace rubble

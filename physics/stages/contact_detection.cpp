@@ -76,15 +76,14 @@ bool ContactDetection::wakeHit(PhysicsBodies& bodies, double stepSeconds) {
         if (!a || !b || a->asleep() == b->asleep()) continue;
         DynamicBody& sleeper = a->asleep() ? *a : *b;
         const DynamicBody& hitter = a->asleep() ? *b : *a;
-        if (sleeper.quarantined() || !bodies.budget().mayWake(sleeper)) continue;
+        if (sleeper.quarantined()) continue;
         const double share = hitter.mass().mass / (hitter.mass().mass + sleeper.mass().mass);
         const double wakeSpeed = sleeper.settled ? kSettledWakeSpeed : kWakeSpeed;
         const glm::dvec3 push = pushOf(*manifold, hitter, stepSeconds);
-        if (glm::length(push) * share <= wakeSpeed) continue;
+        if (glm::length(push) * share <= wakeSpeed || !bodies.tryWake(sleeper)) continue;
         float restitution = 0.0f;
         for (const ManifoldPoint& point : manifold->all()) restitution = std::max(restitution, point.restitution);
         m_pushed[sleeper.handle().slot()] = push * (share * (1.0 + double(restitution)));
-        bodies.wake(sleeper);
         any = true;
     }
     return any;

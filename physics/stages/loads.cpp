@@ -64,11 +64,10 @@ bool Loads::wakeBorne(PhysicsBodies& bodies, std::span<Manifold* const> manifold
         DynamicBody *a = manifold->objects.first->dynamic, *b = manifold->objects.second->dynamic;
         if (!a || !b || a->asleep() == b->asleep()) continue;
         DynamicBody &sleeper = a->asleep() ? *a : *b, &other = a->asleep() ? *b : *a;
-        if (!other.wakesLoad || sleeper.settled || sleeper.quarantined() || !bodies.budget().mayWake(sleeper) ||
-            !bears(*manifold, &other == a, up))
+        if (!other.wakesLoad || sleeper.settled || sleeper.quarantined() || !bears(*manifold, &other == a, up))
             continue;
-        bodies.wake(sleeper);
-        any = true;
+        bodies.wakeOrWait(sleeper);
+        any = any || !sleeper.asleep();
     }
     return any;
 }

@@ -9,6 +9,7 @@
 namespace rubble {
 namespace {
 
+constexpr size_t kLeastWakes = 8;        ///< in a step, where settings allow so many: nothing waits for ever
 constexpr double kTouchDistance = 0.02;  ///< metres between bounds up to which bodies count as touching
 
 template <class T>
@@ -227,18 +228,23 @@ void PhysicsBodies::wake(DynamicBody& body) {
     m_awake.add(body);
 }
 
-void PhysicsBodies::wakeOrWait(DynamicBody& body) {
-    if (!body.asleep() || body.quarantined()) return;
-    if (m_awake.mayWake(body))
-        wake(body);
-    else
-        m_awake.wait(body.handle().slot());
+bool PhysicsBodies::tryWake(DynamicBody& body) {
+    if (!body.asleep() || body.quarantined()) return true;
+    if (!m_awake.takePlace(body)) return false;
+    wake(body);
+    return true;
 }
 
-void PhysicsBodies::wakeWaiting() {
-    m_awake.wakeWaiting([&](uint32_t slot) {
-        if (DynamicBody* body = dynamicAt(slot)) wake(*body);
-    });
+void PhysicsBodies::wakeOrWait(DynamicBody& body) {
+    if (!tryWake(body)) m_awake.wait(body);
+}
+
+void PhysicsBodies::wakeWaiting(const PhysicsSettings& settings) {
+    const size_t places = settings.awakeBodies - std::min<size_t>(settings.awakeBodies, awake().size());
+    const size_t wakes = std::min<size_t>(settings.wakesPerStep, std::max(places, kLeastWakes)), ofHits = wakes / 2;
+    m_awake.setWakes(wakes - ofHits);
+    m_awake.wakeWaiting([&](uint32_t slot) { return !dynamicAt(slot) || tryWake(at(slot)); });
+    m_awake.setWakes(m_awake.wakes() + ofHits);
 }
 
 void PhysicsBodies::wakeTouching(glm::dvec3 low, glm::dvec3 high) {

@@ -6,6 +6,7 @@
 #include "physics/bodies/limit_monitor.h"
 #include "physics/collision/broadphase.h"
 #include "physics/stages/awake_bodies.h"
+#include "physics/stages/physics_settings.h"
 #include "runtime/world/world.h"
 
 namespace rubble {
@@ -50,10 +51,12 @@ public:
     DynamicBody& at(uint32_t slot) const { return *m_dynamics[slot]; }
     /// Wakes a body; does nothing if it is awake or quarantined.
     void wake(DynamicBody& body);
-    /// Wakes a body, or lets it wait until the budget of awake debris has a place for it.
+    /// Wakes a body; false: the budgets of awake debris and of wakes in a step have no place for it.
+    bool tryWake(DynamicBody& body);
+    /// Wakes a body, or lets it wait until the budgets have a place for it.
     void wakeOrWait(DynamicBody& body);
-    /// Wakes bodies that wait, as far as the budget allows.
-    void wakeWaiting();
+    /// Begins a step with its budget of wakes. Wakes bodies that wait; half of the budget is left for hits.
+    void wakeWaiting(const PhysicsSettings& settings);
     /// Wakes, or lets wait, all bodies whose bounds touch a box, in slot order.
     void wakeTouching(glm::dvec3 low, glm::dvec3 high);
     /// Puts a body to sleep. It stays in awake() until removeEnded().
@@ -66,7 +69,7 @@ public:
     /// Ends a step: appends the state of each body that moved, woke or fell asleep, in slot order.
     void reportPoses(std::vector<BodyPose>& out);
 
-    /// The budget of awake debris.
+    /// The budgets of awake debris and of wakes in a step.
     AwakeBodies& budget() { return m_awake; }
     /// What was beyond the limits.
     LimitMonitor& limits() { return m_limits; }

@@ -24,6 +24,8 @@ struct PhysicsSettings {
     double sleepTime = 0.5;           ///< s of rest before a touching body falls asleep
     double sleepVelocity = 4e-3;      ///< m/s of its farthest point, mean over that time, below which it rests
     double sleepAcceleration = 1e-3;  ///< m/s2, the same: what sleeps would move by 9 cm in 10 s at most
+    uint32_t wakesPerStep = 256;      ///< sleeping bodies that touch or a lost support wakes in a step; others follow
+    uint32_t awakeBodies = 1500;      ///< awake bodies from which on only 8 a step wake so
     double impactThreshold = 50.0;    ///< N s below which an impact is not reported
     double impactSpeed = 0.5;         ///< closing speed, m/s, below which it counts as resting and is not reported
     ParallelFor parallelFor;          ///< none: one thread; results do not depend on it

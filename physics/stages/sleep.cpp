@@ -16,7 +16,9 @@
 // moved by more than kWakeDistance, when its load changes (loads.cpp), by an impulse, a character's push or a change of
 // gravity, water, joints or collision filters, or when what it touched is cut, moved or removed, or something is made
 // where it is (physics_bodies.cpp). Settled bodies want a harder hit, and do not wake with what came to touch them
-// after they had settled: that cannot bear them. Debris waits until fewer than DebrisSettings::awakeBodies are awake.
+// after they had settled: that cannot bear them. Debris waits until fewer than DebrisSettings::awakeBodies are awake,
+// and in one step no more than PhysicsSettings::wakesPerStep wake because of others. The others wait for the next
+// steps; what hits one of them meanwhile meets a wall.
 
 namespace rubble {
 namespace {

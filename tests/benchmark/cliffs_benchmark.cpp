@@ -86,5 +86,43 @@ void oneCut(benchmark::State& state) {
 }
 BENCHMARK(oneCut)->Name("physics/cliffs/oneCut")->Arg(3000)->Unit(benchmark::kMillisecond)->Iterations(1);
 
+/// An explosion in the middle of a cube of cubes that sleep, of `side` along each edge: its edit, what physics applies,
+/// the first step, and the worst of the steps after it.
+void explosionInSleepers(benchmark::State& state) {
+    const int side = int(state.range(0)), count = side * side * side;
+    PhysicsScene scene;
+    scene.addFloor();
+    const double pitch = 0.401, half = 0.5 * side * pitch;
+    for (int i = 0; i < count; ++i) {
+        const glm::ivec3 at(i % side, i / (side * side), i / side % side);
+        scene.add(solidGrid({4, 4, 4}, kMasonry), {at.x * pitch - half, at.y * 0.4, at.z * pitch - half}, false);
+    }
+    Pile pile(scene.level, {}, 0);
+    for (int i = 0; i < 10; ++i) pile.step();
+    const ExplodeEdit blast{.position = {0, half, 0}, .size = double(state.range(1))};
+    for (auto _ : state) {
+        FrameChanges changes;
+        state.counters["world_ms"] = cpuMs([&] { changes = pile.world.applyEdits({blast}); });
+        state.counters["apply_ms"] = cpuMs([&] { pile.physics.apply(changes, pile.world); });
+        state.counters["first_ms"] = cpuMs([&] { pile.step(); });
+        state.counters["awake"] = pile.physics.stats().awake;
+        std::vector<double> ms;
+        int mostAwake = 0;
+        for (int i = 0; i < 120; ++i) {
+            ms.push_back(cpuMs([&] { pile.step(); }));
+            mostAwake = std::max(mostAwake, pile.physics.stats().awake);
+        }
+        state.counters["later_median_ms"] = median(ms);
+        state.counters["later_worst_ms"] = percentile(ms, 100);
+        state.counters["most_awake"] = mostAwake;
+    }
+}
+BENCHMARK(explosionInSleepers)
+    ->Name("physics/cliffs/explosion")
+    ->Args({22, 1})
+    ->Args({22, 4})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+
 }  // namespace
 }  // namespace rubble

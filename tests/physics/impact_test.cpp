@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "tests/physics/scenes/known_scenes.h"
@@ -59,6 +60,27 @@ TEST(Impact, ASymmetricBlastHasNoNetImpulse) {
     });
     EXPECT_GT(each, 10.0);
     EXPECT_LT(glm::length(sum), 1e-3 * each);
+}
+
+TEST(Impact, ABlastPushesTheNearest) {
+    PhysicsScene scene;
+    scene.level.environment.gravity = {0, 0, 0};
+    for (int i = 0; i < 729; ++i)
+        scene.add(solidGrid({2, 2, 2}, 7), glm::dvec3(i % 9, i / 9 % 9, i / 81) * 1.0 - 4.1, false);
+    scene.load(false);
+    scene.world.applyEdits({});
+    const glm::dvec3 from(0.3, 0.2, 0.1);
+    const FrameChanges blast = scene.world.applyEdits({ExplodeEdit{.position = from, .size = 4.0}});
+    EXPECT_EQ(blast.impulses.size(), 256u) << "the largest number of bodies that one blast pushes";
+    double farthest = 0.0, nearest = 1e300;  // that is pushed; that is not
+    scene.world.bodies().forEach([&](BodyHandle handle, const Body& body) {
+        const bool isPushed = std::any_of(blast.impulses.begin(), blast.impulses.end(),
+                                          [&](const ImpulseApplied& each) { return each.body == handle; });
+        const glm::dvec3 center = body.pose.transformPoint(bodyMass(scene.world, handle).center);
+        (isPushed ? farthest : nearest) =
+            isPushed ? std::max(farthest, glm::distance(center, from)) : std::min(nearest, glm::distance(center, from));
+    });
+    EXPECT_LE(farthest, nearest);
 }
 
 TEST(Impact, OverlapsComeApartWithoutAnExplosion) {

@@ -7,6 +7,7 @@
 #include "runtime/core/constants.h"
 #include "runtime/core/log.h"
 #include "runtime/core/ranges.h"
+#include "runtime/world/stages/joint_stage.h"
 
 namespace rubble {
 namespace {
@@ -107,18 +108,19 @@ void apply(EditContext& context, const DriveEdit& edit) {
                             wheel.steerTarget == joint.steerTarget;
         if (isSame) return;
         joint = std::move(wheel);
+        context.world.jointIndex.updateDrive(handle, joint);
         context.changes.jointsChanged.push_back(handle);
     });
 }
 
 void updateSteering(EditContext& context) {
-    for (const JointHandle handle : context.world.jointIndex.wheels()) {
+    for (const JointHandle handle : copyOf(context.world.jointIndex.turning())) {
         Joint& wheel = context.world.joints.at(handle);
-        if (wheel.steer == wheel.steerTarget) continue;
         const double turn = wheel.wheel.steerRate * kStep;
         const double left = wheel.steerTarget - wheel.steer;
         wheel.steer =
             std::abs(left) <= turn * (1.0 + 1e-9) ? wheel.steerTarget : wheel.steer + std::copysign(turn, left);
+        context.world.jointIndex.updateDrive(handle, wheel);
         context.changes.jointsChanged.push_back(handle);
     }
 }

@@ -11,6 +11,7 @@ namespace rubble {
 namespace {
 
 constexpr double kBlastRadiusRatio = 2.5;  ///< radius of the push as a multiple of the explosion's size
+constexpr size_t kMaxPushed = 256;         ///< bodies that one blast pushes: the nearest
 constexpr double kBlastImpulse = 1500.0;   ///< N s at the centre for size 1, unless the edit sets it
 constexpr double kMaxBlastSpeed = 9.0;     ///< m/s from a blast of size 1: light pieces do not become bullets
 constexpr double kOpenRadiusRatio = 0.4;   ///< of its size: what stands within that, hard voxels too, shelters nothing
@@ -43,11 +44,24 @@ void applyImpulse(EditContext& context, const ImpulseEdit& edit) {
 struct Blasted {
     BodyHandle body;
     glm::dvec3 center{0.0};  ///< of mass, world
+    double distance = 0.0;   ///< metres from the blast
     int places = 1;          ///< of the body that the blast may see
     int seen = 0;            ///< of these
 };
 
-/// The dynamic bodies whose centre of mass is within a blast's radius, by slot.
+/// Leaves the nearest kMaxPushed of bodies that are sorted by slot, in that order.
+void keepNearest(std::vector<Blasted>& bodies) {
+    if (bodies.size() <= kMaxPushed) return;
+    const auto isNearer = [](const Blasted& a, const Blasted& b) {
+        return std::pair(a.distance, a.body.slot()) < std::pair(b.distance, b.body.slot());
+    };
+    const auto isBefore = [](const Blasted& a, const Blasted& b) { return a.body.slot() < b.body.slot(); };
+    std::nth_element(bodies.begin(), bodies.begin() + kMaxPushed, bodies.end(), isNearer);
+    bodies.resize(kMaxPushed);
+    std::sort(bodies.begin(), bodies.end(), isBefore);
+}
+
+/// The nearest of the dynamic bodies whose centre of mass is within a blast's radius, by slot.
 std::vector<Blasted> bodiesNear(const WorldData& world, glm::dvec3 position, double blastRadius) {
     std::vector<BodyHandle> near;
     for (const ShapeHandle shape : shapesNear(world, position, blastRadius))
@@ -60,8 +74,10 @@ std::vector<Blasted> bodiesNear(const WorldData& world, glm::dvec3 position, dou
         if (body.isStatic) continue;
         const MassProperties mass = bodyMass(world, handle);
         const glm::dvec3 center = body.pose.transformPoint(mass.center);
-        if (glm::distance(center, position) < blastRadius && mass.mass > 0.0) found.push_back({handle, center});
+        const double distance = glm::distance(center, position);
+        if (distance < blastRadius && mass.mass > 0.0) found.push_back({handle, center, distance});
     }
+    keepNearest(found);
     return found;
 }
 
@@ -101,7 +117,7 @@ void applyImpulse(EditContext& context, const ExplodeEdit& edit) {
         if (blasted.seen == 0) continue;
         const MassProperties mass = bodyMass(context.world, blasted.body);
         const glm::dvec3 away = blasted.center - edit.position;
-        const double distance = glm::length(away), share = double(blasted.seen) / blasted.places;
+        const double distance = blasted.distance, share = double(blasted.seen) / blasted.places;
         const glm::dvec3 direction = distance > 1e-6 ? away / distance : glm::dvec3(0.0, 1.0, 0.0);
         const double size =
             std::min(maxImpulse, mass.mass * kMaxBlastSpeed * edit.size) * (1.0 - distance / blastRadius) * share;

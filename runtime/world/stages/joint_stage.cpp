@@ -76,6 +76,7 @@ void apply(EditContext& context, const SetJointMotorEdit& edit) {
     joint->motor = edit.motor;
     joint->friction = edit.friction;
     joint->steer = joint->steerTarget = edit.steer;
+    context.world.jointIndex.updateDrive(edit.joint, *joint);
     context.changes.jointsChanged.push_back(edit.joint);
 }
 

@@ -89,9 +89,8 @@ bool cutRope(EditContext& context, JointHandle handle, double place, JointBreak 
 }
 
 void updateWinches(EditContext& context) {
-    for (const JointHandle handle : context.world.jointIndex.ropes()) {
+    for (const JointHandle handle : context.world.jointIndex.winding()) {
         Joint& rope = context.world.joints.at(handle);
-        if (rope.motor.mode == MotorMode::Off) continue;
         const double maxChange = kWinchSpeed / kStepsPerSecond;
         const double change = rope.motor.mode == MotorMode::Speed
                                   ? std::clamp(rope.motor.target, -kMaxWinchSpeed, kMaxWinchSpeed) / kStepsPerSecond

@@ -13,6 +13,14 @@ void insert(std::vector<JointHandle>& list, JointHandle handle) {
     list.insert(std::lower_bound(list.begin(), list.end(), handle, isBefore), handle);
 }
 
+bool winds(const Joint& joint) {
+    return joint.kind == JointKind::Rope && joint.motor.mode != MotorMode::Off;
+}
+
+bool turns(const Joint& joint) {
+    return joint.kind == JointKind::Wheel && joint.steer != joint.steerTarget;
+}
+
 }  // namespace
 
 void JointIndex::add(JointHandle handle, const Joint& joint) {
@@ -20,8 +28,16 @@ void JointIndex::add(JointHandle handle, const Joint& joint) {
         if (const ShapeHandle shape = joint.ends[i].shape; shape && (i == 0 || shape != joint.ends[0].shape))
             insert(m_byShape[shape.slot()], handle);
     if (joint.kind == JointKind::Rope) insert(m_ropes, handle);
-    if (joint.kind == JointKind::Wheel) insert(m_wheels, handle);
+    if (winds(joint)) insert(m_winding, handle);
+    if (turns(joint)) insert(m_turning, handle);
     if (joint.hand) insert(m_grabs, handle);
+}
+
+void JointIndex::updateDrive(JointHandle handle, const Joint& joint) {
+    std::erase(m_winding, handle);
+    std::erase(m_turning, handle);
+    if (winds(joint)) insert(m_winding, handle);
+    if (turns(joint)) insert(m_turning, handle);
 }
 
 void JointIndex::remove(JointHandle handle, const Joint& joint) {
@@ -32,14 +48,16 @@ void JointIndex::remove(JointHandle handle, const Joint& joint) {
         if (found->second.empty()) m_byShape.erase(found);
     }
     std::erase(m_ropes, handle);
-    std::erase(m_wheels, handle);
+    std::erase(m_winding, handle);
+    std::erase(m_turning, handle);
     std::erase(m_grabs, handle);
 }
 
 void JointIndex::clear() {
     m_byShape.clear();
     m_ropes.clear();
-    m_wheels.clear();
+    m_winding.clear();
+    m_turning.clear();
     m_grabs.clear();
 }
 

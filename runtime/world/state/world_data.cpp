@@ -153,8 +153,8 @@ void WorldData::addStress(ShapeHandle handle) {
 
 bool WorldData::isBusy() const {
     return hasDebrisWork() || flickeringGroups || fire.isActive() || (stress && stress->isBusy()) ||
-           !movedBodies.empty() || !leftBounds.empty() || !pendingSplits.empty() || hasActiveWinch() ||
-           hasTurningWheel();
+           !movedBodies.empty() || !leftBounds.empty() || !pendingSplits.empty() || !jointIndex.winding().empty() ||
+           !jointIndex.turning().empty();
 }
 
 bool WorldData::hasDebrisWork() const {
@@ -162,16 +162,6 @@ bool WorldData::hasDebrisWork() const {
     return !unsettled.empty() || debris.awakeCount() > limits.awakeBodies || debris.count() > limits.bodies ||
            debris.voxels() > limits.voxels ||
            (step >= limits.settleSteps && debris.asleepSince(step - limits.settleSteps));
-}
-
-bool WorldData::hasActiveWinch() const {
-    const auto winds = [&](JointHandle rope) { return joints.at(rope).motor.mode != MotorMode::Off; };
-    return std::any_of(jointIndex.ropes().begin(), jointIndex.ropes().end(), winds);
-}
-
-bool WorldData::hasTurningWheel() const {
-    const auto turns = [&](JointHandle wheel) { return joints.at(wheel).steer != joints.at(wheel).steerTarget; };
-    return std::any_of(jointIndex.wheels().begin(), jointIndex.wheels().end(), turns);
 }
 
 }  // namespace rubble

@@ -76,8 +76,6 @@ struct WorldData : WorldState {
 
 private:
     bool hasDebrisWork() const;
-    bool hasActiveWinch() const;
-    bool hasTurningWheel() const;
     void indexTriggers();
 };
 

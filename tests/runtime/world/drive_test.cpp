@@ -74,15 +74,20 @@ TEST(Drive, OneCommandSteersUntilTheWheelsAreThere) {
     Cart cart;
     cart.drive(0.0, 1.0, 0.0);
     EXPECT_NEAR(cart.wheel(1).steer, 0.05, 1e-12) << "3 rad/s";
+    EXPECT_EQ(cart.world.data().jointIndex.turning().size(), 1u) << "steps look at wheels that turn";
+    EXPECT_TRUE(cart.world.data().isBusy());
     World copy = cart.world;  // as a save made while they turn
     for (int i = 0; i < 8; ++i) cart.world.applyEdits({});
     EXPECT_LT(cart.wheel(1).steer, 0.5);
     EXPECT_EQ(cart.world.applyEdits({}).jointsChanged.size(), 1u);
     EXPECT_EQ(cart.wheel(1).steer, 0.5);
     EXPECT_TRUE(cart.world.applyEdits({}).jointsChanged.empty()) << "nothing turns any more";
+    EXPECT_TRUE(cart.world.data().jointIndex.turning().empty());
+    EXPECT_FALSE(cart.world.data().isBusy());
     copy.applyEdits({SetJointMotorEdit{.joint = copy.joints().handleAt(1), .steer = 0.2}});
     for (int i = 0; i < 3; ++i) copy.applyEdits({});
     EXPECT_EQ(copy.joints().at(copy.joints().handleAt(1)).steer, 0.2) << "a motor's angle ends the turning";
+    EXPECT_TRUE(copy.data().jointIndex.turning().empty());
 }
 
 /// Two wheels that stand still and two that turn, ahead of them or behind.

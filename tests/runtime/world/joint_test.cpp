@@ -256,5 +256,23 @@ TEST(Joint, UndoRestoresBrokenAndMovedJoints) {
     }
 }
 
+TEST(JointIndex, ListsWhatWindsAndWhatTurns) {
+    SlotMap<JointHandle, Joint> joints;
+    JointIndex index;
+    const JointHandle still = joints.insert({.kind = JointKind::Rope}), rope = joints.insert({.kind = JointKind::Rope}),
+                      wheel = joints.insert({.kind = JointKind::Wheel, .steer = 0.1, .steerTarget = 0.2});
+    for (const JointHandle each : {still, rope, wheel}) index.add(each, joints.at(each));
+    EXPECT_TRUE(index.winding().empty());
+    ASSERT_EQ(index.turning().size(), 1u);
+    EXPECT_EQ(index.turning()[0], wheel);
+    joints.at(rope).motor.mode = MotorMode::Speed, joints.at(wheel).steer = 0.2;
+    for (const JointHandle each : {rope, wheel}) index.updateDrive(each, joints.at(each));
+    ASSERT_EQ(index.winding().size(), 1u);
+    EXPECT_EQ(index.winding()[0], rope);
+    EXPECT_TRUE(index.turning().empty());
+    index.remove(rope, joints.at(rope));
+    EXPECT_TRUE(index.winding().empty());
+}
+
 }  // namespace
 }  // namespace rubble
