@@ -39,6 +39,7 @@ void updateCachedContacts(Manifold& manifold, const RelativePose& then, const Re
                            glm::dot(point.normalInSecond, deltaPosition + deltaRotation * point.anchorInFirst);
         point.normal = fromSecond * point.normalInSecond;
         point.position = fromFirst * point.anchorInFirst - point.normal * (0.5f * point.separation);
+        point.isPressed = pressesOn(point);
     }
 }
 

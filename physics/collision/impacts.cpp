@@ -15,6 +15,15 @@ glm::dvec3 velocityBeforeSolve(const CollisionObject& object, const glm::dvec3& 
     return motion.velocity + glm::cross(motion.angularVelocity, point - motion.position);
 }
 
+/// The fastest at which two bodies came to hit each other in the last solve, m/s. What a motor or a weight presses into
+/// a soft contact closes there too, but hits nothing.
+double hitSpeed(const Manifold& manifold) {
+    double speed = 0.0;
+    for (const ManifoldPoint& point : manifold.all())
+        if (point.totalImpulse > 0.0f && !point.isPressed) speed = std::max(speed, double(point.approach));
+    return speed;
+}
+
 }  // namespace
 
 glm::dvec3 approachVelocity(const Manifold& manifold, double seconds) {
@@ -64,10 +73,9 @@ void findImpacts(std::span<Manifold* const> manifolds, double minSpeed, double t
     std::vector<Hit> hits;
     for (const Manifold* manifold : manifolds) {
         if (!(double(manifold->approach) > minSpeed)) continue;
-        double approach = 0.0, total = 0.0;
-        for (const ManifoldPoint& point : manifold->all())
-            if (point.totalImpulse > 0.0f) approach = std::max(approach, double(point.approach));
+        const double approach = hitSpeed(*manifold);
         if (!(approach > minSpeed)) continue;
+        double total = 0.0;
         glm::dvec3 position(0.0), normal(0.0);
         for (const ManifoldPoint& point : manifold->all()) {
             if (!(point.totalImpulse > 0.0f)) continue;

@@ -20,6 +20,8 @@ constexpr float kTouching = 0.002f;
 constexpr float kLater = 0.03f;
 /// Metres inside the static world above which a penetration is no error of stepping.
 constexpr float kMinInitialPenetration = 0.02f;
+/// Closing speed, m/s, below which a point bears a load at rest.
+constexpr float kMaxLoadSpeed = 0.5f;
 
 bool wasKept(const Manifold* before, uint64_t feature) {
     if (before)
@@ -127,6 +129,7 @@ void inheritImpulses(const Manifold& before, Manifold& now) {
                 glm::dot(before.points[size_t(k)].normal, now.points[size_t(i)].normal) > kSameDirection) {
                 now.points[size_t(i)].normalImpulse = before.points[size_t(k)].normalImpulse;
                 now.points[size_t(i)].frictionImpulse = before.points[size_t(k)].frictionImpulse;
+                now.points[size_t(i)].isPressed = pressesOn(before.points[size_t(k)]);
                 taken[size_t(k)] = known[size_t(i)] = true;
             }
     for (int k = 0; k < before.count; ++k) {
@@ -165,6 +168,10 @@ size_t groupDirection(std::vector<ContactPoint>& contacts, size_t from, const Ma
 }
 
 }  // namespace
+
+bool pressesOn(const ManifoldPoint& point) {
+    return point.normalImpulse > 0.0f && (point.isPressed || point.approach < kMaxLoadSpeed);
+}
 
 void updateAllowedPenetration(Manifold& manifold, float before) {
     float deepest = 0.0f;

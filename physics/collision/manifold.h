@@ -24,6 +24,10 @@ struct ManifoldPoint : ContactPoint {
     float cachedSeparation = 0.0f;
 };
 
+/// Whether a point, as the last step left it, bore a load that was no hit. What closes there from then on is pressed
+/// into a soft contact: a force that is switched on does not hit.
+bool pressesOn(const ManifoldPoint& point);
+
 inline constexpr int kMaxManifoldPoints = 12;
 /// How many points a manifold may have.
 struct ManifoldLimits {

@@ -25,7 +25,8 @@ struct ContactPoint {
     glm::vec3 normal{0.0f};    ///< unit vector, from the second body to the first
     float separation = 0.0f;   ///< along the normal; negative: they overlap
     float friction = 0.0f, restitution = 0.0f;
-    uint64_t feature = 0;  ///< which feature of which body it is: identifies the point in the next step
+    bool isPressed = false;  ///< see pressesOn(), manifold.h; here, where it takes no space
+    uint64_t feature = 0;    ///< which feature of which body it is: identifies the point in the next step
 };
 
 /// An upper bound of how far points of two bodies move against each other in a time, metres.

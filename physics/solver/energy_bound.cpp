@@ -6,7 +6,9 @@
 // A swing is measured in the middle of a substep. Substeps are those of the leapfrog method: positions are those of
 // their ends, velocities those of their middles. At the ends its energy would rise and fall with the height of half a
 // substep's motion, and who cuts off what rises damps every pendulum. What is left of that, a swing loses and regains:
-// joints remember what their islands lost lately, up to a thousandth of their motion, and that much may come back.
+// bodies remember what their islands lost lately, up to a thousandth of the motion of those with joints, and that much
+// may come back. So may what contacts lose and give back as their separations, in float, rise and fall: taken from
+// the speed of what slides slowly, it would stop it.
 //
 // Where an island's energy is taken back from:
 //   * Of contacts with the world: from the speeds of the bodies that gained, in proportion to their gains, and then
@@ -28,8 +30,9 @@
 namespace rubble {
 namespace {
 
-constexpr double kMaxLift = 0.002;   ///< metres by which an overlap may lift a body in a step
-constexpr double kMaxRegain = 1e-3;  ///< of its kinetic energy, that an island with joints may gain back
+constexpr double kMaxLift = 0.002;     ///< metres by which an overlap may lift a body in a step
+constexpr double kMaxRegain = 1e-3;    ///< of its kinetic energy, that an island with joints may gain back
+constexpr double kHeightNoise = 2e-8;  ///< metres by which what rests on contacts may fall and rise again
 
 /// Takes back height that a body gained from nothing, as far as it rose in the step. gain: joules.
 void lower(SolverBody& body, const glm::dvec3& before, double gain, const glm::dvec3& gravity) {
@@ -95,7 +98,6 @@ void EnergyBound::findIslands(std::span<const SolverBody> bodies, std::span<cons
         ++island.joints;
         island.touchesWorld = island.touchesWorld || !a || !b;
         island.gain -= joint->work;
-        island.regainable += joint->regainable;
     }
     m_gains.resize(bodies.size());
     for (uint32_t i = 1; i < bodies.size(); ++i) {
@@ -108,6 +110,9 @@ void EnergyBound::findIslands(std::span<const SolverBody> bodies, std::span<cons
         const double fallen = glm::dot(m_gravity, moved) * double(bodies[i].gravityScale) / bodies[i].inverseMass;
         m_gains[i] = kinetic - fallen - before.kinetic;
         island.gain += m_gains[i];
+        island.regainable += bodies[i].regainable;
+        island.weight += glm::length(m_gravity) / bodies[i].inverseMass;
+        ++island.bodies;
         island.positiveGains += std::max(m_gains[i], 0.0);
         island.kinetic += kinetic;
     }
@@ -116,7 +121,7 @@ void EnergyBound::findIslands(std::span<const SolverBody> bodies, std::span<cons
 void EnergyBound::enforce(std::span<SolverBody> bodies, std::span<const std::pair<int, int>> pairs,
                           std::span<JointConstraint* const> joints) {
     findIslands(bodies, pairs, joints);
-    updateRegainable(joints);
+    updateRegainable(bodies);
     takeFromGainers(bodies);
     const auto isMeant = [](const Island& island) { return island.gain > 0.0 && !island.touchesWorld; };
     forEachIsland(bodies.size(), isMeant,
@@ -124,11 +129,11 @@ void EnergyBound::enforce(std::span<SolverBody> bodies, std::span<const std::pai
 }
 
 /// What the islands gained back does not count as a gain.
-void EnergyBound::updateRegainable(std::span<JointConstraint* const> joints) {
-    for (JointConstraint* joint : joints) {
-        const Island& island = m_islands[m_sets.root(uint32_t(std::max(joint->bodies[0], joint->bodies[1])))];
-        joint->regainable =
-            std::clamp(island.regainable - island.gain, 0.0, kMaxRegain * island.kinetic) / island.joints;
+void EnergyBound::updateRegainable(std::span<SolverBody> bodies) {
+    for (uint32_t i = 1; i < bodies.size(); ++i) {
+        const Island& island = m_islands[m_sets.root(i)];
+        const double most = kHeightNoise * island.weight + (island.joints ? kMaxRegain * island.kinetic : 0.0);
+        bodies[i].regainable = std::clamp(island.regainable - island.gain, 0.0, most) / island.bodies;
     }
     for (Island& island : m_islands) island.gain -= island.regainable;
 }

@@ -30,8 +30,9 @@ private:
         double gain = 0.0;           ///< joules, of all its bodies, less the work of its joints
         double positiveGains = 0.0;  ///< joules, of the bodies that gained
         double kinetic = 0.0;        ///< joules, of all its bodies
-        double regainable = 0.0;     ///< joules: JointConstraint::regainable of its joints
-        int joints = 0;
+        double regainable = 0.0;     ///< joules: SolverBody::regainable of its bodies
+        double weight = 0.0;         ///< newtons, of all its bodies
+        int joints = 0, bodies = 0;
         bool touchesWorld = false;
         bool changed = false;  ///< one of its bodies was put back
     };
@@ -39,7 +40,7 @@ private:
     struct RigidMotion;
     void findIslands(std::span<const SolverBody> bodies, std::span<const std::pair<int, int>> pairs,
                      std::span<JointConstraint* const> joints);
-    void updateRegainable(std::span<JointConstraint* const> joints);
+    void updateRegainable(std::span<SolverBody> bodies);
     void takeFromGainers(std::span<SolverBody> bodies);
     static void takeFromInnerMotion(std::span<SolverBody> bodies, const Island& island, Members members);
     template <class Meant, class F>

@@ -35,7 +35,6 @@ struct JointConstraint {
     /// Joules that motors, winches, springs and soft rows gave the bodies in the last step: all that a joint may add.
     /// Infinite for a grab, as a hand may do any work.
     double work = 0.0;
-    double regainable = 0.0;  ///< joules that its bodies lost lately and may gain back: see energy_bound.cpp
 };
 
 /// A row of the Jacobian of a joint. Its velocity is

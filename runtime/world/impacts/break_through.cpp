@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <vector>
 
 #include "runtime/destruction/fragment_style.h"
 #include "runtime/voxel/cell_box.h"
@@ -96,10 +97,39 @@ double impulseOf(const BreakEdit& hole, const HoleResistance& resistance, const 
     return settings.impactThreshold * resistance.meanToughness * std::max(1.0, ratio * ratio);
 }
 
+/// Whether some of a body may break off by the damage.
+bool maySplit(const WorldData& world, BodyHandle body, std::span<const Edit> damage) {
+    return std::any_of(damage.begin(), damage.end(), [&](const Edit& edit) {
+        const auto* hit = std::get_if<BreakEdit>(&edit);
+        const auto* load = std::get_if<ImpactLoadEdit>(&edit);
+        const Shape* shape = world.shapes.find(hit ? hit->shape : load ? load->shape : ShapeHandle{});
+        return shape && shape->body == body;
+    });
+}
+
+/// Changes velocities as an impulse on the whole body does. What breaks off then moves on with it, instead of all of
+/// the impulse acting on the crumb that keeps the body's handle.
+void pushWhole(const WorldData& world, const ImpulseEdit& impulse, std::vector<SetBodyEdit>& out) {
+    const Body& body = world.bodies.at(impulse.body);
+    auto known = std::find_if(out.begin(), out.end(), [&](const SetBodyEdit& e) { return e.body == impulse.body; });
+    if (known == out.end()) {
+        SetBodyEdit set{.body = impulse.body, .setsVelocity = true};
+        set.velocity = body.velocity, set.angularVelocity = body.angularVelocity;
+        known = out.insert(known, set);
+    }
+    const MassProperties mass = bodyMass(world, impulse.body);
+    const glm::dquat axes = body.pose.rotation * mass.principalAxes;
+    const glm::dvec3 arm = impulse.position - body.pose.transformPoint(mass.center),
+                     turn = glm::conjugate(axes) * glm::cross(arm, impulse.impulse);
+    known->velocity += impulse.impulse / mass.mass;
+    known->angularVelocity += axes * (turn / mass.principalInertia);
+}
+
 }  // namespace
 
 void addBreakThroughImpulses(const WorldData& world, std::span<const Impact> impacts, Edits& damage) {
     const size_t breaks = damage.size();
+    std::vector<SetBodyEdit> pushed;
     for (size_t i = 0; i < breaks; ++i) {
         const auto* edit = std::get_if<BreakEdit>(&damage[i]);
         const Shape* shape = edit ? world.shapes.find(edit->shape) : nullptr;
@@ -120,10 +150,15 @@ void addBreakThroughImpulses(const WorldData& world, std::span<const Impact> imp
             const double arrivingMomentum = bodyMass(world, striker).mass * impact.speed;
             const double remaining =
                 std::min(impact.impulse - impulseOf(hole, resistance, world.settings), arrivingMomentum);
-            if (remaining > 0.0) damage.emplace_back(ImpulseEdit{striker, impact.position, direction * remaining});
+            const ImpulseEdit rest{striker, impact.position, direction * remaining};
+            if (remaining > 0.0 && maySplit(world, striker, {damage.data(), breaks}))
+                pushWhole(world, rest, pushed);
+            else if (remaining > 0.0)
+                damage.emplace_back(rest);
             break;
         }
     }
+    damage.insert(damage.begin(), pushed.begin(), pushed.end());  // before anything breaks off
 }
 
 }  // namespace rubble

@@ -16,7 +16,10 @@ constexpr double kBlastImpulse = 1500.0;   ///< N s at the centre for size 1, un
 constexpr double kMaxBlastSpeed = 9.0;     ///< m/s from a blast of size 1: light pieces do not become bullets
 constexpr double kOpenRadiusRatio = 0.4;   ///< of its size: what stands within that, hard voxels too, shelters nothing
 constexpr double kSmallBody = 0.6;         ///< metres across, up to which one ray says whether a body is sheltered
-constexpr double kImpactOffset = 0.2;  ///< share of a body's mean radius from its centre to where it is hit: it tumbles
+/// Share of a body's smallest radius of gyration from its centre to where it is hit: it tumbles. Of a larger one, a
+/// blast would spin rods like drills.
+constexpr double kImpactOffset = 0.2;
+constexpr double kMaxBlastSpin = 100.0;  ///< rad/s from a blast, about: crumbs of small voxels do not whir
 
 /// A point of the cube from -1 to 1, the same for a body in every run.
 glm::dvec3 randomOffset(BodyHandle body, uint64_t step) {
@@ -121,8 +124,10 @@ void applyImpulse(EditContext& context, const ExplodeEdit& edit) {
         const glm::dvec3 direction = distance > 1e-6 ? away / distance : glm::dvec3(0.0, 1.0, 0.0);
         const double size =
             std::min(maxImpulse, mass.mass * kMaxBlastSpeed * edit.size) * (1.0 - distance / blastRadius) * share;
-        const double meanRadius = std::sqrt(mass.principalInertia.x / mass.mass);
-        const glm::dvec3 offset = randomOffset(blasted.body, context.changes.step) * (kImpactOffset * meanRadius);
+        const glm::dvec3& inertia = mass.principalInertia;
+        const double gyration2 = std::min({inertia.x, inertia.y, inertia.z}) / mass.mass;
+        const double arm = std::min(kImpactOffset * std::sqrt(gyration2), kMaxBlastSpin * gyration2 * mass.mass / size);
+        const glm::dvec3 offset = randomOffset(blasted.body, context.changes.step) * arm;
         applyImpulseTo(context, {blasted.body, blasted.center + offset, direction * size});
     }
 }

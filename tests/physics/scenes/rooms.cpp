@@ -58,8 +58,8 @@ Room randomRoom(Dice& dice) {
     return room;
 }
 
-/// The room as shapes that are cut at random planes.
-void addRoom(PhysicsScene& scene, const Room& room, Dice& dice, const Pose& pose) {
+/// The room as shapes that are cut at random planes: of one body if it is free, else of a body each.
+void addRoom(PhysicsScene& scene, const Room& room, Dice& dice, const Pose& pose, bool isFree) {
     const bool isCut = dice.whole(0, 1) == 1;
     std::array<std::vector<int>, 3> cuts;
     for (int axis = 0; axis < 3; ++axis) {
@@ -72,8 +72,16 @@ void addRoom(PhysicsScene& scene, const Room& room, Dice& dice, const Pose& pose
                 const glm::ivec3 low(cuts[0][x], cuts[1][y], cuts[2][z]),
                     high(cuts[0][x + 1], cuts[1][y + 1], cuts[2][z + 1]);
                 VoxelGrid grid = gridOf(high - low, [&](glm::ivec3 c) { return uint8_t(room.solid(c + low) ? 7 : 0); });
-                if (!grid.empty())
-                    scene.add(std::move(grid), pose.transformPoint(glm::dvec3(low) * 0.1), true, pose.rotation);
+                if (grid.empty()) continue;
+                if (!isFree || scene.level.bodies.empty()) {
+                    scene.add(std::move(grid), pose.transformPoint(glm::dvec3(low) * 0.1), !isFree, pose.rotation);
+                    continue;
+                }
+                LevelShape shape{.name = "part " + std::to_string(scene.level.bodies[0].shapes.size())};
+                shape.grid = std::move(grid);
+                shape.palette = scene.palette;
+                shape.local.position = glm::dvec3(low) * 0.1;
+                scene.level.bodies[0].shapes.push_back(std::move(shape));
             }
 }
 
@@ -90,27 +98,28 @@ VoxelGrid randomBody(Dice& dice) {
 
 }  // namespace
 
-RoomShots throwIntoRoom(const PhysicsSettings& settings, uint64_t seed) {
+RoomShots throwIntoRoom(const PhysicsSettings& settings, uint64_t seed, RoomBody body) {
+    const bool isFree = body == RoomBody::Free;
     Dice dice{Random(seed)};
     const Room room = randomRoom(dice);
     const bool isTurned = dice.whole(0, 1) == 1;
     const Pose pose{glm::dvec3(0.0), isTurned ? dice.rotation() : glm::dquat(1, 0, 0, 0)};
     PhysicsScene scene(sleepless(settings));
     scene.level.bounds = {glm::dvec3(-1e4), glm::dvec3(1e4)};
-    addRoom(scene, room, dice, pose);
+    addRoom(scene, room, dice, pose, isFree);
     const int walls = int(scene.level.bodies.size());
     // A lattice of places with room for each body at any rotation, of which those inside walls are left out.
     std::vector<glm::dvec3> places;
     for (int z = 5; z + 5 <= room.inside.z; z += 9)
         for (int y = 5; y + 5 <= room.inside.y; y += 9)
             for (int x = 5; x + 5 <= room.inside.x; x += 9) {
-                bool isFree = true;
+                bool isOpen = true;
                 for (int i = 0; i < 11 * 11 * 11; ++i) {
                     const glm::ivec3 c(x - 5 + i % 11, y - 5 + i / 11 % 11, z - 5 + i / 121);
                     const glm::dvec3 from = glm::dvec3(c) + 0.5 - glm::dvec3(x, y, z);
-                    isFree = isFree && (glm::length(from) > 5.3 || !room.solid(c + room.wall));
+                    isOpen = isOpen && (glm::length(from) > 5.3 || !room.solid(c + room.wall));
                 }
-                if (isFree) places.push_back(glm::dvec3(x, y, z) + double(room.wall));
+                if (isOpen) places.push_back(glm::dvec3(x, y, z) + double(room.wall));
             }
     RoomShots result;
     for (const glm::dvec3& place : places) {
@@ -119,12 +128,17 @@ RoomShots throwIntoRoom(const PhysicsSettings& settings, uint64_t seed) {
         VoxelGrid grid = randomBody(dice);
         if (grid.empty()) continue;
         const glm::dvec3 half = glm::dvec3(grid.size()) * 0.05;
-        LevelBody& body = scene.add(std::move(grid), pose.transformPoint(place * 0.1) - turn * half, false, turn);
+        LevelBody& thrown = scene.add(std::move(grid), pose.transformPoint(place * 0.1) - turn * half, false, turn);
         const double power = dice.uniform(0.0, 1.0);
         const double speed = std::pow(kMaxSpeed, power);
-        body.velocity = glm::vec3(dice.direction() * speed);
-        body.angularVelocity = glm::vec3(dice.direction() * dice.uniform(0.0, 30.0));
+        thrown.velocity = glm::vec3(dice.direction() * speed);
+        thrown.angularVelocity = glm::vec3(dice.direction() * dice.uniform(0.0, 30.0));
         ++result.thrown;
+    }
+    if (isFree) {
+        scene.level.environment.gravity = {0, 0, 0};
+        scene.level.bodies[0].velocity = glm::vec3(dice.direction() * dice.uniform(0.0, 10.0));
+        scene.level.bodies[0].angularVelocity = glm::vec3(dice.direction() * dice.uniform(0.0, 3.0));
     }
     scene.load();
     const int all = walls + result.thrown;
@@ -132,15 +146,16 @@ RoomShots throwIntoRoom(const PhysicsSettings& settings, uint64_t seed) {
     glm::dvec3 spin = dice.direction();
     for (int step = 0; step < kSteps; ++step) {
         Edits edits;
-        if (step % 4 == 0) {
+        if (step % 4 == 0 && !isFree) {
             Environment environment = scene.world.environment();
             environment.gravity = glm::vec3(glm::angleAxis(0.05 * step, spin) * glm::dvec3(0.0, -9.81, 0.0));
             edits.push_back(SetEnvironmentEdit{environment});
         }
         scene.stepWith(edits);
+        const Pose now = isFree ? scene.body(0).pose : pose;
         for (int i = walls; i < all; ++i) {
             if (isOutside[size_t(i)]) continue;
-            const glm::dvec3 at = glm::conjugate(pose.rotation) * scene.center(i) * 10.0;
+            const glm::dvec3 at = now.inversePoint(scene.center(i)) * 10.0;
             if (glm::all(glm::greaterThan(at, glm::dvec3(0.0))) && glm::all(glm::lessThan(at, glm::dvec3(room.size()))))
                 continue;
             isOutside[size_t(i)] = true;

@@ -7,11 +7,11 @@
 namespace rubble {
 namespace {
 
-/// A block of steel hits a fixed sheet of a material from +z with 5,000 N s.
+/// A block, of steel unless said otherwise, hits a fixed sheet of a material from +z.
 struct Throw {
-    explicit Throw(const char* sheet, int thickness = 1, int side = 4) {
+    explicit Throw(const char* sheet, int thickness = 1, int side = 4, const char* thrown = "heavy metal") {
         auto palette = std::make_shared<Palette>();
-        (*palette)[1].material = defaultMaterials().find("heavy metal");
+        (*palette)[1].material = defaultMaterials().find(thrown);
         (*palette)[2].material = defaultMaterials().find(sheet);
         Level level;
         const auto add = [&](VoxelGrid grid, glm::dvec3 corner, bool isStatic) {
@@ -68,6 +68,27 @@ TEST(BreakThrough, AThinWallTakesPartOfTheMomentumAThickOneAll) {
     const double mass = 0.4 * 0.4 * 0.4 * 7850.0;
     EXPECT_NEAR(given(Throw("brick", 3), 100'000.0, 5.0), mass * 5.0, 1e-3)
         << "what is pressed through goes on as fast as it came";
+}
+
+/// Else what is left of the body under its handle, a crumb perhaps, got the momentum of all.
+TEST(BreakThrough, WhatBreaksOffGoesOnAsFast) {
+    Throw thrown("glass", 1, 16, "wood");
+    const double mass = bodyMass(thrown.world, thrown.block).mass;
+    const Edits damage = thrown.damage({thrown.block, thrown.wall, {0.9, 0.9, 0.1}, {0, 0, 1}, 10.0 * mass, 10.0});
+    const FrameChanges changes = thrown.world.applyEdits({}, damage);
+    EXPECT_TRUE(changes.impulses.empty());
+    int pieces = 0;
+    thrown.world.bodies().forEach([&](BodyHandle handle, const Body& body) {
+        const Body* parent = thrown.world.bodies().find(thrown.block);
+        if (body.isStatic || body.angularVelocity != parent->angularVelocity) return;  // the pane's pieces rest
+        ++pieces;
+        const glm::dvec3 apart = body.pose.transformPoint(bodyMass(thrown.world, handle).center) -
+                                 parent->pose.transformPoint(bodyMass(thrown.world, thrown.block).center);
+        EXPECT_NEAR(glm::distance(body.velocity, parent->velocity + glm::cross(parent->angularVelocity, apart)), 0.0,
+                    1e-6);
+    });
+    EXPECT_GT(pieces, 3);
+    EXPECT_NEAR(thrown.world.bodies().at(thrown.block).velocity.z, -10.0, 1.0);
 }
 
 }  // namespace
