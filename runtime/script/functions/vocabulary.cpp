@@ -11,8 +11,16 @@ int callFunction(lua_State* L) {
     Sandbox& box = Sandbox::of(L);
     box.charge(L, kCallWork);
     const lua_Integer index = lua_tointeger(L, lua_upvalueindex(2));
-    if (index >= 0) ++static_cast<ScriptContext*>(box.owner())->calls[size_t(index)];
-    return runningFunction(L).function(L);
+    const ScriptFunction& function = runningFunction(L);
+    if (index < 0) return function.function(L);
+    auto& context = *static_cast<ScriptContext*>(box.owner());
+    ++context.calls[size_t(index)];
+    CallObserver* const observer = context.shared.observer;
+    if (!observer) return function.function(L);
+    observer->begin(L, function);
+    const int results = function.function(L);
+    observer->end(L, function, results);
+    return results;
 }
 
 int yieldUntil(lua_State* L, double until, lua_KContext context, lua_KFunction continuation) {
@@ -58,11 +66,14 @@ void pushFunction(lua_State* L, const ScriptFunction& function, lua_Integer inde
 
 void openVocabulary(lua_State* L) {
     lua_Integer index = 0;
-    for (const Subject& subject : vocabulary())
-        for (const ScriptFunction& function : subject.functions) {
+    const auto open = [&](std::span<const ScriptFunction> functions) {
+        for (const ScriptFunction& function : functions) {
             pushFunction(L, function, index++);
             lua_setglobal(L, function.name().c_str());
         }
+    };
+    for (const Subject& subject : vocabulary()) open(subject.functions);
+    open(ScriptContext::of(L).shared.hostFunctions);
     ScriptContext::of(L).calls.assign(size_t(index), 0);
     openVectorOperators(L);
     openRotationOperators(L);
