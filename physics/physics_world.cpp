@@ -26,6 +26,7 @@ void PhysicsWorld::apply(const FrameChanges& changes, const World& world) {
     impl.applyChanges(changes, world);
     impl.ground.update(world, impl.bodies, true);
     impl.applyImpulses(changes);
+    impl.joints.constrain(changes, world, impl.bodies);
     if (m_reports) m_reports->addEdited(changes, world);
     for (const BodyHandle handle : changes.settled)
         if (DynamicBody* body = impl.bodies.find(handle)) body->settled = body->asleep();

@@ -24,6 +24,7 @@
 #include "render/passes/history_left_pass.h"
 #include "render/passes/host_layers_pass.h"
 #include "render/passes/local_lights_pass.h"
+#include "render/passes/overlay_pass.h"
 #include "render/passes/particles_pass.h"
 #include "render/passes/reflections_pass.h"
 #include "render/passes/ropes_pass.h"
@@ -94,6 +95,10 @@ struct Renderer::Impl {
     void drawLight(const FrameContext& frame);
     void drawImage(const FrameContext& frame, const View& view);
     void showImage(const FrameContext& frame, const View& view);
+    void drawOverlay(const FrameContext& frame, const View& view, const Texture& depth) {
+        if (!overlayPass) overlayPass.emplace(shaders, limits.textureSide);
+        overlayPass->draw(frame, *overlay, view, depth);
+    }
     /// For passes of what most scenes never have: builds the pass with the first frame that needs it.
     template <class Pass, class... Rest>
     void drawLazily(std::optional<Pass>& pass, const FrameContext& frame, const Rest&... rest) {
@@ -174,6 +179,8 @@ struct Renderer::Impl {
     std::optional<RopesPass> ropes;
     std::optional<GBufferPass> exact;
     std::optional<HostLayersPass> hostLayers;
+    std::optional<Overlay> overlay;  ///< none: no item was ever given
+    std::optional<OverlayPass> overlayPass;
     TaaPass taa{shaders};
     BloomPass bloom{shaders};
     ExposurePass exposure{shaders};
@@ -280,6 +287,7 @@ void Renderer::Impl::showImage(const FrameContext& frame, const View& view) {
         show.draw(frame, *shown, view, depth, statusDot());
         if (hasLayers) hostLayers->show(layers, view);
     });
+    if (overlay && !overlay->empty()) run("overlay", Depth, {}, [&] { drawOverlay(frame, view, depth); });
 }
 
 void Renderer::Impl::fillBlock(const View& view, glm::ivec2 renderSize) {
@@ -334,8 +342,8 @@ void Renderer::Impl::draw(const View& view, float alpha) {
     history = &histories.begin(view.slot, view.size, limits);
     drawFrames(view, alpha);
     drawSmallerOnFailure(view);
-    stats.textureBytes =
-        histories.bytes() + scene.bytes() + gbuffer.bytes() + blueNoise.bytes() + (lightGrid ? lightGrid->bytes() : 0);
+    stats.textureBytes = histories.bytes() + scene.bytes() + gbuffer.bytes() + blueNoise.bytes() +
+                         (lightGrid ? lightGrid->bytes() : 0) + (overlayPass ? overlayPass->bytes() : 0);
     stats.computePrograms = shaders.computePrograms();
     stats.waitingBytes = scene.bodies().waitingBytes();
     stats.shapes = scene.bodies().shapes();
@@ -458,6 +466,23 @@ std::vector<std::string> Renderer::shaderErrors() const {
 }
 const RenderStats& Renderer::stats() const {
     return m_impl->stats;
+}
+
+Result<Done> Renderer::setOverlay(std::vector<OverlayItem> items) {
+    std::optional<Overlay>& overlay = m_impl->overlay;
+    if (!overlay && items.empty()) return Done{};
+    if (!overlay) overlay.emplace();
+    return overlay->set(std::move(items));
+}
+
+void Renderer::setOverlayImage(const std::string& name, OverlayImage image) {
+    std::optional<Overlay>& overlay = m_impl->overlay;
+    if (!overlay) overlay.emplace();
+    overlay->setImage(name, std::move(image));
+}
+
+Result<glm::vec2> Renderer::measureText(const std::string& font, float fontSize, float width, std::string_view text) {
+    return rubble::measureText(font, fontSize, width, text);
 }
 
 bool Renderer::reloadShaders() {

@@ -7,6 +7,7 @@
 #include "render/float_image.h"
 #include "render/frame/render_settings.h"
 #include "render/frame/render_stats.h"
+#include "render/overlay/overlay_item.h"
 #include "runtime/core/result.h"
 #include "runtime/frame/frame_snapshot.h"
 
@@ -45,6 +46,13 @@ public:
     /// Chooses what draw() shows: "final" (the default) or an intermediate target of passNames(). False if there is
     /// none of that name.
     bool showPass(std::string_view name);
+    /// Draws these items over the image of each draw() from now on, in their order; nothing costs nothing. An error
+    /// says which one names a font that cannot be read or an image that is not there: then all is as before.
+    Result<Done> setOverlay(std::vector<OverlayItem> items);
+    /// Gives an image a name for items, or replaces it; without pixels takes it away.
+    void setOverlayImage(const std::string& name, OverlayImage image);
+    /// Width and height of a text of an overlay. [any-thread]
+    static Result<glm::vec2> measureText(const std::string& font, float fontSize, float width, std::string_view text);
     /// The names that showPass() knows.
     std::vector<std::string> passNames() const;
     /// The values that the last draw() left in a colour target ("noisyLight", "radiance", "depth", ...:

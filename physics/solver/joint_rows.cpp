@@ -45,6 +45,11 @@ public:
                 return buildRope();
         }
     }
+    /// No joint: one row, along or about a direction of the world.
+    void build(const BodyConstraint& constraint) {
+        const glm::dvec3& axis = constraint.direction;
+        m_rows.freeAxis.row = constraint.turns ? rotationRow(axis) : pointRow(axis);
+    }
     /// A grab that drives: its rows hold velocities of the body, which is its first end, against the world.
     void drive() {
         m_rows.error = {};
@@ -62,6 +67,10 @@ private:
     JointRow slidingRow(const glm::dvec3& axis) const {
         return {axis, glm::cross(m_arm[0] + m_offset, axis), axis, glm::cross(m_arm[1], axis)};
     }
+    /// The same along an axis of the world.
+    JointRow pointRow(const glm::dvec3& axis) const {
+        return {axis, glm::cross(m_arm[0], axis), axis, glm::cross(m_arm[1], axis)};
+    }
     static JointRow rotationRow(const glm::dvec3& axis) { return {{}, axis, {}, axis}; }
     void lockSliding(const glm::dvec3& axis) { lock(slidingRow(axis), glm::dot(m_offset, axis)); }
     /// The two ends coincide.
@@ -69,7 +78,7 @@ private:
         for (int i = 0; i < 3; ++i) {
             glm::dvec3 axis(0.0);
             axis[i] = 1.0;
-            lock({axis, glm::cross(m_arm[0], axis), axis, glm::cross(m_arm[1], axis)}, m_offset[i]);
+            lock(pointRow(axis), m_offset[i]);
         }
     }
     /// End 1's x axis lies along `axis`; side1 and side2 are across it.
@@ -195,6 +204,7 @@ double JointRow::effectiveMass(const SolverState& A, const SolverState& B) const
 
 void computeRows(JointRows& rows, std::span<const SolverBody> bodies) {
     RowBuilder builder(rows, bodies);
+    if (rows.c->constraint) return builder.build(*rows.c->constraint);
     builder.build();
     if (rows.c->joint->drives) builder.drive();
 }

@@ -6,6 +6,7 @@
 
 #include "physics/bodies/solver_body.h"
 #include "physics/math/soft_constraint.h"
+#include "runtime/world/objects/body_constraint.h"
 #include "runtime/world/objects/joint.h"
 
 namespace rubble {
@@ -16,6 +17,7 @@ inline constexpr double kMaxCorrectionSpeed = 10.0;  ///< m/s or rad/s at which 
 /// with them.
 struct JointConstraint {
     const Joint* joint = nullptr;
+    const BodyConstraint* constraint = nullptr;  ///< it joins nothing: this is the one row that there is
     JointHandle handle;
     std::array<int, 2> bodies{};            ///< of the solver; 0: the world
     std::array<Pose, 2> frames;             ///< of the joint's ends, in the bodies or in the world

@@ -31,6 +31,7 @@ constexpr double kMaxSymplectic = 0.25;  ///< (omega h)^2 of the slow springs: s
 /// m/s2 or rad/s2 that a position motor without a largest force may give what it moves, besides what its way to the
 /// target needs. Against something that does not give, its impulse would grow for ever.
 constexpr double kMaxServoAcceleration = 1000.0;
+constexpr double kNoLimit = 1e30;          ///< N s
 constexpr double kRopeStretchForce = 1e4;  ///< N under which a rope stretches by its `stretch`
 /// Iterations over joints in a substep: without a system, and with one that has the rigid rows.
 constexpr int kIterations = 4, kIterationsWithSystem = 2;
@@ -67,10 +68,14 @@ double targetError(const JointRows& e) {
 
 /// Adds to an accumulated impulse within bounds, and calls apply with what was added.
 template <class F>
-void addClamped(double& sum, double impulse, double bound, F&& apply) {
+void addClamped(double& sum, double impulse, double low, double high, F&& apply) {
     const double before = sum;
-    sum = std::max(-bound, std::min(before + impulse, bound));
+    sum = std::max(low, std::min(before + impulse, high));
     apply(sum - before);
+}
+template <class F>
+void addClamped(double& sum, double impulse, double bound, F&& apply) {
+    addClamped(sum, impulse, -bound, bound, apply);
 }
 
 /// The length of a rope's path that its winch allows, so many seconds before the end of the substep.
@@ -110,8 +115,8 @@ void JointSolver::begin(std::span<JointConstraint* const> joints, std::span<Solv
     for (JointConstraint* c : joints) {
         JointRows& e = m_joints.emplace_back();
         e.c = c;
-        e.isInSystem = c->joint->kind != JointKind::Rope && c->joint->maxForce == 0.0 && c->joint->maxTorque == 0.0 &&
-                       (c->joint->spring.hertz == 0.0 || hasFreeAxisSpring(*c->joint));
+        e.isInSystem = !c->constraint && c->joint->kind != JointKind::Rope && c->joint->maxForce == 0.0 &&
+                       c->joint->maxTorque == 0.0 && (c->joint->spring.hertz == 0.0 || hasFreeAxisSpring(*c->joint));
         c->force = c->torque = glm::dvec3(0.0);
         c->work = c->joint->hand ? std::numeric_limits<double>::infinity() : 0.0;
         for (const int body : c->bodies) states[size_t(body)].isConstrained = states[size_t(body)].isJointed = true;
@@ -253,9 +258,21 @@ void JointSolver::solveImpact(std::span<const SolverBody> bodies, std::span<Solv
     }
 }
 
+/// What holds the velocity along one row, as a motor does, but with a least and a largest force.
+void JointSolver::solveConstraint(JointRows& e, SolverState& A, SolverState& B) const {
+    JointConstraint& c = *e.c;
+    const BodyConstraint& held = *c.constraint;
+    const bool isLimited = held.minForce != 0.0 || held.maxForce != 0.0;
+    const double low = isLimited ? held.minForce * m_seconds : -kNoLimit,
+                 high = isLimited ? held.maxForce * m_seconds : kNoLimit;
+    addClamped(c.motorImpulse, e.motorAxis.mass * (held.speed - e.motorAxis.row.velocity(A, B)), low, high,
+               [&](double impulse) { applyAlong(e, e.motorAxis, A, B, impulse, &c.work); });
+}
+
 /// Spring, motor, friction and limits.
 void JointSolver::solveFreeAxis(JointRows& e, SolverState& A, SolverState& B, bool useBias) const {
     JointConstraint& c = *e.c;
+    if (c.constraint) return solveConstraint(e, A, B);
     const Joint& joint = *c.joint;
     const FreeAxis& axis = e.motorAxis;
     if (e.hasSpring && useBias) solveSpring(e, A, B);
@@ -280,7 +297,8 @@ void JointSolver::solveFreeAxis(JointRows& e, SolverState& A, SolverState& B, bo
 void JointSolver::solveSpring(JointRows& e, SolverState& A, SolverState& B) const {
     JointConstraint& c = *e.c;
     const JointMotor& motor = c.joint->motor;
-    const double maxImpulse = hasPositionMotor(*c.joint) && motor.maxForce > 0.0 ? motor.maxForce * m_seconds : 1e30;
+    const double maxImpulse =
+        hasPositionMotor(*c.joint) && motor.maxForce > 0.0 ? motor.maxForce * m_seconds : kNoLimit;
     const double change = e.spring.pull * targetError(e) + e.spring.massScale * e.freeAxis.row.velocity(A, B);
     const double impulse = -e.freeAxis.mass * change - e.spring.impulseScale * c.springImpulse;
     addClamped(c.springImpulse, impulse, maxImpulse,

@@ -40,6 +40,7 @@ private:
                     double* work) const;
     void applyLocked(const JointRows& e, size_t row, SolverState& A, SolverState& B, double impulse) const;
     void solveFreeAxis(JointRows& e, SolverState& A, SolverState& B, bool useBias) const;
+    void solveConstraint(JointRows& e, SolverState& A, SolverState& B) const;
     void solveSpring(JointRows& e, SolverState& A, SolverState& B) const;
     void solveLimit(JointRows& e, SolverState& A, SolverState& B, bool isHigh, bool useBias) const;
     void solveBallFriction(JointRows& e, SolverState& A, SolverState& B) const;

@@ -93,7 +93,7 @@ void takeOver(JointProxy& joint, const JointProxy& old) {
     joint.constraint.joint = now;
     if (joint.joint.kind != JointKind::Rope) return;
     if (joint.joint.points.size() != old.joint.points.size() || joint.bodies != old.bodies)
-        joint.constraint = {now, joint.handle};
+        joint.constraint = {.joint = now, .handle = joint.handle};
     joint.bends = old.bends;
     if (joint.bodies == old.bodies) joint.leaves = old.leaves;
     joint.excess = old.excess;
@@ -178,8 +178,17 @@ void PhysicsJoints::wakeJointed(PhysicsBodies& bodies) const {
 }
 
 std::span<JointConstraint* const> PhysicsJoints::gather(PhysicsBodies& bodies, double seconds) {
+    findActive(bodies, seconds);
+    const std::span<JointConstraint> constraints = m_constraints.gather(bodies);
+    if (constraints.empty()) return m_active;
+    m_solved = m_active;
+    for (JointConstraint& constraint : constraints) m_solved.push_back(&constraint);
+    return m_solved;
+}
+
+void PhysicsJoints::findActive(PhysicsBodies& bodies, double seconds) {
     m_active.clear();
-    if (m_table.empty()) return m_active;
+    if (m_table.empty()) return;
     std::vector<uint32_t> slots;
     for (const uint32_t body : bodies.awake())
         for (const uint32_t joint : m_table.of(body)) slots.push_back(joint);
@@ -210,13 +219,12 @@ std::span<JointConstraint* const> PhysicsJoints::gather(PhysicsBodies& bodies, d
         if (!isValid) continue;
         m_active.push_back(&c);
     }
-    return m_active;
 }
 
 double PhysicsJoints::work() const {
     double sum = 0.0;
     for (const JointConstraint* c : m_active) sum += c->work;
-    return sum;
+    return sum + m_constraints.work();
 }
 
 void PhysicsJoints::findBroken() {

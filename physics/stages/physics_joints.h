@@ -5,6 +5,7 @@
 
 #include "physics/joints/joint_table.h"
 #include "physics/joints/rope.h"
+#include "physics/stages/body_constraints.h"
 #include "physics/stages/physics_bodies.h"
 
 namespace rubble {
@@ -20,12 +21,16 @@ public:
     void create(const World& world, JointHandle handle, PhysicsBodies& bodies);
     /// Takes over the joints that were created, changed or broken, and wakes what they join.
     void apply(const FrameChanges& changes, const World& world, PhysicsBodies& bodies);
+    /// Takes over the constraints of the step that follows, and wakes their bodies.
+    void constrain(const FrameChanges& changes, const World& world, PhysicsBodies& bodies) {
+        m_constraints.set(changes, world, bodies);
+    }
     /// Begins a step: clears what the last one reported.
     void begin();
     /// Wakes whatever is jointed to an awake body.
     void wakeJointed(PhysicsBodies& bodies) const;
-    /// The constraints of awake bodies in a step, in the order of slots; valid until the next call. Bodies must know
-    /// their solver index.
+    /// The joints of awake bodies in a step, in the order of slots, and the constraints of bodies, in that of their
+    /// edits; valid until the next call. Bodies must know their solver index.
     std::span<JointConstraint* const> gather(PhysicsBodies& bodies, double seconds);
     /// Joules that the joints of the last gather() gave their bodies in the solve: see JointConstraint::work.
     double work() const;
@@ -42,13 +47,16 @@ public:
     std::span<const RopeMotion> ropeMotions() const { return m_ropeMotions; }
 
 private:
+    void findActive(PhysicsBodies& bodies, double seconds);
     std::unique_ptr<JointProxy> destroy(uint32_t slot, PhysicsBodies& bodies);
     void recreate(const World& world, JointHandle handle, PhysicsBodies& bodies);
     static RopeStep ropeStep(const JointProxy& rope, PhysicsBodies& bodies, double seconds);
     static void findPath(JointProxy& rope, PhysicsBodies& bodies);
 
     JointTable m_table;
-    std::vector<JointConstraint*> m_active;  ///< of the last gather()
+    BodyConstraints m_constraints;
+    std::vector<JointConstraint*> m_active;  ///< joints of the last gather()
+    std::vector<JointConstraint*> m_solved;  ///< all of the last gather()
     std::vector<JointHandle> m_broken;
     std::vector<RopeMotion> m_ropeMotions;
 };

@@ -17,7 +17,8 @@ constexpr const char* kVertexShader = "passes/particles.vert";
 constexpr const char* kMissing = "particles are not drawn";
 constexpr int kNoiseSize = 128;  ///< texels
 constexpr float kStepSeconds = 1.0f / float(kStepsPerSecond);
-constexpr int kLights = 4;  ///< local lights that light particles: the strongest at the particles' mean position
+constexpr GLuint kAttributes = 5;  ///< of an instance: vectors of four floats
+constexpr int kLights = 4;         ///< local lights that light particles: the strongest at the particles' mean position
 
 /// Tileable value noise of 4 octaves, in [0, 1].
 float puffNoise(int x, int y) {
@@ -64,7 +65,7 @@ ParticlesPass::ParticlesPass(ShaderLibrary& shaders)
       m_noise(GL_RGBA8, glm::ivec2(kNoiseSize), Filter::Linear, Wrap::Repeat) {
     m_noise.upload(makePuffTexture().data());
     glBindVertexArray(m_vertexArray.get());
-    for (GLuint i = 0; i < 4; ++i) {
+    for (GLuint i = 0; i < kAttributes; ++i) {
         glEnableVertexAttribArray(i);
         glVertexAttribDivisor(i, 1);
     }
@@ -90,7 +91,8 @@ void ParticlesPass::sortInstances(const FrameContext& frame, float alpha) {
                 glm::vec3(p.position - frame.scene.origin()) - p.velocity * (kStepSeconds * (1.0f - alpha));
             m_instances.push_back({glm::vec4(position, p.radius), glm::vec4(p.color, p.opacity),
                                    glm::vec4(p.velocity, float(p.kind)),
-                                   glm::vec4(p.age, fraction(p.seed, 0), fraction(p.seed, 10), fraction(p.seed, 20))});
+                                   glm::vec4(p.age, fraction(p.seed, 0), fraction(p.seed, 10), fraction(p.seed, 20)),
+                                   glm::vec4(p.turn, p.stretch, 0.0f, 0.0f)});
         }
     }
 }
@@ -126,7 +128,7 @@ void ParticlesPass::drawRange(const FrameContext& frame, const Program& program,
     program.set("uPuffNoise", m_noise);
     program.set("uBlueNoise", frame.blueNoise);
     setLights(frame, program);
-    for (GLuint i = 0; i < 4; ++i)
+    for (GLuint i = 0; i < kAttributes; ++i)
         glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, sizeof(Instance),
                               reinterpret_cast<const void*>(first * sizeof(Instance) + i * sizeof(glm::vec4)));
     glDrawArraysInstanced(GL_TRIANGLES, 0, 6, GLsizei(last - first));

@@ -22,6 +22,7 @@ private:
         glm::vec4 color;   ///< rgb linear, a opacity
         glm::vec4 motion;  ///< xyz velocity, w kind
         glm::vec4 state;   ///< x age as a share of its life, yzw random numbers of its own in [0, 1)
+        glm::vec4 image;   ///< x radians by which it has turned, y seconds of motion by which it is longer
     };
     void sortInstances(const FrameContext& frame, float alpha);
     void setLights(const FrameContext& frame, const Program& program) const;

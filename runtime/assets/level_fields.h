@@ -310,6 +310,16 @@ inline constexpr auto kFields<LevelJoint> = std::tuple{
     Field{"second_shape", elementOf<1>(&LevelJoint::shapeNames)},
     Field{"joint", &LevelJoint::joint},
 };
+template <>
+inline constexpr auto kFields<LevelScript> = std::tuple{
+    Field{"path", &LevelScript::path},
+    Field{"parameters", &LevelScript::parameters},
+};
+template <>
+inline constexpr auto kFields<HostData> = std::tuple{
+    Field{"name", &HostData::name},
+    Field{"bytes", &HostData::bytes},
+};
 using NamedPose = std::pair<std::string, Pose>;
 template <>
 inline constexpr auto kFields<NamedPose> = std::tuple{

@@ -100,6 +100,17 @@ std::vector<uint8_t> waitingToBytes(const WorldState& world, PaletteList& palett
     return bytes;
 }
 
+/// Scripts and what the host keeps, in a chunk of their own: most saves have none.
+std::vector<uint8_t> hostDataToBytes(const WorldState& world, uint64_t& memory) {
+    std::vector<uint8_t> bytes;
+    PaletteList unused;
+    BinaryOutputArchive out(bytes, unused);
+    out.put(world.scripts);
+    out.put(world.hostData);
+    memory = out.memory();
+    return bytes;
+}
+
 /// The generation of the slots that were never used, the same in all maps.
 uint32_t firstGenerationOf(const WorldState& world) {
     return world.bodies.firstGeneration();
@@ -204,6 +215,8 @@ struct Parsed {
     std::vector<Shape*> shapes;
     std::vector<VoxelGrid*> grids;  ///< of all shapes, by the numbers that GRID chunks use
     uint32_t firstGeneration = 1;   ///< of slots that were never used
+    std::vector<LevelScript> scripts;
+    std::vector<HostData> hostData;
     bool haveState = false;
 };
 
@@ -223,6 +236,10 @@ void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, siz
     } else if (kind == "WAIT") {
         BinaryInputArchive(in, out.palettes, world).get(out.waiting);
         in.takeMemory(waitingMemory(out.waiting.size()));
+    } else if (kind == "HOST") {
+        BinaryInputArchive archive(in, out.palettes, world);
+        archive.get(out.scripts);
+        archive.get(out.hostData);
     } else if (kind == "GENS") {
         out.firstGeneration = in.read<uint32_t>();
     } else if (kind == "GRID") {
@@ -300,6 +317,11 @@ std::vector<uint8_t> gameToBytes(const SavedGame& game, uint64_t hash, uint64_t*
         std::memcpy(generation.data(), &first, sizeof first);
         out.add({'G', 'E', 'N', 'S'}, generation);
     }
+    if (!game.world.scripts.empty() || !game.world.hostData.empty()) {
+        uint64_t dataMemory = 0;
+        const std::vector<uint8_t> data = hostDataToBytes(game.world, dataMemory);
+        out.add({'H', 'O', 'S', 'T'}, data, dataMemory);
+    }
     GridChunkWriter grids(out);
     uint32_t shape = 0;
     game.world.shapes.forEach([&](ShapeHandle, const Shape& each) { grids.addGrid(shape++, each.grid); });
@@ -320,6 +342,7 @@ Result<SavedGame> gameFrom(ByteReader& in, const std::string& name, uint8_t worl
     if (!parsed.haveState) in.fail("a SAVE chunk", "none");
     if (in.failed()) return Error{name + ": " + in.error()};
     WorldState& state = parsed.game.world;
+    state.scripts = std::move(parsed.scripts), state.hostData = std::move(parsed.hostData);
     forEachKind([&](auto& map) { map.setFirstGeneration(parsed.firstGeneration); }, state);
     state.pendingSplits.reserve(parsed.waiting.size());
     for (const ShapeHandle shape : parsed.waiting) state.pendingSplits.push_back({shape, {}, {}});

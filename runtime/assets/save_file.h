@@ -18,9 +18,9 @@ struct SavedGame {
 };
 
 /// A saved game in memory: a chunk file (chunk_file.h) with chunks PALT, SAVE (everything but voxels), WAIT (the
-/// shapes that wait for their split, if there are any), GENS (the generation of slots that were never used, if it is
-/// not 1) and GRID, whose content hash is World::hash() after World::resetCaches(). `memory`: gets what reading it
-/// takes (MemoryBudget).
+/// shapes that wait for their split, if there are any), HOST (scripts and what the host keeps), GENS (the generation of
+/// slots that were never used, if it is not 1) and GRID, whose content hash is World::hash() after
+/// World::resetCaches(). `memory`: gets what reading it takes (MemoryBudget).
 std::vector<uint8_t> gameToBytes(const SavedGame& game, uint64_t* memory = nullptr);
 /// The same of a state whose World::hash() is known, and of one that no World can have.
 std::vector<uint8_t> gameToBytes(const SavedGame& game, uint64_t hash, uint64_t* memory);

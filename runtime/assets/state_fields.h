@@ -400,6 +400,17 @@ inline constexpr auto kFields<GrabEdit> = std::tuple{
     Field{"angular_velocity", &GrabEdit::angularVelocity},
 };
 template <>
+inline constexpr auto kFields<BodyConstraint> = std::tuple{
+    Field{"body", &BodyConstraint::body},          Field{"other", &BodyConstraint::other},
+    Field{"position", &BodyConstraint::position},  Field{"direction", &BodyConstraint::direction},
+    Field{"speed", &BodyConstraint::speed},        Field{"turns", &BodyConstraint::turns},
+    Field{"min_force", &BodyConstraint::minForce}, Field{"max_force", &BodyConstraint::maxForce},
+};
+template <>
+inline constexpr auto kFields<ConstrainEdit> = std::tuple{
+    Field{"constraint", &ConstrainEdit::constraint},
+};
+template <>
 inline constexpr auto kFields<ReleaseEdit> = std::tuple{
     Field{"impulse", &ReleaseEdit::impulse},
     Field{"hand", &ReleaseEdit::hand},

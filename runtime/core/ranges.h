@@ -81,16 +81,17 @@ inline constexpr NumberRange kHingeAngle{-3.1416, 3.1416};  ///< rad: limits of 
 inline constexpr NumberRange kConeLimit{0.0, 3.1416};       ///< rad
 inline constexpr NumberRange kAnchorRadius{0.0, 100.0};     ///< m within which the voxel is that holds an end
 inline constexpr NumberRange kRopePoints{2, 256};
-inline constexpr NumberRange kRopeRadius{1e-3, 10.0};    ///< m
-inline constexpr NumberRange kRopeMass{1e-4, 1e6};       ///< kg/m
-inline constexpr NumberRange kWheelSpin{0.0, 1e4};       ///< rad/s
-inline constexpr NumberRange kSteerAngle{0.0, 1.5};      ///< rad to each side, of a wheel's settings
-inline constexpr NumberRange kSteer{-3.0, 3.0};          ///< rad, of a wheel
-inline constexpr NumberRange kSteerRate{0.0, 100.0};     ///< rad/s
-inline constexpr NumberRange kGrabHertz{0.1, 60.0};      ///< of the spring that pulls
-inline constexpr NumberRange kHand{0, 4'294'967'294.0};  ///< a joint stores it plus one
-inline constexpr NumberRange kPedal{0.0, 1.0};           ///< brake
-inline constexpr NumberRange kLever{-1.0, 1.0};          ///< throttle and steering of a vehicle
+inline constexpr NumberRange kRopeRadius{1e-3, 10.0};      ///< m
+inline constexpr NumberRange kRopeMass{1e-4, 1e6};         ///< kg/m
+inline constexpr NumberRange kWheelSpin{0.0, 1e4};         ///< rad/s
+inline constexpr NumberRange kSteerAngle{0.0, 1.5};        ///< rad to each side, of a wheel's settings
+inline constexpr NumberRange kSteer{-3.0, 3.0};            ///< rad, of a wheel
+inline constexpr NumberRange kSteerRate{0.0, 100.0};       ///< rad/s
+inline constexpr NumberRange kGrabHertz{0.1, 60.0};        ///< of the spring that pulls
+inline constexpr NumberRange kConstraintForce{-1e9, 1e9};  ///< N and N m, of a constraint of bodies
+inline constexpr NumberRange kHand{0, 4'294'967'294.0};    ///< a joint stores it plus one
+inline constexpr NumberRange kPedal{0.0, 1.0};             ///< brake
+inline constexpr NumberRange kLever{-1.0, 1.0};            ///< throttle and steering of a vehicle
 
 // Edits
 inline constexpr NumberRange kBrushRadius{0.0, 100.0};   ///< m; of a host above 0.001, or 0 for none

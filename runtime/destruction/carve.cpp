@@ -76,14 +76,13 @@ void findCells(const BrickNode& node, glm::ivec3 position, const CellBox& range,
     });
 }
 
-}  // namespace
-
-void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials,
-           CarveResult& out, Tool tool) {
+/// Calls f(node, cells) for each node of which the brush removes voxels.
+template <class F>
+void forEachCarvedNode(const VoxelGrid& grid, const Brush& brush, const Palette& palette,
+                       const MaterialTable& materials, Tool tool, F&& f) {
     const CellBox range = brushBricks(brush, grid.sizeInBricks());
     if (range.empty()) return;
     const EntryClasses classes = entryClasses(palette, materials, tool);
-    const Densities densities(palette, materials);
     const glm::ivec3 first = nodeOfBrick(range.low), last = nodeOfBrick(range.high - 1);
     std::vector<BrickSubset> cells;
     for (glm::ivec3 node = first; node.z <= last.z; ++node.z)
@@ -93,8 +92,29 @@ void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const Ma
                 if (!content) continue;
                 cells.clear();
                 findCells(*content, node, range, brush, classes, cells);
-                if (!cells.empty()) removeFromNode(grid, node, cells, densities, out);
+                if (!cells.empty()) f(node, cells);
             }
+}
+
+}  // namespace
+
+void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials,
+           CarveResult& out, Tool tool) {
+    const Densities densities(palette, materials);
+    forEachCarvedNode(grid, brush, palette, materials, tool,
+                      [&](glm::ivec3 node, const std::vector<BrickSubset>& cells) {
+                          removeFromNode(grid, node, cells, densities, out);
+                      });
+}
+
+uint64_t countCarved(const VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials,
+                     Tool tool) {
+    uint64_t voxels = 0;
+    forEachCarvedNode(grid, brush, palette, materials, tool, [&](glm::ivec3, const std::vector<BrickSubset>& cells) {
+        for (const BrickSubset& subset : cells)
+            for (const uint64_t layer : subset.voxels) voxels += uint64_t(std::popcount(layer));
+    });
+    return voxels;
 }
 
 void removeCells(VoxelGrid& grid, const BrickSubset& cells, const Densities& densities, CarveResult& out) {

@@ -32,6 +32,10 @@ struct CarveResult {
 void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials,
            CarveResult& out, Tool tool = Tool::Any);
 
+/// How many voxels carve() would remove.
+uint64_t countCarved(const VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials,
+                     Tool tool = Tool::Any);
+
 /// Removes exactly these voxels, of any material. Adds to `out`.
 void removeCells(VoxelGrid& grid, const BrickSubset& cells, const Densities& densities, CarveResult& out);
 

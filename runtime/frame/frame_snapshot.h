@@ -67,13 +67,15 @@ enum class ParticleKind : uint8_t { Dust, Smoke, Flame, Spark, Crumb, Glint, Emb
 /// A particle at a step, as it is drawn.
 struct SnapshotParticle {
     ParticleKind kind;
-    glm::dvec3 position;  ///< world
-    glm::vec3 velocity;   ///< m/s: gives its position between steps
-    glm::vec3 color;      ///< linear albedo; of sparks: colour of their glow
-    float radius;         ///< metres
-    float opacity;        ///< 0 to 1
-    float age;            ///< share of its life, 0 to 1
-    uint32_t seed;        ///< the same from its first step to its last
+    glm::dvec3 position;   ///< world
+    glm::vec3 velocity;    ///< m/s: gives its position between steps
+    glm::vec3 color;       ///< linear albedo; of sparks: colour of their glow
+    float radius;          ///< metres
+    float opacity;         ///< 0 to 1
+    float age;             ///< share of its life, 0 to 1
+    uint32_t seed;         ///< the same from its first step to its last
+    float turn = 0.0f;     ///< radians by which its image has turned
+    float stretch = 0.0f;  ///< seconds of its motion by which its image is longer along it
 };
 
 /// A rope's points at the previous step and at this one.

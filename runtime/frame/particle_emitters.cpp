@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "runtime/frame/particles.h"
 #include "runtime/world/queries/query.h"
@@ -123,7 +124,7 @@ void Particles::addDust(const DustCloud& cloud, const World& world) {
 
 void Particles::spawn(const ParticleBurst& burst, const World& world) {
     m_floorQuery = glm::dvec3(1e30);  // the world may have changed since the last step
-    const double floor = m_settings.maxAlive ? floorBelow(burst.position, world) : 0.0;
+    const double floor = m_settings.maxAlive && !burst.passes ? floorBelow(burst.position, world) : 0.0;
     for (uint32_t i = 0; i < burst.count && m_alive.size() < m_settings.maxAlive; ++i) {
         Particle p{burst.kind};
         p.position = burst.position + glm::dvec3(anyDirection()) * (burst.radius * double(m_random.unit()));
@@ -134,8 +135,12 @@ void Particles::spawn(const ParticleBurst& burst, const World& world) {
         p.opacity = burst.opacity;
         p.life = burst.life;
         p.glow = burst.glow;
-        p.floor = floor;
+        p.floor = burst.passes ? -std::numeric_limits<double>::infinity() : floor;
         p.seed = m_random.next();
+        p.gravity = burst.gravity;
+        p.drag = burst.drag;
+        p.spin = burst.spin;
+        p.stretch = burst.stretch;
         add(p);
     }
 }

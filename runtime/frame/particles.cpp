@@ -69,7 +69,8 @@ void Particles::move(Particle& p) const {
             (p.velocity - (isSolid(p.kind) ? glm::vec3(0.0f) : m_settings.wind)) * std::min(1.0f, motion.drag * kStep);
         if (motion.eddies > 0.0f) p.velocity += eddy(p.position, p.age + float(p.seed % 64)) * (motion.eddies * kStep);
     }
-    p.velocity.y += (motion.rise - kGravity * motion.weight) * kStep;
+    p.velocity *= 1.0f - std::min(1.0f, p.drag * kStep);
+    p.velocity.y += (motion.rise - kGravity * motion.weight - p.gravity) * kStep;
     p.position += glm::dvec3(p.velocity) * double(kStep);
     const double lowest = p.floor + (isSolid(p.kind) ? double(p.radius) : 0.35 * double(p.radius + p.growth * p.age));
     if (p.position.y >= lowest || p.velocity.y >= 0.0f) return;
@@ -98,7 +99,7 @@ std::vector<SnapshotParticle> Particles::snapshot() const {
         const float share = p.age / p.life, left = presence(p.kind, share);
         const float size = p.radius + p.growth * p.age * (isSolid(p.kind) ? 0.0f : 1.0f / (1.0f + 0.35f * p.age));
         out.push_back({p.kind, p.position, p.velocity, p.color, isSolid(p.kind) ? size * left : size,
-                       isSolid(p.kind) ? p.opacity : p.opacity * left, share, p.seed});
+                       isSolid(p.kind) ? p.opacity : p.opacity * left, share, p.seed, p.spin * p.age, p.stretch});
     }
     return out;
 }

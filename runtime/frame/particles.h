@@ -36,6 +36,11 @@ struct ParticleBurst {
     float opacity = 1.0f;      ///< at its thickest
     float life = 2.0f;         ///< seconds
     float glow = 0.0f;         ///< radiant intensity at birth
+    float gravity = 0.0f;      ///< m/s2 downward, beside what their kind has
+    float drag = 0.0f;         ///< 1/s, beside that of their kind
+    float spin = 0.0f;         ///< rad/s of their image
+    float stretch = 0.0f;      ///< seconds of their motion by which their image is longer along it
+    bool passes = false;       ///< they fall through the ground
 };
 
 /// What breaking and burning throw into the air: dust, crumbs, sparks, glints of glass, flames, embers, smoke. Made
@@ -73,6 +78,8 @@ private:
         float glow = 0.0f;  ///< radiant intensity at birth; it fades with age
         double floor;       ///< height of the ground below it
         uint32_t seed;
+        float gravity = 0.0f, drag = 0.0f;  ///< beside what the kind has: see ParticleBurst
+        float spin = 0.0f, stretch = 0.0f;  ///< the same
     };
     void move(Particle& particle) const;
 

@@ -8,9 +8,9 @@
 namespace rubble::script {
 namespace {
 
-constexpr const char* kNames[kCallbacks] = {"init",       "tick",    "update",      "destroy",
-                                            "onSplit",    "onBreak", "onBodyBreak", "onContact",
-                                            "onLightOut", "onFire",  "onJoint",     "onTrigger"};
+constexpr const char* kNames[kCallbacks] = {"init",    "tick",        "update",    "destroy",    "onSplit",
+                                            "onBreak", "onBodyBreak", "onContact", "onLightOut", "onFire",
+                                            "onJoint", "onTrigger",   "draw",      "onLoad"};
 constexpr size_t kMaxIdle = 4;
 
 double seconds() {
@@ -48,6 +48,28 @@ int compile(lua_State* L) {
     const std::string name = "=" + chunk.name;
     if (luaL_loadbufferx(L, chunk.text.data(), chunk.text.size(), name.c_str(), "t") != LUA_OK) return lua_error(L);
     lua_xmove(L, chunk.thread, 1);
+    return 0;
+}
+
+/// What a text returned, as it is shown.
+struct Answer {
+    lua_State* thread;
+    int results;
+    std::string& text;
+};
+
+int writeAnswer(lua_State* L) {
+    const auto& answer = *static_cast<const Answer*>(lua_touserdata(L, 1));
+    Sandbox::of(L).watch(L);  // tostring() may run the script's own function
+    luaL_checkstack(L, answer.results + 8, nullptr);
+    lua_xmove(answer.thread, L, answer.results);
+    for (int i = 2; i < 2 + answer.results; ++i) {
+        if (lua_isnil(L, i)) continue;
+        if (!answer.text.empty()) answer.text += "\t";
+        pushText(L, i);
+        answer.text += lua_tostring(L, -1);
+        lua_pop(L, 1);
+    }
     return 0;
 }
 
@@ -119,6 +141,7 @@ void Script::settle(lua_State* thread, int reference, const RunResult& result) {
 
 bool Script::load(const std::string& text) {
     std::string answer;
+    m_text = text;
     const bool isGood = evaluate(text, answer);
     if (!isStopped()) findCallbacks();
     return isGood;
@@ -135,17 +158,8 @@ bool Script::evaluate(const std::string& text, std::string& answer) {
     }
     const RunResult result = run(thread, 0);
     if (result.state == RunResult::Done) {
-        const Sandbox::HostAccess access(m_sandbox);
-        for (int i = lua_gettop(thread) - result.results + 1; i <= lua_gettop(thread); ++i)
-            if (lua_type(thread, i) != LUA_TNIL) {
-                if (!answer.empty()) answer += "\t";
-                if (lua_type(thread, i) == LUA_TBOOLEAN)
-                    answer += lua_toboolean(thread, i) ? "true" : "false";
-                else if (const char* value = lua_tostring(thread, i))
-                    answer += value;
-                else
-                    answer += luaL_typename(thread, i);
-            }
+        Answer given{thread, result.results, answer};
+        if (!m_sandbox.prepare(writeAnswer, &given)) report(isStopped() ? m_sandbox.stopReason() : m_sandbox.refusal());
     }
     settle(thread, reference, result);
     return result.state != RunResult::Failed;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,10 @@ enum class Callback : uint8_t {
     Fire,       ///< onFire(shape, pos, lit)
     Joint,      ///< onJoint(joint, what, from, to); what: "voxel gone", "overloaded", "removed", "cut", "moved"
     Trigger,    ///< onTrigger(trigger, body, entered)
+    Draw,       ///< draw(dt), each frame, after tick()
+    Load,       ///< onLoad(), in place of init() after a load and a reload
 };
-inline constexpr size_t kCallbacks = size_t(Callback::Trigger) + 1;
+inline constexpr size_t kCallbacks = size_t(Callback::Load) + 1;
 /// The name of the function.
 const char* nameOf(Callback callback);
 
@@ -64,6 +67,14 @@ public:
     /// Whether anything waits.
     bool isWaiting() const { return !m_waiting.empty() || !m_context.started.empty(); }
 
+    /// What saved() keeps: the text of each table by its name.
+    std::map<std::string, std::string> savedTables();
+    /// The text that load() was given.
+    const std::string& text() const { return m_text; }
+    /// Whether the level names it, so that it ends with the level.
+    bool isOfLevel() const { return m_isOfLevel; }
+    /// Says so.
+    void setOfLevel() { m_isOfLevel = true; }
     /// As the constructor was given it.
     const std::string& name() const { return m_context.name; }
     /// What its functions work on: parameters, calls of each function.
@@ -109,6 +120,8 @@ private:
     int m_reference = 0;                             ///< of the thread that begin() has taken
     double m_startedAt = 0.0;
     uint64_t m_allocationsBefore = 0;
+    std::string m_text;
+    bool m_isOfLevel = false;
     std::string m_error;
     uint64_t m_repeats = 0;  ///< of the same error
 };

@@ -37,12 +37,18 @@ Script& ScriptHost::add(const std::string& name, const std::string& text,
                         std::map<std::string, std::string> parameters) {
     Script& script = m_scripts.emplace_back(m_shared, name, m_settings.limits);
     script.context().parameters = std::move(parameters);
+    begin(script, text, false);
+    return script;
+}
+
+void ScriptHost::begin(Script& script, const std::string& text, bool isAgain) {
+    if (m_settings.measuresFunctions) script.context().costs.resize(script.context().calls.size());
     if (script.load(text)) {
-        script.call(Callback::Init, [](lua_State*) { return 0; });
+        const bool isLoaded = isAgain && script.has(Callback::Load);
+        script.call(isLoaded ? Callback::Load : Callback::Init, [](lua_State*) { return 0; });
         if (!script.isStopped()) script.findCallbacks();
     }
     setReports();
-    return script;
 }
 
 bool ScriptHost::anyHas(Callback callback) const {
@@ -61,7 +67,7 @@ void ScriptHost::setReports() {
 }
 
 void ScriptHost::callAll(Callback callback, double dt) {
-    const bool givesTime = callback == Callback::Tick || callback == Callback::Update;
+    const bool givesTime = callback == Callback::Tick || callback == Callback::Update || callback == Callback::Draw;
     m_shared.timeStep = dt;
     for (Script& script : m_scripts)
         script.call(callback, [&](lua_State* L) {
@@ -75,8 +81,22 @@ void ScriptHost::tick(double dt) {
     callAll(Callback::Tick, dt);
 }
 
+/// Shapes that a script has resized and not drawn in are as empty as it left them.
+void ScriptHost::removePlaceholders() {
+    for (const auto& [shape, grid] : m_shared.grids) {
+        if (!grid.placeholder) continue;
+        auto box = sized<rubble_voxel_box>();
+        const uint8_t none = 0;
+        box.shape = shape;
+        std::copy_n(grid.placeholder->data(), 3, box.low);
+        std::fill_n(box.size, 3, 1);
+        m_shared.api->write_voxels(m_shared.world, &box, &none, 1);
+    }
+}
+
 rubble_result ScriptHost::step() {
     callAll(Callback::Update, kStep);
+    if (!m_shared.grids.empty()) removePlaceholders();
     const rubble_result result = m_shared.api->step(m_shared.world);
     if (result != RUBBLE_OK) return result;
     ++m_shared.step;
@@ -87,6 +107,7 @@ rubble_result ScriptHost::step() {
     readEvents();
     for (Script& script : m_scripts)
         if (script.isWaiting()) script.resumeWaiting();
+    if (std::exchange(m_shared.mayHaveScripts, false)) addLevelScripts({});
     return result;
 }
 

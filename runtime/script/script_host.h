@@ -16,6 +16,7 @@ struct ScriptHostSettings {
     SandboxLimits limits;  ///< of each script
     /// The folder of which scripts may read files, by Spawn(); empty: none.
     std::string folder;
+    bool measuresFunctions = false;  ///< ScriptContext::costs: time and allocations of each function that scripts call
     /// Reports that the host wants beside those of the scripts: scripts set the filter of the world.
     rubble_report_filter reports = {};
     /// Functions of the host, which are globals of all scripts, and what they find in ScriptWorld::host. They outlive it.
@@ -50,10 +51,28 @@ public:
     /// is what GetIntParam() and its like read.
     Script& add(const std::string& name, const std::string& text, std::map<std::string, std::string> parameters = {});
 
+    /// Runs the scripts that the level names, which lie in the scripts' folder: after load_level(). Those of prefabs
+    /// that Spawn() places begin by themselves. One that cannot be read is logged.
+    void addLevelScripts() { addLevelScripts({}); }
+    /// Keeps the registry and the tables of saved() with the game: before save_game().
+    rubble_result save();
+    /// After load_game(): gives the registry and the tables of saved() back, and runs all scripts again, those of the
+    /// loaded game's level among them: their text, then onLoad(), or init() where there is no such function.
+    void load();
+    /// Gives a script another text, as after a change of its file: it begins again as after load(), and keeps the
+    /// tables of saved(). A text that does not compile changes nothing. False: that, or it has failed, or there is none
+    /// such.
+    bool reload(const std::string& name, const std::string& text);
+
     /// Calls tick(dt) of all scripts: once a frame.
     void tick(double dt);
     /// Calls update(1/60 s), steps the world, and tells scripts what happened. The result is that of step().
     rubble_result step();
+
+    /// Calls draw(dt) of all scripts after tick(), for a view that is drawn next, and gives what they have drawn, the
+    /// lines of DebugLine() and the values of DebugWatch() to its renderer. [render-thread, which is the main thread
+    /// here] renderer 0: what is drawn only stands in shared().ui.items. Where no script draws, nothing is given.
+    rubble_result draw(rubble_renderer renderer, const rubble_view& view, double dt);
 
     /// How many seconds of the world a second of the host shall be, as SetTimeScale() says.
     double timeScale() const { return m_shared.timeScale; }
@@ -65,6 +84,15 @@ public:
     std::list<Script>& scripts() { return m_scripts; }
 
 private:
+    /// By script and name of saved().
+    using SavedTables = std::map<std::string, std::map<std::string, std::string>>;
+    void addLevelScripts(SavedTables restored);
+    void addLevelScript(const std::string& path, const std::string& parameters, SavedTables& restored);
+    std::list<Script>::iterator restart(std::list<Script>::iterator old, const std::string& text,
+                                        std::map<std::string, std::string> restored);
+    void begin(Script& script, const std::string& text, bool isAgain);
+    void forgetWorld();
+    void removePlaceholders();
     void callAll(Callback callback, double dt);
     bool anyHas(Callback callback) const;
     void setReports();
@@ -73,11 +101,16 @@ private:
     void tellReports();
     void tellTriggers();
     void dropPointLights();
+    void beginDrawing(const rubble_view& view);
+    void addDebugItems();
+    rubble_result show(rubble_renderer renderer);
 
     ScriptHostSettings m_settings;
     ScriptWorld m_shared;
     std::list<Script> m_scripts;
-    uint32_t m_reports = 0;  ///< kinds that the world lists for the scripts
+    uint32_t m_levelScripts = 0;  ///< of those that the world names, how many have begun
+    bool m_hasDrawn = false;      ///< the renderer has an overlay
+    uint32_t m_reports = 0;       ///< kinds that the world lists for the scripts
 };
 
 }  // namespace rubble::script

@@ -41,6 +41,15 @@ void World::load(const Level& level) {
     loadLevel(m_data, level);
 }
 
+void World::setHostData(const std::string& name, std::string bytes) {
+    std::erase_if(m_data.hostData, [&](const HostData& each) { return each.name == name; });
+    if (!bytes.empty()) m_data.hostData.push_back({name, std::move(bytes)});
+}
+
+void World::addScript(LevelScript script) {
+    m_data.scripts.push_back(std::move(script));
+}
+
 void World::setState(WorldState state) {
     m_undo.clear();
     m_data.clear();

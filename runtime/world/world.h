@@ -70,6 +70,10 @@ public:
 
     /// State and indexes, to read.
     const WorldData& data() const { return m_data; }
+    /// Keeps bytes under a name with the game; none: forgets them. Nothing in the world follows from them.
+    void setHostData(const std::string& name, std::string bytes);
+    /// Adds a script, as of a prefab, to those of the level.
+    void addScript(LevelScript script);
     /// The number that all handles of this world carry.
     uint8_t id() const { return m_data.id; }
     /// Steps done since the level was loaded.

@@ -81,9 +81,9 @@ assert(TransformToLocalPoint(Transform({1, 1, 1}), {1, 2, 3}) == Vec(0, 1, 2))
 --- MakeHole
 local wall = FindShape("wall")
 local before = GetShapeVoxelCount(wall)
-MakeHole({0, 1.5, 0.15}, 0.5, 0.5) -- brick is of medium hardness
+local removed = MakeHole({0, 1.5, 0.15}, 0.5, 0.5) -- brick is of medium hardness
 wait(0.1)
-assert(GetShapeVoxelCount(wall) < before)
+assert(removed > 0 and GetShapeVoxelCount(wall) <= before - removed)
 --- Explosion
 Explosion({0, 0.4, -0.5}, 1.5)
 wait(0.1)
@@ -152,6 +152,13 @@ assert(#FindJoints() == 2)
 assert(FindTrigger("gate") ~= 0)
 --- FindTriggers
 assert(#FindTriggers("gate") == 1)
+--- FindLocation
+local place = FindLocation("spawn")  -- 0: the level has no such place, as this yard
+if place ~= 0 then SetBodyTransform(FindBody("crate"), GetLocationTransform(place)) end
+--- FindLocations
+for _, place in ipairs(FindLocations("lamp")) do PointLight(GetLocationTransform(place).pos, 1, 1, 1, 10) end
+--- GetLocationTransform
+assert(not pcall(GetLocationTransform, 5))  -- this yard has no places
 --- SetTag
 SetTag(FindBody("crate"), "owner", "me")
 wait(0.1)
@@ -228,6 +235,37 @@ assert(not IsBodyBroken(crate))
 MakeHole({0, 0.4, -2}, 0.2)
 wait(0.1)
 assert(IsBodyBroken(crate))
+--- ConstrainPosition
+local crate = FindBody("crate")
+local target = GetBodyTransform(crate).pos + Vec(0, 1, 0)
+for i = 1, 60 do
+    ConstrainPosition(crate, 0, GetBodyTransform(crate).pos, target, 3)
+    wait(0)
+end
+assert(VecLength(GetBodyTransform(crate).pos - target) < 0.1)  -- it hangs in the air
+--- ConstrainOrientation
+local crate = FindBody("crate")
+ApplyBodyImpulse(crate, GetBodyTransform(crate).pos, {0, 1000, 0})
+for i = 1, 30 do
+    ConstrainOrientation(crate, 0, GetBodyTransform(crate).rot, QuatEuler(0, 45, 0), 5)
+    wait(0)
+end
+local x, y, z = GetQuatEuler(GetBodyTransform(crate).rot)
+assert(math.abs(y - 45) < 5)
+--- ConstrainVelocity
+local crate = FindBody("crate")
+for i = 1, 10 do
+    ConstrainVelocity(crate, 0, GetBodyTransform(crate).pos, {0, 1, 0}, 2)
+    wait(0)
+end
+assert(GetBodyTransform(crate).pos.y > 0.2)  -- raised at 2 m/s
+--- ConstrainAngularVelocity
+local crate = FindBody("crate")
+for i = 1, 10 do
+    ConstrainAngularVelocity(crate, 0, {0, 1, 0}, 3)
+    wait(0)
+end
+assert(math.abs(GetBodyAngularVelocity(crate).y - 3) < 0.2)
 --- ApplyBodyImpulse
 local crate = FindBody("crate")
 ApplyBodyImpulse(crate, {0, 0.4, -2}, {2000, 0, 0})
@@ -396,6 +434,11 @@ SetJointMotorTarget(FindJoint("hinge"), 0.5, 1, 5000)
 wait(1)
 local x, y = GetQuatEuler(GetBodyTransform(FindBody("door")).rot)
 assert(math.abs(math.abs(y) - math.deg(0.5)) < 3)
+--- GetJointLimits
+local least, most = GetJointLimits(FindJoint("hinge"))
+assert(least <= most)
+--- GetJointMovement
+assert(math.abs(GetJointMovement(FindJoint("hinge"))) < 0.1)  -- the door is as it was built
 --- DetachJointFromShape
 local weight = FindShape("weight")
 DetachJointFromShape(FindJoint("rope"), weight)
@@ -460,6 +503,16 @@ ParticleRadius(0.1, 0.5)
 ParticleAlpha(0.5)
 --- ParticleEmissive
 ParticleEmissive(5)
+--- ParticleGravity
+ParticleGravity(-10)  -- falls
+--- ParticleDrag
+ParticleDrag(2)
+--- ParticleRotation
+ParticleRotation(3)
+--- ParticleStretch
+ParticleStretch(0.1)
+--- ParticleCollide
+ParticleCollide(0)  -- goes through walls
 --- SpawnParticle
 for i = 1, 10 do SpawnParticle({0, 2, 0}, {math.random(), 2, math.random()}, 1) end
 
@@ -501,6 +554,124 @@ end, 0.2)
 wait(0.5)
 assert(done)
 
+--- UiPush
+UiPush()
+UiTranslate(100, 100)
+UiText("here")
+UiPop()
+UiText("where it was before")
+--- UiPop
+UiPush()
+UiFont("bold.ttf", 60)
+UiPop()
+local width, height = UiGetTextSize("as before")
+assert(height < 40)
+--- UiTranslate
+UiTranslate(UiCenter(), UiMiddle())
+UiAlign("center middle")
+UiText("in the middle")
+--- UiRotate
+UiTranslate(200, 200)
+UiRotate(90)
+UiText("upwards")
+--- UiScale
+UiScale(2)
+UiText("twice as large")
+--- UiWindow
+UiTranslate(100, 100)
+UiWindow(300, 200, true)
+assert(UiWidth() == 300 and UiCenter() == 150)
+UiRect(1000, 10)  -- 300 units of it are seen
+--- UiAlign
+UiTranslate(UiWidth(), 0)
+UiAlign("right top")
+UiText("in the right upper corner")
+--- UiColor
+UiColor(1, 0.5, 0)
+UiRect(100, 20)
+UiColor(1, 1, 1, 0.5)
+UiRect(100, 20)
+--- UiColorFilter
+UiColorFilter(1, 1, 1, 0.5)  -- all at half opacity
+UiColor(1, 0, 0)
+UiRect(100, 20)
+--- UiFont
+UiFont("bold.ttf", 48)
+local bold = UiGetTextSize("wide")
+UiFont("regular.ttf", 48)
+assert(bold > UiGetTextSize("wide"))
+--- UiFontHeight
+UiFont("regular.ttf", 50)
+assert(UiFontHeight() > 50 and UiFontHeight() < 70)
+--- UiTextOutline
+UiTextOutline(0, 0, 0, 1, 0.1)
+UiText("seen on any ground")
+--- UiTextShadow
+UiTextShadow(0, 0, 0, 0.8, 2, 0.2)
+UiText("above the ground")
+--- UiWordWrap
+UiWordWrap(200)
+local width, height = UiText("A long text, of which no line is wider than it should be.")
+assert(width <= 200 and height > 2 * UiFontHeight())
+--- UiWidth
+assert(UiWidth() > UiHeight())
+--- UiHeight
+assert(UiHeight() == 1080)  -- of each screen
+--- UiCenter
+assert(UiCenter() == UiWidth() / 2)
+--- UiMiddle
+assert(UiMiddle() == 540)
+--- UiWorld
+UiPush()
+UiWorld(Transform(Vec(-1, 3, 0), QuatEuler(0, 30, 0)), 0.01)
+UiFont("bold.ttf", 40)
+UiText("a sign, 40 cm high")
+UiPop()
+--- UiText
+local width, height = UiText("Größe: 12 m", true)
+UiText("a line below")
+assert(width > height)
+--- UiGetTextSize
+local width, height = UiGetTextSize("text")
+UiRect(width, height)
+--- UiRect
+UiTranslate(10, 10)
+UiRect(200, 30)
+--- UiRectOutline
+UiRectOutline(200, 30, 2)
+--- UiRoundedRect
+UiRoundedRect(200, 30, 8)
+--- UiCircle
+UiTranslate(UiCenter(), UiMiddle())
+UiAlign("center middle")
+UiCircle(3)
+--- UiCircleOutline
+UiAlign("center middle")
+UiCircleOutline(20, 2)
+--- UiLine
+UiLine(100, 50, 3)
+--- UiImage
+local width, height = UiImage("picture.png")
+assert(width == 16 and height == 8)
+UiImage("picture.png", 0, 0, 8, 8)  -- its left half
+--- UiGetImageSize
+assert(UiGetImageSize("picture.png") == 16)
+--- UiImageBox
+UiImageBox("picture.png", 300, 100, 4, 4)
+--- UiWorldToPixel
+local x, y, depth = UiWorldToPixel(GetCameraTransform() * Vec(0, 0, -5))
+assert(math.abs(depth - 5) < 1e-6 and math.abs(x - UiCenter()) < 1e-3)
+--- GetCameraTransform
+local eye = GetCameraTransform()
+local hit, dist = QueryRaycast(eye.pos, eye.rot * Vec(0, 0, -1), 100)
+--- DrawLine
+DrawLine(Vec(0, 0, 0), Vec(0, 3, 0), 1, 0, 0)
+--- require
+local tools = require("tools")  -- tools.lua, which returns a table
+assert(tools.double(4) == 8 and require("tools") == tools)
+--- saved
+local progress = saved("progress", {broken = 0, spawn = Vec(0, 1, 0)})
+progress.broken = progress.broken + 1  -- a save keeps it
 --- SetInt
 SetInt("game.score", 5)
 assert(GetInt("game.score") == 5)

@@ -6,8 +6,11 @@
 #include <fstream>
 #include <iostream>
 #include <sstream>
+#include <thread>
 
+#include "runtime/script/functions/vocabulary.h"
 #include "runtime/script/script_host.h"
+#include "samples/lua/picture.h"
 #include "samples/lua/reference.h"
 #include "samples/lua/yard.h"
 
@@ -21,10 +24,11 @@ using rubble::script::Script;
 using rubble::script::ScriptHost;
 
 struct Options {
-    std::string script, level, vdbTool, reference;
+    std::string script, level, vdbTool, reference, image;
     std::vector<std::string> evaluated, parameters;
+    std::vector<double> camera;
     int steps = 600;
-    bool prints = false;
+    bool prints = false, watches = false;
 };
 
 std::string readFile(const std::string& path) {
@@ -42,6 +46,7 @@ int readLines(ScriptHost& host) {
         script.evaluate(isExpression ? "return " + line : line, answer);
         if (!answer.empty()) fmt::print("{}\n", answer);
         if (script.isStopped()) return 1;
+        script.findCallbacks();  // a line may have defined tick()
         host.tick(1.0 / 60.0);
         host.step();
     }
@@ -61,6 +66,19 @@ int evaluate(ScriptHost& host, const Options& options) {
     return script.error().empty() ? 0 : 1;
 }
 
+void printFunctions(const Script& script) {
+    size_t index = 0;
+    for (const rubble::script::Subject& subject : rubble::script::vocabulary())
+        for (const rubble::script::ScriptFunction& function : subject.functions) {
+            const uint64_t calls = script.context().calls[index];
+            const rubble::script::FunctionCost& cost = script.context().costs[index++];
+            if (calls)
+                fmt::print("{:<20} {:<24} {:>7} calls  {:>9.2f} us  {:>7.1f} allocations\n", script.name(),
+                           function.name(), calls, 1e6 * cost.seconds / double(calls),
+                           double(cost.allocations) / double(calls));
+        }
+}
+
 void printProfile(const ScriptHost& host) {
     for (const Script& script : host.scripts())
         for (size_t i = 0; i < kCallbacks; ++i) {
@@ -71,21 +89,55 @@ void printProfile(const ScriptHost& host) {
                        script.name(), nameOf(Callback(i)), profile.calls, 1e6 * profile.seconds / calls,
                        double(profile.allocations) / calls, double(profile.work) / calls);
         }
+    for (const Script& script : host.scripts()) printFunctions(script);
 }
 
-int play(ScriptHost& host, const Options& options) {
+/// Gives a script its file's text again when that has changed.
+class FileWatch {
+public:
+    explicit FileWatch(std::string path) : m_path(std::move(path)), m_changed(timeOf()) {}
+    void look(ScriptHost& host) {
+        const fs::file_time_type now = timeOf();
+        if (now == m_changed) return;
+        m_changed = now;
+        const std::string name = fs::path(m_path).filename().string();
+        if (host.reload(name, readFile(m_path))) fmt::print("{}: reloaded\n", name);
+    }
+
+private:
+    fs::file_time_type timeOf() const {
+        std::error_code missing;
+        return fs::last_write_time(m_path, missing);
+    }
+    std::string m_path;
+    fs::file_time_type m_changed;
+};
+
+int play(ScriptHost& host, Picture* picture, rubble_world world, const Options& options) {
     std::map<std::string, std::string> parameters;
     for (const std::string& each : options.parameters)
         parameters[each.substr(0, each.find('='))] =
             each.find('=') == each.npos ? "1" : each.substr(each.find('=') + 1);
-    const Script& script = host.add(fs::path(options.script).filename().string(), readFile(options.script), parameters);
+    if (!options.script.empty())
+        host.add(fs::path(options.script).filename().string(), readFile(options.script), parameters);
+    const auto isGood = [&] {
+        return std::all_of(host.scripts().begin(), host.scripts().end(),
+                           [](auto& each) { return each.error().empty(); });
+    };
     double due = 0.0;
-    for (int i = 0; i < options.steps && !script.isStopped(); ++i) {
+    FileWatch watch(options.script);
+    for (int i = 0; i < options.steps && !(host.scripts().front().isStopped() && host.scripts().size() == 1); ++i) {
         host.tick(1.0 / 60.0);
+        if (picture) host.draw(0, picture->view(), 1.0 / 60.0);
         for (due += host.timeScale(); due >= 1.0; due -= 1.0) host.step();
+        if (!options.watches) continue;
+        watch.look(host);
+        std::this_thread::sleep_for(std::chrono::milliseconds(16));
     }
     if (options.prints) printProfile(host);
-    return script.error().empty() ? 0 : 1;
+    const std::string error = picture ? picture->write(host, world, options.image) : "";
+    if (!error.empty()) fmt::print(stderr, "lua: {}\n", error);
+    return error.empty() && isGood() ? 0 : 1;
 }
 
 int writeReference(const Options& options) {
@@ -101,7 +153,13 @@ int run(const Options& options) {
     rubble_world world = 0;
     rubble_world_settings settings = {.struct_size = sizeof settings, .flags = RUBBLE_WORLD_NO_RENDERER};
     std::string error;
+    Picture picture;
+    Picture::Camera camera;
+    if (options.camera.size() == 6)
+        std::copy_n(options.camera.data(), 3, camera.eye), std::copy_n(options.camera.data() + 3, 3, camera.target);
+    if (!options.image.empty()) settings.flags = RUBBLE_WORLD_WAIT_FOR_SHADOW;
     if (rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK) error = "this library is of another version";
+    if (error.empty() && !options.image.empty()) error = picture.open(*api, 1280, 720, camera);
     if (error.empty() && api->create_world(&settings, &world) != RUBBLE_OK) error = api->get_last_error();
     if (error.empty() && options.level.empty()) error = buildYard(*api, world);
     if (error.empty() && !options.level.empty() &&
@@ -114,13 +172,18 @@ int run(const Options& options) {
     int result = 0;
     {
         rubble::script::ScriptHostSettings given;
-        given.folder = options.script.empty() ? "." : fs::absolute(options.script).parent_path().string();
+        const std::string& beside = options.script.empty() ? options.level : options.script;
+        given.folder = beside.empty() ? "." : fs::absolute(beside).parent_path().string();
+        given.measuresFunctions = options.prints;
         given.log = [](int level, const std::string& line) { fmt::print(level ? stderr : stdout, "{}\n", line); };
         ScriptHost host(*api, world, given);
+        host.addLevelScripts();
         if (!options.evaluated.empty())
             result = evaluate(host, options);
+        else if (options.script.empty() && host.scripts().empty())
+            result = readLines(host);
         else
-            result = options.script.empty() ? readLines(host) : play(host, options);
+            result = play(host, options.image.empty() ? nullptr : &picture, world, options);
     }
     api->destroy_world(world);
     return result;
@@ -138,7 +201,10 @@ int main(int argc, char** argv) {
     app.add_option("--steps", options.steps, "how long, in steps of 1/60 s");
     app.add_option("--eval", options.evaluated, "runs this text instead, and prints what it gives");
     app.add_option("--param", options.parameters, "NAME=VALUE, for GetIntParam() and its like");
-    app.add_flag("--profile", options.prints, "prints what each callback has cost");
+    app.add_flag("--profile", options.prints, "prints what each callback and each function have cost");
+    app.add_flag("--watch", options.watches, "in real time; the script begins again when its file changes");
+    app.add_option("--image", options.image, "writes the last frame, with what scripts draw, as PNG");
+    app.add_option("--camera", options.camera, "x y z of the camera, and of what it looks at, in metres")->expected(6);
     app.add_option("--reference", options.reference, "writes the pages of docs/scripting into this folder");
     CLI11_PARSE(app, argc, argv);
     return lua_sample::run(options);

@@ -15,6 +15,10 @@ constexpr const char* kNote =
 std::string pageOf(const Subject& subject, const std::map<std::string, std::string>& examples) {
     std::string page = std::string(kNote) + "# " + std::string(subject.title) + "\n\n";
     page += "All functions are in the [index](README.md). The examples run in the yard of `samples/lua/yard.h`.\n";
+    if (subject.name.starts_with("ui"))
+        page +=
+            "\n![What samples/lua/drawing.lua draws: texts, shapes and a clipped window, each beside its function]"
+            "(drawing.jpg)\n";
     for (const ScriptFunction& function : subject.functions) {
         const std::string name = function.name();
         page += "\n## " + name + "\n\n`" + function.signature + "`\n\n" + function.meaning + "\n";

@@ -114,6 +114,37 @@ EXAMPLE(grab_body) {
     steps(1);
 }
 
+EXAMPLE(constrain_bodies) {
+    rubble_body_constraint lift = {.struct_size = sizeof lift, .body = crate, .direction = {0, 1, 0}, .speed = 1};
+    lift.position[1] = 0.4, lift.position[2] = -1.6, lift.max_force = 20000;
+    for (int i = 0; i < 60; ++i) { /* each holds for one step */
+        lift.position[1] = state_of(crate).position[1] + 0.4;
+        OK(api->constrain_bodies(world, &lift));
+        steps(1);
+    }
+    require(state_of(crate).position[1] > 0.9, "it went up by a metre in a second");
+    lift.kind = RUBBLE_CONSTRAINT_ANGULAR_VELOCITY, lift.speed = 3;
+    OK(api->constrain_bodies(world, &lift));
+    steps(1);
+    require(state_of(crate).angular_velocity[1] > 2.9, "and turns while it falls");
+}
+
+EXAMPLE(get_joint_properties) {
+    rubble_joint_settings rail = {.struct_size = sizeof rail, .kind = RUBBLE_JOINT_PRISMATIC, .shapes = {0, crate_box}};
+    rubble_joint_properties now = {.struct_size = sizeof now};
+    rubble_joint_state row;
+    rubble_joint joint;
+    rail.position[1] = 0.4, rail.position[2] = -1.6; /* along x */
+    rail.flags = RUBBLE_JOINT_LIMITED, rail.lower_limit = -0.5, rail.upper_limit = 0.5;
+    rail.motor = RUBBLE_MOTOR_SPEED, rail.motor_target = 1, rail.motor_max_force = 20000;
+    OK(api->create_joint(world, &rail, &joint));
+    steps(15);
+    OK(api->get_joint_properties(world, joint, &now));
+    require(now.movement > 0.15 && now.movement < 0.3 && now.upper_limit == 0.5, "it is on its way to its end");
+    OK(api->get_joint_state(world, joint, &row));
+    require(row.shapes[1] == crate_box, "the shapes that it joins");
+}
+
 EXAMPLE(get_rope_points) {
     rubble_joint_settings rope = {.struct_size = sizeof rope, .kind = RUBBLE_JOINT_ROPE, .shapes = {crate_box, wall}};
     double points[3 * 64]; /* x, y, z of each */

@@ -9,6 +9,15 @@ EXAMPLE(carve) {
     require(voxels_gone() > 0, "a hole in the wall");
 }
 
+EXAMPLE(count_carve) {
+    rubble_carve hole = {.struct_size = sizeof hole, .position = {0, 1.5, 0.15}, .radii = {0.4, 0.4, 0.4}};
+    uint64_t voxels;
+    OK(api->count_carve(world, &hole, &voxels)); /* before it is done */
+    OK(api->carve(world, &hole));
+    steps(1);
+    require(voxels > 0 && voxels == voxels_gone(), "as many as the step removes");
+}
+
 EXAMPLE(break_voxels) {
     rubble_break hit = {.struct_size = sizeof hit, .position = {0, 1.5, 0}, .radii = {0.6, 0.6, 0.6}};
     rubble_events events = {.struct_size = sizeof events};

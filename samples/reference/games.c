@@ -28,6 +28,28 @@ EXAMPLE(save_game) {
     require(saved == loaded, "the world as it was");
 }
 
+EXAMPLE(get_locations) {
+    rubble_location places[8];
+    rubble_level_script scripts[8];
+    uint32_t count;
+    OK(api->get_locations(world, places, 8, &count));
+    require(count == 0, "this level names no place");
+    OK(api->get_level_scripts(world, scripts, 8, &count)); /* for the host, who runs them */
+    require(count == 0, "and no script");
+}
+
+EXAMPLE(set_host_data) {
+    const uint8_t score[2] = {7, 1};
+    uint8_t read[2];
+    uint64_t size;
+    OK(api->set_host_data(world, "score", score, 2)); /* kept by saves */
+    OK(api->save_game(world, "slot2.rubble"));
+    OK(api->set_host_data(world, "score", NULL, 0)); /* forgotten */
+    OK(api->load_game(world, "slot2.rubble"));
+    OK(api->get_host_data(world, "score", read, 2, &size));
+    require(size == 2 && read[0] == 7, "the score of that time");
+}
+
 EXAMPLE(save_game_data) {
     uint64_t size;
     OK(api->save_game_data(world, NULL, 0, &size)); /* how many bytes it takes */

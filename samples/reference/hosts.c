@@ -112,6 +112,31 @@ EXAMPLE(create_renderer) {
     OK(api->destroy_renderer(renderer));
 }
 
+EXAMPLE(set_overlay) {
+    rubble_renderer_settings settings = {.struct_size = sizeof settings, .flags = RUBBLE_RENDERER_COMPILE_LATE};
+    rubble_view view = {.struct_size = sizeof view, .framebuffer = framebuffer, .width = 64, .height = 36};
+    const uint8_t red[4] = {255, 0, 0, 255};
+    rubble_overlay_image image = {.struct_size = sizeof image, .width = 1, .height = 1, .name = "dot", .pixels = red};
+    rubble_overlay_item items[3] = {{.struct_size = sizeof items[0], .kind = RUBBLE_OVERLAY_TEXT}};
+    double size[2];
+    rubble_renderer renderer;
+    items[0].text = "Ammo: 12", items[0].font_size = 12; /* from the left upper corner */
+    items[0].color[0] = items[0].color[1] = items[0].color[3] = 1;
+    OK(api->measure_text(&items[0], size));
+    require(size[0] > 40 && size[1] > 12, "width and height in pixels");
+    items[1] = items[0], items[1].kind = RUBBLE_OVERLAY_BOX; /* a frame round it */
+    items[1].size[0] = size[0], items[1].size[1] = size[1], items[1].stroke = 1;
+    items[2] = items[0], items[2].kind = RUBBLE_OVERLAY_IMAGE; /* a dot over a place of the world */
+    items[2].text = "dot", items[2].flags = RUBBLE_OVERLAY_IN_WORLD | RUBBLE_OVERLAY_FACING;
+    items[2].size[0] = items[2].size[1] = 10, items[2].align[0] = items[2].align[1] = 0.5, items[2].position[1] = 2;
+    OK(api->create_renderer(world, &settings, &renderer));
+    OK(api->set_overlay_image(renderer, &image));
+    OK(api->set_overlay(renderer, items, 3));
+    steps(1);
+    OK(api->draw(renderer, &view)); /* each draw() has it, until it is set again */
+    OK(api->destroy_renderer(renderer));
+}
+
 EXAMPLE(draw) {
     rubble_renderer_settings settings = {.struct_size = sizeof settings, .flags = RUBBLE_RENDERER_COMPILE_LATE};
     rubble_view view = {.struct_size = sizeof view, .framebuffer = framebuffer, .width = 64, .height = 36};

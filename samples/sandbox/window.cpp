@@ -53,6 +53,7 @@ public:
         readKeys(elapsed);
         m_accumulator = std::min(m_accumulator + elapsed, kMaxStepsPerFrame * kStepSeconds);
         for (; m_accumulator >= kStepSeconds; m_accumulator -= kStepSeconds) step();
+        showNames();
         draw(m_accumulator / kStepSeconds);
         m_window.present();
         return true;
@@ -86,7 +87,7 @@ private:
         for (int i = 0; i < 3; ++i)
             if (m_window.pressed(GLFW_KEY_1 + i)) {
                 m_tool = HandTool(i);
-                m_window.setTitle(std::string("Rubble sandbox: ") + kToolNames[i]);
+                m_shownName = kToolNames[i];
             }
         if (m_window.pressed(GLFW_KEY_F)) m_player.toggleWalk();
         if (m_window.pressed(GLFW_KEY_T)) m_player.toggleTorch();
@@ -94,7 +95,7 @@ private:
         if (m_window.pressed(GLFW_KEY_P)) {
             m_pass = (m_pass + 1) % m_passes.size();
             m_renderer->showPass(m_passes[m_pass]);
-            m_window.setTitle("Rubble sandbox: " + m_passes[m_pass]);
+            m_shownName = m_passes[m_pass];
         }
         grab();
         m_toolCooldown -= elapsed;
@@ -139,6 +140,20 @@ private:
         m_shaderErrors = errors;
     }
 
+    /// Draws a crosshair, and the name of the tool or of the pass that was chosen last.
+    void showNames() {
+        const glm::vec2 size(m_window.size());
+        OverlayItem crosshair, name;
+        crosshair.transform[2] = size * 0.5f, crosshair.align = {0.5f, 0.5f};
+        crosshair.size = {12.0f, 12.0f}, crosshair.radius = 6.0f, crosshair.stroke = 1.5f;
+        crosshair.color = {1.0f, 1.0f, 1.0f, 0.8f};
+        name.kind = OverlayItem::Kind::Text, name.text = m_shownName;
+        name.fontSize = 18.0f, name.outline = 1.5f;
+        name.transform[2] = {size.x * 0.5f, size.y - 16.0f}, name.align = {0.5f, 1.0f};
+        if (const auto set = m_renderer->setOverlay({crosshair, name}); !set && !std::exchange(m_hasWarned, true))
+            logWarning(set.error());
+    }
+
     void draw(double alpha) {
         reloadShaders();
         View view = m_player.camera().view(m_window.size(), 0);
@@ -153,6 +168,8 @@ private:
     FrameLoop m_loop;
     Player m_player;
     HandTool m_tool = HandTool::Hammer;
+    std::string m_shownName = kToolNames[0];
+    bool m_hasWarned = false;  ///< of a missing font
     uint32_t m_seed;
     int m_step = 0;  ///< next step of the scene's script
     double m_toolCooldown = 0.0, m_accumulator = 0.0;

@@ -14,7 +14,7 @@ flat in vec4 particle;
 flat in vec4 tintOut;
 flat in vec4 stateOut;
 flat in vec4 haze;
-flat in vec3 depths;
+flat in vec4 depths;
 flat in int kind;
 out vec4 color;
 

@@ -3,7 +3,7 @@
 
 /// A box with a random rotation that changes with age, by a ray-box intersection in its own space.
 vec4 cube() {
-    vec3 spin = stateOut.yzw * kTwoPi + stateOut.x * vec3(9.0, 13.0, 7.0);
+    vec3 spin = stateOut.yzw * kTwoPi + stateOut.x * vec3(9.0, 13.0, 7.0) + depths.w;
     vec3 s = sin(spin), c = cos(spin);
     mat3 turn = mat3(c.y * c.z, c.y * s.z, -s.y, s.x * s.y * c.z - c.x * s.z, s.x * s.y * s.z + c.x * c.z, s.x * c.y,
                      c.x * s.y * c.z + s.x * s.z, c.x * s.y * s.z - s.x * c.z, c.x * c.y);

@@ -10,6 +10,7 @@ layout(location = 0) in vec4 place;   // xyz from the render origin, w radius
 layout(location = 1) in vec4 tint;    // rgb linear, a opacity
 layout(location = 2) in vec4 motion;  // xyz velocity, w kind
 layout(location = 3) in vec4 state;   // x age, yzw random numbers of its own
+layout(location = 4) in vec2 image;   // x radians by which it has turned, y seconds of motion by which it is longer
 
 uniform vec4 uLightPosition0, uLightPosition1, uLightPosition2, uLightPosition3;  // xyz from the render origin, w reach
 uniform vec3 uLightColor0, uLightColor1, uLightColor2, uLightColor3;
@@ -22,7 +23,8 @@ flat out vec4 particle;  // xyz centre, w radius
 flat out vec4 tintOut;
 flat out vec4 stateOut;
 flat out vec4 haze;    // rgb radiance of the haze, a its share
-flat out vec3 depths;  // x depth of the centre; y fade near the camera (0 = at it); z light through thin parts
+flat out vec4 depths;  // x depth of the centre; y fade near the camera (0 = at it); z light through thin parts
+                       // w radians by which a cube has turned
 flat out int kind;
 
 /// Mean radiance that a point light adds.
@@ -71,9 +73,14 @@ void main() {
         vec3 along = normalize(streak + vec3(0, 1e-4, 0)), side = normalize(cross(along, back) + vec3(1e-5));
         offset = side * (corner.x * radius) + streak * (corner.y * 0.5) + along * (corner.y * radius);
     }
+    if (image.y > 0.0) {
+        vec3 path = motion.xyz * image.y;
+        path -= back * dot(path, back);
+        offset += path * (dot(offset, path) * 0.5 / (radius * extent * max(length(path), 1e-6)));
+    }
     if (kind == kFlame) offset = right * (corner.x * radius * 1.1) + vec3(0, 1, 0) * (corner.y * radius * 1.55);
     corner *= extent;
-    float turn = (state.y + (state.z - 0.5) * 0.35 * state.x) * kTwoPi;
+    float turn = (state.y + (state.z - 0.5) * 0.35 * state.x) * kTwoPi + image.x;
     vec2 turned = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * corner * 0.22;
     noiseUv = vec4(turned + state.zw * 7.0, turned * 2.3 - state.zw * 7.0 + vec2(0.05, 0.09) * state.x);
     if (kind == kFlame)
@@ -82,7 +89,7 @@ void main() {
     float range = length(place.xyz - eyeOf(place.xyz));
     float towardSun = max(-dot(back, frame.sunDirection.xyz), 0.0);
     haze = vec4(hazeRadiance(-back), hazeAmount(range));
-    depths = vec3(depth, smoothstep(0.2, 1.2, depth), towardSun * towardSun * towardSun * 1.6);
+    depths = vec4(depth, smoothstep(0.2, 1.2, depth), towardSun * towardSun * towardSun * 1.6, image.x);
     vec3 near = place.xyz + offset + back * min(radius * (kind >= kSpark ? 0.0 : 1.0), max(depth - 0.1, 0.0));
     gl_Position = frame.viewProjection * vec4(near, 1.0);
     vec3 lit = place.xyz + offset * 0.45;

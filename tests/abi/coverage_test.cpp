@@ -63,6 +63,7 @@ const std::map<std::string, std::string> kReads = {
 
 /// Free functions that answer questions about a World: the same.
 const std::map<std::string, std::string> kQuestions = {
+    {"jointMovement", "get_joint_properties"},
     {"isJointedToStatic", "[of the damage by impacts]"},
     {"isAlive", "translate_handle"},
     {"nameOf", "get_name"},

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "runtime/core/constants.h"
-#include "tests/abi/abi_fixture.h"
+#include "tests/abi/create_fixture.h"
 
 namespace rubble {
 namespace {
@@ -125,6 +125,35 @@ TEST_F(Abi, WheelsAreDriven) {
     stepBoth(idle);
     EXPECT_NE(hashOf(m_world), hashOf(idle));
     EXPECT_EQ(api()->destroy_world(idle), RUBBLE_OK);
+}
+
+TEST_F(AbiCreate, AJointSaysItsLimitsAndWhereItsMotionIs) {
+    const rubble_body body = make(bodyAt(20.0, 20.0, 0));
+    const rubble_shape shape = make(shapeOn(body, RUBBLE_SHAPE_BOX, 4));
+    auto settings = sized<rubble_joint_settings>();
+    settings.shapes[1] = shape, settings.kind = RUBBLE_JOINT_HINGE;
+    settings.position[0] = 20.2, settings.position[1] = 20.2, settings.position[2] = 0.2;
+    settings.flags = RUBBLE_JOINT_LIMITED | RUBBLE_JOINT_COLLIDES;
+    settings.lower_limit = -1.0, settings.upper_limit = 2.0, settings.friction = 3.0, settings.break_force = 1e6;
+    settings.motor = RUBBLE_MOTOR_SPEED, settings.motor_target = 1.0, settings.motor_max_force = 1e6;
+    rubble_joint joint = 0;
+    ASSERT_EQ(api()->create_joint(m_world, &settings, &joint), RUBBLE_OK) << api()->get_last_error();
+    auto now = sized<rubble_joint_properties>();
+    expectRefused(api()->get_joint_properties(m_world, joint, &now), RUBBLE_ERROR_STALE, "joint");
+    step(30);
+    ASSERT_EQ(api()->get_joint_properties(m_world, joint, &now), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(now.kind, uint32_t(RUBBLE_JOINT_HINGE));
+    EXPECT_EQ(now.flags, settings.flags);
+    EXPECT_EQ(now.lower_limit, -1.0);
+    EXPECT_EQ(now.upper_limit, 2.0);
+    EXPECT_EQ(now.motor_target, 1.0);
+    EXPECT_EQ(now.friction, 3.0);
+    EXPECT_EQ(now.break_force, 1e6);
+    EXPECT_NEAR(now.movement, 0.5, 0.02) << "half a second at 1 rad/s";
+    rubble_joint_state row = {};
+    ASSERT_EQ(api()->get_joint_state(m_world, joint, &row), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(row.joint, joint);
+    EXPECT_EQ(row.shapes[1], shape);
 }
 
 }  // namespace

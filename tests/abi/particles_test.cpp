@@ -53,6 +53,36 @@ TEST_F(AbiParticles, WhatAHostThrowsMovesFallsAndEnds) {
     EXPECT_NE(before, 0u);
 }
 
+TEST_F(AbiParticles, GravityAndDragComeOnTopOfThoseOfTheKind) {
+    rubble_particle_burst rising = burst(), slowed = burst();
+    rising.count = slowed.count = 1;
+    rising.gravity = -2.0 * 9.81, slowed.drag = 100.0;
+    ASSERT_EQ(api()->spawn_particles(m_world, &rising), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->spawn_particles(m_world, &slowed), RUBBLE_OK) << api()->get_last_error();
+    step(15);
+    ASSERT_EQ(particles().size(), 2u);
+    EXPECT_NEAR(particles()[0].position[1], 30.0 + 0.5 * 9.81 * 0.25 * 0.25, 0.05) << "as fast as it would fall";
+    EXPECT_NEAR(particles()[1].position[0], 5.0, 0.05);
+    rising.gravity = 101.0;
+    expectRefused(api()->spawn_particles(m_world, &rising), RUBBLE_ERROR_ARGUMENT, "burst->gravity");
+    rising.gravity = 0.0, rising.flags = 2;
+    expectRefused(api()->spawn_particles(m_world, &rising), RUBBLE_ERROR_ARGUMENT, "burst->flags");
+}
+
+TEST_F(AbiParticles, OneThatPassesFallsThroughTheGround) {
+    rubble_particle_burst lands = burst();
+    lands.count = 1, lands.life = 10.0, lands.velocity[0] = 0.0;
+    lands.position[0] = lands.position[2] = 0.85, lands.position[1] = 1.5;  // over the table
+    rubble_particle_burst passes = lands;
+    passes.flags = RUBBLE_PARTICLE_PASSES;
+    ASSERT_EQ(api()->spawn_particles(m_world, &lands), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->spawn_particles(m_world, &passes), RUBBLE_OK) << api()->get_last_error();
+    step(120);
+    ASSERT_EQ(particles().size(), 2u);
+    EXPECT_GT(particles()[0].position[1], 0.5);
+    EXPECT_LT(particles()[1].position[1], -3.0);
+}
+
 TEST_F(AbiParticles, TheyChangeNothingInTheWorld) {
     const rubble_world other = makeWorld();
     const rubble_particle_burst given = burst();

@@ -220,7 +220,12 @@ void RandomHost::callJoint() {
             grab.max_force = number(1e4), grab.spring_hertz = number(10.0);
             fill(grab.velocity, 9.0), fill(grab.angular_velocity, 9.0);
             grab.flags = whole(4), rotation(grab.rotation), grab.max_torque = number(1e3);
-            return void(api().grab_body(m_world, &grab));
+            if (m_decisions.oneIn(2)) return void(api().grab_body(m_world, &grab));
+            auto held = sized<rubble_body_constraint>();
+            held.kind = whole(3), held.body = grab.body, held.other = m_decisions.oneIn(2) ? 0 : any(bodies());
+            place(held.position), fill(held.direction, 1.0), held.speed = number(9.0);
+            held.max_force = m_decisions.oneIn(2) ? 0.0 : number(1e5);
+            return void(api().constrain_bodies(m_world, &held));
         }
         default: {
             auto release = sized<rubble_release>();

@@ -247,6 +247,14 @@ Edit usualEdit(Decisions& decisions, const World& world) {
             return RemoveTagEdit{shape, "door"};
         case 48:
             return SetUserValueEdit{body, seed};
+        case 55:
+            return ConstrainEdit{{.body = body,
+                                  .other = anyBody(decisions, world),
+                                  .position = at,
+                                  .direction = {size, 1.0, decisions.within({-1.0, 1.0})},
+                                  .speed = decisions.within({-9.0, 9.0}),
+                                  .turns = decisions.oneIn(2),
+                                  .maxForce = decisions.oneIn(2) ? 0.0 : decisions.within({0.0, 1e5})}};
         case 54:
             return CreateLightGroupEdit{{.name = "made", .threshold = float(seed % 3) * 0.5f}};
         case 51: {

@@ -36,6 +36,8 @@ void mutateState(Decisions& decisions, WorldState& world) {
     mutator.mutate(world.unsettled);
     mutator.mutate(world.materials.materials);
     mutator.mutate(world.locations);
+    mutator.mutate(world.scripts);
+    mutator.mutate(world.hostData);
     mutator.mutate(world.bounds);
     mutator.mutate(world.footprint);
     if (decisions.oneIn(64)) world.step = decisions.bits();

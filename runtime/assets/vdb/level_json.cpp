@@ -244,6 +244,7 @@ std::map<std::string, std::string> levelToJson(const Level& level, const std::ve
     PaletteList palettes;
     JsonOutputArchive out(palettes, gridNames);
     json all = out.make(level);
+    if (!level.scripts.empty()) all["scripts"] = out.make(level.scripts);
     all["palettes"] = json::array();
     for (const PaletteRef& palette : palettes.palettes()) all["palettes"].push_back(paletteToJson(*palette, out));
     std::map<std::string, std::string> topics;
@@ -268,6 +269,7 @@ Result<JsonLevel> levelFromJson(const std::map<std::string, std::string>& topics
     JsonInputArchive in(palettes, out.gridNames);
     if (all.contains("palettes")) palettes = palettesFromJson(all["palettes"], in);
     if (in.error().empty()) in.get(all, out.level);
+    if (in.error().empty() && all.contains("scripts")) in.get(all["scripts"], out.level.scripts);
     if (!in.error().empty()) return Error{in.error()};
     return out;
 }

@@ -2,6 +2,7 @@
 
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
+#include "runtime/world/stages/carve_edits.h"
 
 namespace rubble::abi {
 namespace {
@@ -156,6 +157,15 @@ rubble_result destroyBody(rubble_world world, rubble_body body) {
 rubble_result carve(rubble_world world, const rubble_carve* edit) {
     return pushEdit("carve", world, edit, "carve", readCarve);
 }
+rubble_result countCarve(rubble_world world, const rubble_carve* edit, uint64_t* count) {
+    return inWorld("count_carve", world, [&](const HostedWorld& hosted) {
+        if (isGiven(count, "count")) *count = 0;
+        const rubble_carve given = readStruct(edit, "carve");
+        if (isRefused()) return;
+        const CarveEdit carve = readCarve(hosted.loop.world(), given);
+        if (!isRefused()) *count = countCarved(hosted.loop.world().data(), carve);
+    });
+}
 rubble_result breakVoxels(rubble_world world, const rubble_break* edit) {
     return pushEdit("break_voxels", world, edit, "edit", readBreak);
 }
@@ -181,6 +191,7 @@ void setEditFunctions(rubble_api& api) {
     api.set_body = setBody;
     api.destroy_body = destroyBody;
     api.carve = carve;
+    api.count_carve = countCarve;
     api.break_voxels = breakVoxels;
     api.explode = explode;
     api.paint = paint;

@@ -91,7 +91,13 @@ namespace rubble::abi {
     X(rubble_shadow_brick, 536)        \
     X(rubble_particle_burst, 144)      \
     X(rubble_particle, 72)             \
-    X(rubble_rope_point, 56)
+    X(rubble_rope_point, 56)           \
+    X(rubble_joint_properties, 104)    \
+    X(rubble_body_constraint, 96)      \
+    X(rubble_location, 64)             \
+    X(rubble_level_script, 16)         \
+    X(rubble_overlay_item, 416)        \
+    X(rubble_overlay_image, 32)
 
 /// The size of a struct in the first version that had it; for handles and numbers their size. The table is of pointers
 /// of eight bytes. Where they have four, as in browsers, library and host are one program, of one version.

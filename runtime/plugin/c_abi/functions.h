@@ -36,6 +36,10 @@ void setQueryFunctions(rubble_api& api);
 void setSaveFunctions(rubble_api& api);
 /// Sets the functions of renderers.
 void setRendererFunctions(rubble_api& api);
+/// Sets the functions of places, scripts and data that a game carries.
+void setHostDataFunctions(rubble_api& api);
+/// Sets the functions of overlays.
+void setOverlayFunctions(rubble_api& api);
 /// Sets the functions of names, tags and user values, and the lists of objects.
 void setObjectFunctions(rubble_api& api);
 /// Sets set_settings() and get_settings().

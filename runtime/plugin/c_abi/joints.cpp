@@ -2,6 +2,7 @@
 #include "runtime/plugin/c_abi/functions.h"
 #include "runtime/plugin/c_abi/rows.h"
 #include "runtime/world/objects/joint_attachment.h"
+#include "runtime/world/queries/joint_queries.h"
 
 namespace rubble::abi {
 namespace {
@@ -105,6 +106,23 @@ ReleaseEdit readRelease(const World&, const rubble_release& given) {
             uint32_t(readInRange(given.hand, ranges::kHand, "hand"))};
 }
 
+ConstrainEdit readConstraint(const World& world, const rubble_body_constraint& given) {
+    BodyConstraint out;
+    out.turns = readEnum(given.kind, RUBBLE_CONSTRAINT_ANGULAR_VELOCITY, "kind") == RUBBLE_CONSTRAINT_ANGULAR_VELOCITY;
+    out.body = readLiveHandle<HandleType::Body>(world.bodies(), given.body, "body");
+    out.other = readOptionalHandle<HandleType::Body>(world.bodies(), given.other, "other");
+    if (out.body == out.other) refuse(RUBBLE_ERROR_ARGUMENT, "other is the body itself, expected another one or 0");
+    if (!out.turns) out.position = readVector(given.position, "position");
+    out.direction = readDirection(given.direction, "direction");
+    out.speed = readInRange(given.speed, ranges::kVelocity, "speed");
+    out.minForce = readInRange(given.min_force, ranges::kConstraintForce, "min_force");
+    out.maxForce = readInRange(given.max_force, ranges::kConstraintForce, "max_force");
+    if (out.minForce > out.maxForce)
+        refuse(RUBBLE_ERROR_ARGUMENT, "min_force is {:g}, expected at most max_force, {:g}", out.minForce,
+               out.maxForce);
+    return {out};
+}
+
 rubble_result addJoint(rubble_world world, const rubble_joint_settings* settings) {
     return pushEdit("add_joint", world, settings, "settings", readJoint);
 }
@@ -127,6 +145,10 @@ rubble_result releaseBody(rubble_world world, const rubble_release* edit) {
     return pushMotionEdit("release_body", world, edit, "release", readRelease);
 }
 
+rubble_result constrainBodies(rubble_world world, const rubble_body_constraint* edit) {
+    return pushMotionEdit("constrain_bodies", world, edit, "constraint", readConstraint);
+}
+
 rubble_joint_state jointState(const World& world, JointHandle handle, const Joint& joint) {
     rubble_joint_state state{};
     state.joint = handle.bits;
@@ -141,6 +163,38 @@ rubble_joint_state jointState(const World& world, JointHandle handle, const Join
 
 rubble_result getJointStates(rubble_world world, rubble_joint_state* out, uint32_t capacity, uint32_t* count) {
     return listRows("get_joint_states", world, out, capacity, count);
+}
+
+rubble_result getJointState(rubble_world world, rubble_joint joint, rubble_joint_state* out) {
+    return inWorld("get_joint_state", world, [&](const HostedWorld& hosted) {
+        const World& inside = hosted.loop.world();
+        const Joint* found = findLive<HandleType::Joint>(inside.joints(), joint, "joint");
+        if (found && isGiven(out, "out")) *out = jointState(inside, JointHandle{joint}, *found);
+    });
+}
+
+rubble_result getJointProperties(rubble_world world, rubble_joint joint, rubble_joint_properties* out) {
+    return inWorld("get_joint_properties", world, [&](const HostedWorld& hosted) {
+        const World& inside = hosted.loop.world();
+        const Joint* found = findLive<HandleType::Joint>(inside.joints(), joint, "joint");
+        if (!found) return;
+        rubble_joint_properties values = {};
+        values.kind = uint32_t(found->kind);
+        if (found->collides) values.flags |= RUBBLE_JOINT_COLLIDES;
+        if (found->limits.on) values.flags |= RUBBLE_JOINT_LIMITED;
+        values.motor = uint32_t(found->motor.mode);
+        values.motor_target = found->motor.target;
+        values.motor_max_force = found->motor.maxForce;
+        if (found->limits.on) values.lower_limit = found->limits.low, values.upper_limit = found->limits.high;
+        values.spring_hertz = found->spring.hertz;
+        values.spring_damping_ratio = found->spring.dampingRatio;
+        values.friction = found->friction;
+        values.break_force = found->breakForce;
+        values.break_torque = found->breakTorque;
+        values.steer_angle = found->steer;
+        values.movement = jointMovement(inside.data(), *found);
+        writeStruct(out, values);
+    });
 }
 
 rubble_result getRopePoints(rubble_world world, rubble_joint joint, double* out, uint32_t capacity, uint32_t* count) {
@@ -190,7 +244,10 @@ void setJointFunctions(rubble_api& api) {
     api.drive_wheels = driveWheels;
     api.grab_body = grabBody;
     api.release_body = releaseBody;
+    api.constrain_bodies = constrainBodies;
     api.get_joint_states = getJointStates;
+    api.get_joint_state = getJointState;
+    api.get_joint_properties = getJointProperties;
     api.get_rope_points = getRopePoints;
     api.get_ropes = getRopes;
 }

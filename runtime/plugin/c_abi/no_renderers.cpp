@@ -28,7 +28,23 @@ rubble_result destroyRenderer(rubble_renderer) {
     return refuseRenderers("destroy_renderer");
 }
 
+rubble_result setOverlay(rubble_renderer, const rubble_overlay_item*, uint32_t) {
+    return refuseRenderers("set_overlay");
+}
+rubble_result setOverlayImage(rubble_renderer, const rubble_overlay_image*) {
+    return refuseRenderers("set_overlay_image");
+}
+rubble_result measureText(const rubble_overlay_item*, double*) {
+    return refuseRenderers("measure_text");
+}
+
 }  // namespace
+
+void setOverlayFunctions(rubble_api& api) {
+    api.set_overlay = setOverlay;
+    api.set_overlay_image = setOverlayImage;
+    api.measure_text = measureText;
+}
 
 void setRendererFunctions(rubble_api& api) {
     api.create_renderer = createRenderer;

@@ -11,7 +11,11 @@ constexpr NumberRange kSpread{0.0, 1e3};     ///< m/s
 constexpr NumberRange kSize{1e-3, 10.0};     ///< m
 constexpr NumberRange kGrowth{0.0, 10.0};    ///< m/s
 constexpr NumberRange kOpacity{1e-3, 1.0};
-constexpr NumberRange kLife{0.02, 60.0};  ///< s
+constexpr NumberRange kGravity{-100.0, 100.0};  ///< m/s2
+constexpr NumberRange kDrag{0.0, 100.0};        ///< 1/s
+constexpr NumberRange kSpin{-100.0, 100.0};     ///< rad/s
+constexpr NumberRange kStretch{0.0, 1.0};       ///< s
+constexpr NumberRange kLife{0.02, 60.0};        ///< s
 
 ParticleBurst readBurst(const rubble_particle_burst& given) {
     ParticleBurst burst;
@@ -27,6 +31,11 @@ ParticleBurst readBurst(const rubble_particle_burst& given) {
     burst.opacity = float(readOrDefault(given.opacity, kOpacity, 1.0, "burst->opacity"));
     burst.life = float(readOrDefault(given.life, kLife, 2.0, "burst->life"));
     burst.glow = float(readInRange(given.glow, ranges::kColor, "burst->glow"));
+    burst.passes = readFlags(given.flags, RUBBLE_PARTICLE_PASSES, "burst->flags") & RUBBLE_PARTICLE_PASSES;
+    burst.gravity = float(readInRange(given.gravity, kGravity, "burst->gravity"));
+    burst.drag = float(readInRange(given.drag, kDrag, "burst->drag"));
+    burst.spin = float(readInRange(given.spin, kSpin, "burst->spin"));
+    burst.stretch = float(readInRange(given.stretch, kStretch, "burst->stretch"));
     return burst;
 }
 

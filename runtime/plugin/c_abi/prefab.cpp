@@ -178,6 +178,8 @@ rubble_result createPrefab(rubble_world world, const rubble_prefab* prefab, rubb
         if (capacity < placement.size())
             return refuse(RUBBLE_ERROR_CAPACITY, "there are {} rows, the array holds {}", placement.size(), capacity);
         const std::vector<rubble_prefab_row> rows = placement.queue(hosted);
+        for (const LevelScript& script : level->scripts)
+            if (!isRefused()) hosted.loop.world().addScript(script);
         if (!isRefused()) std::copy(rows.begin(), rows.end(), out);
     });
 }

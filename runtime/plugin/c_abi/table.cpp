@@ -35,6 +35,8 @@ rubble_api makeTable() {
     setPropertyFunctions(api);
     setLightGroupFunctions(api);
     setRendererFunctions(api);
+    setHostDataFunctions(api);
+    setOverlayFunctions(api);
     setReportFunctions(api);
     setBrickFunctions(api);
     setParticleFunctions(api);

@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "runtime/script/binding/ui_state.h"
 #include "runtime/script/sandbox/sandbox.h"
 
 namespace rubble::script {
@@ -25,6 +27,8 @@ struct DebugLine {
 struct GridCopy {
     std::array<int32_t, 3> size{};
     std::vector<uint8_t> voxels;  ///< as read_voxels() gives them
+    /// A cell that holds a voxel which is not in `voxels`: the world removes a shape that has none when it is resized.
+    std::optional<std::array<int32_t, 3>> placeholder = {};
 
     /// Where a cell is in `voxels`.
     size_t at(int32_t x, int32_t y, int32_t z) const {
@@ -59,7 +63,9 @@ struct ScriptWorld {
     std::set<rubble_shape> brokenShapes;
     std::map<uint64_t, rubble_light> pointLights;  ///< of PointLight() in this step and in the last, by its number
     std::map<std::string, std::string> registry;   ///< "a.b.c": its value as a text
+    bool mayHaveScripts = false;                   ///< a prefab was placed: the world may name more scripts
     std::vector<DebugLine> debugLines;
+    UiFrame ui;
     std::map<std::string, std::string> watches;              ///< of DebugWatch(), by name
     std::function<void(int level, const std::string&)> log;  ///< RUBBLE_LOG_..., a line without a break
     std::span<const ScriptFunction> hostFunctions;           ///< globals beside those of the vocabulary
@@ -82,6 +88,12 @@ struct Brush {
     uint8_t entry = 1;  ///< of the palette; 0: none
 };
 
+/// What calls of a function have cost.
+struct FunctionCost {
+    double seconds = 0.0;
+    uint64_t allocations = 0;
+};
+
 /// One script, as its functions see it.
 struct ScriptContext {
     ScriptWorld& shared;
@@ -90,11 +102,15 @@ struct ScriptContext {
     QuerySettings query;
     Brush brush;
     rubble_particle_burst particle = {};
+    std::vector<UiState> ui;   ///< of UiPush(), the last one in use
     std::vector<int> started;  ///< of start(): references to lists of a function and its arguments
     std::map<std::string, std::string> parameters;
-    std::set<std::string> warned;  ///< places that have been told of once
-    std::vector<uint64_t> calls;   ///< of each function of the vocabulary
-    std::vector<uint64_t> rows;    ///< for lists, so that calls do not allocate
+    std::map<std::string, int> saved;             ///< of saved(): references to tables
+    std::map<std::string, std::string> restored;  ///< what saved() gives: dataText() of each table
+    std::vector<FunctionCost> costs;  ///< of each function of the vocabulary, where the host asks for them; else empty
+    std::set<std::string> warned;     ///< places that have been told of once
+    std::vector<uint64_t> calls;      ///< of each function of the vocabulary
+    std::vector<uint64_t> rows;       ///< for lists, so that calls do not allocate
 
     /// That of the script that runs.
     static ScriptContext& of(lua_State* L) { return *static_cast<ScriptContext*>(Sandbox::of(L).owner()); }

@@ -11,8 +11,11 @@ int makeHole(lua_State* L) {
     carve.radii[0] = numberAt(L, 2, "r0");
     carve.radii[1] = std::min(numberOr(L, 3, "r1", 0.0), carve.radii[0]);
     carve.radii[2] = std::min(numberOr(L, 4, "r2", 0.0), carve.radii[1]);
+    uint64_t count = 0;
+    isDone(L, apiOf(L).count_carve(worldOf(L), &carve, &count));
     isDone(L, apiOf(L).carve(worldOf(L), &carve));
-    return 0;
+    lua_pushinteger(L, lua_Integer(count));
+    return 1;
 }
 
 int explosion(lua_State* L) {
@@ -170,9 +173,9 @@ int paintRgba(lua_State* L) {
 }
 
 constexpr ScriptFunction kFunctions[] = {
-    {"MakeHole(pos, r0, r1, r2, silent)",
-     "Removes voxels in the next step: soft materials within r0 metres, medium within r1, hard within r2. onBreak() "
-     "tells what went.",
+    {"MakeHole(pos, r0, r1, r2, silent) -> voxels",
+     "Removes voxels in the next step: soft materials within r0 metres, medium within r1, hard within r2. "
+     "Gives how many that are; onBreak() tells what went.",
      makeHole},
     {"Explosion(pos, size)", "Breaks and pushes in the next step; size 0.5 to 4.", explosion},
     {"Shoot(origin, dir, type, strength, maxDist)",

@@ -26,6 +26,44 @@ int findAll(lua_State* L) {
     return pushHandles(L, found.data(), found.size());
 }
 
+/// The named places of the level. Their handles are 1, 2, ... in its order.
+std::vector<rubble_location> locationsOf(lua_State* L) {
+    uint32_t count = 0;
+    isDone(L, apiOf(L).get_locations(worldOf(L), nullptr, 0, &count));
+    std::vector<rubble_location> places(count);
+    Sandbox::of(L).charge(L, count);
+    if (count) isDone(L, apiOf(L).get_locations(worldOf(L), places.data(), count, &count));
+    return places;
+}
+
+std::vector<uint64_t> locationsNamed(lua_State* L) {
+    const std::string tag = textOr(L, 1, "tag", "");
+    const std::vector<rubble_location> places = locationsOf(L);
+    std::vector<uint64_t> found;
+    for (size_t i = 0; i < places.size(); ++i)
+        if (tag.empty() || tag == places[i].name) found.push_back(i + 1);
+    return found;
+}
+
+int findLocation(lua_State* L) {
+    const std::vector<uint64_t> found = locationsNamed(L);
+    pushHandle(L, found.empty() ? 0 : found.front());
+    return 1;
+}
+
+int findLocations(lua_State* L) {
+    const std::vector<uint64_t> found = locationsNamed(L);
+    return pushHandles(L, found.data(), found.size());
+}
+
+int getLocationTransform(lua_State* L) {
+    const uint64_t number = handleAt(L, 1, "location");
+    const std::vector<rubble_location> places = locationsOf(L);
+    if (number < 1 || number > places.size()) refuseArgument(L, 1, "location", "what FindLocation() has given");
+    pushPlacement(L, placementOf(places[number - 1].position, places[number - 1].rotation));
+    return 1;
+}
+
 int setTag(lua_State* L) {
     const uint64_t object = handleAt(L, 1, "handle");
     const std::string tag = textAt(L, 2, "tag");
@@ -107,6 +145,9 @@ constexpr ScriptFunction kFunctions[] = {
     {"FindJoints(tag, global) -> list", "All joints with a tag.", findAll<RUBBLE_KIND_JOINT>},
     {"FindTrigger(tag, global) -> handle", "The first trigger with a tag, or 0.", findOne<RUBBLE_KIND_TRIGGER>},
     {"FindTriggers(tag, global) -> list", "All triggers with a tag.", findAll<RUBBLE_KIND_TRIGGER>},
+    {"FindLocation(tag, global) -> handle", "The first place of the level with this name, or 0.", findLocation},
+    {"FindLocations(tag, global) -> list", "All places of the level with this name.", findLocations},
+    {"GetLocationTransform(location) -> transform", "Where such a place is.", getLocationTransform},
     {"SetTag(handle, tag, value)", "Gives an object a tag, with a value or without.", setTag},
     {"HasTag(handle, tag) -> boolean", "Whether an object has a tag.", hasTag},
     {"GetTagValue(handle, tag) -> text", "The value of a tag; \"\" if there is none.", getTagValue},

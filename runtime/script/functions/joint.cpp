@@ -25,7 +25,7 @@ int isBroken(lua_State* L) {
     return 1;
 }
 
-/// All joints: the interface has no read of one.
+/// All joints.
 std::vector<rubble_joint_state> allJoints(lua_State* L) {
     uint32_t count = 0;
     isDone(L, apiOf(L).get_joint_states(worldOf(L), nullptr, 0, &count));
@@ -38,10 +38,10 @@ std::vector<rubble_joint_state> allJoints(lua_State* L) {
 int getShapes(lua_State* L) {
     const rubble_joint joint = handleAt(L, 1, "joint");
     std::vector<uint64_t> shapes;
-    for (const rubble_joint_state& state : allJoints(L))
-        if (state.joint == joint)
-            for (const rubble_shape shape : state.shapes)
-                if (shape) shapes.push_back(shape);
+    rubble_joint_state state = {};
+    if (isDone(L, apiOf(L).get_joint_state(worldOf(L), joint, &state)))
+        for (const rubble_shape shape : state.shapes)
+            if (shape) shapes.push_back(shape);
     return pushHandles(L, shapes.data(), shapes.size());
 }
 
@@ -76,6 +76,24 @@ int isJointedToStatic(lua_State* L) {
         }
     }
     lua_pushboolean(L, isHeld);
+    return 1;
+}
+
+rubble_joint_properties propertiesAt(lua_State* L) {
+    auto properties = sized<rubble_joint_properties>();
+    isDone(L, apiOf(L).get_joint_properties(worldOf(L), handleAt(L, 1, "joint"), &properties));
+    return properties;
+}
+
+int getLimits(lua_State* L) {
+    const rubble_joint_properties properties = propertiesAt(L);
+    lua_pushnumber(L, properties.lower_limit);
+    lua_pushnumber(L, properties.upper_limit);
+    return 2;
+}
+
+int getMovement(lua_State* L) {
+    lua_pushnumber(L, propertiesAt(L).movement);
     return 1;
 }
 
@@ -145,6 +163,11 @@ constexpr ScriptFunction kFunctions[] = {
      "Turns or slides at a speed, in rad/s or m/s, with at most strength N m or N.", setMotor},
     {"SetJointMotorTarget(joint, target, maxVel, strength)", "Goes to an angle or a place, in radians or metres.",
      setMotorTarget},
+    {"GetJointLimits(joint) -> min, max", "The limits of its free motion, in radians or metres; 0, 0 without limits.",
+     getLimits},
+    {"GetJointMovement(joint) -> number",
+     "Where its free motion is, in radians or metres from where it was made; of a rope the metres between its ends.",
+     getMovement},
     {"DetachJointFromShape(joint, shape)", "Frees the end of a rope that is on a shape; other joints are removed.",
      detach},
     {"GetRopeNumberOfPoints(joint) -> count", "How many points a rope has; 0 of other joints.", getPointCount},

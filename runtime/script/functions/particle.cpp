@@ -56,6 +56,31 @@ int setEmissive(lua_State* L) {
     return 0;
 }
 
+int setGravity(lua_State* L) {
+    burstOf(L).gravity = -std::clamp(numberAt(L, 1, "g0"), -100.0, 100.0);
+    return 0;
+}
+
+int setDrag(lua_State* L) {
+    burstOf(L).drag = std::clamp(numberAt(L, 1, "d0"), 0.0, 100.0);
+    return 0;
+}
+
+int setRotation(lua_State* L) {
+    burstOf(L).spin = std::clamp(numberAt(L, 1, "r0"), -100.0, 100.0);
+    return 0;
+}
+
+int setStretch(lua_State* L) {
+    burstOf(L).stretch = std::clamp(numberAt(L, 1, "s0"), 0.0, 1.0);
+    return 0;
+}
+
+int setCollide(lua_State* L) {
+    burstOf(L).flags = numberAt(L, 1, "c0") > 0.0 ? 0u : uint32_t(RUBBLE_PARTICLE_PASSES);
+    return 0;
+}
+
 int spawn(lua_State* L) {
     rubble_particle_burst burst = burstOf(L);
     copy(burst.position, vectorAt(L, 1, "pos"));
@@ -76,6 +101,12 @@ constexpr ScriptFunction kFunctions[] = {
     {"ParticleRadius(r0, r1)", "Its radius at birth and at the end, in metres.", setRadius},
     {"ParticleAlpha(a0)", "Its opacity at birth, 0 to 1.", setAlpha},
     {"ParticleEmissive(e0)", "How much it glows.", setEmissive},
+    {"ParticleGravity(g0)", "What pulls it up, or down where it is negative, in m/s2, beside what its type does.",
+     setGravity},
+    {"ParticleDrag(d0)", "How fast air takes its velocity, in 1/s.", setDrag},
+    {"ParticleRotation(r0)", "How fast its image turns, in rad/s.", setRotation},
+    {"ParticleStretch(s0)", "Seconds of its motion by which its image is longer, 0 to 1.", setStretch},
+    {"ParticleCollide(c0)", "Whether voxels stop it: 0 not.", setCollide},
     {"SpawnParticle(pos, vel, life)",
      "Throws one into the air for life seconds. Where nothing is drawn there are none.", spawn},
 };

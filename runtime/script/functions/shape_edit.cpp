@@ -39,6 +39,15 @@ GridCopy* gridOf(lua_State* L, rubble_shape shape) {
     return &(grids[shape] = std::move(grid));
 }
 
+/// Writes one cell in the next step.
+void writeCell(lua_State* L, rubble_shape shape, const Cell& cell, uint8_t voxel) {
+    auto box = sized<rubble_voxel_box>();
+    box.shape = shape;
+    std::copy(cell.begin(), cell.end(), box.low);
+    std::fill_n(box.size, 3, 1);
+    isDone(L, apiOf(L).write_voxels(worldOf(L), &box, &voxel, 1));
+}
+
 /// Changes the cells of a box by `edit(cell, voxel)`; those outside of the grid are left out.
 template <class Edit>
 void editBox(lua_State* L, rubble_shape shape, const Cell& low, const Cell& high, Edit&& edit) {
@@ -64,6 +73,8 @@ void editBox(lua_State* L, rubble_shape shape, const Cell& low, const Cell& high
                 voxels.push_back(voxel);
             }
     isDone(L, apiOf(L).write_voxels(worldOf(L), &box, voxels.data(), voxels.size()));
+    if (const auto cell = std::exchange(grid->placeholder, {}))
+        writeCell(L, shape, *cell, grid->voxels[grid->at((*cell)[0], (*cell)[1], (*cell)[2])]);
 }
 
 /// Gives the copy of a grid another box of cells.
@@ -87,8 +98,14 @@ bool resizeShape(lua_State* L, rubble_shape shape, const Cell& low, const Cell& 
     if (cells > kMaxCells)
         luaL_error(L, "%s: expected at most %d cells", runningFunction(L).name().c_str(), int(kMaxCells));
     GridCopy* grid = gridOf(L, shape);
-    if (!grid || !isDone(L, apiOf(L).resize_shape(worldOf(L), &edit))) return false;
+    if (!grid) return false;
+    const bool isEmpty = std::all_of(grid->voxels.begin(), grid->voxels.end(), [](uint8_t voxel) { return !voxel; });
+    Cell kept;
+    for (size_t i = 0; i < 3; ++i) kept[i] = std::max(low[i], 0);
+    if (isEmpty) writeCell(L, shape, kept, 1);
+    if (!isDone(L, apiOf(L).resize_shape(worldOf(L), &edit))) return false;
     resizeCopy(*grid, low, size);
+    if (isEmpty) grid->placeholder = Cell{kept[0] - low[0], kept[1] - low[1], kept[2] - low[2]};
     return true;
 }
 

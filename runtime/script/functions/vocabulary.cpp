@@ -1,10 +1,32 @@
 #include "runtime/script/functions/vocabulary.h"
 
+#include <chrono>
+#include <optional>
+
 namespace rubble::script {
 namespace {
 
 constexpr int64_t kCallWork = 20;
 const char kWait = 0;  ///< its address marks a wait
+
+/// Adds what happens while it lives to what a function has cost.
+class CostMeter {
+public:
+    CostMeter(const Sandbox& box, FunctionCost& cost)
+        : m_box(box), m_cost(cost), m_start(std::chrono::steady_clock::now()), m_allocations(box.allocations()) {}
+    ~CostMeter() {
+        m_cost.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
+        m_cost.allocations += m_box.allocations() - m_allocations;
+    }
+    CostMeter(const CostMeter&) = delete;
+    CostMeter& operator=(const CostMeter&) = delete;
+
+private:
+    const Sandbox& m_box;
+    FunctionCost& m_cost;
+    std::chrono::steady_clock::time_point m_start;
+    uint64_t m_allocations;
+};
 
 /// Calls the function of a row. Upvalues: the row, its number in the vocabulary, or -1.
 int callFunction(lua_State* L) {
@@ -13,8 +35,10 @@ int callFunction(lua_State* L) {
     const lua_Integer index = lua_tointeger(L, lua_upvalueindex(2));
     const ScriptFunction& function = runningFunction(L);
     if (index < 0) return function.function(L);
-    auto& context = *static_cast<ScriptContext*>(box.owner());
+    ScriptContext& context = *static_cast<ScriptContext*>(box.owner());
     ++context.calls[size_t(index)];
+    std::optional<CostMeter> meter;
+    if (!context.costs.empty()) meter.emplace(box, context.costs[size_t(index)]);
     CallObserver* const observer = context.shared.observer;
     if (!observer) return function.function(L);
     observer->begin(L, function);
@@ -46,6 +70,7 @@ const std::vector<Subject>& vocabulary() {
         {"break", "Breaking, fire and paint", breakFunctions()},
         {"find", "Finding things, tags and handles", findFunctions()},
         {"bodies", "Bodies", bodyFunctions()},
+        {"constraints", "Holding bodies for a step", constrainFunctions()},
         {"shapes", "Shapes", shapeFunctions()},
         {"shape-edits", "Making and changing shapes", shapeEditFunctions()},
         {"lights", "Lights", lightFunctions()},
@@ -53,6 +78,9 @@ const std::vector<Subject>& vocabulary() {
         {"queries", "Queries", queryFunctions()},
         {"particles", "Particles", particleFunctions()},
         {"world", "World, time and waiting", worldFunctions()},
+        {"ui", "Drawing: places, colours, letters", uiStateFunctions()},
+        {"ui-items", "Drawing: texts, shapes, images, lines", uiDrawFunctions()},
+        {"files", "Files and saved tables", fileFunctions()},
         {"registry", "Registry and parameters", registryFunctions()},
     };
     return subjects;

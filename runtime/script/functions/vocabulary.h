@@ -21,6 +21,8 @@ std::span<const ScriptFunction> breakFunctions();
 std::span<const ScriptFunction> findFunctions();
 /// Bodies.
 std::span<const ScriptFunction> bodyFunctions();
+/// What holds bodies for a step.
+std::span<const ScriptFunction> constrainFunctions();
 /// What a shape is.
 std::span<const ScriptFunction> shapeFunctions();
 /// Making shapes and drawing in them.
@@ -35,6 +37,12 @@ std::span<const ScriptFunction> queryFunctions();
 std::span<const ScriptFunction> particleFunctions();
 /// Gravity, time, Spawn, Debug..., waiting.
 std::span<const ScriptFunction> worldFunctions();
+/// What applies to all that is drawn after it.
+std::span<const ScriptFunction> uiStateFunctions();
+/// Texts, rectangles, images and lines over the image.
+std::span<const ScriptFunction> uiDrawFunctions();
+/// Other files of the scripts' folder, and tables that saves keep.
+std::span<const ScriptFunction> fileFunctions();
 /// Keys that scripts share, and parameters.
 std::span<const ScriptFunction> registryFunctions();
 

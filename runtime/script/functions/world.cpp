@@ -1,4 +1,5 @@
 #include "runtime/script/binding/calls.h"
+#include "runtime/script/binding/files.h"
 #include "runtime/script/functions/vocabulary.h"
 #include "runtime/script/sandbox/libraries.h"
 
@@ -31,21 +32,9 @@ int getTimeStep(lua_State* L) {
     return 1;
 }
 
-/// Whether a path stays inside of a folder: no root, no "..", no backslash.
-bool staysInside(const std::string& path) {
-    return !path.empty() && path[0] != '/' && path.find('\\') == path.npos && path.find("..") == path.npos &&
-           path.find('\0') == path.npos;
-}
-
 int spawn(lua_State* L) {
-    const ScriptContext& context = ScriptContext::of(L);
-    const std::string file = textAt(L, 1, "file");
+    const std::string path = fileAt(L, 1, "file");
     const Placement placement = lua_isnoneornil(L, 2) ? Placement{} : placementAt(L, 2, "transform");
-    if (context.shared.folder.empty() || !staysInside(file))
-        return luaL_error(
-            L, "Spawn: file: expected a file inside of the folder that the host gives to scripts, found \"%s\"",
-            file.c_str());
-    const std::string path = context.shared.folder + "/" + file;
     auto prefab = sized<rubble_prefab>();
     prefab.path = path.c_str();
     copy(prefab.position, placement.position);
@@ -56,6 +45,7 @@ int spawn(lua_State* L) {
     std::vector<rubble_prefab_row> rows(count);
     isDone(L, apiOf(L).create_prefab(worldOf(L), &prefab, rows.data(), count, &count));
     std::vector<uint64_t> handles;
+    ScriptContext::of(L).shared.mayHaveScripts = true;
     for (const rubble_prefab_row& row : rows) {
         ScriptContext::of(L).shared.created.insert(row.handle);
         handles.push_back(row.handle);

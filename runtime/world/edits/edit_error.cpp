@@ -64,7 +64,8 @@ constexpr const char* kNames[] = {"carve",
                                   "set_materials",
                                   "set_shape",
                                   "set_light_group",
-                                  "create_light_group"};
+                                  "create_light_group",
+                                  "constrain_bodies"};
 static_assert(std::size(kNames) == std::variant_size_v<AnyEdit>);
 
 /// About a number of an enum whose last is `last`.
@@ -254,6 +255,18 @@ std::string errorOf(const GrabEdit& edit) {
         .number("max_torque", edit.maxTorque, ranges::kForce)
         .vector("velocity", edit.velocity, ranges::kVelocity)
         .vector("angular_velocity", edit.angularVelocity, ranges::kVelocity)
+        .error();
+}
+std::string errorOf(const ConstrainEdit& edit) {
+    const BodyConstraint& constraint = edit.constraint;
+    return RangeCheck()
+        .vector("position", constraint.position, ranges::kCoordinate)
+        .vector("direction", constraint.direction, ranges::kCoordinate)
+        .number("speed", constraint.speed, ranges::kVelocity)
+        .number("min_force", constraint.minForce, ranges::kConstraintForce)
+        .number("max_force", constraint.maxForce, ranges::kConstraintForce)
+        .require(constraint.direction != glm::dvec3(0.0), "direction is zero, expected any other length")
+        .require(constraint.minForce <= constraint.maxForce, "min_force is above max_force")
         .error();
 }
 std::string errorOf(const ReleaseEdit& edit) {

@@ -1,4 +1,5 @@
 #pragma once
+#include "runtime/world/objects/body_constraint.h"
 #include "runtime/world/objects/joint.h"
 
 namespace rubble {
@@ -56,6 +57,11 @@ struct GrabEdit {
     bool drives = false;
     glm::dvec3 velocity{0.0};         ///< m/s, world
     glm::dvec3 angularVelocity{0.0};  ///< rad/s, world axes
+};
+
+/// Constrains bodies in the next step of physics.
+struct ConstrainEdit {
+    BodyConstraint constraint;
 };
 
 /// Releases what a hand holds, with a push.

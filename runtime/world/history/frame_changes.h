@@ -8,6 +8,7 @@
 #include "runtime/destruction/cross_section.h"
 #include "runtime/voxel/brick.h"
 #include "runtime/voxel/palette.h"
+#include "runtime/world/objects/body_constraint.h"
 #include "runtime/world/objects/joint.h"
 #include "runtime/world/objects/trigger.h"
 
@@ -128,14 +129,15 @@ struct FrameChanges {
     std::vector<LightHandle> lights;  ///< lights created, changed, moved to another shape or body, switched or removed
     std::vector<LightGroupHandle> groupsOut;
     std::vector<ImpulseApplied> impulses;
-    std::vector<DustCloud> dust;           ///< all voxels of `removed`, with their places
-    std::vector<Blast> blasts;             ///< explosions
-    std::vector<BodyHandle> broken;        ///< bodies that lost voxels for the first time
-    std::vector<BodyHandle> settled;       ///< pieces that settled
-    std::vector<BodyHandle> unsettled;     ///< settled pieces that woke
-    std::vector<BodyHandle> woken;         ///< bodies that edits woke, or kept from resting on
-    std::vector<LightGroupHandle> groups;  ///< light groups that lost voxels, went out or came back
-    std::vector<BodyHandle> teleported;    ///< bodies that undo or replay gave another pose or motion
+    std::vector<BodyConstraint> constraints;  ///< of free bodies, for the step of physics that follows
+    std::vector<DustCloud> dust;              ///< all voxels of `removed`, with their places
+    std::vector<Blast> blasts;                ///< explosions
+    std::vector<BodyHandle> broken;           ///< bodies that lost voxels for the first time
+    std::vector<BodyHandle> settled;          ///< pieces that settled
+    std::vector<BodyHandle> unsettled;        ///< settled pieces that woke
+    std::vector<BodyHandle> woken;            ///< bodies that edits woke, or kept from resting on
+    std::vector<LightGroupHandle> groups;     ///< light groups that lost voxels, went out or came back
+    std::vector<BodyHandle> teleported;       ///< bodies that undo or replay gave another pose or motion
     uint64_t paintedVoxels = 0;
     uint64_t paintMerges = 0;  ///< colours that took the nearest entry because none was free
     std::vector<FireEvent> firesLit;
@@ -164,18 +166,19 @@ struct FrameChanges {
     uint64_t entries() const {
         return bodiesCreated.size() + bodiesDestroyed.size() + shapesCreated.size() + shapesDestroyed.size() +
                splits.size() + palettes.size() + unanchored.size() + removed.size() + lights.size() + groupsOut.size() +
-               woken.size() + impulses.size() + paintedVoxels + firesLit.size() + filters.size() + waters.size() +
-               triggers.size() + characters.size() + jointsCreated.size() + jointsMoved.size() + jointsBroken.size() +
-               jointsChanged.size() + notes.size() + environmentChanged + materialsChanged;
+               woken.size() + impulses.size() + constraints.size() + paintedVoxels + firesLit.size() + filters.size() +
+               waters.size() + triggers.size() + characters.size() + jointsCreated.size() + jointsMoved.size() +
+               jointsBroken.size() + jointsChanged.size() + notes.size() + environmentChanged + materialsChanged;
     }
     /// Whether nothing changed that physics, renderer, undo or recordings have to follow.
     bool empty() const {
         return !levelReplaced && !environmentChanged && !materialsChanged && bodiesCreated.empty() &&
                bodiesDestroyed.empty() && shapesCreated.empty() && shapesDestroyed.empty() && bricks.empty() &&
-               palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty() && settled.empty() &&
-               unsettled.empty() && woken.empty() && groups.empty() && teleported.empty() && !firesChanged &&
-               filters.empty() && waters.empty() && triggers.empty() && characters.empty() && jointsCreated.empty() &&
-               jointsMoved.empty() && jointsBroken.empty() && jointsChanged.empty() && notes.empty();
+               palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty() && constraints.empty() &&
+               settled.empty() && unsettled.empty() && woken.empty() && groups.empty() && teleported.empty() &&
+               !firesChanged && filters.empty() && waters.empty() && triggers.empty() && characters.empty() &&
+               jointsCreated.empty() && jointsMoved.empty() && jointsBroken.empty() && jointsChanged.empty() &&
+               notes.empty();
     }
 };
 

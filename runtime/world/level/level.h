@@ -14,6 +14,7 @@
 #include "runtime/world/objects/collision_shape.h"
 #include "runtime/world/objects/joint.h"
 #include "runtime/world/objects/lights.h"
+#include "runtime/world/objects/named_data.h"
 #include "runtime/world/objects/trigger.h"
 #include "runtime/world/objects/water.h"
 
@@ -80,6 +81,7 @@ struct Level {
     std::vector<Trigger> triggers;
     std::vector<Character> characters;
     std::vector<LevelJoint> joints;
+    std::vector<LevelScript> scripts;
 };
 
 }  // namespace rubble

@@ -72,6 +72,22 @@ void apply(EditContext& context, const CarveEdit& edit) {
         context.warnStale(edit.shape, "carve: the handle of its shape is stale; nothing was carved");
 }
 
+uint64_t countCarved(const WorldData& world, const CarveEdit& edit) {
+    uint64_t voxels = 0;
+    const auto count = [&](ShapeHandle handle) {
+        const Shape& shape = world.shapes.at(handle);
+        const Brush brush = resolveBrush(edit, shapeToWorld(world, handle), shape.voxelSize);
+        voxels += countCarved(shape.grid, brush, *shape.palette, world.materials, edit.tool);
+    };
+    if (edit.shape) {
+        if (world.shapes.find(edit.shape)) count(edit.shape);
+        return voxels;
+    }
+    const BoundingSphere bounds = boundingSphere(edit);
+    for (const ShapeHandle handle : shapesNear(world, bounds.center, bounds.radius)) count(handle);
+    return voxels;
+}
+
 void apply(EditContext& context, const BreakEdit& edit) {
     if (!edit.shape) {
         cutRopes(context, {.position = edit.position, .radii = edit.radii});

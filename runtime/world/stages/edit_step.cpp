@@ -11,6 +11,7 @@
 #include "runtime/world/stages/bounds_stage.h"
 #include "runtime/world/stages/carve_edits.h"
 #include "runtime/world/stages/character_edits.h"
+#include "runtime/world/stages/constrain_edits.h"
 #include "runtime/world/stages/create_edits.h"
 #include "runtime/world/stages/debris_stage.h"
 #include "runtime/world/stages/drive_edits.h"

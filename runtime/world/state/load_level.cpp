@@ -197,6 +197,8 @@ void loadLevel(WorldData& world, const Level& level) {
     world.materials = level.materials;
     world.wire = world.materials.find("wire");
     world.locations = level.locations;
+    world.scripts = level.scripts;
+    world.hostData.clear();
     world.setEnvironment(level.environment);
     for (const LightGroup& group : level.lightGroups) world.groups.insert(group);
     const ShapeNames names = loadBodies(world, level);
@@ -225,6 +227,7 @@ Level toLevel(const WorldState& world) {
     level.environment = world.environment;
     level.bounds = world.bounds;
     level.locations = world.locations;
+    level.scripts = world.scripts;
     std::vector<std::string> shapeNames(world.shapes.slotCount());
     world.bodies.forEach([&](BodyHandle, const Body& body) {
         LevelBody out{body.name, body.pose, body.isStatic,     body.velocity,      body.angularVelocity,

@@ -7,6 +7,7 @@
 #include "runtime/core/pose.h"
 #include "runtime/core/world_box.h"
 #include "runtime/voxel/material.h"
+#include "runtime/world/objects/named_data.h"
 #include "runtime/world/objects/world_objects.h"
 #include "runtime/world/settings/world_settings.h"
 #include "runtime/world/state/fire_state.h"
@@ -28,6 +29,9 @@ struct WorldState : WorldObjects {
     WorldBox bounds;     ///< where the world ends, if BoundsSettings say nothing else; low == high: nowhere
     WorldBox footprint;  ///< around all static shapes that the level brought; low == high: it brought none
     std::vector<std::pair<std::string, Pose>> locations;  ///< named places of the level
+    std::vector<LevelScript>
+        scripts;  ///< of the level and of prefabs; as the next not in the hash: nothing follows from it
+    std::vector<HostData> hostData;
     FireState fire;
     std::vector<PendingSplit> pendingSplits;
 

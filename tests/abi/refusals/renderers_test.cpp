@@ -1,6 +1,7 @@
 // The functions of renderers with every wrong value of each argument. They need a GL context: without one these tests
 // are skipped, or fail in CI.
 #include <cstdlib>
+#include <set>
 #include <thread>
 
 #include "render/gl/gl.h"
@@ -55,10 +56,12 @@ TEST_F(RendererRefusals, EveryWrongArgumentIsRefusedByNameAndChangesNothing) {
     expectWrongArgumentsRefused(true);
 }
 
-/// Where no context is current. Debug view and figures ask nothing of the GL.
+/// Where no context is current. Debug view, figures and what an overlay is given ask nothing of the GL.
 TEST_F(RendererRefusals, AThreadWithoutTheContextIsRefused) {
     for (const FunctionDescription& function : functions(true)) {
-        if (function.name == "set_debug_view" || function.name == "get_draw_stats") continue;
+        static const std::set<std::string> kNothing{"set_debug_view", "get_draw_stats", "set_overlay",
+                                                    "set_overlay_image"};
+        if (kNothing.contains(function.name)) continue;
         SCOPED_TRACE(function.name);
         const auto world = makePrepared(function, waysOf(function)[0]);
         const uint64_t before = world->hash();

@@ -98,6 +98,28 @@ void prepareTag(HostCall& call) {
     call.point("tag", "t");
 }
 
+/// `name`: of the argument.
+void prepareOverlay(HostCall& call, const char* name, uint32_t kind, uint32_t flags) {
+    static const uint8_t kPixel[4] = {};
+    auto& item = call.at<rubble_overlay_item>(name);
+    item.kind = kind, item.flags = flags, item.text = kind == RUBBLE_OVERLAY_IMAGE ? "i" : "text";
+    item.transform[0] = item.transform[3] = item.clip[2] = item.clip[3] = item.source[2] = item.source[3] = 1.0;
+    fillAll(item.size, 1.0);
+    if (kind != RUBBLE_OVERLAY_IMAGE) return;
+    auto image = sized<rubble_overlay_image>();
+    image.name = "i", image.pixels = kPixel, image.width = image.height = 1;
+    api()->set_overlay_image(call.world().live().at("rubble_renderer"), &image);
+}
+template <uint32_t kKind, uint32_t kFlags>
+void prepareItem(HostCall& call) {
+    prepareOverlay(call, "items", kKind, kFlags);
+}
+void prepareOverlayImage(HostCall& call) {
+    static const uint8_t kPixel[4] = {};
+    auto& image = call.at<rubble_overlay_image>("image");
+    image.name = "i", image.pixels = kPixel, image.width = image.height = 1;
+}
+
 const std::map<std::string, std::vector<Prepare>> kCalls = {
     {"load_level", {[](HostCall& c) { c.point("path", callFiles().level.c_str()); }}},
     {"start_loading", {[](HostCall& c) { c.point("path", callFiles().level.c_str()); }}},
@@ -122,11 +144,17 @@ const std::map<std::string, std::vector<Prepare>> kCalls = {
     {"save_game_data", {[](HostCall& c) { c.set("capacity", uint64_t(60'000)); }}},
     {"take_deltas", {[](HostCall& c) { c.set("capacity", uint64_t(60'000)); }}},
     {"carve", {prepareCarve<RUBBLE_BRUSH_SPHERE>, prepareCarve<RUBBLE_BRUSH_BOX>, prepareCarve<RUBBLE_BRUSH_CAPSULE>}},
+    {"count_carve",
+     {prepareCarve<RUBBLE_BRUSH_SPHERE>, prepareCarve<RUBBLE_BRUSH_BOX>, prepareCarve<RUBBLE_BRUSH_CAPSULE>}},
     {"break_voxels", {[](HostCall& c) { fillAll(c.at<rubble_break>("edit").radii, 0.5); }}},
     {"add_joint", {prepareJoint<RUBBLE_JOINT_CONE>, prepareJoint<RUBBLE_JOINT_ROPE>, prepareJoint<RUBBLE_JOINT_WHEEL>}},
     {"create_joint",
      {prepareJoint<RUBBLE_JOINT_CONE>, prepareJoint<RUBBLE_JOINT_ROPE>, prepareJoint<RUBBLE_JOINT_WHEEL>}},
     {"grab_body", {prepareGrab<RUBBLE_GRAB_TURNS>, prepareGrab<RUBBLE_GRAB_TURNS | RUBBLE_GRAB_VELOCITY>}},
+    {"constrain_bodies", {[](HostCall& c) {
+         auto& constraint = c.at<rubble_body_constraint>("constraint");
+         constraint.other = 0, constraint.direction[1] = 1.0;
+     }}},
     {"add_water", {[](HostCall& c) { prepareWater(c.at<rubble_water_settings>("water")); }}},
     {"create_water", {[](HostCall& c) { prepareWater(c.at<rubble_water_settings>("settings")); }}},
     {"add_trigger",
@@ -216,6 +244,11 @@ const std::map<std::string, std::vector<Prepare>> kCalls = {
     {"get_shadow_bricks", {[](HostCall& c) { c.set("capacity", 100u); }}},
     {"create_renderer", {prepareRenderer}},
     {"draw", {prepareView<nullptr>, prepareView<kPerspective>, prepareView<kOrthographic>}},
+    {"set_host_data", {[](HostCall& c) { c.point("name", "n"), c.set("size", uint64_t(1)); }}},
+    {"get_host_data", {[](HostCall& c) { c.point("name", "n"), c.set("capacity", uint64_t(100)); }}},
+    {"set_overlay", {prepareItem<RUBBLE_OVERLAY_TEXT, RUBBLE_OVERLAY_IN_WORLD>, prepareItem<RUBBLE_OVERLAY_IMAGE, 0>}},
+    {"set_overlay_image", {prepareOverlayImage}},
+    {"measure_text", {[](HostCall& c) { prepareOverlay(c, "item", RUBBLE_OVERLAY_TEXT, 0); }}},
     {"set_debug_view", {[](HostCall& c) { c.point("name", "albedo"); }}},
 };
 

@@ -41,6 +41,7 @@ TEST(RubbleFile, TheHashSeesEveryField) {
         [](Level& l) { l.environment.fogDistance += 1; },
         [](Level& l) { l.environment.wetness += 0.25f; },
         [](Level& l) { l.locations[0].second.position.x += 1e-12; },
+        [](Level& l) { l.scripts[0].parameters += "x"; },
         [](Level& l) { l.bodies[0].tags.pop_back(); },
         [](Level& l) { l.bodies[0].isStatic = false; },
         [](Level& l) { l.bodies[1].velocity.z = 0; },

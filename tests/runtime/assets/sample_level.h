@@ -201,6 +201,7 @@ inline Level sampleLevel() {
     level.materials.materials.push_back(
         {.name = "cheese", .hardness = Hardness::Hard, .density = 950, .friction = 0.123f, .gun = false});
     setSampleEnvironment(level);
+    level.scripts.push_back({"scripts/lift.lua", "speed=2\nname=\"lift\""});
     level.locations.emplace_back("spawn",
                                  Pose{{1.0 / 3.0, 2e-7, -12345.678}, glm::angleAxis(0.3, glm::dvec3(0, 1, 0))});
     const PaletteRef palette = samplePalette();

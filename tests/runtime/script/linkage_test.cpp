@@ -17,6 +17,7 @@ TEST(Linkage, OnlyScriptsLinkLua) {
     EXPECT_NE(needed(RUBBLE_LUA_PROGRAM).find("lua"), std::string::npos);
     EXPECT_EQ(needed(RUBBLE_LIBRARY).find("lua"), std::string::npos);
     EXPECT_EQ(needed(RUBBLE_RUNTIME).find("lua"), std::string::npos);
+    EXPECT_EQ(needed(RUBBLE_RUNTIME).find("freetype"), std::string::npos) << "letters are the renderer's";
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <sstream>
 
 #include "generated/paths.h"
@@ -8,16 +11,31 @@
 namespace rubble::script {
 namespace {
 
-/// Plays a mod of samples/lua/mods for some seconds.
-void play(Yard& yard, const std::string& name, int seconds) {
+const std::string kSamples = RUBBLE_SOURCE_DIR "/samples/lua/mods/";
+const std::string kPublic = RUBBLE_SOURCE_DIR "/tests/runtime/script/mods/";
+
+/// Plays a mod for some seconds.
+void play(Yard& yard, const std::string& name, int seconds, const std::string& folder = kSamples) {
+    std::filesystem::copy_file(kSamples + "car.vox", yard.folder() / "car.vox");
     std::ostringstream text;
-    text << std::ifstream(RUBBLE_SOURCE_DIR "/samples/lua/mods/" + name).rdbuf();
-    EXPECT_EQ(yard.host().add(name, text.str()).error(), "");
+    text << std::ifstream(folder + name).rdbuf();
+    Script& script = yard.host().add(name, text.str());
+    auto view = sized<rubble_view>();
+    view.width = 1280, view.height = 720, view.rotation[1] = 1.0, view.position[2] = -8.0;
     for (int i = 0; i < seconds * 60; ++i) {
         yard.host().tick(1.0 / 60.0);
+        ASSERT_EQ(yard.host().draw(0, view, 1.0 / 60.0), RUBBLE_OK);
         ASSERT_EQ(yard.host().step(), RUBBLE_OK);
     }
+    EXPECT_EQ(script.error(), "");
     EXPECT_EQ(yard.logged(RUBBLE_LOG_WARNING), "");
+    const std::string lines = text.str();
+    EXPECT_LT(std::count(lines.begin(), lines.end(), '\n'), 100) << "a sample is short";
+}
+
+/// A number of the registry.
+double number(Yard& yard, const char* key) {
+    return std::atof(yard.host().shared().registry[key].c_str());
 }
 
 TEST(Mod, TheGravityGunThrowsTheCrate) {
@@ -37,6 +55,101 @@ TEST(Mod, TheCleanerDeletesSmallPieces) {
     Yard yard;
     play(yard, "debris_cleaner.lua", 8);
     EXPECT_GT(std::stoi(yard.host().shared().registry["cleaner.deleted"]), 0);
+}
+
+TEST(Mod, TheWallCollapses) {
+    Yard yard;
+    play(yard, "collapse.lua", 6);
+    EXPECT_LT(number(yard, "collapse.left"), 0.95);
+    EXPECT_FALSE(yard.host().shared().ui.items.empty());
+}
+
+TEST(Mod, CarsRain) {
+    Yard yard;
+    play(yard, "car_rain.lua", 8);
+    EXPECT_GT(number(yard, "carrain.hits"), 3);
+    EXPECT_GT(number(yard, "carrain.broken"), 20);
+}
+
+TEST(Mod, TheLaserCutsADoor) {
+    Yard yard;
+    play(yard, "laser_cutter.lua", 4);
+    EXPECT_GT(number(yard, "laser.removed"), 100);
+    EXPECT_EQ(number(yard, "laser.door"), 1);
+}
+
+TEST(Mod, TheDroneRamsTheWall) {
+    Yard yard;
+    play(yard, "wrecking_drone.lua", 12);
+    EXPECT_GT(number(yard, "drone.removed"), 100);
+}
+
+TEST(Mod, PaintRains) {
+    Yard yard;
+    play(yard, "paint_rain.lua", 6);
+    EXPECT_GT(number(yard, "paintrain.drops"), 100);
+}
+
+TEST(Mod, TheLiftGoesUpAndDown) {
+    Yard yard;
+    play(yard, "lift.lua", 14);
+    EXPECT_GT(number(yard, "lift.highest"), 2.0);
+    EXPECT_EQ(number(yard, "lift.floor"), 1);
+}
+
+TEST(Mod, TheAlarmRunsDown) {
+    Yard yard;
+    play(yard, "heist_alarm.lua", 8);
+    EXPECT_EQ(number(yard, "alarm.on"), 1);
+    EXPECT_EQ(number(yard, "alarm.over"), 1);
+}
+
+/// The text of a key of the registry.
+std::string text(Yard& yard, const char* key) {
+    return yard.host().shared().registry[key];
+}
+
+// In the style of public mods: globals, tabs, plain tables, no function of ours.
+
+TEST(PublicMod, ATool) {
+    Yard yard;
+    play(yard, "breaker_tool.lua", 3, kPublic);
+    EXPECT_GE(number(yard, "level.shots"), 4);
+    EXPECT_GT(yard.host().shared().ui.items.size(), 0u);
+}
+
+TEST(PublicMod, ADoorWithAMotor) {
+    Yard yard;
+    play(yard, "door_opener.lua", 4, kPublic);
+    EXPECT_GT(std::abs(number(yard, "level.door.most")), 0.2);
+}
+
+TEST(PublicMod, ABlackHole) {
+    Yard yard;
+    play(yard, "black_hole.lua", 4, kPublic);
+    EXPECT_GE(number(yard, "level.blackhole.bodies"), 1);
+}
+
+TEST(PublicMod, AFireFighter) {
+    Yard yard;
+    play(yard, "fire_fighter.lua", 8, kPublic);
+    EXPECT_GT(number(yard, "level.fires.most"), 0);
+}
+
+TEST(PublicMod, AnArtistOfShapes) {
+    Yard yard;
+    play(yard, "shape_artist.lua", 1, kPublic);
+    EXPECT_NE(text(yard, "level.materials"), "");
+    EXPECT_GT(number(yard, "level.art.voxels"), 50);
+    EXPECT_LT(number(yard, "level.art.size"), 16);
+    EXPECT_EQ(number(yard, "level.art.found"), 1);
+}
+
+TEST(PublicMod, ASwing) {
+    Yard yard;
+    play(yard, "rope_swing.lua", 3, kPublic);
+    EXPECT_GT(number(yard, "level.speed"), 0.5);
+    EXPECT_EQ(number(yard, "level.cut"), 1);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "runtime/script/script_host.h"
 #include "samples/lua/yard.h"
+#include "samples/support/image.h"
 #include "tests/support/temp_folder.h"
 
 namespace rubble::script {
@@ -30,6 +31,13 @@ inline void writeTinyModel(const std::filesystem::path& path) {
     std::ofstream(path, std::ios::binary) << bytes << chunks;
 }
 
+/// Writes a red picture of 16 x 8 pixels.
+inline void writeTinyPicture(const std::filesystem::path& path) {
+    Image image(16, 8);
+    for (size_t i = 0; i < image.rgb.size(); i += 3) image.rgb[i] = 255;
+    EXPECT_TRUE(writePng(path.string(), image));
+}
+
 /// A yard with scripts.
 class Yard {
 public:
@@ -41,6 +49,8 @@ public:
         EXPECT_EQ(m_api->create_world(&settings, &m_world), RUBBLE_OK);
         EXPECT_EQ(lua_sample::buildYard(*m_api, m_world), "");
         writeTinyModel(m_folder.path() / "post.vox");
+        writeTinyPicture(m_folder.path() / "picture.png");
+        std::ofstream(m_folder.path() / "tools.lua") << "return {double = function(x) return 2 * x end}";
         ScriptHostSettings given;
         given.limits = limits;
         given.folder = m_folder.path().string();
@@ -61,6 +71,12 @@ public:
         Script& script = m_host->add("test", "function init()\n" + text + "\nend");
         for (int i = 0; i < 300 && script.isWaiting(); ++i) EXPECT_EQ(m_host->step(), RUBBLE_OK);
         return script.error();
+    }
+    /// The folder of its scripts.
+    std::filesystem::path folder() const { return m_folder.path(); }
+    /// What its host logs with.
+    std::function<void(int, const std::string&)> log() {
+        return [this](int level, const std::string& line) { m_log.push_back({level, line}); };
     }
     /// Its scripts.
     ScriptHost& host() { return *m_host; }

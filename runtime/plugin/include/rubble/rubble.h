@@ -611,12 +611,14 @@ enum {
     RUBBLE_PARTICLE_EMBER = 6
 };
 
+enum { RUBBLE_PARTICLE_PASSES = 1 /* it falls through the ground */ };
+
 /* Particles that spawn_particles() adds. */
 typedef struct rubble_particle_burst {
     uint32_t struct_size;
-    uint32_t kind;  /* RUBBLE_PARTICLE_... */
-    uint32_t count; /* 1 to 4096; 0: 1. A world has 4096 at a time: what is beyond is left out */
-    uint32_t reserved;
+    uint32_t kind;      /* RUBBLE_PARTICLE_... */
+    uint32_t count;     /* 1 to 4096; 0: 1. A world has 4096 at a time: what is beyond is left out */
+    uint32_t flags;     /* RUBBLE_PARTICLE_PASSES */
     double position[3]; /* world */
     double radius;      /* metres around it within which they begin, 0 to 100 */
     double velocity[3]; /* m/s, -1000 to 1000 */
@@ -627,6 +629,10 @@ typedef struct rubble_particle_burst {
     double opacity;     /* 0.001 to 1; 0: 1 */
     double life;        /* seconds, 0.02 to 60; 0: 2 */
     double glow;        /* radiant intensity at birth, 0 to 1e6 */
+    double gravity;     /* m/s2 downward, beside what its kind falls and rises by, -100 to 100 */
+    double drag;        /* 1/s, beside that of its kind: the rate at which its velocity decays, 0 to 100 */
+    double spin;        /* rad/s of its image, -100 to 100; where drawn by the renderer, as what follows */
+    double stretch;     /* seconds of its motion by which its image is longer along it, 0 to 1 */
 } rubble_particle_burst;
 
 /* A row of get_particles(). */
@@ -791,6 +797,43 @@ typedef struct rubble_release {
     uint32_t hand;
     double impulse[3]; /* N s, world, at the point that was held */
 } rubble_release;
+
+/* What a joint is and where it is, as get_joint_properties() gives it. */
+typedef struct rubble_joint_properties {
+    uint32_t struct_size;
+    uint32_t kind;                                       /* RUBBLE_JOINT_BALL ... */
+    uint32_t flags;                                      /* RUBBLE_JOINT_COLLIDES ... */
+    uint32_t motor;                                      /* RUBBLE_MOTOR_... */
+    double motor_target, motor_max_force;                /* as in rubble_joint_settings, as all that follows */
+    double lower_limit, upper_limit;                     /* of RUBBLE_JOINT_LIMITED; else 0 */
+    double spring_hertz, spring_damping_ratio, friction; /* the same */
+    double break_force, break_torque;                    /* the same */
+    double steer_angle;                                  /* wheel: radians about y, now */
+    /* where its free motion is, 0 in the pose in which it was made. Hinge: radians, -pi to pi; prismatic and wheel:
+     * metres; ball and cone: radians between the axes of both sides; fixed: 0. Rope: metres between its ends */
+    double movement;
+} rubble_joint_properties;
+
+enum {
+    RUBBLE_CONSTRAINT_VELOCITY = 0,        /* of a point, along a direction */
+    RUBBLE_CONSTRAINT_ANGULAR_VELOCITY = 1 /* about a direction */
+};
+
+/* Holds one component of the velocity of a body, against the world or another body, which then bears the force. It acts
+ * in one step, together with contacts and joints: call it before each step for which it shall hold. Three of them hold
+ * a point, and three more a rotation: toward a place by the speed that leads there within the step, its distance
+ * times 60. */
+typedef struct rubble_body_constraint {
+    uint32_t struct_size;
+    uint32_t kind; /* RUBBLE_CONSTRAINT_... */
+    rubble_body body;
+    rubble_body other;   /* 0: the world. One of the two must be free */
+    double position[3];  /* RUBBLE_CONSTRAINT_VELOCITY: the point, world */
+    double direction[3]; /* world */
+    double speed;        /* of body against other: m/s along the direction, or rad/s about it */
+    /* N or N m on the body along the direction, -1e9 to 1e9. Both 0: no limit. A minimum of 0 pushes and never pulls */
+    double min_force, max_force;
+} rubble_body_constraint;
 
 /* A row of get_ropes(). */
 typedef struct rubble_rope_point {
@@ -1569,6 +1612,75 @@ typedef struct rubble_draw_stats {
     double draw_ms;         /* of the calling thread; the GPU may take longer */
 } rubble_draw_stats;
 
+/* A named place of the level. Lives until the next level or save is loaded, as what follows. */
+typedef struct rubble_location {
+    const char* name;
+    double position[3]; /* world */
+    double rotation[4];
+} rubble_location;
+
+/* A script that the level names, or a prefab that was placed. The library does not run it. */
+typedef struct rubble_level_script {
+    const char* path;       /* in the level's folder */
+    const char* parameters; /* "name=value", a line each */
+} rubble_level_script;
+
+/* What an item of an overlay is; RUBBLE_OVERLAY_LINE and those before it lie on a surface. */
+enum {
+    RUBBLE_OVERLAY_TEXT = 0,
+    RUBBLE_OVERLAY_BOX = 1, /* a rectangle of `size`; with a radius of half of it a circle */
+    RUBBLE_OVERLAY_IMAGE = 2,
+    RUBBLE_OVERLAY_LINE = 3,      /* from (0, 0) to `size` */
+    RUBBLE_OVERLAY_WORLD_LINE = 4 /* from `position` to `end`, its stroke in pixels */
+};
+
+/* Flags of rubble_overlay_item. */
+enum {
+    RUBBLE_OVERLAY_IN_WORLD = 1, /* its surface is a plane in the world, else the view */
+    RUBBLE_OVERLAY_FACING = 2,   /* that plane faces the camera: rotation is not read */
+    RUBBLE_OVERLAY_OCCLUDED = 4, /* in the world: voxels that are nearer hide it */
+    RUBBLE_OVERLAY_BASELINE = 8  /* of a text: y = 0 is its first baseline; align[1] is not read */
+};
+
+/* Something that is drawn over the image. Its surface has x to the right and y down: the view in pixels from its left
+ * upper corner, or a plane in the world in units of `scale` metres. Colours are sRGB with opacity, 0 to 1. */
+typedef struct rubble_overlay_item {
+    uint32_t struct_size;
+    uint32_t kind;  /* RUBBLE_OVERLAY_TEXT ... */
+    uint32_t flags; /* RUBBLE_OVERLAY_IN_WORLD ... */
+    uint32_t reserved;
+    const char* text; /* UTF-8, at most 65536 bytes: a text, whose line feeds begin lines; the name of an image */
+    const char* font; /* null or "sans", "bold", "mono": DejaVu; else the path of a font's file */
+    double font_size; /* height of an em, 0 to 10000; 0: 16 */
+    double
+        size[2]; /* 0 to 1e6, of a line -1e6 to 1e6; size[0] of a text: the width at which lines are broken, 0: none */
+    double transform[6]; /* (x, y) of the item is (t0 x + t2 y + t4, t1 x + t3 y + t5) of the surface; all 0: (x, y) */
+    double align[2];     /* the point of it that is at (0, 0): 0 left or top, 0.5 middle, 1 right or bottom */
+    double color[4];     /* also multiplies an image */
+    double clip[4];      /* left, top, right, bottom on the surface: nothing is drawn outside; all 0: no such limit */
+    double source[4];    /* left, top, right, bottom of the part of an image, in shares; all 0: the whole image */
+    double radius;       /* of a box's corners, 0 to 1e6 */
+    double stroke;       /* width of a line, or of a box's border, 0 to 1e6; 0: a line of 1, a filled box */
+    double outline;      /* width round letters, 0 to 1e4; at most a fifth of font_size is drawn */
+    double outline_color[4];
+    double shadow_offset[2];
+    double shadow_blur;     /* 0 to 1e4; at most a quarter of font_size is drawn */
+    double shadow_color[4]; /* opacity 0: letters without a shadow */
+    double position[3];     /* in the world, metres: of the surface's (0, 0) */
+    double rotation[4];     /* of the surface, whose x is to the right and whose y is against the world's y */
+    double scale;           /* metres of a unit, 0 to 1000; 0: 0.01 */
+    double end[3];          /* of a world line */
+} rubble_overlay_item;
+
+/* An image for items of an overlay. */
+typedef struct rubble_overlay_image {
+    uint32_t struct_size;
+    uint32_t width, height; /* pixels, 1 to 8192 */
+    uint32_t reserved;
+    const char* name;      /* UTF-8, 1 to 4096 bytes */
+    const uint8_t* pixels; /* RGBA with straight alpha, sRGB, rows from the top; null: takes the image away */
+} rubble_overlay_image;
+
 /* ---- the function table ---- */
 
 typedef struct rubble_api {
@@ -2175,6 +2287,51 @@ typedef struct rubble_api {
     /* [main-thread] A hash of what RUBBLE_DELTAS_EDITS keep equal: voxels, their palettes and paint, and light groups.
      * Poses are not in it: it is the same on every machine. */
     rubble_result (*get_voxel_hash)(rubble_world world, uint64_t* out);
+
+    /* ---- edits: commands for the next step ---- */
+
+    /* [main-thread] How many voxels that carve() would remove from the world as the last step left it. Nothing is
+     * queued, and edits that wait are not counted; nor is what would come off and is too small to be a piece. Costs
+     * what the carve costs. */
+    rubble_result (*count_carve)(rubble_world world, const rubble_carve* carve, uint64_t* count);
+
+    /* ---- edits: joints, wheels and grabbing ---- */
+
+    /* [main-thread] Holds the velocity of a body in the next step; see rubble_body_constraint. Wakes both bodies. */
+    rubble_result (*constrain_bodies)(rubble_world world, const rubble_body_constraint* constraint);
+    /* [main-thread] One joint. */
+    rubble_result (*get_joint_state)(rubble_world world, rubble_joint joint, rubble_joint_state* out);
+    /* [main-thread] Limits, motor and spring of a joint, and where its free motion is. */
+    rubble_result (*get_joint_properties)(rubble_world world, rubble_joint joint, rubble_joint_properties* out);
+
+    /* ---- places, scripts and data that a game carries ---- */
+
+    /* [main-thread] The named places of the level. Saves keep them. */
+    rubble_result (*get_locations)(rubble_world world, rubble_location* out, uint32_t capacity, uint32_t* count);
+    /* [main-thread] The scripts of the level, then those of the prefabs that were placed. Saves keep them. */
+    rubble_result (*get_level_scripts)(rubble_world world, rubble_level_script* out, uint32_t capacity,
+                                       uint32_t* count);
+    /* [main-thread] Keeps bytes under a name with the game, at once: saves have them, and the start of a recording.
+     * They are no part of the state hash. name: UTF-8, 1 to 4096 bytes. size: at most 16 MiB; 0: forgets them. A level
+     * that is loaded forgets all. */
+    rubble_result (*set_host_data)(rubble_world world, const char* name, const uint8_t* data, uint64_t size);
+    /* [main-thread] Copies such bytes. *count becomes their number, 0 where there are none. Capacity 0 asks for that
+     * alone; fewer: RUBBLE_ERROR_CAPACITY, and nothing is written. */
+    rubble_result (*get_host_data)(rubble_world world, const char* name, uint8_t* out, uint64_t capacity,
+                                   uint64_t* count);
+
+    /* ---- an overlay: text, boxes, images and lines over the image ---- */
+
+    /* [render-thread] What draw() draws over the image from now on, in this order; count 0: nothing, which costs
+     * nothing. The items are copied. All have the struct_size of the first one; 65536 at most. The first draw() with an
+     * overlay builds its program. RUBBLE_ERROR_FILE: a font cannot be read. RUBBLE_ERROR_ARGUMENT: an image is not
+     * there, among others. Then the items are as before. */
+    rubble_result (*set_overlay)(rubble_renderer renderer, const rubble_overlay_item* items, uint32_t count);
+    /* [render-thread] Gives an image a name for items, or replaces it. The pixels are copied. */
+    rubble_result (*set_overlay_image)(rubble_renderer renderer, const rubble_overlay_image* image);
+    /* [any-thread] Width and height of a text as set_overlay() draws it, of which text, font, font_size and size[0]
+     * are read. RUBBLE_ERROR_FILE: the font cannot be read. */
+    rubble_result (*measure_text)(const rubble_overlay_item* item, double out[2]);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

@@ -1022,6 +1022,58 @@ public:
         check(api().get_voxel_hash(m_handle, &out));
         return out;
     }
+    /** How many voxels that carve() would remove from the world as the last step left it. Nothing is queued, and edits
+     * that wait are not counted; nor is what would come off and is too small to be a piece. Costs what the carve costs.
+     * */
+    uint64_t count_carve(rubble_carve carve) {
+        carve.struct_size = sizeof carve;
+        uint64_t out{};
+        check(api().count_carve(m_handle, &carve, &out));
+        return out;
+    }
+    /** Holds the velocity of a body in the next step; see rubble_body_constraint. Wakes both bodies. */
+    void constrain_bodies(rubble_body_constraint constraint) {
+        constraint.struct_size = sizeof constraint;
+        check(api().constrain_bodies(m_handle, &constraint));
+    }
+    /** One joint. */
+    rubble_joint_state get_joint_state(rubble_joint joint) const {
+        rubble_joint_state out{};
+        check(api().get_joint_state(m_handle, joint, &out));
+        return out;
+    }
+    /** Limits, motor and spring of a joint, and where its free motion is. */
+    rubble_joint_properties get_joint_properties(rubble_joint joint) const {
+        rubble_joint_properties out{};
+        out.struct_size = sizeof out;
+        check(api().get_joint_properties(m_handle, joint, &out));
+        return out;
+    }
+    /** The named places of the level. Saves keep them. */
+    std::vector<rubble_location> get_locations() const {
+        return rows<rubble_location, uint32_t>([&](rubble_location* out, uint32_t capacity, uint32_t* count) {
+            return api().get_locations(m_handle, out, capacity, count);
+        });
+    }
+    /** The scripts of the level, then those of the prefabs that were placed. Saves keep them. */
+    std::vector<rubble_level_script> get_level_scripts() const {
+        return rows<rubble_level_script, uint32_t>([&](rubble_level_script* out, uint32_t capacity, uint32_t* count) {
+            return api().get_level_scripts(m_handle, out, capacity, count);
+        });
+    }
+    /** Keeps bytes under a name with the game, at once: saves have them, and the start of a recording. They are no part
+     * of the state hash. name: UTF-8, 1 to 4096 bytes. size: at most 16 MiB; 0: forgets them. A level that is loaded
+     * forgets all. */
+    void set_host_data(const char* name, const uint8_t* data, uint64_t size) {
+        check(api().set_host_data(m_handle, name, data, size));
+    }
+    /** Copies such bytes. *count becomes their number, 0 where there are none. Capacity 0 asks for that alone; fewer:
+     * RUBBLE_ERROR_CAPACITY, and nothing is written. */
+    std::vector<uint8_t> get_host_data(const char* name) const {
+        return rows<uint8_t, uint64_t>([&](uint8_t* out, uint64_t capacity, uint64_t* count) {
+            return api().get_host_data(m_handle, name, out, capacity, count);
+        });
+    }
 private:
     void release() noexcept {
         if (m_handle) api().destroy_world(std::exchange(m_handle, 0));
@@ -1062,6 +1114,18 @@ public:
         out.struct_size = sizeof out;
         check(api().get_draw_stats(m_handle, &out));
         return out;
+    }
+    /** What draw() draws over the image from now on, in this order; count 0: nothing, which costs nothing. The items
+     * are copied. All have the struct_size of the first one; 65536 at most. The first draw() with an overlay builds its
+     * program. RUBBLE_ERROR_FILE: a font cannot be read. RUBBLE_ERROR_ARGUMENT: an image is not there, among others.
+     * Then the items are as before. */
+    void set_overlay(const rubble_overlay_item* items, uint32_t count) {
+        check(api().set_overlay(m_handle, items, count));
+    }
+    /** Gives an image a name for items, or replaces it. The pixels are copied. */
+    void set_overlay_image(rubble_overlay_image image) {
+        image.struct_size = sizeof image;
+        check(api().set_overlay_image(m_handle, &image));
     }
 private:
     void release() noexcept {

@@ -1,0 +1,45 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "render/overlay/font.h"
+#include "render/overlay/overlay_item.h"
+
+namespace rubble {
+
+/// What is drawn over the image: items in their order, and the images that they name.
+class Overlay {
+public:
+    /// An image, until OverlayPass has taken its pixels.
+    struct Image {
+        glm::ivec2 size{0};
+        std::vector<uint8_t> pixels;  ///< empty: taken
+    };
+
+    /// Replaces all items. An error says which one names a font that cannot be read or an image that is not there;
+    /// then all is as before.
+    Result<Done> set(std::vector<OverlayItem> items);
+    /// Gives an image a name, or replaces it. Without pixels: takes it away, with the items that name it.
+    void setImage(const std::string& name, OverlayImage image);
+
+    /// Whether nothing is drawn.
+    bool empty() const { return m_items.empty(); }
+    /// All items.
+    const std::vector<OverlayItem>& items() const { return m_items; }
+    /// The images by their names.
+    std::map<std::string, Image>& images() { return m_images; }
+    /// The fonts that its items name.
+    Fonts& fonts() { return m_fonts; }
+
+private:
+    std::vector<OverlayItem> m_items;
+    std::map<std::string, Image> m_images;
+    Fonts m_fonts;
+};
+
+/// Width and height of a text as Overlay draws it, without outline and shadow. [any-thread] The error is that of
+/// Fonts::find().
+Result<glm::vec2> measureText(const std::string& font, float fontSize, float width, std::string_view text);
+
+}  // namespace rubble

@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <cstring>
+
+#include "runtime/plugin/c_abi/calls.h"
+#include "runtime/plugin/c_abi/functions.h"
+
+namespace rubble::abi {
+namespace {
+
+constexpr uint64_t kMaxBytes = 16 << 20;
+constexpr size_t kMaxNameBytes = 4096, kMaxNames = 1000;
+
+rubble_result getLocations(rubble_world world, rubble_location* out, uint32_t capacity, uint32_t* count) {
+    return listRows<rubble_location>("get_locations", world, out, capacity, count,
+                                     [](const HostedWorld& hosted, RowWriter<rubble_location>& rows) {
+                                         for (const auto& [name, pose] : hosted.loop.world().data().locations)
+                                             rows.add([&] {
+                                                 rubble_location row = {};
+                                                 row.name = name.c_str();
+                                                 writeVector(row.position, pose.position);
+                                                 writeRotation(row.rotation, pose.rotation);
+                                                 return row;
+                                             });
+                                     });
+}
+
+rubble_result getLevelScripts(rubble_world world, rubble_level_script* out, uint32_t capacity, uint32_t* count) {
+    return listRows<rubble_level_script>(
+        "get_level_scripts", world, out, capacity, count,
+        [](const HostedWorld& hosted, RowWriter<rubble_level_script>& rows) {
+            for (const LevelScript& script : hosted.loop.world().data().scripts)
+                rows.add([&] { return rubble_level_script{script.path.c_str(), script.parameters.c_str()}; });
+        });
+}
+
+std::string readName(const char* name) {
+    if (!isGiven(name, "name")) return {};
+    const size_t length = strnlen(name, kMaxNameBytes + 1);
+    if (length < 1 || length > kMaxNameBytes)
+        refuse(RUBBLE_ERROR_ARGUMENT, "name has {} bytes, expected 1 to {}", length, kMaxNameBytes);
+    return isRefused() ? "" : std::string(name, length);
+}
+
+rubble_result setHostData(rubble_world world, const char* name, const uint8_t* data, uint64_t size) {
+    return inWorld("set_host_data", world, [&](HostedWorld& hosted) {
+        const std::string key = readName(name);
+        readInRange(double(size), {0.0, double(kMaxBytes)}, "size");
+        if (!isRefused() && size) isGiven(data, "data");
+        const auto& kept = hosted.loop.world().data().hostData;
+        if (size && kept.size() >= kMaxNames) refuse(RUBBLE_ERROR_CAPACITY, "there are {} names already", kMaxNames);
+        if (!isRefused()) hosted.loop.world().setHostData(key, std::string(data, data + size));
+    });
+}
+
+rubble_result getHostData(rubble_world world, const char* name, uint8_t* out, uint64_t capacity, uint64_t* count) {
+    return inWorld("get_host_data", world, [&](const HostedWorld& hosted) {
+        if (!isGiven(count, "count")) return;
+        *count = 0;
+        if (capacity) isGiven(out, "out");
+        const std::string key = readName(name);
+        if (isRefused()) return;
+        const auto& kept = hosted.loop.world().data().hostData;
+        const auto found =
+            std::find_if(kept.begin(), kept.end(), [&](const HostData& each) { return each.name == key; });
+        if (found == kept.end()) return;
+        *count = found->bytes.size();
+        if (capacity && capacity < *count)
+            return refuse(RUBBLE_ERROR_CAPACITY, "there are {} bytes, the array holds {}", *count, capacity);
+        if (capacity) std::memcpy(out, found->bytes.data(), found->bytes.size());
+    });
+}
+
+}  // namespace
+
+void setHostDataFunctions(rubble_api& api) {
+    api.get_locations = getLocations;
+    api.get_level_scripts = getLevelScripts;
+    api.set_host_data = setHostData;
+    api.get_host_data = getHostData;
+}
+
+}  // namespace rubble::abi

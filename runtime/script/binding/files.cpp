@@ -1,0 +1,21 @@
+#include "runtime/script/binding/files.h"
+
+#include "runtime/script/binding/arguments.h"
+#include "runtime/script/binding/script_context.h"
+
+namespace rubble::script {
+
+bool staysInside(const std::string& path) {
+    return !path.empty() && path[0] != '/' && path.find('\\') == path.npos && path.find("..") == path.npos &&
+           path.find('\0') == path.npos;
+}
+
+std::string fileAt(lua_State* L, int index, const char* name) {
+    const std::string file = textAt(L, index, name), &folder = ScriptContext::of(L).shared.folder;
+    if (folder.empty() || !staysInside(file))
+        luaL_error(L, "%s: %s: expected a file inside of the folder that the host gives to scripts, found \"%s\"",
+                   runningFunction(L).name().c_str(), name, file.c_str());
+    return folder + "/" + file;
+}
+
+}  // namespace rubble::script

@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+
+#include "runtime/script/binding/ui_state.h"
+
+namespace rubble::script {
+
+/// Reads a PNG file of at most 4096 x 4096 pixels. What is wrong with it, or "".
+std::string readPng(const std::string& path, UiImage& out);
+
+}  // namespace rubble::script

@@ -1,0 +1,170 @@
+// What saves keep of scripts, and how scripts begin again: after a load, and with another text.
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "runtime/script/binding/data_text.h"
+#include "runtime/script/binding/files.h"
+#include "runtime/script/script_host.h"
+
+namespace rubble::script {
+namespace {
+
+constexpr const char* kDataName = "rubble.scripts";
+
+void putText(std::string& bytes, const std::string& text) {
+    const auto size = uint32_t(text.size());
+    for (int i = 0; i < 4; ++i) bytes += char(size >> (8 * i) & 255);
+    bytes += text;
+}
+
+/// The next text of those that putText() has written. False: there is none.
+bool takeText(const std::string& bytes, size_t& at, std::string& out) {
+    if (at + 4 > bytes.size()) return false;
+    uint32_t size = 0;
+    for (int i = 0; i < 4; ++i) size |= uint32_t(static_cast<unsigned char>(bytes[at + size_t(i)])) << (8 * i);
+    if (size > bytes.size() - at - 4) return false;
+    out = bytes.substr(at + 4, size);
+    at += 4 + size;
+    return true;
+}
+
+/// What writeSaved() is given.
+struct Saving {
+    const ScriptContext& context;
+    std::map<std::string, std::string>& out;
+};
+
+int writeSaved(lua_State* L) {
+    const Saving& saving = *static_cast<Saving*>(lua_touserdata(L, 1));
+    for (const auto& [name, reference] : saving.context.saved) {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, reference);
+        saving.out[name] = dataText(L, -1, saving.context.name + ": saved \"" + name + "\"");
+        lua_pop(L, 1);
+    }
+    return 0;
+}
+
+std::map<std::string, std::string> parametersOf(const std::string& lines) {
+    std::map<std::string, std::string> parameters;
+    std::istringstream in(lines);
+    for (std::string line; std::getline(in, line);)
+        if (const size_t at = line.find('='); at != line.npos) parameters[line.substr(0, at)] = line.substr(at + 1);
+    return parameters;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> Script::savedTables() {
+    std::map<std::string, std::string> out;
+    Saving saving{m_context, out};
+    if (!isStopped() && !m_sandbox.prepare(writeSaved, &saving)) report(m_sandbox.refusal());
+    return out;
+}
+
+rubble_result ScriptHost::save() {
+    std::string bytes;
+    putText(bytes, std::to_string(m_shared.step));
+    for (const auto& [key, value] : m_shared.registry) {
+        putText(bytes, "key " + key);
+        putText(bytes, value);
+    }
+    for (Script& script : m_scripts)
+        for (const auto& [name, text] : script.savedTables()) {
+            putText(bytes, "table " + script.name() + "\n" + name);
+            putText(bytes, text);
+        }
+    return m_shared.api->set_host_data(m_shared.world, kDataName, reinterpret_cast<const uint8_t*>(bytes.data()),
+                                       bytes.size());
+}
+
+void ScriptHost::load() {
+    uint64_t count = 0;
+    const rubble_api& api = *m_shared.api;
+    api.get_host_data(m_shared.world, kDataName, nullptr, 0, &count);
+    std::string bytes(count, '\0'), key, value;
+    if (count) api.get_host_data(m_shared.world, kDataName, reinterpret_cast<uint8_t*>(bytes.data()), count, &count);
+    SavedTables tables;
+    m_shared.registry.clear();
+    size_t at = 0;
+    m_shared.step = takeText(bytes, at, value) ? std::strtoull(value.c_str(), nullptr, 10) : 0;
+    m_shared.time = double(m_shared.step) / 60.0;
+    while (takeText(bytes, at, key) && takeText(bytes, at, value)) {
+        if (key.starts_with("key ")) m_shared.registry[key.substr(4)] = value;
+        const size_t end = key.find('\n');
+        if (key.starts_with("table ") && end != key.npos) tables[key.substr(6, end - 6)][key.substr(end + 1)] = value;
+    }
+    forgetWorld();
+    std::erase_if(m_scripts, [](const Script& script) { return script.isOfLevel(); });
+    for (auto script = m_scripts.begin(); script != m_scripts.end(); ++script)
+        script = restart(script, std::string(script->text()), std::move(tables[script->name()]));
+    m_levelScripts = 0;
+    addLevelScripts(std::move(tables));
+}
+
+void ScriptHost::forgetWorld() {
+    m_shared.created.clear();
+    m_shared.grids.clear();
+    m_shared.brokenBodies.clear();
+    m_shared.brokenShapes.clear();
+    m_shared.pointLights.clear();
+}
+
+std::list<Script>::iterator ScriptHost::restart(std::list<Script>::iterator old, const std::string& text,
+                                                std::map<std::string, std::string> restored) {
+    const auto made = m_scripts.emplace(old, m_shared, old->name(), m_settings.limits);
+    made->context().parameters = old->context().parameters;
+    made->context().restored = std::move(restored);
+    m_scripts.erase(old);
+    begin(*made, text, true);
+    return made;
+}
+
+bool ScriptHost::reload(const std::string& name, const std::string& text) {
+    for (auto script = m_scripts.begin(); script != m_scripts.end(); ++script) {
+        if (script->name() != name) continue;
+        std::string unused;
+        if (!script->compiles(text))
+            return script->evaluate(text, unused);  // which says what is wrong, and runs nothing
+        const auto made = restart(script, text, script->savedTables());
+        return made->error().empty();
+    }
+    return false;
+}
+
+void ScriptHost::addLevelScripts(SavedTables restored) {
+    uint32_t count = 0;
+    const rubble_api& api = *m_shared.api;
+    if (api.get_level_scripts(m_shared.world, nullptr, 0, &count) != RUBBLE_OK || count <= m_levelScripts) return;
+    std::vector<rubble_level_script> rows(count);
+    if (api.get_level_scripts(m_shared.world, rows.data(), count, &count) != RUBBLE_OK) return;
+    while (m_levelScripts < count) {
+        const rubble_level_script& row = rows[m_levelScripts++];
+        addLevelScript(row.path, row.parameters, restored);
+    }
+}
+
+void ScriptHost::addLevelScript(const std::string& path, const std::string& parameters, SavedTables& restored) {
+    std::ifstream file;
+    if (!m_settings.folder.empty() && staysInside(path)) file.open(m_settings.folder + "/" + path, std::ios::binary);
+    if (!file.is_open()) {
+        if (m_shared.log)
+            m_shared.log(RUBBLE_LOG_ERROR, "the level names the script \"" + path +
+                                               "\": expected a file of the scripts' folder, found none");
+        return;
+    }
+    std::ostringstream text;
+    text << file.rdbuf();
+    std::string name = path;  // several prefabs may have the same one
+    for (int i = 2; std::any_of(m_scripts.begin(), m_scripts.end(), [&](auto& each) { return each.name() == name; });
+         ++i)
+        name = path + "#" + std::to_string(i);
+    Script& script = m_scripts.emplace_back(m_shared, name, m_settings.limits);
+    script.context().parameters = parametersOf(parameters);
+    script.context().restored = std::move(restored[name]);
+    script.setOfLevel();
+    begin(script, text.str(), !script.context().restored.empty());
+}
+
+}  // namespace rubble::script

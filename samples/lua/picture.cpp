@@ -1,0 +1,69 @@
+#include "samples/lua/picture.h"
+
+#include <glm/gtc/quaternion.hpp>
+#include <optional>
+
+#include "render/gl/gl.h"
+#include "render/gl/offscreen.h"
+#include "runtime/script/script_host.h"
+#include "samples/support/gl_context.h"
+#include "samples/support/image.h"
+
+namespace lua_sample {
+namespace {
+
+constexpr int kFrames = 16;
+
+}  // namespace
+
+struct Picture::Gl {
+    std::unique_ptr<rubble::GlContext> context;
+    std::optional<rubble::Offscreen> target;
+};
+
+Picture::Picture() = default;
+Picture::~Picture() = default;
+
+std::string Picture::open(const rubble_api& api, uint32_t width, uint32_t height, const Camera& camera) {
+    auto made = rubble::GlContext::create();
+    if (!made) return made.error();
+    m_api = &api;
+    m_gl = std::make_unique<Gl>();
+    m_gl->context = std::move(made).value();
+    if (const auto loaded = rubble::loadGl(m_gl->context->loader()); !loaded) return loaded.error();
+    m_gl->target.emplace(glm::ivec2(int(width), int(height)));
+    rubble_host host = {};
+    host.struct_size = sizeof host;
+    host.gl_get_proc_address = m_gl->context->loader();
+    if (api.set_host(&host) != RUBBLE_OK) return api.get_last_error();
+    const glm::dvec3 eye(camera.eye[0], camera.eye[1], camera.eye[2]);
+    const glm::dvec3 target(camera.target[0], camera.target[1], camera.target[2]);
+    const glm::dquat turn = glm::quatLookAt(glm::normalize(target - eye), glm::dvec3(0.0, 1.0, 0.0));
+    m_view.struct_size = sizeof m_view;
+    m_view.framebuffer = m_gl->target->framebuffer();
+    m_view.width = width, m_view.height = height;
+    for (int i = 0; i < 3; ++i) m_view.position[i] = eye[i];
+    m_view.rotation[0] = turn.x, m_view.rotation[1] = turn.y, m_view.rotation[2] = turn.z, m_view.rotation[3] = turn.w;
+    m_view.vertical_fov = 0.9, m_view.alpha = 1.0;
+    return "";
+}
+
+std::string Picture::write(rubble::script::ScriptHost& scripts, rubble_world world, const std::string& path) {
+    rubble_renderer renderer = 0;
+    rubble_renderer_settings settings = {};
+    settings.struct_size = sizeof settings;
+    settings.flags = RUBBLE_RENDERER_COMPILE_LATE;
+    if (m_api->create_renderer(world, &settings, &renderer) != RUBBLE_OK) return m_api->get_last_error();
+    scripts.step();  // a new renderer shows the world from the next step on
+    rubble_result result = scripts.draw(renderer, m_view, 1.0 / 60.0);
+    for (int i = 0; i < kFrames && result == RUBBLE_OK; ++i) result = m_api->draw(renderer, &m_view);
+    std::string error = result == RUBBLE_OK ? "" : m_api->get_last_error();
+    rubble::Image image(int(m_view.width), int(m_view.height));
+    image.rgb = m_gl->target->readRgb();
+    const auto written = rubble::writePng(path, image);
+    if (!written) error = written.error();
+    m_api->destroy_renderer(renderer);
+    return error;
+}
+
+}  // namespace lua_sample

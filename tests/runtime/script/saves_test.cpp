@@ -1,0 +1,184 @@
+// What saves keep of scripts, reloads, levels that name scripts, and replays without them.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "runtime/assets/rubble_file.h"
+#include "tests/runtime/script/yard_fixture.h"
+#include "tests/support/grids.h"
+
+namespace rubble::script {
+namespace {
+
+constexpr const char* kCounter =
+    "local kept = saved('count', {n = 0, at = Vec(1, 2, 3), names = {'a', 'b'}})\n"
+    "function init() SetString('first', 'init') end\n"
+    "function onLoad() SetString('first', 'load') end\n"
+    "function update() kept.n = kept.n + 1 SetInt('n', kept.n) SetString('at', tostring(kept.at + Vec(0, 0, 1))) end\n";
+
+void steps(Yard& yard, int count) {
+    for (int i = 0; i < count; ++i) ASSERT_EQ(yard.host().step(), RUBBLE_OK);
+}
+
+TEST(ScriptSaves, TablesAndRegistryAreInASave) {
+    Yard yard;
+    const std::string save = (yard.folder() / "save.rubble").string();
+    yard.host().add("counter.lua", kCounter);
+    steps(yard, 5);
+    ASSERT_EQ(yard.host().save(), RUBBLE_OK);
+    ASSERT_EQ(yard.api().save_game(yard.world(), save.c_str()), RUBBLE_OK);
+    const double time = yard.host().shared().time;
+    steps(yard, 7);
+    EXPECT_EQ(yard.host().shared().registry["n"], "12");
+    ASSERT_EQ(yard.api().load_game(yard.world(), save.c_str()), RUBBLE_OK) << yard.api().get_last_error();
+    yard.host().load();
+    EXPECT_EQ(yard.host().shared().registry["n"], "5");
+    EXPECT_EQ(yard.host().shared().registry["first"], "load");
+    EXPECT_EQ(yard.host().shared().time, time);
+    steps(yard, 1);
+    EXPECT_EQ(yard.host().shared().registry["n"], "6");
+    EXPECT_EQ(yard.host().shared().registry["at"], "(1.0, 2.0, 4.0)");
+    EXPECT_EQ(yard.logged(RUBBLE_LOG_WARNING), "");
+}
+
+TEST(ScriptSaves, WhatIsNoDataIsAnError) {
+    Yard yard;
+    yard.host().add("bad.lua", "local kept = saved('t') kept.f = print");
+    yard.host().save();
+    EXPECT_NE(yard.logged(RUBBLE_LOG_ERROR).find("bad.lua: saved \"t\": expected data, found a function"),
+              std::string::npos)
+        << yard.logged(RUBBLE_LOG_ERROR);
+    yard.host().add("cycle.lua", "local kept = saved('t') kept.t = kept");
+    yard.host().save();
+    EXPECT_NE(yard.logged(RUBBLE_LOG_ERROR).find("expected at most 32 tables in each other"), std::string::npos);
+}
+
+TEST(ScriptSaves, AReloadKeepsState) {
+    Yard yard;
+    yard.host().add("counter.lua", kCounter);
+    steps(yard, 4);
+    std::string faster = kCounter;
+    faster.replace(faster.find("kept.n + 1"), 10, "kept.n + 5");
+    EXPECT_TRUE(yard.host().reload("counter.lua", faster));
+    steps(yard, 1);
+    EXPECT_EQ(yard.host().shared().registry["n"], "9");
+    EXPECT_FALSE(yard.host().reload("counter.lua", "x = = 1")) << "what does not compile changes nothing";
+    steps(yard, 1);
+    EXPECT_EQ(yard.host().shared().registry["n"], "14");
+    EXPECT_FALSE(yard.host().reload("other.lua", faster));
+}
+
+TEST(ScriptSaves, ARecordingOfScriptsPlaysWithoutThem) {
+    Yard yard;
+    const std::string log = (yard.folder() / "game.rubblelog").string();
+    ASSERT_EQ(yard.api().start_recording(yard.world(), log.c_str()), RUBBLE_OK);
+    yard.host().add("breaks.lua",
+                    "function init() for i = 1, 5 do MakeHole({i - 3, 1.5, 0.1}, 0.4, 0.4) wait(0.1) end "
+                    "Explosion({0, 0.5, -1}, 2) end\n"
+                    "function update() local crate = FindBody('crate') if crate ~= 0 then "
+                    "ConstrainPosition(crate, 0, GetBodyTransform(crate).pos, {0, 2, -2}, 2) end end");
+    steps(yard, 60);
+    const uint64_t end = yard.hash();
+    ASSERT_EQ(yard.api().stop_recording(yard.world()), RUBBLE_OK);
+    rubble_world other = 0;
+    auto settings = sized<rubble_world_settings>();
+    settings.flags = RUBBLE_WORLD_NO_RENDERER;
+    ASSERT_EQ(yard.api().create_world(&settings, &other), RUBBLE_OK);
+    uint64_t played = 0, hash = 0;
+    EXPECT_EQ(yard.api().play_recording(other, log.c_str(), &played), RUBBLE_OK) << yard.api().get_last_error();
+    EXPECT_EQ(played, 60u) << "each step has the recorded hash";
+    EXPECT_EQ(yard.api().get_state_hash(other, &hash), RUBBLE_OK);
+    EXPECT_EQ(hash, end);
+    yard.api().destroy_world(other);
+}
+
+/// A level of nothing but a place and a script.
+std::string writeLevel(const std::filesystem::path& folder, const std::string& name, const std::string& script) {
+    Level level;
+    level.name = "scripted";
+    LevelBody& body = level.bodies.emplace_back();
+    LevelShape& shape = body.shapes.emplace_back();
+    body.name = shape.name = "post";
+    shape.grid = solidGrid({2, 2, 2}, 1);
+    shape.palette = std::make_shared<const Palette>();
+    level.locations.emplace_back("spawn", Pose{{1.0, 2.0, 3.0}, {1, 0, 0, 0}});
+    level.scripts.push_back({script, "speed=3\nname=lift"});
+    const std::vector<uint8_t> bytes = levelToRubble(level);
+    std::ofstream(folder / name, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+    return (folder / name).string();
+}
+
+TEST(ScriptSaves, LevelsNameTheirScripts) {
+    Yard yard;
+    std::ofstream(yard.folder() / "level.lua")
+        << "function init() SetInt('speed', GetIntParam('speed', 1)) "
+           "SetString('name', GetStringParam('name', '')) "
+           "SetString('at', tostring(GetLocationTransform(FindLocation('spawn')).pos)) end";
+    const std::string level = writeLevel(yard.folder(), "level.rubble", "level.lua");
+    ASSERT_EQ(yard.api().load_level(yard.world(), level.c_str(), nullptr), RUBBLE_OK) << yard.api().get_last_error();
+    yard.host().addLevelScripts();
+    EXPECT_EQ(yard.logged(RUBBLE_LOG_WARNING), "");
+    EXPECT_EQ(yard.host().shared().registry["speed"], "3");
+    EXPECT_EQ(yard.host().shared().registry["name"], "lift");
+    EXPECT_EQ(yard.host().shared().registry["at"], "(1.0, 2.0, 3.0)");
+    yard.host().addLevelScripts();
+    EXPECT_EQ(yard.host().scripts().size(), 1u) << "each begins once";
+}
+
+TEST(ScriptSaves, PrefabsBringTheirScripts) {
+    Yard yard;
+    std::ofstream(yard.folder() / "prefab.lua") << "function init() SetInt('begun', GetInt('begun') + 1) end";
+    writeLevel(yard.folder(), "prefab.rubble", "prefab.lua");
+    EXPECT_EQ(yard.run("Spawn('prefab.rubble') Spawn('prefab.rubble')"), "");
+    steps(yard, 2);
+    EXPECT_EQ(yard.host().shared().registry["begun"], "2");
+    EXPECT_EQ(yard.logged(RUBBLE_LOG_WARNING), "");
+}
+
+TEST(ScriptSaves, AScriptThatIsNotThereIsLogged) {
+    Yard yard;
+    for (const char* path : {"missing.lua", "../outside.lua", "/etc/passwd"}) {
+        const std::string level = writeLevel(yard.folder(), "level.rubble", path);
+        ASSERT_EQ(yard.api().load_level(yard.world(), level.c_str(), nullptr), RUBBLE_OK);
+        ScriptHost host(yard.api(), yard.world(), {.folder = yard.folder().string(), .log = yard.log()});
+        host.addLevelScripts();
+        EXPECT_TRUE(host.scripts().empty());
+        EXPECT_NE(yard.logged(RUBBLE_LOG_ERROR).find(std::string("the level names the script \"") + path),
+                  std::string::npos);
+    }
+}
+
+TEST(ScriptFiles, RequireRunsAFileOnce) {
+    Yard yard;
+    std::ofstream(yard.folder() / "once.lua") << "SetInt('runs', GetInt('runs') + 1) return {n = 1}";
+    std::ofstream(yard.folder() / "self.lua") << "require('self')";
+    std::ofstream(yard.folder() / "bad.lua") << "local x = = 1";
+    EXPECT_EQ(yard.run("assert(require('once') == require('once.lua') and GetInt('runs') == 1)"), "");
+    EXPECT_NE(yard.run("require('self')").find("does not require itself"), std::string::npos);
+    EXPECT_NE(yard.run("require('bad')").find("bad.lua:1"), std::string::npos);
+    EXPECT_NE(yard.run("require('../once')").find("inside of the folder"), std::string::npos);
+    EXPECT_NE(yard.run("require('none')").find("found no none.lua"), std::string::npos);
+}
+
+TEST(ScriptProfile, FunctionsAreMeasuredWhereTheHostAsks) {
+    Yard yard;
+    ScriptHost host(yard.api(), yard.world(), {.measuresFunctions = true});
+    const Script& script = host.add("calls.lua", "for i = 1, 100 do Vec(1, 2, 3) end");
+    double seconds = 0.0;
+    uint64_t allocations = 0;
+    for (const FunctionCost& cost : script.context().costs) seconds += cost.seconds, allocations += cost.allocations;
+    EXPECT_GT(seconds, 0.0);
+    EXPECT_GE(allocations, 100u);
+    EXPECT_TRUE(yard.host().add("plain.lua", "Vec()").context().costs.empty());
+}
+
+TEST(Script, AnAnswerShowsVectors) {
+    Yard yard;
+    std::string answer;
+    EXPECT_TRUE(yard.host().add("eval", "").evaluate("return Vec(1, 2, 3), true, 5, nil, {}", answer));
+    EXPECT_EQ(answer, "(1.0, 2.0, 3.0)\ttrue\t5\ttable: 1");
+}
+
+}  // namespace
+}  // namespace rubble::script
