@@ -1,8 +1,8 @@
 #include "physics/collision/narrowphase.h"
 
 #include <algorithm>
-#include <thread>
 #include <cmath>
+#include <thread>
 #include <tuple>
 #include <utility>
 

@@ -12,13 +12,44 @@ namespace {
 constexpr lua_Integer kSmallestHandle = 1 << 20;
 
 /// Functions with an effect that no prefix below shows.
-constexpr std::array kCommands = {
-    "MakeHole", "Explosion", "Shoot",        "Paint",   "PaintRGBA",  "AddHeat",    "SpawnFire",   "RemoveAabbFires",
-    "Delete",   "PointLight", "ApplyBodyImpulse", "Spawn", "SpawnParticle", "Box",  "Ball",        "Joint",
-    "CollideAs", "Drive",    "Water",        "Character", "Walk",     "LightGroup", "SwitchLightGroup", "Glow",
-    "AddLight", "Pour",      "Settings",     "Bounds",  "UndoLimit",  "UndoMark",   "Undo",        "Redo",
-    "SaveAndLoad", "LoadLevel", "ClosedSystem", "FreeFlight", "ExactHole"};
-constexpr std::array kPrefixes = {"Set",  "Draw",  "Create", "Clear",   "Resize",    "Trim",
+constexpr std::array kCommands = {"MakeHole",
+                                  "Explosion",
+                                  "Shoot",
+                                  "Paint",
+                                  "PaintRGBA",
+                                  "AddHeat",
+                                  "SpawnFire",
+                                  "RemoveAabbFires",
+                                  "Delete",
+                                  "PointLight",
+                                  "ApplyBodyImpulse",
+                                  "Spawn",
+                                  "SpawnParticle",
+                                  "Box",
+                                  "Ball",
+                                  "Joint",
+                                  "CollideAs",
+                                  "Drive",
+                                  "Water",
+                                  "Character",
+                                  "Walk",
+                                  "LightGroup",
+                                  "SwitchLightGroup",
+                                  "Glow",
+                                  "AddLight",
+                                  "Pour",
+                                  "Settings",
+                                  "Bounds",
+                                  "UndoLimit",
+                                  "UndoMark",
+                                  "Undo",
+                                  "Redo",
+                                  "SaveAndLoad",
+                                  "LoadLevel",
+                                  "ClosedSystem",
+                                  "FreeFlight",
+                                  "ExactHole"};
+constexpr std::array kPrefixes = {"Set",   "Draw",  "Create", "Clear",   "Resize",    "Trim",
                                   "Split", "Merge", "Copy",   "Extrude", "Constrain", "Remove"};
 /// Functions that give handles of things that were not made by a command.
 constexpr std::array kFinders = {"Find", "GetShapeBody", "GetBodyShapes", "GetJointShapes", "GetShapeJoints"};
@@ -41,8 +72,10 @@ std::string numberText(double value) {
 
 std::string CommandLog::valueText(lua_State* L, int index, int depth, std::vector<size_t>& needed) const {
     switch (lua_type(L, index)) {
-        case LUA_TBOOLEAN: return lua_toboolean(L, index) ? "true" : "false";
-        case LUA_TSTRING: return fmt::format("\"{}\"", lua_tostring(L, index));
+        case LUA_TBOOLEAN:
+            return lua_toboolean(L, index) ? "true" : "false";
+        case LUA_TSTRING:
+            return fmt::format("\"{}\"", lua_tostring(L, index));
         case LUA_TNUMBER: {
             if (!lua_isinteger(L, index)) return numberText(lua_tonumber(L, index));
             const lua_Integer value = lua_tointeger(L, index);
@@ -71,7 +104,8 @@ std::string CommandLog::valueText(lua_State* L, int index, int depth, std::vecto
             for (const auto& [key, value] : fields) text += (text.empty() ? "" : ", ") + key + " = " + value;
             return "{" + text + "}";
         }
-        default: return "nil";
+        default:
+            return "nil";
     }
 }
 
@@ -117,8 +151,9 @@ std::string scriptOf(const std::vector<Command>& commands) {
     for (size_t i = 0; i < commands.size(); ++i) {
         if (commands[i].step > step) text += fmt::format("    WaitForStep({})\n", step = commands[i].step);
         const std::string mark = fmt::format("@{}@", i);
-        const bool isNeeded = std::any_of(commands.begin(), commands.end(),
-                                          [&](const Command& each) { return each.text.find(mark) != std::string::npos; });
+        const bool isNeeded = std::any_of(commands.begin(), commands.end(), [&](const Command& each) {
+            return each.text.find(mark) != std::string::npos;
+        });
         std::string line = commands[i].text;
         for (size_t at = 0; (at = line.find('@', at)) != std::string::npos;) {
             const size_t end = line.find('@', at + 1);

@@ -44,8 +44,8 @@ public:
         settings.flags = RUBBLE_WORLD_WAIT_FOR_SHADOW;
         auto renderer = sized<rubble_renderer_settings>();
         if (m_api.create_world(&settings, &m_world) != RUBBLE_OK ||
-            m_api.load_game_data(m_world, game.data(), game.size()) != RUBBLE_OK ||
-            m_api.step(m_world) != RUBBLE_OK || m_api.create_renderer(m_world, &renderer, &m_renderer) != RUBBLE_OK)
+            m_api.load_game_data(m_world, game.data(), game.size()) != RUBBLE_OK || m_api.step(m_world) != RUBBLE_OK ||
+            m_api.create_renderer(m_world, &renderer, &m_renderer) != RUBBLE_OK)
             return false;
         lookAtAll();
         for (int frame = 0; frame < kFrames; ++frame)
@@ -65,12 +65,14 @@ private:
     /// Looks at the middle of the shapes, from so far that most of them are seen.
     void lookAtAll() {
         std::vector<glm::dvec3> centers;
-        const auto bodies = readRows<rubble_body_state>([&](rubble_body_state* out, uint32_t capacity, uint32_t* count) {
-            return m_api.get_body_states(m_world, out, capacity, count);
-        });
+        const auto bodies =
+            readRows<rubble_body_state>([&](rubble_body_state* out, uint32_t capacity, uint32_t* count) {
+                return m_api.get_body_states(m_world, out, capacity, count);
+            });
         for (const rubble_body_state& body : bodies)
             for (const rubble_shape_state& shape : shapesOf(m_api, m_world, body.body)) {
-                const glm::dvec3 half = 0.5 * shape.voxel_size * glm::dvec3(shape.size[0], shape.size[1], shape.size[2]);
+                const glm::dvec3 half =
+                    0.5 * shape.voxel_size * glm::dvec3(shape.size[0], shape.size[1], shape.size[2]);
                 const glm::dquat turn(shape.rotation[3], shape.rotation[0], shape.rotation[1], shape.rotation[2]);
                 const glm::dvec3 corner(shape.position[0], shape.position[1], shape.position[2]);
                 centers.push_back(corner + turn * half);
@@ -83,7 +85,8 @@ private:
         const glm::dvec3 eye = middle + glm::normalize(glm::dvec3(0.6, 0.5, 1.0)) * std::clamp(2.5 * spread, 6.0, 80.0);
         const glm::dquat turn = glm::quatLookAt(glm::normalize(middle - eye), glm::dvec3(0.0, 1.0, 0.0));
         for (int i = 0; i < 3; ++i) m_view.position[i] = eye[i];
-        m_view.rotation[0] = turn.x, m_view.rotation[1] = turn.y, m_view.rotation[2] = turn.z, m_view.rotation[3] = turn.w;
+        m_view.rotation[0] = turn.x, m_view.rotation[1] = turn.y, m_view.rotation[2] = turn.z,
+        m_view.rotation[3] = turn.w;
     }
 
     const rubble_api& m_api;

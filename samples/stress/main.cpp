@@ -104,9 +104,9 @@ private:
         const Minimised found = minimise(m_api, m_settings, failure, commands, m_options.minimiseRuns);
         if (found.script.empty()) return "";
         const std::string path = fmt::format("{}/{}_{}_failure.lua", m_options.out, m_settings.name, m_settings.seed);
-        const std::string script = fmt::format("-- {}: {}. Made from {} with seed {} in {} runs.\n{}", failure.check,
-                                               found.failure.message, m_settings.name, m_settings.seed, found.runs,
-                                               found.script);
+        const std::string script =
+            fmt::format("-- {}: {}. Made from {} with seed {} in {} runs.\n{}", failure.check, found.failure.message,
+                        m_settings.name, m_settings.seed, found.runs, found.script);
         std::ofstream(path) << script;
         fmt::print("{}\n./rubble stress {}\n", script, path);
         return script;
@@ -117,8 +117,8 @@ private:
         for (const StepFigures& step : result.steps) bodies = std::max(bodies, step.bodies);
         const uint64_t removed = result.steps.empty() ? 0 : result.steps.back().removed;
         fmt::print("{:<20} seed {:<4} {:6} steps {:6} replayed {:5} bodies {:9} removed {:4} loads {:6.1f} s  {}\n",
-                   m_settings.name, m_settings.seed, result.steps.size(), result.replayed, bodies, removed, result.loads,
-                   seconds,
+                   m_settings.name, m_settings.seed, result.steps.size(), result.replayed, bodies, removed,
+                   result.loads, seconds,
                    result.failure ? fmt::format("FAILED at step {}: {}: {}", result.failure->step,
                                                 result.failure->check, result.failure->message)
                                   : "all checks held");
@@ -137,7 +137,8 @@ int run(const Options& options) {
     int failed = 0;
     for (const fs::path& scenario : findScenarios(options.scenario)) {
         if (!fs::exists(scenario)) {
-            fmt::print(stderr, "stress: expected a scenario that --list shows, or a file, found {}\n", options.scenario);
+            fmt::print(stderr, "stress: expected a scenario that --list shows, or a file, found {}\n",
+                       options.scenario);
             return 2;
         }
         if (options.lists) fmt::print("{:<20} {}\n", scenario.stem().string(), descriptionOf(readFile(scenario)));
@@ -159,10 +160,15 @@ int main(int argc, char** argv) {
     CLI::App app{"Scenarios of destruction in Lua, with everything checked at every step", "stress"};
     app.add_option("scenario", options.scenario, "a name, all, or a file of Lua")->capture_default_str();
     app.add_option("--seed", options.seeds, "seeds of everything random, one run each")->capture_default_str();
-    app.add_option("--minutes", options.minutes, "of the world, each run")->capture_default_str()->check(CLI::Range(0.001, 1e5));
+    app.add_option("--minutes", options.minutes, "of the world, each run")
+        ->capture_default_str()
+        ->check(CLI::Range(0.001, 1e5));
     app.add_option("--out", options.out, "the folder of reports")->capture_default_str();
-    app.add_option("--images", options.images, "drawn of each run; 0: none")->capture_default_str()->check(CLI::Range(0, 100));
-    app.add_option("--minimise", options.minimiseRuns, "runs at most to make a failing script short")->capture_default_str();
+    app.add_option("--images", options.images, "drawn of each run; 0: none")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 100));
+    app.add_option("--minimise", options.minimiseRuns, "runs at most to make a failing script short")
+        ->capture_default_str();
     app.add_flag("--list", options.lists, "the scenarios, and what they do");
     app.add_flag("--list-jobs", options.listsJobs, "a command for each run, for GNU parallel");
     app.add_flag("!--no-replay", options.replays, "do not play recordings again");

@@ -84,8 +84,8 @@ private:
                 const size_t point = command.text.find('.', at);
                 text += command.text.substr(at, point == std::string::npos ? point : point - at);
                 if (point == std::string::npos) break;
-                const size_t end = std::min(command.text.find_first_not_of("0123456789", point + 1),
-                                            command.text.size());
+                const size_t end =
+                    std::min(command.text.find_first_not_of("0123456789", point + 1), command.text.size());
                 text += command.text.substr(point, std::min<size_t>(end - point, 3));
                 at = end;
             }

@@ -10,7 +10,8 @@ namespace stress {
 std::string writeFigures(const std::string& folder, const RunSettings& settings, const RunResult& result,
                          double seconds, const std::string& script);
 
-/// Draws kept games, from above their middle, as NAME_SEED_1.png and so on into a folder. An error, or "": without OpenGL there is one.
+/// Draws kept games, from above their middle, as NAME_SEED_1.png and so on into a folder. An error, or "": without
+/// OpenGL there is one.
 std::string drawGames(const rubble_api& api, const std::string& folder, const RunSettings& settings,
                       const RunResult& result);
 

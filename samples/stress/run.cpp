@@ -20,8 +20,8 @@ using rubble::script::sized;
 /// Scenarios count what they do by themselves: what stops a script that hangs need not be small.
 constexpr int64_t kScriptWork = 50'000'000;
 
-constexpr uint32_t kWorldFlags = RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_DATA | RUBBLE_WORLD_SHADOW_INLINE |
-                                 RUBBLE_WORLD_WAIT_FOR_SHADOW;
+constexpr uint32_t kWorldFlags =
+    RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_DATA | RUBBLE_WORLD_SHADOW_INLINE | RUBBLE_WORLD_WAIT_FOR_SHADOW;
 
 class Run {
 public:
@@ -101,9 +101,10 @@ private:
         m_view.before.swap(m_view.bodies);
         m_view.events = sized<rubble_events>();
         m_api.get_events(m_world, &m_view.events);
-        const auto states = readRows<rubble_body_state>([&](rubble_body_state* out, uint32_t capacity, uint32_t* count) {
-            return m_api.get_body_states(m_world, out, capacity, count);
-        });
+        const auto states =
+            readRows<rubble_body_state>([&](rubble_body_state* out, uint32_t capacity, uint32_t* count) {
+                return m_api.get_body_states(m_world, out, capacity, count);
+            });
         m_view.bodies.clear();
         for (const rubble_body_state& state : states) {
             BodyRow row{state, sized<rubble_body_properties>()};
@@ -117,9 +118,9 @@ private:
 
     void measure() {
         auto stats = sized<rubble_step_stats>();
-        auto ledger = sized<rubble_voxel_accounting>();
+        auto accounting = sized<rubble_voxel_accounting>();
         m_api.get_step_stats(m_world, &stats);
-        m_api.get_voxel_accounting(m_world, &ledger);
+        m_api.get_voxel_accounting(m_world, &accounting);
         double energy = 0.0;
         for (const BodyRow& body : m_view.bodies) {
             const auto velocity = rubble::script::vectorOf(body.state.velocity);
@@ -127,8 +128,8 @@ private:
         }
         m_result.steps.push_back({float(stats.edits_ms), float(stats.physics_ms), float(stats.poses_ms),
                                   float(stats.impacts_ms), float(stats.shadow_ms), stats.bodies, stats.bodies_awake,
-                                  stats.contacts, uint32_t(stats.shadow_lag), ledger.standing, ledger.in_pieces,
-                                  ledger.removed, energy, heapBytes()});
+                                  stats.contacts, uint32_t(stats.shadow_lag), accounting.standing, accounting.in_pieces,
+                                  accounting.removed, energy, heapBytes()});
     }
 
     bool record() { return done(m_api.start_recording(m_world, recordingPath().c_str())); }
@@ -162,7 +163,8 @@ private:
     void look(std::string (Check::*at)(const StepView&)) {
         for (const auto& check : m_checks)
             if (std::string wrong = (*check.*at)(m_view); !wrong.empty()) return fail(check->name(), wrong);
-        std::erase_if(m_requests.holes, [&](const SceneRequests::Hole& hole) { return hole.step <= m_view.worldSteps(); });
+        std::erase_if(m_requests.holes,
+                      [&](const SceneRequests::Hole& hole) { return hole.step <= m_view.worldSteps(); });
     }
 
     void replay(uint64_t expected) {
@@ -175,7 +177,8 @@ private:
         if (m_api.play_recording(world, recordingPath().c_str(), &steps) != RUBBLE_OK)
             fail("replay", m_api.get_last_error());
         m_api.get_state_hash(world, &hash);
-        if (hash != expected) fail("replay", fmt::format("the hash of the state is {:x}, played again {:x}", expected, hash));
+        if (hash != expected)
+            fail("replay", fmt::format("the hash of the state is {:x}, played again {:x}", expected, hash));
         m_result.replayed += int(steps);
         m_api.destroy_world(world);
     }

@@ -70,8 +70,8 @@ rubble_body makeBody(lua_State* L, const Vector& position, int options) {
     } else
         body.flags = RUBBLE_BODY_STATIC;
     const Vector turned = optionVector(L, options, "turned", {});  // radians about x, y, z
-    const Rotation rotation = aboutAxis({0, 1, 0}, turned[1]) * aboutAxis({1, 0, 0}, turned[0]) *
-                              aboutAxis({0, 0, 1}, turned[2]);
+    const Rotation rotation =
+        aboutAxis({0, 1, 0}, turned[1]) * aboutAxis({1, 0, 0}, turned[0]) * aboutAxis({0, 0, 1}, turned[2]);
     copy(body.rotation, rotation);
     rubble_body out = 0;
     isDone(L, apiOf(L).create_body(worldOf(L), &body, &out));
@@ -82,8 +82,8 @@ rubble_body makeBody(lua_State* L, const Vector& position, int options) {
 constexpr struct {
     uint32_t entry;
     uint8_t color[3], opacity;
-} kColors[] = {{5, {160, 108, 60}, 255},  {6, {148, 146, 142}, 255},  {7, {164, 78, 56}, 255}, {8, {205, 196, 178}, 255},
-               {9, {88, 96, 110}, 255},   {15, {170, 215, 220}, 70}, {19, {38, 38, 42}, 255}};
+} kColors[] = {{5, {160, 108, 60}, 255}, {6, {148, 146, 142}, 255}, {7, {164, 78, 56}, 255}, {8, {205, 196, 178}, 255},
+               {9, {88, 96, 110}, 255},  {15, {170, 215, 220}, 70}, {19, {38, 38, 42}, 255}};
 
 void tint(lua_State* L, rubble_shape shape, uint32_t index) {
     for (const auto& row : kColors) {
@@ -441,15 +441,19 @@ int exactHole(lua_State* L) {
 
 constexpr ScriptFunction kFunctions[] = {
     {"Box(tag, corner, cells, entry, options) -> shape, body",
-     "A body of a full box; it is static unless options.dynamic. Options: dynamic, asleep, velocity, spin, turned, voxel.",
+     "A body of a full box; it is static unless options.dynamic. Options: dynamic, asleep, velocity, spin, turned, "
+     "voxel.",
      box},
     {"Ball(tag, center, cells, entry, options) -> shape, body", "The same as a ball of so many cells across.", ball},
     {"Joint(kind, first, second, pos, options) -> joint",
-     "\"ball\", \"hinge\", \"fixed\", \"prismatic\", \"rope\" or \"wheel\" between two shapes, or a shape and 0, the world. "
-     "Options: axis, rope_end, length, strength, break_force, low, high, speed, target, force, hertz, damping, friction, "
+     "\"ball\", \"hinge\", \"fixed\", \"prismatic\", \"rope\" or \"wheel\" between two shapes, or a shape and 0, the "
+     "world. "
+     "Options: axis, rope_end, length, strength, break_force, low, high, speed, target, force, hertz, damping, "
+     "friction, "
      "drive, brake, steer, anchor_radius.",
      joint},
-    {"CollideAs(shape, kind)", "What physics takes a shape for: \"voxels\", \"sphere\", \"cylinder x\", y or z.", collideAs},
+    {"CollideAs(shape, kind)", "What physics takes a shape for: \"voxels\", \"sphere\", \"cylinder x\", y or z.",
+     collideAs},
     {"Drive(body, throttle, steer, brake)", "Drives the wheels of a body, -1 to 1.", drive},
     {"Water(low, high, options) -> water", "Water in a box; options: flow.", water},
     {"RemoveWater(water)", "Removes it.", removeWater},
@@ -457,8 +461,8 @@ constexpr ScriptFunction kFunctions[] = {
     {"Walk(character, velocity, jumps)", "Where it goes, in m/s, until the next such call.", walk},
     {"LightGroup(threshold) -> group", "A light group.", lightGroup},
     {"SwitchLightGroup(group, on)", "Switches it.", switchLightGroup},
-    {"Glow(shape, entry, emission, group)", "Lets voxels of an entry of a shape's palette glow, of a light group or none.",
-     glow},
+    {"Glow(shape, entry, emission, group)",
+     "Lets voxels of an entry of a shape's palette glow, of a light group or none.", glow},
     {"AddLight(pos, shape, group) -> light", "A small light on a shape, or in the world, of a light group or none.",
      addLight},
     {"Pour(pos, radius)", "Pours water: fires go out there.", pour},
@@ -469,7 +473,8 @@ constexpr ScriptFunction kFunctions[] = {
     {"Undo()", "Goes back to the last one.", undo},
     {"Redo()", "Goes forward again.", redo},
     {"SaveAndLoad()", "Saves the game after this step, and loads it. Handles are others then.", saveAndLoad},
-    {"LoadLevel(name)", "Loads \"town\", \"bridge\" or \"garden\" after this step. Handles are others then.", loadLevel},
+    {"LoadLevel(name)", "Loads \"town\", \"bridge\" or \"garden\" after this step. Handles are others then.",
+     loadLevel},
     {"WaitForStep(step)", "As wait(), until a step of the run.", waitForStepNumber},
     {"Expect(condition, what)", "Says what shall hold: the run fails if it does not.", expect},
     {"ClosedSystem(on)", "From here on nothing gives energy to bodies: what they gain fails the run.", closedSystem},

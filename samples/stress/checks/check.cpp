@@ -14,7 +14,7 @@ const BodyRow* StepView::find(const std::vector<BodyRow>& rows, rubble_body body
 
 std::vector<std::unique_ptr<Check>> makeChecks() {
     std::vector<std::unique_ptr<Check>> checks;
-    for (const auto make : {makeLedgerCheck, makeBrushCheck, makeObjectCheck, makeMotionCheck, makeMassCheck,
+    for (const auto make : {makeAccountingCheck, makeBrushCheck, makeObjectCheck, makeMotionCheck, makeMassCheck,
                             makeEnergyCheck, makeShadowCheck, makeBudgetCheck, makeLightCheck, makeHashCheck})
         checks.push_back(make());
     return checks;

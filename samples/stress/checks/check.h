@@ -51,7 +51,7 @@ public:
 };
 
 /// No voxel appears or vanishes unaccounted for.
-std::unique_ptr<Check> makeLedgerCheck();
+std::unique_ptr<Check> makeAccountingCheck();
 /// Objects that events made or destroyed are there or gone, no other ones are, and each body has a shape.
 std::unique_ptr<Check> makeObjectCheck();
 /// Positions and velocities are finite; pieces in free flight move as their bodies did.

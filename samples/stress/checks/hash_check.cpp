@@ -23,7 +23,7 @@ struct Change {
     rubble_result (*apply)(const Target&);
 };
 
-rubble_result changeBody(const Target& to, uint32_t fields, double rubble_body_change::* value, double number) {
+rubble_result changeBody(const Target& to, uint32_t fields, double rubble_body_change::*value, double number) {
     auto change = sized<rubble_body_change>();
     change.fields = fields;
     change.body = to.body->state.body;
@@ -34,7 +34,7 @@ rubble_result changeBody(const Target& to, uint32_t fields, double rubble_body_c
     return to.api.set_body(to.world, &change);
 }
 
-rubble_result changeShape(const Target& to, uint32_t fields, double rubble_shape_change::* value, double number) {
+rubble_result changeShape(const Target& to, uint32_t fields, double rubble_shape_change::*value, double number) {
     auto change = sized<rubble_shape_change>();
     change.fields = fields;
     change.shape = to.shape.shape;

@@ -21,12 +21,14 @@ public:
             rubble_shape_state state = {};
             if (made.contains(events.shapes_destroyed[i])) continue;
             if (view.api.get_shape_state(view.world, events.shapes_destroyed[i], &state) == RUBBLE_OK)
-                return fmt::format("shape {:x} was destroyed, and its handle still answers", events.shapes_destroyed[i]);
+                return fmt::format("shape {:x} was destroyed, and its handle still answers",
+                                   events.shapes_destroyed[i]);
         }
         for (uint32_t i = 0; i < events.bodies_destroyed_count; ++i)
             if (!bodies.contains(events.bodies_destroyed[i]) && StepView::find(view.bodies, events.bodies_destroyed[i]))
                 return fmt::format("body {:x} was destroyed, and is still listed", events.bodies_destroyed[i]);
-        const std::set<rubble_body> gone(events.bodies_destroyed, events.bodies_destroyed + events.bodies_destroyed_count);
+        const std::set<rubble_body> gone(events.bodies_destroyed,
+                                         events.bodies_destroyed + events.bodies_destroyed_count);
         for (uint32_t i = 0; i < events.bodies_created_count; ++i)
             if (!gone.contains(events.bodies_created[i]) && !StepView::find(view.bodies, events.bodies_created[i]))
                 return fmt::format("body {:x} was made, and is not listed", events.bodies_created[i]);

@@ -60,8 +60,7 @@ private:
     std::string compare(const Bricks& rebuilt) const {
         for (const auto& [key, brick] : rebuilt) {
             const auto mine = m_bricks.find(key);
-            if (mine == m_bricks.end())
-                return fmt::format("brick ({}, {}, {}) is missing", key[0], key[1], key[2]);
+            if (mine == m_bricks.end()) return fmt::format("brick ({}, {}, {}) is missing", key[0], key[1], key[2]);
             for (size_t word = 0; word < 64; ++word)
                 if (brick.occupied >> word & 1 && brick.texels[word] != mine->second.texels[word])
                     return fmt::format("brick ({}, {}, {}) has other cells than a rebuilt one", key[0], key[1], key[2]);

@@ -1,5 +1,5 @@
-// ./rubble stress demolition: random demolition, round after round of a level, with every invariant checked at every step. Prints
-// a table with a line per round.
+// ./rubble stress demolition: random demolition, round after round of a level, with every invariant checked at every
+// step. Prints a table with a line per round.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

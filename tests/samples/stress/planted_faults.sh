@@ -6,7 +6,7 @@ stress=$1 library=$2 out=$3
 shift 3
 
 faults='
-lost-voxel            tower_felling      ledger
+lost-voxel            tower_felling      accounting
 skipped-shadow-patch  spray_everything   shadow
 leaked-body           joint_massacre     objects
 wrong-mass            tower_felling      mass
