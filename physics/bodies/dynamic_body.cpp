@@ -92,7 +92,13 @@ bool DynamicBody::update(const World& world, const FrameChanges& changes) {
         changedBricks(changes, m_shapes[i], bricks);
         object.collider.parts[i]->update(world.shapes().at(m_shapes[i]), bricks, world.materials());
     }
+    const Pose center = pose(), known = m_state.pose, frame = m_bodyInCenter;
     takeState(world);
+    if (m_state.pose == known && m_bodyInCenter == frame) {  // it stays where it is: to the last bit, as frames round
+        motion.position = center.position;
+        motion.rotation = center.rotation;
+        setPose();
+    }
     object.isNew = true;
     touching = isAsLoaded = false;
     held = 0;

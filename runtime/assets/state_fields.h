@@ -246,6 +246,7 @@ inline constexpr auto kFields<WriteVoxelsEdit> = std::tuple{
     Field{"shape", &WriteVoxelsEdit::shape},
     Field{"box", &WriteVoxelsEdit::box},
     Field{"entries", &WriteVoxelsEdit::entries},
+    Field{"mask", &WriteVoxelsEdit::mask},
 };
 template <>
 inline constexpr auto kFields<DestroyShapeEdit> = std::tuple{

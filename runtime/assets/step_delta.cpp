@@ -174,6 +174,7 @@ private:
             return m_reader.fail("a shape that fits the world before the step", "another");
         if (isChanged) shape.grid = from->grid;
         if (!shape.palette) shape.palette = std::make_shared<const Palette>();
+        if (from) keepEqual(shape.palette, from->palette), keepEqual(shape.paintColors, from->paintColors);
         const int colors = shape.paintColors ? shape.paintColors->count : 0;
         for (uint32_t i = m_reader.readCount(7, "bricks"); i-- > 0 && !m_reader.failed();)
             checkPaint(readBrickOf(shape.grid, source), colors);
@@ -184,6 +185,11 @@ private:
         shape.moments = gridMoments(shape.grid, *shape.palette, materials);
         shape.anchors = translatedBoxes(shape.anchors, glm::ivec3(0), shape.grid.size());
         value = std::move(shape);
+    }
+    /// Colours as they are are the same object: another one counts as a change of all voxels' looks.
+    template <class T>
+    static void keepEqual(std::shared_ptr<const T>& read, const std::shared_ptr<const T>& known) {
+        if (read && known && *read == *known) read = known;
     }
     /// Fails if a brick has paint of another colour than the first so many.
     void checkPaint(const Brick* brick, int colors) {

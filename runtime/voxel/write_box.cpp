@@ -20,7 +20,8 @@ BrickBits differentBits(const BrickIndices& a, const BrickIndices& b) {
 
 }  // namespace
 
-BrickWrite writtenBrick(const VoxelGrid& grid, glm::ivec3 brick, const CellBox& box, std::span<const uint8_t> indices) {
+BrickWrite writtenBrick(const VoxelGrid& grid, glm::ivec3 brick, const CellBox& box, std::span<const uint8_t> indices,
+                        std::span<const uint8_t> mask) {
     BrickWrite out{.before = grid.shareBrick(brick)};
     BrickIndices was, is;
     expandBrick(out.before.get(), was);
@@ -31,8 +32,12 @@ BrickWrite writtenBrick(const VoxelGrid& grid, glm::ivec3 brick, const CellBox& 
         for (int y = low.y; y < high.y; ++y) {
             const glm::ivec3 from = glm::ivec3(low.x, y, z) - box.low;
             const size_t at = (size_t(from.z) * size_t(size.y) + size_t(from.y)) * size_t(size.x) + size_t(from.x);
-            std::memcpy(is.data() + voxelIndex(glm::ivec3(low.x, y, z) - corner), indices.data() + at,
-                        size_t(high.x - low.x));
+            uint8_t* row = is.data() + voxelIndex(glm::ivec3(low.x, y, z) - corner);
+            const size_t cells = size_t(high.x - low.x);
+            if (mask.empty())
+                std::memcpy(row, indices.data() + at, cells);
+            else
+                for (size_t x = 0; x < cells; ++x) row[x] = mask[at + x] ? indices[at + x] : row[x];
         }
     out.changed = differentBits(was, is);
     if (!out.any()) return out;

@@ -26,8 +26,9 @@ private:
 };
 
 /// The brick at a brick coordinate with palette indices written over the cells of a box within the grid: a byte each
-/// cell of the box, x fastest, then y, then z; 0 empties it. Cells whose index stays keep their paint. The grid is not
-/// changed.
-BrickWrite writtenBrick(const VoxelGrid& grid, glm::ivec3 brick, const CellBox& box, std::span<const uint8_t> indices);
+/// cell of the box, x fastest, then y, then z; 0 empties it. `mask`: in the same order, 0 where a cell is not written;
+/// empty: all are. Cells whose index stays keep their paint. The grid is not changed.
+BrickWrite writtenBrick(const VoxelGrid& grid, glm::ivec3 brick, const CellBox& box, std::span<const uint8_t> indices,
+                        std::span<const uint8_t> mask = {});
 
 }  // namespace rubble

@@ -33,21 +33,27 @@ const float kLongHistory = 12.0;  // frames
 const float kNoiseShare = 0.64;   // of the variance between neighbours at a stride of 1
 const float kLowNoise = 0.10;     // relative standard deviation of the accumulated light
 // Deviation of one sample of hit proximity, relative to the largest that a number in [0, 1] with its mean can have.
-const float kProximityDeviation = 0.3;
+// Where light is far noisier than a hidden sky makes it, few rays meet what is bright. It is near, and the rest is not:
+// both are noisy alike, and what stops at one keeps the noise of the other.
+const float kProximityDeviation = 0.3, kNoisyProximityDeviation = 1.0;
+const vec2 kNoisyLight = vec2(15.0, 45.0);  // variances over that of a hidden sky between which that changes
 
-/// 1 / the difference of hit proximity that counts as one deviation. Early samples say little about the deviation.
-float proximityScaleOf(vec4 centre) {
-    float frames = floor(centre.z), hitProximity = fract(centre.z);
-    float proximityDeviation = mix(1.0, kProximityDeviation * sqrt(hitProximity * (1.0 - hitProximity)),
-                                   clamp((frames - 1.0) / 4.0, 0.0, 1.0));
-    return 1.0 / (2.0 * proximityDeviation * inversesqrt(max(frames, 1.0)) + 0.03);
+/// Biweight of the difference of hit proximity of two pixels; a, b: their frames and proximity, as in the target
+/// "surface". The deviation is that of both, so that one takes what the other gives: one of whose rays none has hit
+/// would take nothing by its own. Early samples say little about it. lightNoise: the relative standard deviation of the
+/// accumulated light.
+float proximityWeight(float a, float b, float lightNoise) {
+    float frames = max(0.5 * (floor(a) + floor(b)), 1.0), mean = 0.5 * (fract(a) + fract(b));
+    float excess = lightNoise * lightNoise * frames * (1.0 - mean) / (mean + 0.05);
+    float share = mix(kProximityDeviation, kNoisyProximityDeviation, smoothstep(kNoisyLight.x, kNoisyLight.y, excess));
+    float deviation = mix(1.0, share * sqrt(mean * (1.0 - mean)), clamp((frames - 1.0) / 4.0, 0.0, 1.0));
+    return biweight((fract(a) - fract(b)) / (2.0 * deviation * inversesqrt(frames) + 0.03));
 }
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
     vec4 centre = texelFetch(uSurface, pixel, 0);
-    float hitProximity = fract(centre.z), proximityScale = proximityScaleOf(centre);
     vec4 centreLight = texelFetch(uLight, pixel, 0);
     // Wide strides are for pixels with a short history or with noise in spite of it: they blur detail that time keeps.
     float centreSquared = luminance(centreLight.rgb) * luminance(centreLight.rgb);
@@ -58,13 +64,13 @@ void main() {
     }
     Plane plane = planeOf(uv, centre);
     vec4 lights[kTaps];
-    float lums[kTaps], weights[kTaps], proximityWeights[kTaps];
+    float lums[kTaps], weights[kTaps], proximities[kTaps];
     float sun = 0.0, total = 0.0, lum = 0.0, squares = 0.0, temporal = 0.0;
     for (int i = 0; i < kTaps; ++i) {
         ivec2 p = clamp(pixel + tapOffset(i, uDiagonal) * uStride, ivec2(0), high);
         vec4 there = i == 0 ? centre : texelFetch(uSurface, p, 0);
         float w = i == 0 ? kCentreWeight : there.y == centre.y ? planeWeight(plane, vec2(p - pixel), there.x) : 0.0;
-        proximityWeights[i] = biweight((fract(there.z) - hitProximity) * proximityScale);
+        proximities[i] = there.z;
         vec4 light = i == 0 ? centreLight : texelFetch(uLight, p, 0);
         float l = luminance(light.rgb);
         weights[i] = w;
@@ -90,11 +96,13 @@ void main() {
     // The sun is noisy in narrow penumbras only: wide strides would soften shadows.
     float sunScale = uStride > 1 ? 1e4 : 1.0 / (1.5 * sunDeviation + 0.004);
 
+    float lightNoise = skyDeviation / max(lum, 1e-5);
+
     filtered = centreLight;
     for (int i = 1; i < kTaps; ++i) {
         float sky = biweight((lums[i] - centreLum) / (skyShare * (lums[i] + centreLum) + 1e-4));
         float w = weights[i] / (kCentreWeight + float(kTaps - 1));
-        sky *= proximityWeights[i];
+        sky *= proximityWeight(centre.z, proximities[i], lightNoise);
         filtered +=
             (lights[i] - centreLight) * vec2(w * sky, w * biweight((lights[i].a - centreLight.a) * sunScale)).xxxy;
     }

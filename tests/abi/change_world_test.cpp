@@ -196,6 +196,30 @@ TEST_F(AbiChanges, WrittenVoxelsAreReadBack) {
     expectRefused(api()->write_voxels(m_world, &corner, none, 4), RUBBLE_ERROR_ARGUMENT, "box->what is 1");
 }
 
+TEST_F(AbiChanges, AMaskWritesTheCellsThatItNames) {
+    const rubble_shape_state table = shapes().at(0);
+    rubble_voxel_box box = wholeOf(table);
+    std::vector<uint8_t> cells = read(box), mask(cells.size());
+    const size_t drawn = 9 * 17 + 16, hole = 9 * 17 + 1;  // of the top, at z 0
+    cells[drawn] = 2, mask[drawn] = 1;
+    auto carve = sized<rubble_carve>();
+    carve.brush = RUBBLE_BRUSH_BOX, carve.shape = table.shape;
+    const double corner[3] = {0.15, 0.95, 0.05};  // the cell of the hole
+    for (int a = 0; a < 3; ++a) carve.position[a] = corner[a], carve.half_size[a] = 0.04;
+    carve.rotation[3] = 1.0;
+    ASSERT_EQ(api()->carve(m_world, &carve), RUBBLE_OK) << api()->get_last_error();
+    box.mask = mask.data();
+    ASSERT_EQ(api()->write_voxels(m_world, &box, cells.data(), cells.size()), RUBBLE_OK) << api()->get_last_error();
+    std::fill(mask.begin(), mask.end(), uint8_t(1));  // copied by the call
+    step();
+    const std::vector<uint8_t> after = read(box);
+    EXPECT_EQ(after[drawn], 2);
+    EXPECT_EQ(after[hole], 0) << "the carve of the same step stays";
+    EXPECT_EQ(accounting().removed, 1u);
+    cells[hole] = 0;
+    EXPECT_EQ(after, cells);
+}
+
 TEST_F(AbiChanges, WrittenVoxelsThatTouchNothingComeOff) {
     const rubble_shape_state table = shapes().at(0);
     auto box = sized<rubble_voxel_box>();

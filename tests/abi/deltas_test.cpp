@@ -124,6 +124,40 @@ TEST_F(AbiDeltas, AMergeThatAddsNoVoxelIsFollowed) {
 }
 
 /// A shape that is made and destroyed in one step leaves nothing but a body that is awake.
+TEST_F(AbiDeltas, AnEditLeavesTheMeshesOfAFollowerAsTheyAreElsewhere) {
+    auto settings = sized<rubble_settings>();
+    ASSERT_EQ(api()->get_settings(m_world, &settings), RUBBLE_OK);
+    settings.flags |= RUBBLE_SETTING_PAINT_LAYER;
+    ASSERT_EQ(api()->set_settings(m_world, &settings), RUBBLE_OK) << api()->get_last_error();
+    const rubble_shape wall = make(shapeOn(make(bodyAt(3.0, 0.0, RUBBLE_BODY_STATIC)), RUBBLE_SHAPE_BOX, 40));
+    auto paint = sized<rubble_paint>();
+    paint.position[0] = 3.0, paint.position[1] = 3.0, paint.radius = 0.5, paint.color[0] = 200;
+    step();
+    ASSERT_EQ(api()->paint(m_world, &paint), RUBBLE_OK) << api()->get_last_error();
+    step();
+    copyTo(m_other);
+    uint64_t there = 0, versions[2] = {};
+    ASSERT_EQ(api()->translate_handle(m_other, wall, &there), RUBBLE_OK);
+    for (int i = 0; i < 4; ++i) {
+        auto carve = sized<rubble_carve>();
+        carve.position[0] = 3.0 + i, carve.position[1] = 1.0;
+        carve.radii[0] = carve.radii[1] = carve.radii[2] = 0.15;
+        ASSERT_EQ(api()->carve(m_world, &carve), RUBBLE_OK) << api()->get_last_error();
+        step();
+        ASSERT_EQ(apply(take()), RUBBLE_OK) << api()->get_last_error();
+        uint32_t counts[2] = {};
+        for (const int k : {0, 1}) {
+            auto changes = sized<rubble_brick_changes>();
+            changes.what = RUBBLE_BRICKS_MESHES, changes.shape = k ? there : wall, changes.since = versions[k];
+            EXPECT_EQ(api()->get_changed_bricks(k ? m_other : m_world, &changes, &versions[k], nullptr, 0, &counts[k]),
+                      RUBBLE_OK)
+                << "step " << i << (k ? ", the follower: " : ": ") << api()->get_last_error();
+        }
+        EXPECT_EQ(counts[0], counts[1]);
+        EXPECT_GT(counts[0], 0u);
+    }
+}
+
 TEST_F(AbiDeltas, AFollowerHearsOfBodiesThatEditsWake) {
     const rubble_body body = make(bodyAt(3.0, 0.0, 0));
     make(shapeOn(body, RUBBLE_SHAPE_BOX, 5));

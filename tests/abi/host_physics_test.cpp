@@ -70,6 +70,20 @@ TEST_F(HostPhysics, NothingMovesBodiesButTheHost) {
     EXPECT_DOUBLE_EQ(bodyState(cube).position[0], 6.0);
 }
 
+TEST_F(HostPhysics, StatesThatAreSetAsTheyWereReadChangeNothing) {
+    const rubble_body cube = makeCube(5.0, 10.0);
+    step();
+    rubble_body_state state = bodyState(cube);
+    const double rotation[4] = {0.3, 0.2, 0.1, 0.927};
+    std::copy_n(rotation, 4, state.rotation);
+    ASSERT_EQ(api()->set_body_states(m_world, &state, 1), RUBBLE_OK) << api()->get_last_error();
+    step();
+    const uint64_t before = hash();
+    state = bodyState(cube);
+    ASSERT_EQ(api()->set_body_states(m_world, &state, 1), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(hash(), before);
+}
+
 TEST_F(HostPhysics, MassCentreInertiaAndBoxesAreThoseOfTheVoxels) {
     const rubble_body cube = makeCube(5.0, 10.0);
     step();

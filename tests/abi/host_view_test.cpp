@@ -28,7 +28,8 @@ struct Convention {
     const char* name;
     bool isReversed, isInfinite, isZeroToOne;
     bool isOrthographic = false;
-    double start = isOrthographic ? -20.0 : kNear;  ///< metres to the near plane
+    double near = kNear, far = kFar;               ///< metres to the planes of a perspective
+    double start = isOrthographic ? -20.0 : near;  ///< metres to the near plane
 
     Matrix projection(double shiftX, double shiftY) const {
         const double nearest = isZeroToOne ? 0.0 : -1.0, from = isReversed ? 1.0 : nearest,
@@ -42,9 +43,9 @@ struct Convention {
             return p;
         }
         p[0] = 1.2, p[5] = 1.2 * kWidth / kHeight, p[8] = shiftX, p[9] = shiftY, p[11] = -1.0;
-        // (p10 z + p14) / -z is `from` at -kNear and `to` at the far plane.
-        p[10] = isInfinite ? -to : (from * kNear - to * kFar) / (kFar - kNear);
-        p[14] = isInfinite ? (from - to) * kNear : (from - to) * kNear * kFar / (kFar - kNear);
+        // (p10 z + p14) / -z is `from` at the near plane and `to` at the far one.
+        p[10] = isInfinite ? -to : (from * near - to * far) / (far - near);
+        p[14] = isInfinite ? (from - to) * near : (from - to) * near * far / (far - near);
         return p;
     }
     double windowDepth(const Matrix& p, double metres) const {
@@ -205,8 +206,10 @@ protected:
                 } else if (farthest < kWall) {
                     ++before;
                     EXPECT_FALSE(isWall) << x << ", " << y << ": the wall hides what lies at " << farthest << " m";
-                    const double a = convention.windowDepth(projection, nearest),
-                                 b = convention.windowDepth(projection, farthest);
+                    const auto depth = [&](double metres) {  // which ends at the planes
+                        return std::clamp(convention.windowDepth(projection, metres), 0.0, 1.0);
+                    };
+                    const double a = depth(nearest), b = depth(farthest);
                     EXPECT_GE(depths[pixel], std::min(a, b) - 1e-5) << x << ", " << y;
                     EXPECT_LE(depths[pixel], std::max(a, b) + 1e-5) << x << ", " << y;
                 }
@@ -227,6 +230,9 @@ constexpr Convention kConventions[] = {{"usual", false, false, false},
                                        {"reversed", true, false, true},
                                        {"reversed and infinite", true, true, true},
                                        {"reversed in -1 to 1", true, false, false},
+                                       {"from 1 cm to 10 km", false, false, false, false, 0.01, 1e4},
+                                       {"from 0.1 mm to 1,000 km, reversed", true, false, true, false, 1e-4, 1e6},
+                                       {"from 3 m to 4 m", false, false, true, false, 3.0, 4.0},
                                        {"orthographic", false, false, false, true},
                                        {"orthographic, zero to one", false, false, true, true},
                                        {"orthographic, reversed", true, false, true, true}};
@@ -241,6 +247,23 @@ TEST_F(HostView, DepthComposesToThePixelWhereFewerPixelsAreTraced) {
     makeRenderer("fast");
     ASSERT_EQ(m_api->step(m_world), RUBBLE_OK);
     for (const Convention& convention : kConventions) expectComposed(convention, 0.35);
+}
+
+TEST_F(HostView, ScopesAndPanoramasAreDrawn) {
+    for (const double scale : {1e-3, 0.05, 300.0, 1e4}) {
+        Matrix projection = Convention{"", false, false, false}.projection(0.0, 0.0);
+        projection[0] = projection[5] = scale;
+        rubble_view view = this->view(0, projection);
+        m_target.fill(0.5);
+        for (int i = 0; i < 2; ++i, view.flags = 0)
+            ASSERT_EQ(m_api->draw(m_renderer, &view), RUBBLE_OK) << scale << ": " << m_api->get_last_error();
+        const std::vector<float> colors = m_target.colors();
+        const double hit = depthAt(view, kWidth * 0.5, kHeight * 0.5);
+        EXPECT_LT(hit, 10.0) << "the table is in the middle";
+        for (const float value : colors) ASSERT_TRUE(std::isfinite(value)) << scale;
+        const size_t middle = 3 * size_t(kHeight / 2 * kWidth + kWidth / 2);
+        if (scale > 1.0) EXPECT_GT(colors[middle], 1.1f * colors[middle + 2]) << scale << ": the table is red";
+    }
 }
 
 TEST_F(HostView, TheSkyLiesBehindEverything) {
@@ -373,6 +396,9 @@ TEST_F(HostView, WhatCannotBeComposedIsRefused) {
     Matrix mirrored = good;
     mirrored[5] = -mirrored[5];
     refused(view(0, mirrored), RUBBLE_ERROR_ARGUMENT, "along y");
+    Matrix narrow = good;
+    narrow[0] = 2e4;
+    refused(view(0, narrow), RUBBLE_ERROR_ARGUMENT, "expected 0.001 to 10000");
     Matrix flat = good;
     flat[14] = 0.0;
     refused(view(RUBBLE_VIEW_DEPTH, flat), RUBBLE_ERROR_ARGUMENT, "view->projection[14]");

@@ -223,7 +223,10 @@ Edit usualEdit(Decisions& decisions, const World& world) {
         case 39:
             return DestroyShapeEdit{shape};
         case 40:
-            return WriteVoxelsEdit{shape, {{1, 0, 2}, {4, 3, 5}}, std::vector<uint8_t>(27, uint8_t(seed % 3))};
+            return WriteVoxelsEdit{shape,
+                                   {{1, 0, 2}, {4, 3, 5}},
+                                   std::vector<uint8_t>(27, uint8_t(seed % 3)),
+                                   std::vector<uint8_t>(seed % 2 * 27, uint8_t(seed / 2 % 2))};
         case 41:
         case 42:
             return CreateBodyEdit{{.pose = {at, randomRotation(decisions)}, .isStatic = decisions.oneIn(3)}};

@@ -10,6 +10,7 @@
 
 #include "runtime/core/handle.h"
 #include "runtime/core/ranges.h"
+#include "runtime/core/unit_length.h"
 #include "runtime/plugin/c_abi/call.h"
 #include "runtime/plugin/c_abi/first_sizes.h"
 #include "runtime/plugin/include/rubble/rubble.h"
@@ -171,7 +172,7 @@ inline uint8_t readLayers(uint32_t bits, uint8_t ifZero, const char* name) {
 inline glm::dquat readRotation(const double (&values)[4], const char* name) {
     const glm::dquat rotation(values[3], values[0], values[1], values[2]);
     const double length = glm::length(rotation);
-    if (std::abs(length - 1.0) < 1e-2) return rotation / length;
+    if (std::abs(length - 1.0) < 1e-2) return unitLength(rotation);
     if (length != 0.0) refuse(RUBBLE_ERROR_ARGUMENT, "{} has length {}, expected 1", name, length);
     return {1.0, 0.0, 0.0, 0.0};
 }

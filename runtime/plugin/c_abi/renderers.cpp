@@ -11,7 +11,7 @@ namespace {
 
 constexpr uint32_t kMaxViewSize = 16384;  // pixels
 constexpr uint32_t kMaxSlots = 16;
-constexpr NumberRange kPerspectiveScale{0.07, 200.0};           // of fields of view of 3 and 0.01 radians
+constexpr NumberRange kPerspectiveScale{1e-3, 1e4};             // of fields of view of 3.14 and 0.0002 radians
 constexpr NumberRange kOrthographicScale{1e-4, 100.0};          // 1 / metres of half the view
 constexpr double kMaxShift = 4.0, kMaxOrthographicShift = 1e5;  // in halves of the view
 constexpr double kMaxStart = 1e5;                               // metres to the near plane of an orthographic view
@@ -80,7 +80,8 @@ void checkProjection(const View::Projection& read) {
         if (!(p[axis][axis] >= scale.low && p[axis][axis] <= scale.high) || std::abs(shift[axis]) > most)
             return refuse(
                 RUBBLE_ERROR_ARGUMENT,
-                "view->projection has the scale {} and the shift {} along {}, expected {} to {} and -{} to {}",
+                "view->projection has the scale {} and the shift {} along {}, expected {} to {} and -{} to {}: what "
+                "rays of floats resolve",
                 p[axis][axis], shift[axis], "xy"[axis], scale.low, scale.high, most, most);
     const int depth = isOrthographic ? 10 : 14;
     if (p[depth / 4][2] == 0.0)

@@ -95,7 +95,9 @@ rubble_result writeVoxels(rubble_world world, const rubble_voxel_box* box, const
             if (cells.low[a] < 0 || cells.high[a] > grid[a])
                 return refuse(RUBBLE_ERROR_ARGUMENT, "the box has cells {} to {} of axis {}, expected 0 to {} at most",
                               cells.low[a], cells.high[a] - 1, a, grid[a] - 1);
-        push(hosted, WriteVoxelsEdit{handle, cells, {voxels, voxels + needed}});
+        WriteVoxelsEdit edit{handle, cells, {voxels, voxels + needed}};
+        if (given.mask) edit.mask.assign(given.mask, given.mask + needed);
+        push(hosted, std::move(edit));
     });
 }
 

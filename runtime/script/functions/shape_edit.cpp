@@ -48,7 +48,8 @@ void writeCell(lua_State* L, rubble_shape shape, const Cell& cell, uint8_t voxel
     isDone(L, apiOf(L).write_voxels(worldOf(L), &box, &voxel, 1));
 }
 
-/// Changes the cells of a box by `edit(cell, voxel)`; those outside of the grid are left out.
+/// Changes the cells of a box by `edit(cell, voxel)`, which says whether it names the cell: others stay as the edits
+/// before have left them, which the copy of the grid does not know. Cells outside of the grid are left out.
 template <class Edit>
 void editBox(lua_State* L, rubble_shape shape, const Cell& low, const Cell& high, Edit&& edit) {
     GridCopy* grid = gridOf(L, shape);
@@ -63,18 +64,27 @@ void editBox(lua_State* L, rubble_shape shape, const Cell& low, const Cell& high
         cells *= size_t(box.size[i]);
     }
     Sandbox::of(L).charge(L, int64_t(cells / 8));
-    std::vector<uint8_t> voxels;
-    voxels.reserve(cells);
+    std::vector<uint8_t> voxels, mask;
+    voxels.reserve(cells), mask.reserve(cells);
     for (int32_t z = box.low[2]; z < box.low[2] + box.size[2]; ++z)
         for (int32_t y = box.low[1]; y < box.low[1] + box.size[1]; ++y)
             for (int32_t x = box.low[0]; x < box.low[0] + box.size[0]; ++x) {
                 uint8_t& voxel = grid->voxels[grid->at(x, y, z)];
-                edit(Cell{x, y, z}, voxel);
+                mask.push_back(edit(Cell{x, y, z}, voxel));
                 voxels.push_back(voxel);
             }
+    box.mask = mask.data();
     isDone(L, apiOf(L).write_voxels(worldOf(L), &box, voxels.data(), voxels.size()));
     if (const auto cell = std::exchange(grid->placeholder, {}))
         writeCell(L, shape, *cell, grid->voxels[grid->at((*cell)[0], (*cell)[1], (*cell)[2])]);
+}
+
+/// Gives all cells of a box one entry of the palette.
+void fillBox(lua_State* L, rubble_shape shape, const Cell& low, const Cell& high, uint8_t entry) {
+    editBox(L, shape, low, high, [&](const Cell&, uint8_t& voxel) {
+        voxel = entry;
+        return true;
+    });
 }
 
 /// Gives the copy of a grid another box of cells.
@@ -134,7 +144,7 @@ int create(lua_State* L) {
 }
 
 int clear(lua_State* L) {
-    editBox(L, handleAt(L, 1, "shape"), {0, 0, 0}, {4095, 4095, 4095}, [](const Cell&, uint8_t& voxel) { voxel = 0; });
+    fillBox(L, handleAt(L, 1, "shape"), {0, 0, 0}, {4095, 4095, 4095}, 0);
     return 0;
 }
 
@@ -185,8 +195,10 @@ int copyContent(lua_State* L) {
     const GridCopy* source = gridOf(L, from);
     if (!source || !resizeShape(L, to, {0, 0, 0}, source->size)) return 0;
     const GridCopy content = *source;
-    editBox(L, to, {0, 0, 0}, content.size,
-            [&](const Cell& cell, uint8_t& voxel) { voxel = content.voxels[content.at(cell[0], cell[1], cell[2])]; });
+    editBox(L, to, {0, 0, 0}, content.size, [&](const Cell& cell, uint8_t& voxel) {
+        voxel = content.voxels[content.at(cell[0], cell[1], cell[2])];
+        return true;
+    });
     return 0;
 }
 
@@ -237,7 +249,9 @@ int drawLine(lua_State* L) {
             brush.isCube ? std::max({std::abs(off[0]), std::abs(off[1]), std::abs(off[2])}) : length(off);
         const bool isHit =
             !brush.isNoise || (uint32_t(cell[0] * 73856093 ^ cell[1] * 19349663 ^ cell[2] * 83492791) >> 7 & 1);
-        if (distance <= radius && isHit && !(keeps && voxel)) voxel = brush.entry;
+        const bool isNamed = distance <= radius && isHit && !(keeps && voxel);
+        if (isNamed) voxel = brush.entry;
+        return isNamed;
     });
     return 0;
 }
@@ -251,7 +265,7 @@ int drawBox(lua_State* L) {
         low[i] = std::min(from[i], to[i]);
         high[i] = std::max(from[i], to[i]);
     }
-    editBox(L, shape, low, high, [&](const Cell&, uint8_t& voxel) { voxel = entry; });
+    fillBox(L, shape, low, high, entry);
     return 0;
 }
 
@@ -271,7 +285,7 @@ int extrude(lua_State* L) {
         high[i] = std::max(from[i] + along[i], end);
     }
     if (axes != 1) refuseArgument(L, 5, "direction", "one axis, such as 0, 1, 0");
-    editBox(L, shape, low, high, [&](const Cell&, uint8_t& voxel) { voxel = entry; });
+    fillBox(L, shape, low, high, entry);
     return 0;
 }
 

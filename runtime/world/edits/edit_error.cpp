@@ -156,7 +156,9 @@ std::string errorOf(const WriteVoxelsEdit& edit) {
         check.number("low", edit.box.low[a], {0, kMaxGridSize}).number("high", edit.box.high[a], {1, kMaxGridSize});
         cells *= uint64_t(std::max<int64_t>(0, int64_t(edit.box.high[a]) - edit.box.low[a]));
     }
-    return check.require(cells && cells == edit.entries.size(), "expected a byte for each cell of a box").error();
+    return check.require(cells && cells == edit.entries.size(), "expected a byte for each cell of a box")
+        .require(edit.mask.empty() || edit.mask.size() == cells, "expected a mask of a byte for each cell of a box")
+        .error();
 }
 std::string errorOf(const CreateBodyEdit& edit) {
     return objectError(edit.body);

@@ -37,11 +37,12 @@ struct ResizeShapeEdit {
     CellBox box;
 };
 
-/// Gives the cells of a box other voxels; the box lies within the grid. Voxels that touch no others come off.
+/// Gives cells of a box other voxels; the box lies within the grid. Voxels that touch no others come off.
 struct WriteVoxelsEdit {
     ShapeHandle shape;
     CellBox box;
     std::vector<uint8_t> entries;  ///< of the palette, 0: none; a byte each cell: x fastest, then y, then z
+    std::vector<uint8_t> mask;     ///< a byte each cell, 0: it stays as it is; empty: all cells are written
 };
 
 /// Changes what a shape is beside its voxels.

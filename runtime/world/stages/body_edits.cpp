@@ -70,12 +70,13 @@ void apply(EditContext& context, const SetBodyEdit& edit) {
     Body& body = context.world.bodies.at(edit.body);
     if (edit.setsGravityScale) body.gravityScale = edit.gravityScale;
     if (edit.setsDamping) body.linearDamping = edit.linearDamping, body.angularDamping = edit.angularDamping;
-    if (edit.setsPose) {
+    const bool isMoved = edit.setsPose && body.pose != edit.pose;
+    if (isMoved) {
         body.pose = edit.pose;
         moveShapes(context, body);
     }
     if (body.isStatic) {
-        if (edit.setsPose || edit.setsKind || edit.setsGravityScale || edit.setsDamping)
+        if (isMoved || edit.setsKind || edit.setsGravityScale || edit.setsDamping)
             context.changes.teleported.push_back(edit.body);
         return;
     }

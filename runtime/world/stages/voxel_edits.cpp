@@ -30,7 +30,7 @@ WrittenCells writeCells(VoxelGrid& grid, const WriteVoxelsEdit& edit, const Dens
         for (int y = low.y; y <= high.y; ++y)
             for (int x = low.x; x <= high.x; ++x) {
                 const glm::ivec3 brick(x, y, z), corner = brick * kBrickSize;
-                BrickWrite write = writtenBrick(grid, brick, edit.box, edit.entries);
+                BrickWrite write = writtenBrick(grid, brick, edit.box, edit.entries, edit.mask);
                 if (!write.any()) continue;
                 const BrickBits lost = write.lost(), made = write.made();
                 if (write.before) out.before += brickMoments(*write.before, lost, brick, densities);

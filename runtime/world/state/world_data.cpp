@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "runtime/core/log.h"
+#include "runtime/core/unit_length.h"
 #include "runtime/world/objects/transforms.h"
 #include "runtime/world/state/fires.h"
 
@@ -63,8 +64,7 @@ void WorldData::setSettings(const WorldSettings& to) {
 }
 
 void WorldData::setEnvironment(Environment to) {
-    const float length = glm::length(to.sunDirection);
-    to.sunDirection = length > 0.0f ? to.sunDirection / length : glm::vec3(0.0f, 1.0f, 0.0f);
+    to.sunDirection = glm::length(to.sunDirection) > 0.0f ? unitLength(to.sunDirection) : glm::vec3(0.0f, 1.0f, 0.0f);
     swapEnvironment(to);
 }
 

@@ -52,6 +52,21 @@ TEST(Script, WhatIsGoneIsToldOnceForEachLine) {
     EXPECT_NE(log.find("test:2: GetBodyVelocity: get_body_state"), std::string::npos) << log;
 }
 
+TEST(Script, DrawingKeepsTheHolesOfItsStep) {
+    Yard yard;
+    EXPECT_EQ(yard.run("local wall = FindShape('wall') or GetBodyShapes(FindBody('wall'))[1] "
+                       "local voxels = GetShapeVoxelCount(wall) "
+                       "MakeHole({0, 1.5, 0.15}, 0.5, 0.5) wait(0.1) "
+                       "local holed = GetShapeVoxelCount(wall) assert(holed < voxels, 'no hole') "
+                       "SetBrush('sphere', 1, 1) "
+                       "MakeHole({0.8, 1.5, 0.15}, 0.3, 0.3) "
+                       "DrawShapeLine(wall, 0, 0, 0, 60, 25, 2, false, true) wait(0.1) "
+                       "print(GetShapeVoxelCount(wall) - holed)"),
+              "");
+    const std::string log = yard.logged(0);
+    EXPECT_NE(log.find("test: -"), std::string::npos) << "the hole is filled again: " << log;
+}
+
 TEST(Script, WaitingStepsWithTheWorld) {
     Yard yard;
     yard.host().add("wait.lua",

@@ -40,6 +40,8 @@ TEST(EditError, NamesTheFirstNumberThatIsOutOfItsRange) {
           std::pair{Edit(ImpulseEdit{.impulse = {kInfinity, 0, 0}}), "impulse[0] is inf, expected -1e+16 to 1e+16"},
           std::pair{Edit(WriteVoxelsEdit{.box = {{2'000'000'000, 0, 0}, {-2'000'000'000, 1, 1}}}),
                     "low is 2e+09, expected 0 to 4096"},
+          std::pair{Edit(WriteVoxelsEdit{.box = {{0, 0, 0}, {2, 1, 1}}, .entries = {1, 1}, .mask = {1}}),
+                    "expected a mask of a byte for each cell of a box"},
           std::pair{Edit(DriveEdit{.brake = -1.0}), "brake is -1, expected 0 to 1"},
           std::pair{Edit(CarveEdit{.kind = BrushKind::Box, .halfSize = {1, 1, 1}, .rotation = {2, 0, 0, 0}}),
                     "the squared length of rotation is 4, expected 0.998 to 1.002"}})

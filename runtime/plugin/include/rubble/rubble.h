@@ -443,6 +443,9 @@ typedef struct rubble_voxel_box {
     rubble_shape shape;
     int32_t low[3];  /* the first cell: -4096 to 4096 */
     int32_t size[3]; /* cells along each axis, 1 to 4096 */
+    /* of write_voxels(): a byte each cell in the same order, 0 where the cell stays as the edits before have left it.
+     * Null: all cells are written. read_voxels() does not read it */
+    const uint8_t* mask;
 } rubble_voxel_box;
 
 /* ---- properties of shapes ---- */
@@ -1596,7 +1599,11 @@ typedef struct rubble_view {
     double alpha;
     /* column-major, from an eye that looks along -z with y up to clip space: a perspective, also with an infinite far
      * plane, or an orthographic projection, which shows nothing before its near plane, where haze and fog begin. Both
-     * also off-centre, with reversed depth. All zeros: vertical_fov in the middle of the view */
+     * also off-centre, with reversed depth. Near and far may be any: voxels before a perspective's near plane and
+     * beyond the far one are drawn too, and depths end at the planes. Of a perspective, [0] and [5] are 0.001 to 10,000
+     * (fields of view of 3.14 to 0.0002 radians: rays are floats) and [8] and [9] -4 to 4; of an orthographic
+     * projection, 1e-4 to 100 (views of 20 km to 2 cm), [12] and [13] -1e5 to 1e5, and the near plane lies within
+     * 100 km of the eye. All zeros: vertical_fov in the middle of the view */
     double projection[16];
 } rubble_view;
 
@@ -1988,9 +1995,10 @@ typedef struct rubble_api {
     /* [main-thread] Erases a shape, without dust or pieces, and its body if it has no other. */
     rubble_result (*destroy_shape)(rubble_world world, rubble_shape shape);
     /* [main-thread] Gives the cells of a box, which lies within the shape's grid, other voxels: one byte each as
-     * read_voxels() gives them, RUBBLE_VOXEL_INDEX only; `size` is the number of cells. Copied by the call. Cells that
-     * change lose their paint. Voxels that then touch nothing that holds them come off in the same step, and so does
-     * what hung on voxels that are gone. */
+     * read_voxels() gives them, RUBBLE_VOXEL_INDEX only; `size` is the number of cells. Copied by the call, with the
+     * box's mask. Who draws in what read_voxels() gave names the changed cells there: the others would go back to what
+     * the last step left, and undo a carve() of this one. Cells that change lose their paint. Voxels that then touch
+     * nothing that holds them come off in the same step, and so does what hung on voxels that are gone. */
     rubble_result (*write_voxels)(rubble_world world, const rubble_voxel_box* box, const uint8_t* voxels,
                                   uint64_t size);
 
