@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "physics/math/clamp_length.h"
+#include "runtime/core/planted_fault.h"
 
 namespace rubble {
 namespace {
@@ -139,6 +140,7 @@ bool DynamicBody::isFartherThan(double distance, glm::dvec3 origin) const {
 }
 
 bool DynamicBody::clamp(LimitCounts& counts) {
+    if (isPlanted("energy-gain")) motion.velocity *= 1.002;
     const bool speed = clampLength(motion.velocity, limits::kMaxSpeed),
                spin = clampLength(motion.angularVelocity, limits::kMaxAngularSpeed);
     counts[size_t(LimitKind::Speed)] += speed;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/core/planted_fault.h"
+
 namespace rubble {
 namespace {
 
@@ -115,7 +117,8 @@ BrickBits sphereBits(const Brush& brush, const Point& first, int64_t radius) {
         for (size_t y = 0; y < kBrickSize; ++y) {
             const int64_t left = radius * radius - squares[1][y] - squares[2][z];
             if (left < 0) continue;
-            for (size_t x = 0; x < kBrickSize; ++x) out[z] |= uint64_t(squares[0][x] <= left) << (x + 8 * y);
+            const size_t end = isPlanted("brush-off-by-one") ? kBrickSize - 1 : kBrickSize;
+            for (size_t x = 0; x < end; ++x) out[z] |= uint64_t(squares[0][x] <= left) << (x + 8 * y);
         }
     return out;
 }

@@ -3,6 +3,8 @@
 #include <bit>
 #include <glm/common.hpp>
 
+#include "runtime/core/planted_fault.h"
+
 namespace rubble {
 namespace {
 
@@ -63,7 +65,9 @@ Piece takePiece(VoxelGrid& grid, const Component& component) {
         BrickBits rest;
         for (size_t z = 0; z < 8; ++z) rest[z] = brick->occupancy[z] & ~subset.voxels[z];
         grid.setBrick(subset.brick, maskBrick(*brick, rest));
-        piece.grid.setBrick(subset.brick - offsetBricks, maskBrick(*brick, subset.voxels));
+        BrickBits taken = subset.voxels;
+        if (isPlanted("lost-voxel")) taken[0] &= taken[0] - 1;
+        piece.grid.setBrick(subset.brick - offsetBricks, maskBrick(*brick, taken));
     }
     return piece;
 }

@@ -24,6 +24,9 @@ ScriptHost::ScriptHost(const rubble_api& api, rubble_world world, ScriptHostSett
     m_shared.world = world;
     m_shared.folder = m_settings.folder;
     m_shared.log = m_settings.log;
+    m_shared.hostFunctions = m_settings.functions;
+    m_shared.host = m_settings.host;
+    m_shared.observer = m_settings.observer;
 }
 
 ScriptHost::~ScriptHost() {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <list>
 #include <map>
+#include <span>
 #include <string>
 
 #include "runtime/script/script.h"
@@ -18,6 +19,11 @@ struct ScriptHostSettings {
     bool measuresFunctions = false;  ///< ScriptContext::costs: time and allocations of each function that scripts call
     /// Reports that the host wants beside those of the scripts: scripts set the filter of the world.
     rubble_report_filter reports = {};
+    /// Functions of the host, which are globals of all scripts, and what they find in ScriptWorld::host. They outlive it.
+    std::span<const ScriptFunction> functions = {};
+    void* host = nullptr;
+    /// Is told of all calls of functions; null: nobody.
+    CallObserver* observer = nullptr;
     /// What print() writes, and what went wrong with script and line: RUBBLE_LOG_..., without a break.
     std::function<void(int level, const std::string&)> log;
 };

@@ -1,168 +1,177 @@
-// ./rubble stress: random demolition, round after round of a level, with every invariant checked at every step. Prints
-// a table with a line per round.
+// ./rubble stress: scenarios of destruction, written in Lua, with everything checked at every step.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <optional>
+#include <fstream>
+#include <sstream>
 
-#include "runtime/assets/assets.h"
-#include "runtime/core/log.h"
-#include "samples/stress/round.h"
+#include "samples/stress/minimise.h"
+#include "samples/stress/report.h"
 #include "samples/support/progress.h"
 
-namespace rubble {
+namespace stress {
 namespace {
 
-constexpr double kMiB = 1024.0 * 1024.0;
-/// Bytes by which the heap of an emptied loop may grow from half of the rounds to all of them: lists keep the largest
-/// capacity that they ever had.
-constexpr double kMaxHeapGrowth = 64.0 * 1024.0;
-/// Joules gained in all rounds, as a share of the joules lost to contacts and friction. No physical effect gains
-/// energy.
-constexpr double kMaxGainShare = 1e-3;
+namespace fs = std::filesystem;
 
-void printHeader() {
-    fmt::print(
-        "| round | edits | pieces | removed  | bodies | mean ms |   p50  |  p99   | worst | quiet | lost kJ  | gained "
-        "J |  max MiB | emptied KiB | resident | hash             |\n");
-}
+/// Bytes by which the heap may be larger after a run than before it: what libraries keep.
+constexpr uint64_t kMaxHeapGrowth = 2 << 20;
 
-void printRound(int number, const RoundResult& r, size_t emptied) {
-    fmt::print(
-        "| {:5} | {:5} | {:6} | {:8} | {:6} | {:7.2f} | {:6.2f} | {:6.2f} | {:5.0f} | {:5} | {:8.0f} | {:8.1f} | "
-        "{:8.1f} | {:11.1f} | {:8.1f} | {:016x} |\n",
-        number, r.edits, r.pieces, r.removed, r.maxBodies, r.meanMs, r.medianMs, r.p99Ms, r.worstMs, r.comparedSteps,
-        r.lost / 1e3, r.gained, double(r.maxHeapBytes) / kMiB, double(emptied) / 1024.0, double(residentBytes()) / kMiB,
-        r.hashes.empty() ? 0 : r.hashes.back());
-    std::fflush(stdout);
-}
-
-/// Finds a leak: "" unless the heap of the emptied loop grew in the second half of the rounds.
-std::string compareMemory(const std::vector<size_t>& emptied) {
-    if (emptied.size() < 4) return {};
-    const double half = double(emptied[emptied.size() / 2 - 1]), all = double(emptied.back());
-    if (all <= half + kMaxHeapGrowth) return {};
-    return fmt::format("the heap of an emptied world grew from {:.1f} to {:.1f} KiB in the second half of the rounds",
-                       half / 1024.0, all / 1024.0);
-}
-
-/// Plays a round from its save in a new loop with two threads; "" if it gives the same hashes.
-std::string playAgain(const Round& round, SavedGame beginning, const RoundResult& first,
-                      const std::function<void()>& onStep) {
-    FrameLoop loop(stressLoop(2));
-    loop.load(std::move(beginning));
-    const RoundResult result = playRound(round, loop, onStep);
-    if (!result.error.empty()) return result.error;
-    return result.hashes == first.hashes ? "" : "loaded and played with two threads, the round gives other hashes";
-}
-
-struct StressOptions {
-    Round round;
-    int steps = 1200;     ///< of 1/60 s, in all
-    int repeatEvery = 4;  ///< rounds; 0: none is played again
-    std::string level;    ///< a file; "": the stress level
+struct Options {
+    std::string scenario = "all", out = "out/stress";
+    std::vector<uint64_t> seeds = {1};
+    double minutes = 1.0 / 3.0;
+    int images = 3, minimiseRuns = 200;
+    bool lists = false, listsJobs = false, replays = true;
 };
 
-/// All rounds in one frame loop, as a game would play them one after the other.
-class StressRun {
+std::string readFile(const fs::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+/// The text behind "-- " in the first line of a script.
+std::string descriptionOf(const std::string& script) {
+    const std::string line = script.substr(0, script.find('\n'));
+    return line.starts_with("-- ") ? line.substr(3) : "";
+}
+
+/// All scenarios, or the one that is named, or a file.
+std::vector<fs::path> findScenarios(const std::string& name) {
+    if (name.ends_with(".lua")) return {name};
+    if (name != "all") return {fs::path(RUBBLE_STRESS_SCENARIOS) / (name + ".lua")};
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(RUBBLE_STRESS_SCENARIOS))
+        if (entry.path().extension() == ".lua") found.push_back(entry.path());
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+/// What a result holds itself.
+uint64_t bytesOf(const RunResult& result) {
+    uint64_t bytes = result.steps.capacity() * sizeof(StepFigures);
+    for (const auto& game : result.games) bytes += game.capacity();
+    return bytes;
+}
+
+/// Plays one scenario with one seed, writes its report, and prints a line. False: something did not hold.
+class Job {
 public:
-    explicit StressRun(const StressOptions& options)
-        : m_round(options.round),
-          m_rounds((options.steps + m_round.steps - 1) / m_round.steps),
-          m_repeatEvery(options.repeatEvery),
-          m_repeated(m_repeatEvery ? (m_rounds + m_repeatEvery - 1) / m_repeatEvery : 0),
-          m_progress("demolition", (m_rounds + m_repeated) * m_round.steps) {
-        m_round.recordedSteps = std::min(m_round.recordedSteps, m_round.steps / 4);
-        m_emptied.reserve(size_t(m_rounds));
+    Job(const rubble_api& api, const Options& options, const fs::path& scenario, uint64_t seed)
+        : m_api(api), m_options(options) {
+        m_settings.name = scenario.stem().string();
+        m_settings.script = readFile(scenario);
+        m_settings.seed = seed;
+        m_settings.steps = std::max(1, int(options.minutes * 3600.0));
+        m_settings.replays = options.replays;
+        m_settings.levels = RUBBLE_STRESS_LEVELS;
+        m_settings.folder = options.out;
+        m_settings.images = options.images;
     }
 
-    /// Plays the rounds until one fails, and prints a line for each and a summary. Returns the exit code.
-    int run() {
+    bool run() {
+        CommandLog commands;
+        rubble::Progress progress(m_settings.name, m_settings.steps);
+        m_settings.observer = &commands;
+        m_settings.onStep = [&](int step) {
+            if (step % 60 == 0) progress.advance(step);
+        };
         const auto start = std::chrono::steady_clock::now();
-        printHeader();
-        for (int i = 0; i < m_rounds && m_error.empty(); ++i) playOne(i);
-        if (m_error.empty()) m_error = compareMemory(m_emptied);
-        if (m_error.empty() && m_gained > kMaxGainShare * m_lost)
-            m_error =
-                fmt::format("expected at most {} J gained for each J lost, found {}", kMaxGainShare, m_gained / m_lost);
+        const uint64_t heap = heapBytes();
+        RunResult result = play(m_api, m_settings);
+        const uint64_t left = heapBytes() - bytesOf(result);
+        if (!result.failure && left > heap + kMaxHeapGrowth)
+            result.failure = {"memory", fmt::format("{} KiB are left", (left - heap) >> 10), m_settings.steps};
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        fmt::print(
-            "stress: {} steps in {} rounds, {} of them twice, seed {}, {:.0f} s; {:.0f} kJ lost, {:.1f} kJ gained: "
-            "{}\n",
-            m_emptied.size() * size_t(m_round.steps), m_emptied.size(), m_repeated, m_round.seed, seconds, m_lost / 1e3,
-            m_gained / 1e3,
-            m_error.empty() ? "all invariants held"
-                            : "FAILED in round " + std::to_string(m_round.number) + ": " + m_error);
-        return m_error.empty() ? 0 : 1;
+        std::string script;
+        if (result.failure) script = minimiseFailure(*result.failure, commands.commands());
+        print(result, seconds);
+        report(writeFigures(m_options.out, m_settings, result, seconds, script));
+        if (m_options.images) report(drawGames(m_api, m_options.out, m_settings, result));
+        return !result.failure;
     }
 
 private:
-    void playOne(int number) {
-        m_round.number = number;
-        loadRound(m_round, m_loop);
-        const auto onStep = [this] {
-            if (++m_done % 60 == 0) m_progress.advance(m_done);
-        };
-        const bool isRepeated = m_repeatEvery && number % m_repeatEvery == 0;
-        std::optional<SavedGame> beginning;
-        if (isRepeated) beginning = m_loop.save();
-        const RoundResult result = playRound(m_round, m_loop, onStep);
-        m_error = result.error;
-        m_lost += result.lost, m_gained += result.gained;
-        if (isRepeated && m_error.empty()) m_error = playAgain(m_round, std::move(*beginning), result, onStep);
-        beginning.reset();
-        m_emptied.push_back(heapBytesWhenEmptied(m_loop));
-        printRound(number, result, m_emptied.back());
+    static void report(const std::string& error) {
+        if (!error.empty()) fmt::print(stderr, "stress: {}\n", error);
     }
 
-    Round m_round;
-    const int m_rounds, m_repeatEvery, m_repeated;
-    Progress m_progress;
-    FrameLoop m_loop{stressLoop(1)};
-    int m_done = 0;                 ///< steps, of all rounds
-    std::vector<size_t> m_emptied;  ///< heap bytes after each round
-    double m_lost = 0.0, m_gained = 0.0;
-    std::string m_error;
+    std::string minimiseFailure(Failure& failure, const std::vector<Command>& commands) {
+        const Minimised found = minimise(m_api, m_settings, failure, commands, m_options.minimiseRuns);
+        if (found.script.empty()) return "";
+        const std::string path = fmt::format("{}/{}_{}_failure.lua", m_options.out, m_settings.name, m_settings.seed);
+        const std::string script =
+            fmt::format("-- {}: {}. Made from {} with seed {} in {} runs.\n{}", failure.check, found.failure.message,
+                        m_settings.name, m_settings.seed, found.runs, found.script);
+        std::ofstream(path) << script;
+        fmt::print("{}\n./rubble stress {}\n", script, path);
+        return script;
+    }
+
+    void print(const RunResult& result, double seconds) const {
+        uint32_t bodies = 0;
+        for (const StepFigures& step : result.steps) bodies = std::max(bodies, step.bodies);
+        const uint64_t removed = result.steps.empty() ? 0 : result.steps.back().removed;
+        fmt::print("{:<20} seed {:<4} {:6} steps {:6} replayed {:5} bodies {:9} removed {:4} loads {:6.1f} s  {}\n",
+                   m_settings.name, m_settings.seed, result.steps.size(), result.replayed, bodies, removed,
+                   result.loads, seconds,
+                   result.failure ? fmt::format("FAILED at step {}: {}: {}", result.failure->step,
+                                                result.failure->check, result.failure->message)
+                                  : "all checks held");
+        std::fflush(stdout);
+    }
+
+    const rubble_api& m_api;
+    const Options& m_options;
+    RunSettings m_settings;
 };
 
-int run(int argc, char** argv) {
-    StressOptions options;
-    CLI::App app{"Random demolition with every invariant checked at every step", "stress"};
-    app.add_option("--seed", options.round.seed, "seed of everything random")
-        ->capture_default_str()
-        ->check(CLI::NonNegativeNumber);
-    app.add_option("--steps", options.steps, "steps of 1/60 s in all; 108000 are half an hour")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1000000000));
-    app.add_option("--round", options.round.steps, "steps per round; each round loads the level again")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1000000000));
-    app.add_option("--edits-every", options.round.editInterval, "steps between edits")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1000000000));
-    app.add_option("--repeat-every", options.repeatEvery,
-                   "play one of this many rounds again, with two threads; it must give the same hashes; 0: none")
-        ->capture_default_str();
-    app.add_option("--level", options.level, "a .vdb, .vox or .rubble file instead of the town");
-    CLI11_PARSE(app, argc, argv);
-
-    Level level;
-    if (!options.level.empty()) {
-        const auto tool =
-            std::filesystem::weakly_canonical(std::filesystem::path(argv[0])).parent_path() / "rubble-vdb";
-        Result<Level> read = readLevel(options.level, tool.string());
-        if (!read) return logError(read.error()), 1;
-        level = std::move(*read);
-        options.round.level = &level;
+int run(const Options& options) {
+    const rubble_api* api = nullptr;
+    if (rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK) return 1;
+    fs::create_directories(options.out);
+    int failed = 0;
+    for (const fs::path& scenario : findScenarios(options.scenario)) {
+        if (!fs::exists(scenario)) {
+            fmt::print(stderr, "stress: expected a scenario that --list shows, or a file, found {}\n",
+                       options.scenario);
+            return 2;
+        }
+        if (options.lists) fmt::print("{:<20} {}\n", scenario.stem().string(), descriptionOf(readFile(scenario)));
+        for (const uint64_t seed : options.seeds)
+            if (options.listsJobs)
+                fmt::print("./rubble stress {} --seed {} --minutes {} --out {}\n", scenario.stem().string(), seed,
+                           options.minutes, options.out);
+            else if (!options.lists)
+                failed += !Job(*api, options, scenario, seed).run();
     }
-    return StressRun(options).run();
+    return failed ? 1 : 0;
 }
 
 }  // namespace
-}  // namespace rubble
+}  // namespace stress
 
 int main(int argc, char** argv) {
-    return rubble::run(argc, argv);
+    stress::Options options;
+    CLI::App app{"Scenarios of destruction in Lua, with everything checked at every step", "stress"};
+    app.add_option("scenario", options.scenario, "a name, all, or a file of Lua")->capture_default_str();
+    app.add_option("--seed", options.seeds, "seeds of everything random, one run each")->capture_default_str();
+    app.add_option("--minutes", options.minutes, "of the world, each run")
+        ->capture_default_str()
+        ->check(CLI::Range(0.001, 1e5));
+    app.add_option("--out", options.out, "the folder of reports")->capture_default_str();
+    app.add_option("--images", options.images, "drawn of each run; 0: none")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 100));
+    app.add_option("--minimise", options.minimiseRuns, "runs at most to make a failing script short")
+        ->capture_default_str();
+    app.add_flag("--list", options.lists, "the scenarios, and what they do");
+    app.add_flag("--list-jobs", options.listsJobs, "a command for each run, for GNU parallel");
+    app.add_flag("!--no-replay", options.replays, "do not play recordings again");
+    CLI11_PARSE(app, argc, argv);
+    return stress::run(options);
 }

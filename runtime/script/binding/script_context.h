@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,18 @@ struct GridCopy {
     }
 };
 
+struct ScriptFunction;
+
+/// Is told of the calls of functions with effects and without, as of a host that writes down what scripts do.
+class CallObserver {
+public:
+    virtual ~CallObserver() = default;
+    /// Before a call: its arguments are what lies on the stack, which it leaves as it is.
+    virtual void begin(lua_State* L, const ScriptFunction& function) = 0;
+    /// After it, unless it has failed or waits: its results are the topmost values of the stack.
+    virtual void end(lua_State* L, const ScriptFunction& function, int results) = 0;
+};
+
 /// What the scripts of a world share: all functions of scripts work on it by the C interface.
 struct ScriptWorld {
     const rubble_api* api = nullptr;
@@ -55,6 +68,9 @@ struct ScriptWorld {
     UiFrame ui;
     std::map<std::string, std::string> watches;              ///< of DebugWatch(), by name
     std::function<void(int level, const std::string&)> log;  ///< RUBBLE_LOG_..., a line without a break
+    std::span<const ScriptFunction> hostFunctions;           ///< globals beside those of the vocabulary
+    void* host = nullptr;                                    ///< what those work on
+    CallObserver* observer = nullptr;
 };
 
 /// What QueryRequire() and its like have set, for the next query.

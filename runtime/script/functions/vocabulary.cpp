@@ -1,6 +1,7 @@
 #include "runtime/script/functions/vocabulary.h"
 
 #include <chrono>
+#include <optional>
 
 namespace rubble::script {
 namespace {
@@ -32,13 +33,18 @@ int callFunction(lua_State* L) {
     Sandbox& box = Sandbox::of(L);
     box.charge(L, kCallWork);
     const lua_Integer index = lua_tointeger(L, lua_upvalueindex(2));
+    const ScriptFunction& function = runningFunction(L);
+    if (index < 0) return function.function(L);
     ScriptContext& context = *static_cast<ScriptContext*>(box.owner());
-    if (index >= 0) ++context.calls[size_t(index)];
-    if (index >= 0 && !context.costs.empty()) {
-        const CostMeter meter(box, context.costs[size_t(index)]);
-        return runningFunction(L).function(L);
-    }
-    return runningFunction(L).function(L);
+    ++context.calls[size_t(index)];
+    std::optional<CostMeter> meter;
+    if (!context.costs.empty()) meter.emplace(box, context.costs[size_t(index)]);
+    CallObserver* const observer = context.shared.observer;
+    if (!observer) return function.function(L);
+    observer->begin(L, function);
+    const int results = function.function(L);
+    observer->end(L, function, results);
+    return results;
 }
 
 int yieldUntil(lua_State* L, double until, lua_KContext context, lua_KFunction continuation) {
@@ -88,11 +94,14 @@ void pushFunction(lua_State* L, const ScriptFunction& function, lua_Integer inde
 
 void openVocabulary(lua_State* L) {
     lua_Integer index = 0;
-    for (const Subject& subject : vocabulary())
-        for (const ScriptFunction& function : subject.functions) {
+    const auto open = [&](std::span<const ScriptFunction> functions) {
+        for (const ScriptFunction& function : functions) {
             pushFunction(L, function, index++);
             lua_setglobal(L, function.name().c_str());
         }
+    };
+    for (const Subject& subject : vocabulary()) open(subject.functions);
+    open(ScriptContext::of(L).shared.hostFunctions);
     ScriptContext::of(L).calls.assign(size_t(index), 0);
     openVectorOperators(L);
     openRotationOperators(L);

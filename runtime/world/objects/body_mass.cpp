@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/core/planted_fault.h"
+
 namespace rubble {
 namespace {
 
@@ -15,6 +17,7 @@ glm::dmat3 inertiaMatrix(const std::array<double, 6>& t) {
 
 MassProperties massOf(const Shape& shape, const MassMoments& moments) {
     MassProperties mass = massProperties(moments, shape.voxelSize);
+    if (isPlanted("wrong-mass")) mass.mass *= 1.01;
     if (shape.density == 1.0f) return mass;
     mass.mass *= double(shape.density);
     for (double& each : mass.inertia) each *= double(shape.density);

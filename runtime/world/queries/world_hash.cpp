@@ -1,6 +1,7 @@
 #include "runtime/world/queries/world_hash.h"
 
 #include "runtime/core/hash.h"
+#include "runtime/core/planted_fault.h"
 
 namespace rubble {
 namespace {
@@ -80,7 +81,7 @@ uint64_t resolvedHash(const WorldState& world) {
         hasher.add(shape.local);
         hasher.add(shape.grid.contentHash());
         hasher.add(palettes.of(*shape.palette));
-        hasher.add(glm::dvec3(shape.strength, shape.density, shape.emission));
+        hasher.add(glm::dvec3(isPlanted("unhashed-field") ? 0.0f : shape.strength, shape.density, shape.emission));
         hasher.state = hashBytes(shape.anchors.data(), shape.anchors.size() * sizeof(CellBox), hasher.state);
         hasher.add(uint64_t(shape.loadBearing) << 24 | uint64_t(shape.collisionShape) << 16 |
                    uint64_t(shape.collisionLayer) << 8 | shape.collisionMask);

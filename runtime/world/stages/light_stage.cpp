@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "runtime/core/log.h"
+#include "runtime/core/planted_fault.h"
 #include "runtime/voxel/nearest_voxel.h"
 #include "runtime/world/objects/transforms.h"
 
@@ -78,7 +79,7 @@ void moveLights(EditContext& context, const ShapeSplit& split) {
 
 void turnOffLightsOf(EditContext& context, ShapeHandle shape) {
     context.world.lights.forEach([&](LightHandle handle, Light& light) {
-        if (light.shape != shape) return;
+        if (light.shape != shape || isPlanted("stale-light")) return;
         light.local = lightToWorld(context.world, light);
         light.shape = {};
         light.enabled = false;

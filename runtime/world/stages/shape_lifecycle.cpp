@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/core/planted_fault.h"
 #include "runtime/world/objects/body_mass.h"
 #include "runtime/world/objects/transforms.h"
 #include "runtime/world/stages/entry_counts.h"
@@ -146,7 +147,7 @@ void eraseEmptyShape(EditContext& context, ShapeHandle handle) {
 void destroyShape(EditContext& context, ShapeHandle handle) {
     const BodyHandle body = context.world.shapes.at(handle).body;
     eraseEmptyShape(context, handle);
-    if (!context.world.bodies.at(body).shapes.empty()) return;
+    if (!context.world.bodies.at(body).shapes.empty() || isPlanted("leaked-body")) return;
     context.world.bodies.erase(body);
     context.changes.bodiesDestroyed.push_back(body);
     context.world.updateDebris(body);

@@ -1,4 +1,4 @@
-#include "samples/stress/mechanical_energy.h"
+#include "samples/stress/demolition/mechanical_energy.h"
 
 #include <algorithm>
 #include <cmath>

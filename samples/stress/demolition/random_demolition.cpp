@@ -1,4 +1,4 @@
-#include "samples/stress/random_demolition.h"
+#include "samples/stress/demolition/random_demolition.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include "samples/scenes/placement.h"
 #include "samples/scenes/surface_styles.h"
 #include "samples/scenes/town.h"
-#include "samples/stress/machines.h"
+#include "samples/stress/demolition/machines.h"
 
 namespace rubble {
 namespace {

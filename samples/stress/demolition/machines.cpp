@@ -1,4 +1,4 @@
-#include "samples/stress/machines.h"
+#include "samples/stress/demolition/machines.h"
 
 #include <fmt/format.h>
 

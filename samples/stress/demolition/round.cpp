@@ -1,4 +1,4 @@
-#include "samples/stress/round.h"
+#include "samples/stress/demolition/round.h"
 
 #include <fmt/format.h>
 #include <malloc.h>
@@ -14,8 +14,8 @@
 #include <thread>
 
 #include "runtime/assets/recording_file.h"
-#include "samples/stress/mechanical_energy.h"
-#include "samples/stress/random_demolition.h"
+#include "samples/stress/demolition/mechanical_energy.h"
+#include "samples/stress/demolition/random_demolition.h"
 
 namespace rubble {
 namespace {

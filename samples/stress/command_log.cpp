@@ -1,0 +1,167 @@
+#include "samples/stress/command_log.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace stress {
+namespace {
+
+constexpr lua_Integer kSmallestHandle = 1 << 20;
+
+/// Functions with an effect that no prefix below shows.
+constexpr std::array kCommands = {"MakeHole",
+                                  "Explosion",
+                                  "Shoot",
+                                  "Paint",
+                                  "PaintRGBA",
+                                  "AddHeat",
+                                  "SpawnFire",
+                                  "RemoveAabbFires",
+                                  "Delete",
+                                  "PointLight",
+                                  "ApplyBodyImpulse",
+                                  "Spawn",
+                                  "SpawnParticle",
+                                  "Box",
+                                  "Ball",
+                                  "Joint",
+                                  "CollideAs",
+                                  "Drive",
+                                  "Water",
+                                  "Character",
+                                  "Walk",
+                                  "LightGroup",
+                                  "SwitchLightGroup",
+                                  "Glow",
+                                  "AddLight",
+                                  "Pour",
+                                  "Settings",
+                                  "Bounds",
+                                  "UndoLimit",
+                                  "UndoMark",
+                                  "Undo",
+                                  "Redo",
+                                  "SaveAndLoad",
+                                  "LoadLevel",
+                                  "ClosedSystem",
+                                  "FreeFlight",
+                                  "ExactHole"};
+constexpr std::array kPrefixes = {"Set",   "Draw",  "Create", "Clear",   "Resize",    "Trim",
+                                  "Split", "Merge", "Copy",   "Extrude", "Constrain", "Remove"};
+/// Functions that give handles of things that were not made by a command.
+constexpr std::array kFinders = {"Find", "GetShapeBody", "GetBodyShapes", "GetJointShapes", "GetShapeJoints"};
+
+bool beginsWithOneOf(const std::string& name, const auto& prefixes) {
+    return std::any_of(prefixes.begin(), prefixes.end(), [&](const char* each) { return name.starts_with(each); });
+}
+bool isCommand(const std::string& name) {
+    return std::find(kCommands.begin(), kCommands.end(), name) != kCommands.end() || beginsWithOneOf(name, kPrefixes);
+}
+
+/// The shortest text of a number that gives its bits again.
+std::string numberText(double value) {
+    if (std::isnan(value)) return "0/0";
+    if (std::isinf(value)) return value > 0.0 ? "1/0" : "-1/0";
+    return fmt::format("{}", value);
+}
+
+}  // namespace
+
+std::string CommandLog::valueText(lua_State* L, int index, int depth, std::vector<size_t>& needed) const {
+    switch (lua_type(L, index)) {
+        case LUA_TBOOLEAN:
+            return lua_toboolean(L, index) ? "true" : "false";
+        case LUA_TSTRING:
+            return fmt::format("\"{}\"", lua_tostring(L, index));
+        case LUA_TNUMBER: {
+            if (!lua_isinteger(L, index)) return numberText(lua_tonumber(L, index));
+            const lua_Integer value = lua_tointeger(L, index);
+            const auto found = m_expressions.find(uint64_t(value));
+            if (value < kSmallestHandle || found == m_expressions.end()) return std::to_string(value);
+            for (size_t at = 0; (at = found->second.find('@', at)) != std::string::npos;) {
+                needed.push_back(size_t(std::stoul(found->second.substr(at + 1))));
+                at = found->second.find('@', at + 1) + 1;
+            }
+            return found->second;
+        }
+        case LUA_TTABLE: {
+            if (depth == 0) return "{}";
+            std::string text;
+            const lua_Integer length = lua_Integer(lua_rawlen(L, index));
+            for (lua_Integer i = 1; i <= length; ++i) {
+                lua_rawgeti(L, index, i);
+                text += (text.empty() ? "" : ", ") + valueText(L, lua_gettop(L), depth - 1, needed);
+                lua_pop(L, 1);
+            }
+            if (length) return "{" + text + "}";
+            std::map<std::string, std::string> fields;  // sorted, as the order in a table is not
+            for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1))
+                if (lua_type(L, -2) == LUA_TSTRING)
+                    fields[lua_tostring(L, -2)] = valueText(L, lua_gettop(L), depth - 1, needed);
+            for (const auto& [key, value] : fields) text += (text.empty() ? "" : ", ") + key + " = " + value;
+            return "{" + text + "}";
+        }
+        default:
+            return "nil";
+    }
+}
+
+void CommandLog::begin(lua_State* L, const rubble::script::ScriptFunction& function) {
+    const std::string called = function.name();
+    m_isCommand = isCommand(called);
+    if (!m_isCommand && !beginsWithOneOf(called, kFinders)) return m_call.clear();
+    std::vector<size_t> needed;
+    std::string arguments;
+    luaL_checkstack(L, 20, nullptr);
+    const int count = lua_gettop(L);
+    for (int i = 1; i <= count; ++i) arguments += (i > 1 ? ", " : "") + valueText(L, i, 3, needed);
+    m_call = called + "(" + arguments + ")";
+    const int step = int(rubble::script::ScriptContext::of(L).shared.step);
+    if (m_isCommand) m_commands.push_back({step, m_call, std::move(needed)});
+}
+
+void CommandLog::name(lua_State* L, int index, const std::string& expression) {
+    if (!lua_isinteger(L, index)) return;
+    const lua_Integer value = lua_tointeger(L, index);
+    if (value >= kSmallestHandle) m_expressions.emplace(uint64_t(value), expression);
+}
+
+void CommandLog::end(lua_State* L, const rubble::script::ScriptFunction&, int results) {
+    if (m_call.empty() || results == 0) return;
+    const int first = lua_gettop(L) - results + 1;
+    const std::string made = m_isCommand ? fmt::format("@{}@", m_commands.size() - 1) : m_call;
+    if (lua_istable(L, first)) {
+        for (lua_Integer i = 1; i <= lua_Integer(lua_rawlen(L, first)); ++i) {
+            lua_rawgeti(L, first, i);
+            name(L, lua_gettop(L), fmt::format("{}[{}]", made, i));
+            lua_pop(L, 1);
+        }
+        return;
+    }
+    name(L, first, made);
+    if (results > 1 && m_isCommand) name(L, first + 1, "GetShapeBody(" + made + ")");
+}
+
+std::string scriptOf(const std::vector<Command>& commands) {
+    std::string text = "local made = {}\nfunction init()\n";
+    int step = 0;
+    for (size_t i = 0; i < commands.size(); ++i) {
+        if (commands[i].step > step) text += fmt::format("    WaitForStep({})\n", step = commands[i].step);
+        const std::string mark = fmt::format("@{}@", i);
+        const bool isNeeded = std::any_of(commands.begin(), commands.end(), [&](const Command& each) {
+            return each.text.find(mark) != std::string::npos;
+        });
+        std::string line = commands[i].text;
+        for (size_t at = 0; (at = line.find('@', at)) != std::string::npos;) {
+            const size_t end = line.find('@', at + 1);
+            line = line.substr(0, at) + "made[" + line.substr(at + 1, end - at - 1) + "]" + line.substr(end + 1);
+        }
+        text += "    " + (isNeeded ? fmt::format("made[{}] = ", i) : std::string()) + line + "\n";
+    }
+    return text + "end\n";
+}
+
+}  // namespace stress

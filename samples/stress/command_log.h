@@ -1,0 +1,40 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "runtime/script/binding/script_context.h"
+
+namespace stress {
+
+/// A call with an effect.
+struct Command {
+    int step;                    ///< steps that were done before it
+    std::string text;            ///< Lua; what another command has made stands as "@number@"
+    std::vector<size_t> needed;  ///< those commands
+};
+
+/// Writes down what scripts do, so that a text of these calls alone does the same.
+class CommandLog final : public rubble::script::CallObserver {
+public:
+    void begin(lua_State* L, const rubble::script::ScriptFunction& function) override;
+    void end(lua_State* L, const rubble::script::ScriptFunction& function, int results) override;
+
+    /// In their order.
+    const std::vector<Command>& commands() const { return m_commands; }
+
+private:
+    std::string valueText(lua_State* L, int index, int depth, std::vector<size_t>& needed) const;
+    void name(lua_State* L, int index, const std::string& expression);
+
+    std::vector<Command> m_commands;
+    std::map<uint64_t, std::string> m_expressions;  ///< what gives a handle
+    std::string m_call;                             ///< that is running, as a text
+    bool m_isCommand = false;
+};
+
+/// A script that gives these commands, each at its step.
+std::string scriptOf(const std::vector<Command>& commands);
+
+}  // namespace stress

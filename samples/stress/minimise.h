@@ -1,0 +1,22 @@
+#pragma once
+#include <functional>
+
+#include "samples/stress/command_log.h"
+#include "samples/stress/run.h"
+
+namespace stress {
+
+/// A short script that fails as a run did.
+struct Minimised {
+    std::string script;  ///< "" if the commands of the run alone do not fail
+    Failure failure;
+    int runs = 0;  ///< that it took
+};
+
+/// Leaves out commands of a failed run, as many as it can, so that the same check still fails: delta debugging as in
+/// Zeller and Hildebrandt, "Simplifying and Isolating Failure-Inducing Input" (2002), on commands with what they need.
+/// Plays at most `maxRuns` times.
+Minimised minimise(const rubble_api& api, const RunSettings& settings, const Failure& failure,
+                   const std::vector<Command>& commands, int maxRuns);
+
+}  // namespace stress

@@ -1,0 +1,88 @@
+#include "samples/stress/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "runtime/script/binding/script_context.h"
+
+namespace stress {
+namespace {
+
+constexpr size_t kPlotPoints = 600;
+
+/// One curve: the largest value of each stretch of steps, so that no peak is lost.
+template <class Value>
+nlohmann::json plotOf(const std::vector<StepFigures>& steps, Value&& value) {
+    nlohmann::json points = nlohmann::json::array();
+    const size_t stretch = std::max<size_t>(1, (steps.size() + kPlotPoints - 1) / kPlotPoints);
+    for (size_t i = 0; i < steps.size(); i += stretch) {
+        double largest = double(value(steps[i]));
+        for (size_t k = i; k < std::min(steps.size(), i + stretch); ++k)
+            largest = std::max(largest, double(value(steps[k])));
+        points.push_back(std::round(largest * 1000.0) / 1000.0);
+    }
+    return points;
+}
+
+/// Median, 95th and 99th percentile and the largest, in ms.
+template <class Value>
+nlohmann::json percentilesOf(const std::vector<StepFigures>& steps, Value&& value) {
+    std::vector<double> sorted;
+    for (const StepFigures& step : steps) sorted.push_back(double(value(step)));
+    if (sorted.empty()) return {0.0, 0.0, 0.0, 0.0};
+    std::sort(sorted.begin(), sorted.end());
+    const auto at = [&](size_t percent) { return sorted[std::min(sorted.size() - 1, sorted.size() * percent / 100)]; };
+    return {at(50), at(95), at(99), sorted.back()};
+}
+
+double stepMs(const StepFigures& step) {
+    return step.editsMs + step.physicsMs + step.posesMs + step.impactsMs + step.shadowMs;
+}
+
+}  // namespace
+
+std::string writeFigures(const std::string& folder, const RunSettings& settings, const RunResult& result,
+                         double seconds, const std::string& script) {
+    nlohmann::json file;
+    const std::vector<StepFigures>& steps = result.steps;
+    file["scenario"] = settings.name;
+    file["seed"] = settings.seed;
+    file["steps"] = steps.size();
+    file["seconds"] = seconds;
+    file["hash"] = fmt::format("{:016x}", result.hash);
+    file["replayed_steps"] = result.replayed;
+    file["loads"] = result.loads;
+    if (result.failure)
+        file["failure"] = {{"check", result.failure->check},
+                           {"message", result.failure->message},
+                           {"step", result.failure->step},
+                           {"script", script}};
+    nlohmann::json& stages = file["ms_p50_p95_p99_max"];
+    stages["edits"] = percentilesOf(steps, [](const StepFigures& step) { return step.editsMs; });
+    stages["physics"] = percentilesOf(steps, [](const StepFigures& step) { return step.physicsMs; });
+    stages["poses"] = percentilesOf(steps, [](const StepFigures& step) { return step.posesMs; });
+    stages["impacts"] = percentilesOf(steps, [](const StepFigures& step) { return step.impactsMs; });
+    stages["shadow"] = percentilesOf(steps, [](const StepFigures& step) { return step.shadowMs; });
+    stages["step"] = percentilesOf(steps, stepMs);
+    nlohmann::json& plots = file["plots"];
+    plots["step, ms"] = plotOf(steps, stepMs);
+    plots["bodies"] = plotOf(steps, [](const StepFigures& step) { return step.bodies; });
+    plots["awake bodies"] = plotOf(steps, [](const StepFigures& step) { return step.awake; });
+    plots["contacts"] = plotOf(steps, [](const StepFigures& step) { return step.contacts; });
+    plots["standing voxels"] = plotOf(steps, [](const StepFigures& step) { return step.standing; });
+    plots["voxels in pieces"] = plotOf(steps, [](const StepFigures& step) { return step.pieces; });
+    plots["removed voxels"] = plotOf(steps, [](const StepFigures& step) { return step.removed; });
+    plots["shadow lag, steps"] = plotOf(steps, [](const StepFigures& step) { return step.shadowLag; });
+    plots["kinetic energy, kJ"] = plotOf(steps, [](const StepFigures& step) { return step.energy / 1e3; });
+    plots["heap, MiB"] = plotOf(steps, [](const StepFigures& step) { return double(step.heap) / (1 << 20); });
+    const std::string path = fmt::format("{}/{}_{}.json", folder, settings.name, settings.seed);
+    std::ofstream out(path);
+    out << file.dump(1) << "\n";
+    return out.flush() ? "" : "cannot write " + path;
+}
+
+}  // namespace stress

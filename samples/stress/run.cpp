@@ -1,0 +1,241 @@
+#include "samples/stress/run.h"
+
+#include <fmt/format.h>
+#include <malloc.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "runtime/script/binding/calls.h"
+#include "runtime/script/binding/vector_math.h"
+#include "runtime/script/script_host.h"
+#include "samples/stress/checks/check.h"
+
+namespace stress {
+namespace {
+
+using rubble::script::sized;
+
+/// Scenarios count what they do by themselves: what stops a script that hangs need not be small.
+constexpr int64_t kScriptWork = 50'000'000;
+
+constexpr uint32_t kWorldFlags =
+    RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_DATA | RUBBLE_WORLD_SHADOW_INLINE | RUBBLE_WORLD_WAIT_FOR_SHADOW;
+
+class Run {
+public:
+    Run(const rubble_api& api, const RunSettings& settings)
+        : m_api(api), m_settings(settings), m_view{api, 0, {}, {}, {}, m_requests} {}
+    ~Run() {
+        m_scripts.reset();
+        if (m_world) m_api.destroy_world(m_world);
+        std::error_code ignored;
+        std::filesystem::remove(recordingPath(), ignored);
+    }
+    Run(const Run&) = delete;
+    Run& operator=(const Run&) = delete;
+
+    RunResult play() {
+        if (begin())
+            for (int step = 0; step < m_settings.steps && !m_result.failure; ++step) oneStep(step);
+        if (!m_result.failure) cross();
+        if (m_world) m_api.get_state_hash(m_world, &m_result.hash);
+        return std::move(m_result);
+    }
+
+private:
+    std::string recordingPath() const { return m_settings.folder + "/" + m_settings.name + ".rubblelog"; }
+
+    void fail(const std::string& check, const std::string& message) {
+        if (!m_result.failure) m_result.failure = Failure{check, message, int(m_view.step)};
+    }
+    /// Whether a call of the interface has done what it should; if not, the run fails.
+    bool done(rubble_result result) {
+        if (result != RUBBLE_OK) fail("interface", m_api.get_last_error());
+        return result == RUBBLE_OK;
+    }
+
+    bool begin() {
+        auto world = sized<rubble_world_settings>();
+        world.flags = kWorldFlags;
+        if (!done(m_api.create_world(&world, &m_world)) || !done(m_api.step(m_world))) return false;
+        m_view.world = m_world;
+        rubble::script::ScriptHostSettings host;
+        host.limits.work = kScriptWork;
+        host.limits.memory = 64 << 20;
+        host.limits.processorSeconds = 10.0;
+        host.limits.seed = m_settings.seed;
+        host.functions = sceneFunctions();
+        host.host = &m_requests;
+        host.observer = m_settings.observer;
+        host.log = [this](int level, const std::string& line) {
+            if (level >= RUBBLE_LOG_ERROR) fail("script", line);
+        };
+        m_scripts = std::make_unique<rubble::script::ScriptHost>(m_api, m_world, host);
+        m_scripts->add(m_settings.name + ".lua", m_settings.script,
+                       {{"seed", std::to_string(m_settings.seed)}, {"steps", std::to_string(m_settings.steps)}});
+        return record();
+    }
+
+    void oneStep(int step) {
+        m_scripts->tick(1.0 / 60.0);
+        if (!done(m_scripts->step())) return;
+        ++m_view.step;
+        readStep();
+        look(&Check::afterStep);
+        if (m_result.failure) return;
+        if (!m_requests.unmet.empty()) return fail("expect", m_requests.unmet);
+        if (!m_requests.waiting.empty()) {
+            carryOut();
+        } else if ((step + 1) % m_settings.borderInterval == 0) {
+            cross();
+            if (!m_result.failure) record();
+        }
+        keepGame(step);
+        if (m_settings.onStep) m_settings.onStep(step + 1);
+    }
+
+    /// What the step has left, for checks and figures.
+    void readStep() {
+        m_view.before.swap(m_view.bodies);
+        m_view.events = sized<rubble_events>();
+        m_api.get_events(m_world, &m_view.events);
+        const auto states =
+            readRows<rubble_body_state>([&](rubble_body_state* out, uint32_t capacity, uint32_t* count) {
+                return m_api.get_body_states(m_world, out, capacity, count);
+            });
+        m_view.bodies.clear();
+        for (const rubble_body_state& state : states) {
+            BodyRow row{state, sized<rubble_body_properties>()};
+            if (row.isDynamic()) m_api.get_body_properties(m_world, state.body, &row.properties);
+            m_view.bodies.push_back(row);
+        }
+        std::sort(m_view.bodies.begin(), m_view.bodies.end(),
+                  [](const BodyRow& a, const BodyRow& b) { return a.state.body < b.state.body; });
+        measure();
+    }
+
+    void measure() {
+        auto stats = sized<rubble_step_stats>();
+        auto accounting = sized<rubble_voxel_accounting>();
+        m_api.get_step_stats(m_world, &stats);
+        m_api.get_voxel_accounting(m_world, &accounting);
+        double energy = 0.0;
+        for (const BodyRow& body : m_view.bodies) {
+            const auto velocity = rubble::script::vectorOf(body.state.velocity);
+            if (body.isDynamic()) energy += 0.5 * body.properties.mass * rubble::script::dot(velocity, velocity);
+        }
+        m_result.steps.push_back({float(stats.edits_ms), float(stats.physics_ms), float(stats.poses_ms),
+                                  float(stats.impacts_ms), float(stats.shadow_ms), stats.bodies, stats.bodies_awake,
+                                  stats.contacts, uint32_t(stats.shadow_lag), accounting.standing, accounting.in_pieces,
+                                  accounting.removed, energy, heapBytes()});
+    }
+
+    bool record() { return done(m_api.start_recording(m_world, recordingPath().c_str())); }
+
+    /// The end of a recording: it is played again, and all that takes long is looked at.
+    void cross() {
+        uint64_t hash = 0;
+        if (!done(m_api.stop_recording(m_world)) || !done(m_api.get_state_hash(m_world, &hash))) return;
+        if (m_settings.replays) replay(hash);
+        look(&Check::atBorder);
+        if (!m_result.failure) stepBesideCopy();
+    }
+
+    /// Loads the game into another world, and steps both: they must stay equal.
+    void stepBesideCopy() {
+        const LoadedCopy copy(m_api, m_world, kWorldFlags);
+        if (!copy.error().empty()) return fail("save", copy.error());
+        uint64_t hash = 0, copied = 0;
+        if (!done(m_api.step(m_world)) || !done(m_api.step(copy.world()))) return;
+        ++m_requests.extraSteps;
+        readStep();
+        look(&Check::afterStep);
+        m_api.get_state_hash(m_world, &hash);
+        m_api.get_state_hash(copy.world(), &copied);
+        if (hash != copied) fail("save", "a loaded game has another hash after a step than the one that went on");
+        for (const auto& check : m_checks)
+            if (std::string wrong = check->besideCopy(m_view, copy.world()); !wrong.empty())
+                return fail(check->name(), wrong);
+    }
+
+    void look(std::string (Check::*at)(const StepView&)) {
+        for (const auto& check : m_checks)
+            if (std::string wrong = (*check.*at)(m_view); !wrong.empty()) return fail(check->name(), wrong);
+        std::erase_if(m_requests.holes,
+                      [&](const SceneRequests::Hole& hole) { return hole.step <= m_view.worldSteps(); });
+    }
+
+    void replay(uint64_t expected) {
+        auto settings = sized<rubble_world_settings>();
+        settings.flags = RUBBLE_WORLD_NO_RENDERER;
+        settings.physics_threads = 2;
+        rubble_world world = 0;
+        uint64_t steps = 0, hash = 0;
+        if (!done(m_api.create_world(&settings, &world))) return;
+        if (m_api.play_recording(world, recordingPath().c_str(), &steps) != RUBBLE_OK)
+            fail("replay", m_api.get_last_error());
+        m_api.get_state_hash(world, &hash);
+        if (hash != expected)
+            fail("replay", fmt::format("the hash of the state is {:x}, played again {:x}", expected, hash));
+        m_result.replayed += int(steps);
+        m_api.destroy_world(world);
+    }
+
+    /// What the scenario has asked for: loading ends a recording, another one begins after it.
+    void carryOut() {
+        std::vector<SceneRequests::Request> waiting;
+        waiting.swap(m_requests.waiting);
+        cross();
+        for (const SceneRequests::Request& request : waiting) {
+            if (m_result.failure) return;
+            if (request.kind == SceneRequests::SaveAndLoad)
+                saveAndLoad();
+            else
+                done(m_api.load_level(m_world, (m_settings.levels + "/" + request.level + ".rubble").c_str(), nullptr));
+            ++m_result.loads;
+        }
+        for (const auto& check : m_checks) check->restart();
+        m_view.bodies.clear();
+        if (!m_result.failure) record();
+    }
+
+    void saveAndLoad() {
+        uint64_t before = 0, after = 0;
+        const std::vector<uint8_t> game = savedGame(m_api, m_world);
+        m_api.get_state_hash(m_world, &before);
+        if (!done(m_api.load_game_data(m_world, game.data(), game.size()))) return;
+        m_api.get_state_hash(m_world, &after);
+        if (before != after) fail("save", "a loaded game has another hash than the one that was saved");
+    }
+
+    /// Games are kept at equal distances, the last one at the end.
+    void keepGame(int step) {
+        const int count = m_settings.images;
+        if (!count || (step + 1) * count / m_settings.steps == step * count / m_settings.steps) return;
+        m_result.games.push_back(savedGame(m_api, m_world));
+    }
+
+    const rubble_api& m_api;
+    const RunSettings& m_settings;
+    SceneRequests m_requests;
+    StepView m_view;
+    rubble_world m_world = 0;
+    std::unique_ptr<rubble::script::ScriptHost> m_scripts;
+    std::vector<std::unique_ptr<Check>> m_checks = makeChecks();
+    RunResult m_result;
+};
+
+}  // namespace
+
+RunResult play(const rubble_api& api, const RunSettings& settings) {
+    return Run(api, settings).play();
+}
+
+uint64_t heapBytes() {
+    const struct mallinfo2 memory = mallinfo2();
+    return memory.uordblks + memory.hblkhd;
+}
+
+}  // namespace stress

@@ -1,0 +1,60 @@
+#pragma once
+#include <rubble/rubble.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/script/binding/script_context.h"
+
+namespace stress {
+
+/// A scenario to play.
+struct RunSettings {
+    std::string name, script;  ///< the name of a Lua text, and the text
+    uint64_t seed = 1;
+    int steps = 1200;
+    int borderInterval = 240;  ///< steps between the checks that take long; a recording goes from one to the next
+    bool replays = true;       ///< plays each recording again, with two threads
+    std::string levels;        ///< the folder of levels that scripts may load
+    std::string folder;        ///< for recordings
+    int images = 0;            ///< how many games are kept, to be drawn
+    rubble::script::CallObserver* observer = nullptr;
+    std::function<void(int step)> onStep;
+};
+
+/// What did not hold.
+struct Failure {
+    std::string check, message;
+    int step = 0;
+};
+
+/// Measures of one step.
+struct StepFigures {
+    float editsMs, physicsMs, posesMs, impactsMs, shadowMs;  ///< wall clock
+    uint32_t bodies, awake, contacts, shadowLag;
+    uint64_t standing, pieces, removed;  ///< voxels
+    double energy;                       ///< kinetic, joules
+    uint64_t heap;                       ///< bytes in use
+};
+
+/// What came of a run.
+struct RunResult {
+    std::optional<Failure> failure;
+    std::vector<StepFigures> steps;
+    std::vector<std::vector<uint8_t>> games;  ///< saved games to be drawn
+    uint64_t hash = 0;                        ///< after the last step
+    int replayed = 0;                         ///< steps that gave the same hash when played from a recording
+    int loads = 0;                            ///< of levels and games
+};
+
+/// Plays a scenario in a world of its own with all checks, until its steps are done or something does not hold.
+RunResult play(const rubble_api& api, const RunSettings& settings);
+
+/// Bytes of the heap in use.
+uint64_t heapBytes();
+
+}  // namespace stress

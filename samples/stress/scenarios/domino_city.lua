@@ -1,0 +1,26 @@
+-- Rows of dominoes knock each other over; energy only falls.
+function row(z, count)
+    for i = 0, count - 1 do
+        Box("domino", {-10 + 0.5 * i, 0, z}, {1, 10, 5}, 5, {dynamic = true})
+    end
+end
+
+function init()
+    Box("ground", {-15, -0.4, -15}, {300, 4, 300}, 6)
+    while true do
+        for z = -4, 4 do row(1.5 * z, 30) end
+        wait(1)
+        ClosedSystem(false)
+        for _, body in ipairs(FindBodies("domino")) do
+            local pos = GetBodyTransform(body).pos
+            if pos.x < -9.9 then ApplyBodyImpulse(body, pos + Vec(0, 0.9, 0.25), {0.8 * GetBodyMass(body), 0, 0}) end
+        end
+        wait(0)
+        wait(0)
+        ClosedSystem(true)
+        wait(8)
+        ClosedSystem(false)
+        for _, body in ipairs(FindBodies("domino")) do Delete(body) end
+        wait(0.1)
+    end
+end

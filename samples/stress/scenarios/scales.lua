@@ -1,0 +1,21 @@
+-- Towers of voxels from 2 cm to 2 m fall and break beside each other.
+local sizes = {0.02, 0.05, 0.1, 0.3, 1, 2}
+
+function init()
+    Box("ground", {-100, -4, -100}, {100, 2, 100}, 6, {voxel = 2})
+    while true do
+        local x = -40
+        for _, voxel in ipairs(sizes) do
+            local foot = Box("tower", {x, 0, 0}, {8, 30, 8}, 7, {voxel = voxel})
+            Box("block", {x, 31 * voxel, 0}, {8, 6, 8}, 6, {voxel = voxel, dynamic = true})
+            wait(0.1)
+            MakeHole(Vec(x + 4 * voxel, 3 * voxel, 4 * voxel), 6 * voxel, 6 * voxel, 6 * voxel)
+            x = x + 10 * voxel + 6
+        end
+        wait(3)
+        for _, tag in ipairs{"tower", "block"} do
+            for _, body in ipairs(FindBodies(tag)) do Delete(body) end
+        end
+        wait(0.2)
+    end
+end
