@@ -7,6 +7,8 @@
 // their ends, velocities those of their middles. At the ends its energy would rise and fall with the height of half a
 // substep's motion, and who cuts off what rises damps every pendulum. What is left of that, a swing loses and regains:
 // joints remember what their islands lost lately, up to a thousandth of their motion, and that much may come back.
+// Where a motor turns what spins fast, it may come first: else the motor's speed, which is little beside the spin,
+// would pay.
 //
 // Where an island's energy is taken back from:
 //   * Of contacts with the world: from the speeds of the bodies that gained, in proportion to their gains, and then
@@ -28,6 +30,7 @@
 namespace rubble {
 namespace {
 
+constexpr double kArcError = 0.05;   ///< of an energy by (w h)^2, by which a driven swing may be off
 constexpr double kMaxLift = 0.002;   ///< metres by which an overlap may lift a body in a step
 constexpr double kMaxRegain = 1e-3;  ///< of its kinetic energy, that an island with joints may gain back
 
@@ -96,6 +99,7 @@ void EnergyBound::findIslands(std::span<const SolverBody> bodies, std::span<cons
         island.touchesWorld = island.touchesWorld || !a || !b;
         island.gain -= joint->work;
         island.regainable += joint->regainable;
+        island.isDriven |= joint->joint->motor.mode != MotorMode::Off && joint->joint->kind != JointKind::Rope;
     }
     m_gains.resize(bodies.size());
     for (uint32_t i = 1; i < bodies.size(); ++i) {
@@ -110,6 +114,8 @@ void EnergyBound::findIslands(std::span<const SolverBody> bodies, std::span<cons
         island.gain += m_gains[i];
         island.positiveGains += std::max(m_gains[i], 0.0);
         island.kinetic += kinetic;
+        const double turn = 2.0 * m_lag * glm::length(bodies[i].angularVelocity);
+        if (island.isDriven) island.advance += std::min(kArcError * turn * turn, kMaxRegain) * kinetic;
     }
 }
 
@@ -128,9 +134,9 @@ void EnergyBound::updateRegainable(std::span<JointConstraint* const> joints) {
     for (JointConstraint* joint : joints) {
         const Island& island = m_islands[m_sets.root(uint32_t(std::max(joint->bodies[0], joint->bodies[1])))];
         joint->regainable =
-            std::clamp(island.regainable - island.gain, 0.0, kMaxRegain * island.kinetic) / island.joints;
+            std::clamp(island.regainable - island.gain, -island.advance, kMaxRegain * island.kinetic) / island.joints;
     }
-    for (Island& island : m_islands) island.gain -= island.regainable;
+    for (Island& island : m_islands) island.gain -= std::max(island.regainable + island.advance, 0.0);
 }
 
 void EnergyBound::takeFromGainers(std::span<SolverBody> bodies) {

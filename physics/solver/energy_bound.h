@@ -31,7 +31,9 @@ private:
         double positiveGains = 0.0;  ///< joules, of the bodies that gained
         double kinetic = 0.0;        ///< joules, of all its bodies
         double regainable = 0.0;     ///< joules: JointConstraint::regainable of its joints
+        double advance = 0.0;        ///< joules by which that may be below 0
         int joints = 0;
+        bool isDriven = false;  ///< by a motor
         bool touchesWorld = false;
         bool changed = false;  ///< one of its bodies was put back
     };
