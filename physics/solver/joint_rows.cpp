@@ -216,8 +216,7 @@ void addArcs(JointRows& e, std::span<const SolverBody> bodies, std::span<const S
     RowBuilder(moved, movedBody(bodies[size_t(a)], A, seconds), movedBody(bodies[size_t(b)], B, seconds)).build();
     for (size_t r = 0; r < size_t(e.rows); ++r)
         e.arc[r] = (moved.error[r] - e.error[r]) / seconds - e.row[r].velocity(A, B);
-    const JointKind kind = e.c->joint->kind;
-    if (kind == JointKind::Rope || kind == JointKind::Prismatic || kind == JointKind::Wheel)
+    if (e.c->joint->kind == JointKind::Rope || e.c->joint->kind == JointKind::Prismatic)
         e.freeAxis.arc = (moved.freeAxis.value - e.freeAxis.value) / seconds - e.freeAxis.row.velocity(A, B);
 }
 

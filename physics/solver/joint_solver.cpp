@@ -150,12 +150,13 @@ void JointSolver::prepare(std::span<const SolverBody> bodies, std::span<SolverSt
     }
 }
 
-/// Of joints of bodies that turn by this, in radians a substep, and of ropes.
+/// Of joints of bodies that turn by this, in radians a substep, and of ropes. Wheels are held in their middle.
 void JointSolver::followArcs(std::span<const SolverBody> bodies, std::span<const SolverState> states, double minTurn) {
     for (JointRows& e : m_joints) {
+        const Joint& joint = *e.c->joint;
+        if (joint.drives || joint.kind == JointKind::Wheel) continue;
         const double spin = double(std::max(glm::length(e.stateA(states).w), glm::length(e.stateB(states).w)));
-        const bool isRope = e.c->joint->kind == JointKind::Rope;
-        if (!e.c->joint->drives && (isRope || spin * m_seconds > minTurn)) addArcs(e, bodies, states, m_seconds);
+        if (joint.kind == JointKind::Rope || spin * m_seconds > minTurn) addArcs(e, bodies, states, m_seconds);
     }
 }
 
