@@ -31,7 +31,7 @@ constexpr double kMaxSymplectic = 0.25;  ///< (omega h)^2 of the slow springs: s
 /// m/s2 or rad/s2 that a position motor without a largest force may give what it moves, besides what its way to the
 /// target needs. Against something that does not give, its impulse would grow for ever.
 constexpr double kMaxServoAcceleration = 1000.0;
-constexpr double kMinTurn = 0.003;  ///< radians in a substep from which bodies move their joints' ends along arcs
+constexpr double kMinTurn = 0.01;   ///< radians in a substep from which bodies move their joints' ends along arcs
 constexpr double kFastTurn = 0.03;  ///< radians from which these arcs are found twice, as impulses change them
 constexpr double kBraking = 0.7;    ///< share of a hand's force or torque with which it begins to brake
 constexpr double kRopeStretchForce = 1e4;  ///< N under which a rope stretches by its `stretch`
@@ -150,13 +150,16 @@ void JointSolver::prepare(std::span<const SolverBody> bodies, std::span<SolverSt
     }
 }
 
-/// Of joints of bodies that turn by this, in radians a substep, and of ropes. Wheels are held in their middle.
+/// Of joints of bodies, and of ropes, that turn by this, in radians a substep. Wheels are held in their middle.
 void JointSolver::followArcs(std::span<const SolverBody> bodies, std::span<const SolverState> states, double minTurn) {
     for (JointRows& e : m_joints) {
         const Joint& joint = *e.c->joint;
         if (joint.drives || joint.kind == JointKind::Wheel) continue;
-        const double spin = double(std::max(glm::length(e.stateA(states).w), glm::length(e.stateB(states).w)));
-        if (joint.kind == JointKind::Rope || spin * m_seconds > minTurn) addArcs(e, bodies, states, m_seconds);
+        const SolverState &A = e.stateA(states), &B = e.stateB(states);
+        double spin = double(std::max(glm::length(A.w), glm::length(B.w)));
+        if (joint.kind == JointKind::Rope)
+            spin = std::max(spin, double(glm::length(B.v - A.v)) / std::max(e.freeAxis.value, 0.01));
+        if (spin * m_seconds > minTurn) addArcs(e, bodies, states, m_seconds);
     }
 }
 
