@@ -154,9 +154,10 @@ bool isAxisUsed(const Joint& joint) {
 }
 
 /// A body after a substep in which nothing changes its velocities.
-SolverBody movedBody(SolverBody body, const SolverState& state, double seconds) {
+SolverBody movedBody(SolverBody body, const SolverState& state, double seconds, bool isFast) {
     body.velocity = state.v, body.angularVelocity = state.w;
     body.position += body.velocity * seconds;
+    body.conservesMomentum &= isFast;
     rotateBody(body, seconds);
     return body;
 }
@@ -208,12 +209,15 @@ void computeRows(JointRows& rows, std::span<const SolverBody> bodies) {
     if (rows.c->joint->drives) builder.drive();
 }
 
-void addArcs(JointRows& e, std::span<const SolverBody> bodies, std::span<const SolverState> states, double seconds) {
+void addArcs(JointRows& e, std::span<const SolverBody> bodies, std::span<const SolverState> states, double seconds,
+             bool isFast) {
     const auto [a, b] = e.c->bodies;
     const SolverState &A = states[size_t(a)], &B = states[size_t(b)];
     JointRows moved;
     moved.c = e.c;
-    RowBuilder(moved, movedBody(bodies[size_t(a)], A, seconds), movedBody(bodies[size_t(b)], B, seconds)).build();
+    RowBuilder(moved, movedBody(bodies[size_t(a)], A, seconds, isFast),
+               movedBody(bodies[size_t(b)], B, seconds, isFast))
+        .build();
     for (size_t r = 0; r < size_t(e.rows); ++r)
         e.arc[r] = (moved.error[r] - e.error[r]) / seconds - e.row[r].velocity(A, B);
     if (e.c->joint->kind == JointKind::Rope || e.c->joint->kind == JointKind::Prismatic)

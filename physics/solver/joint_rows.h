@@ -121,8 +121,9 @@ void computeRows(JointRows& rows, std::span<const SolverBody> bodies);
 /// Sets by how much faster than at their velocities of now the locked rows and free ways in metres change in a substep
 /// of this length: bodies that turn move their ends along arcs, and velocities along the chords' tangents. Without
 /// that, errors of position would have to grow until their correction does it, in the direction of some substeps ago: a
-/// drag on all that turns about a point. Needs computeRows().
-void addArcs(JointRows& rows, std::span<const SolverBody> bodies, std::span<const SolverState> states, double seconds);
+/// drag on all that turns about a point. Needs computeRows(). isFast: free rotation changes the axis noticeably.
+void addArcs(JointRows& rows, std::span<const SolverBody> bodies, std::span<const SolverState> states, double seconds,
+             bool isFast);
 /// Factorizes J M^-1 J^T of the joint's own locked rows into lower and diagonal.
 void factorize(JointRows& rows, const SolverState& A, const SolverState& B);
 /// Replaces x, a change of velocity of the first `count` locked rows, by the impulses that make it. Needs factorize().

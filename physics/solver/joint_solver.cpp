@@ -31,9 +31,10 @@ constexpr double kMaxSymplectic = 0.25;  ///< (omega h)^2 of the slow springs: s
 /// m/s2 or rad/s2 that a position motor without a largest force may give what it moves, besides what its way to the
 /// target needs. Against something that does not give, its impulse would grow for ever.
 constexpr double kMaxServoAcceleration = 1000.0;
-constexpr double kMinTurn = 0.01;   ///< radians in a substep from which bodies move their joints' ends along arcs
-constexpr double kFastTurn = 0.03;  ///< radians from which these arcs are found twice, as impulses change them
-constexpr double kBraking = 0.7;    ///< share of a hand's force or torque with which it begins to brake
+/// Radians in a substep: from which bodies move their joints' ends along arcs; from which these are found twice, as
+/// impulses change them; and up to which.
+constexpr double kMinTurn = 0.01, kFastTurn = 0.03, kMaxTurn = 1.2;
+constexpr double kBraking = 0.7;           ///< share of a hand's force or torque with which it begins to brake
 constexpr double kRopeStretchForce = 1e4;  ///< N under which a rope stretches by its `stretch`
 /// Iterations over joints in a substep: without a system, and with one that has the rigid rows.
 constexpr int kIterations = 4, kIterationsWithSystem = 2;
@@ -136,7 +137,7 @@ void JointSolver::prepare(std::span<const SolverBody> bodies, std::span<SolverSt
         e.freeAxis.arc = 0.0;
         e.c->ropeLength += e.c->ropeSpeed * seconds;
     }
-    followArcs(bodies, states, kMinTurn);
+    followArcs(bodies, states, kMinTurn, kMaxTurn);
     if (m_isNew) m_system.build(m_joints);
     m_isNew = false;
     m_system.factorize(m_joints, states);
@@ -150,8 +151,10 @@ void JointSolver::prepare(std::span<const SolverBody> bodies, std::span<SolverSt
     }
 }
 
-/// Of joints of bodies, and of ropes, that turn by this, in radians a substep. Wheels are held in their middle.
-void JointSolver::followArcs(std::span<const SolverBody> bodies, std::span<const SolverState> states, double minTurn) {
+/// Of joints of bodies, and of ropes, that turn by this, in radians a substep. Wheels are held in their middle. What
+/// turns faster loses speed, as far as its joints are not in its middle.
+void JointSolver::followArcs(std::span<const SolverBody> bodies, std::span<const SolverState> states, double minTurn,
+                             double maxTurn) {
     for (JointRows& e : m_joints) {
         const Joint& joint = *e.c->joint;
         if (joint.drives || joint.kind == JointKind::Wheel) continue;
@@ -159,7 +162,8 @@ void JointSolver::followArcs(std::span<const SolverBody> bodies, std::span<const
         double spin = double(std::max(glm::length(A.w), glm::length(B.w)));
         if (joint.kind == JointKind::Rope)
             spin = std::max(spin, double(glm::length(B.v - A.v)) / std::max(e.freeAxis.value, 0.01));
-        if (spin * m_seconds > minTurn) addArcs(e, bodies, states, m_seconds);
+        const double turn = spin * m_seconds;
+        if (turn > minTurn && turn < maxTurn) addArcs(e, bodies, states, m_seconds, turn > kFastTurn);
     }
 }
 
@@ -253,7 +257,7 @@ void JointSolver::solve(std::span<const SolverBody> bodies, std::span<SolverStat
     };
     const int iterations = m_system.empty() ? kIterations : kIterationsWithSystem;
     for (int i = 0; i < iterations; ++i) {
-        if (useBias && i == 1) followArcs(bodies, states, kFastTurn);
+        if (useBias && i == 1) followArcs(bodies, states, kFastTurn, 0.5 * kMaxTurn);
         if (i % 2 == 0)
             for (JointRows& e : m_joints) solveJoint(e);
         else

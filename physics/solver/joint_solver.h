@@ -31,7 +31,8 @@ public:
     bool empty() const { return m_joints.empty(); }
 
 private:
-    void followArcs(std::span<const SolverBody> bodies, std::span<const SolverState> states, double minTurn);
+    void followArcs(std::span<const SolverBody> bodies, std::span<const SolverState> states, double minTurn,
+                    double maxTurn);
     void prepareJoint(JointRows& e, SolverState& A, SolverState& B) const;
     void prepareFreeAxis(JointRows& e) const;
     void prepareServo(JointRows& e, const SolverState& A, const SolverState& B) const;
