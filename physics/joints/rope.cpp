@@ -20,8 +20,9 @@
 // along the displacement by which they slid: an exit of depth d takes back up to friction * d of it. The voxels have
 // the last word: a chain that is pulled harder than it is long stretches, and does not pass.
 //
-// An end may be held inside a body. As many metres of the rope as that end is deep touch nothing, as if it went through
-// a hole to the nearest face.
+// An end may be held inside a body. As many metres of the rope as that end is deep, and its radius more, touch nothing,
+// as if it went through a hole to the nearest face. From a held end to the next point the radius grows from 0 to the
+// rope's: to push a place out near the end would swing that point by many times as much.
 
 namespace rubble {
 namespace {
@@ -33,6 +34,7 @@ constexpr double kSampling = 0.5;                          ///< voxels between t
 constexpr double kMaxSamples = 64.0, kMaxSampling = 0.12;  ///< places on a segment; metres between them
 constexpr int kContactPasses = 3;                          ///< over all places, until none is inside anything
 constexpr double kTouchDistance = 0.02;                    ///< metres from a rope at which something bends it
+constexpr double kAslant = 1.8;                            ///< times its depth that a hole is long at most
 constexpr double kMaxSpeed = 200.0;                        ///< m/s, above which a point is stopped
 
 class RopeSolver {
@@ -49,7 +51,9 @@ public:
             for (const auto& part : object->collider.parts)
                 sampling = std::min(sampling, kSampling * double(part->voxelSize()));
             for (size_t end = 0; end < 2; ++end)
-                if (step.ends[end]) m_hidden[end] = std::max(m_hidden[end], depthInside(*object, *step.ends[end]));
+                if (const double depth = step.ends[end] ? depthInside(*object, *step.ends[end]) : 0.0;
+                    depth > m_depth[end])
+                    m_depth[end] = depth, m_holder[end] = object;
         }
         m_samples = size_t(std::clamp(std::ceil(m_spacing / sampling), 1.0, kMaxSamples));
     }
@@ -152,34 +156,44 @@ private:
         const double fraction = double(sample - i * m_samples) / double(m_samples);
         return m_points[i].position + (m_points[i + 1].position - m_points[i].position) * fraction;
     }
-    /// Whether a place is inside what holds an end.
-    bool isHidden(size_t sample) const {
-        const double along = double(sample) * m_spacing / double(m_samples);
-        return (m_step.ends[0] && along <= m_hidden[0]) || (m_step.ends[1] && m_step.length - along <= m_hidden[1]);
+    /// Whether a place is as near to a held end as the end is deep, `times` as deep, and the rope's radius.
+    bool isNearEnd(size_t sample, size_t end, double times) const {
+        const double along = double(sample) * m_spacing / double(m_samples), way = end ? m_step.length - along : along;
+        return m_step.ends[end] && way <= times * m_depth[end] + m_step.radius + kTouchDistance;
+    }
+    /// Whether a place of the rope is in a hole of an object that holds an end: the hole may leave it aslant.
+    bool isInHole(size_t sample, const CollisionObject* object) const {
+        return (object == m_holder[0] && isNearEnd(sample, 0, kAslant)) ||
+               (object == m_holder[1] && isNearEnd(sample, 1, kAslant));
     }
 
     /// Pushes a place of segment i out of what is near, by moving the segment's two points. Returns whether it was
     /// inside anything.
     bool collideAt(size_t i, size_t sample, double seconds) {
-        if (isHidden(sample)) return false;
+        if (isNearEnd(sample, 0, 1.0) || isNearEnd(sample, 1, 1.0)) return false;
         const double fraction = double(sample - i * m_samples) / double(m_samples);
         RopePoint &a = m_points[i], &b = m_points[i + 1];
         const glm::dvec3 place = a.position + (b.position - a.position) * fraction;
         const glm::dvec3 before = m_before[i] + (m_before[i + 1] - m_before[i]) * fraction;
+        const double share = std::min(i == 0 && m_step.ends[0] ? fraction : 1.0,
+                                      i + 1 == m_last && m_step.ends[1] ? 1.0 - fraction : 1.0);
+        const double touch = share * kTouchDistance;
         glm::dvec3 out(0.0);
         const CollisionObject* touched = nullptr;
         for (const CollisionObject* object : m_near) {
+            if (isInHole(sample, object)) continue;
             const glm::dvec3 carried = before + velocityAt(*object, before) * seconds;
-            const glm::dvec3 exit = exitDisplacement(*object, carried, place + out, m_step.radius + kTouchDistance);
+            const glm::dvec3 exit =
+                exitDisplacement(*object, carried, place + out, share * (m_step.radius + kTouchDistance));
             if (exit != glm::dvec3(0.0)) out += exit, touched = object;
         }
         if (!touched) return false;
         m_touched.emplace_back(sample, touched);
-        const double depth = glm::length(out) - kTouchDistance;
+        const double depth = glm::length(out) - touch;
         const double wa = weight(i) * (1.0 - fraction), wb = weight(i + 1) * fraction,
                      sum = wa * (1.0 - fraction) + wb * fraction;
         if (!(depth > 0.0) || sum < 1e-6) return false;
-        out *= depth / (depth + kTouchDistance);
+        out *= depth / (depth + touch);
         const glm::dvec3 normal = glm::normalize(out);
         const glm::dvec3 slid = place - before - normal * glm::dot(place - before, normal);
         const double slide = glm::length(slid);
@@ -197,11 +211,12 @@ private:
     std::span<RopePoint> m_points;
     const RopeStep& m_step;
     std::vector<RopeBend>& m_bends;
-    size_t m_last;                     ///< index of the last point
-    double m_spacing;                  ///< rest length of a segment, metres
-    size_t m_samples = 1;              ///< places on a segment that are kept out of voxels
-    std::array<double, 2> m_hidden{};  ///< metres of rope from an end that are inside what holds it
-    std::vector<glm::dvec3> m_before;  ///< positions before the substep
+    size_t m_last;                                     ///< index of the last point
+    double m_spacing;                                  ///< rest length of a segment, metres
+    size_t m_samples = 1;                              ///< places on a segment that are kept out of voxels
+    std::array<double, 2> m_depth{};                   ///< metres that an end is deep in what holds it
+    std::array<const CollisionObject*, 2> m_holder{};  ///< that; null: the end is in nothing
+    std::vector<glm::dvec3> m_before;                  ///< positions before the substep
     std::vector<const CollisionObject*> m_near;
     std::vector<std::pair<size_t, const CollisionObject*>> m_touched;  ///< places and what they touch, ascending
 };

@@ -8,7 +8,8 @@
 // substep's motion, and who cuts off what rises damps every pendulum. What is left of that, a swing loses and regains:
 // bodies remember what their islands lost lately, up to a thousandth of the motion of those with joints, and that much
 // may come back. So may what contacts lose and give back as their separations, in float, rise and fall: taken from
-// the speed of what slides slowly, it would stop it.
+// the speed of what slides slowly, it would stop it. Where a motor turns what spins fast, it may come first: else the
+// motor's speed, which is little beside the spin, would pay.
 //
 // Where an island's energy is taken back from:
 //   * Of contacts with the world: from the speeds of the bodies that gained, in proportion to their gains, and then
@@ -30,6 +31,7 @@
 namespace rubble {
 namespace {
 
+constexpr double kArcError = 0.05;     ///< of an energy by (w h)^2, by which a driven swing may be off
 constexpr double kMaxLift = 0.002;     ///< metres by which an overlap may lift a body in a step
 constexpr double kMaxRegain = 1e-3;    ///< of its kinetic energy, that an island with joints may gain back
 constexpr double kHeightNoise = 2e-8;  ///< metres by which what rests on contacts may fall and rise again
@@ -98,6 +100,7 @@ void EnergyBound::findIslands(std::span<const SolverBody> bodies, std::span<cons
         ++island.joints;
         island.touchesWorld = island.touchesWorld || !a || !b;
         island.gain -= joint->work;
+        island.isDriven |= joint->joint->motor.mode != MotorMode::Off && joint->joint->kind != JointKind::Rope;
     }
     m_gains.resize(bodies.size());
     for (uint32_t i = 1; i < bodies.size(); ++i) {
@@ -115,6 +118,8 @@ void EnergyBound::findIslands(std::span<const SolverBody> bodies, std::span<cons
         ++island.bodies;
         island.positiveGains += std::max(m_gains[i], 0.0);
         island.kinetic += kinetic;
+        const double turn = 2.0 * m_lag * glm::length(bodies[i].angularVelocity);
+        if (island.isDriven) island.advance += std::min(kArcError * turn * turn, kMaxRegain) * kinetic;
     }
 }
 
@@ -133,9 +138,9 @@ void EnergyBound::updateRegainable(std::span<SolverBody> bodies) {
     for (uint32_t i = 1; i < bodies.size(); ++i) {
         const Island& island = m_islands[m_sets.root(i)];
         const double most = kHeightNoise * island.weight + (island.joints ? kMaxRegain * island.kinetic : 0.0);
-        bodies[i].regainable = std::clamp(island.regainable - island.gain, 0.0, most) / island.bodies;
+        bodies[i].regainable = std::clamp(island.regainable - island.gain, -island.advance, most) / island.bodies;
     }
-    for (Island& island : m_islands) island.gain -= island.regainable;
+    for (Island& island : m_islands) island.gain -= std::max(island.regainable + island.advance, 0.0);
 }
 
 void EnergyBound::takeFromGainers(std::span<SolverBody> bodies) {

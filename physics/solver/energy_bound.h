@@ -30,9 +30,11 @@ private:
         double gain = 0.0;           ///< joules, of all its bodies, less the work of its joints
         double positiveGains = 0.0;  ///< joules, of the bodies that gained
         double kinetic = 0.0;        ///< joules, of all its bodies
-        double regainable = 0.0;     ///< joules: SolverBody::regainable of its bodies
-        double weight = 0.0;         ///< newtons, of all its bodies
+        /// Joules: SolverBody::regainable of its bodies; below 0 by at most `advance`: gained, and to be lost.
+        double regainable = 0.0, advance = 0.0;
+        double weight = 0.0;  ///< newtons, of all its bodies
         int joints = 0, bodies = 0;
+        bool isDriven = false;  ///< by a motor
         bool touchesWorld = false;
         bool changed = false;  ///< one of its bodies was put back
     };

@@ -11,9 +11,10 @@ namespace {
 /// Fills in the rows of one joint. The frames of its ends have their axis along x.
 class RowBuilder {
 public:
-    RowBuilder(JointRows& rows, std::span<const SolverBody> bodies) : m_rows(rows), m_joint(*rows.c->joint) {
+    RowBuilder(JointRows& rows, const SolverBody& first, const SolverBody& second)
+        : m_rows(rows), m_joint(*rows.c->joint) {
         for (size_t i = 0; i < 2; ++i) {
-            const SolverBody& body = bodies[size_t(rows.c->bodies[i])];
+            const SolverBody& body = i ? second : first;
             m_end[i] = Pose{body.position, body.rotation} * rows.c->frames[i];
             m_arm[i] = m_end[i].position - body.position;
         }
@@ -161,6 +162,15 @@ bool isAxisUsed(const Joint& joint) {
     return joint.motor.mode != MotorMode::Off || joint.spring.hertz > 0.0 || joint.friction > 0.0 || joint.limits.on;
 }
 
+/// A body after a substep in which nothing changes its velocities.
+SolverBody movedBody(SolverBody body, const SolverState& state, double seconds, bool isFast) {
+    body.velocity = state.v, body.angularVelocity = state.w;
+    body.position += body.velocity * seconds;
+    body.conservesMomentum &= isFast;
+    rotateBody(body, seconds);
+    return body;
+}
+
 /// M^-1 of a row: the changes of velocity by a unit impulse along it, of the first body against it.
 JointRow changeBy(const JointRow& row, const SolverState& A, const SolverState& B) {
     return {row.linearA * double(A.inverseMass), glm::dmat3(A.inverseInertia) * row.angularA,
@@ -203,10 +213,25 @@ double JointRow::effectiveMass(const SolverState& A, const SolverState& B) const
 }
 
 void computeRows(JointRows& rows, std::span<const SolverBody> bodies) {
-    RowBuilder builder(rows, bodies);
+    RowBuilder builder(rows, bodies[size_t(rows.c->bodies[0])], bodies[size_t(rows.c->bodies[1])]);
     if (rows.c->constraint) return builder.build(*rows.c->constraint);
     builder.build();
     if (rows.c->joint->drives) builder.drive();
+}
+
+void addArcs(JointRows& e, std::span<const SolverBody> bodies, std::span<const SolverState> states, double seconds,
+             bool isFast) {
+    const auto [a, b] = e.c->bodies;
+    const SolverState &A = states[size_t(a)], &B = states[size_t(b)];
+    JointRows moved;
+    moved.c = e.c;
+    RowBuilder(moved, movedBody(bodies[size_t(a)], A, seconds, isFast),
+               movedBody(bodies[size_t(b)], B, seconds, isFast))
+        .build();
+    for (size_t r = 0; r < size_t(e.rows); ++r)
+        e.arc[r] = (moved.error[r] - e.error[r]) / seconds - e.row[r].velocity(A, B);
+    if (e.c->joint->kind == JointKind::Rope || e.c->joint->kind == JointKind::Prismatic)
+        e.freeAxis.arc = (moved.freeAxis.value - e.freeAxis.value) / seconds - e.freeAxis.row.velocity(A, B);
 }
 
 void factorize(JointRows& e, const SolverState& A, const SolverState& B) {
@@ -238,13 +263,13 @@ void factorize(JointRows& e, const SolverState& A, const SolverState& B) {
     }
 }
 
-void solveBlock(const JointRows& e, std::array<double, 6>& x) {
-    for (int i = 0; i < e.rows; ++i)
+void solveBlock(const JointRows& e, std::array<double, 6>& x, int count) {
+    for (int i = 0; i < count; ++i)
         for (int m = 0; m < i; ++m) x[size_t(i)] -= e.lower[size_t(i)][size_t(m)] * x[size_t(m)];
-    for (int i = 0; i < e.rows; ++i)
+    for (int i = 0; i < count; ++i)
         x[size_t(i)] = e.diagonal[size_t(i)] > 0.0 ? x[size_t(i)] / e.diagonal[size_t(i)] : 0.0;
-    for (int i = e.rows - 1; i >= 0; --i)
-        for (int m = i + 1; m < e.rows; ++m) x[size_t(i)] -= e.lower[size_t(m)][size_t(i)] * x[size_t(m)];
+    for (int i = count - 1; i >= 0; --i)
+        for (int m = i + 1; m < count; ++m) x[size_t(i)] -= e.lower[size_t(m)][size_t(i)] * x[size_t(m)];
 }
 
 void projectFreeAxes(JointRows& e, const SolverState& A, const SolverState& B) {
@@ -255,7 +280,7 @@ void projectFreeAxes(JointRows& e, const SolverState& A, const SolverState& B) {
         factorize(e, A, B);
         const JointRow moved = changeBy(axis.row, A, B);
         for (size_t r = 0; r < size_t(e.rows); ++r) axis.held[r] = dot(e.row[r], moved);
-        solveBlock(e, axis.held);
+        solveBlock(e, axis.held, e.rows);
         for (size_t r = 0; r < size_t(e.rows); ++r) {
             axis.push.linearA -= e.row[r].linearA * axis.held[r],
                 axis.push.angularA -= e.row[r].angularA * axis.held[r];
@@ -274,9 +299,10 @@ void projectFreeAxes(JointRows& e, const SolverState& A, const SolverState& B) {
 }
 
 double velocityError(const JointRows& e, int row, const SolverState& A, const SolverState& B, bool useBias) {
-    const double correction = e.locked.biasRate * e.error[size_t(row)];
-    const double bias = useBias ? std::max(-kMaxCorrectionSpeed, std::min(correction, kMaxCorrectionSpeed)) : 0.0;
-    return e.speed[size_t(row)] - e.row[size_t(row)].velocity(A, B) - bias;
+    const double speed = e.speed[size_t(row)] - e.row[size_t(row)].velocity(A, B);
+    if (!useBias) return speed;
+    const double correction = e.errorRate * e.error[size_t(row)];
+    return speed - e.arc[size_t(row)] - std::max(-kMaxCorrectionSpeed, std::min(correction, kMaxCorrectionSpeed));
 }
 
 }  // namespace rubble

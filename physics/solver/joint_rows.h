@@ -64,10 +64,11 @@ struct FreeAxis {
     JointRow push;
     std::array<double, 6> held{};  ///< that part of each locked row; all 0: what is locked is not considered
     double mass = 0.0;             ///< effective, along push
+    double arc = 0.0;              ///< of a coordinate in metres: see addArcs(), m/s
 };
 
-/// A spring along a free axis with the effective mass m: its impulse becomes larger by
-/// -m (pull x + massScale v) - impulseScale times itself, with the free coordinate x and its velocity v.
+/// A spring along a row with the effective mass m: its impulse becomes larger by
+/// -m (pull x + massScale v) - impulseScale times itself, with the row's coordinate x and its velocity v.
 struct AxisSpring {
     double pull = 0.0;  ///< 1/s
     double massScale = 0.0, impulseScale = 0.0;
@@ -80,10 +81,12 @@ struct JointRows {
     std::array<JointRow, 6> row;
     std::array<double, 6> error{};                 ///< of position, by row
     std::array<double, 6> speed{};                 ///< that a row shall have, m/s or rad/s
+    std::array<double, 6> arc{};                   ///< see addArcs(), m/s or rad/s
     std::array<std::array<double, 6>, 6> lower{};  ///< L of the L D L^T of J M^-1 J^T
     std::array<double, 6> diagonal{};              ///< D; 0: nothing can move along the row
-    Softness<double> locked, limit;
-    AxisSpring spring;
+    double errorRate = 0.0;                        ///< 1/s, share of the locked rows' errors that is corrected
+    Softness<double> limit;
+    AxisSpring spring, lockedSpring;  ///< of the free axis, and of soft locked rows
     FreeAxis freeAxis;
     double servoSpeed = 0.0;           ///< m/s or rad/s that a position motor wants in this substep
     double servoLimit = 0.0;           ///< N s or N m s that it may give
@@ -96,9 +99,15 @@ struct JointRows {
     bool hasBallFriction = false;
 
     /// The state of the joint's first body.
-    SolverState& stateA(std::span<SolverState> states) const { return states[size_t(c->bodies[0])]; }
+    template <class State>
+    State& stateA(std::span<State> states) const {
+        return states[size_t(c->bodies[0])];
+    }
     /// The state of the joint's second body.
-    SolverState& stateB(std::span<SolverState> states) const { return states[size_t(c->bodies[1])]; }
+    template <class State>
+    State& stateB(std::span<State> states) const {
+        return states[size_t(c->bodies[1])];
+    }
 };
 
 /// Whether the free coordinate is limited above only: the angle of a cone or ball, the length of a rope.
@@ -109,10 +118,16 @@ inline bool hasOnlyUpperLimit(const Joint& joint) {
 
 /// Computes rows, errors and the free axes where the bodies are now.
 void computeRows(JointRows& rows, std::span<const SolverBody> bodies);
+/// Sets by how much faster than at their velocities of now the locked rows and free ways in metres change in a substep
+/// of this length: bodies that turn move their ends along arcs, and velocities along the chords' tangents. Without
+/// that, errors of position would have to grow until their correction does it, in the direction of some substeps ago: a
+/// drag on all that turns about a point. Needs computeRows(). isFast: free rotation changes the axis noticeably.
+void addArcs(JointRows& rows, std::span<const SolverBody> bodies, std::span<const SolverState> states, double seconds,
+             bool isFast);
 /// Factorizes J M^-1 J^T of the joint's own locked rows into lower and diagonal.
 void factorize(JointRows& rows, const SolverState& A, const SolverState& B);
-/// Replaces x, a change of velocity by row, by the impulses that make it. Needs factorize().
-void solveBlock(const JointRows& rows, std::array<double, 6>& x);
+/// Replaces x, a change of velocity of the first `count` locked rows, by the impulses that make it. Needs factorize().
+void solveBlock(const JointRows& rows, std::array<double, 6>& x, int count);
 /// Sets push and mass of the free axes. A load beside its axis turns if it is pushed along the axis alone: what is
 /// locked would have to stop that, iteration after iteration.
 void projectFreeAxes(JointRows& rows, const SolverState& A, const SolverState& B);

@@ -32,6 +32,10 @@ constexpr double kMaxSymplectic = 0.25;  ///< (omega h)^2 of the slow springs: s
 /// target needs. Against something that does not give, its impulse would grow for ever.
 constexpr double kMaxServoAcceleration = 1000.0;
 constexpr double kNoLimit = 1e30;          ///< N s
+/// Radians in a substep: from which bodies move their joints' ends along arcs; from which these are found twice, as
+/// impulses change them; and up to which.
+constexpr double kMinTurn = 0.01, kFastTurn = 0.03, kMaxTurn = 1.2;
+constexpr double kBraking = 0.7;           ///< share of a hand's force or torque with which it begins to brake
 constexpr double kRopeStretchForce = 1e4;  ///< N under which a rope stretches by its `stretch`
 /// Iterations over joints in a substep: without a system, and with one that has the rigid rows.
 constexpr int kIterations = 4, kIterationsWithSystem = 2;
@@ -83,6 +87,10 @@ double ropeLimit(const JointConstraint& c, double seconds) {
     return c.ropeLength - c.ropeSpeed * seconds;
 }
 
+glm::dmat3 inverseOf(const glm::dmat3& k) {
+    return glm::determinant(k) > 0.0 ? glm::inverse(k) : glm::dmat3(0.0);
+}
+
 /// A rope that stretches may add energy.
 double* workOfLimit(const JointRows& e) {
     return e.isSoft ? &e.c->work : nullptr;
@@ -130,8 +138,11 @@ void JointSolver::prepare(std::span<const SolverBody> bodies, std::span<SolverSt
     m_stiffness.apply(m_joints, bodies, states, seconds);
     for (JointRows& e : m_joints) {
         computeRows(e, bodies);
+        e.arc = {};
+        e.freeAxis.arc = 0.0;
         e.c->ropeLength += e.c->ropeSpeed * seconds;
     }
+    followArcs(bodies, states, kMinTurn, kMaxTurn);
     if (m_isNew) m_system.build(m_joints);
     m_isNew = false;
     m_system.factorize(m_joints, states);
@@ -145,19 +156,37 @@ void JointSolver::prepare(std::span<const SolverBody> bodies, std::span<SolverSt
     }
 }
 
+/// Of joints of bodies, and of ropes, that turn by this, in radians a substep. Wheels are held in their middle. What
+/// turns faster loses speed, as far as its joints are not in its middle.
+void JointSolver::followArcs(std::span<const SolverBody> bodies, std::span<const SolverState> states, double minTurn,
+                             double maxTurn) {
+    for (JointRows& e : m_joints) {
+        const Joint& joint = *e.c->joint;
+        if (joint.drives || joint.kind == JointKind::Wheel) continue;
+        const SolverState &A = e.stateA(states), &B = e.stateB(states);
+        double spin = double(std::max(glm::length(A.w), glm::length(B.w)));
+        if (joint.kind == JointKind::Rope)
+            spin = std::max(spin, double(glm::length(B.v - A.v)) / std::max(e.freeAxis.value, 0.01));
+        const double turn = spin * m_seconds;
+        if (turn > minTurn && turn < maxTurn) addArcs(e, bodies, states, m_seconds, turn > kFastTurn);
+    }
+}
+
 /// Softness and effective masses.
 void JointSolver::prepareJoint(JointRows& e, SolverState& A, SolverState& B) const {
     const Joint& joint = *e.c->joint;
     const bool isRigid = joint.spring.hertz <= 0.0 || hasFreeAxisSpring(joint);
     e.isSoft = !isRigid;
     e.limit = {kErrorReduction / m_seconds, 1.0, 0.0};
-    e.locked = isRigid ? e.limit : makeSoft<double>(joint.spring.hertz, joint.spring.dampingRatio, m_seconds);
+    e.errorRate = e.limit.biasRate;
+    if (e.isSoft) e.lockedSpring = makeSpring(joint.spring, m_seconds);
+    if (e.isSoft && joint.hand) brakeInTime(e, A);
     prepareFreeAxis(e);
     e.hasBallFriction = joint.friction > 0.0 && (joint.kind == JointKind::Ball || joint.kind == JointKind::Cone);
     dropImpulsesOfWhatIsOff(e);
     if (e.hasBallFriction) {
         const glm::dmat3 k = glm::dmat3(A.inverseInertia) + glm::dmat3(B.inverseInertia);
-        e.ballFrictionMass = glm::determinant(k) > 0.0 ? glm::inverse(k) : glm::dmat3(0.0);
+        e.ballFrictionMass = inverseOf(k);
     }
 }
 
@@ -233,6 +262,7 @@ void JointSolver::solve(std::span<const SolverBody> bodies, std::span<SolverStat
     };
     const int iterations = m_system.empty() ? kIterations : kIterationsWithSystem;
     for (int i = 0; i < iterations; ++i) {
+        if (useBias && i == 1) followArcs(bodies, states, kFastTurn, 0.5 * kMaxTurn);
         if (i % 2 == 0)
             for (JointRows& e : m_joints) solveJoint(e);
         else
@@ -321,7 +351,8 @@ void JointSolver::solveLimit(JointRows& e, SolverState& A, SolverState& B, bool 
         impulseScale = e.limit.impulseScale;
     }
     double& impulse = e.c->limitImpulse[isHigh ? 1 : 0];
-    const double before = impulse, speed = sign * (e.freeAxis.row.velocity(A, B) - e.c->ropeSpeed);
+    const double arc = useBias ? e.freeAxis.arc : 0.0;
+    const double before = impulse, speed = sign * (e.freeAxis.row.velocity(A, B) + arc - e.c->ropeSpeed);
     impulse = std::max(before - e.freeAxis.mass * massScale * (speed + bias) - impulseScale * before, 0.0);
     if (workOfLimit(e) && distance > 0.0) impulse = 0.0;  // a spring that is not stretched
     applyAlong(e, e.freeAxis, A, B, sign * (impulse - before), workOfLimit(e));
@@ -336,25 +367,90 @@ void JointSolver::solveBallFriction(JointRows& e, SolverState& A, SolverState& B
     JointRow{{}, change, {}, change}.apply(A, B, 1.0);
 }
 
+/// The rows of a hand see no more of their errors than they can brake from. A critically damped spring of w rad/s pulls
+/// by its error C until v = w C / 2; from there on it brakes. With the acceleration a, at most, it must brake from
+/// v^2 = 2 a C.
+void JointSolver::brakeInTime(JointRows& e, const SolverState& A) const {
+    const Joint& joint = *e.c->joint;
+    const auto limit = [&](size_t first, auto&& acceleration) {
+        const glm::dvec3 error(e.error[first], e.error[first + 1], e.error[first + 2]);
+        const double length = glm::length(error);
+        if (!(length > 0.0)) return;
+        const double seen =
+            std::sqrt(8.0 * kBraking * acceleration(error / length) * length) / (kSoftTwoPi * joint.spring.hertz);
+        for (size_t i = first; seen < length && i < first + 3; ++i) e.error[i] *= seen / length;
+    };
+    if (joint.maxForce > 0.0) {
+        const double most = joint.maxForce * double(A.inverseMass);
+        const glm::dvec3 gravity = m_halfFall * (2.0 * double(A.gravityScale) / m_seconds);
+        limit(0, [&](const glm::dvec3& n) { return std::max(most - glm::dot(gravity, n), 0.1 * most); });
+    }
+    if (joint.maxTorque > 0.0 && e.rows == 6)
+        limit(3, [&](const glm::dvec3& n) {  // with the point held: n . S n, S the factored rows' last block
+            double perTorque = 0.0;
+            for (size_t j = 3; j < 6; ++j) {
+                double along = n[int(j) - 3];
+                for (size_t i = j + 1; i < 6; ++i) along += e.lower[i][j] * n[int(i) - 3];
+                perTorque += e.diagonal[j] * along * along;
+            }
+            return joint.maxTorque * perTorque;
+        });
+}
+
+/// Gives three locked rows this sum of impulses, or as much of it as `most`.
+void JointSolver::setLocked(JointRows& e, SolverState& A, SolverState& B, size_t first, glm::dvec3 impulse,
+                            double most) const {
+    impulse = clampedLength(impulse, most);
+    for (size_t i = 0; i < 3; ++i) {
+        double& sum = e.c->lockedImpulse[first + i];
+        applyLocked(e, first + i, A, B, impulse[int(i)] - sum);
+        sum = impulse[int(i)];
+    }
+}
+
+/// Where point or rotation needs more than its largest force or torque, the other is solved once more with what there
+/// is: else it would resist what does not come.
 void JointSolver::solveLockedRows(JointRows& e, SolverState& A, SolverState& B, bool useBias) const {
-    JointConstraint& c = *e.c;
     if (e.isSoft && !useBias) return;
+    JointConstraint& c = *e.c;
     std::array<double, 6> x{};
-    for (int i = 0; i < e.rows; ++i) x[size_t(i)] = velocityError(e, i, A, B, useBias);
-    solveBlock(e, x);
-    std::array<double, 6> sum = c.lockedImpulse;
-    for (size_t i = 0; i < size_t(e.rows); ++i)
-        sum[i] += useBias ? e.locked.massScale * x[i] - e.locked.impulseScale * c.lockedImpulse[i] : x[i];
-    if (c.joint->maxForce > 0.0 && e.rows >= 3) {  // the first three rows are those of the common point
-        const glm::dvec3 pull = clampedLength({sum[0], sum[1], sum[2]}, c.joint->maxForce * m_seconds);
-        sum[0] = pull.x, sum[1] = pull.y, sum[2] = pull.z;
+    const auto want = [&](size_t first, size_t last) {
+        for (size_t i = first; i < last; ++i)
+            x[i] = e.isSoft ? -(e.lockedSpring.pull * e.error[i] + e.lockedSpring.massScale * e.row[i].velocity(A, B))
+                            : velocityError(e, int(i), A, B, useBias);
+    };
+    const auto sumOf = [&](size_t i) {
+        return x[i] + (e.isSoft ? 1.0 - e.lockedSpring.impulseScale : 1.0) * c.lockedImpulse[i];
+    };
+    const auto sumsFrom = [&](size_t first) { return glm::dvec3(sumOf(first), sumOf(first + 1), sumOf(first + 2)); };
+    want(0, size_t(e.rows));
+    solveBlock(e, x, e.rows);
+    const auto largest = [&](double force) {
+        return force > 0.0 ? force * m_seconds : std::numeric_limits<double>::infinity();
+    };
+    const double maxPull = largest(c.joint->maxForce), maxTurn = largest(c.joint->maxTorque);
+    const bool pullsAll = e.rows >= 3 && glm::length(sumsFrom(0)) > maxPull,
+               turnsAll = e.rows == 6 && glm::length(sumsFrom(3)) > maxTurn;
+    if (!pullsAll && !turnsAll) {
+        for (size_t i = 0; i < size_t(e.rows); ++i) {
+            const double sum = sumOf(i);
+            applyLocked(e, i, A, B, sum - c.lockedImpulse[i]);
+            c.lockedImpulse[i] = sum;
+        }
+    } else if (pullsAll) {
+        setLocked(e, A, B, 0, sumsFrom(0), maxPull);
+        if (e.rows < 6) return;
+        want(3, 6);
+        const glm::dvec3 turn =
+            inverseOf(glm::dmat3(A.inverseInertia) + glm::dmat3(B.inverseInertia)) * glm::dvec3(x[3], x[4], x[5]);
+        for (size_t i = 3; i < 6; ++i) x[i] = turn[int(i) - 3];
+        setLocked(e, A, B, 3, sumsFrom(3), maxTurn);
+    } else {
+        setLocked(e, A, B, 3, sumsFrom(3), maxTurn);
+        want(0, 3);
+        solveBlock(e, x, 3);
+        setLocked(e, A, B, 0, sumsFrom(0), maxPull);
     }
-    if (c.joint->maxTorque > 0.0 && e.rows == 6) {  // a fixed joint: the last three rows are those of the rotation
-        const glm::dvec3 turn = clampedLength({sum[3], sum[4], sum[5]}, c.joint->maxTorque * m_seconds);
-        sum[3] = turn.x, sum[4] = turn.y, sum[5] = turn.z;
-    }
-    for (size_t i = 0; i < size_t(e.rows); ++i) applyLocked(e, i, A, B, sum[i] - c.lockedImpulse[i]);
-    c.lockedImpulse = sum;
 }
 
 void JointSolver::accumulateForces(double stepSeconds) {

@@ -31,6 +31,8 @@ public:
     bool empty() const { return m_joints.empty(); }
 
 private:
+    void followArcs(std::span<const SolverBody> bodies, std::span<const SolverState> states, double minTurn,
+                    double maxTurn);
     void prepareJoint(JointRows& e, SolverState& A, SolverState& B) const;
     void prepareFreeAxis(JointRows& e) const;
     void prepareServo(JointRows& e, const SolverState& A, const SolverState& B) const;
@@ -44,7 +46,9 @@ private:
     void solveSpring(JointRows& e, SolverState& A, SolverState& B) const;
     void solveLimit(JointRows& e, SolverState& A, SolverState& B, bool isHigh, bool useBias) const;
     void solveBallFriction(JointRows& e, SolverState& A, SolverState& B) const;
+    void brakeInTime(JointRows& e, const SolverState& A) const;
     void solveLockedRows(JointRows& e, SolverState& A, SolverState& B, bool useBias) const;
+    void setLocked(JointRows& e, SolverState& A, SolverState& B, size_t first, glm::dvec3 impulse, double most) const;
     /// The impulses of a joint: see JointConstraint.
     struct Impulses {
         std::array<double, 6> locked;

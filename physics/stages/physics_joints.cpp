@@ -100,6 +100,14 @@ void takeOver(JointProxy& joint, const JointProxy& old) {
     joint.wound = old.wound + joint.joint.rope.length - old.joint.rope.length;
 }
 
+/// Forgets impulses and a rope's path: undo or a host has put one of its bodies elsewhere.
+void forgetMotion(JointProxy& joint) {
+    joint.constraint = {&joint.joint, joint.handle};
+    joint.bends.clear();
+    joint.leaves = {};
+    joint.excess = joint.wound = 0.0;
+}
+
 }  // namespace
 
 std::unique_ptr<JointProxy> PhysicsJoints::destroy(uint32_t slot, PhysicsBodies& bodies) {
@@ -152,6 +160,8 @@ void PhysicsJoints::apply(const FrameChanges& changes, const World& world, Physi
     for (const JointHandle handle : changes.jointsCreated) recreate(world, handle, bodies);
     for (const JointMoved& moved : changes.jointsMoved) recreate(world, moved.joint, bodies);
     for (const JointHandle handle : changes.jointsChanged) recreate(world, handle, bodies);
+    for (const BodyHandle body : changes.teleported)
+        for (const uint32_t joint : m_table.of(body.slot())) forgetMotion(*m_table.at(joint));
     if (!changes.carved.empty() || !changes.shapesDestroyed.empty())
         for (const uint32_t rope : m_table.ropes()) m_table.at(rope)->restSteps = 0;
 }

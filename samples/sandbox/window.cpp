@@ -150,7 +150,7 @@ private:
         name.kind = OverlayItem::Kind::Text, name.text = m_shownName;
         name.fontSize = 18.0f, name.outline = 1.5f;
         name.transform[2] = {size.x * 0.5f, size.y - 16.0f}, name.align = {0.5f, 1.0f};
-        if (const auto set = m_renderer->setOverlay({crosshair, name}); !set && !std::exchange(m_hasWarned, true))
+        if (const auto set = m_renderer->overlay().set({crosshair, name}); !set && !std::exchange(m_hasWarned, true))
             logWarning(set.error());
     }
 

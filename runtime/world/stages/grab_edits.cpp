@@ -45,19 +45,21 @@ void apply(EditContext& context, const GrabEdit& edit) {
     if (!body || body->isStatic)
         return logWarning(
             "grab_body: expected the handle of a free body, found one that is stale or static; nothing was grabbed");
+    glm::dvec3 point = edit.point;
     for (const JointHandle handle : copyOf(context.world.jointIndex.grabs())) {
         const Joint& grab = context.world.joints.at(handle);
         if (grab.hand != edit.hand + 1) continue;
-        if (context.world.shapes.at(grab.ends[0].shape).body != edit.body || grab.kind != kindOf(edit)) {
-            breakJoint(context, handle, JointBreak::Removed, edit.point);
-            continue;
+        const bool isHeld = context.world.shapes.at(grab.ends[0].shape).body == edit.body;
+        if (isHeld && grab.kind == kindOf(edit)) {
+            if (setTarget(context.world.joints.at(handle), edit)) context.changes.jointsChanged.push_back(handle);
+            return;
         }
-        if (setTarget(context.world.joints.at(handle), edit)) context.changes.jointsChanged.push_back(handle);
-        return;
+        if (isHeld) point = jointToWorld(context.world, grab.ends[0]).position;  // a hand that begins to turn
+        breakJoint(context, handle, JointBreak::Removed, point);
     }
     for (const ShapeHandle shape : body->shapes) {
         const glm::dquat axes = edit.turns ? body->pose.rotation : glm::dquat(1, 0, 0, 0);
-        Joint grab = jointAt(context.world, kindOf(edit), shape, {}, {edit.point, axes});
+        Joint grab = jointAt(context.world, kindOf(edit), shape, {}, {point, axes});
         grab.name = "grab";
         grab.collides = true;
         grab.spring.dampingRatio = 1.0;

@@ -59,5 +59,73 @@ TEST(Rope, GoesRoundTheBodyAtItsEndWithoutGainingEnergy) {
     }
 }
 
+/// Metres of a rope's chain of points.
+double chainLength(const Joint& rope) {
+    double length = 0.0;
+    for (size_t i = 1; i < rope.points.size(); ++i)
+        length += glm::distance(rope.points[i].position, rope.points[i - 1].position);
+    return length;
+}
+
+/// A rope from a static cube to one that hangs below it, level with it or aslant, with both ends `depth` metres inside.
+void expectStaysInItsHoles(glm::dvec3 way, double radius, double depth, double voxelSize) {
+    PhysicsScene scene(known::sleepless({}));
+    const int n = int(std::lround(0.4 / voxelSize));
+    scene.add(solidGrid(glm::ivec3(n), 7), {0, 0, 0}, true).shapes[0].voxelSize = float(voxelSize);
+    scene.add(solidGrid(glm::ivec3(n), 7), way * 1.4, false).shapes[0].voxelSize = float(voxelSize);
+    const glm::dvec3 first = glm::dvec3(0.2) + way * (0.2 - depth), second = glm::dvec3(0.2) - way * (0.2 - depth);
+    RopeSettings& rope = known::addJoint(scene, JointKind::Rope, "body 0", "body 1", first, second).joint.rope;
+    rope.radius = radius;
+    scene.load();
+    double longest = 0.0;
+    known::EnergyRecord energy(scene.world, {});
+    for (int i = 0; i < 300; ++i) {
+        scene.step();
+        energy.update(scene.world);
+        const Joint& joint = scene.world.joints().at(scene.world.joints().handleAt(0));
+        if (way.y == -1.0 || i == 0) longest = std::max(longest, chainLength(joint) / joint.rope.length);
+    }
+    EXPECT_LT(longest, 1.03 + 0.5 * radius)
+        << way.x << ", radius " << radius << ", " << depth << " m deep, voxels " << voxelSize;
+    EXPECT_LT(energy.excess(), 2e-3 * energy.lost() + 0.1) << way.x << ", radius " << radius << ", depth " << depth;
+}
+
+TEST(Rope, WithEndsInsideOfItsShapesIsNotThrownOut) {
+    for (const double radius : {0.01, 0.03, 0.06})
+        for (const double depth : {0.0, 0.02, 0.05, 0.1, 0.2})
+            for (const double voxelSize : {0.05, 0.1})
+                for (const glm::dvec3& way : {glm::dvec3(0, -1, 0), glm::dvec3(1, 0, 0), glm::dvec3(0.6, -0.8, 0)})
+                    expectStaysInItsHoles(way, radius, depth, voxelSize);
+}
+
+/// What a rope knew of the time that was undone does not act on the past.
+TEST(Rope, SwingsOnAfterAnUndoAsBefore) {
+    for (const int undone : {1, 20, 60}) {
+        PhysicsScene scene(known::sleepless({}));
+        scene.add(solidGrid({4, 4, 4}, 7), {3.0, -0.2, -0.2}, false).velocity = {0.0f, 1.0f, 2.0f};
+        known::addJoint(scene, JointKind::Rope, "", "body 0", {}, {0.0, 0.2, 0.2});
+        scene.load();
+        WorldSettings settings = scene.world.settings();
+        settings.undoMarks = 1;
+        scene.stepWith({SettingsEdit{settings}});
+        scene.step(40);
+        const auto places = [&](HistoryAction action, int steps) {
+            std::vector<glm::dvec3> found;
+            for (int i = 0; i < steps; ++i) {
+                scene.stepWith(i == 0 ? Edits{HistoryEdit{action}} : Edits{});
+                found.push_back(scene.center(0));
+                const std::vector<RopePoint>& points = scene.world.joints().at(scene.world.joints().handleAt(0)).points;
+                found.push_back(points[points.size() / 2].position);
+            }
+            return found;
+        };
+        const std::vector<glm::dvec3> first = places(HistoryAction::Mark, undone);
+        const std::vector<glm::dvec3> again = places(HistoryAction::Undo, undone);
+        double apart = 0.0;
+        for (size_t i = 0; i < first.size(); ++i) apart = std::max(apart, glm::distance(first[i], again[i]));
+        EXPECT_LT(apart, 1e-3) << "undone after " << undone << " steps";
+    }
+}
+
 }  // namespace
 }  // namespace rubble
