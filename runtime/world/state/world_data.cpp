@@ -30,6 +30,7 @@ void WorldData::clear() {
     unsettled.clear();
     pendingSplits.clear();
     step = imported = removed = 0;
+    made = {};
     flickeringGroups = 0;
     levelReplaced = true;
 }
