@@ -31,7 +31,7 @@ constexpr double kMaxSymplectic = 0.25;  ///< (omega h)^2 of the slow springs: s
 /// m/s2 or rad/s2 that a position motor without a largest force may give what it moves, besides what its way to the
 /// target needs. Against something that does not give, its impulse would grow for ever.
 constexpr double kMaxServoAcceleration = 1000.0;
-constexpr double kNoLimit = 1e30;          ///< N s
+constexpr double kNoLimit = 1e30;  ///< N s
 /// Radians in a substep: from which bodies move their joints' ends along arcs; from which these are found twice, as
 /// impulses change them; and up to which.
 constexpr double kMinTurn = 0.01, kFastTurn = 0.03, kMaxTurn = 1.2;
@@ -162,7 +162,7 @@ void JointSolver::followArcs(std::span<const SolverBody> bodies, std::span<const
                              double maxTurn) {
     for (JointRows& e : m_joints) {
         const Joint& joint = *e.c->joint;
-        if (joint.drives || joint.kind == JointKind::Wheel) continue;
+        if (e.c->constraint || joint.drives || joint.kind == JointKind::Wheel) continue;
         const SolverState &A = e.stateA(states), &B = e.stateB(states);
         double spin = double(std::max(glm::length(A.w), glm::length(B.w)));
         if (joint.kind == JointKind::Rope)

@@ -100,12 +100,13 @@ void takeOver(JointProxy& joint, const JointProxy& old) {
     joint.wound = old.wound + joint.joint.rope.length - old.joint.rope.length;
 }
 
-/// Forgets impulses and a rope's path: undo or a host has put one of its bodies elsewhere.
+/// Forgets what the last steps have left, impulses and the path of a rope: undo or a host has put a body elsewhere.
 void forgetMotion(JointProxy& joint) {
-    joint.constraint = {&joint.joint, joint.handle};
+    joint.restSteps = 0;
     joint.bends.clear();
     joint.leaves = {};
-    joint.excess = joint.wound = 0.0;
+    joint.wound = joint.excess = 0.0;
+    joint.constraint = {&joint.joint, joint.handle};
 }
 
 }  // namespace
@@ -162,8 +163,20 @@ void PhysicsJoints::apply(const FrameChanges& changes, const World& world, Physi
     for (const JointHandle handle : changes.jointsChanged) recreate(world, handle, bodies);
     for (const BodyHandle body : changes.teleported)
         for (const uint32_t joint : m_table.of(body.slot())) forgetMotion(*m_table.at(joint));
+    if (changes.isRestored) forgetMotion(changes);
     if (!changes.carved.empty() || !changes.shapesDestroyed.empty())
         for (const uint32_t rope : m_table.ropes()) m_table.at(rope)->restSteps = 0;
+}
+
+/// Of the joints that an undo or redo has changed, or the bodies of: how they moved was in another time.
+void PhysicsJoints::forgetMotion(const FrameChanges& changes) {
+    const auto forget = [&](uint32_t slot) {
+        if (JointProxy* joint = m_table.at(slot)) rubble::forgetMotion(*joint);
+    };
+    for (const JointHandle joint : changes.jointsChanged) forget(joint.slot());
+    for (const auto* list : {&changes.teleported, &changes.bodiesCreated})
+        for (const BodyHandle body : *list)
+            for (const uint32_t joint : m_table.of(body.slot())) forget(joint);
 }
 
 void PhysicsJoints::begin() {

@@ -57,7 +57,7 @@ void DeltaWriter::add(RecordedStep step) {
     m_span.to = step.step;
     if (m_span.content == DeltaContent::EditsOnly && step.delta.empty()) return;
     step.edits.clear();
-    step.hostMotion.reset();
+    if (step.hostMotion) step.hostMotion.emplace();  // that there was some is all that is left of it
     uint64_t memory = 0;
     const std::vector<uint8_t> bytes = recordedStepToBytes(step, &memory);
     m_chunks.add({'S', 'T', 'E', 'P'}, bytes, memory);

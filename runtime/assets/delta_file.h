@@ -26,7 +26,8 @@ struct DeltaSpan {
 /// Steps of one world as bytes for another one that was equal before the first of them.
 struct Deltas {
     DeltaSpan span;
-    /// In order, without edits. DeltaContent::EditsOnly: only those that changed something.
+    /// In order, without edits; an empty HostMotion says that the host moved the bodies before the step.
+    /// DeltaContent::EditsOnly: only those that changed something.
     std::vector<RecordedStep> steps;
 };
 

@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-#include "runtime/assets/fields.h"
+#include "runtime/core/fields.h"
 #include "runtime/world/level/level.h"
 
 // What a level holds (see fields.h). The voxels of a grid are no field: archives see its size here and store its bricks

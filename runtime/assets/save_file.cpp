@@ -76,6 +76,7 @@ std::vector<uint8_t> stateToBytes(const SavedGame& game, PaletteList& palettes, 
     out.put(world.settings);
     out.put(world.bounds);
     out.put(world.footprint);
+    out.put(world.made);
     out.put(world.locations);
     out.put(world.fire.fields);
     putSlots(out, world.joints);
@@ -133,6 +134,7 @@ SavedGame stateFromBytes(ByteReader& reader, const std::vector<PaletteRef>& pale
     in.get(world.settings);
     in.get(world.bounds);
     in.get(world.footprint);
+    in.get(world.made);
     in.get(world.locations);
     in.get(world.fire.fields);
     getSlots(reader, in, number, world.joints);
@@ -257,8 +259,10 @@ void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, siz
 Result<Done> validateNumbers(const WorldState& world) {
     std::string error = settingsError(world.settings);
     if (!error.empty()) return Error{"settings: expected valid ones, found " + error};
-    error = objectError(world.footprint);  // that of the bounds is the level's
-    if (!error.empty()) return Error{"footprint: expected a valid box, found " + error};
+    for (const WorldBox* box : {&world.footprint, &world.made}) {  // the bounds are the level's
+        error = objectError(*box);
+        if (!error.empty()) return Error{"footprint: expected a valid box, found " + error};
+    }
     forEachKind(
         [&](const auto& map) {
             map.forEach([&](auto handle, const auto& object) {

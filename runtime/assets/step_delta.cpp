@@ -15,6 +15,7 @@
 #include "runtime/voxel/mass_properties.h"
 #include "runtime/world/objects/joint_attachment.h"
 #include "runtime/world/objects/object_errors.h"
+#include "runtime/world/settings/settings_error.h"
 
 namespace rubble {
 namespace {
@@ -118,6 +119,7 @@ public:
         WorldDelta delta;
         m_in.get(delta.imported);
         m_in.get(delta.removed);
+        m_in.get(delta.made);
         forEachKind(
             [&](auto& values) {
                 if constexpr (!kIsOf<ShapeHandle, decltype(values)>) readValues(values);
@@ -129,6 +131,9 @@ public:
         bool hasMaterials = false;
         m_in.get(hasMaterials);
         if (hasMaterials) m_in.get(delta.materials.emplace().materials);
+        bool hasSettings = false;
+        m_in.get(hasSettings);
+        if (hasSettings) m_in.get(delta.settings.emplace());
         for (uint32_t i = m_reader.readCount(5, "shapes");
              i-- > 0 && m_reader.takeMemory(listMemory(1, sizeof(Shape)));)
             readShape(delta);
@@ -290,7 +295,9 @@ private:
                joint.points.size() == (isRope ? joint.rope.points : 0) && (!isRope || !joint.points.empty());
     }
     bool hasValidValues() const {
-        bool isValid = (!m_delta.environment || environmentError(*m_delta.environment).empty()) && hasValidMaterials();
+        bool isValid = (!m_delta.environment || environmentError(*m_delta.environment).empty()) &&
+                       (!m_delta.settings || settingsError(*m_delta.settings).empty()) &&
+                       objectError(m_delta.made).empty() && hasValidMaterials();
         forEachKind(
             [&](const auto& values) {
                 for (const auto& [slot, value] : values)
@@ -424,7 +431,7 @@ std::vector<uint8_t> stepDeltaToBytes(const WorldDelta& before, const FrameChang
     const size_t known = palettes.palettes().size();
     std::vector<uint8_t> delta;
     BinaryOutputArchive out(delta, palettes);
-    out.put(after.data().imported), out.put(after.data().removed);
+    out.put(after.data().imported), out.put(after.data().removed), out.put(after.data().made);
     forEachKind(
         [&](const auto& was, const auto& now) {
             if constexpr (!kIsOf<ShapeHandle, decltype(was)>) putValues(out, was, now);
@@ -434,6 +441,8 @@ std::vector<uint8_t> stepDeltaToBytes(const WorldDelta& before, const FrameChang
     if (before.environment) out.put(after.environment());
     out.put(before.materials.has_value());
     if (before.materials) out.put(after.materials().materials);
+    out.put(before.settings.has_value());
+    if (before.settings) out.put(after.settings());
     out.put(uint32_t(before.shapes.size()));
     for (const auto& [slot, was] : before.shapes) putShape(out, delta, slot, before, changes, after);
     forEachKind([&](const auto&, const auto& now) { out.put(now.freeSlots()); }, before, after.data());
@@ -453,7 +462,8 @@ Result<FrameChanges> applyStepDelta(std::span<const uint8_t> bytes, const std::s
     if (!in.failed() && !DeltaCheck(delta, world).namesKnownSlots())
         in.fail("slots that follow those of the world", "one far above them");
     if (!in.failed() && !DeltaCheck(delta, world).isValid())
-        in.fail("shapes and bodies that name each other, and joints, lights and weather within their ranges", "others");
+        in.fail("shapes and bodies that name each other, and joints, lights, weather and settings within their ranges",
+                "others");
     if (in.failed()) return Error{name + ": " + in.error()};
     return world.applyDelta(std::move(delta));
 }

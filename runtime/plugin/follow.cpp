@@ -50,7 +50,7 @@ Result<Done> FrameLoop::followStep(const RecordedStep& step, DeltaContent conten
     m_changes = std::move(*applied);
     m_rebuildPhysics = true;
     if (content == DeltaContent::All) {
-        m_world.setPoses(step.poses);
+        m_world.setPoses(step.poses, step.hostMotion ? step.step - 1 : step.step);  // a host moves them before its step
         m_world.setCharacters(step.characters);
         m_movedByHost.assign(step.poses.begin(), step.poses.end());
     } else {

@@ -158,7 +158,7 @@ void World::setSettings(const WorldSettings& settings) {
     m_data.setSettings(settings);
 }
 
-void World::setPoses(std::span<const BodyPose> poses) {
+void World::setPoses(std::span<const BodyPose> poses, std::optional<uint64_t> step) {
     for (const BodyPose& pose : poses)
         if (Body* body = m_data.bodies.find(pose.body)) {
             const bool changesSleep = body->asleep != pose.asleep;
@@ -169,7 +169,7 @@ void World::setPoses(std::span<const BodyPose> poses) {
             for (const ShapeHandle shape : body->shapes) m_data.updateShapeBounds(shape);
             m_data.checkBounds(pose.body);
             if (!changesSleep) continue;
-            body->restingSince = pose.asleep ? m_data.step : 0;
+            body->restingSince = pose.asleep ? step.value_or(m_data.step) : 0;
             if (body->settled) m_data.unsettled.push_back(pose.body);
             body->settled = false;
             m_data.updateDebris(pose.body);

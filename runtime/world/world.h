@@ -50,8 +50,9 @@ public:
     /// start again. Null: nothing happened in it.
     FrameChanges applyDelta(std::optional<WorldDelta> delta);
 
-    /// Takes over the motion of bodies from physics. Stale handles are skipped.
-    void setPoses(std::span<const BodyPose> poses);
+    /// Takes over the motion of bodies from physics. Stale handles are skipped. step: after which it came, since which
+    /// those rest that fell asleep; none: the last.
+    void setPoses(std::span<const BodyPose> poses, std::optional<uint64_t> step = std::nullopt);
     /// Takes over the motion of characters from physics. Stale handles are skipped.
     void setCharacters(std::span<const CharacterMove> moves);
     /// Takes over the points of ropes from physics. Ropes that are gone or have another number of points are skipped.

@@ -10,6 +10,7 @@
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
 #include "runtime/plugin/c_abi/recordings.h"
+#include "runtime/plugin/c_abi/waiting.h"
 
 namespace rubble::abi {
 namespace {
@@ -36,6 +37,7 @@ rubble_result saveGameData(rubble_world world, uint8_t* out, uint64_t capacity, 
         if (!isGiven(count, "count")) return;
         *count = 0;
         if (capacity) isGiven(out, "out");
+        requireNoWaitingUndo(hosted);
         if (isRefused()) return;
         const Result<Done> written = hosted.loop.save([&](std::span<const uint8_t> bytes) -> Result<Done> {
             if (bytes.size() > kMaxFileBytes)

@@ -4,6 +4,7 @@
 #include "runtime/plugin/c_abi/functions.h"
 #include "runtime/plugin/c_abi/objects.h"
 #include "runtime/plugin/c_abi/recordings.h"
+#include "runtime/plugin/c_abi/waiting.h"
 
 namespace rubble::abi {
 namespace {
@@ -14,7 +15,9 @@ void requireDone(const Result<Done>& done) {
 
 rubble_result saveGame(rubble_world world, const char* path) {
     return inWorld("save_game", world, [&](HostedWorld& hosted) {
-        if (isGiven(path, "path")) requireDone(saveTo(path, hosted.loop));
+        requireNoWaitingUndo(hosted);
+        isGiven(path, "path");
+        if (!isRefused()) requireDone(saveTo(path, hosted.loop));
     });
 }
 

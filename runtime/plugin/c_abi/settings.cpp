@@ -1,7 +1,6 @@
-#include "runtime/plugin/c_abi/settings.h"
-
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
+#include "runtime/plugin/c_abi/waiting.h"
 #include "runtime/world/settings/settings_error.h"
 
 namespace rubble::abi {
@@ -79,15 +78,6 @@ rubble_result getSettings(rubble_world world, rubble_settings* out) {
 }
 
 }  // namespace
-
-WorldSettings waitingSettings(const HostedWorld& hosted) {
-    WorldSettings settings = hosted.loop.world().settings();
-    for (const Edit& edit : hosted.loop.edits().waiting()) {
-        if (const auto* all = std::get_if<SettingsEdit>(&edit)) settings = all->settings;
-        if (const auto* bounds = std::get_if<SetBoundsEdit>(&edit)) settings.bounds = bounds->bounds;
-    }
-    return settings;
-}
 
 void setSettingsFunctions(rubble_api& api) {
     api.set_settings = setSettings;

@@ -1,10 +1,8 @@
-#include <algorithm>
-
 #include "runtime/assets/assets.h"
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
 #include "runtime/plugin/c_abi/host_jobs.h"
-#include "runtime/plugin/c_abi/settings.h"
+#include "runtime/plugin/c_abi/waiting.h"
 #include "runtime/plugin/layers.h"
 #include "runtime/world/settings/settings_error.h"
 
@@ -119,15 +117,9 @@ rubble_result setUndoLimit(rubble_world world, uint32_t marks) {
     });
 }
 
-bool goesBackOrForth(const Edit& edit) {
-    const auto* history = std::get_if<HistoryEdit>(&edit);
-    return history && history->action != HistoryAction::Mark;
-}
-
 rubble_result pushHistory(const char* function, rubble_world world, HistoryAction action) {
     return inWorld(function, world, [&](HostedWorld& hosted) {
-        const Edits& waiting = hosted.loop.edits().waiting();
-        if (action != HistoryAction::Mark && std::any_of(waiting.begin(), waiting.end(), goesBackOrForth))
+        if (action != HistoryAction::Mark && hasWaitingUndo(hosted))
             refuse(RUBBLE_ERROR_ARGUMENT, "expected one undo or redo in a step, found one in the queue");
         push(hosted, HistoryEdit{action});
     });

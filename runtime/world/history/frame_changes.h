@@ -159,6 +159,8 @@ struct FrameChanges {
     std::vector<LightHandle> lightsAdded;    ///< one for each AddLightEdit; an empty handle: refused
     bool environmentChanged = false;         ///< read it from the World
     bool materialsChanged = false;           ///< read them from the World; shapes that are of them are in `carved`
+    bool settingsChanged = false;            ///< read them from the World; not for the limit of undo marks alone
+    bool isRestored = false;                 ///< by an undo or redo: what is known of the motion before is of no use
     std::vector<RefusedHandle> refused;      ///< in the order of their edits; nothing else has to follow them
 
     /// How much the lists and counts hold, but for the bricks and shapes that edits of voxels share with an undo: what
@@ -168,17 +170,18 @@ struct FrameChanges {
                splits.size() + palettes.size() + unanchored.size() + removed.size() + lights.size() + groupsOut.size() +
                woken.size() + impulses.size() + constraints.size() + paintedVoxels + firesLit.size() + filters.size() +
                waters.size() + triggers.size() + characters.size() + jointsCreated.size() + jointsMoved.size() +
-               jointsBroken.size() + jointsChanged.size() + notes.size() + environmentChanged + materialsChanged;
+               jointsBroken.size() + jointsChanged.size() + notes.size() + environmentChanged + materialsChanged +
+               settingsChanged;
     }
     /// Whether nothing changed that physics, renderer, undo or recordings have to follow.
     bool empty() const {
-        return !levelReplaced && !environmentChanged && !materialsChanged && bodiesCreated.empty() &&
-               bodiesDestroyed.empty() && shapesCreated.empty() && shapesDestroyed.empty() && bricks.empty() &&
-               palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty() && constraints.empty() &&
-               settled.empty() && unsettled.empty() && woken.empty() && groups.empty() && teleported.empty() &&
-               !firesChanged && filters.empty() && waters.empty() && triggers.empty() && characters.empty() &&
-               jointsCreated.empty() && jointsMoved.empty() && jointsBroken.empty() && jointsChanged.empty() &&
-               notes.empty();
+        return !levelReplaced && !environmentChanged && !materialsChanged && !settingsChanged &&
+               bodiesCreated.empty() && bodiesDestroyed.empty() && shapesCreated.empty() && shapesDestroyed.empty() &&
+               bricks.empty() && palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty() &&
+               constraints.empty() && settled.empty() && unsettled.empty() && woken.empty() && groups.empty() &&
+               teleported.empty() && !firesChanged && filters.empty() && waters.empty() && triggers.empty() &&
+               characters.empty() && jointsCreated.empty() && jointsMoved.empty() && jointsBroken.empty() &&
+               jointsChanged.empty() && notes.empty();
     }
 };
 

@@ -11,8 +11,10 @@ namespace {
 /// Adds the objects of a later delta to those of an earlier one, which stay.
 void addMissing(WorldDelta& into, WorldDelta from) {
     forEachKind([](auto& values, auto& earlier) { values.merge(earlier); }, into, from);
-    if (!into.environment) into.environment = from.environment;
-    if (!into.materials) into.materials = from.materials;
+    const auto addValue = [](auto& value, auto& earlier) {
+        if (!value) value = std::move(earlier);
+    };
+    forEachWorldValue(addValue, into, from);
 }
 
 /// For each slot of `slots`: its value in `first`, or else in `second`.
@@ -61,15 +63,17 @@ WorldDelta UndoHistory::swapEntry(WorldData& world, WorldDelta entry, FrameChang
     for (const PendingSplit& pending : world.pendingSplits) was.waiting.push_back(pending.shape);
     world.pendingSplits = std::move(line);
     restartPendingSplits(world);
+    changes.isRestored = true;
     m_baseline.update(world, changes);
     WorldDelta out = m_onlyMotionSinceUndo ? drift : was;
     forEachKind([](auto& values, const auto& wanted, const auto& moved,
                    auto& swapped) { values = selectSlots(wanted, moved, swapped); },
                 out, slots, drift, was);
-    out.environment.reset();
-    if (slots.environment) out.environment = drift.environment ? drift.environment : was.environment;
-    out.materials.reset();
-    if (slots.materials) out.materials = drift.materials ? drift.materials : was.materials;
+    const auto select = [](auto& value, const auto& wanted, const auto& moved, const auto& swapped) {
+        value.reset();
+        if (wanted) value = moved ? moved : swapped;
+    };
+    forEachWorldValue(select, out, slots, drift, was);
     m_current = m_baseline.emptyDelta();
     m_onlyMotionSinceUndo = true;
     m_isMarked = true;

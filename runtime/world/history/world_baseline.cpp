@@ -51,6 +51,7 @@ WorldDelta WorldBaseline::emptyDelta() const {
     WorldDelta delta;
     delta.imported = m_last.imported;
     delta.removed = m_last.removed;
+    delta.made = m_last.made;
     delta.fire = m_last.fire;
     for (const PendingSplit& pending : m_last.pendingSplits) delta.waiting.push_back(pending.shape);
     delta.freeSlots = m_freeSlots;
@@ -90,8 +91,10 @@ WorldDelta WorldBaseline::update(const WorldData& world, const FrameChanges& cha
     for (const NoteHandle handle : changes.notes) updateSlot(world.notes, m_last.notes, handle, before.notes);
     if (changes.environmentChanged) before.environment = std::exchange(m_last.environment, world.environment);
     if (changes.materialsChanged) before.materials = std::exchange(m_last.materials, world.materials);
+    if (changes.settingsChanged) before.settings = std::exchange(m_last.settings, world.settings);
     m_last.imported = world.imported;
     m_last.removed = world.removed;
+    m_last.made = world.made;
     m_freeSlots = freeSlotsOf(world);
     return before;
 }

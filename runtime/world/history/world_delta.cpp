@@ -203,7 +203,8 @@ void journalNotes(const WorldDelta& before, WorldData& world, FrameChanges& chan
 }  // namespace
 
 bool WorldDelta::empty() const {
-    bool isEmpty = !environment && !materials;
+    bool isEmpty = true;
+    forEachWorldValue([&](const auto& value) { isEmpty = isEmpty && !value; }, *this);
     forEachKind([&](const auto& values) { isEmpty = isEmpty && values.empty(); }, *this);
     return isEmpty;
 }
@@ -212,6 +213,7 @@ WorldDelta swapObjects(WorldData& world, WorldDelta target, FrameChanges& change
     WorldDelta before;
     before.imported = std::exchange(world.imported, target.imported);
     before.removed = std::exchange(world.removed, target.removed);
+    before.made = std::exchange(world.made, target.made);
     before.fire = std::exchange(world.fire, std::move(target.fire));
     changes.firesChanged = before.fire.isActive() || world.fire.isActive();
     if (target.environment) {
@@ -222,6 +224,11 @@ WorldDelta swapObjects(WorldData& world, WorldDelta target, FrameChanges& change
         before.materials = std::exchange(world.materials, std::move(*target.materials));
         world.wire = world.materials.find("wire");
         changes.materialsChanged = true;
+    }
+    if (target.settings) {
+        target.settings->undoMarks = world.settings.undoMarks;
+        before.settings = std::exchange(world.settings, *target.settings);
+        changes.settingsChanged = true;
     }
     before.freeSlots = freeSlotsOf(world);
     forEachKind([](auto& map, auto& wanted, auto& was) { was = swapSlots(map, std::move(wanted)); }, world, target,
@@ -235,6 +242,7 @@ WorldDelta swapObjects(WorldData& world, WorldDelta target, FrameChanges& change
     journalTriggers(before, world, changes);
     journalSlots(before.characters, world.characters, changes.characters);
     journalNotes(before, world, changes);
+    if (before.settings) world.bodies.forEach([&](BodyHandle body, const Body&) { world.updateDebris(body); });
     return before;
 }
 

@@ -19,17 +19,27 @@ using SlotValues = std::map<uint32_t, std::pair<Handle, std::optional<T>>>;
 struct WorldDelta : ObjectKinds<SlotValues> {
     ObjectKinds<FreeSlots> freeSlots;  ///< that are used next
     uint64_t imported = 0, removed = 0;
+    WorldBox made;
     FireState fire;
     std::vector<ShapeHandle> waiting;        ///< for their split, see WorldState::pendingSplits
     std::optional<Environment> environment;  ///< none: it has not changed
     std::optional<MaterialTable> materials;  ///< the same
+    std::optional<WorldSettings> settings;   ///< the same; their limit of undo marks is of no account
 
-    /// Whether it holds no object, no environment and no materials.
+    /// Whether it holds no object, no environment, no materials and no settings.
     bool empty() const;
 };
 
+/// Calls f with each value of a world that edits change and that belongs to no object, one from every set.
+template <class F, class... Sets>
+void forEachWorldValue(F&& f, Sets&&... sets) {
+    f(sets.environment...);
+    f(sets.materials...);
+    f(sets.settings...);
+}
+
 /// Puts the delta's objects in their slots, adds that to the journal, and returns what was there before. Shapes that
-/// wait for their split stay as they are.
+/// wait for their split and stress analyses stay as they are, and so does the limit of undo marks, which is the host's.
 WorldDelta swapObjects(WorldData& world, WorldDelta target, FrameChanges& changes);
 
 /// Takes out bodies that have changed in nothing but how they move: free bodies whose pose, velocity or sleep is

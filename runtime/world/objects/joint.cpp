@@ -89,22 +89,23 @@ std::string jointEndsError(const Joint& joint) {
 }
 
 uint64_t hashJoint(const Joint& joint, uint64_t seed) {
-    uint64_t hash = hashValue(uint64_t(joint.kind) << 40 | uint64_t(joint.collides) << 32 | joint.hand, seed);
+    uint64_t hash = hashValue(
+        uint64_t(joint.kind) << 40 | uint64_t(joint.drives) << 33 | uint64_t(joint.collides) << 32 | joint.hand, seed);
     for (const JointEnd& end : joint.ends) {
         hash = hashValue(uint64_t(end.isFree) << 33 | uint64_t(bool(end.shape)) << 32 | end.shape.slot(), hash);
-        hash = hashBytes(&end.cell, sizeof end.cell, hashPose(end.frame, hash));
+        hash = hashValue(end.radius, hashBytes(&end.cell, sizeof end.cell, hashPose(end.frame, hash)));
     }
     if (joint.steerTarget != joint.steer) hash = hashValue(joint.steerTarget, hash);
-    for (const double value : {joint.limits.low, joint.limits.high, joint.motor.target, joint.motor.maxForce,
-                               joint.spring.hertz, joint.spring.dampingRatio, joint.friction, joint.maxForce,
-                               joint.maxTorque, joint.breakForce, joint.breakTorque, joint.steer, joint.rope.length,
-                               joint.rope.radius, joint.rope.massPerMetre, joint.rope.stretch, joint.rope.strength})
+    for (const double value :
+         {joint.limits.low, joint.limits.high, joint.motor.target, joint.motor.maxForce, joint.spring.hertz,
+          joint.spring.dampingRatio, joint.friction, joint.maxForce, joint.maxTorque, joint.breakForce,
+          joint.breakTorque, joint.steer, joint.rope.length, joint.rope.radius, joint.rope.massPerMetre,
+          joint.rope.stretch, joint.rope.strength, joint.rope.slack})
         hash = hashValue(value, hash);
     static_assert(sizeof(WheelSettings) == 5 * sizeof(double), "hashed as bytes");
     hash = hashBytes(&joint.wheel, sizeof joint.wheel, hash);
-    if (joint.drives)
-        for (const glm::dvec3& velocity : {joint.velocity, joint.angularVelocity})
-            hash = hashBytes(&velocity, sizeof velocity, hash);
+    for (const glm::dvec3& velocity : {joint.velocity, joint.angularVelocity})
+        hash = hashBytes(&velocity, sizeof velocity, hash);
     return hashValue(uint64_t(joint.rope.points) << 16 | uint64_t(joint.limits.on) << 8 | uint64_t(joint.motor.mode),
                      hash);
 }

@@ -69,7 +69,8 @@ uint64_t resolvedHash(const WorldState& world) {
         hasher.add(body.pose);
         hasher.add(body.velocity);
         hasher.add(body.angularVelocity);
-        hasher.add(uint64_t(body.settled) << 2 | uint64_t(body.isStatic) << 1 | uint64_t(body.asleep));
+        hasher.add(uint64_t(body.broken) << 3 | uint64_t(body.settled) << 2 | uint64_t(body.isStatic) << 1 |
+                   uint64_t(body.asleep));
         hasher.add(body.createdStep);
         hasher.add(body.restingSince);
         hasher.add(glm::dvec3(body.gravityScale, body.linearDamping, body.angularDamping));
@@ -82,9 +83,10 @@ uint64_t resolvedHash(const WorldState& world) {
         hasher.add(shape.grid.contentHash());
         hasher.add(palettes.of(*shape.palette));
         hasher.add(glm::dvec3(isPlanted("unhashed-field") ? 0.0f : shape.strength, shape.density, shape.emission));
+        hasher.add(double(shape.voxelSize));
         hasher.state = hashBytes(shape.anchors.data(), shape.anchors.size() * sizeof(CellBox), hasher.state);
-        hasher.add(uint64_t(shape.loadBearing) << 24 | uint64_t(shape.collisionShape) << 16 |
-                   uint64_t(shape.collisionLayer) << 8 | shape.collisionMask);
+        hasher.add(uint64_t(shape.isPiece) << 25 | uint64_t(shape.loadBearing) << 24 |
+                   uint64_t(shape.collisionShape) << 16 | uint64_t(shape.collisionLayer) << 8 | shape.collisionMask);
         if (shape.paintColors) hasher.add(hashBytes(shape.paintColors.get(), sizeof(PaintColors)));
     });
     world.groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {
@@ -95,6 +97,7 @@ uint64_t resolvedHash(const WorldState& world) {
         hasher.add(uint64_t(group.supply.slot()) << 32 | uint64_t(bool(group.supply)));
         hasher.state = hashBytes(&group.supplyCell, sizeof group.supplyCell, hasher.state);
         hasher.add(glm::dvec3(group.threshold));
+        hasher.add(uint64_t(group.flickerSteps));
     });
     const auto addAll = [&](const auto& map) {
         map.forEach([&](auto handle, const auto& value) {
@@ -109,6 +112,11 @@ uint64_t resolvedHash(const WorldState& world) {
     addAll(world.notes);
     hasher.add(world.environment.hash());
     hasher.add(world.materials.hash());
+    hasher.add(world.settings.hash());
+    for (const WorldBox* box : {&world.bounds, &world.footprint, &world.made}) {
+        hasher.add(box->low);
+        hasher.add(box->high);
+    }
     world.joints.forEach([&](JointHandle handle, const Joint& joint) {
         hasher.state = hashJoint(joint, hashValue(handle.slot(), hasher.state));
     });

@@ -11,6 +11,8 @@ struct FireSettings {
     uint32_t maxLights = 8;   ///< point lights for the biggest fires
     float spread = 1.0f;      ///< multiple of the heat that fires pass on
     float burnTime = 1.0f;    ///< multiple of Material::burnTime
+
+    friend bool operator==(const FireSettings&, const FireSettings&) = default;
 };
 
 }  // namespace rubble

@@ -12,6 +12,8 @@ enum class PaintMode : uint8_t {
 
 struct PaintSettings {
     PaintMode mode = PaintMode::Blend;
+
+    friend bool operator==(const PaintSettings&, const PaintSettings&) = default;
 };
 
 }  // namespace rubble

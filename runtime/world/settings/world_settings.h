@@ -36,6 +36,10 @@ struct WorldSettings {
     FireSettings fire;
     StressSettings stress;
     SplitSettings split;
+
+    /// A hash of all fields but undoMarks, which change nothing in the world.
+    uint64_t hash() const;
+    friend bool operator==(const WorldSettings&, const WorldSettings&) = default;
 };
 
 }  // namespace rubble

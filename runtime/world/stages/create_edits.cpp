@@ -72,6 +72,7 @@ void apply(EditContext& context, const CreateShapeEdit& edit) {
     if (isEmpty) context.emptyShapes.push_back(handle);
     context.world.bodies.at(edit.body).shapes.push_back(handle);
     context.world.updateShapeBounds(handle);
+    includeMade(context.world, handle);
     context.changes.shapesCreated.push_back(handle);
     if (!context.isNew(edit.body)) context.wakeBody(edit.body);
     context.world.updateDebris(edit.body);

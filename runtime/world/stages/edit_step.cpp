@@ -26,6 +26,7 @@
 #include "runtime/world/stages/palette_edits.h"
 #include "runtime/world/stages/region_edits.h"
 #include "runtime/world/stages/rope_stage.h"
+#include "runtime/world/stages/settings_edits.h"
 #include "runtime/world/stages/shape_edits.h"
 #include "runtime/world/stages/split_stage.h"
 #include "runtime/world/stages/stress_stage.h"
@@ -80,8 +81,6 @@ void EditStep::applyEdit(const Edit& edit) {
                           [&](const ExtinguishEdit& each) { m_fire.apply(each); },
                           [&](const RemoveFiresEdit& each) { m_fire.apply(each); },
                           [&](const ImpactLoadEdit& each) { m_impactLoads.apply(each); },
-                          [&](const SettingsEdit& each) { m_context.world.setSettings(each.settings); },
-                          [&](const SetBoundsEdit& each) { m_context.world.setBounds(each.bounds); },
                           [](const HistoryEdit&) {},  // World::applyEdits() has done it
                           [&](const auto& each) { apply(m_context, each); }},
                edit);

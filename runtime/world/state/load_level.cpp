@@ -134,17 +134,6 @@ WorldBox boxOfShapes(const WorldData& world, bool onlyStatic) {
     return all ? withinRange(*all) : WorldBox{};
 }
 
-/// The box around all shapes, and around it half of its longest side, but at least 128 m, where what is thrown from the
-/// level comes down again, and at most 512 m. None without shapes.
-WorldBox defaultBounds(const WorldData& world) {
-    constexpr double kMinMargin = 128.0, kMaxMargin = 512.0;  // metres
-    const WorldBox all = boxOfShapes(world, false);
-    if (all.low == all.high) return {};
-    const glm::dvec3 size = all.high - all.low;
-    const double margin = std::clamp(0.5 * std::max({size.x, size.y, size.z}), kMinMargin, kMaxMargin);
-    return withinRange({all.low - margin, all.high + margin});
-}
-
 }  // namespace
 
 CellBox bottomLayer(const VoxelGrid& grid) {
@@ -174,6 +163,12 @@ Shape makeShape(const LevelShape& from, bool isStatic, const MaterialTable& mate
                                 : translatedBoxes(from.anchors, glm::ivec3(0), shape.grid.size());
     shape.moments = gridMoments(shape.grid, *shape.palette, materials);
     return shape;
+}
+
+void includeMade(WorldData& world, ShapeHandle shape) {
+    const WorldBox box = withinRange(gridBounds(world, shape));
+    if (box.low == box.high || world.bounds.low != world.bounds.high) return;
+    world.made = world.made.low == world.made.high ? box : world.made.merged(box);
 }
 
 PaletteRef materialPalette(const MaterialTable& materials) {
@@ -216,7 +211,8 @@ void loadLevel(WorldData& world, const Level& level) {
     }
     loadJoints(world, level, names);
     world.footprint = boxOfShapes(world, true);
-    world.bounds = level.bounds.low == level.bounds.high ? defaultBounds(world) : level.bounds;
+    world.bounds =
+        level.bounds.low == level.bounds.high ? withinRange(boundsAround(boxOfShapes(world, false))) : level.bounds;
     world.rebuildIndexes();
 }
 

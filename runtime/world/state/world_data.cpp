@@ -31,6 +31,7 @@ void WorldData::clear() {
     unsettled.clear();
     pendingSplits.clear();
     step = imported = removed = 0;
+    made = {};
     flickeringGroups = 0;
     levelReplaced = true;
 }

@@ -15,6 +15,10 @@
 
 namespace rubble {
 
+/// The box around shapes, and around it half of its longest side, but at least 128 m, where what is thrown from them
+/// comes down again, and at most 512 m. None if there is no box.
+WorldBox boundsAround(const WorldBox& shapes);
+
 /// Everything of a World that decides what happens next, as a value, with slots and generations: what a save file
 /// holds. Bricks, directories and palettes are shared: a copy costs the number of objects, not of voxels.
 struct WorldState : WorldObjects {
@@ -28,6 +32,7 @@ struct WorldState : WorldObjects {
     WorldSettings settings;
     WorldBox bounds;     ///< where the world ends, if BoundsSettings say nothing else; low == high: nowhere
     WorldBox footprint;  ///< around all static shapes that the level brought; low == high: it brought none
+    WorldBox made;       ///< without `bounds`: around all shapes that edits have created, where they were then
     std::vector<std::pair<std::string, Pose>> locations;  ///< named places of the level
     std::vector<LevelScript>
         scripts;  ///< of the level and of prefabs; as the next not in the hash: nothing follows from it
@@ -35,11 +40,9 @@ struct WorldState : WorldObjects {
     FireState fire;
     std::vector<PendingSplit> pendingSplits;
 
-    /// The box outside of which BoundsRule applies: of the settings, or else the level's; low == high: there is none.
-    WorldBox boundsInUse() const {
-        return settings.bounds.low == settings.bounds.high ? bounds
-                                                           : WorldBox{settings.bounds.low, settings.bounds.high};
-    }
+    /// The box outside of which BoundsRule applies: of the settings, or else the level's, or else boundsAround() what
+    /// edits have created; low == high: there is none.
+    WorldBox boundsInUse() const;
 };
 
 /// Drops connectivity tests that have begun: those that wait will begin with the whole shape, in their order.

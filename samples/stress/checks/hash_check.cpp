@@ -67,7 +67,7 @@ rubble_result turnGravity(const Target& to) {
     environment.gravity[0] += 0.125;
     return to.api.set_environment(to.world, &environment);
 }
-[[maybe_unused]] rubble_result setThreshold(const Target& to) {
+rubble_result setThreshold(const Target& to) {
     auto settings = sized<rubble_settings>();
     to.api.get_settings(to.world, &settings);
     settings.impact_threshold += 1.0;
@@ -96,7 +96,7 @@ constexpr Change kChanges[] = {
     {"a user value", [](const Target& to) { return to.api.set_user_value(to.world, to.shape.shape, 77); }},
     {"a light group", addGroup},
     {"gravity", turnGravity},
-    // {"a setting", setThreshold},
+    {"a setting", setThreshold},
 };
 
 /// Both hashes of a world.

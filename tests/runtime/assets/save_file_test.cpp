@@ -170,7 +170,8 @@ TEST(SaveFile, EveryTruncationAndEveryBitFlipIsRefused) {
 }
 
 TEST(SaveFile, ANewFieldChangesTheSizesCheckedHere) {
-    // A new field changes a size: add the field to level_fields.h or state_fields.h, then the size here.
+    // A new field changes a size: add the field to level_fields.h, state_fields.h or settings_fields.h, then the size
+    // here.
     EXPECT_EQ(sizeof(DebrisSettings), 32u);
     EXPECT_EQ(sizeof(FireSettings), 24u);
     EXPECT_EQ(sizeof(StressSettings), 56u);
@@ -440,7 +441,8 @@ TEST(StepDelta, InvalidLightsAndWeatherAreRefused) {
         world = start;
         const Result<FrameChanges> applied = applyStepDelta(bytes, "t", world, palettes);
         ASSERT_FALSE(applied);
-        EXPECT_NE(applied.error().find("lights and weather within their ranges"), std::string::npos) << applied.error();
+        EXPECT_NE(applied.error().find("lights, weather and settings within their ranges"), std::string::npos)
+            << applied.error();
         EXPECT_EQ(world.hash(), start.hash());
     }
 }

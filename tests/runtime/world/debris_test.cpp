@@ -277,7 +277,7 @@ TEST(Debris, APieceThatIsResizedAndDespawnsInOneStepIsGoneForAll) {
     }
 }
 
-TEST(Debris, UndoIntoAStateOverItsBudgetKeepsTheLedger) {
+TEST(Debris, UndoBringsBackTheBudgetAndAStateOverItKeepsTheLedger) {
     DebrisWorld world(withBudgets(1000, 1000, 1000000));
     const auto settings = [&](uint32_t bodies) {
         WorldSettings out = withBudgets(1000, bodies, 1000000);
@@ -287,13 +287,17 @@ TEST(Debris, UndoIntoAStateOverItsBudgetKeepsTheLedger) {
     world.applyEdits({SettingsEdit{settings(1000)}});
     const uint64_t before = resolvedHash(world);
     world.applyEdits({HistoryEdit{}, cutColumns(0, 2)});
+    const size_t pieces = world.data().debris.count();
+    ASSERT_GT(pieces, 5u);
     const CarveEdit all{.kind = BrushKind::Box, .position = {0.0, 1.0, 0.0}, .halfSize = {9.0, 0.6, 9.0}};
     world.applyEdits({HistoryEdit{}, all});
     ASSERT_EQ(world.data().debris.count(), 0u);
     world.applyEdits({SettingsEdit{settings(5)}});
     WorldBaseline baseline(world);
-    const auto step = [&](HistoryAction action) {
-        const FrameChanges changes = world.applyEdits({HistoryEdit{action}});
+    const auto step = [&](HistoryAction action, const Edits& others = {}) {
+        Edits edits = {HistoryEdit{action}};
+        edits.insert(edits.end(), others.begin(), others.end());
+        const FrameChanges changes = world.applyEdits(edits);
         expectNoStaleHandles(world, changes);
         baseline.update(world, changes);
         EXPECT_EQ(resolvedHash(world), resolvedHash(baseline.last()));
@@ -301,12 +305,13 @@ TEST(Debris, UndoIntoAStateOverItsBudgetKeepsTheLedger) {
         expectDebrisAsLoaded(world);
     };
     step(HistoryAction::Undo);
-    EXPECT_EQ(world.data().debris.count(), 5u);
+    EXPECT_EQ(world.data().debris.count(), pieces) << "under the budget of then";
     step(HistoryAction::Redo);
     step(HistoryAction::Undo);
     step(HistoryAction::Undo);
     EXPECT_EQ(resolvedHash(world), before);
-    step(HistoryAction::Redo);
+    step(HistoryAction::Redo, {SettingsEdit{settings(5)}});
+    EXPECT_EQ(world.data().debris.count(), 5u);
 }
 
 }  // namespace

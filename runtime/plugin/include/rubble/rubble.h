@@ -214,7 +214,8 @@ enum { RUBBLE_BOUNDS_DUST = 0, RUBBLE_BOUNDS_KEEP = 1, RUBBLE_BOUNDS_GROUND = 2 
 typedef struct rubble_bounds {
     uint32_t struct_size;
     uint32_t rule;          /* RUBBLE_BOUNDS_... */
-    double low[3], high[3]; /* metres; all equal: the box of the level, or around all its shapes with a margin */
+    double low[3], high[3]; /* metres; all equal: the box of the level, or around all its shapes with a margin; without
+                               a level around all shapes that were created, where they were then, with that margin */
 } rubble_bounds;
 
 /* ---- edits of voxels ---- */
@@ -1795,10 +1796,12 @@ typedef struct rubble_api {
     rubble_result (*set_undo_limit)(rubble_world world, uint32_t marks);
     /* [main-thread] Sets a mark to which undo() returns: the world as the last step left it. */
     rubble_result (*add_undo_mark)(rubble_world world);
-    /* [main-thread] Returns to the last mark, motion included. If nothing but motion has come since the last undo, it
-     * returns to the mark before; else to the same mark again. Without such a mark the step logs a warning and undoes
-     * nothing. A second undo or redo for the same step is RUBBLE_ERROR_ARGUMENT. What impacts of the step before would
-     * break in this one is dropped. */
+    /* [main-thread] Returns to the last mark: objects, motion, environment, materials, settings and bounds. How many
+     * marks are kept stays. If nothing but motion has come since the last undo, it returns to the mark before; else to
+     * the same mark again. Without such a mark the step logs a warning and undoes nothing. A second undo or redo for
+     * the same step is RUBBLE_ERROR_ARGUMENT. What impacts of the step before would break in this one is dropped.
+     * Contacts and the tension of joints are no state of the world: they are found again, so that the world goes on
+     * in one way whenever the undo comes, but not with the bits of the first time. */
     rubble_result (*undo)(rubble_world world);
     /* [main-thread] Takes the last undo back, unless something has changed since, in the step of the undo too. */
     rubble_result (*redo)(rubble_world world);
@@ -1890,7 +1893,8 @@ typedef struct rubble_api {
      * the queue. Symbolic links are followed; what is no regular file, such as a folder or a device, is not replaced.
      * The next step of the running game begins with physics rebuilt from the world, as a loaded game
      * does, so that playing on and loading give the same result. Undo marks are not in the file: a loaded game has
-     * none. RUBBLE_ERROR_FILE: the file cannot be written; nothing has changed. */
+     * none. RUBBLE_ERROR_ARGUMENT: an undo or redo waits for the next step. RUBBLE_ERROR_FILE: the file cannot be
+     * written; nothing has changed. */
     rubble_result (*save_game)(rubble_world world, const char* path);
     /* [main-thread] Replaces the whole world and its queue of edits by those of a saved game, and stops a recording.
      * translate_handle() gives the handles of this world for those that the objects had when they were saved.
@@ -2170,7 +2174,8 @@ typedef struct rubble_api {
      * wrong or steps are missing, and this world is as after the step before; or a step has shown that it was another
      * one. */
     rubble_result (*apply_deltas)(rubble_world world, const void* data, uint64_t size);
-    /* [main-thread] A hash of what RUBBLE_DELTAS_ALL keep equal: all objects, voxels and settings. */
+    /* [main-thread] A hash of what RUBBLE_DELTAS_ALL keep equal: all objects, voxels, environment, materials, settings
+     * and bounds. How many undo marks are kept is not among them. */
     rubble_result (*get_resolved_hash)(rubble_world world, uint64_t* out);
 
     /* ---- loading in the background ---- */

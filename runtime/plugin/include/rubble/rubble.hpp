@@ -228,10 +228,12 @@ public:
     void add_undo_mark() {
         check(api().add_undo_mark(m_handle));
     }
-    /** Returns to the last mark, motion included. If nothing but motion has come since the last undo, it returns to the
-     * mark before; else to the same mark again. Without such a mark the step logs a warning and undoes nothing. A
-     * second undo or redo for the same step is RUBBLE_ERROR_ARGUMENT. What impacts of the step before would break in
-     * this one is dropped. */
+    /** Returns to the last mark: objects, motion, environment, materials, settings and bounds. How many marks are kept
+     * stays. If nothing but motion has come since the last undo, it returns to the mark before; else to the same mark
+     * again. Without such a mark the step logs a warning and undoes nothing. A second undo or redo for the same step is
+     * RUBBLE_ERROR_ARGUMENT. What impacts of the step before would break in this one is dropped. Contacts and the
+     * tension of joints are no state of the world: they are found again, so that the world goes on in one way whenever
+     * the undo comes, but not with the bits of the first time. */
     void undo() {
         check(api().undo(m_handle));
     }
@@ -413,8 +415,8 @@ public:
     /** Writes the game between two steps to a file, whole or not at all, with the edits that wait in the queue.
      * Symbolic links are followed; what is no regular file, such as a folder or a device, is not replaced. The next
      * step of the running game begins with physics rebuilt from the world, as a loaded game does, so that playing on
-     * and loading give the same result. Undo marks are not in the file: a loaded game has none. RUBBLE_ERROR_FILE: the
-     * file cannot be written; nothing has changed. */
+     * and loading give the same result. Undo marks are not in the file: a loaded game has none. RUBBLE_ERROR_ARGUMENT:
+     * an undo or redo waits for the next step. RUBBLE_ERROR_FILE: the file cannot be written; nothing has changed. */
     void save_game(const char* path) {
         check(api().save_game(m_handle, path));
     }
@@ -823,7 +825,8 @@ public:
     void apply_deltas(const void* data, uint64_t size) {
         check(api().apply_deltas(m_handle, data, size));
     }
-    /** A hash of what RUBBLE_DELTAS_ALL keep equal: all objects, voxels and settings. */
+    /** A hash of what RUBBLE_DELTAS_ALL keep equal: all objects, voxels, environment, materials, settings and bounds.
+     * How many undo marks are kept is not among them. */
     uint64_t get_resolved_hash() const {
         uint64_t out{};
         check(api().get_resolved_hash(m_handle, &out));
