@@ -106,7 +106,7 @@ void forgetMotion(JointProxy& joint) {
     joint.bends.clear();
     joint.leaves = {};
     joint.wound = joint.excess = 0.0;
-    joint.constraint = {&joint.joint, joint.handle};
+    joint.constraint = {.joint = &joint.joint, .handle = joint.handle};
 }
 
 }  // namespace
@@ -162,7 +162,7 @@ void PhysicsJoints::apply(const FrameChanges& changes, const World& world, Physi
     for (const JointMoved& moved : changes.jointsMoved) recreate(world, moved.joint, bodies);
     for (const JointHandle handle : changes.jointsChanged) recreate(world, handle, bodies);
     for (const BodyHandle body : changes.teleported)
-        for (const uint32_t joint : m_table.of(body.slot())) forgetMotion(*m_table.at(joint));
+        for (const uint32_t joint : m_table.of(body.slot())) rubble::forgetMotion(*m_table.at(joint));
     if (changes.isRestored) forgetMotion(changes);
     if (!changes.carved.empty() || !changes.shapesDestroyed.empty())
         for (const uint32_t rope : m_table.ropes()) m_table.at(rope)->restSteps = 0;

@@ -110,7 +110,7 @@ TEST_F(OverlayDrawing, AnImageHasItsColoursAndItsPart) {
     EXPECT_TRUE(isRed(at(image, 12, 20)));
     EXPECT_GT(at(image, 48, 20).g, 250);
     EXPECT_GT(at(image, 62, 20).g, 250) << "the right part alone";
-    renderer->setOverlayImage("halves", {});
+    renderer->overlay().setImage("halves", {});
     EXPECT_FALSE(isRed(at(draw(camera()), 12, 20))) << "an image that is taken away takes its items along";
 }
 
@@ -167,28 +167,28 @@ TEST_F(OverlayDrawing, WhoDrawsNothingPaysNothing) {
     const Asked never = asked();
     const uint64_t bytes = renderer->stats().textureBytes;
     const size_t passes = renderer->stats().passes.size();
-    EXPECT_TRUE(renderer->setOverlay({}));
+    EXPECT_TRUE(renderer->overlay().set({}));
     EXPECT_EQ(asked(), never);
-    EXPECT_TRUE(renderer->setOverlay(
+    EXPECT_TRUE(renderer->overlay().set(
         {textAt({5, 5}, "text", 20, kRed), boxAt({5, 5}, {9, 9}, kRed), textAt({5, 50}, "more", 9, kGreen)}));
     EXPECT_EQ(asked(), (Asked{never.programs + 1, never.textures + 2, never.draws + 1}))
         << "letters and boxes are drawn by one call; textures: the letters, and a texel in place of an image";
     EXPECT_GT(renderer->stats().textureBytes, bytes);
-    EXPECT_TRUE(renderer->setOverlay({}));
+    EXPECT_TRUE(renderer->overlay().set({}));
     EXPECT_EQ(asked(), never);
     EXPECT_EQ(renderer->stats().passes.size(), passes);
 }
 
 TEST_F(OverlayDrawing, ErrorsNameTheItem) {
-    EXPECT_TRUE(renderer->setOverlay({boxAt({10, 20}, {30, 8}, kRed)}));
+    EXPECT_TRUE(renderer->overlay().set({boxAt({10, 20}, {30, 8}, kRed)}));
     OverlayItem text = textAt({0, 0}, "x", 10, kRed);
     text.font = "/nowhere/font.ttf";
-    const auto noFont = renderer->setOverlay({boxAt({0, 0}, {1, 1}, kRed), text});
+    const auto noFont = renderer->overlay().set({boxAt({0, 0}, {1, 1}, kRed), text});
     ASSERT_FALSE(noFont);
     EXPECT_NE(noFont.error().find("items[1].font: /nowhere/font.ttf"), std::string::npos) << noFont.error();
     OverlayItem image = boxAt({0, 0}, {1, 1}, kRed);
     image.kind = Kind::Image, image.text = "missing";
-    const auto noImage = renderer->setOverlay({image});
+    const auto noImage = renderer->overlay().set({image});
     ASSERT_FALSE(noImage);
     EXPECT_NE(noImage.error().find("\"missing\""), std::string::npos) << noImage.error();
     EXPECT_TRUE(isRed(at(draw(camera()), 20, 24))) << "a refused overlay leaves the one before";
@@ -234,7 +234,7 @@ TEST_F(OverlayDrawing, AllOfItInAPicture) {
     line.plane = OverlayItem::Plane{.position = {-3, 0, -5}};
     line.end = {3, 3, -5};
     items.push_back(line);
-    ASSERT_TRUE(renderer->setOverlay(items));
+    ASSERT_TRUE(renderer->overlay().set(items));
     ASSERT_TRUE(writePng(std::string(folder) + "/overlay.png", draw(camera(), 8)));
 }
 

@@ -13,12 +13,12 @@ constexpr size_t kMaxNameBytes = 4096, kMaxNames = 1000;
 rubble_result getLocations(rubble_world world, rubble_location* out, uint32_t capacity, uint32_t* count) {
     return listRows<rubble_location>("get_locations", world, out, capacity, count,
                                      [](const HostedWorld& hosted, RowWriter<rubble_location>& rows) {
-                                         for (const auto& [name, pose] : hosted.loop.world().data().locations)
+                                         for (const auto& place : hosted.loop.world().data().locations)
                                              rows.add([&] {
                                                  rubble_location row = {};
-                                                 row.name = name.c_str();
-                                                 writeVector(row.position, pose.position);
-                                                 writeRotation(row.rotation, pose.rotation);
+                                                 row.name = place.first.c_str();
+                                                 writeVector(row.position, place.second.position);
+                                                 writeRotation(row.rotation, place.second.rotation);
                                                  return row;
                                              });
                                      });
