@@ -45,9 +45,8 @@
 namespace rubble {
 namespace {
 
-constexpr float kStill = 1.0f / float(kStepsPerSecond);  ///< seconds of a frame in which no game time passes
-constexpr double kLongestFrame = 1.0;                    ///< seconds
-constexpr double kGreenSeconds = 1.0;                    ///< for which a dot tells of reloaded shaders
+constexpr float kStill = 1.0f / float(kStepsPerSecond);     ///< seconds of a frame in which no game time passes
+constexpr double kLongestFrame = 1.0, kGreenSeconds = 1.0;  ///< a dot tells of reloaded shaders for so long
 
 std::string shaderDefines(const RenderSettings& settings, const TexelStore& texels) {
     return texels.shaderDefines() + (settings.noise == Noise::White ? "#define WHITE_NOISE\n" : "");
@@ -437,7 +436,6 @@ Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader, const std::s
     if (settings.compileAhead) impl->compileAhead();
     return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
 }
-
 bool Renderer::hasContext() {
     return glGetString(GL_VERSION);
 }
@@ -494,7 +492,9 @@ Result<FloatImage> Renderer::readTarget(std::string_view name) const {
     const Texture* texture = drawn ? drawn->targets.find(declared->id) : nullptr;
     if (!texture) return Error{text + "no pass has drawn it; call draw() with the settings that need it"};
     const GlStateGuard hostState = m_impl->guardHostState();
-    return drawn->targets.read(*texture);
+    FloatImage image(texture->size());
+    if (!drawn->targets.read(*texture, image.pixels)) return Error{text + "expected colours, found a depth buffer"};
+    return image;
 }
 
 }  // namespace rubble

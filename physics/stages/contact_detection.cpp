@@ -80,7 +80,7 @@ bool ContactDetection::wakeHit(PhysicsBodies& bodies, double stepSeconds) {
         const double share = hitter.mass().mass / (hitter.mass().mass + sleeper.mass().mass);
         const double wakeSpeed = sleeper.settled ? kSettledWakeSpeed : kWakeSpeed;
         const glm::dvec3 push = pushOf(*manifold, hitter, stepSeconds);
-        if (glm::length(push) * share <= wakeSpeed || !bodies.tryWake(sleeper)) continue;
+        if (glm::length(push) * share <= wakeSpeed || !bodies.wakeOrWait(sleeper, false)) continue;
         float restitution = 0.0f;
         for (const ManifoldPoint& point : manifold->all()) restitution = std::max(restitution, point.restitution);
         m_pushed[sleeper.handle().slot()] = push * (share * (1.0 + double(restitution)));

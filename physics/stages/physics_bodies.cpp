@@ -9,7 +9,7 @@
 namespace rubble {
 namespace {
 
-constexpr size_t kLeastWakes = 8;        ///< in a step, where settings allow so many: nothing waits for ever
+constexpr size_t kMinWakes = 8;          ///< in a step, where settings allow so many: nothing waits for ever
 constexpr double kTouchDistance = 0.02;  ///< metres between bounds up to which bodies count as touching
 
 template <class T>
@@ -235,13 +235,15 @@ bool PhysicsBodies::tryWake(DynamicBody& body) {
     return true;
 }
 
-void PhysicsBodies::wakeOrWait(DynamicBody& body) {
-    if (!tryWake(body)) m_awake.wait(body);
+bool PhysicsBodies::wakeOrWait(DynamicBody& body, bool mayWait) {
+    if (tryWake(body)) return true;
+    if (mayWait) m_awake.wait(body);
+    return false;
 }
 
 void PhysicsBodies::wakeWaiting(const PhysicsSettings& settings) {
     const size_t places = settings.awakeBodies - std::min<size_t>(settings.awakeBodies, awake().size());
-    const size_t wakes = std::min<size_t>(settings.wakesPerStep, std::max(places, kLeastWakes)), ofHits = wakes / 2;
+    const size_t wakes = std::min<size_t>(settings.wakesPerStep, std::max(places, kMinWakes)), ofHits = wakes / 2;
     m_awake.setWakes(wakes - ofHits);
     m_awake.wakeWaiting([&](uint32_t slot) { return !dynamicAt(slot) || tryWake(at(slot)); });
     m_awake.setWakes(m_awake.wakes() + ofHits);

@@ -51,10 +51,9 @@ public:
     DynamicBody& at(uint32_t slot) const { return *m_dynamics[slot]; }
     /// Wakes a body; does nothing if it is awake or quarantined.
     void wake(DynamicBody& body);
-    /// Wakes a body; false: the budgets of awake debris and of wakes in a step have no place for it.
-    bool tryWake(DynamicBody& body);
-    /// Wakes a body, or lets it wait until the budgets have a place for it.
-    void wakeOrWait(DynamicBody& body);
+    /// Wakes a body; false: the budgets of awake debris and of wakes in a step have no place for it. It waits for one
+    /// then, if it may.
+    bool wakeOrWait(DynamicBody& body, bool mayWait = true);
     /// Begins a step with its budget of wakes. Wakes bodies that wait; half of the budget is left for hits.
     void wakeWaiting(const PhysicsSettings& settings);
     /// Wakes, or lets wait, all bodies whose bounds touch a box, in slot order.
@@ -77,6 +76,7 @@ public:
     Broadphase& broadphase() { return m_broadphase; }
 
 private:
+    bool tryWake(DynamicBody& body);
     void createStatic(const World& world, ShapeHandle handle);
     void createDynamic(const World& world, BodyHandle handle, bool asleep);
     bool insert(const World& world, DynamicBody& body, bool asleep);

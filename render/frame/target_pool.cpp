@@ -147,14 +147,14 @@ const Framebuffer& TargetPool::framebuffer(const std::vector<const Texture*>& co
     return made;
 }
 
-Result<FloatImage> TargetPool::read(const Texture& texture) {
-    if (pixelFormat(texture.internalFormat()).format == GL_DEPTH_COMPONENT)
-        return Error{"expected colours, found a depth buffer"};
+bool TargetPool::read(const Texture& texture, std::vector<glm::vec4>& out) {
+    if (pixelFormat(texture.internalFormat()).format == GL_DEPTH_COMPONENT) return false;
+    const glm::ivec2 size = texture.size();
     const PixelPackGuard packing;
-    FloatImage image(texture.size());
+    out.resize(size_t(size.x) * size_t(size.y));
     framebuffer({&texture}).begin();
-    glReadPixels(0, 0, image.size.x, image.size.y, GL_RGBA, GL_FLOAT, image.pixels.data());
-    return image;
+    glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, out.data());
+    return true;
 }
 
 uint64_t TargetPool::bytes() const {

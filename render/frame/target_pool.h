@@ -1,14 +1,13 @@
 #pragma once
 #include <array>
+#include <glm/vec4.hpp>
 #include <map>
 #include <string_view>
 #include <vector>
 
-#include "render/float_image.h"
 #include "render/frame/pixel_rect.h"
 #include "render/frame/targets.h"
 #include "render/gl/framebuffer.h"
-#include "runtime/core/result.h"
 
 namespace rubble {
 
@@ -52,8 +51,8 @@ public:
     /// The framebuffer of these colour attachments and depth buffer. Made once for each combination.
     const Framebuffer& framebuffer(const std::vector<const Texture*>& colors, const Texture* depth = nullptr);
 
-    /// The values of a target's texture. Waits for the GL. An error if it is a depth buffer.
-    Result<FloatImage> read(const Texture& texture);
+    /// The values of a target's texture, rows from the bottom. Waits for the GL. False: it is a depth buffer.
+    bool read(const Texture& texture, std::vector<glm::vec4>& out);
 
     /// GPU memory of all targets.
     uint64_t bytes() const;

@@ -19,7 +19,8 @@ struct ScriptHostSettings {
     bool measuresFunctions = false;  ///< ScriptContext::costs: time and allocations of each function that scripts call
     /// Reports that the host wants beside those of the scripts: scripts set the filter of the world.
     rubble_report_filter reports = {};
-    /// Functions of the host, which are globals of all scripts, and what they find in ScriptWorld::host. They outlive it.
+    /// Functions of the host, which are globals of all scripts, and what they find in ScriptWorld::host. They outlive
+    /// this.
     std::span<const ScriptFunction> functions = {};
     void* host = nullptr;
     /// Is told of all calls of functions; null: nobody.

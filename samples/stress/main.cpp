@@ -51,9 +51,11 @@ std::vector<fs::path> findScenarios(const std::string& name) {
     return found;
 }
 
-/// What a result holds itself.
-uint64_t bytesOf(const RunResult& result) {
-    uint64_t bytes = result.steps.capacity() * sizeof(StepFigures);
+/// What the result of a run and the list of its commands hold themselves.
+uint64_t bytesOf(const RunResult& result, const std::vector<Command>& commands) {
+    uint64_t bytes = result.steps.capacity() * sizeof(StepFigures) + commands.capacity() * sizeof(Command);
+    for (const Command& command : commands)
+        bytes += command.text.capacity() + command.needed.capacity() * sizeof(size_t);
     for (const auto& game : result.games) bytes += game.capacity();
     return bytes;
 }
@@ -83,7 +85,7 @@ public:
         const auto start = std::chrono::steady_clock::now();
         const uint64_t heap = heapBytes();
         RunResult result = play(m_api, m_settings);
-        const uint64_t left = heapBytes() - bytesOf(result);
+        const uint64_t left = heapBytes() - bytesOf(result, commands.commands());
         if (!result.failure && left > heap + kMaxHeapGrowth)
             result.failure = {"memory", fmt::format("{} KiB are left", (left - heap) >> 10), m_settings.steps};
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -1,5 +1,6 @@
 #pragma once
-#include <functional>
+#include <string>
+#include <vector>
 
 #include "samples/stress/command_log.h"
 #include "samples/stress/run.h"

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "runtime/script/binding/calls.h"
 #include "runtime/script/binding/vector_math.h"
 #include "runtime/script/script_host.h"
 #include "samples/stress/checks/check.h"
+#include "samples/stress/scene_functions.h"
 
 namespace stress {
 namespace {
@@ -132,11 +134,20 @@ private:
                                   accounting.removed, energy, heapBytes()});
     }
 
+    /// A step without scripts, if an undo waits for one: with it no game can be saved.
+    void finishUndo() {
+        if (!std::exchange(m_requests.undoWaits, false) || !done(m_api.step(m_world))) return;
+        ++m_requests.extraSteps;
+        readStep();
+        look(&Check::afterStep);
+    }
+
     bool record() { return done(m_api.start_recording(m_world, recordingPath().c_str())); }
 
     /// The end of a recording: it is played again, and all that takes long is looked at.
     void cross() {
         uint64_t hash = 0;
+        finishUndo();
         if (!done(m_api.stop_recording(m_world)) || !done(m_api.get_state_hash(m_world, &hash))) return;
         if (m_settings.replays) replay(hash);
         look(&Check::atBorder);
@@ -214,6 +225,7 @@ private:
     void keepGame(int step) {
         const int count = m_settings.images;
         if (!count || (step + 1) * count / m_settings.steps == step * count / m_settings.steps) return;
+        finishUndo();
         m_result.games.push_back(savedGame(m_api, m_world));
     }
 

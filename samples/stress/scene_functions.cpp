@@ -7,6 +7,7 @@
 #include "runtime/script/binding/calls.h"
 #include "runtime/script/binding/vector_math.h"
 #include "runtime/script/functions/vocabulary.h"
+#include "samples/stress/checks/scene_requests.h"
 
 namespace stress {
 namespace {
@@ -354,11 +355,11 @@ int undoMark(lua_State* L) {
     return 0;
 }
 int undo(lua_State* L) {
-    isDone(L, apiOf(L).undo(worldOf(L)));
+    requestsOf(L).undoWaits |= isDone(L, apiOf(L).undo(worldOf(L)));
     return 0;
 }
 int redo(lua_State* L) {
-    isDone(L, apiOf(L).redo(worldOf(L)));
+    requestsOf(L).undoWaits |= isDone(L, apiOf(L).redo(worldOf(L)));
     return 0;
 }
 

@@ -1,34 +1,9 @@
 #pragma once
-#include <rubble/rubble.h>
-
 #include <span>
-#include <string>
-#include <vector>
 
 #include "runtime/script/binding/script_context.h"
 
 namespace stress {
-
-/// What a scenario has asked of the program that runs it. Its functions of C find it in ScriptWorld::host.
-struct SceneRequests {
-    enum Kind { SaveAndLoad, LoadLevel };
-    struct Request {
-        Kind kind;
-        std::string level;  ///< LoadLevel: its name
-    };
-    std::vector<Request> waiting;  ///< to be done after the step, in this order
-    std::string unmet;             ///< the first Expect() that was not met
-    bool isClosed = false;         ///< ClosedSystem(): nothing gives energy to bodies
-    bool isFree = false;           ///< FreeFlight(): bodies touch nothing
-    /// Of ExactHole(): how many voxels a step shall remove from a shape.
-    struct Hole {
-        rubble_shape shape;
-        uint64_t voxels;
-        uint64_t step;  ///< that carries it out, counted from 1
-    };
-    std::vector<Hole> holes;
-    uint64_t extraSteps = 0;  ///< of the world, of which scripts know nothing
-};
 
 /// Functions that scenarios have beside the vocabulary of scripts: they make things by the C interface, and say what
 /// shall hold. docs/stress.md lists them.

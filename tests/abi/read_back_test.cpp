@@ -50,11 +50,6 @@ void setLightGroup(const Objects& o) {
     std::copy_n(state.supply_cell, 3, change.supply_cell);
     expectOk(api()->set_light_group(o.world, &change));
 }
-void setBounds(const Objects& o) {
-    auto value = sized<rubble_bounds>();
-    expectOk(api()->get_bounds(o.world, &value));
-    expectOk(api()->set_bounds(o.world, &value));
-}
 void setSettings(const Objects& o) {
     auto value = sized<rubble_settings>();
     expectOk(api()->get_settings(o.world, &value));
@@ -154,7 +149,6 @@ const std::map<std::string, std::function<void(const Objects&)>> kPairs = {
     {"set_environment", setEnvironment},
     {"set_light", setLight},
     {"set_light_group", setLightGroup},
-    {"set_bounds", setBounds},
     {"set_settings", setSettings},
     {"set_body", setBody},
     {"set_shape", setShape},
@@ -170,6 +164,10 @@ const std::map<std::string, std::function<void(const Objects&)>> kPairs = {
 /// Other functions that set something, and why they are in no pair.
 const std::map<std::string, std::string> kAlone = {
     {"set_host", "nothing reads the host's services"},
+    {"set_bounds", "bounds that follow what there is are read as they are now; to set those holds them"},
+    {"set_host_data", "the host's own bytes, which nothing else has"},
+    {"set_overlay", "of a renderer"},
+    {"set_overlay_image", "of a renderer"},
     {"set_joint_motor", "nothing reads a motor"},
     {"set_undo_limit", "nothing reads the limit"},
     {"set_debug_view", "of a renderer"},

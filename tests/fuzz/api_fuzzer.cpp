@@ -260,14 +260,15 @@ void RandomHost::callUndo() {
         case 1:
             return void(api().add_undo_mark(m_world));
         case 2:
-            if (api().undo(m_world) == RUBBLE_OK) m_model->mirror().forget();
+            if (api().undo(m_world) == RUBBLE_OK) m_model->mirror().forget(), m_undoWaits = true;
             return;
         default:
-            if (api().redo(m_world) == RUBBLE_OK) m_model->mirror().forget();
+            if (api().redo(m_world) == RUBBLE_OK) m_model->mirror().forget(), m_undoWaits = true;
     }
 }
 
 void RandomHost::callFile() {
+    if (std::exchange(m_undoWaits, false)) m_model->step();
     m_isRecorded = false, m_hasLoaded = true;
     if (m_decisions.oneIn(4)) return loadData();
     if (m_decisions.oneIn(4)) return followByDeltas();
@@ -281,6 +282,7 @@ void RandomHost::callFile() {
 }
 
 void RandomHost::saveAndLoad() {
+    if (std::exchange(m_undoWaits, false)) m_model->step();
     uint64_t before = 0, after = 0;
     const bool usesFile = m_decisions.oneIn(8);  // files cost more than worlds
     const std::vector<uint8_t> data = usesFile ? std::vector<uint8_t>() : saved();

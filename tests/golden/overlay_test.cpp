@@ -194,9 +194,9 @@ TEST_F(OverlayDrawing, ErrorsNameTheItem) {
     EXPECT_TRUE(isRed(at(draw(camera()), 20, 24))) << "a refused overlay leaves the one before";
 }
 
-TEST_F(OverlayDrawing, AllOfItInAPicture) {
+TEST_F(OverlayDrawing, AllOfItInAnImage) {
     const char* folder = std::getenv("RUBBLE_IMAGES");
-    if (!folder) GTEST_SKIP() << "RUBBLE_IMAGES=FOLDER writes the picture";
+    if (!folder) GTEST_SKIP() << "RUBBLE_IMAGES=FOLDER writes the image";
     target = std::make_unique<Offscreen>(glm::ivec2(960, 540));
     std::vector<OverlayItem> items;
     float y = 10;

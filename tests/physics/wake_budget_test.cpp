@@ -38,7 +38,7 @@ TEST(WakeBudget, WhatWakesTogetherWakesInTurns) {
     EXPECT_EQ(scene.physics.stats().waiting, 0);
 }
 
-TEST(WakeBudget, NearItsEndFewWakeInAStep) {
+TEST(WakeBudget, NearItsEndFewWakePerStep) {
     PhysicsSettings settings;
     settings.awakeBodies = 20;
     PhysicsScene scene(settings);

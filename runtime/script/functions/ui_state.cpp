@@ -1,8 +1,8 @@
 // What applies to all that is drawn after it: places, colours, letters.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include "runtime/core/constants.h"
 #include "runtime/script/binding/files.h"
 #include "runtime/script/functions/ui.h"
 #include "runtime/script/functions/vocabulary.h"
@@ -56,7 +56,7 @@ int translate(lua_State* L) {
 }
 
 int rotate(lua_State* L) {
-    const double angle = -numberAt(L, 1, "angle") * kPi / 180.0;  // y is down
+    const double angle = -numberAt(L, 1, "angle") * std::numbers::pi / 180.0;  // y is down
     const double c = std::cos(angle), s = std::sin(angle);
     auto& t = uiOf(L).transform;
     t = {t[0] * c + t[2] * s, t[1] * c + t[3] * s, t[2] * c - t[0] * s, t[3] * c - t[1] * s, t[4], t[5]};

@@ -27,8 +27,8 @@ public:
                 const std::vector<uint8_t> voxels = voxelsOf(view.api, view.world, shape);
                 counted += voxels.size() - uint64_t(std::count(voxels.begin(), voxels.end(), uint8_t(0)));
             }
-        if (counted == accounting.standing + accounting.in_pieces) return {};
-        return fmt::format("{} voxels are said to be there, found {}", accounting.standing + accounting.in_pieces, counted);
+        const uint64_t said = accounting.standing + accounting.in_pieces;
+        return counted == said ? "" : fmt::format("{} voxels are said to be there, found {}", said, counted);
     }
 
 private:

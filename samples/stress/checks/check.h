@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "samples/stress/scene_functions.h"
+#include "runtime/script/binding/script_context.h"
+#include "samples/stress/checks/scene_requests.h"
 
 namespace stress {
 

@@ -108,16 +108,18 @@ struct Hashes {
 std::optional<Hashes> hashesAfter(const StepView& view, const BodyRow* body, const Change* change, std::string& error) {
     const LoadedCopy copy(view.api, view.world, RUBBLE_WORLD_NO_RENDERER);
     Hashes hashes;
-    if (!(error = copy.error()).empty()) return {};
+    if (!copy.error().empty()) return {};  // the check of saves says so
     BodyRow moved = *body;
+    rubble_shape_state shape = {};
     if (change) {
         view.api.translate_handle(copy.world(), body->state.body, &moved.state.body);
         const auto shapes = shapesOf(view.api, copy.world(), moved.state.body);
         if (shapes.empty()) return {};
-        if (change->apply({view.api, copy.world(), &moved, shapes[0]}) != RUBBLE_OK) error = view.api.get_last_error();
+        shape = shapes[0];
+        if (change->apply({view.api, copy.world(), &moved, shape}) != RUBBLE_OK) error = view.api.get_last_error();
     }
     view.api.step(copy.world());
-    if (change && view.api.get_body_state(copy.world(), moved.state.body, &moved.state) != RUBBLE_OK) return {};
+    if (change && view.api.get_shape_state(copy.world(), shape.shape, &shape) != RUBBLE_OK) return {};
     view.api.get_state_hash(copy.world(), &hashes.state);
     view.api.get_resolved_hash(copy.world(), &hashes.resolved);
     return hashes;

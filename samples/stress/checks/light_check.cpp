@@ -18,7 +18,7 @@ public:
 
     std::string atBorder(const StepView& view) override {
         const auto lights = readRows<rubble_light>([&](rubble_light* out, uint32_t capacity, uint32_t* count) {
-            return view.api.get_added_lights(view.world, out, capacity, count);
+            return view.api.get_lights(view.world, out, capacity, count);
         });
         for (const rubble_light handle : lights) {
             auto light = sized<rubble_light_settings>();
