@@ -90,7 +90,8 @@ public:
             result.failure = {"memory", fmt::format("{} KiB are left", (left - heap) >> 10), m_settings.steps};
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         std::string script;
-        if (result.failure) script = minimiseFailure(*result.failure, commands.commands());
+        if (result.failure && m_options.minimiseRuns > 0)
+            script = minimiseFailure(*result.failure, commands.commands());
         print(result, seconds);
         report(writeFigures(m_options.out, m_settings, result, seconds, script));
         if (m_options.images) report(drawGames(m_api, m_options.out, m_settings, result));

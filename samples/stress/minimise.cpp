@@ -7,6 +7,9 @@
 namespace stress {
 namespace {
 
+/// Commands of a script that a person reads.
+constexpr size_t kReadable = 40;
+
 class Minimiser {
 public:
     Minimiser(const rubble_api& api, const RunSettings& settings, const Failure& failure, int maxRuns)
@@ -29,7 +32,7 @@ public:
             else
                 parts = std::min(commands.size(), 2 * parts);
         }
-        roundNumbers(commands);
+        if (commands.size() <= kReadable) roundNumbers(commands);
         fails(commands);
         return {scriptOf(commands), m_failure, m_runs};
     }

@@ -184,7 +184,7 @@ private:
     bool m_isObserved = false;                       ///< each call is followed by a hash
     bool m_isHostMoved = false;                      ///< both worlds have no physics of their own
     bool m_isRecorded = false, m_hasLoaded = false;  ///< since the last call: loaded, saved, recorded or moved
-    bool m_undoWaits = false;  ///< for the next step: nothing can be saved before it
+    bool m_undoWaits = false;                        ///< for the next step: nothing can be saved before it
 };
 
 }  // namespace rubble

@@ -70,7 +70,7 @@ rubble_result turnGravity(const Target& to) {
 rubble_result setThreshold(const Target& to) {
     auto settings = sized<rubble_settings>();
     to.api.get_settings(to.world, &settings);
-    settings.impact_threshold += 1.0;
+    settings.impact_threshold = settings.impact_threshold == 77.0 ? 78.0 : 77.0;
     return to.api.set_settings(to.world, &settings);
 }
 

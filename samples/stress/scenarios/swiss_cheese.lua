@@ -2,12 +2,14 @@
 local cells = 40
 
 function init()
-    Settings{min_piece_voxels = 1}
+    -- Nothing but the holes may remove voxels: no piece is too small or too many, and no impact breaks.
+    Settings{min_piece_voxels = 1, debris_bodies = 2000, debris_voxels = 1000000,
+        impact_threshold = 1e12}
     Box("ground", {-10, -0.4, -10}, {200, 4, 200}, 6)
     while true do
         local block = Box("block", {-2, 0, -2}, {cells, cells, cells}, 7)
         wait(0.1)
-        for i = 1, 60 do
+        for i = 1, 30 do
             ExactHole(block, {math.random() * cells, math.random() * cells, math.random() * cells}, 1.2 + 4 * math.random())
             wait(0)
         end
