@@ -61,9 +61,10 @@ int finishCall(lua_State* L, int status, lua_KContext skipped) {
     if (box.isStopped()) Sandbox::raiseStop(L);
     box.charge(L, Sandbox::kErrorWork);
     lua_pushboolean(L, 0);
-    if (status == LUA_ERRMEM)
-        lua_pushstring(L, box.refusal().c_str());
-    else
+    if (status == LUA_ERRMEM) {
+        const std::string refusal = box.refusal();  // a copy, which lives while its own text is refused memory
+        lua_pushstring(L, refusal.c_str());
+    } else
         lua_pushvalue(L, -2);
     return 2;
 }
