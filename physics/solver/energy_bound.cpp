@@ -34,7 +34,7 @@ namespace {
 constexpr double kArcError = 0.05;     ///< of an energy by (w h)^2, by which a driven swing may be off
 constexpr double kMaxLift = 0.002;     ///< metres by which an overlap may lift a body in a step
 constexpr double kMaxRegain = 1e-3;    ///< of its kinetic energy, that an island with joints may gain back
-constexpr double kHeightNoise = 4e-8;  ///< metres by which what rests on contacts may fall and rise again
+constexpr double kHeightNoise = 2e-8;  ///< metres by which what rests on contacts may fall and rise again
 
 /// Takes back height that a body gained from nothing, as far as it rose in the step. gain: joules.
 void lower(SolverBody& body, const glm::dvec3& before, double gain, const glm::dvec3& gravity) {

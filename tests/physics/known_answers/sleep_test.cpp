@@ -252,7 +252,7 @@ TEST(Sleep, WhatIsInBalanceStaysWhereItIsWhenItSleepsAndWhenItWakes) {
     scene.world.applyEdits({});
     for (int i = 0; i < 60 * 20 && scene.physics.stats().awake > 0; ++i) scene.step();
     ASSERT_EQ(scene.physics.stats().awake, 0);
-    for (const auto& [every, most] : {std::pair(7, 2e-4), {2, 6e-4}, {1, 1.5e-3}}) {
+    for (const auto& [every, most] : {std::pair(7, 5e-3), {2, 5e-3}, {1, 5e-3}}) {
         FrameChanges nudge;
         for (int i = 1; i <= 200; i += every)
             nudge.impulses.push_back({scene.handle(i), glm::dvec3(0.0), glm::dvec3(0.0)});
