@@ -6,59 +6,30 @@
 #include <array>
 #include <cmath>
 
+#include "samples/stress/scene_functions.h"
+
 namespace stress {
 namespace {
 
 constexpr lua_Integer kSmallestHandle = 1 << 20;
 
-/// Functions with an effect that no prefix below shows.
-constexpr std::array kCommands = {"MakeHole",
-                                  "Explosion",
-                                  "Shoot",
-                                  "Paint",
-                                  "PaintRGBA",
-                                  "AddHeat",
-                                  "SpawnFire",
-                                  "RemoveAabbFires",
-                                  "Delete",
-                                  "PointLight",
-                                  "ApplyBodyImpulse",
-                                  "Spawn",
-                                  "SpawnParticle",
-                                  "Box",
-                                  "Ball",
-                                  "Joint",
-                                  "CollideAs",
-                                  "Drive",
-                                  "Water",
-                                  "Character",
-                                  "Walk",
-                                  "LightGroup",
-                                  "SwitchLightGroup",
-                                  "Glow",
-                                  "AddLight",
-                                  "Pour",
-                                  "Settings",
-                                  "Bounds",
-                                  "UndoLimit",
-                                  "UndoMark",
-                                  "Undo",
-                                  "Redo",
-                                  "SaveAndLoad",
-                                  "LoadLevel",
-                                  "ClosedSystem",
-                                  "FreeFlight",
-                                  "ExactHole"};
-constexpr std::array kPrefixes = {"Set",   "Draw",  "Create", "Clear",   "Resize",    "Trim",
-                                  "Split", "Merge", "Copy",   "Extrude", "Constrain", "Remove"};
+/// How functions of the vocabulary with an effect begin.
+constexpr std::array kEffects = {"Set",   "Draw",    "Create",    "Clear",  "Resize", "Trim",      "Split",
+                                 "Merge", "Copy",    "Extrude",   "Remove", "Paint",  "Constrain", "Apply",
+                                 "Spawn", "AddHeat", "Explosion", "Shoot",  "Delete", "MakeHole",  "PointLight"};
 /// Functions that give handles of things that were not made by a command.
 constexpr std::array kFinders = {"Find", "GetShapeBody", "GetBodyShapes", "GetJointShapes", "GetShapeJoints"};
 
 bool beginsWithOneOf(const std::string& name, const auto& prefixes) {
     return std::any_of(prefixes.begin(), prefixes.end(), [&](const char* each) { return name.starts_with(each); });
 }
-bool isCommand(const std::string& name) {
-    return std::find(kCommands.begin(), kCommands.end(), name) != kCommands.end() || beginsWithOneOf(name, kPrefixes);
+
+/// Scene functions all have an effect, but those that wait or compare.
+bool isCommand(const rubble::script::ScriptFunction& function, const std::string& name) {
+    const auto scene = sceneFunctions();
+    const bool isOfScene =
+        std::any_of(scene.begin(), scene.end(), [&](const auto& each) { return &each == &function; });
+    return isOfScene ? name != "WaitForStep" && name != "Expect" : beginsWithOneOf(name, kEffects);
 }
 
 /// The shortest text of a number that gives its bits again.
@@ -111,7 +82,7 @@ std::string CommandLog::valueText(lua_State* L, int index, int depth, std::vecto
 
 void CommandLog::begin(lua_State* L, const rubble::script::ScriptFunction& function) {
     const std::string called = function.name();
-    m_isCommand = isCommand(called);
+    m_isCommand = isCommand(function, called);
     if (!m_isCommand && !beginsWithOneOf(called, kFinders)) return m_call.clear();
     std::vector<size_t> needed;
     std::string arguments;

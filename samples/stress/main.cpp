@@ -147,8 +147,9 @@ int run(const Options& options) {
         if (options.lists) fmt::print("{:<20} {}\n", scenario.stem().string(), descriptionOf(readFile(scenario)));
         for (const uint64_t seed : options.seeds)
             if (options.listsJobs)
-                fmt::print("./rubble stress {} --seed {} --minutes {} --out {}\n", scenario.stem().string(), seed,
-                           options.minutes, options.out);
+                fmt::print("./rubble stress {} --seed {} --minutes {} --out {} --images {} --minimise {}{}\n",
+                           scenario.stem().string(), seed, options.minutes, options.out, options.images,
+                           options.minimiseRuns, options.replays ? "" : " --no-replay");
             else if (!options.lists)
                 failed += !Job(*api, options, scenario, seed).run();
     }

@@ -8,6 +8,7 @@
 #include "runtime/script/binding/vector_math.h"
 #include "runtime/script/functions/vocabulary.h"
 #include "samples/stress/checks/scene_requests.h"
+#include "samples/support/material_colors.h"
 
 namespace stress {
 namespace {
@@ -79,20 +80,14 @@ rubble_body makeBody(lua_State* L, const Vector& position, int options) {
     return made(L, out);
 }
 
-/// Colours of materials, sRGB: those of new palettes are white.
-constexpr struct {
-    uint32_t entry;
-    uint8_t color[3], opacity;
-} kColors[] = {{5, {160, 108, 60}, 255}, {6, {148, 146, 142}, 255}, {7, {164, 78, 56}, 255}, {8, {205, 196, 178}, 255},
-               {9, {88, 96, 110}, 255},  {15, {170, 215, 220}, 70}, {19, {38, 38, 42}, 255}};
-
+/// New palettes are white: gives the entry of a shape the colour of its material.
 void tint(lua_State* L, rubble_shape shape, uint32_t index) {
-    for (const auto& row : kColors) {
+    for (const rubble::MaterialColor& row : rubble::kMaterialColors) {
         if (row.entry != index) continue;
         auto range = sized<rubble_palette_range>();
         range.shape = shape, range.first = index, range.count = 1;
         rubble_palette_entry entry = {};
-        std::copy_n(row.color, 3, entry.color);
+        std::copy_n(row.rgb, 3, entry.color);
         entry.opacity = row.opacity, entry.roughness = 200, entry.material = uint8_t(index == 15 ? 1 : index);
         isDone(L, apiOf(L).set_palette(worldOf(L), &range, &entry));
     }

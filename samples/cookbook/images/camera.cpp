@@ -17,6 +17,7 @@
 #include "render/gl/offscreen.h"
 #include "samples/support/gl_context.h"
 #include "samples/support/image.h"
+#include "samples/support/material_colors.h"
 
 namespace {
 
@@ -28,14 +29,6 @@ struct Shot {
     int step = 0;
     glm::dvec3 eye{}, target{};
 };
-
-/// Colours of the palette that new shapes have, which is white: its entry, sRGB, opacity.
-struct Colour {
-    int entry;
-    uint8_t rgb[3], opacity = 255;
-};
-constexpr Colour kColours[] = {{5, {160, 108, 60}}, {6, {148, 146, 142}},      {7, {164, 78, 56}}, {9, {88, 96, 110}},
-                               {11, {40, 84, 150}}, {15, {170, 215, 220}, 70}, {19, {38, 38, 42}}};
 
 const rubble_api* real;
 rubble_world filmed = 0;  // the first world
@@ -98,7 +91,7 @@ std::vector<rubble_palette_entry> readPalette() {
     check(real->step(scratch));
     check(real->get_palette(scratch, &range, entries.data()));
     check(real->destroy_world(scratch));
-    for (const Colour& colour : kColours) {
+    for (const rubble::MaterialColor& colour : rubble::kMaterialColors) {
         rubble_palette_entry& entry = entries[size_t(colour.entry - 1)];
         std::copy_n(colour.rgb, 3, entry.color);
         entry.opacity = colour.opacity;

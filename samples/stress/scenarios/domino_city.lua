@@ -22,5 +22,6 @@ function init()
         ClosedSystem(false)
         for _, body in ipairs(FindBodies("domino")) do Delete(body) end
         wait(0.1)
+        Expect(#FindBodies("domino") == 0, "a domino is there after all were deleted")
     end
 end

@@ -1,5 +1,5 @@
 -- A random walk through all commands, each with random arguments.
-local names = {}
+local walkers = {}
 
 function place()
     return Vec(16 * math.random() - 8, 5 * math.random(), 16 * math.random() - 8)
@@ -35,8 +35,8 @@ local commands = {
     end,
     function() Joint(math.random() < 0.5 and "ball" or "hinge", any(FindShapes("thing")), 0, place(), {anchor_radius = 20}) end,
     function() Delete(any(FindJoints("thing"))) end,
-    function() Walk(any(names), 5 * place(), true) end,
-    function() names[#names + 1] = Character(place() + Vec(0, 5, 0)) end,
+    function() Walk(any(walkers), 5 * place(), true) end,
+    function() walkers[#walkers + 1] = Character(place() + Vec(0, 5, 0)) end,
     function() AddLight(place()) end,
     function() Glow(any(FindShapes("thing")), math.random(2, 18), 10 * math.random()) end,
     function() SetTag(any(FindShapes("thing")), "tag", "value") end,
