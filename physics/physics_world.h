@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "physics/bodies/limits.h"
 #include "physics/stages/physics_settings.h"
@@ -68,6 +69,8 @@ public:
     virtual std::span<const ReportedContact> contacts() const;
     /// Bodies that got into water in the last step, if that was asked for, in slot order.
     virtual std::span<const WaterEntry> waterEntries() const;
+    /// Sleeping bodies that wait to wake: load() forgets that they do.
+    virtual std::vector<BodyHandle> waiting() const;
     /// Counts of now and of the last step.
     virtual PhysicsStats stats() const;
 

@@ -46,7 +46,7 @@ namespace rubble {
 namespace {
 
 constexpr float kStill = 1.0f / float(kStepsPerSecond);     ///< seconds of a frame in which no game time passes
-constexpr double kLongestFrame = 1.0, kGreenSeconds = 1.0;  ///< a dot tells of reloaded shaders for so long
+constexpr double kLongestFrame = 1.0, kGreenSeconds = 1.0;  ///< seconds; the second: a dot tells of new shaders
 
 std::string shaderDefines(const RenderSettings& settings, const TexelStore& texels) {
     return texels.shaderDefines() + (settings.noise == Noise::White ? "#define WHITE_NOISE\n" : "");

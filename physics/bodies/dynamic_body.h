@@ -88,6 +88,7 @@ public:
     SolverBody motion;
     SleepTimer sleepTimer;
     bool newlyAwake = true;                 ///< has not moved noticeably since it woke
+    bool isPlaced = false;                  ///< the last edit of it has put it elsewhere
     bool wakesLoad = true;                  ///< it has woken or its support has changed: what it bears wakes too
     SleepLoad sleepLoad;                    ///< while it sleeps
     bool isAsLoaded = false;                ///< has not moved since physics was made from World

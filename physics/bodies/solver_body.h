@@ -13,7 +13,7 @@ struct SolverBody {
     double inverseMass = 0.0;                        ///< 1/kg; 0: it does not move
     float gravityScale = 1.0f;                       ///< with buoyancy: less than 1, or below 0
     bool conservesMomentum = false;                  ///< free rotation keeps angular momentum: see rotateBody()
-    double regainable = 0.0;                         ///< joules that it lost lately and may gain back: see EnergyBound
+    double regainable = 0.0;                         ///< joules lost lately, to regain; below 0: to lose
 };
 
 /// A body within the step, in float: movements since the step began are small. The order is that in which

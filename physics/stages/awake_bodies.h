@@ -34,6 +34,12 @@ public:
     void wait(const DynamicBody& body);
     /// The number of bodies that wait; some may have woken or gone meanwhile.
     size_t waiting() const { return m_waiting[0].size() + m_waiting[1].size(); }
+    /// Calls f(slot) for bodies that wait, in that order.
+    template <class F>
+    void forEachWaiting(F&& f) const {
+        for (const std::vector<uint32_t>& list : m_waiting)
+            for (const uint32_t slot : list) f(slot);
+    }
     /// Calls tryWake(slot) for waiting bodies, debris last, each in the order of slots, until it returns false.
     template <class F>
     void wakeWaiting(F&& tryWake) {

@@ -178,11 +178,13 @@ void PhysicsBodies::updateDynamic(const World& world, BodyHandle handle, const F
         return std::find(changes.teleported.begin(), changes.teleported.end(), handle) != changes.teleported.end();
     };
     const bool asleep = body.asleep && (!known || isTeleported());
+    const bool isPlaced = known && known->state().pose != body.pose;
     if (!(keepsShapes && known && known->update(world, changes) && insert(world, *known, asleep))) {
         for (const ShapeHandle shape : body.shapes) takeStatic(shape.slot());  // it may have been static until now
         createDynamic(world, handle, asleep);
     }
-    const DynamicBody& now = *dynamicAt(handle.slot());
+    DynamicBody& now = *dynamicAt(handle.slot());
+    now.isPlaced = isPlaced;
     if (!now.asleep() || now.quarantined()) return;
     for (CollisionObject* object : objectsIn(now.object.low, now.object.high))  // what sleeps pushes nothing away
         if (object->dynamic && object->dynamic != &now) wakeOrWait(*object->dynamic);

@@ -161,22 +161,26 @@ void PhysicsJoints::apply(const FrameChanges& changes, const World& world, Physi
     for (const JointHandle handle : changes.jointsCreated) recreate(world, handle, bodies);
     for (const JointMoved& moved : changes.jointsMoved) recreate(world, moved.joint, bodies);
     for (const JointHandle handle : changes.jointsChanged) recreate(world, handle, bodies);
-    for (const BodyHandle body : changes.teleported)
-        for (const uint32_t joint : m_table.of(body.slot())) rubble::forgetMotion(*m_table.at(joint));
-    if (changes.isRestored) forgetMotion(changes);
+    forgetMotion(changes, bodies);
     if (!changes.carved.empty() || !changes.shapesDestroyed.empty())
         for (const uint32_t rope : m_table.ropes()) m_table.at(rope)->restSteps = 0;
 }
 
-/// Of the joints that an undo or redo has changed, or the bodies of: how they moved was in another time.
-void PhysicsJoints::forgetMotion(const FrameChanges& changes) {
+/// Of joints whose body a host has put elsewhere, and of those that an undo or redo has changed, or the bodies of.
+void PhysicsJoints::forgetMotion(const FrameChanges& changes, const PhysicsBodies& bodies) {
     const auto forget = [&](uint32_t slot) {
         if (JointProxy* joint = m_table.at(slot)) rubble::forgetMotion(*joint);
     };
+    const auto forgetJointsOf = [&](BodyHandle body) {
+        for (const uint32_t joint : m_table.of(body.slot())) forget(joint);
+    };
+    for (const BodyHandle handle : changes.teleported) {
+        const DynamicBody* body = bodies.find(handle);
+        if (changes.isRestored || !body || body->isPlaced) forgetJointsOf(handle);
+    }
+    if (!changes.isRestored) return;
+    for (const BodyHandle body : changes.bodiesCreated) forgetJointsOf(body);
     for (const JointHandle joint : changes.jointsChanged) forget(joint.slot());
-    for (const auto* list : {&changes.teleported, &changes.bodiesCreated})
-        for (const BodyHandle body : *list)
-            for (const uint32_t joint : m_table.of(body.slot())) forget(joint);
 }
 
 void PhysicsJoints::begin() {

@@ -50,7 +50,7 @@ private:
     void findActive(PhysicsBodies& bodies, double seconds);
     std::unique_ptr<JointProxy> destroy(uint32_t slot, PhysicsBodies& bodies);
     void recreate(const World& world, JointHandle handle, PhysicsBodies& bodies);
-    void forgetMotion(const FrameChanges& changes);
+    void forgetMotion(const FrameChanges& changes, const PhysicsBodies& bodies);
     static RopeStep ropeStep(const JointProxy& rope, PhysicsBodies& bodies, double seconds);
     static void findPath(JointProxy& rope, PhysicsBodies& bodies);
 

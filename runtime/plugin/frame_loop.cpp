@@ -91,7 +91,13 @@ void FrameLoop::load(SavedGame game) {
 
 /// The game as it is now, with `waiting` behind the edits that it has made itself.
 SavedGame FrameLoop::savedGame(const Edits& waiting) const {
-    SavedGame game{m_world.state(), m_pending};
+    const bool hasWaiting = m_physics && m_physics->stats().waiting > 0;
+    SavedGame game{hasWaiting ? WorldState() : m_world.state(), m_pending};
+    if (hasWaiting) {
+        World woken = m_world;
+        wakeWaiting(woken);
+        game.world = woken.state();
+    }
     restartPendingSplits(game.world);
     game.pending.insert(game.pending.end(), waiting.begin(), waiting.end());
     return game;
@@ -113,7 +119,18 @@ Result<Done> saveTo(const std::string& path, FrameLoop& loop) {
     return loop.save([&](std::span<const uint8_t> bytes) { return writeFileAtomically(path, bytes, kMaxFileBytes); });
 }
 
+/// Physics forgets which bodies wait to wake when it is rebuilt: in the game that is saved then they are awake.
+void FrameLoop::wakeWaiting(World& world) const {
+    if (!m_physics || world.data().levelReplaced) return;  // physics has not seen this world yet
+    std::vector<BodyPose> poses;
+    for (const BodyHandle handle : m_physics->waiting())
+        if (const Body* body = world.bodies().find(handle); body && body->asleep)
+            poses.push_back({handle, body->pose, body->velocity, body->angularVelocity, false});
+    world.setPoses(poses);
+}
+
 void FrameLoop::goOnAsLoaded(bool dropMarks) {
+    wakeWaiting(m_world);
     m_rebuildPhysics = true;
     m_world.resetCaches(dropMarks);
 }
@@ -157,7 +174,7 @@ void FrameLoop::step() {
 
 void FrameLoop::replay(const RecordedStep& step) {
     m_rebuildPhysics = step.physicsRebuilt;
-    if (m_rebuildPhysics) m_world.resetCaches();
+    if (m_rebuildPhysics) wakeWaiting(m_world), m_world.resetCaches();
     if (step.hostMotion) {
         followHost(step.hostMotion->poses, {});
         addHostDamage(step.hostMotion->damage);

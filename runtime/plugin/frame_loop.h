@@ -134,6 +134,7 @@ private:
     void dropWaitingEdits();
     SavedGame savedGame(const Edits& waiting) const;
     void goOnAsLoaded(bool dropMarks);
+    void wakeWaiting(World& world) const;
     void stepWith(const Edits& hostEdits);
     void loadPhysics();
     void applyEdits(const Edits& hostEdits);

@@ -107,7 +107,7 @@ rubble_result ScriptHost::step() {
     readEvents();
     for (Script& script : m_scripts)
         if (script.isWaiting()) script.resumeWaiting();
-    if (std::exchange(m_shared.mayHaveScripts, false)) addLevelScripts({});
+    if (std::exchange(m_shared.mayHaveScripts, false)) addLevelScripts({}, false);
     return result;
 }
 

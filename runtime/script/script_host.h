@@ -14,7 +14,8 @@ namespace rubble::script {
 /// What a host gives to the scripts of a world.
 struct ScriptHostSettings {
     SandboxLimits limits;  ///< of each script
-    /// The folder of which scripts may read files, by Spawn(); empty: none.
+    /// The folder of which scripts may read files: Spawn(), require(), images, fonts and the scripts of levels; empty:
+    /// none.
     std::string folder;
     bool measuresFunctions = false;  ///< ScriptContext::costs: time and allocations of each function that scripts call
     /// Reports that the host wants beside those of the scripts: scripts set the filter of the world.
@@ -54,7 +55,7 @@ public:
 
     /// Runs the scripts that the level names, which lie in the scripts' folder: after load_level(). Those of prefabs
     /// that Spawn() places begin by themselves. One that cannot be read is logged.
-    void addLevelScripts() { addLevelScripts({}); }
+    void addLevelScripts() { addLevelScripts({}, false); }
     /// Keeps the registry and the tables of saved() with the game: before save_game().
     rubble_result save();
     /// After load_game(): gives the registry and the tables of saved() back, and runs all scripts again, those of the
@@ -87,9 +88,9 @@ public:
 private:
     /// By script and name of saved().
     using SavedTables = std::map<std::string, std::map<std::string, std::string>>;
-    void addLevelScripts(SavedTables restored);
-    void addLevelScript(const std::string& path, const std::string& parameters, SavedTables& restored);
-    std::list<Script>::iterator restart(std::list<Script>::iterator old, const std::string& text,
+    void addLevelScripts(SavedTables restored, bool isAgain);
+    void addLevelScript(const std::string& path, const std::string& parameters, SavedTables& restored, bool isAgain);
+    std::list<Script>::iterator restart(std::list<Script>::iterator old, std::string text,
                                         std::map<std::string, std::string> restored);
     void begin(Script& script, const std::string& text, bool isAgain);
     void forgetWorld();

@@ -57,7 +57,7 @@ std::map<std::string, std::string> parametersOf(const std::string& lines) {
 }  // namespace
 
 std::map<std::string, std::string> Script::savedTables() {
-    std::map<std::string, std::string> out;
+    std::map<std::string, std::string> out = m_context.restored;  // also what this run has not asked for yet
     Saving saving{m_context, out};
     if (!isStopped() && !m_sandbox.prepare(writeSaved, &saving)) report(m_sandbox.refusal());
     return out;
@@ -98,9 +98,9 @@ void ScriptHost::load() {
     forgetWorld();
     std::erase_if(m_scripts, [](const Script& script) { return script.isOfLevel(); });
     for (auto script = m_scripts.begin(); script != m_scripts.end(); ++script)
-        script = restart(script, std::string(script->text()), std::move(tables[script->name()]));
+        script = restart(script, script->text(), std::move(tables[script->name()]));
     m_levelScripts = 0;
-    addLevelScripts(std::move(tables));
+    addLevelScripts(std::move(tables), true);
 }
 
 void ScriptHost::forgetWorld() {
@@ -111,7 +111,7 @@ void ScriptHost::forgetWorld() {
     m_shared.pointLights.clear();
 }
 
-std::list<Script>::iterator ScriptHost::restart(std::list<Script>::iterator old, const std::string& text,
+std::list<Script>::iterator ScriptHost::restart(std::list<Script>::iterator old, std::string text,
                                                 std::map<std::string, std::string> restored) {
     const auto made = m_scripts.emplace(old, m_shared, old->name(), m_settings.limits);
     made->context().parameters = old->context().parameters;
@@ -133,19 +133,21 @@ bool ScriptHost::reload(const std::string& name, const std::string& text) {
     return false;
 }
 
-void ScriptHost::addLevelScripts(SavedTables restored) {
+void ScriptHost::addLevelScripts(SavedTables restored, bool isAgain) {
     uint32_t count = 0;
     const rubble_api& api = *m_shared.api;
     if (api.get_level_scripts(m_shared.world, nullptr, 0, &count) != RUBBLE_OK || count <= m_levelScripts) return;
     std::vector<rubble_level_script> rows(count);
     if (api.get_level_scripts(m_shared.world, rows.data(), count, &count) != RUBBLE_OK) return;
-    while (m_levelScripts < count) {
-        const rubble_level_script& row = rows[m_levelScripts++];
-        addLevelScript(row.path, row.parameters, restored);
-    }
+    // Copies: a script that begins may place a prefab, whose own scripts move the list that the rows point into.
+    std::vector<std::pair<std::string, std::string>> scripts;
+    for (; m_levelScripts < count; ++m_levelScripts)
+        scripts.emplace_back(rows[m_levelScripts].path, rows[m_levelScripts].parameters);
+    for (const auto& [path, parameters] : scripts) addLevelScript(path, parameters, restored, isAgain);
 }
 
-void ScriptHost::addLevelScript(const std::string& path, const std::string& parameters, SavedTables& restored) {
+void ScriptHost::addLevelScript(const std::string& path, const std::string& parameters, SavedTables& restored,
+                                bool isAgain) {
     std::ifstream file;
     if (!m_settings.folder.empty() && staysInside(path)) file.open(m_settings.folder + "/" + path, std::ios::binary);
     if (!file.is_open()) {
@@ -164,7 +166,7 @@ void ScriptHost::addLevelScript(const std::string& path, const std::string& para
     script.context().parameters = parametersOf(parameters);
     script.context().restored = std::move(restored[name]);
     script.setOfLevel();
-    begin(script, text.str(), !script.context().restored.empty());
+    begin(script, text.str(), isAgain);
 }
 
 }  // namespace rubble::script

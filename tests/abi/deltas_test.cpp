@@ -123,7 +123,6 @@ TEST_F(AbiDeltas, AMergeThatAddsNoVoxelIsFollowed) {
     EXPECT_EQ(resolved(m_world), resolved(m_other));
 }
 
-/// A shape that is made and destroyed in one step leaves nothing but a body that is awake.
 TEST_F(AbiDeltas, AnEditLeavesTheMeshesOfAFollowerAsTheyAreElsewhere) {
     auto settings = sized<rubble_settings>();
     ASSERT_EQ(api()->get_settings(m_world, &settings), RUBBLE_OK);
@@ -158,6 +157,7 @@ TEST_F(AbiDeltas, AnEditLeavesTheMeshesOfAFollowerAsTheyAreElsewhere) {
     }
 }
 
+/// A shape that is made and destroyed in one step leaves nothing but a body that is awake.
 TEST_F(AbiDeltas, AFollowerHearsOfBodiesThatEditsWake) {
     const rubble_body body = make(bodyAt(3.0, 0.0, 0));
     make(shapeOn(body, RUBBLE_SHAPE_BOX, 5));

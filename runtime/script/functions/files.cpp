@@ -55,7 +55,13 @@ int requireFile(lua_State* L) {
     lua_pushvalue(L, 1);
     lua_pushlightuserdata(L, const_cast<char*>(&kLoading));
     lua_rawset(L, 2);
-    lua_call(L, 0, 1);
+    if (lua_pcall(L, 0, 1, 0) != LUA_OK) {
+        lua_pushvalue(L, 1);
+        lua_pushnil(L);
+        lua_rawset(L, 2);  // another require() tries again
+        if (Sandbox::of(L).isStopped()) Sandbox::raiseStop(L);
+        return lua_error(L);
+    }
     if (lua_isnil(L, -1)) {
         lua_pop(L, 1);
         lua_pushboolean(L, 1);
@@ -69,8 +75,11 @@ int requireFile(lua_State* L) {
 int saved(lua_State* L) {
     const std::string name = textAt(L, 1, "name");
     ScriptContext& context = ScriptContext::of(L);
-    if (context.saved.size() >= kMaxSaved && !context.saved.count(name))
-        return luaL_error(L, "saved: expected at most %d tables", int(kMaxSaved));
+    if (const auto known = context.saved.find(name); known != context.saved.end()) {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, known->second);
+        return 1;
+    }
+    if (context.saved.size() >= kMaxSaved) return luaL_error(L, "saved: expected at most %d tables", int(kMaxSaved));
     const auto restored = context.restored.find(name);
     if (restored != context.restored.end()) {
         compile(L, "return " + restored->second, "saved " + name);
@@ -82,8 +91,6 @@ int saved(lua_State* L) {
     }
     if (lua_type(L, -1) != LUA_TTABLE) refuseArgument(L, 2, "table", "a table");
     lua_pushvalue(L, -1);
-    const auto before = context.saved.find(name);
-    if (before != context.saved.end()) luaL_unref(L, LUA_REGISTRYINDEX, before->second);
     context.saved[name] = luaL_ref(L, LUA_REGISTRYINDEX);
     return 1;
 }

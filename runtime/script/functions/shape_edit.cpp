@@ -110,9 +110,15 @@ bool resizeShape(lua_State* L, rubble_shape shape, const Cell& low, const Cell& 
     GridCopy* grid = gridOf(L, shape);
     if (!grid) return false;
     const bool isEmpty = std::all_of(grid->voxels.begin(), grid->voxels.end(), [](uint8_t voxel) { return !voxel; });
-    Cell kept;
-    for (size_t i = 0; i < 3; ++i) kept[i] = std::max(low[i], 0);
+    Cell kept{};
+    for (size_t i = 0; isEmpty && i < 3; ++i) {
+        kept[i] = std::clamp(low[i], 0, grid->size[i] - 1);
+        if (kept[i] < low[i] || kept[i] >= low[i] + size[i])
+            luaL_error(L, "%s: expected a box that meets the grid of an empty shape",
+                       runningFunction(L).name().c_str());
+    }
     if (isEmpty) writeCell(L, shape, kept, 1);
+    if (grid->placeholder && *grid->placeholder != kept) writeCell(L, shape, *grid->placeholder, 0);
     if (!isDone(L, apiOf(L).resize_shape(worldOf(L), &edit))) return false;
     resizeCopy(*grid, low, size);
     if (isEmpty) grid->placeholder = Cell{kept[0] - low[0], kept[1] - low[1], kept[2] - low[2]};

@@ -12,7 +12,8 @@ namespace rubble::script {
 namespace {
 
 constexpr size_t kMaxItems = 20'000, kMaxTextBytes = 4096, kMaxImages = 200;
-constexpr double kMost = 1e5;  ///< units
+constexpr double kMost = 1e5;       ///< units
+constexpr double kMaxNumber = 1e6;  ///< that the interface takes
 
 UiFrame& frameOf(lua_State* L) {
     return ScriptContext::of(L).shared.ui;
@@ -40,6 +41,13 @@ void add(lua_State* L, UiItem item) {
     std::vector<UiItem>& items = frameOf(L).items;
     if (items.size() >= kMaxItems)
         luaL_error(L, "%s: expected at most %d things in a frame", runningFunction(L).name().c_str(), int(kMaxItems));
+    double sum = 0.0;  // the renderer takes all things or none: one bad number would hide what others draw
+    for (const double value : item.row.transform) sum += std::abs(value);
+    for (const double value : item.row.size) sum += std::abs(value);
+    for (const double value : item.row.color) sum += std::abs(value);
+    if (!(sum < kMaxNumber))
+        luaL_error(L, "%s: expected places and sizes below %d, found a number that is not",
+                   runningFunction(L).name().c_str(), int(kMaxNumber));
     Sandbox::of(L).charge(L, 20 + int64_t(item.text.size()));
     items.push_back(std::move(item));
 }
@@ -110,6 +118,7 @@ UiItem textOf(lua_State* L, double (&size)[2]) {
     row.text = item.text.c_str(), row.font = item.font.empty() ? nullptr : item.font.c_str();
     Sandbox::of(L).charge(L, 50 + 4 * int64_t(item.text.size()));
     isDone(L, apiOf(L).measure_text(&row, size));
+    row.text = row.font = nullptr;  // the item's texts move with it
     return item;
 }
 

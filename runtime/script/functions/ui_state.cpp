@@ -1,5 +1,6 @@
 // What applies to all that is drawn after it: places, colours, letters.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -105,20 +106,29 @@ int window(lua_State* L) {
 
 int align(lua_State* L) {
     const std::string words = textAt(L, 1, "alignment") + " ";
-    UiState& ui = uiOf(L);
-    ui.align = {0.0, 0.0}, ui.isOnBaseline = true;
+    struct Word {
+        const char* name;
+        size_t axis;
+        double share;
+    };
+    static constexpr Word kWords[] = {{"left", 0, 0.0}, {"center", 0, 0.5}, {"right", 0, 1.0},
+                                      {"top", 1, 0.0},  {"middle", 1, 0.5}, {"bottom", 1, 1.0}};
+    std::array<double, 2> shares = {0.0, 0.0};
+    bool isOnBaseline = true;
     for (size_t first = 0; first < words.size();) {
         const size_t end = words.find(' ', first);
         const std::string word = words.substr(first, end - first);
         first = end + 1;
-        if (word == "center") ui.align[0] = 0.5;
-        if (word == "right") ui.align[0] = 1.0;
-        if (word == "middle") ui.align[1] = 0.5;
-        if (word == "bottom") ui.align[1] = 1.0;
-        if (word == "middle" || word == "bottom" || word == "top") ui.isOnBaseline = false;
-        const bool isKnown = word.empty() || word == "left" || ui.align[0] > 0.0 || !ui.isOnBaseline;
-        if (!isKnown) refuseArgument(L, 1, "alignment", "words of left, center, right, top, middle, bottom");
+        if (word.empty()) continue;
+        const auto* known =
+            std::find_if(std::begin(kWords), std::end(kWords), [&](auto& each) { return word == each.name; });
+        if (known == std::end(kWords))
+            refuseArgument(L, 1, "alignment", "words of left, center, right, top, middle, bottom");
+        shares[known->axis] = known->share;
+        isOnBaseline = isOnBaseline && known->axis == 0;
     }
+    UiState& ui = uiOf(L);
+    ui.align = {shares[0], shares[1]}, ui.isOnBaseline = isOnBaseline;
     return 0;
 }
 

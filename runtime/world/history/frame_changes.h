@@ -137,7 +137,7 @@ struct FrameChanges {
     std::vector<BodyHandle> unsettled;        ///< settled pieces that woke
     std::vector<BodyHandle> woken;            ///< bodies that edits woke, or kept from resting on
     std::vector<LightGroupHandle> groups;     ///< light groups that lost voxels, went out or came back
-    std::vector<BodyHandle> teleported;       ///< bodies that undo or replay gave another pose or motion
+    std::vector<BodyHandle> teleported;       ///< that undo, replay or a host gave a pose or a motion
     uint64_t paintedVoxels = 0;
     uint64_t paintMerges = 0;  ///< colours that took the nearest entry because none was free
     std::vector<FireEvent> firesLit;

@@ -12,7 +12,6 @@ function init()
     end
     wait(2)
     SetInt("carrain.hits", hits)
-    SetInt("carrain.broken", GetInt("carrain.broken"))
     print(hits .. " hits, " .. GetInt("carrain.broken") .. " voxels broken")
 end
 

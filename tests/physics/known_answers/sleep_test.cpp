@@ -244,22 +244,24 @@ double stirs(PhysicsScene& scene) {
     return sum / double(before.size());
 }
 
-/// Contacts with sleepers and of what wakes bear what they bore before.
+/// Contacts with sleepers and of what wakes bear what they bore before. What the last crumbs do is chaos: see
+/// docs/measurements.md.
 TEST(Sleep, WhatIsInBalanceStaysWhereItIsWhenItSleepsAndWhenItWakes) {
+    constexpr double kMaxStir = 5e-3;  // metres
     PhysicsScene scene;
     scene.level = voronoiPit(200, 1, 6);
     scene.load();
     scene.world.applyEdits({});
     for (int i = 0; i < 60 * 20 && scene.physics.stats().awake > 0; ++i) scene.step();
     ASSERT_EQ(scene.physics.stats().awake, 0);
-    for (const auto& [every, most] : {std::pair(7, 5e-3), {2, 5e-3}, {1, 5e-3}}) {
+    for (const int every : {7, 2, 1}) {
         FrameChanges nudge;
         for (int i = 1; i <= 200; i += every)
             nudge.impulses.push_back({scene.handle(i), glm::dvec3(0.0), glm::dvec3(0.0)});
         scene.physics.apply(nudge, scene.world);
         scene.step();
         EXPECT_GE(scene.physics.stats().awake, 200 / every);
-        EXPECT_LT(stirs(scene), most) << "one of " << every << " woke";
+        EXPECT_LT(stirs(scene), kMaxStir) << "one of " << every << " woke";
         for (int i = 0; i < 60 * 20 && scene.physics.stats().awake > 0; ++i) scene.step();
     }
 }

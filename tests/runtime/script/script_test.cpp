@@ -135,6 +135,33 @@ TEST(Script, OneThatIsStoppedLetsTheGameGoOn) {
               "good.lua: here\ngood.lua: here\n");
 }
 
+TEST(Script, AnEmptyShapeIsResizedWithinItsGridOnly) {
+    Yard yard;
+    const std::string empty = "local s = CreateShape(FindBody('wall'), Transform({0, 2.5, 0}), FindShape('wall')) ";
+    EXPECT_NE(yard.run(empty + "ResizeShape(s, -5, -5, -5, -2, -2, -2) SetBrush('cube', 1, 7) "
+                               "DrawShapeBox(s, 0, 0, 0, 3, 3, 3)")
+                  .find("expected a box that meets the grid of an empty shape"),
+              std::string::npos);
+    EXPECT_EQ(yard.run(empty + "ResizeShape(s, -2, -2, -2, 3, 3, 3) ResizeShape(s, 1, 1, 1, 5, 5, 5) "
+                               "SetBrush('cube', 1, 7) DrawShapeBox(s, 0, 0, 0, 1, 1, 1) wait(0.1) "
+                               "assert(GetShapeVoxelCount(s) == 8, GetShapeVoxelCount(s))"),
+              "");
+}
+
+TEST(Script, ATableIsSavedOnceHoweverOftenItIsAskedFor) {
+    Yard yard;
+    EXPECT_EQ(yard.run("local a = saved('t', {n = 1}) a.n = 2 assert(saved('t', {n = 5}).n == 2) "
+                       "saved('t').n = 3 assert(a.n == 3)"),
+              "");
+}
+
+TEST(Script, WordsOfAnAlignmentAreKnownEachByItself) {
+    Yard yard;
+    EXPECT_EQ(yard.run("assert(pcall(UiAlign, 'center middle')) assert(not pcall(UiAlign, 'center foo')) "
+                       "assert(not pcall(UiAlign, 'middle centre'))"),
+              "");
+}
+
 TEST(Script, AFullMemoryDoesNotReachTheHost) {
     SandboxLimits limits;
     limits.memory = 1 << 20;

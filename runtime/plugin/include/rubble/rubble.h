@@ -1622,7 +1622,8 @@ typedef struct rubble_draw_stats {
     double draw_ms;         /* of the calling thread; the GPU may take longer */
 } rubble_draw_stats;
 
-/* A named place of the level. Lives until the next level or save is loaded, as what follows. */
+/* A named place of the level. Its texts live until the next level or save is loaded or a prefab is made, as those of
+ * what follows. */
 typedef struct rubble_location {
     const char* name;
     double position[3]; /* world */
