@@ -291,6 +291,7 @@ void Renderer::Impl::fillBlock(const View& view, glm::ivec2 renderSize) {
     block.counters.z = int(std::count_if(scene.lights().begin(), scene.lights().end(),
                                          [](const SnapshotLight& light) { return !light.fleeting; }));
     scene.describe(block);
+    if (!settings.fog) block.fog.x = 0.0f;
 }
 
 const LightGrid* Renderer::Impl::updateLightGrid() {
@@ -329,8 +330,7 @@ void Renderer::Impl::draw(const View& view, float alpha) {
     if (view.size.x <= 0 || view.size.y <= 0) return;
     if (std::string error = check.error(view, settings.hostState == HostState::Restored); !error.empty()) {
         if (error != lastError) logError(error);
-        lastError = std::move(error);
-        return;
+        return void(lastError = std::move(error));
     }
     lastError.clear();
     const GlStateGuard hostState = guardHostState();

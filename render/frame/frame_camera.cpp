@@ -8,8 +8,8 @@
 namespace rubble {
 namespace {
 
-constexpr float kNear = 0.05f, kFar = 2000.0f;
-constexpr float kOrthographicFar = shared::kSkyDepth;  ///< as lib/frame.glsl takes it
+constexpr float kNear = 0.05f;
+constexpr float kFar = shared::kSkyDepth;  ///< as lib/frame.glsl takes it
 // Frames until jitter repeats, where display and render size are the same. With fewer traced pixels it takes as many
 // more frames until every part of a displayed pixel has been sampled.
 constexpr float kBaseJitterPeriod = 16.0f;
@@ -46,7 +46,7 @@ Window windowOf(const View& view) {
 glm::mat4 projection(const Window& window, glm::vec2 jitterUv) {
     const glm::vec2 half = window.half;
     if (window.isOrthographic) {
-        glm::mat4 p = glm::ortho(-half.x, half.x, -half.y, half.y, 0.0f, kOrthographicFar);
+        glm::mat4 p = glm::ortho(-half.x, half.x, -half.y, half.y, 0.0f, kFar);
         p[3][0] -= jitterUv.x * 2.0f;
         p[3][1] -= jitterUv.y * 2.0f;
         return p;
@@ -84,7 +84,7 @@ void FrameCamera::begin(const View& view, glm::ivec2 renderSize, bool jittered, 
     block.previousCameraPosition = cut ? glm::vec4(position, 0.0f) : m_lastPosition;
     block.cameraRight = glm::vec4(axes[0], window.half.x);
     block.cameraUp = glm::vec4(axes[1], window.half.y);
-    block.cameraForward = glm::vec4(-axes[2], window.isOrthographic ? kOrthographicFar : kFar);
+    block.cameraForward = glm::vec4(-axes[2], kFar);
     block.viewMiddle =
         window.isOrthographic ? glm::vec4(-axes[2], 1.0f) : glm::vec4(axes * glm::vec3(window.middle, -1.0f), 0.0f);
     const glm::vec4 right(axes[0] * window.half.x, 0.0f), up(axes[1] * window.half.y, 0.0f);

@@ -30,7 +30,7 @@ FogPass::FogPass(ShaderLibrary& shaders)
       m_over(shaders.loadFullscreen("passes/fog.frag", {.merge = {Merge::Over}}, kMissing)) {}
 
 bool FogPass::needed(const FrameContext& frame) {
-    return frame.settings.fog && frame.block.fog.x > 0.0f;
+    return frame.block.fog.x > 0.0f;
 }
 
 int FogPass::maxHistory(const FrameContext& frame) {

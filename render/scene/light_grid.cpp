@@ -162,7 +162,8 @@ void LightGrid::listVisibleLights(std::span<const SnapshotLight> lights, const F
 /// Whether the light's sphere meets the bounding box of a cell.
 bool LightGrid::reaches(const VisibleLight& light, glm::ivec3 cell, const FrameBlock& block) const {
     const float nearest = cell.z == 0 ? 0.0f : std::exp2(0.5f * float(cell.z));
-    const float farthest = cell.z + 1 == kSlices ? block.cameraForward.w : std::exp2(0.5f * float(cell.z + 1));
+    const float beyondLight = std::max(light.sphere.z + light.sphere.w, nearest);  // an end for the last slice
+    const float farthest = cell.z + 1 == kSlices ? beyondLight : std::exp2(0.5f * float(cell.z + 1));
     const auto aside = [&](int axis) {
         const ImageAxis image(block, axis);
         float first = image.edgeOf(cell[axis]), last = image.edgeOf(cell[axis] + 1);

@@ -56,6 +56,7 @@ uint64_t WaterOutlines::update(const std::vector<Water>& waters, glm::dvec3 orig
         addOutline(m_texels, water.outline, origin);
         m_ends.push_back(int(m_texels.size()));
     }
+    findCovers(waters, origin);
     if (waters.empty()) return 0;
     if (m_texture.refill(std::as_bytes(std::span(m_texels)))) return m_texels.size() * sizeof(glm::vec4);
     m_ends.assign(waters.size(), 0);
@@ -66,7 +67,25 @@ uint64_t WaterOutlines::update(const std::vector<Water>& waters, glm::dvec3 orig
     return 0;
 }
 
+/// Finds for each water those to which what it shares with them belongs: the ones with a higher surface, or before it.
+void WaterOutlines::findCovers(const std::vector<Water>& waters, glm::dvec3 origin) {
+    m_covers.assign(waters.size(), {});
+    std::vector<WorldBox> boxes;
+    for (const Water& water : waters) boxes.push_back(water.bounds());
+    for (size_t i = 0; i < waters.size(); ++i)
+        for (size_t k = 0; k < waters.size(); ++k) {
+            const Water& other = waters[k];
+            const bool isCover = other.surface > waters[i].surface || (other.surface == waters[i].surface && k < i);
+            if (!isCover || !boxes[i].overlaps(boxes[k]) || m_covers[i].size() == shared::kMaxWaterCovers) continue;
+            m_covers[i].emplace_back(k == 0 ? 0 : m_ends[k - 1], m_ends[k], other.surface - origin.y,
+                                     other.surface - other.depth - origin.y);
+        }
+}
+
 void WaterOutlines::bind(const Program& program, size_t water) const {
+    const std::vector<glm::vec4>& covers = m_covers[water];
+    program.set("uCoverCount", int(covers.size()));
+    if (!covers.empty()) program.set("uCovers[0]", std::span<const glm::vec4>(covers));
     program.set("uOutline", m_texture);
     program.set("uOutlineFirst", water == 0 ? 0 : m_ends[water - 1]);
     program.set("uOutlineEnd", m_ends[water]);

@@ -19,7 +19,9 @@ public:
     uint64_t bytes() const { return m_texture.bytes(); }
 
 private:
-    std::vector<int> m_ends;  ///< behind the last texel, by water
+    void findCovers(const std::vector<Water>& waters, glm::dvec3 origin);
+    std::vector<int> m_ends;                       ///< behind the last texel, by water
+    std::vector<std::vector<glm::vec4>> m_covers;  ///< uCovers of passes/water.frag, by water
     std::vector<glm::vec4> m_texels;
     BufferTexture m_texture{GL_RGBA32F};
     bool m_fullLogged = false;

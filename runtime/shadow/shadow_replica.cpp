@@ -199,7 +199,13 @@ void ShadowReplica::listSurface(Shape& shape) {
 void ShadowReplica::place(Shape& shape) {
     shape.isQueued = false;
     shape.placed = shape.grid.size().x > 0 && shape.cellTransform.place(shape.pose, shape.voxelSize);
-    if (!shape.placed) return leaveAll(shape);
+    if (!shape.placed) {
+        if (shape.grid.brickCount() > 0 && !std::exchange(m_isFarLogged, true))
+            logWarning("shadow volume: a shape at " + std::to_string(shape.pose.position.x) + ", " +
+                       std::to_string(shape.pose.position.y) + ", " + std::to_string(shape.pose.position.z) +
+                       " m casts no shadow and is not seen in mirrors; expected each coordinate within 1e8 m");
+        return leaveAll(shape);
+    }
     shape.bounds = shadowBounds(shape.pose, shape.voxelSize, {glm::ivec3(0), shape.grid.size()});
     rasterizeMoving(shape);
     const bool keepsCells = std::exchange(shape.keepsCells, false);

@@ -95,6 +95,7 @@ private:
     std::vector<glm::ivec3> m_bricks;        ///< scratch of place()
     std::vector<BrickEntry*> m_nextCovered;  ///< scratch of place()
     ShapeRaster m_nextRaster;                ///< scratch of place()
+    bool m_isFarLogged = false;
 };
 
 }  // namespace rubble

@@ -21,8 +21,7 @@ float fogOpticalDepth(float startY, float directionY, float metres) {
 
 /// Distance along such a ray at which it has an optical depth, metres.
 float fogDistance(float startY, float directionY, float opticalDepth) {
-    float density = max(fogDensity(startY), 1e-9), k = directionY / frame.fog.z,
-          straight = opticalDepth / density;
+    float density = max(fogDensity(startY), 1e-9), k = directionY / frame.fog.z, straight = opticalDepth / density;
     return abs(k) * straight < 1e-3 ? straight : -log(max(1.0 - k * straight, 1e-6)) / k;
 }
 
@@ -30,4 +29,18 @@ float fogDistance(float startY, float directionY, float opticalDepth) {
 float henyeyGreenstein(float cosine) {
     float g = frame.fog.w, a = 1.0 + g * g - 2.0 * g * cosine;
     return (1.0 - g * g) / (4.0 * kPi * a * sqrt(a));
+}
+
+/// What a ray that leaves a mirror or water brings through the fog on its way. No rays are traced in it: it scatters
+/// the mean radiance `around`, and the sun's light where that is not in shadow.
+vec3 throughFog(vec3 radiance, vec3 start, vec3 direction, float metres, vec3 around, bool isSunlit) {
+    float left = exp(-fogOpticalDepth(start.y, direction.y, min(metres, kMaxFogDistance)));
+    float above = fogDensity(start.y) * frame.fog.z / max(frame.sunDirection.y, 0.05);
+    float sun = isSunlit ? henyeyGreenstein(dot(direction, frame.sunDirection.xyz)) * exp(-above) : 0.0;
+    return mix((around + frame.sunColor.rgb * sun) * frame.fogTint.rgb, radiance, left);
+}
+/// The same of a ray that leaves the level: the fog is lit by all of the sky.
+vec3 throughOpenFog(vec3 background, vec3 start, vec3 direction, bool isSunUp) {
+    vec3 sky = mix(mix(frame.skyColor.rgb, frame.horizonColor.rgb, 0.5), frame.groundColor.rgb, 0.5);
+    return throughFog(background, start, direction, kMaxFogDistance, sky, isSunUp);
 }

@@ -21,8 +21,7 @@ bool isOrthographic() { return frame.viewMiddle.w > 0.0; }
 /// A point or direction of the middle of the image, moved to a point of the screen (uv in [0, 1], without jitter).
 vec3 movedAcross(vec3 middle, vec2 uv) {
     vec2 p = (uv + frame.jitter.xy) * 2.0 - 1.0;
-    return middle + frame.cameraRight.xyz * (p.x * frame.cameraRight.w) +
-           frame.cameraUp.xyz * (p.y * frame.cameraUp.w);
+    return middle + frame.cameraRight.xyz * (p.x * frame.cameraRight.w) + frame.cameraUp.xyz * (p.y * frame.cameraUp.w);
 }
 
 /// The ray through a point of the screen, with a length of 1 along the view axis, and where it begins:
@@ -73,4 +72,9 @@ float pixelMetres(float depth) { return 2.0 * frame.cameraUp.w * frame.targetSiz
 float depthBufferValue(float linear) {
     float near = frame.cameraPosition.w, far = frame.cameraForward.w;
     return isOrthographic() ? linear / far : far * (linear - near) / (linear * (far - near));
+}
+
+/// The same of a surface. It is never that of the sky, 1, which floats would round the value of a far surface to.
+float surfaceDepthValue(float linear) {
+    return clamp(depthBufferValue(max(linear, frame.cameraPosition.w)), 0.0, kFarthestDepthValue);
 }

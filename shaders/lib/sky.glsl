@@ -37,10 +37,17 @@ float hazeAmount(float distanceMetres) {
 }
 
 /// A view out of the level through the haze. Ordinary haze is a part of the colours of hills and fields, and the sky is
-/// clear; one that hides things within some ten metres hides the background too.
+/// clear; one that hides things within some ten metres hides the background too, and the lower sky before the upper.
 vec3 throughHaze(vec3 background, vec3 direction) {
-    return mix(hazeRadiance(direction), background, smoothstep(5.0, 40.0, frame.fogColor.w));
+    float clear = mix(100.0, 40.0, smoothstep(0.0, 0.3, direction.y));
+    return mix(hazeRadiance(direction), background, smoothstep(5.0, clear, frame.fogColor.w));
 }
+
+/// Metres through which the haze hides hills; more where the air is clearer than usual. Fields are not hidden by more
+/// than those of kFarthestFields, as a white band below hills would look like water.
+const float kFarHills = 300.0, kMiddleHills = 234.0, kWoods = 181.0, kFarthestFields = 225.0;
+float landscapeMetres(float metres) { return metres * max(1.0, frame.fogColor.w / 150.0); }
+float landscapeHaze(float metres) { return hazeAmount(landscapeMetres(metres)); }
 
 /// Adds clouds: fractal noise on a plane overhead, lit by the difference of thickness toward the sun.
 vec3 withClouds(vec3 sky, vec3 direction) {
@@ -78,12 +85,15 @@ vec3 withHills(vec3 sky, vec3 direction) {
     vec3 light = frame.sunColor.rgb * 0.06 + frame.skyColor.rgb * 0.35;
     float pixel = 0.0022;  // softens the outline by about a pixel
     float far = 0.035 + 0.085 * hillLine(heading, 3.1, 11.0, 4);
-    sky = mix(sky, mix(vec3(0.16, 0.20, 0.24) * light, haze, 0.86), smoothstep(pixel, -pixel, slope - far));
+    sky = mix(sky, mix(vec3(0.16, 0.20, 0.24) * light, haze, landscapeHaze(kFarHills)),
+              smoothstep(pixel, -pixel, slope - far));
     float middle = 0.015 + 0.060 * hillLine(heading, 5.7, 47.0, 5);
-    sky = mix(sky, mix(vec3(0.14, 0.20, 0.13) * light, haze, 0.74), smoothstep(pixel, -pixel, slope - middle));
+    sky = mix(sky, mix(vec3(0.14, 0.20, 0.13) * light, haze, landscapeHaze(kMiddleHills)),
+              smoothstep(pixel, -pixel, slope - middle));
     float woods = 0.004 + 0.024 * hillLine(heading, 9.0, 83.0, 3) + 0.010 * hillLine(heading, 140.0, 5.0, 3);
     float shading = 0.75 + 0.5 * valueNoise(vec2(atan(heading.y, heading.x) * 160.0, slope * 500.0));
-    sky = mix(sky, mix(vec3(0.13, 0.18, 0.08) * light * shading, haze, 0.60), smoothstep(pixel, -pixel, slope - woods));
+    sky = mix(sky, mix(vec3(0.13, 0.18, 0.08) * light * shading, haze, landscapeHaze(kWoods)),
+              smoothstep(pixel, -pixel, slope - woods));
     return sky;
 }
 
@@ -97,8 +107,8 @@ vec3 fieldsBelow(vec3 origin, vec3 direction) {
     vec3 albedo =
         mix(vec3(0.115, 0.155, 0.055), vec3(0.22, 0.20, 0.085), smoothstep(0.35, 0.7, patches)) * (0.75 + 0.5 * tufts);
     vec3 light = frame.sunColor.rgb * max(frame.sunDirection.y, 0.0) * kInversePi + skyRadiance(vec3(0, 1, 0)) * 0.8;
-    // Haze is limited, as a white band below the hills would look like water.
-    return throughHaze(mix(albedo * light, hazeRadiance(direction), min(hazeAmount(distanceMetres), 0.72)), direction);
+    float haze = hazeAmount(min(distanceMetres, landscapeMetres(kFarthestFields)));
+    return throughHaze(mix(albedo * light, hazeRadiance(direction), haze), direction);
 }
 
 const float kStarRadius = 0.111, kMaxStarRadius = 0.2;  // in cells, in which stars are at least 0.2 off the border

@@ -68,5 +68,5 @@ void main() {
     outMotion =
         gl_FragCoord.xy * frame.targetSize.zw + frame.jitter.xy - screenUv(frame.previousViewProjection, lastWorld);
     outDepth = depth;
-    gl_FragDepth = clamp(depthBufferValue(max(depth, frame.cameraPosition.w)), 0.0, 1.0);
+    gl_FragDepth = surfaceDepthValue(depth);
 }

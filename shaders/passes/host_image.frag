@@ -30,5 +30,5 @@ void main() {
     radiance = vec4(isHost ? hostRadiance(pixel) : vec3(0.0), 1.0);
     depth = isHost ? metres : 0.0;
     glassMask = float(isHost);
-    gl_FragDepth = isHost ? clamp(depthBufferValue(max(metres, frame.cameraPosition.w)), 0.0, 1.0) : 0.0;
+    gl_FragDepth = isHost ? surfaceDepthValue(metres) : 0.0;
 }

@@ -9,6 +9,7 @@
 #include "lib/shadow_trace.glsl"
 #include "lib/brdf.glsl"
 #include "lib/sky.glsl"
+#include "lib/fog.glsl"
 #include "lib/bounce.glsl"
 #include "lib/mirror.glsl"
 
@@ -23,9 +24,11 @@ const float kMinRoughness = 0.03;   // smoother surfaces mirror as if they were 
 
 /// Radiance of a mirror ray, without the sun's disc: the analytic highlight has that, and without noise.
 vec3 mirrored(vec3 origin, vec3 direction, PathStart start, float emissionWeight, out float t) {
-    if (!shadowTrace(origin, direction, kMaxRayDistance, t)) return mirroredBackground(origin, direction);
-    return mix(radianceAt(origin + direction * t, direction, start, emissionWeight), hazeRadiance(direction),
-               hazeAmount(t));
+    if (!shadowTrace(origin, direction, kMaxRayDistance, t))
+        return throughOpenFog(mirroredBackground(origin, direction), origin, direction, uSunUp);
+    vec3 radiance = mix(radianceAt(origin + direction * t, direction, start, emissionWeight), hazeRadiance(direction),
+                        hazeAmount(t));
+    return throughFog(radiance, origin, direction, t, start.light, false);
 }
 
 void main() {
@@ -41,10 +44,8 @@ void main() {
     direction += m.normal * max(0.0, 0.02 - dot(direction, m.normal));
     vec3 more = vec3(blueNoise(pixel, 21, frame.counters.x, kR5Steps.xy),
                      blueNoise(pixel, 22, frame.counters.x, kR5Steps.zw).x);
-    PathStart start =
-        startPath(texelFetch(uLight, pixel, 0).rgb, m.normal,
-                  uBounceLights ? lightsAt(pixel, viewDepth(m.position))
-                                : ivec2(0));
+    PathStart start = startPath(texelFetch(uLight, pixel, 0).rgb, m.normal,
+                                uBounceLights ? lightsAt(pixel, viewDepth(m.position)) : ivec2(0));
     start.random = more;
     float t;
     vec3 radiance = mirrored(surfaceOrigin(m.position, m.normal, m.fine), normalize(direction), start,

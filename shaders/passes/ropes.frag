@@ -32,5 +32,5 @@ void main() {
     outMaterial = vec4(0.75, 0.0, 0.12, 1.0);
     outMotion = screenUv(frame.viewProjectionPlain, place) - screenUv(frame.previousViewProjection, lastPlace);
     outDepth = linear;
-    gl_FragDepth = clamp(depthBufferValue(max(linear, frame.cameraPosition.w)), 0.0, 1.0);
+    gl_FragDepth = surfaceDepthValue(linear);
 }

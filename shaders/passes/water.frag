@@ -18,17 +18,22 @@
 #include "lib/sampling.glsl"
 #include "lib/brdf.glsl"
 #include "lib/sky.glsl"
+#include "lib/fog.glsl"
 #include "lib/shadow_trace.glsl"
 #include "lib/bounce.glsl"
 
 uniform sampler2D uBackground;                  // the image without this water
 uniform ivec2 uBackgroundLow, uBackgroundHigh;  // its first and last pixel
-uniform texels4f uOutline;            // sides of all waters, and boxes around runs of them: outlineCrossings()
+uniform texels4f uOutline;               // sides of all waters, and boxes around runs of them: outlineCrossings()
 uniform int uOutlineFirst, uOutlineEnd;  // of this water
-uniform float uSurface, uBottom;  // y, metres from the render origin
-uniform vec3 uColor;              // transmittance of uClarity metres
-uniform vec3 uExtinction;         // s, 1 / m
-uniform vec4 uWaves;              // height and length of the longest, metres; speed, m/s; direction, radians
+uniform float uSurface, uBottom;         // y, metres from the render origin
+// Waters to which belongs what this one shares with them, so that it absorbs light once: first and end of their texels
+// of the outline, surface, bottom.
+uniform vec4 uCovers[kMaxWaterCovers];
+uniform int uCoverCount;
+uniform vec3 uColor;       // transmittance of uClarity metres
+uniform vec3 uExtinction;  // s, 1 / m
+uniform vec4 uWaves;       // height and length of the longest, metres; speed, m/s; direction, radians
 uniform float uSeconds;
 uniform vec4 uRipples[kMaxRipples];  // xy centre (world x, z), z radius of the crest now, w height; metres
 uniform int uRippleCount;
@@ -48,6 +53,7 @@ const float kMinMirrorShare = 0.05;  // share of light that is worth a ray
 const float kMaxRayDistance = 1e5;   // metres
 const float kUsualPixel = 0.0016;    // metres of depth 1 that a pixel covers in a usual perspective
 const float kMeniscus = 0.003;       // metres of height at the port that the water line covers
+const float kSameDepth = 1e-3;       // metres within which two waters begin or end together
 
 in vec2 uv;
 layout(location = 0) out vec4 color;
@@ -81,14 +87,14 @@ void addSide(inout Crossings found, vec4 side, vec2 origin, vec2 direction, floa
 
 /// Visits the sides in boxes that the ray meets. Texels: a group is its box and kOutlineRuns runs, a run is its box and
 /// kOutlineSides sides; the last ones may be shorter.
-Crossings outlineCrossings(vec2 origin, vec2 direction, float begin) {
+Crossings outlineCrossings(ivec2 outline, vec2 origin, vec2 direction, float begin) {
     const int kRun = 1 + kOutlineSides, kGroup = 1 + kOutlineRuns * kRun;
     Crossings found = Crossings(kSkyDepth, kSkyDepth, false);
-    int group = uOutlineFirst;
+    int group = outline.x;
     do {
-        if (group >= uOutlineEnd) break;
+        if (group >= outline.y) break;
         bool isGroupMet = meetsBox(fetch4f(uOutline, group), origin, direction, begin);
-        int run = group + 1, groupEnd = min(group + kGroup, uOutlineEnd);
+        int run = group + 1, groupEnd = min(group + kGroup, outline.y);
         do {
             if (!isGroupMet) break;
             bool isRunMet = meetsBox(fetch4f(uOutline, run), origin, direction, begin);
@@ -98,14 +104,15 @@ Crossings outlineCrossings(vec2 origin, vec2 direction, float begin) {
                 addSide(found, fetch4f(uOutline, side), origin, direction, begin);
             } while (++side < runEnd);
         } while ((run += kRun) < groupEnd);
-    } while ((group += kGroup) < uOutlineEnd);
+    } while ((group += kGroup) < outline.y);
     return found;
 }
 
-/// The first stretch of a ray in the plane, beyond `begin`, that lies inside the outline: x from, y to, in lengths of
-/// the direction. By the even-odd rule a point is inside if the ray crosses an odd number of sides beyond it.
-vec2 insideOutline(vec2 origin, vec2 direction, float begin) {
-    Crossings found = outlineCrossings(origin, direction, begin);
+/// The first stretch of a ray, beyond `begin`, that lies inside an outline: x from, y to, in lengths of the ray. By the
+/// even-odd rule a point is inside if the ray crosses an odd number of sides beyond it.
+vec2 insideOutline(ivec2 outline, vec3 origin, vec3 ray, float begin) {
+    vec2 direction = dot(ray.xz, ray.xz) < 1e-8 ? vec2(1e-4, 0.0) : ray.xz;
+    Crossings found = outlineCrossings(outline, origin.xz, direction, begin);
     return found.isOdd ? vec2(begin, found.first) : vec2(found.first, found.second);
 }
 
@@ -158,18 +165,38 @@ float heightOverWater(vec3 origin, vec3 ray) {
 struct WaterPath {
     float begin, end;
     bool isThroughTop;  // it crosses the surface: where it begins, or where it ends if it begins under water
+    float covered;      // of its length, between both: what belongs to other waters
 };
 
 WaterPath pathThrough(vec3 origin, vec3 ray, float behind, bool isUnder) {
     float slope = abs(ray.y) < 1e-6 ? 1e-6 : ray.y;
-    if (!isUnder && slope > 0.0) return WaterPath(0.0, 0.0, false);
+    if (!isUnder && slope > 0.0) return WaterPath(0.0, 0.0, false, 0.0);
     // Between the surface and the waves a ray crosses the surface at the port.
     float top = max((uSurface - origin.y) / slope, kWaterPort), bottom = (uBottom - origin.y) / slope;
     float enter = !isUnder ? top : slope < 0.0 ? 0.0 : max(bottom, 0.0), leave = slope < 0.0 ? bottom : top;
-    vec2 inside = insideOutline(origin.xz, dot(ray.xz, ray.xz) < 1e-8 ? vec2(1e-4, 0.0) : ray.xz, enter);
+    vec2 inside = insideOutline(ivec2(uOutlineFirst, uOutlineEnd), origin, ray, enter);
     float end = min(min(inside.y, leave), behind);
     bool isThroughTop = isUnder ? slope > 0.0 && end == leave && leave < behind : inside.x == enter;
-    return WaterPath(inside.x, end, isThroughTop);
+    return WaterPath(inside.x, end, isThroughTop, 0.0);
+}
+
+/// Takes from a path what belongs to other waters.
+void leaveToCovers(inout WaterPath path, vec3 origin, vec3 ray, bool isUnder) {
+    float slope = abs(ray.y) < 1e-6 ? 1e-6 : ray.y;
+    int i = loopBegin();
+    do {
+        if (uCoverCount == 0) break;
+        float top = (uCovers[i].z - origin.y) / slope, bottom = (uCovers[i].w - origin.y) / slope;
+        float enter = max(min(top, bottom), path.begin), leave = min(max(top, bottom), path.end);
+        vec2 inside = insideOutline(ivec2(uCovers[i].xy), origin, ray, enter);
+        leave = min(leave, inside.y);
+        bool isShared = inside.x < leave, isFirst = isShared && inside.x <= path.begin + kSameDepth,
+             isLast = isShared && leave >= path.end - kSameDepth;
+        path.covered += isShared && !isFirst && !isLast ? leave - inside.x : 0.0;
+        path.isThroughTop = path.isThroughTop && !(isUnder ? isLast : isFirst);
+        path.end = isLast ? inside.x : path.end;
+        path.begin = isFirst ? leave : path.begin;
+    } while (++i < uCoverCount);
 }
 
 /// Mean radiance from above.
@@ -218,11 +245,13 @@ vec3 radianceAlong(vec3 place, vec3 direction, out float t) {
     float side = direction.y > 0.0 ? 1.0 : -1.0;
     vec3 eye = toEye(place);
     vec3 origin = movedTowardEye(place + vec3(0.0, 0.01 * side, 0.0), vec3(eye.x, side * abs(eye.y), eye.z));
-    if (shadowTrace(origin, direction, kMaxRayDistance, t))
-        return mix(radianceAt(origin + direction * t, direction,
-                              startPath(0.4 * skyRadiance(vec3(0, 1, 0)), vec3(0, 1, 0), ivec2(0)), 1.0),
-                   hazeRadiance(direction), direction.y > 0.0 ? hazeAmount(t) : 0.0);
-    return direction.y > 0.0 ? mirroredBackground(origin, direction) : vec3(0.0);
+    vec3 light = 0.4 * skyRadiance(vec3(0, 1, 0));
+    bool isMet = shadowTrace(origin, direction, kMaxRayDistance, t), isInAir = direction.y > 0.0;
+    if (!isMet && isInAir) return throughOpenFog(mirroredBackground(origin, direction), origin, direction, uSunUp);
+    if (!isMet) return vec3(0.0);
+    vec3 radiance = radianceAt(origin + direction * t, direction, startPath(light, vec3(0, 1, 0), ivec2(0)), 1.0);
+    if (!isInAir) return radiance;
+    return throughFog(mix(radiance, hazeRadiance(direction), hazeAmount(t)), origin, direction, t, light, false);
 }
 
 /// A direction that points away from the water, or into it, by at least a little.
@@ -275,9 +304,8 @@ Sheen sheenAt(Crossing c, float below) {
 
 /// Water and the surface above it.
 Layer underSurface(Layer water, Crossing c, Sheen sheen) {
-    return Layer(
-        water.left * ((1.0 - c.mirrored) * (1.0 - sheen.foam)),
-        mix(mix(water.added, sheen.reflected, c.mirrored) + sheen.glint, 0.75 * lightFromAbove(), sheen.foam));
+    return Layer(water.left * ((1.0 - c.mirrored) * (1.0 - sheen.foam)),
+                 mix(mix(water.added, sheen.reflected, c.mirrored) + sheen.glint, 0.75 * lightFromAbove(), sheen.foam));
 }
 
 /// Snell's window and, outside of it, the mirrored pool, of which `passed` is what is seen. The lesser of both is not
@@ -298,10 +326,11 @@ void main() {
     float behind = texelFetch(uDepth, pixel, 0).r, over = heightOverWater(origin, ray);
     bool isUnder = over < 0.0;
     WaterPath path = pathThrough(origin, ray, behind, isUnder);
+    leaveToCovers(path, origin, ray, isUnder);
     if (path.end <= path.begin) discard;
 
     float pane = uHasPanes ? texelFetch(uGlassSurface, pixel, 0).w : 0.0;
-    float stretch = length(ray), metres = (path.end - path.begin) * stretch,
+    float stretch = length(ray), metres = (path.end - path.begin - path.covered) * stretch,
           toPane = max(min(pane, path.end) - path.begin, 0.0) * stretch;
     vec3 direction = ray / stretch;
     vec4 seen = texelFetch(uBackground, pixel, 0);
@@ -311,7 +340,8 @@ void main() {
         Sheen sheen = sheenAt(c, (path.end - path.begin) * -ray.y);
         vec3 level = refract(direction, vec3(0, 1, 0), 1.0 / kRefractiveIndex);
         vec4 below = seenBelow(origin, ray, (c.passed - level) * stretch, path);
-        water = underSurface(waterLayer((below.w - path.begin) * stretch, 0.0, c.passed.y), c, sheen);
+        water = underSurface(waterLayer(max(below.w - path.begin - path.covered, 0.0) * stretch, 0.0, c.passed.y), c,
+                             sheen);
         beforePane = underSurface(waterLayer(toPane, 0.0, c.passed.y), c, sheen);
         seen = vec4(below.rgb, min(kHistoryWeight, seen.a));
     } else {

@@ -6,6 +6,7 @@
 #endif
 
 SHARED_CONSTANT float kSkyDepth = 65000.0;  // linear depth of pixels without a surface, metres; a half float holds it
+SHARED_CONSTANT float kFarthestDepthValue = 0.99999994;  // the largest float below 1: of surfaces in a depth buffer
 SHARED_CONSTANT float kNearestSurface = 1.0e-3;  // least linear depth of a surface: of a voxel that a ray begins in
 SHARED_CONSTANT float kShadowCell = 0.1;         // metres: side of a cell of the shadow volume
 SHARED_CONSTANT uint kHasGlass = 1u;             // flags of a shape's layout (lib/bodies.glsl)
@@ -26,8 +27,9 @@ SHARED_CONSTANT int kArea = 2;
 SHARED_CONSTANT int kScreen = 3;
 
 // Outlines of waters (passes/water.frag).
-SHARED_CONSTANT int kOutlineSides = 16;  // sides in a box
-SHARED_CONSTANT int kOutlineRuns = 16;   // such boxes in a larger one
+SHARED_CONSTANT int kOutlineSides = 16;   // sides in a box
+SHARED_CONSTANT int kOutlineRuns = 16;    // such boxes in a larger one
+SHARED_CONSTANT int kMaxWaterCovers = 4;  // waters that take what a water shares with them
 
 // Lengths of uniform arrays, and the size of a texel of the history confidence in pixels.
 SHARED_CONSTANT int kMaxDirtyRegions = 8;

@@ -128,6 +128,29 @@ TEST_F(MirrorTest, BelowTheHorizonAMirrorShowsTheFields) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(reflected[i], direct[i], 0.15f * direct[i]) << "channel " << i;
 }
 
+/// The fields are as deep in the fog in a mirror as they are beside it.
+TEST_F(MirrorTest, FogHidesTheFieldsInAMirrorAsItHidesThem) {
+    for (const bool isFoggy : {false, true}) {
+        LitScene scene = mirrorAndWall(kRed);
+        Environment& air = scene.environment;
+        air.skyColor = air.horizonColor = glm::vec3(0.5f, 0.6f, 0.8f);
+        air.groundColor = glm::vec3(0.3f);
+        air.fogDensity = isFoggy ? 0.05f : 0.0f;
+        air.fogHeight = 10.0f;
+        air.fogTint = glm::vec3(0.9f);
+        scene.move(wall, {{-4, -1, -60}, {1, 0, 0, 0}});
+        start(scene, kSize);
+        Camera low = camera();
+        low.lookAt({0, 0.97, -2});
+        const glm::vec3 reflected = mirrored(low);
+        low.lookAt({0, 0.97, 2});
+        draw(low, 24);
+        const glm::vec3 direct = middleOf("radiance");
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(reflected[i], direct[i], 0.25f * direct[i]) << "channel " << i;
+        EXPECT_EQ(direct.b > 0.8f * direct.g, isFoggy) << "fields are green";
+    }
+}
+
 TEST_F(MirrorTest, WhatGlowsBehindTheCameraGlowsInTheMirror) {
     LitScene scene = mirrorAndWall(kGlow);
     scene.environment.sunColor = glm::vec3(0.0f);

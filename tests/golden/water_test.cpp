@@ -218,6 +218,42 @@ TEST_F(WaterTest, AbsorbsLightByDistanceUnderTheSurface) {
     }
 }
 
+/// Where two waters are in one place, light passes one: the pool as two halves that share its middle, or with another
+/// inside of it, looks as it does as one.
+TEST_F(WaterTest, AbsorbsLightOnceWhereWatersOverlap) {
+    const Water pool = poolWater();
+    Water left = pool, right = pool, inside = pool;
+    left.outline[1].x = left.outline[2].x = 1.5;
+    right.outline[0].x = right.outline[3].x = -1.5;
+    for (GroundPoint& p : inside.outline) p.x *= 0.5, p.z *= 0.5;
+    inside.surface -= 0.5, inside.depth -= 0.7;
+    RenderSettings settings;
+    settings.temporal = false;
+    const Camera cameras[] = {kFromTheRim, lookingAt({-4.0, 0.9, 2.0}, {4.0, 0.8, -1.0}, 1.2f),
+                              lookingAt({-2.0, 0.3, 1.5}, {0.0, 1.8, -0.5}, 1.2f)};
+    std::vector<Image> images;
+    for (const Camera& camera : cameras) {
+        start({pool}, settings);
+        images.push_back(draw(camera));
+        const FloatImage one = read("radiance");
+        for (const std::vector<Water>& waters :
+             {std::vector{left, right}, {right, left}, {pool, pool}, {pool, inside}}) {
+            start(waters, settings);
+            images.push_back(draw(camera));
+            const FloatImage found = read("radiance");
+            double sum = 0.0, difference = 0.0;
+            for (size_t p = 0; p < one.pixels.size(); ++p) {
+                sum += double(one.pixels[p].g);
+                difference += std::abs(double(found.pixels[p].g - one.pixels[p].g));
+            }
+            std::printf("differs by %.4f\n", difference / sum);
+            EXPECT_LT(difference, 0.02 * sum);
+        }
+    }
+    if (const char* folder = std::getenv("RUBBLE_SHEETS"))
+        EXPECT_TRUE(writePng(std::string(folder) + "/water_overlaps.png", tile(images, 5)));
+}
+
 /// From below, light from the air comes through a round window of 48.6 degrees around the zenith alone.
 TEST_F(WaterTest, ShowsSnellsWindowFromBelow) {
     RenderSettings settings;

@@ -82,6 +82,10 @@ vec3 withClouds(const Environment& air, vec3 sky, vec3 direction) {
     return mix(sky, mix(shade, bright, lit), cover * 0.85f * smoothstep(0.07f, 0.30f, height));
 }
 
+float landscapeMetres(const Environment& air, float metres) {
+    return metres * std::max(1.0f, air.fogDistance / 150.0f);
+}
+
 vec3 withHills(const Environment& air, vec3 sky, vec3 direction) {
     const vec2 heading = glm::normalize(horizontal(direction));
     const float slope = direction.y / std::max(glm::length(horizontal(direction)), 1e-4f);
@@ -91,18 +95,23 @@ vec3 withHills(const Environment& air, vec3 sky, vec3 direction) {
     const auto edge = [&](float line) { return clamp(0.5f + (line - slope) / 0.0044f, 0.0f, 1.0f); };
     const auto smooth = [](float t) { return t * t * (3.0f - 2.0f * t); };
     const float far = 0.035f + 0.085f * fractalNoise(heading * 3.1f + 11.0f, 4);
-    sky = mix(sky, mix(vec3(0.16f, 0.20f, 0.24f) * light, haze, 0.86f), smooth(edge(far)));
+    sky = mix(sky, mix(vec3(0.16f, 0.20f, 0.24f) * light, haze, hazeAmount(air, landscapeMetres(air, 300.0f))),
+              smooth(edge(far)));
     const float middle = 0.015f + 0.060f * fractalNoise(heading * 5.7f + 47.0f, 5);
-    sky = mix(sky, mix(vec3(0.14f, 0.20f, 0.13f) * light, haze, 0.74f), smooth(edge(middle)));
+    sky = mix(sky, mix(vec3(0.14f, 0.20f, 0.13f) * light, haze, hazeAmount(air, landscapeMetres(air, 234.0f))),
+              smooth(edge(middle)));
     const float woods =
         0.004f + 0.024f * fractalNoise(heading * 9.0f + 83.0f, 3) + 0.010f * fractalNoise(heading * 140.0f + 5.0f, 3);
     const float shading = 0.75f + 0.5f * valueNoise(vec2(std::atan2(heading.y, heading.x) * 160.0f, slope * 500.0f));
-    return mix(sky, mix(vec3(0.13f, 0.18f, 0.08f) * light * shading, haze, 0.60f), smooth(edge(woods)));
+    return mix(sky,
+               mix(vec3(0.13f, 0.18f, 0.08f) * light * shading, haze, hazeAmount(air, landscapeMetres(air, 181.0f))),
+               smooth(edge(woods)));
 }
 
 /// As in lib/sky.glsl.
 vec3 throughHaze(const Environment& air, vec3 background, vec3 direction) {
-    return mix(hazeRadiance(air, direction), background, smoothstep(5.0f, 40.0f, air.fogDistance));
+    return mix(hazeRadiance(air, direction), background,
+               smoothstep(5.0f, mix(100.0f, 40.0f, smoothstep(0.0f, 0.3f, direction.y)), air.fogDistance));
 }
 
 vec3 fieldsBelow(const Environment& air, vec3 direction, vec3 eye, float eyeHeight) {
@@ -116,7 +125,9 @@ vec3 fieldsBelow(const Environment& air, vec3 direction, vec3 eye, float eyeHeig
         (0.75f + 0.5f * tufts);
     const vec3 light = air.sunColor * std::max(toSun(air).y, 0.0f) * 0.3183f + skyRadiance(air, vec3(0, 1, 0)) * 0.8f;
     const vec3 haze = hazeRadiance(air, direction);
-    return throughHaze(air, mix(albedo * light, haze, std::min(hazeAmount(air, distanceMetres), 0.72f)), direction);
+    return throughHaze(
+        air, mix(albedo * light, haze, hazeAmount(air, std::min(distanceMetres, landscapeMetres(air, 225.0f)))),
+        direction);
 }
 
 }  // namespace

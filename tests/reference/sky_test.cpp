@@ -17,9 +17,10 @@ TEST_F(SkyTest, IsWhatTheShadersDraw) {
     RenderSettings settings;
     settings.temporal = settings.fog = settings.glare = false;
     const glm::ivec2 size(64, 40);
-    start(scene, size, settings);
     int differ = 0, pixels = 0;
     for (const double turn : {0.0, 1.3, 2.4, 3.8, 5.1}) {
+        scene.environment.fogDistance = turn < 2.0 ? 150.0f : turn < 3.0 ? 1e5f : turn < 4.0 ? 50.0f : 25.0f;
+        start(scene, size, settings);
         Camera camera;
         camera.position = {3.0, 4.0, -2.0};
         camera.yaw = turn, camera.pitch = 0.25 * std::sin(7.0 * turn);

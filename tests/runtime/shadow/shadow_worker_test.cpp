@@ -275,6 +275,22 @@ TEST(ShadowWorker, AShapeBeyondItsBudgetIsLoggedOnce) {
     EXPECT_EQ(g_lines - before, 1);
 }
 
+TEST(ShadowWorker, AShapeTooFarFromTheOriginIsLoggedOnce) {
+    for (const double metres : {0.99e8, 1.01e8, -1.01e8}) {
+        World world = worldOf({makeBody(solidGrid({4, 4, 4}), {{0, 0, metres}}, true),
+                               makeBody(solidGrid({4, 4, 4}), {{2, 0, metres}}, true)});
+        ShadowWorker worker(ShadowWorker::Mode::Inline);
+        const int before = g_lines;
+        setLogSink([](void* lines, LogLevel, std::string_view) { ++*static_cast<std::atomic<int>*>(lines); }, &g_lines);
+        worker.submit(world.applyEdits({}), {}, world);
+        setLogSink(nullptr, nullptr);
+        const bool casts = std::abs(metres) < 1e8;
+        EXPECT_EQ(g_lines - before, casts ? 0 : 1) << metres;
+        for (const ShadowPatches& publication : worker.takePatches())
+            EXPECT_NE(publication.patches.empty(), casts) << metres;
+    }
+}
+
 TEST(ShadowWorker, WithoutMemoryTheVolumeStaysAsItIsUntilAllIsReplaced) {
     World world = worldOf({makeBody(solidGrid({64, 64, 64}), {}, true)});
     if (!allocationCount()) GTEST_SKIP() << "this sanitizer counts no allocations";

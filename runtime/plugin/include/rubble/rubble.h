@@ -588,9 +588,12 @@ typedef struct rubble_mesh_vertex {
  * y, then z, and as read_voxels() gives them. */
 #define RUBBLE_BRICK_BYTES 1024u
 
-/* 16 x 16 x 16 cells of 0.1 m along the world's axes, which hold a cell wherever a voxel that casts shadow is: for rays
- * through the whole world. Brick (x, y, z) begins at cell (16 x, 16 y, 16 z), 0 at the world's origin. It is made of
- * words of 4 x 4 x 4 cells: word x + 4 y + 16 z, whose cells are bits x + 4 y + 16 z. */
+/* 16 x 16 x 16 cells of 0.1 m along the world's axes, for rays through the whole world: a cell is set if its centre
+ * lies in a voxel that casts shadow; of voxels smaller than cells, if one of a grid of points in it does. So a ray that
+ * walks from each cell to one that shares a face with it never passes a wall of one voxel, however that is turned; of a
+ * turned wall, points in voxels and on straight lines through it may lie in no set cell. Brick (x, y, z) begins at cell
+ * (16 x, 16 y, 16 z), 0 at the world's origin. It is made of words of 4 x 4 x 4 cells: word x + 4 y + 16 z, whose cells
+ * are bits x + 4 y + 16 z. */
 typedef struct rubble_shadow_brick {
     int32_t x, y, z;
     uint32_t is_empty; /* 1: it holds no cell, and all that follows is 0 */
@@ -1603,10 +1606,10 @@ typedef struct rubble_view {
     /* column-major, from an eye that looks along -z with y up to clip space: a perspective, also with an infinite far
      * plane, or an orthographic projection, which shows nothing before its near plane, where haze and fog begin. Both
      * also off-centre, with reversed depth. Near and far may be any: voxels before a perspective's near plane and
-     * beyond the far one are drawn too, and depths end at the planes. Of a perspective, [0] and [5] are 0.001 to 10,000
-     * (fields of view of 3.14 to 0.0002 radians: rays are floats) and [8] and [9] -4 to 4; of an orthographic
-     * projection, 1e-4 to 100 (views of 20 km to 2 cm), [12] and [13] -1e5 to 1e5, and the near plane lies within
-     * 100 km of the eye. All zeros: vertical_fov in the middle of the view */
+     * beyond the far one are drawn too, to 65 km along the view axis, and depths end at the planes. Of a perspective,
+     * [0] and [5] are 0.001 to 10,000 (fields of view of 3.14 to 0.0002 radians: rays are floats) and [8] and [9] -4 to
+     * 4; of an orthographic projection, 1e-4 to 100 (views of 20 km to 2 cm), [12] and [13] -1e5 to 1e5, and the near
+     * plane lies within 100 km of the eye. All zeros: vertical_fov in the middle of the view */
     double projection[16];
 } rubble_view;
 
