@@ -28,6 +28,7 @@ void ScriptHost::beginDrawing(const rubble_view& view) {
     frame.height = kCanvasHeight;
     frame.width = double(view.width) / frame.pixels;
     frame.items.clear();
+    frame.isOpen = true;
     for (Script& script : m_scripts) {
         if (!script.has(Callback::Draw)) continue;
         UiState start;
@@ -37,12 +38,13 @@ void ScriptHost::beginDrawing(const rubble_view& view) {
     }
 }
 
-void ScriptHost::addDebugItems() {
+void ScriptHost::addLinesAndWatches() {
     UiFrame& frame = m_shared.ui;
-    for (const DebugLine& line : m_shared.debugLines) {
+    for (const WorldLine& line : m_shared.lines) {
         UiItem item{sized<rubble_overlay_item>(), "", ""};
         item.row.kind = RUBBLE_OVERLAY_WORLD_LINE;
-        item.row.stroke = 2.0 * frame.pixels;
+        item.row.flags = line.isOccluded ? uint32_t(RUBBLE_OVERLAY_OCCLUDED) : 0u;
+        item.row.stroke = line.width * frame.pixels;
         std::copy_n(line.from.data(), 3, item.row.position);
         std::copy_n(line.to.data(), 3, item.row.end);
         for (size_t i = 0; i < 4; ++i) item.row.color[i] = std::clamp(line.color[i], 0.0, 1.0);
@@ -58,12 +60,12 @@ void ScriptHost::addDebugItems() {
 rubble_result ScriptHost::show(rubble_renderer renderer) {
     const rubble_api& api = *m_shared.api;
     for (auto& [name, image] : m_shared.ui.images) {
-        if (image.isSent) continue;
+        if (image.holders.contains(renderer)) continue;
         auto given = sized<rubble_overlay_image>();
         given.name = name.c_str(), given.pixels = image.pixels.data();
         given.width = image.width, given.height = image.height;
         if (const rubble_result result = api.set_overlay_image(renderer, &given); result != RUBBLE_OK) return result;
-        image.isSent = true;
+        image.holders.insert(renderer);
     }
     std::vector<rubble_overlay_item> rows;
     for (const UiItem& item : m_shared.ui.items) {
@@ -75,11 +77,16 @@ rubble_result ScriptHost::show(rubble_renderer renderer) {
 }
 
 rubble_result ScriptHost::draw(rubble_renderer renderer, const rubble_view& view, double dt) {
+    const size_t lines = m_shared.lines.size();  // those of draw() are of this view alone
     beginDrawing(view);
     callAll(Callback::Draw, dt);
-    addDebugItems();
-    const bool draws = !m_shared.ui.items.empty(), drew = std::exchange(m_hasDrawn, draws);
-    return renderer && (draws || drew) ? show(renderer) : RUBBLE_OK;
+    m_shared.ui.isOpen = false;
+    addLinesAndWatches();
+    m_shared.lines.resize(lines);
+    if (!renderer) return RUBBLE_OK;
+    const bool draws = !m_shared.ui.items.empty();
+    const bool drew = draws ? !m_overlaid.insert(renderer).second : m_overlaid.erase(renderer) > 0;
+    return draws || drew ? show(renderer) : RUBBLE_OK;
 }
 
 }  // namespace rubble::script

@@ -77,7 +77,7 @@ void ScriptHost::callAll(Callback callback, double dt) {
 }
 
 void ScriptHost::tick(double dt) {
-    m_shared.debugLines.clear();
+    m_shared.lines.clear();
     callAll(Callback::Tick, dt);
 }
 

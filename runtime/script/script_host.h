@@ -4,6 +4,7 @@
 #include <functional>
 #include <list>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 
@@ -72,8 +73,9 @@ public:
     rubble_result step();
 
     /// Calls draw(dt) of all scripts after tick(), for a view that is drawn next, and gives what they have drawn, the
-    /// lines of DebugLine() and the values of DebugWatch() to its renderer. [render-thread, which is the main thread
-    /// here] renderer 0: what is drawn only stands in shared().ui.items. Where no script draws, nothing is given.
+    /// lines since tick() and the values of DebugWatch() to its renderer, of which there may be several.
+    /// [render-thread, which is the main thread here] renderer 0: what is drawn only stands in shared().ui.items. Where
+    /// no script draws, nothing is given.
     rubble_result draw(rubble_renderer renderer, const rubble_view& view, double dt);
 
     /// How many seconds of the world a second of the host shall be, as SetTimeScale() says.
@@ -104,15 +106,15 @@ private:
     void tellTriggers();
     void dropPointLights();
     void beginDrawing(const rubble_view& view);
-    void addDebugItems();
+    void addLinesAndWatches();
     rubble_result show(rubble_renderer renderer);
 
     ScriptHostSettings m_settings;
     ScriptWorld m_shared;
     std::list<Script> m_scripts;
-    uint32_t m_levelScripts = 0;  ///< of those that the world names, how many have begun
-    bool m_hasDrawn = false;      ///< the renderer has an overlay
-    uint32_t m_reports = 0;       ///< kinds that the world lists for the scripts
+    uint32_t m_levelScripts = 0;           ///< of those that the world names, how many have begun
+    std::set<rubble_renderer> m_overlaid;  ///< that have an overlay of the scripts
+    uint32_t m_reports = 0;                ///< kinds that the world lists for the scripts
 };
 
 }  // namespace rubble::script

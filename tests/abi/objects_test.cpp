@@ -274,5 +274,33 @@ TEST(Notes, CostNothingWhereNobodyUsesThem) {
     EXPECT_EQ(changes.notes.capacity(), 0u);
 }
 
+TEST_F(AbiObjects, DataOfTheHostStaysWithTheGame) {
+    const auto set = [&](const std::string& name, uint8_t value, uint64_t size) {
+        return api()->set_host_data(m_world, name.c_str(), &value, size);
+    };
+    const auto get = [&](const std::string& name) {
+        uint8_t value = 0;
+        uint64_t count = 0;
+        EXPECT_EQ(api()->get_host_data(m_world, name.c_str(), &value, 1, &count), RUBBLE_OK);
+        return count ? int(value) : -1;
+    };
+    for (int i = 0; i < 1000; ++i) ASSERT_EQ(set(std::to_string(i), 1, 1), RUBBLE_OK);
+    EXPECT_EQ(set("another", 1, 1), RUBBLE_ERROR_CAPACITY);
+    EXPECT_EQ(set("7", 3, 1), RUBBLE_OK) << "it is replaced";
+    EXPECT_EQ(get("7"), 3);
+    EXPECT_EQ(set("8", 0, 0), RUBBLE_OK);
+    EXPECT_EQ(get("8"), -1);
+    EXPECT_EQ(set("another", 5, 1), RUBBLE_OK) << "there is room again";
+    uint64_t size = 0;
+    ASSERT_EQ(api()->save_game_data(m_world, nullptr, 0, &size), RUBBLE_OK);
+    std::vector<uint8_t> game(size);
+    ASSERT_EQ(api()->save_game_data(m_world, game.data(), size, &size), RUBBLE_OK);
+    ASSERT_EQ(api()->load_level(m_world, s_level.c_str(), nullptr), RUBBLE_OK);
+    EXPECT_EQ(get("another"), -1);
+    ASSERT_EQ(api()->load_game_data(m_world, game.data(), size), RUBBLE_OK);
+    EXPECT_EQ(get("another"), 5);
+    EXPECT_EQ(get("8"), -1);
+}
+
 }  // namespace
 }  // namespace rubble

@@ -1,5 +1,6 @@
 // Setting what was just read changes nothing: not the state, not the copies that hosts keep.
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <functional>
 #include <map>
@@ -21,6 +22,7 @@ struct Objects {
     rubble_shape shape = 0;
     rubble_light light = 0;
     rubble_light_group group = 0;
+    rubble_joint joint = 0;
     rubble_character character = 0;
 };
 
@@ -134,6 +136,24 @@ void setUserValue(const Objects& o) {
     expectOk(api()->get_user_value(o.world, o.shape, &value));
     expectOk(api()->set_user_value(o.world, o.shape, value));
 }
+void setJointMotor(const Objects& o) {
+    auto value = sized<rubble_joint_properties>();
+    expectOk(api()->get_joint_properties(o.world, o.joint, &value));
+    auto motor = sized<rubble_joint_motor>();
+    motor.joint = o.joint, motor.motor = value.motor;
+    motor.motor_target = value.motor_target, motor.motor_max_force = value.motor_max_force;
+    motor.friction = value.friction, motor.steer_angle = value.steer_angle;
+    expectOk(api()->set_joint_motor(o.world, &motor));
+}
+void setHostData(const Objects& o) {
+    std::array<uint8_t, 16> bytes{}, again{};
+    uint64_t count = 0, sameCount = 0;
+    expectOk(api()->get_host_data(o.world, "data", bytes.data(), bytes.size(), &count));
+    expectOk(api()->set_host_data(o.world, "data", bytes.data(), count));
+    expectOk(api()->get_host_data(o.world, "data", again.data(), again.size(), &sameCount));
+    EXPECT_EQ(sameCount, 3u);
+    EXPECT_EQ(again, bytes) << "no hash is of it";
+}
 void writeVoxels(const Objects& o) {
     auto box = sized<rubble_voxel_box>();
     box.shape = o.shape;
@@ -159,16 +179,16 @@ const std::map<std::string, std::function<void(const Objects&)>> kPairs = {
     {"set_name", setName},
     {"set_tag", setTag},
     {"set_user_value", setUserValue},
+    {"set_joint_motor", setJointMotor},
+    {"set_host_data", setHostData},
     {"write_voxels", writeVoxels},
 };
 /// Other functions that set something, and why they are in no pair.
 const std::map<std::string, std::string> kAlone = {
     {"set_host", "nothing reads the host's services"},
     {"set_bounds", "bounds that follow what there is are read as they are now; to set those holds them"},
-    {"set_host_data", "the host's own bytes, which nothing else has"},
     {"set_overlay", "of a renderer"},
     {"set_overlay_image", "of a renderer"},
-    {"set_joint_motor", "nothing reads a motor"},
     {"set_undo_limit", "nothing reads the limit"},
     {"set_debug_view", "of a renderer"},
     {"set_body_states", "of worlds that the host's physics moves: HostPhysics tests it"},
@@ -200,12 +220,28 @@ rubble_body makeBox(rubble_world world, uint32_t flags, double x, rubble_shape* 
     return out;
 }
 
+/// A hinge with a motor between a body and the world.
+rubble_joint makeHinge(rubble_world world) {
+    rubble_shape shape = 0;
+    makeBox(world, 0, 20.0, &shape);
+    auto joint = sized<rubble_joint_settings>();
+    joint.kind = RUBBLE_JOINT_HINGE, joint.shapes[0] = shape, joint.anchor_radius = 1.0;
+    joint.position[0] = 20.2, joint.position[1] = 40.2, joint.position[2] = 0.2;
+    joint.motor = RUBBLE_MOTOR_SPEED, joint.motor_target = 0.7, joint.motor_max_force = 1e4, joint.friction = 0.3;
+    rubble_joint made = 0;
+    expectOk(api()->create_joint(world, &joint, &made));
+    return made;
+}
+
 Objects makeObjects(rubble_world world) {
     Objects o = {.world = world};
     rubble_shape fallen = 0;
     o.falling = makeBox(world, 0, 10.0, &fallen);
     o.standing = makeBox(world, RUBBLE_BODY_STATIC, -10.0, &o.shape);
+    o.joint = makeHinge(world);
     o.character = makeCharacter(world);
+    const uint8_t data[3] = {1, 2, 3};
+    expectOk(api()->set_host_data(world, "data", data, sizeof data));
     auto group = sized<rubble_light_group_settings>();
     group.threshold = 0.3;
     expectOk(api()->create_light_group(world, &group, &o.group));

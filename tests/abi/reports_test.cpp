@@ -1,4 +1,5 @@
 #include <cmath>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,15 @@ protected:
         shape.index = 5;
         m_crate = make(shape);
         return crate;
+    }
+    /// How many parts of each shape burn.
+    std::map<uint64_t, int> countFires() {
+        std::vector<rubble_fire> rows(1000);
+        uint32_t count = 0;
+        EXPECT_EQ(api()->get_fires(m_world, rows.data(), uint32_t(rows.size()), &count), RUBBLE_OK);
+        std::map<uint64_t, int> out;
+        for (const rubble_fire& fire : std::span(rows).first(count)) ++out[fire.shape];
+        return out;
     }
     rubble_shape m_crate = 0;
 };
@@ -132,6 +142,44 @@ TEST_F(AbiReports, FiresAreReportedWhenTheyAreLitAndWhenTheyGoOut) {
     step();
     ASSERT_EQ(reports().fire_count, 1u);
     EXPECT_EQ(reports().fires[0].lit, 0u);
+}
+
+/// Of each shape, lit minus out is what burns: also when parts come off, burn down, are destroyed or undone.
+TEST_F(AbiReports, FiresAddUpToWhatBurns) {
+    const rubble_body body = make(bodyAt(5.0, 0.0, RUBBLE_BODY_STATIC));
+    auto wall = shapeOn(body, RUBBLE_SHAPE_BOX, 3);
+    wall.index = 5;  // wood
+    wall.size[0] = 40, wall.size[1] = 30;
+    const rubble_shape shape = make(wall);
+    ASSERT_EQ(api()->set_undo_limit(m_world, 1), RUBBLE_OK);
+    ask(RUBBLE_REPORT_FIRE);
+    auto heat = sized<rubble_heat>();
+    heat.flags = RUBBLE_HEAT_IGNITE, heat.joules = 1.0, heat.radius = 3.0;
+    heat.position[0] = 6.0, heat.position[1] = 1.0;
+    ASSERT_EQ(api()->heat(m_world, &heat), RUBBLE_OK);
+    std::map<uint64_t, int> burning;
+    size_t pieces = 0;
+    for (int i = 0; i < 1200; ++i) {
+        if (i == 100) {
+            auto explosion = sized<rubble_explosion>();
+            explosion.position[0] = 6.0, explosion.position[1] = 1.0, explosion.size = 1.0;
+            ASSERT_EQ(api()->explode(m_world, &explosion), RUBBLE_OK);
+            ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
+        }
+        if (i == 200) ASSERT_EQ(api()->undo(m_world), RUBBLE_OK);
+        if (i == 300) ASSERT_EQ(api()->redo(m_world), RUBBLE_OK);
+        if (i == 900) {
+            ASSERT_TRUE(burning.contains(shape));
+            ASSERT_EQ(api()->destroy_body(m_world, body), RUBBLE_OK);
+        }
+        step();
+        for (const auto& row : std::span(reports().fires, reports().fire_count)) burning[row.shape] += row.lit ? 1 : -1;
+        const std::map<uint64_t, int> expected = countFires();
+        pieces = std::max(pieces, expected.size());
+        std::erase_if(burning, [](const auto& each) { return each.second == 0; });
+        ASSERT_EQ(burning, expected) << "step " << i;
+    }
+    EXPECT_GT(pieces, 1u);
 }
 
 TEST_F(AbiReports, ACharacterLandsWalksAndGetsIntoWater) {

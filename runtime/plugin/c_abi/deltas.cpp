@@ -51,7 +51,7 @@ rubble_result applyDeltas(rubble_world world, const void* data, uint64_t size) {
                 refuse(RUBBLE_ERROR_FILE, "data: {}", done.error());
             }
             hosted.events.fill(hosted.loop.changes());
-            hosted.reports.clear();
+            hosted.reports.restart(hosted.loop);
         });
     });
 }

@@ -41,13 +41,18 @@ std::string readName(const char* name) {
     return isRefused() ? "" : std::string(name, length);
 }
 
+std::vector<HostData>::const_iterator findData(const std::vector<HostData>& kept, const std::string& name) {
+    return std::find_if(kept.begin(), kept.end(), [&](const HostData& each) { return each.name == name; });
+}
+
 rubble_result setHostData(rubble_world world, const char* name, const uint8_t* data, uint64_t size) {
     return inWorld("set_host_data", world, [&](HostedWorld& hosted) {
         const std::string key = readName(name);
         readInRange(double(size), {0.0, double(kMaxBytes)}, "size");
         if (!isRefused() && size) isGiven(data, "data");
         const auto& kept = hosted.loop.world().data().hostData;
-        if (size && kept.size() >= kMaxNames) refuse(RUBBLE_ERROR_CAPACITY, "there are {} names already", kMaxNames);
+        if (size && kept.size() >= kMaxNames && findData(kept, key) == kept.end())
+            refuse(RUBBLE_ERROR_CAPACITY, "there are {} names already", kMaxNames);
         if (!isRefused()) rubble::setHostData(hosted.loop.world(), key, std::string(data, data + size));
     });
 }
@@ -60,8 +65,7 @@ rubble_result getHostData(rubble_world world, const char* name, uint8_t* out, ui
         const std::string key = readName(name);
         if (isRefused()) return;
         const auto& kept = hosted.loop.world().data().hostData;
-        const auto found =
-            std::find_if(kept.begin(), kept.end(), [&](const HostData& each) { return each.name == key; });
+        const auto found = findData(kept, key);
         if (found == kept.end()) return;
         *count = found->bytes.size();
         if (capacity && capacity < *count)

@@ -44,7 +44,7 @@ struct HostedWorld {
     /// Nothing is known of the steps of a world that was replaced.
     void forgetSteps() {
         events.clear();
-        reports.clear();
+        reports.restart(loop);
         bricks.forget();
     }
     WorldOptions options;

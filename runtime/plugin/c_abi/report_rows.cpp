@@ -44,9 +44,9 @@ uint32_t whatHappened(JointBreak reason) {
     }
 }
 
-rubble_fire_report fireRow(const FireEvent& event, bool lit) {
-    rubble_fire_report row = {event.shape.bits, lit, 0, {}};
-    writeVector(row.position, event.position);
+rubble_fire_report fireRow(const Fire& fire, bool lit) {
+    rubble_fire_report row = {fire.shape.bits, lit, 0, {}};
+    writeVector(row.position, fire.position);
     return row;
 }
 
@@ -64,6 +64,7 @@ void ReportRows::setFilter(FrameLoop& loop, uint32_t kinds, ReportFilter filter,
     filter.hit = kinds & RUBBLE_REPORT_CONTACT_HIT;
     filter.water = kinds & RUBBLE_REPORT_WATER;
     if (loop.physics()) loop.physics()->report(filter);
+    if (kinds & ~m_kinds & RUBBLE_REPORT_FIRE) m_fireReports.restart(loop.world().data());
     m_kinds = kinds;
     m_stride = stride;
     if (!(kinds & kCharacterKinds)) m_characters.forget();
@@ -84,10 +85,15 @@ void ReportRows::fill(FrameLoop& loop) {
         }
     }
     if (m_kinds & RUBBLE_REPORT_JOINT) fillJoints(loop.changes());
-    if (m_kinds & RUBBLE_REPORT_FIRE) fillFires(loop.changes());
+    if (m_kinds & RUBBLE_REPORT_FIRE) fillFires(world);
     if (m_kinds & kCharacterKinds) m_characters.step(loop.physics()->characters(), world, m_stride);
     if (m_kinds & RUBBLE_REPORT_WATER) fillWaters(world, loop.physics()->waterEntries());
     if (m_kinds & RUBBLE_REPORT_FOOTSTEP) fillFootsteps();
+}
+
+void ReportRows::restart(const FrameLoop& loop) {
+    clear();
+    if (m_kinds & RUBBLE_REPORT_FIRE) m_fireReports.restart(loop.world().data());
 }
 
 void ReportRows::clear() {
@@ -109,9 +115,10 @@ void ReportRows::fillJoints(const FrameChanges& changes) {
         m_joints.push_back({moved.joint.bits, RUBBLE_REPORT_JOINT_MOVED, 0, {}, moved.from.bits, moved.to.bits});
 }
 
-void ReportRows::fillFires(const FrameChanges& changes) {
-    for (const FireEvent& event : changes.firesLit) m_fires.push_back(fireRow(event, true));
-    for (const FireEvent& event : changes.firesOut) m_fires.push_back(fireRow(event, false));
+void ReportRows::fillFires(const World& world) {
+    m_fireReports.step(world.data());
+    for (const Fire& fire : m_fireReports.lit()) m_fires.push_back(fireRow(fire, true));
+    for (const Fire& fire : m_fireReports.out()) m_fires.push_back(fireRow(fire, false));
 }
 
 void ReportRows::fillWaters(const World& world, std::span<const WaterEntry> entries) {

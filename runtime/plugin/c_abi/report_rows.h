@@ -4,6 +4,7 @@
 
 #include "runtime/plugin/break_reports.h"
 #include "runtime/plugin/character_reports.h"
+#include "runtime/plugin/fire_reports.h"
 #include "runtime/plugin/frame_loop.h"
 #include "runtime/plugin/include/rubble/rubble.h"
 
@@ -17,15 +18,16 @@ public:
     void setFilter(FrameLoop& loop, uint32_t kinds, ReportFilter filter, double stride);
     /// Replaces all rows by those of the last step.
     void fill(FrameLoop& loop);
-    /// Removes all rows: the world that they were of is gone.
-    void clear();
+    /// Removes all rows: the steps that they were of are not those that led to this world.
+    void restart(const FrameLoop& loop);
     /// Pointers to the rows and their counts, valid until the next fill(); struct_size is left to the caller.
     rubble_reports view() const;
 
 private:
+    void clear();
     void fillContacts(const World& world, std::span<const ReportedContact> contacts);
     void fillJoints(const FrameChanges& changes);
-    void fillFires(const FrameChanges& changes);
+    void fillFires(const World& world);
     void fillWaters(const World& world, std::span<const WaterEntry> entries);
     void fillFootsteps();
 
@@ -33,6 +35,7 @@ private:
     uint32_t m_listed = 0;  ///< of the last
     double m_stride = 0.8;  ///< metres
     CharacterReports m_characters;
+    FireReports m_fireReports;
     std::vector<BreakReport> m_found;
     std::vector<rubble_contact> m_contacts;
     std::vector<rubble_break_report> m_breaks;

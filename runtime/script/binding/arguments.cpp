@@ -166,10 +166,15 @@ bool isDone(lua_State* L, rubble_result result) {
     ScriptContext& context = ScriptContext::of(L);
     const std::string text = runningFunction(L).name() + ": " + context.shared.api->get_last_error();
     if (result != RUBBLE_ERROR_STALE) luaL_error(L, "%s", text.c_str());
+    warnOnce(L, context.shared.api->get_last_error());
+    return false;
+}
+
+void warnOnce(lua_State* L, const std::string& text) {
+    ScriptContext& context = ScriptContext::of(L);
     const std::string place = placeOf(L);
     if (context.warned.size() < 1000 && context.warned.insert(place).second && context.shared.log)
-        context.shared.log(RUBBLE_LOG_WARNING, place + ": " + text);
-    return false;
+        context.shared.log(RUBBLE_LOG_WARNING, place + ": " + runningFunction(L).name() + ": " + text);
 }
 
 const ScriptFunction& runningFunction(lua_State* L) {

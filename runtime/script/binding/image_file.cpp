@@ -4,7 +4,7 @@
 
 namespace rubble::script {
 
-std::string readPng(const std::string& path, UiImage& out) {
+std::string readPng(const std::string& path, size_t maxBytes, UiImage& out) {
     constexpr uint32_t kMaxSide = 4096;
     png_image image = {};
     image.version = PNG_IMAGE_VERSION;
@@ -14,6 +14,9 @@ std::string readPng(const std::string& path, UiImage& out) {
     if (image.width > kMaxSide || image.height > kMaxSide) {
         error = "expected at most 4096 x 4096 pixels, found " + std::to_string(image.width) + " x " +
                 std::to_string(image.height);
+    } else if (PNG_IMAGE_SIZE(image) > maxBytes) {
+        error = "expected at most " + std::to_string(maxBytes >> 20) + " MiB more of images, found " +
+                std::to_string(PNG_IMAGE_SIZE(image) >> 20);
     } else {
         out.width = image.width, out.height = image.height;
         out.pixels.resize(PNG_IMAGE_SIZE(image));

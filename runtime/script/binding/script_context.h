@@ -16,10 +16,12 @@
 
 namespace rubble::script {
 
-/// A line of DebugLine() or DebugCross(), for the host to draw until the next frame.
-struct DebugLine {
+/// A line of DrawLine(), DebugLine() or DebugCross().
+struct WorldLine {
     std::array<double, 3> from, to;  ///< world, metres
     std::array<double, 4> color;     ///< 0 to 1, with opacity
+    double width;                    ///< in units of the canvas
+    bool isOccluded;                 ///< voxels hide it
 };
 
 /// The voxels of a shape with what calls that draw have written since the last step: what several of them draw in one
@@ -64,7 +66,7 @@ struct ScriptWorld {
     std::map<uint64_t, rubble_light> pointLights;  ///< of PointLight() in this step and in the last, by its number
     std::map<std::string, std::string> registry;   ///< "a.b.c": its value as a text
     bool mayHaveScripts = false;                   ///< a prefab was placed: the world may name more scripts
-    std::vector<DebugLine> debugLines;
+    std::vector<WorldLine> lines;                  ///< for frames until the next tick()
     UiFrame ui;
     std::map<std::string, std::string> watches;              ///< of DebugWatch(), by name
     std::function<void(int level, const std::string&)> log;  ///< RUBBLE_LOG_..., a line without a break
@@ -127,6 +129,8 @@ T sized() {
 /// Checks what a call of the interface came to. False: something that it names is gone, which is told once for each
 /// line of a script, and the function has no effect. Everything else that is wrong is an error of the script.
 bool isDone(lua_State* L, rubble_result result);
+/// Logs a warning of the function that runs, once for each line of a script.
+void warnOnce(lua_State* L, const std::string& text);
 
 /// A function that scripts call.
 struct ScriptFunction {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -36,8 +37,8 @@ struct UiItem {
 /// An image that scripts have read.
 struct UiImage {
     uint32_t width = 0, height = 0;
-    std::vector<uint8_t> pixels;  ///< RGBA, rows from the top
-    bool isSent = false;          ///< the renderer has it
+    std::vector<uint8_t> pixels;        ///< RGBA, rows from the top
+    std::set<rubble_renderer> holders;  ///< that have it
 };
 
 /// What scripts draw of a frame, and where.
@@ -45,8 +46,10 @@ struct UiFrame {
     double width = 1920.0, height = 1080.0;  ///< of the canvas that scripts draw on: always 1080 high
     double pixels = 1.0;                     ///< of the view in a unit of the canvas
     rubble_view view = {};                   ///< of the last frame
+    bool isOpen = false;                     ///< draw() of scripts runs
     std::vector<UiItem> items;
     std::map<std::string, UiImage> images;  ///< by path in the scripts' folder
+    size_t imageBytes = 0;                  ///< of all of them
 };
 
 }  // namespace rubble::script

@@ -11,9 +11,10 @@
 namespace rubble::script {
 namespace {
 
-constexpr size_t kMaxItems = 20'000, kMaxTextBytes = 4096, kMaxImages = 200;
-constexpr double kMost = 1e5;       ///< units
-constexpr double kMaxNumber = 1e6;  ///< that the interface takes
+constexpr size_t kMaxItems = 20'000, kMaxTextBytes = 4096, kMaxLines = 10'000, kMaxImages = 200;
+constexpr size_t kMaxImageBytes = 256 << 20;  ///< of all images
+constexpr double kMost = 1e5;                 ///< units
+constexpr double kMaxNumber = 1e6;            ///< that the interface takes
 
 UiFrame& frameOf(lua_State* L) {
     return ScriptContext::of(L).shared.ui;
@@ -38,6 +39,7 @@ UiItem itemOf(lua_State* L, uint32_t kind) {
 }
 
 void add(lua_State* L, UiItem item) {
+    if (!frameOf(L).isOpen) return warnOnce(L, "expected a call in draw(dt), nothing is drawn by others");
     std::vector<UiItem>& items = frameOf(L).items;
     if (items.size() >= kMaxItems)
         luaL_error(L, "%s: expected at most %d things in a frame", runningFunction(L).name().c_str(), int(kMaxItems));
@@ -155,11 +157,12 @@ const UiImage& imageAt(lua_State* L, std::string& name) {
     if (images.size() >= kMaxImages)
         luaL_error(L, "%s: expected at most %d different images", runningFunction(L).name().c_str(), int(kMaxImages));
     UiImage image;
-    const std::string error = readPng(path, image);
+    const std::string error = readPng(path, kMaxImageBytes - frameOf(L).imageBytes, image);
     if (!error.empty())
         luaL_error(L, "%s: path: expected a PNG file, found %s: %s", runningFunction(L).name().c_str(), name.c_str(),
                    error.c_str());
     Sandbox::of(L).charge(L, 10'000 + int64_t(image.width) * image.height / 64);
+    frameOf(L).imageBytes += image.pixels.size();
     return images[name] = std::move(image);
 }
 
@@ -219,15 +222,10 @@ int imageBox(lua_State* L) {
 }
 
 int drawLine(lua_State* L) {
-    UiItem item{sized<rubble_overlay_item>(), "", ""};
+    WorldLine line{vectorAt(L, 1, "p0"), vectorAt(L, 2, "p1"), {}, 1.5, true};
     const char* const names[] = {"r", "g", "b", "a"};
-    item.row.kind = RUBBLE_OVERLAY_WORLD_LINE;
-    item.row.flags = RUBBLE_OVERLAY_OCCLUDED;
-    item.row.stroke = 1.5;
-    copy(item.row.position, vectorAt(L, 1, "p0"));
-    copy(item.row.end, vectorAt(L, 2, "p1"));
-    for (int i = 0; i < 4; ++i) item.row.color[i] = std::clamp(numberOr(L, 3 + i, names[i], 1.0), 0.0, 1.0);
-    add(L, std::move(item));
+    for (int i = 0; i < 4; ++i) line.color[size_t(i)] = numberOr(L, 3 + i, names[i], 1.0);
+    addWorldLine(L, line);
     return 0;
 }
 
@@ -271,10 +269,17 @@ constexpr ScriptFunction kFunctions[] = {
      "Where a place of the world is on the canvas; depth: metres before the camera, negative behind it.", worldToPixel},
     {"GetCameraTransform() -> transform", "The camera of the last frame, which looks along its -z.",
      getCameraTransform},
-    {"DrawLine(p0, p1, r, g, b, a)", "A line of the world for this frame, which voxels hide.", drawLine},
+    {"DrawLine(p0, p1, r, g, b, a)",
+     "A line of the world for this frame, which voxels hide; in tick() and update() too.", drawLine},
 };
 
 }  // namespace
+
+void addWorldLine(lua_State* L, const WorldLine& line) {
+    std::vector<WorldLine>& lines = ScriptContext::of(L).shared.lines;
+    Sandbox::of(L).charge(L, 20);
+    if (lines.size() < kMaxLines) lines.push_back(line);
+}
 
 std::span<const ScriptFunction> uiDrawFunctions() {
     return kFunctions;

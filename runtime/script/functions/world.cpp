@@ -1,12 +1,11 @@
 #include "runtime/script/binding/calls.h"
 #include "runtime/script/binding/files.h"
+#include "runtime/script/functions/ui.h"
 #include "runtime/script/functions/vocabulary.h"
 #include "runtime/script/sandbox/libraries.h"
 
 namespace rubble::script {
 namespace {
-
-constexpr size_t kMaxDebugLines = 10'000;
 
 int setTimeScale(lua_State* L) {
     ScriptContext::of(L).shared.timeScale = std::clamp(numberAt(L, 1, "scale"), 0.0, 10.0);
@@ -54,11 +53,10 @@ int spawn(lua_State* L) {
 }
 
 void addLine(lua_State* L, const Vector& from, const Vector& to, int colorAt) {
-    DebugLine line{from, to, {1.0, 1.0, 1.0, 1.0}};
+    WorldLine line{from, to, {1.0, 1.0, 1.0, 1.0}, 2.0, false};
     const char* const names[] = {"r", "g", "b", "a"};
     for (int i = 0; i < 4; ++i) line.color[size_t(i)] = numberOr(L, colorAt + i, names[i], 1.0);
-    std::vector<DebugLine>& lines = ScriptContext::of(L).shared.debugLines;
-    if (lines.size() < kMaxDebugLines) lines.push_back(line);
+    addWorldLine(L, line);
 }
 
 int debugLine(lua_State* L) {
@@ -123,7 +121,8 @@ constexpr ScriptFunction kFunctions[] = {
     {"Spawn(file, transform) -> list",
      "Places a model or level of the scripts' folder into the world; gives its bodies, shapes, joints and lights.",
      spawn},
-    {"DebugLine(p0, p1, r, g, b, a)", "A line of the world that the host draws until the next frame.", debugLine},
+    {"DebugLine(p0, p1, r, g, b, a)", "A line of the world until the next tick(); of draw(), for its frame.",
+     debugLine},
     {"DebugCross(pos, r, g, b, a)", "A cross at a place, drawn likewise.", debugCross},
     {"DebugPrint(text)", "Writes a line to the log.", debugPrint},
     {"DebugWatch(name, value)", "Shows a value by its name until it is given again.", debugWatch},

@@ -7,18 +7,9 @@
 namespace rubble::script {
 namespace {
 
-rubble_view viewOf(uint32_t width, uint32_t height) {
-    auto view = sized<rubble_view>();
-    view.width = width, view.height = height;
-    view.rotation[3] = 1.0;
-    return view;
-}
-
 /// What a script with this draw() has drawn in a view of 960 x 540 pixels.
 std::vector<UiItem> drawn(Yard& yard, const std::string& text) {
-    Script& script = yard.host().add("ui.lua", "function draw(dt)\n" + text + "\nend");
-    EXPECT_EQ(yard.host().draw(0, viewOf(960, 540), 1.0 / 60.0), RUBBLE_OK);
-    EXPECT_EQ(script.error(), "");
+    EXPECT_EQ(yard.draw(text), "");
     return yard.host().shared().ui.items;
 }
 
@@ -95,6 +86,71 @@ TEST(ScriptDrawing, DebugLinesAndWatchesAreShown) {
     ASSERT_EQ(items.size(), 2u);
     EXPECT_EQ(items[0].row.kind, uint32_t(RUBBLE_OVERLAY_WORLD_LINE));
     EXPECT_EQ(items[1].text, "x: 5");
+}
+
+TEST(ScriptDrawing, LinesOutsideOfDrawStayUntilTheNextTick) {
+    Yard yard;
+    Script& script = yard.host().add("lines.lua",
+                                     "function tick() DrawLine({0, 0, 0}, {1, 0, 0}) end "
+                                     "function update() DrawLine({0, 0, 0}, {0, 1, 0}, 1, 0, 0) end "
+                                     "function draw() DrawLine({0, 0, 0}, {0, 0, 1}) end");
+    const auto& items = yard.host().shared().ui.items;
+    for (int frame = 0; frame < 2; ++frame) {
+        yard.host().tick(0.01);
+        ASSERT_EQ(yard.host().step(), RUBBLE_OK);
+        for (int view = 0; view < 2; ++view) {
+            EXPECT_EQ(yard.host().draw(0, viewOf(960, 540), 0.01), RUBBLE_OK);
+            ASSERT_EQ(items.size(), 3u);
+            for (size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(items[axis].row.end[axis], 1.0);
+            EXPECT_EQ(items[1].row.flags, uint32_t(RUBBLE_OVERLAY_OCCLUDED));
+        }
+    }
+    for (int i = 0; i < 12'000; ++i) ASSERT_EQ(yard.host().step(), RUBBLE_OK) << "a host that never draws";
+    EXPECT_LE(yard.host().shared().lines.size(), 10'000u);
+    EXPECT_EQ(script.error(), "");
+}
+
+TEST(ScriptDrawing, WhatIsDrawnOutsideOfDrawIsToldOfOnce) {
+    Yard yard;
+    yard.host().add("tick.lua", "function tick()\nUiRect(1, 1)\nend");
+    for (int i = 0; i < 3; ++i) yard.host().tick(0.01);
+    EXPECT_TRUE(yard.host().shared().ui.items.empty());
+    EXPECT_EQ(yard.logged(RUBBLE_LOG_WARNING),
+              "tick.lua:2: UiRect: expected a call in draw(dt), nothing is drawn by others\n");
+}
+
+TEST(ScriptDrawing, ImagesAreBounded) {
+    Yard yard;
+    for (int i = 0; i < 5; ++i) {
+        const Image image(4096, 4096);
+        ASSERT_TRUE(writePng((yard.folder() / ("big" + std::to_string(i) + ".png")).string(), image));
+    }
+    EXPECT_EQ(yard.draw("for i = 0, 3 do UiImage('big' .. i .. '.png') end UiImage('big0.png')"), "");
+    EXPECT_NE(yard.draw("UiImage('big4.png')").find("at most 0 MiB more of images, found 64"), std::string::npos);
+}
+
+/// How often each renderer was given an overlay and images.
+std::map<rubble_renderer, std::array<int, 2>> s_given;
+
+TEST(ScriptDrawing, EachRendererGetsOverlayAndImages) {
+    Yard yard;
+    rubble_api api = yard.api();
+    api.set_overlay = [](rubble_renderer renderer, const rubble_overlay_item*, uint32_t) {
+        return ++s_given[renderer][0], rubble_result(RUBBLE_OK);
+    };
+    api.set_overlay_image = [](rubble_renderer renderer, const rubble_overlay_image*) {
+        return ++s_given[renderer][1], rubble_result(RUBBLE_OK);
+    };
+    ScriptHostSettings settings;
+    settings.folder = yard.folder().string();
+    ScriptHost host(api, yard.world(), settings);
+    host.add("two.lua", "n = 0 function draw() n = n + 1 if n < 5 then UiImage('image.png') end end");
+    for (int frame = 0; frame < 4; ++frame)
+        for (const rubble_renderer renderer : {1, 2}) ASSERT_EQ(host.draw(renderer, viewOf(960, 540), 0.01), RUBBLE_OK);
+    for (const rubble_renderer renderer : {1, 2}) {
+        EXPECT_EQ(s_given[renderer][0], 3) << "twice the image, then nothing, once";
+        EXPECT_EQ(s_given[renderer][1], 1);
+    }
 }
 
 }  // namespace

@@ -222,7 +222,7 @@ TEST(Script, TheHostReadsWhatScriptsSet) {
                        "PointLight({0, 2, 0})"),
               "");
     EXPECT_EQ(yard.host().timeScale(), 0.5);
-    EXPECT_EQ(yard.host().shared().debugLines.size(), 1u);
+    EXPECT_EQ(yard.host().shared().lines.size(), 1u);
     EXPECT_EQ(yard.host().shared().watches["n"], "3");
     EXPECT_LT(yard.host().shared().watches["t"].size(), 12u) << "not an address: " << yard.host().shared().watches["t"];
     EXPECT_EQ(yard.host().shared().pointLights.size(), 1u);

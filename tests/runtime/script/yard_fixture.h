@@ -39,6 +39,14 @@ inline void writeTinyImage(const std::filesystem::path& path) {
     EXPECT_TRUE(writePng(path.string(), image));
 }
 
+/// A view from the origin.
+inline rubble_view viewOf(uint32_t width, uint32_t height) {
+    auto view = sized<rubble_view>();
+    view.width = width, view.height = height;
+    view.rotation[3] = 1.0;
+    return view;
+}
+
 /// A yard with scripts.
 class Yard {
 public:
@@ -71,6 +79,12 @@ public:
     std::string run(const std::string& text) {
         Script& script = m_host->add("test", "function init()\n" + text + "\nend");
         for (int i = 0; i < 300 && script.isWaiting(); ++i) EXPECT_EQ(m_host->step(), RUBBLE_OK);
+        return script.error();
+    }
+    /// Adds a script whose draw(dt) is this text, and draws a view of 960 x 540 pixels. What went wrong, or "".
+    std::string draw(const std::string& text) {
+        Script& script = m_host->add("ui.lua", "function draw(dt)\n" + text + "\nend");
+        EXPECT_EQ(m_host->draw(0, viewOf(960, 540), 1.0 / 60.0), RUBBLE_OK);
         return script.error();
     }
     /// The folder of its scripts.

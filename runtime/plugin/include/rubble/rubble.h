@@ -982,14 +982,14 @@ typedef struct rubble_joint_report {
     rubble_shape from, to; /* of a joint that moved; else 0 */
 } rubble_joint_report;
 
-/* A part of a shape of at most 8 x 8 x 8 voxels that was lit or went out. Fires of destroyed shapes are not listed, nor
- * parts that burn already when a piece comes off with them, which then go out on the piece. One that has burnt down is
- * listed as out up to 6 steps after get_fires() has dropped it: count what burns by get_fires(). */
+/* A part of a shape of at most 8 x 8 x 8 voxels that get_fires() lists since the last step, or no longer. One that
+ * comes off with a piece while it burns goes out on its shape and is lit on the piece. What burns when a level or game
+ * is loaded, or when these reports are asked for first, is not listed as lit. */
 typedef struct rubble_fire_report {
-    rubble_shape shape;
-    uint32_t lit; /* 1: lit, 0: out */
+    rubble_shape shape; /* of one that is out, it may be gone */
+    uint32_t lit;       /* 1: lit, 0: out */
     uint32_t reserved;
-    double position[3]; /* world */
+    double position[3]; /* world; of one that is out, where it burned last */
 } rubble_fire_report;
 
 /* What got into water. */
@@ -2133,9 +2133,10 @@ typedef struct rubble_api {
      * do, in their order. A physics of the world's own has applied them; the host's has to. */
     rubble_result (*get_body_impulses)(rubble_world world, rubble_body_impulse* out, uint32_t capacity,
                                        uint32_t* count);
-    /* [main-thread] What a step of the host's physics has made of bodies, at once: later reads see it, and edits of the
-     * next step. `count` rows as get_body_states() gives them; shape_count is not read. Only of free bodies: what is
-     * static moves by set_body(). Recordings keep it. RUBBLE_ERROR_UNSUPPORTED: the world has physics of its own. */
+    /* [main-thread] What a step of the host's physics has made of bodies, at once: later reads see it, and undo marks
+     * and edits of the next step. `count` rows as get_body_states() gives them; shape_count is not read. Only of free
+     * bodies: what is static moves by set_body(). Recordings keep it. RUBBLE_ERROR_UNSUPPORTED: the world has physics
+     * of its own. */
     rubble_result (*set_body_states)(rubble_world world, const rubble_body_state* states, uint32_t count);
     /* [main-thread] Hits of the host's physics, at places as the last set_body_states() left them: the next step breaks
      * what they break by strength, impulse and rubble_settings, the hardest first. What has broken through something
@@ -2171,12 +2172,12 @@ typedef struct rubble_api {
     /* [main-thread] Carries out steps of another world: objects, voxels and motion become those, without edits or
      * physics. Each take of the other world is applied once, in their order, from the first after keep_deltas() on;
      * a step() of this world in between ends that. get_events() tells of the last of the steps. It stops a recording,
-     * and keep_deltas() of this world. get_reports() is empty after it. Heat, ropes between their ends and what is
-     * still to split are left out, see get_resolved_hash(). Of RUBBLE_DELTAS_EDITS, poses, velocities and sleep of
-     * free bodies that were there before and of characters are left out too: see get_voxel_hash(). A world with
-     * RUBBLE_WORLD_HOST_PHYSICS gets them by set_body_states(), before this call. RUBBLE_ERROR_FILE: the bytes are
-     * wrong or steps are missing, and this world is as after the step before; or a step has shown that it was another
-     * one. */
+     * and keep_deltas() of this world. get_reports() is empty after it. Heat, ropes between their ends, what is
+     * still to split and data of the host are left out, see get_resolved_hash(). Of RUBBLE_DELTAS_EDITS, poses,
+     * velocities and sleep of free bodies that were there before and of characters are left out too: see
+     * get_voxel_hash(). A world with RUBBLE_WORLD_HOST_PHYSICS gets them by set_body_states(), before this call.
+     * RUBBLE_ERROR_FILE: the bytes are wrong or steps are missing, and this world is as after the step before; or a
+     * step has shown that it was another one. */
     rubble_result (*apply_deltas)(rubble_world world, const void* data, uint64_t size);
     /* [main-thread] A hash of what RUBBLE_DELTAS_ALL keep equal: all objects, voxels, environment, materials, settings
      * and bounds. How many undo marks are kept is not among them. */
@@ -2334,7 +2335,7 @@ typedef struct rubble_api {
                                        uint32_t* count);
     /* [main-thread] Keeps bytes under a name with the game, at once: saves have them, and the start of a recording.
      * They are no part of the state hash. name: UTF-8, 1 to 4096 bytes. size: at most 16 MiB; 0: forgets them. A level
-     * that is loaded forgets all. */
+     * that is loaded forgets all. RUBBLE_ERROR_CAPACITY: there are 1000 other names already. */
     rubble_result (*set_host_data)(rubble_world world, const char* name, const uint8_t* data, uint64_t size);
     /* [main-thread] Copies such bytes. *count becomes their number, 0 where there are none. Capacity 0 asks for that
      * alone; fewer: RUBBLE_ERROR_CAPACITY, and nothing is written. */

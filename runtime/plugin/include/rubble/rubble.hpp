@@ -764,9 +764,9 @@ public:
             return api().get_body_impulses(m_handle, out, capacity, count);
         });
     }
-    /** What a step of the host's physics has made of bodies, at once: later reads see it, and edits of the next step.
-     * `count` rows as get_body_states() gives them; shape_count is not read. Only of free bodies: what is static moves
-     * by set_body(). Recordings keep it. RUBBLE_ERROR_UNSUPPORTED: the world has physics of its own. */
+    /** What a step of the host's physics has made of bodies, at once: later reads see it, and undo marks and edits of
+     * the next step. `count` rows as get_body_states() gives them; shape_count is not read. Only of free bodies: what
+     * is static moves by set_body(). Recordings keep it. RUBBLE_ERROR_UNSUPPORTED: the world has physics of its own. */
     void set_body_states(const rubble_body_state* states, uint32_t count) {
         check(api().set_body_states(m_handle, states, count));
     }
@@ -817,11 +817,12 @@ public:
     /** Carries out steps of another world: objects, voxels and motion become those, without edits or physics. Each take
      * of the other world is applied once, in their order, from the first after keep_deltas() on; a step() of this world
      * in between ends that. get_events() tells of the last of the steps. It stops a recording, and keep_deltas() of
-     * this world. get_reports() is empty after it. Heat, ropes between their ends and what is still to split are left
-     * out, see get_resolved_hash(). Of RUBBLE_DELTAS_EDITS, poses, velocities and sleep of free bodies that were there
-     * before and of characters are left out too: see get_voxel_hash(). A world with RUBBLE_WORLD_HOST_PHYSICS gets them
-     * by set_body_states(), before this call. RUBBLE_ERROR_FILE: the bytes are wrong or steps are missing, and this
-     * world is as after the step before; or a step has shown that it was another one. */
+     * this world. get_reports() is empty after it. Heat, ropes between their ends, what is still to split and data of
+     * the host are left out, see get_resolved_hash(). Of RUBBLE_DELTAS_EDITS, poses, velocities and sleep of free
+     * bodies that were there before and of characters are left out too: see get_voxel_hash(). A world with
+     * RUBBLE_WORLD_HOST_PHYSICS gets them by set_body_states(), before this call. RUBBLE_ERROR_FILE: the bytes are
+     * wrong or steps are missing, and this world is as after the step before; or a step has shown that it was another
+     * one. */
     void apply_deltas(const void* data, uint64_t size) {
         check(api().apply_deltas(m_handle, data, size));
     }
@@ -1068,7 +1069,7 @@ public:
     }
     /** Keeps bytes under a name with the game, at once: saves have them, and the start of a recording. They are no part
      * of the state hash. name: UTF-8, 1 to 4096 bytes. size: at most 16 MiB; 0: forgets them. A level that is loaded
-     * forgets all. */
+     * forgets all. RUBBLE_ERROR_CAPACITY: there are 1000 other names already. */
     void set_host_data(const char* name, const uint8_t* data, uint64_t size) {
         check(api().set_host_data(m_handle, name, data, size));
     }
