@@ -125,8 +125,9 @@ public:
     void send() {
         for (uint32_t count = m_decisions.oneIn(50) ? 40 : m_decisions.below(16), i = 1; i <= count; ++i) {
             std::vector<uint8_t> bytes = encode(message());
+            const std::vector<uint8_t> sent = bytes;
             if (m_isWild ? !m_decisions.oneIn(4) : m_decisions.oneIn(500)) mutateBytes(m_decisions, bytes);
-            reached("messages");
+            reached(bytes == sent ? "messages as they should be" : "changed messages");
             m_mustEnd = m_mustEnd || !isGood(bytes) || i > 32;
             m_transport->send(0, Delivery::Reliable, bytes);
         }

@@ -26,23 +26,30 @@ struct Options {
     unsigned width = 960, height = 540;
 };
 
+const char kUsage[] = "usage: host_ogre PLUGIN LEVEL [--script FOLDER] [--steps N] [--size WIDTHxHEIGHT]\n";
+
 [[noreturn]] void refuse(const std::string& expected, const std::string& found) {
-    std::fprintf(stderr, "host_ogre: expected %s, found \"%s\"\n", expected.c_str(), found.c_str());
-    std::fprintf(stderr, "usage: host_ogre PLUGIN LEVEL [--script FOLDER] [--steps N] [--size WIDTHxHEIGHT]\n");
+    std::fprintf(stderr, "host_ogre: expected %s, found \"%s\"\n%s", expected.c_str(), found.c_str(), kUsage);
     std::exit(2);
 }
 
 Options readOptions(const std::vector<std::string>& words) {
     Options options;
+    if (std::find(words.begin(), words.end(), "--help") != words.end()) {
+        std::fputs(kUsage, stdout);
+        std::exit(0);
+    }
     if (words.size() < 2) refuse("a plugin and a level", words.empty() ? "" : words[0]);
     options.plugin = words[0], options.level = words[1];
     for (size_t i = 2; i < words.size(); i += 2) {
         const std::string value = i + 1 < words.size() ? words[i + 1] : "";
         if (words[i] == "--script") {
             options.folder = value;
+            if (value.empty()) refuse("a folder for the script's images", value);
         } else if (words[i] == "--steps") {
-            options.steps = std::strtoull(value.c_str(), nullptr, 10);
-            if (options.steps == 0) refuse("a number of steps", value);
+            char* end = nullptr;
+            options.steps = std::strtoull(value.c_str(), &end, 10);
+            if (options.steps == 0 || *end) refuse("a number of steps", value);
         } else if (words[i] == "--size") {
             const int read = std::sscanf(value.c_str(), "%ux%u", &options.width, &options.height);
             if (read != 2 || options.width - 1 > 4095 || options.height - 1 > 4095) refuse("a size in pixels", value);
@@ -112,7 +119,8 @@ void Game::writeImage(const std::string& name) {
     m_scene.world->setVisible(true);
     for (int frame = 0; frame < 4; ++frame) draw();  // light gathers over some frames
     const std::vector<uint8_t> rgb = readPixels();
-    if (!write_png(path.c_str(), m_options.width, m_options.height, rgb.data())) refuse("a folder to write to", path);
+    if (!write_png(path.c_str(), m_options.width, m_options.height, rgb.data()))
+        refuse("a folder to write images to", m_options.folder);
     std::printf("%s: pieces %u, removed voxels %u, own pixels %zu of %zu, changed GL state %u\n", path.c_str(),
                 unsigned(m_yard.pieces), unsigned(m_yard.removed), countOwnPixels(rgb), alone,
                 unsigned(m_scene.world->changedState()));

@@ -51,9 +51,11 @@ static struct options read_options(int argc, char** argv) {
         }
         if (strcmp(argv[i], "--script") == 0) {
             options.folder = value;
+            if (!*value) refuse("a folder for the script's images", value);
         } else if (strcmp(argv[i], "--steps") == 0) {
-            options.steps = strtoull(value, NULL, 10);
-            if (options.steps == 0) refuse("a number of steps", value);
+            char* end;
+            options.steps = strtoull(value, &end, 10);
+            if (options.steps == 0 || *end) refuse("a number of steps", value);
         } else if (strcmp(argv[i], "--size") == 0) {
             const int read = sscanf(value, "%ux%u", &options.width, &options.height);
             if (read != 2 || options.width - 1 > 4095 || options.height - 1 > 4095) refuse("a size in pixels", value);
@@ -122,7 +124,7 @@ static void write_image(const struct options* options, const char* name) {
     for (frame = 0; frame < 4; ++frame) differences += draw_frame(1.0, 1); /* light gathers over some frames */
     glReadPixels(0, 0, (GLsizei)options->width, (GLsizei)options->height, GL_RGB, GL_UNSIGNED_BYTE, rgb);
     among = count_own_pixels(rgb, pixels);
-    if (!write_png(path, options->width, options->height, rgb)) fail(path);
+    if (!write_png(path, options->width, options->height, rgb)) refuse("a folder to write images to", options->folder);
     free(rgb);
     printf("%s: pieces %u, removed voxels %u, own pixels %u of %u, changed GL state %d\n", path, (unsigned)yard.pieces,
            (unsigned)yard.removed, (unsigned)among, (unsigned)alone, differences);

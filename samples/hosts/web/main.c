@@ -2,6 +2,7 @@
  * A click makes a hole, E an explosion, W A S D and the mouse walk and look, space jumps, R begins again. */
 #include <GLES3/gl3.h>
 #include <emscripten.h>
+#include <emscripten/heap.h>
 #include <emscripten/html5.h>
 #include <malloc.h>
 #include <stdio.h>
@@ -215,12 +216,13 @@ EMSCRIPTEN_KEEPALIVE void host_image(const char* name, int frames) {
     draw_frame(1.0, 1, 0); /* the canvas */
 }
 
-/* Says how much memory is used, without the free part of the heap. */
+/* Says how much memory is used, with textures and without the free part of the heap, which never shrinks. */
 EMSCRIPTEN_KEEPALIVE void host_memory(void) {
     rubble_draw_stats stats = {.struct_size = sizeof stats};
     if (renderer) check(api->get_draw_stats(renderer, &stats), "get_draw_stats");
-    printf("memory after %u steps: %u KiB\n", (unsigned)yard.steps,
-           (unsigned)((mallinfo().uordblks + stats.texture_bytes) / 1024));
+    printf("memory after %u steps: %u KiB, of a heap of %u KiB\n", (unsigned)yard.steps,
+           (unsigned)((mallinfo().uordblks + stats.texture_bytes) / 1024),
+           (unsigned)(emscripten_get_heap_size() / 1024));
 }
 
 /* Draws with another preset from now on, with the host's own triangles or without. */

@@ -14,6 +14,8 @@
 namespace netplay {
 namespace {
 
+constexpr int kMaxStepsToSettle = 36'000;
+
 rubble_world_settings serverSettings() {
     rubble_world_settings settings{};
     settings.flags = RUBBLE_WORLD_NO_RENDERER;
@@ -96,24 +98,24 @@ void Game::run(int steps) {
 
 bool Game::settle() {
     for (const auto& seat : m_seats) seat->isPlaying = false;
-    // ENet sends again by a clock of its own what the system has lost, so that waits here are not counted in steps.
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(100);
-    for (int resting = 0; resting < 120;) {
+    int waited = 0;
+    for (int resting = 0; resting < 120; ++waited) {
+        if (waited == kMaxStepsToSettle) return false;
         tick();
         rubble_row_list list{};
         list.kind = RUBBLE_ROWS_MOVED_BODIES;
-        const bool isStill = m_world.read_rows<rubble_body_state>(list).empty();
-        resting = isStill ? resting + 1 : 0;
-        if (std::chrono::steady_clock::now() > end) return false;
+        resting = m_world.read_rows<rubble_body_state>(list).empty() ? resting + 1 : 0;
     }
     const uint64_t last = m_server->step();
     const auto hasAll = [&](const auto& seat) {
         return seat->client.state() != Client::State::Playing ||
                (seat->client.appliedStep() >= last && seat->client.moving() == 0);
     };
-    while (!std::all_of(m_seats.begin(), m_seats.end(), hasAll)) {
+    for (; !std::all_of(m_seats.begin(), m_seats.end(), hasAll); ++waited) {
+        if (waited == kMaxStepsToSettle) return false;
+        // ENet sends again by a clock of its own what the system has lost: steps must not run out before it does.
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
         tick();
-        if (std::chrono::steady_clock::now() > end) return false;
     }
     run(2 * kStepsPerSecond);
     return true;

@@ -50,7 +50,7 @@ public:
     void connect(Seat& seat);
     /// Runs so many steps of all.
     void run(int steps);
-    /// Lets the bots rest until nothing moves and all clients have all; false: that never came.
+    /// Lets the bots rest until nothing moves and all clients have all; false: ten minutes did not do.
     bool settle();
 
     /// The server.

@@ -22,12 +22,13 @@ func _init(of):
 func step():
 	if folder == "" or busy:
 		return
-	if steps == last:
-		game.get_tree().quit()
-		return
 	var at = steps % CYCLE
 	if at == 0 and steps > 0:
 		_say_memory()
+	if steps == last:
+		game.get_tree().quit()
+		return
+	if at == 0 and steps > 0:
 		game.world.reload()
 	if at == HOLE:
 		_click(Vector3(-0.9, 1.4, -0.8))
