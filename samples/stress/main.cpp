@@ -23,7 +23,7 @@ constexpr uint64_t kMaxHeapGrowth = 2 << 20;
 struct Options {
     std::string scenario = "all", out = "out/stress";
     std::vector<uint64_t> seeds = {1};
-    double minutes = 1.0 / 3.0;
+    double minutes = 1.0 / 3.0, checkEvery = 4.0;
     int images = 3, minimiseRuns = 200;
     bool lists = false, listsJobs = false, replays = true;
 };
@@ -69,6 +69,7 @@ public:
         m_settings.script = readFile(scenario);
         m_settings.seed = seed;
         m_settings.steps = std::max(1, int(options.minutes * 3600.0));
+        m_settings.checkInterval = std::max(1, int(options.checkEvery * 60.0));
         m_settings.replays = options.replays;
         m_settings.levels = RUBBLE_STRESS_LEVELS;
         m_settings.folder = options.out;
@@ -136,7 +137,11 @@ private:
 int run(const Options& options) {
     const rubble_api* api = nullptr;
     if (rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK) return 1;
-    fs::create_directories(options.out);
+    if (std::error_code error; fs::create_directories(options.out, error), error) {
+        fmt::print(stderr, "stress: --out: expected a folder that can be made, found {}: {}\n", options.out,
+                   error.message());
+        return 2;
+    }
     int failed = 0;
     for (const fs::path& scenario : findScenarios(options.scenario)) {
         if (!fs::exists(scenario)) {
@@ -147,9 +152,10 @@ int run(const Options& options) {
         if (options.lists) fmt::print("{:<20} {}\n", scenario.stem().string(), descriptionOf(readFile(scenario)));
         for (const uint64_t seed : options.seeds)
             if (options.listsJobs)
-                fmt::print("./rubble stress {} --seed {} --minutes {} --out {} --images {} --minimise {}{}\n",
-                           scenario.stem().string(), seed, options.minutes, options.out, options.images,
-                           options.minimiseRuns, options.replays ? "" : " --no-replay");
+                fmt::print(
+                    "./rubble stress {} --seed {} --minutes {} --check-every {} --out {} --images {} --minimise {}{}\n",
+                    scenario.stem().string(), seed, options.minutes, options.checkEvery, options.out, options.images,
+                    options.minimiseRuns, options.replays ? "" : " --no-replay");
             else if (!options.lists)
                 failed += !Job(*api, options, scenario, seed).run();
     }
@@ -167,6 +173,9 @@ int main(int argc, char** argv) {
     app.add_option("--minutes", options.minutes, "of the world, each run")
         ->capture_default_str()
         ->check(CLI::Range(0.001, 1e5));
+    app.add_option("--check-every", options.checkEvery, "seconds of the world between checks that take long")
+        ->capture_default_str()
+        ->check(CLI::Range(0.1, 1e5));
     app.add_option("--out", options.out, "the folder of reports")->capture_default_str();
     app.add_option("--images", options.images, "drawn of each run; 0: none")
         ->capture_default_str()

@@ -28,7 +28,7 @@ constexpr uint32_t kWorldFlags =
 class Run {
 public:
     Run(const rubble_api& api, const RunSettings& settings)
-        : m_api(api), m_settings(settings), m_view{api, 0, {}, {}, {}, m_requests} {}
+        : m_api(api), m_settings(settings), m_view{api, 0, {}, {}, {}, m_requests, 0, {}} {}
     ~Run() {
         m_scripts.reset();
         if (m_world) m_api.destroy_world(m_world);
@@ -41,7 +41,8 @@ public:
     RunResult play() {
         if (begin())
             for (int step = 0; step < m_settings.steps && !m_result.failure; ++step) oneStep(step);
-        if (!m_result.failure) cross();
+        if (!m_result.failure) endRecording();
+        if (!m_result.failure) checkAll();
         if (m_world) m_api.get_state_hash(m_world, &m_result.hash);
         return std::move(m_result);
     }
@@ -90,8 +91,9 @@ private:
         if (!m_requests.unmet.empty()) return fail("expect", m_requests.unmet);
         if (!m_requests.waiting.empty()) {
             carryOut();
-        } else if ((step + 1) % m_settings.borderInterval == 0) {
-            cross();
+        } else if (m_view.step >= m_nextCheck) {
+            endRecording();
+            if (!m_result.failure) checkAll();
             if (!m_result.failure) record();
         }
         keepGame(step);
@@ -144,19 +146,26 @@ private:
 
     bool record() { return done(m_api.start_recording(m_world, recordingPath().c_str())); }
 
-    /// The end of a recording: it is played again, and all that takes long is looked at.
-    void cross() {
+    /// The end of a recording: it is played again.
+    void endRecording() {
         uint64_t hash = 0;
         finishUndo();
         if (!done(m_api.stop_recording(m_world)) || !done(m_api.get_state_hash(m_world, &hash))) return;
         if (m_settings.replays) replay(hash);
+    }
+
+    /// Looks at all that takes long. Nothing is recorded meanwhile.
+    void checkAll() {
+        m_nextCheck = m_view.step + uint64_t(m_settings.checkInterval);
+        m_view.game = savedGame(m_api, m_world);
+        if (m_view.game.empty()) return fail("save", m_api.get_last_error());
         look(&Check::atBorder);
         if (!m_result.failure) stepBesideCopy();
     }
 
     /// Loads the game into another world, and steps both: they must stay equal.
     void stepBesideCopy() {
-        const LoadedCopy copy(m_api, m_world, kWorldFlags);
+        const LoadedCopy copy(m_api, m_view.game, kWorldFlags);
         if (!copy.error().empty()) return fail("save", copy.error());
         uint64_t hash = 0, copied = 0;
         if (!done(m_api.step(m_world)) || !done(m_api.step(copy.world()))) return;
@@ -198,7 +207,8 @@ private:
     void carryOut() {
         std::vector<SceneRequests::Request> waiting;
         waiting.swap(m_requests.waiting);
-        cross();
+        endRecording();
+        if (!m_result.failure && m_view.step >= m_nextCheck) checkAll();
         for (const SceneRequests::Request& request : waiting) {
             if (m_result.failure) return;
             if (request.kind == SceneRequests::SaveAndLoad)
@@ -237,6 +247,7 @@ private:
     std::unique_ptr<rubble::script::ScriptHost> m_scripts;
     std::vector<std::unique_ptr<Check>> m_checks = makeChecks();
     RunResult m_result;
+    uint64_t m_nextCheck = uint64_t(m_settings.checkInterval);  ///< a step of the scenario
 };
 
 }  // namespace

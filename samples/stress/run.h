@@ -17,11 +17,11 @@ struct RunSettings {
     std::string name, script;  ///< the name of a Lua text, and the text
     uint64_t seed = 1;
     int steps = 1200;
-    int borderInterval = 240;  ///< steps between the checks that take long; a recording goes from one to the next
-    bool replays = true;       ///< plays each recording again, with two threads
-    std::string levels;        ///< the folder of levels that scripts may load
-    std::string folder;        ///< for recordings
-    int images = 0;            ///< how many games are kept, to be drawn
+    int checkInterval = 240;  ///< steps between the checks that take long; no recording is longer
+    bool replays = true;      ///< plays each recording again, with two threads
+    std::string levels;       ///< the folder of levels that scripts may load
+    std::string folder;       ///< for recordings
+    int images = 0;           ///< how many games are kept, to be drawn
     rubble::script::CallObserver* observer = nullptr;
     std::function<void(int step)> onStep;
 };

@@ -26,7 +26,8 @@ struct StepView {
     rubble_events events;
     std::vector<BodyRow> bodies, before;  ///< after this step and after the one before it, by handle
     const SceneRequests& requests;
-    uint64_t step = 0;  ///< steps of the scenario that are done
+    uint64_t step = 0;          ///< steps of the scenario that are done
+    std::vector<uint8_t> game;  ///< at a border: the saved game
 
     /// Steps of the world that are done, with those of which the scenario knows nothing.
     uint64_t worldSteps() const { return step + requests.extraSteps; }
@@ -75,11 +76,11 @@ std::unique_ptr<Check> makeBrushCheck();
 /// All of them.
 std::vector<std::unique_ptr<Check>> makeChecks();
 
-/// A world that has loaded the game of another: it is destroyed with the object.
+/// A world that has loaded a game: it is destroyed with the object.
 class LoadedCopy {
 public:
-    /// flags: RUBBLE_WORLD_... An error of saving or loading is in error().
-    LoadedCopy(const rubble_api& api, rubble_world of, uint32_t flags);
+    /// flags: RUBBLE_WORLD_... An error of loading is in error().
+    LoadedCopy(const rubble_api& api, const std::vector<uint8_t>& game, uint32_t flags);
     ~LoadedCopy();
     LoadedCopy(const LoadedCopy&) = delete;
     LoadedCopy& operator=(const LoadedCopy&) = delete;

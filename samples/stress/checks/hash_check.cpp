@@ -106,7 +106,7 @@ struct Hashes {
 
 /// The hashes of a copy after a step, with a change before it or without; none if what was changed is gone.
 std::optional<Hashes> hashesAfter(const StepView& view, const BodyRow* body, const Change* change, std::string& error) {
-    const LoadedCopy copy(view.api, view.world, RUBBLE_WORLD_NO_RENDERER);
+    const LoadedCopy copy(view.api, view.game, RUBBLE_WORLD_NO_RENDERER);
     Hashes hashes;
     if (!copy.error().empty()) return {};  // the check of saves says so
     BodyRow moved = *body;

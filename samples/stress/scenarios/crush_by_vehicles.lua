@@ -15,13 +15,22 @@ function car(x, z, angle)
     cars[#cars + 1] = body
 end
 
-function init()
-    Box("ground", {-30, -0.4, -30}, {600, 4, 600}, 6)
+-- Everything as at the beginning.
+function park()
+    for _, tag in ipairs{"car", "wheel", "wall", "crate"} do
+        for _, body in ipairs(FindBodies(tag)) do Delete(body) end
+    end
+    cars = {}
     for i = -2, 2 do car(4 * i, -12) end
     for i = -3, 3 do Box("wall", {3 * i, 0, 0}, {25, 20, 2}, 7) end
     for i = -3, 3 do Box("crate", {3 * i, 0, 4}, {8, 8, 8}, 5, {dynamic = true}) end
     wait(0.5)
-    while true do
+end
+
+function init()
+    Box("ground", {-30, -0.4, -30}, {600, 4, 600}, 6)
+    for round = 0, math.huge do
+        if round % 4 == 0 then park() end
         for _, body in ipairs(cars) do Drive(body, 1, 0.4 * math.random() - 0.2, 0) end
         wait(3)
         for _, body in ipairs(cars) do Drive(body, -1, 2 * math.random() - 1, 0) end

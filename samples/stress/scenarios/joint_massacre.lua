@@ -1,9 +1,9 @@
 -- Chains, ropes, hinges and motors are made, loaded, cut and broken.
 function init()
-    local ground = Box("ground", {-20, -0.4, -20}, {400, 4, 400}, 6)
-    local beam = Box("beam", {-10, 6, 0}, {200, 4, 4}, 9)
-    wait(0.1)
+    Box("ground", {-20, -0.4, -20}, {400, 4, 400}, 6)
     while true do
+        local beam = Box("beam", {-10, 6, 0}, {200, 4, 4}, 9)
+        wait(0.1)
         for i = 0, 7 do
             local x = -9 + 2.4 * i
             local weight = Box("weight", {x, 2, 0}, {5, 5, 5}, math.random(5, 9), {dynamic = true})
@@ -36,7 +36,7 @@ function init()
             end
             wait(0.2)
         end
-        for _, tag in ipairs{"weight", "link", "arm", "post"} do
+        for _, tag in ipairs{"beam", "weight", "link", "arm", "post"} do
             for _, body in ipairs(FindBodies(tag)) do Delete(body) end
         end
         wait(0.3)

@@ -1,5 +1,5 @@
--- A random walk through all commands, each with random arguments.
-local walkers = {}
+-- A random walk through all commands, each with random arguments, then in another level.
+local walkers, waters = {}, {}
 
 function place()
     return Vec(16 * math.random() - 8, 5 * math.random(), 16 * math.random() - 8)
@@ -46,16 +46,22 @@ local commands = {
     function() SaveAndLoad() end,
     function() SetGravity(Vec(4 * math.random() - 2, -12 * math.random(), 0)) end,
     function() Settings{stress = math.random() < 0.5, debris_bodies = math.random(10, 300)} end,
-    function() Water({-4, -1, -4}, {4, 2 * math.random(), 4}) end,
+    function() if #waters < 3 then waters[#waters + 1] = Water({-4, -1, -4}, {4, 2 * math.random(), 4}) end end,
+    function() RemoveWater(table.remove(waters) or 0) end,
 }
 
 function init()
     UndoLimit(5)
-    Box("ground", {-12, -0.4, -12}, {240, 4, 240}, 6)
-    for i = 1, 6 do Box("thing", {-6 + 2 * i, 0, 0}, {12, 20, 6}, 5 + i % 4) end
-    wait(0.1)
     while true do
-        pcall(commands[math.random(#commands)])
-        if math.random() < 0.4 then wait(0) end
+        walkers, waters = {}, {}
+        Box("ground", {-12, -0.4, -12}, {240, 4, 240}, 6)
+        for i = 1, 6 do Box("thing", {-6 + 2 * i, 0, 0}, {12, 20, 6}, 5 + i % 4) end
+        wait(0.1)
+        for i = 1, 2000 do
+            pcall(commands[math.random(#commands)])
+            if math.random() < 0.4 then wait(0) end
+        end
+        LoadLevel("garden")
+        wait(0.1)
     end
 end

@@ -20,9 +20,18 @@ function worker(i)
     end
 end
 
+function build()
+    for _, body in ipairs(FindBodies("wall")) do Delete(body) end
+    for i = 1, 4 do walls[i] = Box("wall", {-9 + 3 * i, 0, 0}, {30, 20, 3}, 7) end
+    wait(0.1)
+end
+
 function init()
     Box("ground", {-12, -0.4, -12}, {240, 4, 240}, 6)
-    for i = 0, 3 do walls[#walls + 1] = Box("wall", {-6 + 3 * i, 0, 0}, {30, 20, 3}, 7) end
-    wait(0.1)
+    build()
     for i = 1, 900 do start(worker, i) end
+    while true do
+        wait(20)
+        build()
+    end
 end
