@@ -47,7 +47,7 @@ protected:
     struct Match {
         double light = 0.0, error = 0.0;
     };
-    Match match(const FloatImage& found, const FloatImage& truth) const {
+    Match match(const FloatImage& found, const FloatImage& traced) const {
         const FloatImage normal = read("normal"), depth = read("depth");
         const auto isFloor = [&](int x, int y) {
             return normal.at(x, y).y > 0.9f && normal.at(x, y).w == 0.0f && depth.at(x, y).x < 12.0f;
@@ -59,7 +59,7 @@ protected:
                 bool isOpen = true;
                 for (int i = 0; i < 25; ++i) isOpen = isOpen && isFloor(x + i % 5 - 2, y + i / 5 - 2);
                 if (!isOpen) continue;
-                const double there = double(found.at(x, y).g), expected = double(truth.at(x, y).g);
+                const double there = double(found.at(x, y).g), expected = double(traced.at(x, y).g);
                 sum += there, all += expected, squares += (there - expected) * (there - expected), ++pixels;
             }
         return {sum / all, std::sqrt(squares * pixels) / all};
@@ -70,12 +70,12 @@ protected:
 /// early it brings light from beside the cubes, and half of the differences are gone.
 TEST_F(GlowingVoxels, TheFilterTakesNoLightFromTheGround) {
     const LitScene scene = glowingCubes();
-    const FloatImage truth =
+    const FloatImage traced =
         render(Scene(scene.snapshot()), camera().view(kSize, 0), {.term = Term::Sky, .samples = 2048}).mean;
     start(scene, kSize, comparedSettings());
     const auto filtered = [&](int frames) {
         draw(camera(), frames);
-        const Match before = match(read("accumulatedLight"), truth), after = match(read("denoisedLight"), truth);
+        const Match before = match(read("accumulatedLight"), traced), after = match(read("denoisedLight"), traced);
         std::printf("%d frames more: light %.3f, filtered %.3f; error %.3f, filtered %.3f\n", frames, before.light,
                     after.light, before.error, after.error);
         EXPECT_GT(after.light, before.light - 0.02);
