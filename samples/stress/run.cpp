@@ -48,7 +48,10 @@ public:
     }
 
 private:
-    std::string recordingPath() const { return m_settings.folder + "/" + m_settings.name + ".rubblelog"; }
+    /// With the seed: runs of several seeds may share a folder at the same time.
+    std::string recordingPath() const {
+        return fmt::format("{}/{}_{}.rubblelog", m_settings.folder, m_settings.name, m_settings.seed);
+    }
 
     void fail(const std::string& check, const std::string& message) {
         if (!m_result.failure) m_result.failure = Failure{check, message, int(m_view.step)};
