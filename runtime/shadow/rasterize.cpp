@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "runtime/shadow/rasterize_large.h"
 #include "runtime/shadow/row_clip.h"
 
 namespace rubble {
@@ -126,6 +127,12 @@ void rasterize(const VoxelGrid& grid, const ShadowCellTransform& cellTransform, 
         box.high[a] = std::min(corner[a] + kSide, bounds.high[a]);
     }
     if (box.empty()) return;
+    if (hasLargeVoxels(cellTransform)) return rasterizeLargeVoxels(grid, cellTransform, box, corner, rows);
+    rasterizeByRows(grid, cellTransform, box, corner, rows);
+}
+
+void rasterizeByRows(const VoxelGrid& grid, const ShadowCellTransform& cellTransform, const CellBox& box,
+                     glm::ivec3 corner, CellRows& rows) {
     const glm::ivec3 low = box.low - corner;
     rasterizeBox(grid, BrickSource(grid), cellTransform, box, [&](int y, int z, uint64_t bits) {
         rows[size_t(low.y + y + (low.z + z) * kSide)] |= uint16_t(bits << low.x);

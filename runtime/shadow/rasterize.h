@@ -22,6 +22,11 @@ inline CellBox shadowBricksOf(const CellBox& cells) {
 void rasterize(const VoxelGrid& grid, const ShadowCellTransform& cellTransform, const CellBox& bounds, glm::ivec3 brick,
                CellRows& rows);
 
+/// The same for the cells of a box, row by row: of any shape whose voxels are not cells.
+/// corner: the cell that row 0 and bit 0 stand for. box: at most 16 cells wide from there.
+void rasterizeByRows(const VoxelGrid& grid, const ShadowCellTransform& cellTransform, const CellBox& box,
+                     glm::ivec3 corner, CellRows& rows);
+
 /// The same cells as words of 4x4x4.
 ShadowWords packRows(const CellRows& rows);
 

@@ -177,7 +177,7 @@ int main(int argc, char** argv) {
         ->capture_default_str()
         ->check(CLI::Range(0.1, 1e5));
     app.add_option("--out", options.out, "the folder of reports")->capture_default_str();
-    app.add_option("--images", options.images, "drawn of each run; 0: none")
+    app.add_option("--images", options.images, "drawn of each run at most; 0: none")
         ->capture_default_str()
         ->check(CLI::Range(0, 100));
     app.add_option("--minimise", options.minimiseRuns, "runs at most to make a failing script short")

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""The page of a folder of runs: ./rubble stress report FOLDER [--compare OTHER].
+"""The page of a folder of runs: ./rubble stress report FOLDER [--compare OTHER] [--publish].
 
 Reads NAME_SEED.json files, and writes FOLDER/report.html: a table of all runs, then for each run its plots, images and
 what failed. With --compare the figures of another folder, as of another build, stand beside them, and changes of more
-than a tenth are marked."""
+than a tenth are marked. --publish writes the table of the scenarios into OPERATING_ENVELOPE.md."""
 import argparse
 import base64
 import html
@@ -11,12 +11,34 @@ import json
 import pathlib
 import sys
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 STYLE = """body{font:15px/1.5 sans-serif;max-width:1180px;margin:2em auto;padding:0 1em;color:#222}
 table{border-collapse:collapse;font-size:13px}td,th{padding:2px 9px;text-align:right;border-bottom:1px solid #ddd}
-td:first-child,th:first-child,td.text{text-align:left}.bad{background:#fdd}.good{background:#dfd}
+td:first-child,th:first-child,.text{text-align:left}.bad{background:#fdd}.good{background:#dfd}
 h2{margin-top:2em;border-top:2px solid #888;padding-top:.5em}figure{display:inline-block;margin:6px}
-figcaption{font-size:12px;color:#555}pre{background:#f4f4f4;padding:8px;overflow-x:auto}"""
-STAGES = ["edits", "physics", "poses", "impacts", "shadow", "step"]
+figcaption{font-size:12px;color:#555}pre{background:#f4f4f4;padding:8px;overflow-x:auto}
+svg text{font-size:10px;fill:#777}dt{font-weight:bold;float:left;clear:left;margin-right:.6em}dd{margin:0 0 .2em}
+summary{cursor:pointer}"""
+STAGES = {
+    "edits": "holes, explosions and other commands, and the pieces that come off",
+    "physics": "contacts, joints, water and motion",
+    "poses": "bodies take their new places",
+    "impacts": "what hits hard breaks",
+    "shadow": "the shadow volume follows; in a game another thread does that",
+    "step": "all of them",
+}
+PLOTS = ["step, ms", "bodies", "awake bodies", "contacts", "kinetic energy, kJ", "standing voxels", "voxels in pieces",
+         "removed voxels", "shadow lag, steps", "heap, MiB"]
+COLUMNS = {
+    "steps": "of the world that were played, 60 a second",
+    "replayed": "steps that were played again from a recording, without scripts, and gave the same hash of the state",
+    "p50, p95, p99": "half, 95 % and 99 % of the steps took no longer than this: wall clock, with whatever else the "
+                     "machine did",
+    "heap": "the most memory in use at once",
+    "bodies": "the most at once: what stands, and all pieces",
+    "kinetic energy": "of all bodies",
+    "shadow lag": "how many steps the shadow volume is behind",
+}
 
 
 def load(folder):
@@ -28,18 +50,46 @@ def load(folder):
     return runs
 
 
-def plot(title, values, other=None, width=260, height=90):
-    """A curve over the run, as SVG; that of another build behind it in grey."""
+def describe(scenario):
+    """What a scenario does: the first line of its script, or nothing if there is no such script."""
+    path = ROOT / "samples/stress/scenarios" / f"{scenario}.lua"
+    return path.read_text().split("\n")[0].removeprefix("-- ") if path.exists() else ""
+
+
+def number(value):
+    """A number as people read it: 12,345 or 3.21."""
+    return f"{value:,.0f}" if abs(value) >= 100 or value == int(value) else f"{value:.3g}"
+
+
+def plot(title, values, seconds, other=None, width=260, height=104):
+    """A curve over the run, as SVG, from 0 to its largest value; that of another build behind it in grey."""
     top = max(values + (other or []) + [1e-9])
+    low, high = height - 16, 14
 
     def line(points, colour):
         step = width / max(1, len(points) - 1)
-        path = " ".join(f"{i * step:.1f},{height - 2 - value / top * (height - 6):.1f}" for i, value in enumerate(points))
+        path = " ".join(f"{i * step:.1f},{low - value / top * (low - high):.1f}" for i, value in enumerate(points))
         return f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="1.2"/>'
 
     curves = (line(other, "#aaa") if other else "") + line(values, "#06c")
-    return (f'<figure><svg width="{width}" height="{height}" style="background:#f8f8f8">{curves}</svg>'
-            f"<figcaption>{html.escape(title)}: up to {top:g}</figcaption></figure>")
+    axis = (f'<path d="M0 {low}H{width}M0 {high}H{width}" stroke="#ddd"/>'
+            f'<text x="2" y="{high - 3}">{number(top)}</text>'
+            f'<text x="2" y="{height - 4}">0 s</text>'
+            f'<text x="{width - 2}" y="{height - 4}" text-anchor="end">{number(seconds)} s</text>')
+    return (f'<figure><svg width="{width}" height="{height}" style="background:#f8f8f8">{axis}{curves}</svg>'
+            f"<figcaption>{html.escape(title)}</figcaption></figure>")
+
+
+def plots(run, before):
+    """All curves of a run. What was zero all the time is named in a line."""
+    drawn, zero = [], []
+    for title in PLOTS:
+        values, other = run["plots"][title], before["plots"].get(title) if before else None
+        if any(values) or any(other or []):
+            drawn.append(plot(title, values, run["steps"] / 60, other))
+        else:
+            zero.append(title.split(",")[0])
+    return "".join(drawn) + (f"<p>None at any time: {', '.join(zero)}.</p>" if zero else "")
 
 
 def images(folder, run):
@@ -69,9 +119,10 @@ def row(run, before):
     old = before["ms_p50_p95_p99_max"]["step"] if before else [None] * 4
     peak = max(run["plots"]["heap, MiB"] or [0])
     old_peak = max(before["plots"]["heap, MiB"] or [0]) if before else None
-    same = "" if not before else (" same hash" if before["hash"] == run["hash"] else " other hash")
+    same = "" if not before else ("; same hash" if before["hash"] == run["hash"] else "; other hash")
     name = f"{run['scenario']} {run['seed']}"
-    return (f'<tr><td><a href="#{name}">{name}</a></td><td>{run["steps"]}</td><td>{run["replayed_steps"]}</td>'
+    return (f'<tr><td><a href="#{name}">{run["scenario"]}, seed {run["seed"]}</a></td>'
+            f'<td>{run["steps"]}</td><td>{run["replayed_steps"]}</td>'
             + "".join(cell(value, was) for value, was in zip(times, old)) + cell(peak, old_peak)
             + f'<td>{max(run["plots"]["bodies"] or [0]):g}</td>'
             + f'<td class="text{" bad" if failure else ""}">{html.escape(state)}{same}</td></tr>')
@@ -80,39 +131,92 @@ def row(run, before):
 def details(folder, run, before):
     """Plots, stages and images of a run."""
     rows = ""
-    for stage in STAGES:
+    for stage, meaning in STAGES.items():
         old = before["ms_p50_p95_p99_max"][stage] if before else [None] * 4
         rows += f"<tr><td>{stage}</td>" + "".join(
-            cell(value, was) for value, was in zip(run["ms_p50_p95_p99_max"][stage], old)) + "</tr>"
-    plots = "".join(plot(title, values, before["plots"].get(title) if before else None)
-                    for title, values in run["plots"].items())
+            cell(value, was) for value, was in zip(run["ms_p50_p95_p99_max"][stage], old)) + (
+                f'<td class="text">{meaning}</td></tr>')
     failure = run.get("failure")
-    script = f"<pre>{html.escape(failure['script'] or failure['message'])}</pre>" if failure else ""
+    script = ""
+    if failure:
+        what = html.escape(f"{failure['check']}: {failure['message']}")
+        script = f'<p class="bad">Step {failure["step"]}: {what}</p>'
+        if failure["script"]:
+            script += f"<p>This fails the same way:</p><pre>{html.escape(failure['script'])}</pre>"
     name = f"{run['scenario']} {run['seed']}"
-    return (f'<h2 id="{name}">{name}</h2>{script}{images(folder, run)}<div>{plots}</div>'
-            f"<table><tr><th>stage, ms</th><th>p50</th><th>p95</th><th>p99</th><th>max</th></tr>{rows}</table>")
+    return (f'<h2 id="{name}">{run["scenario"]}, seed {run["seed"]}</h2><p>{html.escape(describe(run["scenario"]))}</p>'
+            f"{script}{images(folder, run)}<div>{plots(run, before)}</div>"
+            f'<table><tr><th>stage of a step, ms</th><th>p50</th><th>p95</th><th>p99</th><th>max</th>'
+            f'<th class="text">what it does</th></tr>{rows}</table>')
+
+
+def headline(runs, others):
+    """What was done and what came of it, for someone who sees such a page for the first time."""
+    failed = sum("failure" in run for run in runs.values())
+    steps = sum(run["steps"] for run in runs.values())
+    result = f"{failed} failed" if failed else "all checks held in all of them"
+    words = "".join(f"<dt>{name}</dt><dd>{meaning}</dd>" for name, meaning in COLUMNS.items())
+    head = (f"<h1>Stress scenarios</h1><p><b>{len(runs)} runs, {steps:,} steps: {result}.</b></p>"
+            "<p>Each run is a script that breaks things in a world of voxels, with a seed for everything random. After "
+            "every step: no voxel is lost or appears, handles are of things that are there, motion is finite, mass is "
+            "that of the voxels, no energy comes from nowhere, lights are on something. Every few seconds: the budgets "
+            "of pieces hold, the shadow volume is that of a world built from scratch, a saved game goes on as the one "
+            "that was saved, the hash tells worlds apart, and the recording gives the same hashes again, with two "
+            "threads and without the script.</p>"
+            f"<details><summary>What the words mean</summary><dl>{words}</dl></details>")
+    if others:
+        head += "<p>In brackets and grey: the other folder. Red: worse by more than a tenth; green: better.</p>"
+    return head
 
 
 def page(folder, runs, others):
     """The whole page."""
-    failed = sum("failure" in run for run in runs.values())
-    steps = sum(run["steps"] for run in runs.values())
-    head = (f"<h1>Stress scenarios</h1><p>{len(runs)} runs, {steps} steps, {failed} failed. Every step: voxels accounted "
-            "for, handles, motion, mass, energy, budgets, lights; every few seconds: the shadow volume against a rebuilt "
-            "one, hashes, and a replay of the recording with two threads.</p>")
-    if others:
-        head += "<p>In brackets and grey: the other folder. Red: worse by more than a tenth.</p>"
-    table = ("<table><tr><th>scenario, seed</th><th>steps</th><th>replayed</th><th>p50 ms</th><th>p95</th><th>p99</th>"
-             "<th>max</th><th>heap MiB</th><th>bodies</th><th>result</th></tr>"
+    table = ('<table><tr><th>scenario</th><th>steps</th><th>replayed</th><th>p50, ms</th><th>p95</th><th>p99</th>'
+             '<th>max</th><th>heap, MiB</th><th>bodies</th><th class="text">result</th></tr>'
              + "".join(row(run, others.get(key)) for key, run in runs.items()) + "</table>")
     body = "".join(details(folder, run, others.get(key)) for key, run in runs.items())
-    return f"<!doctype html><meta charset=utf-8><title>Stress scenarios</title><style>{STYLE}</style>{head}{table}{body}"
+    return (f"<!doctype html><meta charset=utf-8><title>Stress scenarios</title><style>{STYLE}</style>"
+            f"{headline(runs, others)}{table}{body}")
+
+
+def envelope(runs):
+    """The part of OPERATING_ENVELOPE.md: a row for each scenario, over its seeds. What depends on the machine is left
+    out."""
+    lines = ["# Stress scenarios", "",
+             "What the engine has gone through with everything checked at every step "
+             "([docs/stress.md](docs/stress.md)). Generated by `./rubble stress report FOLDER --publish` from a "
+             "campaign; do not edit. Bodies, contacts, voxels, loads and memory are the most of any seed.", "",
+             "| scenario | seeds | minutes each | steps replayed | bodies | contacts | voxels removed | loads | "
+             "heap, MiB | result |", "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
+    for scenario in sorted({name for name, _ in runs}):
+        of = [run for (name, _), run in runs.items() if name == scenario]
+
+        def most(title):
+            return number(max(max(run["plots"][title] or [0]) for run in of))
+
+        failed = [f"seed {run['seed']}: {run['failure']['check']} at step {run['failure']['step']}"
+                  for run in of if "failure" in run]
+        lines.append(f"| {scenario} | {' '.join(str(run['seed']) for run in of)} | "
+                     f"{number(min(run['steps'] for run in of) // 60 / 60)} | "
+                     f"{sum(run['replayed_steps'] for run in of):,} | {most('bodies')} | {most('contacts')} | "
+                     f"{most('removed voxels')} | {max(run['loads'] for run in of)} | {most('heap, MiB')} | "
+                     f"{'; '.join(failed) or 'all checks held'} |")
+    return "\n".join(lines) + "\n"
+
+
+def publish(runs):
+    """Replaces the last part of OPERATING_ENVELOPE.md."""
+    path = ROOT / "OPERATING_ENVELOPE.md"
+    before = path.read_text().split("\n# Stress scenarios\n")[0].rstrip("\n")
+    path.write_text(f"{before}\n\n{envelope(runs)}")
+    print(f"published: {path}")
 
 
 def main():
     parser = argparse.ArgumentParser(description="The page of a folder of stress runs")
     parser.add_argument("folder")
     parser.add_argument("--compare", metavar="OTHER", help="a folder of another build's runs")
+    parser.add_argument("--publish", action="store_true", help="write the table into OPERATING_ENVELOPE.md")
     options = parser.parse_args()
     runs = load(options.folder)
     if not runs:
@@ -121,6 +225,8 @@ def main():
     target = pathlib.Path(options.folder) / "report.html"
     target.write_text(page(options.folder, runs, others))
     print(f"report: {target}")
+    if options.publish:
+        publish(runs)
 
 
 if __name__ == "__main__":

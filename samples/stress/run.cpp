@@ -48,7 +48,10 @@ public:
     }
 
 private:
-    std::string recordingPath() const { return m_settings.folder + "/" + m_settings.name + ".rubblelog"; }
+    /// With the seed: runs of several seeds may share a folder at the same time.
+    std::string recordingPath() const {
+        return fmt::format("{}/{}_{}.rubblelog", m_settings.folder, m_settings.name, m_settings.seed);
+    }
 
     void fail(const std::string& check, const std::string& message) {
         if (!m_result.failure) m_result.failure = Failure{check, message, int(m_view.step)};
@@ -96,7 +99,6 @@ private:
             if (!m_result.failure) checkAll();
             if (!m_result.failure) record();
         }
-        keepGame(step);
         if (m_settings.onStep) m_settings.onStep(step + 1);
     }
 
@@ -159,8 +161,16 @@ private:
         m_nextCheck = m_view.step + uint64_t(m_settings.checkInterval);
         m_view.game = savedGame(m_api, m_world);
         if (m_view.game.empty()) return fail("save", m_api.get_last_error());
+        keepGame();
         look(&Check::atBorder);
         if (!m_result.failure) stepBesideCopy();
+    }
+
+    /// Keeps games at about equal distances, the last one at the end. A game goes on as if it had been loaded after
+    /// each save: so none is saved for images alone, and a run is the same with and without them.
+    void keepGame() {
+        const uint64_t due = m_view.step * uint64_t(m_settings.images) / uint64_t(m_settings.steps);
+        if (due > m_result.games.size()) m_result.games.push_back(m_view.game);
     }
 
     /// Loads the game into another world, and steps both: they must stay equal.
@@ -229,14 +239,6 @@ private:
         if (!done(m_api.load_game_data(m_world, game.data(), game.size()))) return;
         m_api.get_state_hash(m_world, &after);
         if (before != after) fail("save", "a loaded game has another hash than the one that was saved");
-    }
-
-    /// Games are kept at equal distances, the last one at the end.
-    void keepGame(int step) {
-        const int count = m_settings.images;
-        if (!count || (step + 1) * count / m_settings.steps == step * count / m_settings.steps) return;
-        finishUndo();
-        m_result.games.push_back(savedGame(m_api, m_world));
     }
 
     const rubble_api& m_api;

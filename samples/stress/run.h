@@ -21,7 +21,7 @@ struct RunSettings {
     bool replays = true;      ///< plays each recording again, with two threads
     std::string levels;       ///< the folder of levels that scripts may load
     std::string folder;       ///< for recordings
-    int images = 0;           ///< how many games are kept, to be drawn
+    int images = 0;           ///< how many games are kept at most, to be drawn
     rubble::script::CallObserver* observer = nullptr;
     std::function<void(int step)> onStep;
 };

@@ -8,7 +8,9 @@
 #include <thread>
 
 #include "runtime/core/random.h"
+#include "runtime/shadow/rasterize_large.h"
 #include "runtime/shadow/shadow_worker.h"
+#include "runtime/shadow/surface_bricks.h"
 #include "tests/support/grids.h"
 
 namespace rubble {
@@ -136,6 +138,41 @@ void shadowLag(benchmark::State& state) {
     state.counters["preemptions"] = double(preemptions() - preemptionsBefore);
 }
 BENCHMARK(shadowLag)->Arg(200)->Iterations(600)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// A shadow brick on the surface of a block of voxels of 2 m, at random rotations, by boxes; `rows_ms` is the same row
+/// by row.
+void shadowBrickOfLargeVoxels(benchmark::State& state) {
+    const VoxelGrid grid = solidGrid({8, 6, 8});
+    Random random(1);
+    double ms = 0.0, rowsMs = 0.0;
+    uint64_t cells = 0;
+    for (auto _ : state) {
+        glm::dquat turn(1.0, 0.0, 0.0, 0.0);
+        for (int a = 0; a < 3; ++a) turn[a] = double(random.unit());
+        const Pose pose{glm::dvec3(0.0), glm::normalize(turn)};
+        ShadowCellTransform transform;
+        transform.place(pose, 2.0);
+        std::vector<glm::ivec3> bricks;
+        listSurfaceBricks(grid, pose, 2.0, bricks);
+        const auto measure = [&](auto&& rasterizeBox) {
+            const auto start = Clock::now();
+            for (const glm::ivec3 brick : bricks) {
+                CellRows rows{};
+                const glm::ivec3 corner = brick * kShadowBrickCells;
+                rasterizeBox(grid, transform, CellBox{corner, corner + kShadowBrickCells}, corner, rows);
+                cells += rows[0];
+            }
+            return msSince(start);
+        };
+        ms += measure(rasterizeLargeVoxels);
+        rowsMs += measure(rasterizeByRows);
+    }
+    benchmark::DoNotOptimize(cells);
+    state.counters["boxes_ms"] = ms / double(state.iterations());
+    state.counters["rows_ms"] = rowsMs / double(state.iterations());
+    state.counters["rows_over_boxes"] = rowsMs / ms;
+}
+BENCHMARK(shadowBrickOfLargeVoxels)->Iterations(50)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace rubble

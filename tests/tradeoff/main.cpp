@@ -57,13 +57,14 @@ Table makeTable(const Row& row, const Options& options, bool& written) {
     return table;
 }
 
-/// The document with the subject's part replaced: physics comes first, then light.
+/// The document with the subject's part replaced: physics comes first, then light, then what ./rubble stress writes.
 std::string envelopeWith(const std::string& subject, const std::string& path, const std::string& part) {
     std::ifstream file(path);
     const std::string before{std::istreambuf_iterator<char>(file), {}};
-    const size_t light = before.find("\n# The light\n");
-    if (subject == "light") return before.substr(0, light) + part;
-    return part + (light == std::string::npos ? "" : before.substr(light));
+    const auto from = [&](const char* title) { return std::min(before.find(title), before.size()); };
+    const size_t stress = from("\n# Stress scenarios\n"), light = std::min(from("\n# The light\n"), stress);
+    if (subject == "light") return before.substr(0, light) + part + before.substr(stress);
+    return part + before.substr(light);
 }
 
 bool writeText(const std::string& path, const std::string& text) {

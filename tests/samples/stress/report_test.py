@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+"""The page and the table of stress runs, from figures that are made up. report_test.py FOLDER_OF_REPORT_PY"""
+import pathlib
+import sys
+import unittest
+
+sys.path.insert(0, sys.argv.pop())
+import report  # noqa: E402
+
+
+def run_of(scenario, seed, failure=None, bodies=12):
+    """The figures of a run of ten minutes."""
+    run = {"scenario": scenario, "seed": seed, "steps": 36030, "replayed_steps": 36000, "loads": 2, "hash": "1f",
+           "ms_p50_p95_p99_max": {stage: [1.0, 2.0, 3.0, 4.0] for stage in report.STAGES},
+           "plots": {title: [0.0, 0.0] for title in report.PLOTS}}
+    run["plots"]["bodies"] = [1, bodies]
+    if failure:
+        run["failure"] = failure
+    return run
+
+
+def runs_of(*runs):
+    """As load() gives them."""
+    return {(run["scenario"], run["seed"]): run for run in runs}
+
+
+class Report(unittest.TestCase):
+    FAILURE = {"check": "mass", "message": "1 < 2", "step": 7, "script": "Box(<)"}
+
+    def test_page_says_what_a_scenario_does_and_what_failed(self):
+        page = report.page("nowhere", runs_of(run_of("flood", 1), run_of("scales", 2, self.FAILURE)), {})
+        self.assertIn("2 runs, 72,060 steps: 1 failed", page)
+        self.assertIn("Water rises through a room", page)
+        self.assertIn("Step 7: mass: 1 &lt; 2", page)
+        self.assertIn("<pre>Box(&lt;)</pre>", page)
+        self.assertIn("None at any time: step, awake bodies", page)
+
+    def test_comparison_marks_what_is_worse(self):
+        slow = run_of("flood", 1)
+        slow["ms_p50_p95_p99_max"]["step"] = [9.0, 2.0, 3.0, 4.0]
+        page = report.page("nowhere", runs_of(slow), runs_of(run_of("flood", 1)))
+        self.assertIn('<td class="bad">9.00 <small>(1.00)</small></td>', page)
+        self.assertIn("all checks held; same hash", page)
+
+    def test_envelope_has_a_row_for_each_scenario(self):
+        rows = report.envelope(runs_of(run_of("flood", 1), run_of("flood", 2, bodies=4321),
+                                       run_of("scales", 1, self.FAILURE))).splitlines()
+        self.assertIn("| flood | 1 2 | 10 | 72,000 | 4,321 | 0 | 0 | 2 | 0 | all checks held |", rows)
+        self.assertIn("| scales | 1 | 10 | 36,000 | 12 | 0 | 0 | 2 | 0 | seed 1: mass at step 7 |", rows)
+
+
+if __name__ == "__main__":
+    unittest.main()
