@@ -4,6 +4,7 @@
 #include "physics/physics_impl.h"
 #include "physics/stages/physics_reports.h"
 #include "physics/stages/sleep.h"
+#include "runtime/core/prefetch.h"
 
 namespace rubble {
 
@@ -51,8 +52,10 @@ void PhysicsWorld::step() {
     PhysicsReports* const reports = m_reports.get();
     if (reports) reports->begin();
     if (!impl.bodies.awake().empty()) {
-        for (const uint32_t slot : impl.bodies.awake()) {
-            DynamicBody& body = impl.bodies.at(slot);
+        const std::vector<uint32_t>& awake = impl.bodies.awake();
+        for (size_t i = 0; i < awake.size(); ++i) {
+            if (i + 4 < awake.size()) prefetch(&impl.bodies.at(awake[i + 4]), sizeof(DynamicBody));
+            DynamicBody& body = impl.bodies.at(awake[i]);
             body.inWater = false;
             body.motion.gravityScale = float(body.gravityScale);
             impl.work += body.damp(settings.stepSeconds);

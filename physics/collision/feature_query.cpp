@@ -1,6 +1,7 @@
 #include "physics/collision/feature_query.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace rubble {
@@ -119,17 +120,17 @@ float depthBelowSurface(Occupancy& occupancy, Cell cell, const glm::vec3& p) {
 Face closestFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, float margin, const FeatureQuery& query) {
     Face best;
     best.separation = margin;
-    for (int axis = 0; axis < 3; ++axis) {
-        const float within = p[axis] - float(cell[axis]);
-        if (within >= margin && 1.0f - within >= margin) continue;
-        for (const int sign : {-1, 1}) {
-            const float away = sign > 0 ? within : float(cell[axis] + 1) - p[axis];
-            if (away >= best.separation || !query.accepts(axis, float(sign))) continue;
-            Cell below = cell;
-            below[axis] -= sign;
-            if (occupancy.solid(below) && occupancy.exposed(below, p, axis, sign))
-                best = {axis, float(sign), away, below};
-        }
+    uint32_t near = 0;  // bit 2 * axis: the cell before this one is near; the next bit: the one behind
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int side : {0, 1})
+            near |= uint32_t(distanceToSide(cell, p, axis, side ? 1 : -1) < margin) << (2 * axis + side);
+    for (near = occupancy.solidNeighbours(cell, near); near; near &= near - 1) {
+        const int axis = std::countr_zero(near) / 2, side = std::countr_zero(near) % 2 ? 1 : -1;
+        const float away = distanceToSide(cell, p, axis, side), sign = float(-side);
+        if (away >= best.separation || !query.accepts(axis, sign)) continue;
+        Cell below = cell;
+        below[axis] += side;
+        if (occupancy.exposed(below, p, axis, -side)) best = {axis, sign, away, below};
     }
     return best;
 }

@@ -11,6 +11,7 @@
 #include "physics/collision/impact_contacts.h"
 #include "physics/collision/round_contacts.h"
 #include "runtime/core/planted_fault.h"
+#include "runtime/core/prefetch.h"
 
 namespace rubble {
 namespace {
@@ -21,9 +22,17 @@ constexpr float kUnlimited = 1e9f;  ///< metres
 constexpr double kMaxCachedMotion = 0.05;
 constexpr double kMaxStraightError = 1.0;  ///< voxels by which a point may leave the line along which it is searched
 
-/// Begins to load what is asked of an object in every pair: second objects lie anywhere in memory.
-void prefetch(const CollisionObject& object) {
-    for (size_t line = 0; line < 3; ++line) __builtin_prefetch(reinterpret_cast<const char*>(&object) + line * 64);
+/// Begins to load what is asked of the second objects of pairs to come, which lie anywhere in memory: first the object,
+/// then, some pairs later, what it points to.
+void prefetchSeconds(std::span<const ObjectPair> pairs) {
+    if (pairs.size() > 6) prefetch(pairs[6].second, sizeof(CollisionObject));
+    if (pairs.size() > 4) {
+        const CollisionObject& object = *pairs[4].second;
+        prefetch(object.collider.parts.data(), sizeof object.collider.parts[0]);
+        prefetch(object.cellTransforms().data(), sizeof(CellTransform));
+    }
+    if (pairs.size() > 2 && !pairs[2].second->collider.parts.empty())
+        prefetch(pairs[2].second->collider.parts[0].get(), sizeof(ColliderPart));
 }
 
 template <class T>
@@ -161,7 +170,7 @@ void Narrowphase::collideBatch(std::span<const ObjectPair> pairs, size_t from, c
     }
     auto next = known.end();
     for (size_t i = 0; i < out.size(); ++i) {
-        if (i + 2 < out.size()) prefetch(*pairs[from + i + 2].second);
+        prefetchSeconds(pairs.subspan(from + i, out.size() - i));
         Pair& pair = out[i];
         pair.first = pairs[from + i].first->number, pair.second = pairs[from + i].second->number;
         if (i == 0) next = std::lower_bound(known.begin(), known.end(), pair, isBefore<Pair>);

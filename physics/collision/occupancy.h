@@ -69,6 +69,19 @@ public:
         if (brick != m_brickAt) m_brickAt = brick, m_brick = m_grid.brickAt(brick);
         return m_brick && m_brick->solid(voxelIndex(cellInBrick(c)));
     }
+    /// Which of the cells beside one are solid: bit 2 * axis for the one before it along an axis, the next bit for the
+    /// one behind. wanted: bits of those to look at.
+    uint32_t solidNeighbours(Cell c, uint32_t wanted) {
+        if (m_whole && m_whole->coversAround(c)) return m_whole->solidNeighbours(c) & wanted;
+        uint32_t found = 0;
+        for (uint32_t left = wanted; left; left &= left - 1) {
+            const int bit = std::countr_zero(left);
+            Cell neighbour = c;
+            neighbour[bit / 2] += bit % 2 ? 1 : -1;
+            found |= uint32_t(solid(neighbour)) << bit;
+        }
+        return found;
+    }
     /// Whether the side (sign * axis) of a solid cell is a part of the surface beside a point: the next cell is empty,
     /// and nothing else lies against it.
     bool exposed(Cell c, const glm::vec3& p, int axis, int sign) {

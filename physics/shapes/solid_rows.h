@@ -37,11 +37,22 @@ public:
         const glm::ivec3 c = cell - m_low;
         return covers(cell) && m_rows[size_t(c.y + m_ny * c.z)] >> c.x & 1;
     }
+    /// Whether the cell and those beside it are covered.
+    bool coversAround(glm::ivec3 cell) const { return covers(cell - 1) && covers(cell + 1); }
+    /// Which of the cells beside one are solid: bit 2 * axis for the one before it along an axis, the next bit for the
+    /// one behind. All must be covered.
+    uint32_t solidNeighbours(glm::ivec3 cell) const {
+        const glm::ivec3 c = cell - m_low;
+        const uint64_t* row = m_rows.data() + (c.y + m_ny * c.z);
+        const auto bit = [&](const uint64_t* at, int x) { return uint32_t(*at >> x & 1); };
+        return bit(row, c.x - 1) | bit(row, c.x + 1) << 1 | bit(row - 1, c.x) << 2 | bit(row + 1, c.x) << 3 |
+               bit(row - m_ny, c.x) << 4 | bit(row + m_ny, c.x) << 5;
+    }
     /// Whether any covered cell from low to high, both included, is solid.
     bool any(Int4 low, Int4 high) const {
         const Int4 corner = {m_low.x, m_low.y, m_low.z, 0};
         low = max4(low - corner, Int4{0, 0, 0, 0}), high = min4(high - corner, Int4{m_nx - 1, m_ny - 1, m_nz - 1, 0});
-        if (low[0] > high[0]) return false;
+        if (bitsOf(low > high) & 7) return false;
         return anyIn(low[0], high[0], low[1], high[1], low[2], high[2]);
     }
     /// The same for four boxes, given by their cells along each axis: bit i is that of lane i. lanes: those to look at.
@@ -62,15 +73,25 @@ public:
     }
 
 private:
-    /// Of places counted from the padding's low corner; the range of x must not be empty.
+    /// Of places counted from the padding's low corner; the ranges must not be empty.
     bool anyIn(int x0, int x1, int y0, int y1, int z0, int z1) const {
         const uint64_t between = (~uint64_t(0) >> (63 - (x1 - x0))) << x0;
-        for (int z = z0; z <= z1; ++z) {
+        const size_t dy = size_t(y1 - y0), dz = size_t(z1 - z0), layer = size_t(m_ny);
+        const uint64_t* first = m_rows.data() + (size_t(y0) + layer * size_t(z0));
+        if (dy <= 2 && dz <= 2) return anyOfFew(first, dy, dz * layer, between);
+        for (size_t z = 0; z <= dz; ++z, first += layer) {
             uint64_t found = 0;
-            for (int y = y0; y <= y1; ++y) found |= m_rows[size_t(y + m_ny * z)];
+            for (size_t y = 0; y <= dy; ++y) found |= first[y];
             if (found & between) return true;
         }
         return false;
+    }
+    /// The same for up to three rows of up to three layers, from the first to the last: some are read twice, as that is
+    /// faster than branches that the processor cannot predict.
+    bool anyOfFew(const uint64_t* first, size_t lastRow, size_t lastLayer, uint64_t between) const {
+        const size_t row = lastRow > 0, layer = lastLayer > 0 ? size_t(m_ny) : 0;
+        const auto rows = [&](const uint64_t* at) { return at[0] | at[row] | at[lastRow]; };
+        return ((rows(first) | rows(first + layer) | rows(first + lastLayer)) & between) != 0;
     }
 
     CellBox m_box;
