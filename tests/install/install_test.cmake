@@ -15,6 +15,20 @@ file(REMOVE_RECURSE ${WORK}/prefix ${WORK}/moved ${WORK}/consumer)
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
 file(RENAME ${WORK}/prefix ${WORK}/moved)
 
+# ./rubble install, in a tree where nothing else is built, makes all of it.
+run(${NINJA} -C ${BUILD} -t query runtime/plugin/install/installed)
+file(GLOB programs ${WORK}/moved/lib*/*.so ${WORK}/moved/bin/*)
+list(LENGTH programs count)
+if(count LESS 4)
+    message(SEND_ERROR "expected three libraries and rubble-vdb, found ${programs}")
+endif()
+foreach(program ${programs})
+    get_filename_component(name ${program} NAME)
+    if(NOT output MATCHES "bin/${name}\n")
+        message(SEND_ERROR "expected the target installed to make ${name}, but it does not")
+    endif()
+endforeach()
+
 # Nothing installed knows where it was built.
 file(GLOB_RECURSE installed ${WORK}/moved/*)
 if(NOT installed)

@@ -80,6 +80,7 @@ uint64_t resolvedHash(const WorldState& world) {
         hasher.add(handle.slot());
         hasher.add(shape.body.slot());
         hasher.add(shape.local);
+        hasher.add(glm::dvec3(shape.grid.size()));
         hasher.add(shape.grid.contentHash());
         hasher.add(palettes.of(*shape.palette));
         hasher.add(glm::dvec3(isPlanted("unhashed-field") ? 0.0f : shape.strength, shape.density, shape.emission));

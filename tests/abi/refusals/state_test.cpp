@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "runtime/assets/save_file.h"
+#include "tests/abi/refusals/effective_calls.h"
 #include "tests/abi/refusals/refusals_fixture.h"
 
 namespace rubble {
@@ -17,6 +18,20 @@ const std::map<std::string, std::string> kNotInDeltas = {
     {"heat", "heat"},
     {"extinguish", "heat"},
 };
+
+/// What an undo drops: damage that physics has found, and that the next step would have carried out.
+const std::map<std::string, std::string> kNotRedone = {
+    {"add_joint settings.break_force", "it breaks"},
+    {"add_joint settings.break_torque", "it breaks"},
+    {"create_joint settings.break_force", "it breaks"},
+    {"create_joint settings.break_torque", "it breaks"},
+};
+/// Functions that are called on the main thread of a world and change nothing in its state.
+const std::set<std::string> kNoState = {
+    "cast_ray",        "cast_rays",        "cast_shapes",        "count_carve",        "count_fires",
+    "create_renderer", "find_by_name",     "find_by_tag",        "find_closest_point", "find_closest_fire",
+    "find_material",   "mesh_brick",       "overlap_bodies",     "overlap_shapes",     "set_report_filter",
+    "spawn_particles", "translate_handle", "set_physics_threads"};
 
 /// A field of a struct that a call reads, which gets another value; no field: the call as it is.
 struct Variation {
@@ -154,6 +169,8 @@ protected:
         stepOnce(changed);
         HostCall call(function, *world);
         prepare(call);
+        if (const auto effect = effectiveCalls().find(function.name); effect != effectiveCalls().end())
+            effect->second(call);
         variation.make(call);
         const std::string path = *s_folder / "state.rubblelog";
         ASSERT_EQ(api()->start_recording(changed, path.c_str()), RUBBLE_OK) << api()->get_last_error();
@@ -192,7 +209,9 @@ protected:
         ASSERT_EQ(api()->redo(changed), RUBBLE_OK);
         stepOnce(changed);
         stepOnce(loaded.world);
-        EXPECT_EQ(resolved(changed), resolved(loaded.world)) << "not redone";
+        if (!isListed(kNotRedone, function, variation)) {
+            EXPECT_EQ(resolved(changed), resolved(loaded.world)) << "not redone";
+        }
         ASSERT_EQ(api()->stop_recording(changed), RUBBLE_OK) << api()->get_last_error();
         const Loaded replayed(start, byHost);
         uint64_t steps = 0;
@@ -215,8 +234,9 @@ TEST_F(State, WhatAnyCallChangesIsHashedSavedUndoneAndFollowed) {
     }
     EXPECT_GT(m_changes["set_settings"], 25) << "of its fields";
     EXPECT_GT(m_changes["set_environment"], 15);
-    EXPECT_GT(m_changes.size(), 40u);
-    for (const auto& [name, count] : m_changes) RecordProperty(name, count);
+    for (const FunctionDescription& function : functions(false))
+        EXPECT_NE(m_changes.contains(function.name), !isEdit(function) || kNoState.contains(function.name))
+            << function.name << ": say in effective_calls.cpp how it changes something, or in kNoState that it cannot";
 }
 
 /// A world without a level: a floor of 8 m, and what a test makes.
