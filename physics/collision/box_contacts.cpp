@@ -26,6 +26,10 @@ constexpr float kMaxMargin = 0.4f;  ///< of the contact margin in voxels, as bet
 /// Voxels by which an edge against an edge must be less deep than a face, and a face of the first than one of the
 /// second, to be preferred: else the choice would flicker.
 constexpr float kPreference = 0.02f;
+/// Voxels up to which boxes may overlap along an axis and slide past each other, and of motion in a step, along another
+/// axis more than along this one, that tell that they do.
+constexpr float kHair = 0.05f, kMinSlide = 0.01f;
+constexpr float kShared = 0.95f;          ///< cosine from which two normals count as one
 constexpr float kMinEdgeSine2 = 0.0225f;  ///< squared sine between edges below which they count as parallel
 constexpr float kParallel = 1e-6f;        ///< added to cosines against the rounding of parallel axes
 constexpr float kRounding = 1e-4f;        ///< metres, against that of gaps
@@ -134,6 +138,13 @@ public:
         return best;
     }
     const Projections& offset() const { return m_offset; }
+    /// Whether a face's normal is about one of the other box, too.
+    bool isShared(int axis) const {
+        float most = 0.0f;
+        for (size_t i = 0; i < 3; ++i)
+            most = std::max(most, axis < 4 ? m_absolute[size_t(axis)][i] : m_absolute[i][axis - 4]);
+        return most > kShared;
+    }
     float reachOf(int axis) const { return m_reach[size_t(axis / 4)][axis % 4]; }
     bool isAxis(size_t group, size_t lane) const { return group < 2 || m_inverseSine[group - 2][lane] > 0.0f; }
     /// The unit vector of an axis, on the side of the offset.
@@ -165,6 +176,27 @@ AxisTest::Best chooseAxis(const AxisTest& axes, const AxisTest::Projections& off
     if (const auto face = axes.widest(0, 1, offset); face.separation > best.separation + preference) best = face;
     if (const auto edge = axes.widest(2, AxisTest::kGroups, offset); edge.separation > best.separation + preference)
         best = edge;
+    return best;
+}
+
+/// The same, unless the boxes overlap by a hair only along a normal of both, along which they move less: what slides
+/// over a gap between two boxes would hit the second. displacement: of the first box in the step.
+AxisTest::Best chooseAxisOfSlide(const AxisTest& axes, const AxisTest::Projections& offset,
+                                 const glm::vec3& displacement, float voxel) {
+    AxisTest::Best best = chooseAxis(axes, offset, kPreference * voxel);
+    AxisTest::Projections drift{};
+    axes.place(displacement, AxisTest::kGroups, drift);
+    const auto closing = [&](int axis) {
+        const size_t group = size_t(axis / 4), lane = size_t(axis % 4);
+        return offset[group][lane] < 0.0f ? drift[group][lane] : -drift[group][lane];
+    };
+    float least = closing(best.axis) - kMinSlide * voxel;
+    for (int axis = 0; axis < 8; ++axis) {
+        if (axis % 4 == 3) continue;
+        const float separation = std::abs(offset[size_t(axis / 4)][axis % 4]) - axes.reachOf(axis);
+        if (separation > -kHair * voxel && closing(axis) < least && axes.isShared(axis))
+            best = {axis, separation}, least = closing(axis);
+    }
     return best;
 }
 
@@ -342,16 +374,17 @@ private:
 
 /// How the first box moves against the second in the step.
 struct BoxMotion {
-    glm::vec3 displacement{0.0f};  ///< of its middle, metres
-    float turn = 0.0f;             ///< metres by which the spins of both move a point, at most
+    glm::vec3 slide{0.0f};         ///< of its middle, metres
+    glm::vec3 displacement{0.0f};  ///< the same; 0: nothing moves far
+    float turn = 0.0f;             ///< metres by which the spins of both move a point, at most; 0 likewise
     BoxMotion(const MovingPart& first, const Box& a, const MovingPart& second, const Box& b,
               const NarrowphaseSettings& settings) {
-        displacement = glm::vec3((first.velocityAt(glm::dvec3(a.center)) - second.velocityAt(glm::dvec3(b.center))) *
-                                 settings.seconds);
+        slide = glm::vec3((first.velocityAt(glm::dvec3(a.center)) - second.velocityAt(glm::dvec3(b.center))) *
+                          settings.seconds);
         const double spins = glm::length(first.spin) * a.diagonal() + glm::length(second.spin) * b.diagonal();
-        turn = float(spins * settings.seconds);
-        if (std::sqrt(glm::dot(displacement, displacement)) + turn <= float(settings.sweepThreshold))
-            displacement = glm::vec3(0.0f), turn = 0.0f;
+        const auto turned = float(spins * settings.seconds);
+        if (std::sqrt(glm::dot(slide, slide)) + turned > float(settings.sweepThreshold))
+            displacement = slide, turn = turned;
     }
     bool isFast() const { return displacement != glm::vec3(0.0f) || turn != 0.0f; }
     /// Metres by which they come closer, at most.
@@ -386,7 +419,7 @@ bool collideBoxes(const MovingPart& first, const MovingPart& second, const Narro
     };
     if (const auto face = axes.widest(0, 2, axes.offset()); isApartAlong(face)) return setApart(face);
     axes.addEdges();
-    const AxisTest::Best best = chooseAxis(axes, axes.offset(), kPreference * voxel);
+    const AxisTest::Best best = chooseAxisOfSlide(axes, axes.offset(), motion.slide, voxel);
     if (isApartAlong(best)) return setApart(best);
     if (best.separation > 0.0f && motion.isFast()) {
         AxisTest::Projections drift{};
@@ -396,7 +429,7 @@ bool collideBoxes(const MovingPart& first, const MovingPart& second, const Narro
             if (best.separation > margin) return setApart(best);
         } else {
             for (size_t i = 0; i < drift.size(); ++i) drift[i] = axes.offset()[i] + drift[i] * float4(time);
-            const int met = chooseAxis(axes, drift, kPreference * voxel).axis;
+            const int met = chooseAxisOfSlide(axes, drift, motion.slide, voxel).axis;
             const glm::vec3 normal = axes.normal(met, drift);
             const size_t before = out.size();
             BoxClip(a, b, motion.displacement * time, margin + motion.closing(normal), partKey, out)

@@ -16,6 +16,17 @@ constexpr float kInset = 0.05f;
 constexpr float kMaxMargin = 0.4f;
 constexpr float kRounding = 1e-3f;     ///< cells added to bounds against rounding
 constexpr float kMinEdgeSine = 0.15f;  ///< between two edges below which they count as parallel
+constexpr float kUpright = 0.95f;      ///< cosine between an edge and a normal from which it stands on the face
+/// Cells of motion in a step, along one normal more than along another, that tell which of the two is right.
+constexpr float kMinSlide = 0.01f;
+
+/// Whether an edge that stands on a face reaches into it with its end only, and not as far as corners are looked up
+/// inside of their own solid.
+bool isTip(const FeatureQuery& query, float from, float to) {
+    const glm::vec3 along = glm::abs(query.along);
+    return (to - from) * query.length < kInset && (from <= -0.5f || to >= 0.5f) &&
+           std::max({along.x, along.y, along.z}) > kUpright;
+}
 
 /// A stride that visits all of `count` places, those of each prefix far from each other: the nearest to the golden
 /// section that has no common divisor with `count`.
@@ -50,7 +61,6 @@ void FeatureCollider::setMotion(glm::dvec3 velocity, glm::dvec3 spin, const Narr
     m_margin = std::min(float(settings.margin / size), kMaxMargin);
     m_sweeps = maxDisplacement > settings.sweepThreshold;
     m_searchDistance = m_margin + (m_sweeps ? float(maxDisplacement / size) : 0.0f);
-    if (!m_sweeps) return;
     const glm::dmat3 toInto = metresToCells(m_intoCells, size);
     m_velocity = glm::vec3(toInto * velocity) * float(settings.seconds);
     m_spin = glm::vec3(glm::transpose(m_intoCells.axes) * spin / size) * float(settings.seconds);
@@ -374,7 +384,19 @@ bool FeatureCollider::collideEdgeCrossing(const FeatureQuery& query, float from,
     if (alongU < -kMaxSideCosine || alongV < -kMaxSideCosine || !query.accepts(normal)) return false;
     // The exit through one face is shorter if neither end of the interval is deep behind it.
     const float exitDepth = depth[u] * alongU + depth[v] * alongV;
-    if (exitDepth > std::min(depth[u] + halfInterval[u], depth[v] + halfInterval[v])) return false;
+    bool isShortest = exitDepth <= std::min(depth[u] + halfInterval[u], depth[v] + halfInterval[v]);
+    if (exitDepth < kInset) {
+        // What slides over a gap overlaps the edge beyond it by a hair: motion tells which side it came from.
+        glm::vec3 lift(0.0f);
+        if (isTip(query, from, to))
+            lift = query.along * (to < 0.5f ? 1.0f : -1.0f);
+        else if (depth[w] < kInset)
+            lift[w] = float(signs[w]);
+        const glm::vec3 displacement = m_velocity + glm::cross(m_spin, q - m_about);
+        const float difference = glm::dot(displacement, normal - lift);
+        if (lift != glm::vec3(0.0f) && std::abs(difference) > kMinSlide) isShortest = difference > 0.0f;
+    }
+    if (!isShortest) return false;
     add(q, normal, -exitDepth, kind, own, cell, out);
     return true;
 }

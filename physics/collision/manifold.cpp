@@ -50,8 +50,10 @@ size_t widenPolygon(std::vector<ContactPoint>& contacts, size_t from, size_t cou
                 const glm::vec3 edge = corners[(k + 1) % count] - corners[k];
                 const float length = std::sqrt(glm::dot(edge, edge));
                 size = std::max(size, length);
-                if (length > 0.0f)
-                    outside = std::max(outside, glm::dot(glm::cross(edge, normal), p - corners[k]) / length);
+                if (!(length > 0.0f)) continue;
+                outside = std::max(outside, glm::dot(glm::cross(edge, normal), p - corners[k]) / length);
+                if (count == 2 && most > 4)  // a line, which ends; what rests would change its points
+                    outside = std::max(outside, std::abs(glm::dot(edge, p)) / length - 0.5f * length);
             }
             if (outside > 0.0f && wasKept(before, contacts[i].feature)) outside *= kKeptDistanceFactor;
             if (outside > farthest) farthest = outside, best = i;

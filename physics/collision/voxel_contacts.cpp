@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "physics/collision/box_contacts.h"
@@ -95,8 +96,35 @@ glm::vec3 centerAxis(const ColliderPart& to, const TransformedHull& toHull, cons
     return length2 > 1e-12f ? offset / std::sqrt(length2) : glm::vec3(0.0f, 1.0f, 0.0f);
 }
 
+/// Two parts with a feature that is inside of the other and accepts no exit.
+struct Stuck {
+    TransformedHull hullA, hullB;
+    glm::vec3 axis;  ///< a unit vector from the second to the first
+    float gap;       ///< of the hulls along it, metres
+    float voxel;     ///< the smaller one, metres
+    float depth;     ///< of the feature, cells
+    uint64_t key;    ///< of the parts
+};
+
+/// A contact for two parts that overlap so deeply that their features accept no exit: along a direction, at the centre
+/// of what their bounds share, as if at most half a voxel deep.
+ContactPoint stuckContact(const Stuck& stuck, const glm::vec3& direction) {
+    glm::vec3 lowA, highA, lowB, highB;
+    stuck.hullA.points.bounds(stuck.hullA.axes, lowA, highA);
+    stuck.hullB.points.bounds(stuck.hullB.axes, lowB, highB);
+    const glm::vec3 low = glm::max(stuck.hullA.corner + lowA, stuck.hullB.corner + lowB),
+                    high = glm::min(stuck.hullA.corner + highA, stuck.hullB.corner + highB);
+    ContactPoint contact;
+    contact.position = (low + high) * 0.5f;
+    contact.normal = direction;
+    contact.separation = std::max(stuck.gap, -0.5f * stuck.voxel);
+    contact.feature = stuck.key | uint64_t(kFeatureKinds) << 12;
+    return contact;
+}
+
 /// The direction in which two bodies with a stuck feature are pushed apart: the hulls' axis if they have no contacts,
-/// else the mean normal of these (another direction would make what is wedged between them spin). Zero: no push.
+/// else the mean normal of these (another direction would make what is wedged between them spin, and the hull of a part
+/// of a room is full where the room is hollow). Zero: no push.
 glm::vec3 pushDirection(std::span<const ContactPoint> contacts, const glm::vec3& axis, float stuckDepth) {
     if (contacts.empty()) return axis;
     glm::vec3 sum(0.0f);
@@ -104,23 +132,6 @@ glm::vec3 pushDirection(std::span<const ContactPoint> contacts, const glm::vec3&
     const float length = glm::length(sum);
     return stuckDepth > kMinStuckDepth && length > kMinAgreement * float(contacts.size()) ? sum / length
                                                                                           : glm::vec3(0.0f);
-}
-
-/// A contact for two parts that overlap so deeply that their features accept no exit: along the axis, at the centre of
-/// what their bounds share, as if at most half a voxel deep.
-ContactPoint stuckContact(const ColliderPart& a, const TransformedHull& hullA, const ColliderPart& b,
-                          const TransformedHull& hullB, const glm::vec3& axis, float gap, uint64_t key) {
-    glm::vec3 lowA, highA, lowB, highB;
-    hullA.points.bounds(hullA.axes, lowA, highA);
-    hullB.points.bounds(hullB.axes, lowB, highB);
-    const glm::vec3 low = glm::max(hullA.corner + lowA, hullB.corner + lowB),
-                    high = glm::min(hullA.corner + highA, hullB.corner + highB);
-    ContactPoint contact;
-    contact.position = (low + high) * 0.5f;
-    contact.normal = axis;
-    contact.separation = std::max(gap, -0.5f * float(std::min(a.voxelSize(), b.voxelSize())));
-    contact.feature = key | uint64_t(kFeatureKinds) << 12;
-    return contact;
 }
 
 /// Metres by which the round surface of one of two parts may stick out of the hull of its voxels.
@@ -202,13 +213,12 @@ private:
     static WorldBox widened(const WorldBox& box, double by) { return {box.low - by, box.high + by}; }
 };
 
-/// Appends the contacts of two parts of voxels that are near each other.
+/// Appends the contacts of two parts of voxels that are near each other. stuck: the deepest so far.
 void collideVoxels(const CoveredPart& a, const TransformedHull& hullA, const CoveredPart& b,
                    const TransformedHull& hullB, const RelativeMotion& motion, const NarrowphaseSettings& settings,
-                   const Approach& approach, uint64_t key, ContactSearch& search, std::vector<ContactPoint>& out) {
+                   const Approach& approach, uint64_t key, ContactSearch& search, std::vector<ContactPoint>& out,
+                   std::optional<Stuck>& stuck) {
     const auto& [axis, hulls, near] = approach;
-    const float gap = hulls.distance();
-    const size_t before = out.size();
     FeatureCollider forward(a, b);
     forward.setMotion(motion.velocity, motion.spin, settings, motion.maxDisplacement);
     forward.setLimit(axis, hulls.b.distance() + near, a.cells);
@@ -217,17 +227,18 @@ void collideVoxels(const CoveredPart& a, const TransformedHull& hullA, const Cov
     backward.setMotion(-motion.velocity, -motion.spin, settings, motion.maxDisplacement);
     backward.setLimit(-axis, hulls.a.distance() + near, b.cells);
     backward.collide(false, key | 1, search, out);
-    if (const float stuck = std::max(forward.stuckDepth(), backward.stuckDepth()); stuck > 0.0f && gap < 0.0f) {
-        const glm::vec3 push = pushDirection({out.data() + before, out.size() - before}, axis, stuck);
-        if (push != glm::vec3(0.0f)) out.push_back(stuckContact(a.part, hullA, b.part, hullB, push, gap, key));
-    }
+    const float depth = std::max(forward.stuckDepth(), backward.stuckDepth()), gap = hulls.distance();
+    if (depth > (stuck ? stuck->depth : 0.0f) && gap < 0.0f)
+        stuck.emplace(
+            Stuck{hullA, hullB, axis, gap, float(std::min(a.part.voxelSize(), b.part.voxelSize())), depth, key});
 }
 
 /// Appends the contacts of part i of the first collider with part k of the second. search: its axis, from the second to
 /// the first, is that of the step before, and is replaced by a better one; its clearance shrinks to that of these
-/// parts. Returns whether the parts are near each other.
+/// parts. stuck: the deepest so far. Returns whether the parts are near each other.
 bool collideParts(const Surroundings& around, size_t i, size_t k, const RelativeMotion& motion,
-                  const NarrowphaseSettings& settings, ContactSearch& search, std::vector<ContactPoint>& out) {
+                  const NarrowphaseSettings& settings, ContactSearch& search, std::vector<ContactPoint>& out,
+                  std::optional<Stuck>& stuck) {
     glm::vec3& axis = search.axis;
     const bool hasAxis = axis != glm::vec3(0.0f);
     const ColliderPart &a = *around.colliders[0]->parts[i], &b = *around.colliders[1]->parts[k];
@@ -258,7 +269,7 @@ bool collideParts(const Surroundings& around, size_t i, size_t k, const Relative
         collideRound({first, {}, motion.firstVelocity, motion.firstSpin},
                      {second, motion.offset, motion.secondVelocity, motion.secondSpin}, settings, key, out);
     else
-        collideVoxels(first, hullA, second, hullB, motion, settings, {axis, hulls, near}, key, search, out);
+        collideVoxels(first, hullA, second, hullB, motion, settings, {axis, hulls, near}, key, search, out, stuck);
     return true;
 }
 
@@ -288,15 +299,19 @@ bool collideAllParts(const Surroundings& around, const RelativeMotion& motion, c
                      ContactSearch& search, std::vector<ContactPoint>& out) {
     const VoxelCollider &first = *around.colliders[0], &second = *around.colliders[1];
     bool isNear = false;
+    std::optional<Stuck> stuck;
     const bool isOnePair = first.parts.size() == 1 && second.parts.size() == 1;
     for (size_t i = 0; i < first.parts.size(); ++i)
         for (size_t k = 0; k < second.parts.size(); ++k) {
             const ColliderPart &a = *first.parts[i], &b = *second.parts[k];
             if (a.grid().empty() || b.grid().empty() || !a.filter().meets(b.filter())) continue;
             if (!isOnePair) search.axis = glm::vec3(0.0f);
-            isNear |= collideParts(around, i, k, motion, settings, search, out);
+            isNear |= collideParts(around, i, k, motion, settings, search, out, stuck);
         }
     if (!isOnePair) search.axis = glm::vec3(0.0f);
+    if (!stuck) return isNear;
+    if (const glm::vec3 push = pushDirection(out, stuck->axis, stuck->depth); push != glm::vec3(0.0f))
+        out.push_back(stuckContact(*stuck, push));
     return isNear;
 }
 

@@ -31,7 +31,7 @@ constexpr double kMaxSymplectic = 0.25;  ///< (omega h)^2 of the slow springs: s
 /// m/s2 or rad/s2 that a position motor without a largest force may give what it moves, besides what its way to the
 /// target needs. Against something that does not give, its impulse would grow for ever.
 constexpr double kMaxServoAcceleration = 1000.0;
-constexpr double kNoLimit = 1e30;  ///< N s
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 /// Radians in a substep: from which bodies move their joints' ends along arcs; from which these are found twice, as
 /// impulses change them; and up to which.
 constexpr double kMinTurn = 0.01, kFastTurn = 0.03, kMaxTurn = 1.2;
@@ -43,6 +43,11 @@ constexpr int kIterations = 4, kIterationsWithSystem = 2;
 /// Whether a joint's spring acts on its free axis. The springs of other kinds soften the locked rows.
 bool hasFreeAxisSpring(const Joint& joint) {
     return joint.kind == JointKind::Hinge || joint.kind == JointKind::Prismatic || joint.kind == JointKind::Wheel;
+}
+
+/// Whether a joint's locked rows are a spring, as those of a hand. They see their errors, and need no arcs.
+bool hasSoftRows(const Joint& joint) {
+    return joint.spring.hertz > 0.0 && !hasFreeAxisSpring(joint);
 }
 
 double withinHalfTurn(double angle) {
@@ -124,9 +129,9 @@ void JointSolver::begin(std::span<JointConstraint* const> joints, std::span<Solv
         JointRows& e = m_joints.emplace_back();
         e.c = c;
         e.isInSystem = !c->constraint && c->joint->kind != JointKind::Rope && c->joint->maxForce == 0.0 &&
-                       c->joint->maxTorque == 0.0 && (c->joint->spring.hertz == 0.0 || hasFreeAxisSpring(*c->joint));
+                       c->joint->maxTorque == 0.0 && !hasSoftRows(*c->joint);
         c->force = c->torque = glm::dvec3(0.0);
-        c->work = c->joint->hand ? std::numeric_limits<double>::infinity() : 0.0;
+        c->work = c->joint->hand ? kNoLimit : 0.0;
         for (const int body : c->bodies) states[size_t(body)].isConstrained = states[size_t(body)].isJointed = true;
     }
 }
@@ -162,7 +167,7 @@ void JointSolver::followArcs(std::span<const SolverBody> bodies, std::span<const
                              double maxTurn) {
     for (JointRows& e : m_joints) {
         const Joint& joint = *e.c->joint;
-        if (e.c->constraint || joint.drives || joint.kind == JointKind::Wheel) continue;
+        if (e.c->constraint || joint.drives || hasSoftRows(joint) || joint.kind == JointKind::Wheel) continue;
         const SolverState &A = e.stateA(states), &B = e.stateB(states);
         double spin = double(std::max(glm::length(A.w), glm::length(B.w)));
         if (joint.kind == JointKind::Rope)
@@ -175,8 +180,7 @@ void JointSolver::followArcs(std::span<const SolverBody> bodies, std::span<const
 /// Softness and effective masses.
 void JointSolver::prepareJoint(JointRows& e, SolverState& A, SolverState& B) const {
     const Joint& joint = *e.c->joint;
-    const bool isRigid = joint.spring.hertz <= 0.0 || hasFreeAxisSpring(joint);
-    e.isSoft = !isRigid;
+    e.isSoft = hasSoftRows(joint);
     e.limit = {kErrorReduction / m_seconds, 1.0, 0.0};
     e.errorRate = e.limit.biasRate;
     if (e.isSoft) e.lockedSpring = makeSpring(joint.spring, m_seconds);
@@ -425,9 +429,7 @@ void JointSolver::solveLockedRows(JointRows& e, SolverState& A, SolverState& B, 
     const auto sumsFrom = [&](size_t first) { return glm::dvec3(sumOf(first), sumOf(first + 1), sumOf(first + 2)); };
     want(0, size_t(e.rows));
     solveBlock(e, x, e.rows);
-    const auto largest = [&](double force) {
-        return force > 0.0 ? force * m_seconds : std::numeric_limits<double>::infinity();
-    };
+    const auto largest = [&](double force) { return force > 0.0 ? force * m_seconds : kNoLimit; };
     const double maxPull = largest(c.joint->maxForce), maxTurn = largest(c.joint->maxTorque);
     const bool pullsAll = e.rows >= 3 && glm::length(sumsFrom(0)) > maxPull,
                turnsAll = e.rows == 6 && glm::length(sumsFrom(3)) > maxTurn;

@@ -2,8 +2,9 @@
 # Runs scripted scenes in nine configurations and compares their state hashes. Each pair of values of compiler,
 # optimisation, threads, renderer and mode (play, load a save half-way, replay a recording) occurs in at least one of
 # the nine (pairwise testing). Builds what it needs.
-#   tests/determinism/determinism.sh [--steps N] [--long SCENE] [SCENE...]
-# By default: ten scenes for 600 steps, and the tower for 3,600. --long SCENE runs another scene six times as long.
+#   tests/determinism/determinism.sh [--small] [--steps N] [--long SCENE] [SCENE...]
+# By default: all scripted scenes and the town for 600 steps, and the tower for 3,600. --long SCENE runs another scene six
+# times as long; none: no scene. --small: three builds in five configurations, without a renderer.
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.." && pwd)
 
@@ -19,15 +20,24 @@ clang++ O3 2 on  replay
 clang++ O0 1 off replay
 clang++ O0 4 on  play
 '
+small='
+g++     O2 1 off play
+g++     O2 2 off load
+g++     O0 2 off replay
+clang++ O2 1 off replay
+clang++ O2 2 off load
+'
 steps=600 long=tower scenes=()
 while (($#)); do
     case $1 in
+    --small) table=$small && shift ;;
     --steps) steps=$2 && shift 2 ;;
     --long) long=$2 && shift 2 ;;
     *) scenes+=("$1") && shift ;;
     esac
 done
-((${#scenes[@]})) || scenes=(tower bridge fire wall pane light_shop dominoes craters crush garden)
+((${#scenes[@]})) || scenes=(tower bridge fire wall pane light_shop dominoes craters crush
+    garden crane domino_run raft drive lights chapel mechanics town)
 
 programOf() { echo "$root/build/determinism/$1-$2/bin/hash_scene"; }
 

@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
     app.add_option("--steps", run.steps, "steps of 1/60 s");
     app.add_option("--every", run.every, "steps between hashes")->check(CLI::Range(1, 1000000000));
     app.add_option("--threads", run.threads,
-                   "1: none beside the main thread; 2: a shadow worker; more: further worlds at the same time");
+                   "of physics; from 2 on beside a shadow worker, from 3 on with further worlds at the same time");
     app.add_flag("--renderer", run.renderer, "draw every step at 64x36");
     app.add_option("--shaders", run.shaders, "folder of the shaders");
     CLI11_PARSE(app, argc, argv);

@@ -31,6 +31,7 @@ Edits scriptOf(const SceneRun& options, int step) {
 
 std::unique_ptr<FrameLoop> makeLoop(const SceneRun& options) {
     FrameLoopSettings settings;
+    settings.physicsThreads = options.threads;
     settings.shadow = options.threads > 1 ? ShadowWorker::Mode::Thread : ShadowWorker::Mode::Inline;
     settings.shadowVolume = settings.publish = options.renderer || options.threads > 1;
     auto loop = std::make_unique<FrameLoop>(settings);

@@ -14,7 +14,7 @@ struct SceneRun {
     std::string mode = "play";    ///< or "load" (a save half-way) or "replay" (a recording)
     std::string shaders = RUBBLE_SOURCE_DIR "/shaders";
     int steps = 600, every = 60;  ///< steps; steps between hashes
-    int threads = 2;              ///< 1: no worker; 2: a shadow worker; more: further worlds that run the same scene
+    int threads = 2;              ///< of physics; 2: a shadow worker, too; more: further worlds with the same scene
     bool renderer = false;        ///< draws every step at 64x36
 };
 

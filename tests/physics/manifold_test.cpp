@@ -36,5 +36,17 @@ TEST(Manifold, WhatBearsGoesBeforeWhatIsFartherOut) {
     }
 }
 
+/// A rod that falls a little aslant: where it touches first lies at one end of a line, whose other end follows.
+TEST(Manifold, ALineThatHitsKeepsBothOfItsEnds) {
+    std::vector<ContactPoint> contacts;
+    for (int i = 0; i < 6; ++i)
+        contacts.push_back(pointAt(0.05f * float(i), 0.03f * float(i), 0.011f + 0.0018f * float(i), uint64_t(i)));
+    LoneManifold manifold;
+    reduceContacts(contacts, nullptr, kHitLimits, manifold);
+    for (const uint64_t end : {0, 5})
+        EXPECT_TRUE(std::ranges::any_of(manifold.all(), [&](const ManifoldPoint& p) { return p.feature == end; }))
+            << "end " << end << " of " << manifold.count << " points";
+}
+
 }  // namespace
 }  // namespace rubble

@@ -134,6 +134,17 @@ Judged judgeSeam(double speed, size_t row, bool) {
     return judge(std::max(off, 20.0 * hop), 0.02, 0.1, fmt::format("{:.2g} %\n{:.2g} mm", off * 100.0, hop * 1e3));
 }
 
+/// The worst phase of the step for a crate that slides over a gap: share of its speed, and the hop in mm.
+Judged judgeGap(double speed, double gap) {
+    double lost = 0.0, hop = 0.0;
+    for (const Tiles tiles : {Tiles::Shapes, Tiles::Bodies, Tiles::DynamicShapes})
+        for (const double beyond : {0.00003, 0.0001, 0.001, 0.006}) {
+            const GapRide ride = rideOverGap({tiles, 0.1, gap, speed, beyond});
+            lost = std::max(lost, std::abs(ride.lost)), hop = std::max(hop, ride.highest);
+        }
+    return judge(std::max(lost, 20.0 * hop), 0.02, 0.1, fmt::format("{:.2g} %\n{:.2g} mm", lost * 100.0, hop * 1e3));
+}
+
 Judged judgeBeam(double drop, int thickness) {
     const BeamRope rope = dropOverBeam({}, {.thickness = thickness, .mass = 100.0, .drop = drop});
     return judge(rope.isOver ? std::abs(rope.below) : 1e9, 0.2, 0.5, fmt::format("{:.2g} m", rope.below));
@@ -183,7 +194,7 @@ std::vector<Map> rollingMaps() {
 }
 
 std::vector<Map> sleepAndSeamMaps() {
-    const std::vector<double> amplitudes{0.15, 0.5, 1.0}, thicknesses{1, 2, 3, 4};
+    const std::vector<double> amplitudes{0.15, 0.5, 1.0}, thicknesses{1, 2, 3, 4}, gaps{0.02, 0.07, 0.15};
     return {
         {"T13-pile-sleep",
          "piles in a box that fall asleep",
@@ -215,6 +226,16 @@ std::vector<Map> sleepAndSeamMaps() {
          "what",
          {"crate", "crate without friction", "wheel"},
          judgeSeam},
+        {"T13-gaps",
+         "a crate of 0.4 m that slides over a gap",
+         "it loses at most 2 % of its speed and hops by at most 1 mm; degraded: 10 %, 5 mm",
+         "speed, m/s",
+         "m/s",
+         {0.5, 2, 6, 20},
+         {30, 40},
+         "gap, m",
+         namesOf(gaps),
+         [gaps](double speed, size_t row, bool) { return judgeGap(speed, gaps[row]); }},
         {"T13-rope-beam",
          "a load on a rope over a thin beam",
          "it hangs within 0.2 m of theory; degraded: 0.5 m",

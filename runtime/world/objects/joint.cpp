@@ -95,12 +95,11 @@ uint64_t hashJoint(const Joint& joint, uint64_t seed) {
         hash = hashValue(uint64_t(end.isFree) << 33 | uint64_t(bool(end.shape)) << 32 | end.shape.slot(), hash);
         hash = hashValue(end.radius, hashBytes(&end.cell, sizeof end.cell, hashPose(end.frame, hash)));
     }
-    if (joint.steerTarget != joint.steer) hash = hashValue(joint.steerTarget, hash);
     for (const double value :
          {joint.limits.low, joint.limits.high, joint.motor.target, joint.motor.maxForce, joint.spring.hertz,
           joint.spring.dampingRatio, joint.friction, joint.maxForce, joint.maxTorque, joint.breakForce,
-          joint.breakTorque, joint.steer, joint.rope.length, joint.rope.radius, joint.rope.massPerMetre,
-          joint.rope.stretch, joint.rope.strength, joint.rope.slack})
+          joint.breakTorque, joint.steer, joint.steerTarget, joint.rope.length, joint.rope.radius,
+          joint.rope.massPerMetre, joint.rope.stretch, joint.rope.strength, joint.rope.slack})
         hash = hashValue(value, hash);
     static_assert(sizeof(WheelSettings) == 5 * sizeof(double), "hashed as bytes");
     hash = hashBytes(&joint.wheel, sizeof joint.wheel, hash);

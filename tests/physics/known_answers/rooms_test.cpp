@@ -33,6 +33,12 @@ TEST(Rooms, NothingLeavesAFreeRoom) {
     expectNoneLeaves(known::RoomBody::Free, std::getenv("RUBBLE_LONG") ? 100'000 : 2'000);
 }
 
+/// Found by the long run: a rod that fell along a seam of the floor lost the contact at its far end, got stuck in the
+/// floor, and was pushed on through it.
+TEST(Rooms, ARodDoesNotSinkIntoASeamOfAFreeRoom) {
+    EXPECT_EQ(known::throwIntoRoom({}, 6228, known::RoomBody::Free).outside, 0);
+}
+
 /// A crate slides along two or four walls of a shaft of one shape towards its end.
 TEST(Rooms, NothingPassesTheEndOfAShaft) {
     for (const bool isSnug : {false, true})

@@ -83,4 +83,54 @@ Ride rideOver(Tiles tiles, const Rider& rider, const glm::dquat& turn) {
     return ride;
 }
 
+namespace {
+
+/// Two slabs of 3 m whose tops are at y = 0, before x = 0 and behind the gap.
+void addSlabs(PhysicsScene& scene, const GapSlide& slide, uint8_t entry) {
+    const int length = int(std::lround(3.0 / slide.voxel)), height = 3;
+    const bool isOneBody = slide.tiles == Tiles::Shapes, moves = slide.tiles == Tiles::DynamicShapes;
+    const double top = height * slide.voxel;
+    for (const double from : {-length * slide.voxel, slide.gap}) {
+        const glm::dvec3 corner(from, -top, -0.5 * length * slide.voxel);
+        if (!isOneBody || scene.level.bodies.empty()) {
+            scene.add(solidGrid({length, height, length}, entry), corner, !moves).shapes[0].voxelSize =
+                float(slide.voxel);
+            continue;
+        }
+        LevelShape shape = scene.level.bodies[0].shapes[0];
+        shape.name = "second";
+        shape.local.position = corner - scene.level.bodies[0].pose.position;
+        scene.level.bodies[0].shapes.push_back(shape);
+    }
+    if (moves) scene.add(solidGrid({200, 10, 200}, 7), {-10, -1.0 - top, -10}, true);
+}
+
+}  // namespace
+
+GapRide rideOverGap(const GapSlide& slide) {
+    PhysicsScene scene(sleepless({}));
+    const uint8_t slippery = setMaterial(scene, 6, 0.0f, 0.0f);
+    setMaterial(scene, 7, 1.0f, 0.0f);
+    addSlabs(scene, slide, slippery);
+    const int crate = int(scene.level.bodies.size()), approach = 4;
+    const glm::dquat rotation = glm::angleAxis(slide.yaw, glm::dvec3(0, 1, 0));
+    const double front = 0.2 * (std::abs(std::cos(slide.yaw)) + std::abs(std::sin(slide.yaw))),
+                 step = slide.speed * scene.stepSeconds, start = slide.gap + slide.beyond - front - approach * step;
+    scene.add(solidGrid({4, 2, 4}, slippery), glm::dvec3(start, 0.1, 0.0) - rotation * glm::dvec3(0.2, 0.1, 0.2), false,
+              rotation);
+    scene.load();
+    scene.seconds(0.5);
+    const double height = scene.center(crate).y;
+    scene.stepWith({SetBodyEdit{.body = scene.handle(crate), .setsVelocity = true, .velocity = {slide.speed, 0, 0}}});
+    GapRide ride;
+    for (int i = 1; i < approach + int((slide.gap + 1.0) / step); ++i) {
+        scene.step();
+        const glm::dvec3 up = scene.body(crate).pose.rotation * glm::dvec3(0, 1, 0);
+        ride.highest = std::max(ride.highest, scene.center(crate).y - height);
+        ride.tilted = std::max(ride.tilted, std::acos(std::min(up.y, 1.0)));
+    }
+    ride.lost = 1.0 - double(scene.body(crate).velocity.x) / slide.speed;
+    return ride;
+}
+
 }  // namespace rubble::known

@@ -1,7 +1,8 @@
 #pragma once
 #include "tests/physics/physics_scene.h"
 
-/// Scenes of floors of flush tiles, over which things go as over one slab.
+/// Scenes of floors of flush tiles, over which things go as over one slab, and of gaps that are narrower than what
+/// goes over them.
 namespace rubble::known {
 
 /// How the shapes of a floor are held.
@@ -25,5 +26,22 @@ struct Ride {
 
 /// What lies on the tiles and goes along them, aslant by 0.2 radians, for 10 m at most. turn: of all.
 Ride rideOver(Tiles tiles, const Rider& rider, const glm::dquat& turn);
+
+/// A crate of 0.4 m that slides without friction over a gap between two slabs.
+struct GapSlide {
+    Tiles tiles = Tiles::Bodies;  ///< Bodies, Shapes, or DynamicShapes: two bodies that lie on a floor
+    double voxel = 0.1;           ///< of the slabs, metres
+    double gap = 0.05, speed = 6.0;
+    double beyond = 0.0001;  ///< metres by which the crate's front has passed the gap when a step begins
+    double yaw = 0.0;        ///< of the crate
+};
+/// What the gap did.
+struct GapRide {
+    double highest = 0.0;  ///< metres that the crate rose
+    double lost = 0.0;     ///< share of its speed
+    double tilted = 0.0;   ///< radians
+};
+/// How the crate gets over the gap.
+GapRide rideOverGap(const GapSlide& slide);
 
 }  // namespace rubble::known
