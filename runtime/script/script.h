@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "runtime/script/binding/script_context.h"
@@ -51,6 +52,9 @@ public:
 
     /// Whether a text is whole: without running it.
     bool compiles(const std::string& text);
+    /// What the last word of a line can become, sorted: keywords and globals, or of "a.b:c" fields of a.b, functions
+    /// with their bracket. Runs nothing of the script.
+    std::vector<std::string> completions(std::string_view line);
 
     /// Whether the script has such a function.
     bool has(Callback callback) const { return m_has[size_t(callback)]; }

@@ -2,14 +2,16 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
+#include <optional>
 #include <sstream>
 #include <thread>
 
 #include "runtime/script/functions/vocabulary.h"
 #include "runtime/script/script_host.h"
+#include "samples/lua/line_input.h"
 #include "samples/lua/offscreen_view.h"
 #include "samples/lua/reference.h"
 #include "samples/lua/yard.h"
@@ -40,10 +42,13 @@ std::string readFile(const std::string& path) {
 /// Lines of Lua from standard input, each in a step of its own: an expression, or statements.
 int readLines(ScriptHost& host) {
     Script& script = host.add("line", "");
-    for (std::string line; fmt::print("> "), std::fflush(stdout), std::getline(std::cin, line);) {
+    const char* home = std::getenv("HOME");
+    LineInput input([&](std::string_view line) { return script.completions(line); },
+                    std::string(home ? home : ".") + "/.rubble_lua_history");
+    while (const std::optional<std::string> line = input.read("> ")) {
         std::string answer;
-        const bool isExpression = script.compiles("return " + line);
-        script.evaluate(isExpression ? "return " + line : line, answer);
+        const bool isExpression = script.compiles("return " + *line);
+        script.evaluate(isExpression ? "return " + *line : *line, answer);
         if (!answer.empty()) fmt::print("{}\n", answer);
         if (script.isStopped()) return 1;
         script.findCallbacks();  // a line may have defined tick()
