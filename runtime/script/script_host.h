@@ -4,9 +4,11 @@
 #include <functional>
 #include <list>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 
+#include "runtime/script/profile_table.h"
 #include "runtime/script/script.h"
 
 namespace rubble::script {
@@ -78,7 +80,8 @@ public:
 
     /// How many seconds of the world a second of the host shall be, as SetTimeScale() says.
     double timeScale() const { return m_shared.timeScale; }
-    /// What scripts share: lines to draw, watches, the registry, which a host may fill and keep.
+    /// What scripts share: lines to draw, watches, the registry, which a host may fill and keep; whether frames show
+    /// the profile.
     ScriptWorld& shared() { return m_shared; }
     /// All scripts, in the order in which they are called.
     const std::list<Script>& scripts() const { return m_scripts; }
@@ -105,14 +108,17 @@ private:
     void dropPointLights();
     void beginDrawing(const rubble_view& view);
     void addDebugItems();
+    void addProfile();
     rubble_result show(rubble_renderer renderer);
 
     ScriptHostSettings m_settings;
     ScriptWorld m_shared;
     std::list<Script> m_scripts;
-    uint32_t m_levelScripts = 0;  ///< of those that the world names, how many have begun
-    bool m_hasDrawn = false;      ///< the renderer has an overlay
-    uint32_t m_reports = 0;       ///< kinds that the world lists for the scripts
+    uint32_t m_levelScripts = 0;            ///< of those that the world names, how many have begun
+    bool m_hasDrawn = false;                ///< the renderer has an overlay
+    size_t m_shownLines = size_t(-1);       ///< of shared().debugLines, how many tick() takes away
+    std::optional<ProfileTable> m_profile;  ///< while it is shown
+    uint32_t m_reports = 0;                 ///< kinds that the world lists for the scripts
 };
 
 }  // namespace rubble::script

@@ -129,6 +129,7 @@ int play(ScriptHost& host, OffscreenView* view, rubble_world world, const Option
         return std::all_of(host.scripts().begin(), host.scripts().end(),
                            [](auto& each) { return each.error().empty(); });
     };
+    host.shared().showsProfile = view && options.prints;
     double due = 0.0;
     FileWatch watch(options.script);
     for (int i = 0; i < options.steps && !(host.scripts().front().isStopped() && host.scripts().size() == 1); ++i) {
@@ -206,7 +207,8 @@ int main(int argc, char** argv) {
     app.add_option("--steps", options.steps, "how long, in steps of 1/60 s");
     app.add_option("--eval", options.evaluated, "runs this text instead, and prints what it gives");
     app.add_option("--param", options.parameters, "NAME=VALUE, for GetIntParam() and its like");
-    app.add_flag("--profile", options.prints, "prints what each callback and each function have cost");
+    app.add_flag("--profile", options.prints,
+                 "prints what each callback and each function have cost; with --image: shows it too");
     app.add_flag("--watch", options.watches, "in real time; the script begins again when its file changes");
     app.add_option("--image", options.image, "writes the last frame, with what scripts draw, as PNG");
     app.add_option("--camera", options.camera, "x y z of the camera, and of what it looks at, in metres")->expected(6);

@@ -163,13 +163,17 @@ int pushHandles(lua_State* L, const uint64_t* handles, size_t count) {
 
 bool isDone(lua_State* L, rubble_result result) {
     if (result == RUBBLE_OK) return true;
-    ScriptContext& context = ScriptContext::of(L);
-    const std::string text = runningFunction(L).name() + ": " + context.shared.api->get_last_error();
+    const std::string text = runningFunction(L).name() + ": " + ScriptContext::of(L).shared.api->get_last_error();
     if (result != RUBBLE_ERROR_STALE) luaL_error(L, "%s", text.c_str());
+    warnOnce(L, text);
+    return false;
+}
+
+void warnOnce(lua_State* L, const std::string& text) {
+    ScriptContext& context = ScriptContext::of(L);
     const std::string place = placeOf(L);
     if (context.warned.size() < 1000 && context.warned.insert(place).second && context.shared.log)
         context.shared.log(RUBBLE_LOG_WARNING, place + ": " + text);
-    return false;
 }
 
 const ScriptFunction& runningFunction(lua_State* L) {

@@ -12,8 +12,8 @@ namespace rubble::script {
 namespace {
 
 constexpr size_t kMaxItems = 20'000, kMaxTextBytes = 4096, kMaxImages = 200;
-constexpr double kMost = 1e5;       ///< units
-constexpr double kMaxNumber = 1e6;  ///< that the interface takes
+constexpr size_t kMaxImageBytes = 256 << 20;  ///< of all images that scripts of a world draw
+constexpr double kMaxNumber = 1e6;            ///< that the interface takes
 
 UiFrame& frameOf(lua_State* L) {
     return ScriptContext::of(L).shared.ui;
@@ -38,6 +38,8 @@ UiItem itemOf(lua_State* L, uint32_t kind) {
 }
 
 void add(lua_State* L, UiItem item) {
+    if (!frameOf(L).isOpen)
+        return warnOnce(L, runningFunction(L).name() + ": expected a call from draw(): elsewhere it draws nothing");
     std::vector<UiItem>& items = frameOf(L).items;
     if (items.size() >= kMaxItems)
         luaL_error(L, "%s: expected at most %d things in a frame", runningFunction(L).name().c_str(), int(kMaxItems));
@@ -53,7 +55,7 @@ void add(lua_State* L, UiItem item) {
 }
 
 double sizeAt(lua_State* L, int index, const char* name) {
-    return std::clamp(numberAt(L, index, name), 0.0, kMost);
+    return std::clamp(numberAt(L, index, name), 0.0, kUiReach);
 }
 
 UiItem boxOf(lua_State* L, double width, double height, double radius, double stroke) {
@@ -92,9 +94,9 @@ int circleOutline(lua_State* L) {
 
 int line(lua_State* L) {
     UiItem item = itemOf(L, RUBBLE_OVERLAY_LINE);
-    item.row.size[0] = std::clamp(numberAt(L, 1, "x"), -kMost, kMost);
-    item.row.size[1] = std::clamp(numberAt(L, 2, "y"), -kMost, kMost);
-    item.row.stroke = std::clamp(numberOr(L, 3, "width", 1.0), 0.0, kMost);
+    item.row.size[0] = std::clamp(numberAt(L, 1, "x"), -kUiReach, kUiReach);
+    item.row.size[1] = std::clamp(numberAt(L, 2, "y"), -kUiReach, kUiReach);
+    item.row.stroke = std::clamp(numberOr(L, 3, "width", 1.0), 0.0, kUiReach);
     add(L, std::move(item));
     return 0;
 }
@@ -133,8 +135,8 @@ int text(lua_State* L) {
     add(L, textOf(L, size));
     if (boolOr(L, 2, false)) {
         auto& t = uiOf(L).transform;
-        t[4] = std::clamp(t[4] + t[2] * size[1], -kMost, kMost);
-        t[5] = std::clamp(t[5] + t[3] * size[1], -kMost, kMost);
+        t[4] = std::clamp(t[4] + t[2] * size[1], -kUiReach, kUiReach);
+        t[5] = std::clamp(t[5] + t[3] * size[1], -kUiReach, kUiReach);
     }
     return pushSize(L, size[0], size[1]);
 }
@@ -160,6 +162,11 @@ const UiImage& imageAt(lua_State* L, std::string& name) {
         luaL_error(L, "%s: path: expected a PNG file, found %s: %s", runningFunction(L).name().c_str(), name.c_str(),
                    error.c_str());
     Sandbox::of(L).charge(L, 10'000 + int64_t(image.width) * image.height / 64);
+    size_t bytes = image.pixels.size();
+    for (const auto& [known, other] : images) bytes += other.pixels.size();
+    if (bytes > kMaxImageBytes)
+        luaL_error(L, "%s: path: expected at most %d MiB of images, found %d MiB with %s",
+                   runningFunction(L).name().c_str(), int(kMaxImageBytes >> 20), int(bytes >> 20), name.c_str());
     return images[name] = std::move(image);
 }
 
@@ -218,24 +225,6 @@ int imageBox(lua_State* L) {
     return 0;
 }
 
-int drawLine(lua_State* L) {
-    UiItem item{sized<rubble_overlay_item>(), "", ""};
-    const char* const names[] = {"r", "g", "b", "a"};
-    item.row.kind = RUBBLE_OVERLAY_WORLD_LINE;
-    item.row.flags = RUBBLE_OVERLAY_OCCLUDED;
-    item.row.stroke = 1.5;
-    copy(item.row.position, vectorAt(L, 1, "p0"));
-    copy(item.row.end, vectorAt(L, 2, "p1"));
-    for (int i = 0; i < 4; ++i) item.row.color[i] = std::clamp(numberOr(L, 3 + i, names[i], 1.0), 0.0, 1.0);
-    add(L, std::move(item));
-    return 0;
-}
-
-Placement cameraOf(lua_State* L) {
-    const rubble_view& view = frameOf(L).view;
-    return view.struct_size ? placementOf(view.position, view.rotation) : Placement{};
-}
-
 int getCameraTransform(lua_State* L) {
     pushPlacement(L, cameraOf(L));
     return 1;
@@ -271,7 +260,6 @@ constexpr ScriptFunction kFunctions[] = {
      "Where a place of the world is on the canvas; depth: metres before the camera, negative behind it.", worldToPixel},
     {"GetCameraTransform() -> transform", "The camera of the last frame, which looks along its -z.",
      getCameraTransform},
-    {"DrawLine(p0, p1, r, g, b, a)", "A line of the world for this frame, which voxels hide.", drawLine},
 };
 
 }  // namespace

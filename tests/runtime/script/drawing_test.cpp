@@ -67,15 +67,15 @@ TEST(ScriptDrawing, EachFrameBeginsAnew) {
 
 TEST(ScriptDrawing, MistakesAreErrors) {
     Yard yard;
-    EXPECT_EQ(yard.run("UiPop()"), "test:2: UiPop: expected an UiPush() before it, found none");
+    EXPECT_EQ(yard.draw("UiPop()"), "test:2: UiPop: expected an UiPush() before it, found none");
     EXPECT_EQ(
-        yard.run("UiAlign('centre')"),
+        yard.draw("UiAlign('centre')"),
         "test:2: UiAlign: alignment: expected words of left, center, right, top, middle, bottom, found \"centre\"");
-    EXPECT_NE(yard.run("UiImage('../secret.png')").find("inside of the folder"), std::string::npos);
-    EXPECT_NE(yard.run("UiImage('post.vox')").find("expected a PNG file"), std::string::npos);
-    EXPECT_NE(yard.run("UiFont('/etc/passwd', 20)").find("inside of the folder"), std::string::npos);
-    EXPECT_NE(yard.run("UiFont('post.vox', 20)").find("font"), std::string::npos);
-    EXPECT_NE(yard.run("for i = 1, 1e6 do UiPush() end").find("at most 200"), std::string::npos);
+    EXPECT_NE(yard.draw("UiImage('../secret.png')").find("inside of the folder"), std::string::npos);
+    EXPECT_NE(yard.draw("UiImage('post.vox')").find("expected a PNG file"), std::string::npos);
+    EXPECT_NE(yard.draw("UiFont('/etc/passwd', 20)").find("inside of the folder"), std::string::npos);
+    EXPECT_NE(yard.draw("UiFont('post.vox', 20)").find("font"), std::string::npos);
+    EXPECT_NE(yard.draw("for i = 1, 1e6 do UiPush() end").find("at most 200"), std::string::npos);
 }
 
 TEST(ScriptDrawing, AFrameIsBounded) {
@@ -95,6 +95,50 @@ TEST(ScriptDrawing, DebugLinesAndWatchesAreShown) {
     ASSERT_EQ(items.size(), 2u);
     EXPECT_EQ(items[0].row.kind, uint32_t(RUBBLE_OVERLAY_WORLD_LINE));
     EXPECT_EQ(items[1].text, "x: 5");
+}
+
+TEST(ScriptDrawing, LinesLiveUntilAFrameShowsThem) {
+    Yard yard;
+    yard.host().add("lines.lua",
+                    "function tick() DrawLine({0, 0, 0}, {1, 1, 1}) end\n"
+                    "function update() DrawLine({0, 0, 0}, {2, 2, 2}) end\n"
+                    "function draw() DrawLine({0, 0, 0}, {3, 3, 3}) end");
+    const auto& items = yard.host().shared().ui.items;
+    for (int i = 0; i < 5; ++i) {
+        yard.host().tick(0.01);
+        yard.host().draw(0, viewOf(960, 540), 0.01);
+        EXPECT_EQ(items.size(), i ? 3u : 2u) << "that of update() comes in the next frame";
+        yard.host().draw(0, viewOf(960, 540), 0.01);
+        EXPECT_EQ(items.size(), i ? 4u : 3u) << "a second view has those of the first, and draw() one more";
+        EXPECT_TRUE(items[0].row.flags & RUBBLE_OVERLAY_OCCLUDED);
+        yard.host().step();
+    }
+}
+
+TEST(ScriptDrawing, NothingPilesUpWhereNobodyDraws) {
+    Yard yard;
+    Script& script = yard.host().add(
+        "lines.lua", "function tick() for i = 1, 100 do DrawLine({0, 0, 0}, {1, 1, 1}) UiRect(1, 1) end end");
+    for (int i = 0; i < 300; ++i) yard.host().tick(0.01);
+    EXPECT_EQ(script.error(), "");
+    EXPECT_EQ(yard.host().shared().debugLines.size(), 100u);
+    EXPECT_EQ(yard.host().shared().ui.items.size(), 0u);
+    EXPECT_EQ(yard.logged(RUBBLE_LOG_WARNING),
+              "lines.lua:1: UiRect: expected a call from draw(): elsewhere it draws nothing\n");
+}
+
+TEST(ScriptDrawing, TooManyLinesAreAnError) {
+    Yard yard;
+    EXPECT_EQ(yard.run("for i = 1, 10001 do DebugLine({0, 0, 0}, {1, 1, 1}) end"),
+              "test:2: DebugLine: expected at most 10000 lines in a frame");
+}
+
+TEST(ScriptDrawing, ImagesHaveABudget) {
+    Yard yard;
+    for (int i = 0; i < 5; ++i)
+        ASSERT_TRUE(writePng((yard.folder() / ("large" + std::to_string(i) + ".png")).string(), Image(4096, 4096)));
+    EXPECT_EQ(yard.draw("for i = 0, 4 do UiImage('large' .. i .. '.png') end"),
+              "test:2: UiImage: path: expected at most 256 MiB of images, found 320 MiB with large4.png");
 }
 
 }  // namespace

@@ -73,6 +73,14 @@ public:
         for (int i = 0; i < 300 && script.isWaiting(); ++i) EXPECT_EQ(m_host->step(), RUBBLE_OK);
         return script.error();
     }
+    /// Adds a script whose draw() is this text, and draws a frame. What went wrong, or "".
+    std::string draw(const std::string& text) {
+        Script& script = m_host->add("test", "function draw(dt)\n" + text + "\nend");
+        auto view = sized<rubble_view>();
+        view.width = 1920, view.height = 1080, view.rotation[3] = 1.0;
+        EXPECT_EQ(m_host->draw(0, view, 1.0 / 60.0), RUBBLE_OK);
+        return script.error();
+    }
     /// The folder of its scripts.
     std::filesystem::path folder() const { return m_folder.path(); }
     /// What its host logs with.
