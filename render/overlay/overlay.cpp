@@ -21,7 +21,7 @@ Result<Done> Overlay::set(std::vector<OverlayItem> items) {
 
 void Overlay::setImage(const std::string& name, OverlayImage image) {
     if (!image.pixels.empty()) {
-        m_images[name] = {image.size, std::move(image.pixels)};
+        m_images[name] = std::move(image);
         return;
     }
     m_images.erase(name);

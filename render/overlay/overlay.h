@@ -12,12 +12,6 @@ namespace rubble {
 /// What is drawn over the image: items in their order, and the images that they name.
 class Overlay {
 public:
-    /// An image, until OverlayPass has taken its pixels.
-    struct Image {
-        glm::ivec2 size{0};
-        std::vector<uint8_t> pixels;  ///< empty: taken
-    };
-
     /// Replaces all items. An error says which one names a font that cannot be read or an image that is not there;
     /// then all is as before.
     Result<Done> set(std::vector<OverlayItem> items);
@@ -28,14 +22,14 @@ public:
     bool empty() const { return m_items.empty(); }
     /// All items.
     const std::vector<OverlayItem>& items() const { return m_items; }
-    /// The images by their names.
-    std::map<std::string, Image>& images() { return m_images; }
+    /// The images by their names; without pixels: OverlayPass has taken them.
+    std::map<std::string, OverlayImage>& images() { return m_images; }
     /// The fonts that its items name.
     Fonts& fonts() { return m_fonts; }
 
 private:
     std::vector<OverlayItem> m_items;
-    std::map<std::string, Image> m_images;
+    std::map<std::string, OverlayImage> m_images;
     Fonts m_fonts;
 };
 

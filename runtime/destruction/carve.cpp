@@ -8,23 +8,37 @@
 namespace rubble {
 namespace {
 
-using EntryClasses = std::array<uint8_t, 256>;
-
-/// By palette entry: its Hardness; Unbreakable if the tool does not break it.
-EntryClasses entryClasses(const Palette& palette, const MaterialTable& materials, Tool tool) {
-    EntryClasses classes{};
-    for (size_t i = 0; i < 256; ++i) {
-        const Material& material = materials[palette[i].material];
-        classes[i] = uint8_t(breaksWith(material, tool) ? material.hardness : Hardness::Unbreakable);
+/// By palette entry: its Hardness; Unbreakable if the tool does not break it. Looked up when it is first asked for:
+/// most shapes use few of the entries.
+class EntryClasses {
+public:
+    EntryClasses(const Palette& palette, const MaterialTable& materials, Tool tool)
+        : m_palette(palette), m_materials(materials), m_tool(tool) {
+        m_classes.fill(kUnknown);
     }
-    return classes;
-}
+    uint8_t operator[](uint8_t entry) {
+        uint8_t& known = m_classes[entry];
+        if (known == kUnknown) {
+            const Material& material = m_materials[m_palette[entry].material];
+            known = uint8_t(breaksWith(material, m_tool) ? material.hardness : Hardness::Unbreakable);
+        }
+        return known;
+    }
 
-BrickBits bitsToRemove(const Brick& brick, const std::array<BrickBits, 3>& touched, const EntryClasses& classes) {
+private:
+    static constexpr uint8_t kUnknown = 255;
+    const Palette& m_palette;
+    const MaterialTable& m_materials;
+    Tool m_tool;
+    std::array<uint8_t, 256> m_classes;
+};
+
+BrickBits bitsToRemove(const Brick& brick, const std::array<BrickBits, 3>& touched, EntryClasses& classes) {
     BrickBits candidates, out{};
     for (size_t z = 0; z < 8; ++z) candidates[z] = touched[0][z] | touched[1][z] | touched[2][z];
     forEachEntry(brick, candidates, [&](uint8_t entry, size_t z, uint64_t bits) {
-        if (classes[entry] < 3) out[z] |= bits & touched[classes[entry]][z];
+        const uint8_t hardness = classes[entry];
+        if (hardness < 3) out[z] |= bits & touched[hardness][z];
     });
     return out;
 }
@@ -63,7 +77,7 @@ void removeFromNode(VoxelGrid& grid, glm::ivec3 position, std::span<const BrickS
 
 /// Appends the voxels of a node's bricks that the brush removes. `touched` by radius; equal radii share the work.
 void findCells(const BrickNode& node, glm::ivec3 position, const CellBox& range, const Brush& brush,
-               const EntryClasses& classes, std::vector<BrickSubset>& out) {
+               EntryClasses& classes, std::vector<BrickSubset>& out) {
     forEachChild(node.mask, [&](int child) {
         const glm::ivec3 brick = position * kNodeBricks + childPosition(child);
         if (glm::any(glm::lessThan(brick, range.low)) || glm::any(glm::greaterThanEqual(brick, range.high))) return;
@@ -82,7 +96,7 @@ void forEachCarvedNode(const VoxelGrid& grid, const Brush& brush, const Palette&
                        const MaterialTable& materials, Tool tool, F&& f) {
     const CellBox range = brushBricks(brush, grid.sizeInBricks());
     if (range.empty()) return;
-    const EntryClasses classes = entryClasses(palette, materials, tool);
+    EntryClasses classes(palette, materials, tool);
     const glm::ivec3 first = nodeOfBrick(range.low), last = nodeOfBrick(range.high - 1);
     std::vector<BrickSubset> cells;
     for (glm::ivec3 node = first; node.z <= last.z; ++node.z)

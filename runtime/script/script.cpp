@@ -2,15 +2,16 @@
 
 #include <chrono>
 
+#include "runtime/script/binding/directives.h"
 #include "runtime/script/functions/vocabulary.h"
 #include "runtime/script/sandbox/libraries.h"
 
 namespace rubble::script {
 namespace {
 
-constexpr const char* kNames[kCallbacks] = {"init",    "tick",        "update",    "destroy",    "onSplit",
-                                            "onBreak", "onBodyBreak", "onContact", "onLightOut", "onFire",
-                                            "onJoint", "onTrigger",   "draw",      "onLoad"};
+constexpr const char* kNames[kCallbacks] = {
+    "init",       "tick",   "update",  "destroy",   "onSplit", "onBreak", "onBodyBreak", "onContact",
+    "onLightOut", "onFire", "onJoint", "onTrigger", "draw",    "onLoad",  "(text)",      "(after wait)"};
 constexpr size_t kMaxIdle = 4;
 
 double seconds() {
@@ -45,8 +46,8 @@ struct Chunk {
 int compile(lua_State* L) {
     const auto& chunk = *static_cast<const Chunk*>(lua_touserdata(L, 1));
     Sandbox::of(L).charge(L, compileCost(chunk.text));
-    const std::string name = "=" + chunk.name;
-    if (luaL_loadbufferx(L, chunk.text.data(), chunk.text.size(), name.c_str(), "t") != LUA_OK) return lua_error(L);
+    const std::string name = "=" + chunk.name, text = withoutDirectives(chunk.text);
+    if (luaL_loadbufferx(L, text.data(), text.size(), name.c_str(), "t") != LUA_OK) return lua_error(L);
     lua_xmove(L, chunk.thread, 1);
     return 0;
 }
@@ -112,9 +113,16 @@ lua_State* Script::takeThread(int& reference) {
     return made.thread;
 }
 
-RunResult Script::run(lua_State* thread, int arguments) {
+RunResult Script::run(Callback callback, lua_State* thread, int arguments) {
+    CallbackProfile& profile = m_profile[size_t(callback)];
+    const double startedAt = seconds();
+    const uint64_t allocations = m_sandbox.allocations();
     m_context.callback = thread;
     RunResult result = m_sandbox.run(thread, arguments);
+    ++profile.calls;
+    profile.seconds += seconds() - startedAt;
+    profile.allocations += m_sandbox.allocations() - allocations;
+    profile.work += m_sandbox.workUsed();
     double until = 0.0;
     if (result.state == RunResult::Waits && !isWait(thread, result.results, until))
         result = {RunResult::Failed, 0,
@@ -156,7 +164,7 @@ bool Script::evaluate(const std::string& text, std::string& answer) {
         if (thread) m_idle.emplace_back(thread, reference);
         return false;
     }
-    const RunResult result = run(thread, 0);
+    const RunResult result = run(Callback::Text, thread, 0);
     if (result.state == RunResult::Done) {
         Answer given{thread, result.results, answer};
         if (!m_sandbox.prepare(writeAnswer, &given)) report(isStopped() ? m_sandbox.stopReason() : m_sandbox.refusal());
@@ -188,27 +196,16 @@ void Script::findCallbacks() {
     lua_pop(L, 1);
 }
 
-lua_State* Script::begin(Callback callback) {
+lua_State* Script::begin(Callback callback, int& reference) {
     if (!has(callback) || isStopped()) return nullptr;
-    lua_State* thread = takeThread(m_reference);
+    lua_State* thread = takeThread(reference);
     if (!thread) return nullptr;
     const Sandbox::HostAccess access(m_sandbox);
     lua_rawgeti(thread, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
     lua_pushstring(thread, nameOf(callback));
     lua_rawget(thread, -2);
     lua_remove(thread, -2);
-    m_startedAt = seconds();
-    m_allocationsBefore = m_sandbox.allocations();
     return thread;
-}
-
-void Script::finish(Callback callback, lua_State* thread, const RunResult& result) {
-    CallbackProfile& profile = m_profile[size_t(callback)];
-    ++profile.calls;
-    profile.seconds += seconds() - m_startedAt;
-    profile.allocations += m_sandbox.allocations() - m_allocationsBefore;
-    profile.work += m_sandbox.workUsed();
-    settle(thread, m_reference, result);
 }
 
 void Script::startAll() {
@@ -229,7 +226,7 @@ void Script::startAll() {
             luaL_unref(L, LUA_REGISTRYINDEX, list);
             return values;
         });
-        settle(thread, reference, run(thread, count - 1));
+        settle(thread, reference, run(Callback::Resume, thread, count - 1));
     }
 }
 
@@ -239,7 +236,7 @@ void Script::resumeWaiting() {
     for (const Waiting& each : waiting) {
         if (isStopped()) return;
         if (each.until <= m_context.shared.time + 1e-9)
-            settle(each.thread, each.reference, run(each.thread, 0));
+            settle(each.thread, each.reference, run(Callback::Resume, each.thread, 0));
         else
             m_waiting.push_back(each);
     }

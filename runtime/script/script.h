@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "runtime/script/binding/script_context.h"
@@ -25,9 +26,11 @@ enum class Callback : uint8_t {
     Trigger,    ///< onTrigger(trigger, body, entered)
     Draw,       ///< draw(dt), each frame, after tick()
     Load,       ///< onLoad(), in place of init() after a load and a reload
+    Text,       ///< no function: the text of the script
+    Resume,     ///< no function: what goes on after wait(), and what start() began
 };
-inline constexpr size_t kCallbacks = size_t(Callback::Load) + 1;
-/// The name of the function.
+inline constexpr size_t kCallbacks = size_t(Callback::Resume) + 1;
+/// The name of the function, or of what is none in brackets.
 const char* nameOf(Callback callback);
 
 /// What calls into a script have cost.
@@ -51,6 +54,9 @@ public:
 
     /// Whether a text is whole: without running it.
     bool compiles(const std::string& text);
+    /// What the last word of a line can become, sorted: keywords and globals, or of "a.b:c" fields of a.b, functions
+    /// with their bracket. Runs nothing of the script.
+    std::vector<std::string> completions(std::string_view line);
 
     /// Whether the script has such a function.
     bool has(Callback callback) const { return m_has[size_t(callback)]; }
@@ -59,7 +65,9 @@ public:
     /// Calls a callback. `push` puts its arguments onto the stack and returns how many.
     template <class Push>
     void call(Callback callback, Push&& push) {
-        if (lua_State* thread = begin(callback)) finish(callback, thread, run(thread, pushTrusted(thread, push)));
+        int reference = 0;
+        if (lua_State* thread = begin(callback, reference))
+            settle(thread, reference, run(callback, thread, pushTrusted(thread, push)));
     }
     /// After a step: goes on with all that waits for that, or for a time of the world that has come, and begins what
     /// start() was given.
@@ -104,9 +112,8 @@ private:
         return push(thread);
     }
     lua_State* takeThread(int& reference);
-    lua_State* begin(Callback callback);
-    RunResult run(lua_State* thread, int arguments);
-    void finish(Callback callback, lua_State* thread, const RunResult& result);
+    lua_State* begin(Callback callback, int& reference);
+    RunResult run(Callback callback, lua_State* thread, int arguments);
     void settle(lua_State* thread, int reference, const RunResult& result);
     void startAll();
     void report(const std::string& error);
@@ -117,9 +124,6 @@ private:
     CallbackProfile m_profile[kCallbacks];
     std::vector<Waiting> m_waiting;
     std::vector<std::pair<lua_State*, int>> m_idle;  ///< threads for calls, with their references
-    int m_reference = 0;                             ///< of the thread that begin() has taken
-    double m_startedAt = 0.0;
-    uint64_t m_allocationsBefore = 0;
     std::string m_text;
     bool m_isOfLevel = false;
     std::string m_error;

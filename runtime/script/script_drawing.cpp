@@ -8,15 +8,18 @@ namespace {
 
 constexpr double kCanvasHeight = 1080.0;
 
-rubble_overlay_item watchItem(double pixels, size_t line) {
-    auto row = sized<rubble_overlay_item>();
-    row.kind = RUBBLE_OVERLAY_TEXT;
-    row.font = "mono", row.font_size = 20.0 * pixels;
-    row.transform[0] = row.transform[3] = 1.0;
-    row.transform[4] = 16.0 * pixels, row.transform[5] = (16.0 + 24.0 * double(line)) * pixels;
-    std::fill_n(row.color, 4, 1.0);
-    row.outline = 2.0 * pixels, row.outline_color[3] = 0.7;
-    return row;
+constexpr double kMargin = 16.0, kLine = 24.0;  ///< units of the canvas, of what the host itself writes
+
+/// A line of text from the left upper corner on.
+UiItem lineItem(double pixels, size_t line, const std::string& text) {
+    UiItem item{sized<rubble_overlay_item>(), text.substr(0, text.find('\0')), "mono"};
+    item.row.kind = RUBBLE_OVERLAY_TEXT;
+    item.row.font_size = 20.0 * pixels;
+    item.row.transform[0] = item.row.transform[3] = 1.0;
+    item.row.transform[4] = kMargin * pixels, item.row.transform[5] = (kMargin + kLine * double(line)) * pixels;
+    std::fill_n(item.row.color, 4, 1.0);
+    item.row.outline = 2.0 * pixels, item.row.outline_color[3] = 0.7;
+    return item;
 }
 
 }  // namespace
@@ -44,16 +47,44 @@ void ScriptHost::addLinesAndWatches() {
         UiItem item{sized<rubble_overlay_item>(), "", ""};
         item.row.kind = RUBBLE_OVERLAY_WORLD_LINE;
         item.row.flags = line.isOccluded ? uint32_t(RUBBLE_OVERLAY_OCCLUDED) : 0u;
-        item.row.stroke = line.width * frame.pixels;
+        item.row.stroke = 2.0 * frame.pixels;
         std::copy_n(line.from.data(), 3, item.row.position);
         std::copy_n(line.to.data(), 3, item.row.end);
         for (size_t i = 0; i < 4; ++i) item.row.color[i] = std::clamp(line.color[i], 0.0, 1.0);
         frame.items.push_back(std::move(item));
     }
     size_t lines = 0;
-    for (const auto& [name, value] : m_shared.watches) {
-        const std::string text = name + ": " + value;
-        frame.items.push_back({watchItem(frame.pixels, lines++), text.substr(0, text.find('\0')), "mono"});
+    for (const auto& [name, value] : m_shared.watches)
+        frame.items.push_back(lineItem(frame.pixels, lines++, name + ": " + value));
+}
+
+void ScriptHost::addProfile() {
+    if (m_shared.showsProfile != m_profile.has_value()) {
+        m_profile.reset();
+        if (m_shared.showsProfile) m_profile.emplace();
+        for (Script& script : m_scripts)
+            if (!m_settings.measuresFunctions)
+                script.context().costs.assign(m_profile ? script.context().calls.size() : 0, {});
+    }
+    if (!m_profile) return;
+    m_profile->update(m_scripts);
+    UiFrame& frame = m_shared.ui;
+    const std::vector<std::string>& lines = m_profile->lines();
+    const size_t first = m_shared.watches.size();
+    size_t columns = 0;
+    for (const std::string& line : lines) columns = std::max(columns, line.size());
+    UiItem ground = lineItem(frame.pixels, first, "");
+    ground.row.kind = RUBBLE_OVERLAY_BOX;
+    ground.row.transform[4] -= 0.5 * kMargin * frame.pixels;
+    ground.row.size[0] = (kMargin + 0.61 * 20.0 * double(columns)) * frame.pixels;  // widths of "mono", in em
+    ground.row.size[1] = kLine * double(lines.size()) * frame.pixels;
+    ground.row.color[0] = ground.row.color[1] = ground.row.color[2] = 0.0, ground.row.color[3] = 0.6;
+    frame.items.push_back(std::move(ground));
+    for (size_t i = 0; i < lines.size(); ++i) {
+        UiItem item = lineItem(frame.pixels, first + i, lines[i]);
+        const bool isScript = i > 0 && !lines[i].starts_with("  ");
+        if (isScript) item.row.color[2] = 0.4;
+        frame.items.push_back(std::move(item));
     }
 }
 
@@ -82,6 +113,7 @@ rubble_result ScriptHost::draw(rubble_renderer renderer, const rubble_view& view
     callAll(Callback::Draw, dt);
     m_shared.ui.isOpen = false;
     addLinesAndWatches();
+    addProfile();
     m_shared.lines.resize(lines);
     if (!renderer) return RUBBLE_OK;
     const bool draws = !m_shared.ui.items.empty();

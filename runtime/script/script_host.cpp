@@ -42,7 +42,7 @@ Script& ScriptHost::add(const std::string& name, const std::string& text,
 }
 
 void ScriptHost::begin(Script& script, const std::string& text, bool isAgain) {
-    if (m_settings.measuresFunctions) script.context().costs.resize(script.context().calls.size());
+    if (m_settings.measuresFunctions || m_profile) script.context().costs.resize(script.context().calls.size());
     if (script.load(text)) {
         const bool isLoaded = isAgain && script.has(Callback::Load);
         script.call(isLoaded ? Callback::Load : Callback::Init, [](lua_State*) { return 0; });
@@ -101,7 +101,7 @@ rubble_result ScriptHost::step() {
     if (result != RUBBLE_OK) return result;
     ++m_shared.step;
     m_shared.time = double(m_shared.step) * kStep;
-    m_shared.created.clear();
+    m_shared.pending = {};
     m_shared.grids.clear();
     if (!m_shared.pointLights.empty()) dropPointLights();
     readEvents();

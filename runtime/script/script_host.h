@@ -4,10 +4,12 @@
 #include <functional>
 #include <list>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
 
+#include "runtime/script/profile_table.h"
 #include "runtime/script/script.h"
 
 namespace rubble::script {
@@ -80,7 +82,8 @@ public:
 
     /// How many seconds of the world a second of the host shall be, as SetTimeScale() says.
     double timeScale() const { return m_shared.timeScale; }
-    /// What scripts share: lines to draw, watches, the registry, which a host may fill and keep.
+    /// What scripts share: lines to draw, watches, the registry, which a host may fill and keep; whether frames show
+    /// the profile.
     ScriptWorld& shared() { return m_shared; }
     /// All scripts, in the order in which they are called.
     const std::list<Script>& scripts() const { return m_scripts; }
@@ -107,14 +110,16 @@ private:
     void dropPointLights();
     void beginDrawing(const rubble_view& view);
     void addLinesAndWatches();
+    void addProfile();
     rubble_result show(rubble_renderer renderer);
 
     ScriptHostSettings m_settings;
     ScriptWorld m_shared;
     std::list<Script> m_scripts;
-    uint32_t m_levelScripts = 0;           ///< of those that the world names, how many have begun
-    std::set<rubble_renderer> m_overlaid;  ///< that have an overlay of the scripts
-    uint32_t m_reports = 0;                ///< kinds that the world lists for the scripts
+    uint32_t m_levelScripts = 0;            ///< of those that the world names, how many have begun
+    std::set<rubble_renderer> m_overlaid;   ///< that have an overlay of the scripts
+    std::optional<ProfileTable> m_profile;  ///< while it is shown
+    uint32_t m_reports = 0;                 ///< kinds that the world lists for the scripts
 };
 
 }  // namespace rubble::script

@@ -104,7 +104,7 @@ void ScriptHost::load() {
 }
 
 void ScriptHost::forgetWorld() {
-    m_shared.created.clear();
+    m_shared.pending = {};
     m_shared.grids.clear();
     m_shared.brokenBodies.clear();
     m_shared.brokenShapes.clear();

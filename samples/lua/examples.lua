@@ -24,6 +24,8 @@ assert(VecSub({1, 2, 3}, {1, 1, 1}) == Vec(0, 1, 2))
 assert(VecDot({1, 2, 3}, {4, 5, 6}) == 32)
 --- VecCross
 assert(VecCross({1, 0, 0}, {0, 1, 0}) == Vec(0, 0, 1))
+--- VecStr
+assert(VecStr({1, 2.5, 3}) == "(1.0, 2.5, 3.0)")
 --- VecLerp
 assert(VecLerp({0, 0, 0}, {2, 4, 6}, 0.5) == Vec(1, 2, 3))
 --- Quat
@@ -51,6 +53,8 @@ assert(math.abs(y - 45) < 1e-9)
 --- QuatRotateQuat
 local q = QuatRotateQuat(QuatEuler(0, 90, 0), QuatEuler(0, -90, 0))
 assert(VecLength(q * Vec(1, 0, 0) - Vec(1, 0, 0)) < 1e-9)
+--- QuatStr
+assert(QuatStr(Quat()) == "(0.0, 0.0, 0.0, 1.0)")
 --- QuatRotateVec
 assert(VecLength(QuatRotateVec(QuatEuler(90, 0, 0), {0, 1, 0}) - Vec(0, 0, 1)) < 1e-9)
 --- Transform
@@ -61,6 +65,8 @@ local t = Transform({1, 2, 3})
 local copy = TransformCopy(t)
 copy.pos.x = 5
 assert(t.pos.x == 1)
+--- TransformStr
+assert(TransformStr(Transform({1, 2, 3})) == "(1.0, 2.0, 3.0) (0.0, 0.0, 0.0, 1.0)")
 --- TransformToParentTransform
 local t = TransformToParentTransform(Transform({1, 0, 0}), Transform({0, 2, 0}))
 assert(t.pos == Vec(1, 2, 0))
@@ -152,6 +158,9 @@ assert(#FindJoints() == 2)
 assert(FindTrigger("gate") ~= 0)
 --- FindTriggers
 assert(#FindTriggers("gate") == 1)
+--- IsBodyInTrigger
+wait(0.1)
+assert(IsBodyInTrigger(FindTrigger("gate"), FindBody("crate")))
 --- FindLocation
 local place = FindLocation("spawn")  -- 0: the level has no such place, as this yard
 if place ~= 0 then SetBodyTransform(FindBody("crate"), GetLocationTransform(place)) end
@@ -278,6 +287,13 @@ assert(GetShapeBody(FindShape("wall")) == FindBody("wall"))
 assert(GetShapeWorldTransform(FindShape("wall")).pos == Vec(-2, 0, 0))
 --- GetShapeLocalTransform
 assert(GetShapeLocalTransform(FindShape("wall")).pos == Vec(0, 0, 0))
+--- GetShapeBounds
+local low, high = GetShapeBounds(FindShape("wall"))
+assert(math.abs(high.y - low.y - 2.5) < 0.001)
+--- GetShapeJoints
+assert(GetShapeJoints(FindShape("door"))[1] == FindJoint("hinge"))
+--- GetShapeLights
+assert(#GetShapeLights(FindShape("wall")) == 0)
 --- GetShapeSize
 local x, y, z, scale = GetShapeSize(FindShape("wall"))
 assert(x == 40 and y == 25 and z == 3 and math.abs(scale - 0.1) < 1e-6)
@@ -423,6 +439,10 @@ assert(IsJointBroken(rope))
 --- GetJointShapes
 local shapes = GetJointShapes(FindJoint("hinge"))
 assert(shapes[1] == FindShape("post") and shapes[2] == FindShape("door"))
+--- GetJointOtherShape
+assert(GetJointOtherShape(FindJoint("hinge"), FindShape("door")) == FindShape("post"))
+--- GetJointType
+assert(GetJointType(FindJoint("hinge")) == "hinge")
 --- IsBodyJointedToStatic
 assert(IsBodyJointedToStatic(FindBody("weight")) and not IsBodyJointedToStatic(FindBody("crate")))
 --- SetJointMotor
@@ -537,10 +557,16 @@ assert(IsHandleValid(things[1]))
 DebugLine({0, 0, 0}, {0, 5, 0}, 1, 0, 0)
 --- DebugCross
 DebugCross({0, 1, 0}, 0, 1, 0)
+--- DrawLine
+DrawLine({-2, 2.6, 0}, {2, 2.6, 0}, 1, 0.8, 0)  -- hidden where the wall is nearer
 --- DebugPrint
 DebugPrint("hello")
 --- DebugWatch
 DebugWatch("crates", #FindBodies("crate"))
+--- DebugProfile
+DebugProfile(true)
+wait(0.1)
+DebugProfile(false)
 --- wait
 local before = GetTime()
 wait(0.25)
@@ -664,8 +690,6 @@ assert(math.abs(depth - 5) < 1e-6 and math.abs(x - UiCenter()) < 1e-3)
 --- GetCameraTransform
 local eye = GetCameraTransform()
 local hit, dist = QueryRaycast(eye.pos, eye.rot * Vec(0, 0, -1), 100)
---- DrawLine
-DrawLine(Vec(0, 0, 0), Vec(0, 3, 0), 1, 0, 0)
 --- require
 local tools = require("tools")  -- tools.lua, which returns a table
 assert(tools.double(4) == 8 and require("tools") == tools)
@@ -712,3 +736,62 @@ assert(GetFloatParam("speed", 0.5) == 0.5)
 assert(GetBoolParam("alarm", true) == true)
 --- GetStringParam
 assert(GetStringParam("title", "none") == "none")
+--- GetPlayerTransform
+local ahead = TransformToParentVec(GetPlayerTransform(), {0, 0, -1})
+assert(VecLength(ahead) > 0.99)
+--- GetPlayerCameraTransform
+local eye = GetPlayerCameraTransform().pos
+--- SetPlayerTransform
+SetPlayerTransform(Transform({0, 1, -5}))
+--- GetPlayerVelocity
+assert(VecLength(GetPlayerVelocity()) == 0)
+--- SetPlayerVelocity
+SetPlayerVelocity({0, 5, 0})
+--- GetPlayerHealth
+assert(GetPlayerHealth() == 1)
+--- SetPlayerHealth
+SetPlayerHealth(0.5)
+--- GetPlayerVehicle
+assert(GetPlayerVehicle() == 0)
+--- GetPlayerGrabBody
+assert(GetPlayerGrabBody() == 0)
+--- GetPlayerPickBody
+assert(GetPlayerPickBody() == 0)
+--- GetPlayerInteractBody
+assert(GetPlayerInteractBody() == 0)
+--- GetPlayerInteractShape
+assert(GetPlayerInteractShape() == 0)
+--- FindVehicle
+assert(FindVehicle("car") == 0)
+--- InputPressed
+if InputPressed("usetool") then MakeHole({0, 1, 0}, 0.5) end
+--- InputDown
+assert(not InputDown("up"))
+--- InputReleased
+assert(not InputReleased("jump"))
+--- InputValue
+assert(InputValue("mousewheel") == 0)
+--- RegisterTool
+RegisterTool("laser", "Laser", "laser.vox")
+--- SetToolTransform
+SetToolTransform(Transform({0, -0.2, 0}))
+--- GetToolBody
+assert(GetToolBody() == 0)
+--- LoadSound
+local sound = LoadSound("warning-beep.ogg")
+--- PlaySound
+PlaySound(LoadSound("warning-beep.ogg"), {0, 1, 0}, 0.5)
+--- LoadLoop
+local loop = LoadLoop("engine.ogg")
+--- PlayLoop
+PlayLoop(LoadLoop("engine.ogg"), {0, 1, 0})
+--- PlayMusic
+PlayMusic("calm.ogg")
+--- StopMusic
+StopMusic()
+--- UiMakeInteractive
+UiMakeInteractive()
+--- UiSound
+UiSound("click.ogg")
+--- ShakeCamera
+ShakeCamera(0.3)

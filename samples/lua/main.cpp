@@ -2,14 +2,16 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
+#include <optional>
 #include <sstream>
 #include <thread>
 
 #include "runtime/script/functions/vocabulary.h"
 #include "runtime/script/script_host.h"
+#include "samples/lua/line_input.h"
 #include "samples/lua/offscreen_view.h"
 #include "samples/lua/reference.h"
 #include "samples/lua/yard.h"
@@ -40,10 +42,13 @@ std::string readFile(const std::string& path) {
 /// Lines of Lua from standard input, each in a step of its own: an expression, or statements.
 int readLines(ScriptHost& host) {
     Script& script = host.add("line", "");
-    for (std::string line; fmt::print("> "), std::fflush(stdout), std::getline(std::cin, line);) {
+    const char* home = std::getenv("HOME");
+    LineInput input([&](std::string_view line) { return script.completions(line); },
+                    std::string(home ? home : ".") + "/.rubble_lua_history");
+    while (const std::optional<std::string> line = input.read("> ")) {
         std::string answer;
-        const bool isExpression = script.compiles("return " + line);
-        script.evaluate(isExpression ? "return " + line : line, answer);
+        const bool isExpression = script.compiles("return " + *line);
+        script.evaluate(isExpression ? "return " + *line : *line, answer);
         if (!answer.empty()) fmt::print("{}\n", answer);
         if (script.isStopped()) return 1;
         script.findCallbacks();  // a line may have defined tick()
@@ -124,6 +129,7 @@ int play(ScriptHost& host, OffscreenView* view, rubble_world world, const Option
         return std::all_of(host.scripts().begin(), host.scripts().end(),
                            [](auto& each) { return each.error().empty(); });
     };
+    host.shared().showsProfile = view && options.prints;
     double due = 0.0;
     FileWatch watch(options.script);
     for (int i = 0; i < options.steps && !(host.scripts().front().isStopped() && host.scripts().size() == 1); ++i) {
@@ -201,7 +207,8 @@ int main(int argc, char** argv) {
     app.add_option("--steps", options.steps, "how long, in steps of 1/60 s");
     app.add_option("--eval", options.evaluated, "runs this text instead, and prints what it gives");
     app.add_option("--param", options.parameters, "NAME=VALUE, for GetIntParam() and its like");
-    app.add_flag("--profile", options.prints, "prints what each callback and each function have cost");
+    app.add_flag("--profile", options.prints,
+                 "prints what each callback and each function have cost; with --image: shows it too");
     app.add_flag("--watch", options.watches, "in real time; the script begins again when its file changes");
     app.add_option("--image", options.image, "writes the last frame, with what scripts draw, as PNG");
     app.add_option("--camera", options.camera, "x y z of the camera, and of what it looks at, in metres")->expected(6);

@@ -47,7 +47,7 @@ Vector optionVector(lua_State* L, int index, const char* name, const Vector& oth
 
 /// Makes an object's handle known to the functions that come before the step.
 uint64_t made(lua_State* L, uint64_t handle) {
-    ScriptContext::of(L).shared.created.insert(handle);
+    ScriptContext::of(L).shared.pending.created.insert(handle);
     return handle;
 }
 

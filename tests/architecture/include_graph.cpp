@@ -35,6 +35,7 @@ const std::vector<Library>& libraries() {
         {"Ogre", {"Ogre"}, {"samples/hosts/ogre/"}},
         {"emscripten", {"emscripten"}, {"samples/hosts/web/"}},
         {"Lua", {"lua"}, {"runtime/script/", "tests/runtime/script/"}},
+        {"libedit", {"editline/"}, {"samples/lua/line_input.cpp"}},
         {"FreeType", {"ft2build", "freetype"}, {"render/overlay/"}},
         {"Dear ImGui", {"imgui"}, {"editor/"}},
     };

@@ -163,10 +163,9 @@ int pushHandles(lua_State* L, const uint64_t* handles, size_t count) {
 
 bool isDone(lua_State* L, rubble_result result) {
     if (result == RUBBLE_OK) return true;
-    ScriptContext& context = ScriptContext::of(L);
-    const std::string text = runningFunction(L).name() + ": " + context.shared.api->get_last_error();
+    const std::string text = runningFunction(L).name() + ": " + ScriptContext::of(L).shared.api->get_last_error();
     if (result != RUBBLE_ERROR_STALE) luaL_error(L, "%s", text.c_str());
-    warnOnce(L, context.shared.api->get_last_error());
+    warnOnce(L, ScriptContext::of(L).shared.api->get_last_error());
     return false;
 }
 

@@ -56,4 +56,7 @@ inline const std::vector<uint64_t>& readOwned(lua_State* L, uint64_t owner, uint
     });
 }
 
+/// Pushes the two corners of the box around the grids of shapes, in the world.
+int pushBounds(lua_State* L, const std::vector<uint64_t>& shapes);
+
 }  // namespace rubble::script

@@ -70,9 +70,9 @@ public:
 
 private:
     std::string counted(std::string text) {
-        m_bytes = std::max(m_bytes, text.size());
         Sandbox::of(m_state).charge(m_state, int64_t(text.size()) / 8);
-        if (m_bytes > kMaxBytes) luaL_error(m_state, "%s: expected at most %d bytes", m_what.c_str(), int(kMaxBytes));
+        if (text.size() > kMaxBytes)
+            luaL_error(m_state, "%s: expected at most %d bytes", m_what.c_str(), int(kMaxBytes));
         return text;
     }
 
@@ -130,7 +130,6 @@ private:
 
     lua_State* m_state;
     const std::string& m_what;
-    size_t m_bytes = 0;
 };
 
 }  // namespace

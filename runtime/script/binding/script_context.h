@@ -9,6 +9,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/script/binding/ui_state.h"
@@ -20,8 +21,7 @@ namespace rubble::script {
 struct WorldLine {
     std::array<double, 3> from, to;  ///< world, metres
     std::array<double, 4> color;     ///< 0 to 1, with opacity
-    double width;                    ///< in units of the canvas
-    bool isOccluded;                 ///< voxels hide it
+    bool isOccluded = false;         ///< voxels hide it
 };
 
 /// The voxels of a shape with what calls that draw have written since the last step: what several of them draw in one
@@ -36,6 +36,14 @@ struct GridCopy {
     size_t at(int32_t x, int32_t y, int32_t z) const {
         return (size_t(z) * size_t(size[1]) + size_t(y)) * size_t(size[0]) + size_t(x);
     }
+};
+
+/// What calls since the last step have set and reads of the interface do not know yet.
+struct PendingReads {
+    std::set<uint64_t> created;                            ///< objects
+    std::map<rubble_body, std::array<double, 6>> motions;  ///< velocity and angular velocity
+    /// By object and tag its value; nothing: the tag was taken away.
+    std::map<std::pair<uint64_t, std::string>, std::optional<std::string>> tags;
 };
 
 struct ScriptFunction;
@@ -59,7 +67,7 @@ struct ScriptWorld {
     double timeScale = 1.0;        ///< as SetTimeScale() has set it; the host decides how many steps a frame has
     double timeStep = 1.0 / 60.0;  ///< of the callback that runs
     uint64_t step = 0;
-    std::set<uint64_t> created;              ///< what calls since the last step have made: reads do not know it yet
+    PendingReads pending;
     std::map<rubble_shape, GridCopy> grids;  ///< of shapes whose voxels calls since the last step have written
     std::set<rubble_body> brokenBodies;      ///< that have lost voxels
     std::set<rubble_shape> brokenShapes;
@@ -69,6 +77,7 @@ struct ScriptWorld {
     std::vector<WorldLine> lines;                  ///< for frames until the next tick()
     UiFrame ui;
     std::map<std::string, std::string> watches;              ///< of DebugWatch(), by name
+    bool showsProfile = false;                               ///< DebugProfile(): frames show what scripts cost
     std::function<void(int level, const std::string&)> log;  ///< RUBBLE_LOG_..., a line without a break
     std::span<const ScriptFunction> hostFunctions;           ///< globals beside those of the vocabulary
     void* host = nullptr;                                    ///< what those work on
@@ -129,7 +138,7 @@ T sized() {
 /// Checks what a call of the interface came to. False: something that it names is gone, which is told once for each
 /// line of a script, and the function has no effect. Everything else that is wrong is an error of the script.
 bool isDone(lua_State* L, rubble_result result);
-/// Logs a warning of the function that runs, once for each line of a script.
+/// Logs a warning of the running function, once for each line of a script.
 void warnOnce(lua_State* L, const std::string& text);
 
 /// A function that scripts call.

@@ -46,7 +46,7 @@ struct UiFrame {
     double width = 1920.0, height = 1080.0;  ///< of the canvas that scripts draw on: always 1080 high
     double pixels = 1.0;                     ///< of the view in a unit of the canvas
     rubble_view view = {};                   ///< of the last frame
-    bool isOpen = false;                     ///< draw() of scripts runs
+    bool isOpen = false;                     ///< draw() of scripts is being called: only then they draw
     std::vector<UiItem> items;
     std::map<std::string, UiImage> images;  ///< by path in the scripts' folder
     size_t imageBytes = 0;                  ///< of all of them

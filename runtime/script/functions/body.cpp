@@ -62,16 +62,27 @@ int getAngularVelocity(lua_State* L) {
     return 1;
 }
 
-/// Sets one of the two velocities: the interface sets both.
+/// Sets one of the two velocities. The interface sets both: the other one is what this step has set, or that of the
+/// last step.
 int setMotion(lua_State* L, bool isAngular) {
-    const rubble_body_state state = stateAt(L);
-    const Vector given = vectorAt(L, 2, "velocity");
-    if (!state.body) return 0;
+    PendingReads& pending = ScriptContext::of(L).shared.pending;
     rubble_body_change change = changeAt(L, RUBBLE_SET_VELOCITY);
-    std::copy_n(state.velocity, 3, change.velocity);
-    std::copy_n(state.angular_velocity, 3, change.angular_velocity);
-    copy(isAngular ? change.angular_velocity : change.velocity, given);
-    return apply(L, change);
+    const Vector given = vectorAt(L, 2, "velocity");
+    std::array<double, 6> motion{};
+    if (const auto set = pending.motions.find(change.body); set != pending.motions.end()) {
+        motion = set->second;
+    } else if (!pending.created.count(change.body)) {
+        const rubble_body_state state = stateAt(L);
+        if (!state.body) return 0;
+        std::copy_n(state.velocity, 3, motion.begin());
+        std::copy_n(state.angular_velocity, 3, motion.begin() + 3);
+    }
+    std::copy_n(given.begin(), 3, motion.begin() + (isAngular ? 3 : 0));
+    std::copy_n(motion.begin(), 3, change.velocity);
+    std::copy_n(motion.begin() + 3, 3, change.angular_velocity);
+    apply(L, change);
+    pending.motions[change.body] = motion;
+    return 0;
 }
 
 int setVelocity(lua_State* L) {
@@ -109,26 +120,7 @@ int getShapes(lua_State* L) {
 
 /// The box around the grids of all shapes of a body.
 int getBounds(lua_State* L) {
-    Vector low{}, high{};
-    bool isFirst = true;
-    for (const rubble_shape shape : readOwned(L, handleAt(L, 1, "body"), RUBBLE_KIND_SHAPE)) {
-        rubble_shape_state state = {};
-        if (!isDone(L, apiOf(L).get_shape_state(worldOf(L), shape, &state))) continue;
-        const Placement frame = placementOf(state.position, state.rotation);
-        for (int corner = 0; corner < 8; ++corner) {
-            Vector point;
-            for (int i = 0; i < 3; ++i) point[i] = corner >> i & 1 ? state.size[i] * state.voxel_size : 0.0;
-            point = toParent(frame, point);
-            for (int i = 0; i < 3; ++i) {
-                low[i] = isFirst ? point[i] : std::min(low[i], point[i]);
-                high[i] = isFirst ? point[i] : std::max(high[i], point[i]);
-            }
-            isFirst = false;
-        }
-    }
-    pushVector(L, low.data());
-    pushVector(L, high.data());
-    return 2;
+    return pushBounds(L, readOwned(L, handleAt(L, 1, "body"), RUBBLE_KIND_SHAPE));
 }
 
 int isActive(lua_State* L) {

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "runtime/script/binding/calls.h"
+#include "runtime/script/binding/directives.h"
 #include "runtime/script/functions/vocabulary.h"
 #include "runtime/script/sandbox/libraries.h"
 
@@ -15,8 +16,9 @@ constexpr size_t kMaxTextBytes = 1 << 20, kMaxSaved = 100;
 const char kLoaded = 0, kLoading = 0;  ///< their addresses: the table of what require() has loaded, and a mark in it
 
 /// Compiles a text onto the stack, or raises what is wrong with it.
-void compile(lua_State* L, const std::string& text, const std::string& name) {
-    Sandbox::of(L).charge(L, compileCost(text));
+void compile(lua_State* L, const std::string& given, const std::string& name) {
+    Sandbox::of(L).charge(L, compileCost(given));
+    const std::string text = withoutDirectives(given);
     if (luaL_loadbufferx(L, text.data(), text.size(), ("=" + name).c_str(), "t") != LUA_OK) lua_error(L);
 }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "runtime/script/binding/calls.h"
 #include "runtime/script/functions/vocabulary.h"
 
@@ -72,7 +74,8 @@ int setTag(lua_State* L) {
         if (!lua_isstring(L, 3)) refuseArgument(L, 3, "value", "a text");
         value = lua_tostring(L, 3);
     }
-    isDone(L, apiOf(L).set_tag(worldOf(L), object, tag.c_str(), value.c_str()));
+    if (isDone(L, apiOf(L).set_tag(worldOf(L), object, tag.c_str(), value.c_str())))
+        ScriptContext::of(L).shared.pending.tags[{object, tag}] = value;
     return 0;
 }
 
@@ -80,6 +83,9 @@ int setTag(lua_State* L) {
 std::string readTag(lua_State* L) {
     const uint64_t object = handleAt(L, 1, "handle");
     const std::string tag = textAt(L, 2, "tag");
+    const auto& pending = ScriptContext::of(L).shared.pending.tags;
+    if (const auto set = pending.find({object, tag}); set != pending.end())
+        return set->second ? *set->second + '\0' : "";
     std::string value(64, '\0');
     uint32_t count = 0;
     const auto read = [&] {
@@ -107,7 +113,9 @@ int getTagValue(lua_State* L) {
 
 int removeTag(lua_State* L) {
     const uint64_t object = handleAt(L, 1, "handle");
-    isDone(L, apiOf(L).remove_tag(worldOf(L), object, textAt(L, 2, "tag").c_str()));
+    const std::string tag = textAt(L, 2, "tag");
+    if (isDone(L, apiOf(L).remove_tag(worldOf(L), object, tag.c_str())))
+        ScriptContext::of(L).shared.pending.tags[{object, tag}] = std::nullopt;
     return 0;
 }
 
@@ -115,7 +123,16 @@ int isHandleValid(lua_State* L) {
     const uint64_t object = handleAt(L, 1, "handle");
     uint64_t value = 0;
     lua_pushboolean(L, apiOf(L).get_user_value(worldOf(L), object, &value) == RUBBLE_OK ||
-                           ScriptContext::of(L).shared.created.count(object));
+                           ScriptContext::of(L).shared.pending.created.count(object));
+    return 1;
+}
+
+int isBodyInTrigger(lua_State* L) {
+    const uint64_t trigger = handleAt(L, 1, "trigger"), body = handleAt(L, 2, "body");
+    const std::vector<uint64_t>& bodies = readHandles(L, [&](uint64_t* out, uint32_t capacity, uint32_t* count) {
+        return apiOf(L).get_trigger_bodies(worldOf(L), trigger, out, capacity, count);
+    });
+    lua_pushboolean(L, std::find(bodies.begin(), bodies.end(), body) != bodies.end());
     return 1;
 }
 
@@ -145,6 +162,7 @@ constexpr ScriptFunction kFunctions[] = {
     {"FindJoints(tag, global) -> list", "All joints with a tag.", findAll<RUBBLE_KIND_JOINT>},
     {"FindTrigger(tag, global) -> handle", "The first trigger with a tag, or 0.", findOne<RUBBLE_KIND_TRIGGER>},
     {"FindTriggers(tag, global) -> list", "All triggers with a tag.", findAll<RUBBLE_KIND_TRIGGER>},
+    {"IsBodyInTrigger(trigger, body) -> boolean", "Whether a body was in a trigger in the last step.", isBodyInTrigger},
     {"FindLocation(tag, global) -> handle", "The first place of the level with this name, or 0.", findLocation},
     {"FindLocations(tag, global) -> list", "All places of the level with this name.", findLocations},
     {"GetLocationTransform(location) -> transform", "Where such a place is.", getLocationTransform},

@@ -20,7 +20,7 @@ int isBroken(lua_State* L) {
     const rubble_joint joint = handleAt(L, 1, "joint");
     uint64_t value = 0;
     const bool isThere = apiOf(L).get_user_value(worldOf(L), joint, &value) == RUBBLE_OK ||
-                         ScriptContext::of(L).shared.created.count(joint);
+                         ScriptContext::of(L).shared.pending.created.count(joint);
     lua_pushboolean(L, !isThere);
     return 1;
 }
@@ -43,6 +43,29 @@ int getShapes(lua_State* L) {
         for (const rubble_shape shape : state.shapes)
             if (shape) shapes.push_back(shape);
     return pushHandles(L, shapes.data(), shapes.size());
+}
+
+int getOtherShape(lua_State* L) {
+    const rubble_shape shape = handleAt(L, 2, "shape");
+    rubble_joint_state state = {};
+    const bool isThere = isDone(L, apiOf(L).get_joint_state(worldOf(L), handleAt(L, 1, "joint"), &state));
+    const size_t end = state.shapes[0] == shape ? 0 : 1;
+    pushHandle(L, isThere && state.shapes[end] == shape ? state.shapes[1 - end] : 0);
+    return 1;
+}
+
+int getType(lua_State* L) {
+    static constexpr std::pair<uint32_t, const char*> kTypes[] = {
+        {RUBBLE_JOINT_BALL, "ball"},  {RUBBLE_JOINT_HINGE, "hinge"}, {RUBBLE_JOINT_PRISMATIC, "prismatic"},
+        {RUBBLE_JOINT_CONE, "cone"},  {RUBBLE_JOINT_ROPE, "rope"},   {RUBBLE_JOINT_FIXED, "fixed"},
+        {RUBBLE_JOINT_WHEEL, "wheel"}};
+    rubble_joint_state state = {};
+    const char* name = "";
+    if (isDone(L, apiOf(L).get_joint_state(worldOf(L), handleAt(L, 1, "joint"), &state)))
+        for (const auto& [kind, type] : kTypes)
+            if (kind == state.kind) name = type;
+    lua_pushstring(L, name);
+    return 1;
 }
 
 /// The body of a shape, and whether it is static; 0, the world, is.
@@ -157,6 +180,9 @@ int breakRope(lua_State* L) {
 constexpr ScriptFunction kFunctions[] = {
     {"IsJointBroken(joint) -> boolean", "Whether it is gone.", isBroken},
     {"GetJointShapes(joint) -> list", "The shapes that it connects.", getShapes},
+    {"GetJointOtherShape(joint, shape) -> shape", "The shape at its other end; 0: the world.", getOtherShape},
+    {"GetJointType(joint) -> text", "\"ball\", \"hinge\", \"prismatic\", \"cone\", \"rope\", \"fixed\" or \"wheel\".",
+     getType},
     {"IsBodyJointedToStatic(body) -> boolean", "Whether joints lead from a body to a static one, or to the world.",
      isJointedToStatic},
     {"SetJointMotor(joint, velocity, strength)",

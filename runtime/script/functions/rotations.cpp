@@ -99,6 +99,12 @@ int quatRotateVec(lua_State* L) {
     return 1;
 }
 
+int quatStr(lua_State* L) {
+    const Rotation q = rotationAt(L, 1, "q");
+    lua_pushfstring(L, "(%f, %f, %f, %f)", q[0], q[1], q[2], q[3]);
+    return 1;
+}
+
 /// A rotation times a vector turns it, times a rotation joins them.
 int multiply(lua_State* L) {
     if (lua_type(L, 2) == LUA_TTABLE && lua_rawlen(L, 2) == 3) return quatRotateVec(L);
@@ -117,6 +123,7 @@ constexpr ScriptFunction kFunctions[] = {
      quatLookAt},
     {"QuatSlerp(a, b, t) -> q", "The rotation between a, at t = 0, and b, at t = 1, on the shortest arc.", quatSlerp},
     {"QuatRotateQuat(a, b) -> q", "First b, then a.", quatRotateQuat},
+    {"QuatStr(q) -> text", "\"(x, y, z, w)\".", quatStr},
     {"QuatRotateVec(q, v) -> v", "The vector v, turned.", quatRotateVec},
 };
 

@@ -43,6 +43,16 @@ int getLocalTransform(lua_State* L) {
     return 1;
 }
 
+int getBounds(lua_State* L) {
+    return pushBounds(L, {handleAt(L, 1, "shape")});
+}
+
+template <uint32_t Kind>
+int getOwned(lua_State* L) {
+    const std::vector<uint64_t>& owned = readOwned(L, handleAt(L, 1, "shape"), Kind);
+    return pushHandles(L, owned.data(), owned.size());
+}
+
 int getSize(lua_State* L) {
     rubble_shape_state state;
     readShape(L, state);
@@ -237,6 +247,9 @@ constexpr ScriptFunction kFunctions[] = {
     {"GetShapeWorldTransform(shape) -> transform", "The minimum corner of its grid and its axes, in the world.",
      getWorldTransform},
     {"GetShapeLocalTransform(shape) -> transform", "The same in the frame of its body.", getLocalTransform},
+    {"GetShapeBounds(shape) -> min, max", "The box around its grid, in the world.", getBounds},
+    {"GetShapeJoints(shape) -> list", "The joints that hold it.", getOwned<RUBBLE_KIND_JOINT>},
+    {"GetShapeLights(shape) -> list", "The lights on it.", getOwned<RUBBLE_KIND_LIGHT>},
     {"GetShapeSize(shape) -> x, y, z, scale", "The cells of its grid, and metres of one.", getSize},
     {"GetShapeVoxelCount(shape) -> count", "How many of them hold a voxel.", getVoxelCount},
     {"GetShapeMaterialAtPosition(shape, pos) -> type, r, g, b, a, entry",

@@ -142,7 +142,7 @@ int create(lua_State* L) {
     rubble_shape made = 0;
     ScriptContext& context = ScriptContext::of(L);
     if (isDone(L, apiOf(L).create_shape(worldOf(L), &settings, &made))) {
-        context.shared.created.insert(made);
+        context.shared.pending.created.insert(made);
         context.shared.grids[made] = {{8, 8, 8}, std::vector<uint8_t>(512)};
     }
     pushHandle(L, made);

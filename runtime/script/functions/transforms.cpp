@@ -56,10 +56,17 @@ int multiply(lua_State* L) {
     return toParentTransform(L);
 }
 
+int transformStr(lua_State* L) {
+    const auto [p, q] = placementAt(L, 1, "t");
+    lua_pushfstring(L, "(%f, %f, %f) (%f, %f, %f, %f)", p[0], p[1], p[2], q[0], q[1], q[2], q[3]);
+    return 1;
+}
+
 constexpr ScriptFunction kFunctions[] = {
     {"Transform(pos, rot) -> t", "A frame {pos =, rot =}. t * p brings a point to its parent, a * b joins two frames.",
      makeTransform},
     {"TransformCopy(t) -> t", "A copy.", transformCopy},
+    {"TransformStr(t) -> text", "Its place and its rotation, as VecStr() and QuatStr() write them.", transformStr},
     {"TransformToParentTransform(parent, child) -> t", "A frame within parent, seen from outside.", toParentTransform},
     {"TransformToLocalTransform(parent, child) -> t", "A frame, seen from within parent.", toLocalTransform},
     {"TransformToParentVec(t, v) -> v", "A direction of the frame, seen from outside.", toParentVec},

@@ -4,9 +4,15 @@
 
 namespace rubble::script {
 
+/// Units of the canvas: nothing is drawn farther off, and nothing is larger.
+inline constexpr double kUiReach = 1e5;
+
 /// What the running script has set for drawing.
 UiState& uiOf(lua_State* L);
-/// Adds a line of the world for this frame; beyond 10,000 of them none.
-void addWorldLine(lua_State* L, const WorldLine& line);
+/// The camera of the last frame.
+inline Placement cameraOf(lua_State* L) {
+    const rubble_view& view = ScriptContext::of(L).shared.ui.view;
+    return view.struct_size ? placementOf(view.position, view.rotation) : Placement{};
+}
 
 }  // namespace rubble::script

@@ -11,9 +11,8 @@
 namespace rubble::script {
 namespace {
 
-constexpr size_t kMaxItems = 20'000, kMaxTextBytes = 4096, kMaxLines = 10'000, kMaxImages = 200;
+constexpr size_t kMaxItems = 20'000, kMaxTextBytes = 4096, kMaxImages = 200;
 constexpr size_t kMaxImageBytes = 256 << 20;  ///< of all images
-constexpr double kMost = 1e5;                 ///< units
 constexpr double kMaxNumber = 1e6;            ///< that the interface takes
 
 UiFrame& frameOf(lua_State* L) {
@@ -55,7 +54,7 @@ void add(lua_State* L, UiItem item) {
 }
 
 double sizeAt(lua_State* L, int index, const char* name) {
-    return std::clamp(numberAt(L, index, name), 0.0, kMost);
+    return std::clamp(numberAt(L, index, name), 0.0, kUiReach);
 }
 
 UiItem boxOf(lua_State* L, double width, double height, double radius, double stroke) {
@@ -94,9 +93,9 @@ int circleOutline(lua_State* L) {
 
 int line(lua_State* L) {
     UiItem item = itemOf(L, RUBBLE_OVERLAY_LINE);
-    item.row.size[0] = std::clamp(numberAt(L, 1, "x"), -kMost, kMost);
-    item.row.size[1] = std::clamp(numberAt(L, 2, "y"), -kMost, kMost);
-    item.row.stroke = std::clamp(numberOr(L, 3, "width", 1.0), 0.0, kMost);
+    item.row.size[0] = std::clamp(numberAt(L, 1, "x"), -kUiReach, kUiReach);
+    item.row.size[1] = std::clamp(numberAt(L, 2, "y"), -kUiReach, kUiReach);
+    item.row.stroke = std::clamp(numberOr(L, 3, "width", 1.0), 0.0, kUiReach);
     add(L, std::move(item));
     return 0;
 }
@@ -135,8 +134,8 @@ int text(lua_State* L) {
     add(L, textOf(L, size));
     if (boolOr(L, 2, false)) {
         auto& t = uiOf(L).transform;
-        t[4] = std::clamp(t[4] + t[2] * size[1], -kMost, kMost);
-        t[5] = std::clamp(t[5] + t[3] * size[1], -kMost, kMost);
+        t[4] = std::clamp(t[4] + t[2] * size[1], -kUiReach, kUiReach);
+        t[5] = std::clamp(t[5] + t[3] * size[1], -kUiReach, kUiReach);
     }
     return pushSize(L, size[0], size[1]);
 }
@@ -221,19 +220,6 @@ int imageBox(lua_State* L) {
     return 0;
 }
 
-int drawLine(lua_State* L) {
-    WorldLine line{vectorAt(L, 1, "p0"), vectorAt(L, 2, "p1"), {}, 1.5, true};
-    const char* const names[] = {"r", "g", "b", "a"};
-    for (int i = 0; i < 4; ++i) line.color[size_t(i)] = numberOr(L, 3 + i, names[i], 1.0);
-    addWorldLine(L, line);
-    return 0;
-}
-
-Placement cameraOf(lua_State* L) {
-    const rubble_view& view = frameOf(L).view;
-    return view.struct_size ? placementOf(view.position, view.rotation) : Placement{};
-}
-
 int getCameraTransform(lua_State* L) {
     pushPlacement(L, cameraOf(L));
     return 1;
@@ -269,17 +255,9 @@ constexpr ScriptFunction kFunctions[] = {
      "Where a place of the world is on the canvas; depth: metres before the camera, negative behind it.", worldToPixel},
     {"GetCameraTransform() -> transform", "The camera of the last frame, which looks along its -z.",
      getCameraTransform},
-    {"DrawLine(p0, p1, r, g, b, a)",
-     "A line of the world for this frame, which voxels hide; in tick() and update() too.", drawLine},
 };
 
 }  // namespace
-
-void addWorldLine(lua_State* L, const WorldLine& line) {
-    std::vector<WorldLine>& lines = ScriptContext::of(L).shared.lines;
-    Sandbox::of(L).charge(L, 20);
-    if (lines.size() < kMaxLines) lines.push_back(line);
-}
 
 std::span<const ScriptFunction> uiDrawFunctions() {
     return kFunctions;

@@ -19,10 +19,9 @@ UiState& uiOf(lua_State* L) {
 namespace {
 
 constexpr size_t kMaxDepth = 200;
-constexpr double kMost = 1e5;  ///< units: nothing is drawn farther off
 
 double lengthAt(lua_State* L, int index, const char* name) {
-    return std::clamp(numberAt(L, index, name), -kMost, kMost);
+    return std::clamp(numberAt(L, index, name), -kUiReach, kUiReach);
 }
 
 std::array<double, 4> colorAt(lua_State* L, int first) {
@@ -51,8 +50,8 @@ int pop(lua_State* L) {
 int translate(lua_State* L) {
     auto& t = uiOf(L).transform;
     const double x = lengthAt(L, 1, "x"), y = lengthAt(L, 2, "y");
-    t[4] = std::clamp(t[4] + t[0] * x + t[2] * y, -kMost, kMost);
-    t[5] = std::clamp(t[5] + t[1] * x + t[3] * y, -kMost, kMost);
+    t[4] = std::clamp(t[4] + t[0] * x + t[2] * y, -kUiReach, kUiReach);
+    t[5] = std::clamp(t[5] + t[1] * x + t[3] * y, -kUiReach, kUiReach);
     return 0;
 }
 
@@ -75,7 +74,7 @@ int scale(lua_State* L) {
 /// The rectangle around the window, within the one around it.
 std::array<double, 4> clipOf(const UiState& ui) {
     const auto& t = ui.transform;
-    std::array<double, 4> box{kMost, kMost, -kMost, -kMost};
+    std::array<double, 4> box{kUiReach, kUiReach, -kUiReach, -kUiReach};
     for (int corner = 0; corner < 4; ++corner) {
         const double x = corner & 1 ? ui.width : 0.0, y = corner & 2 ? ui.height : 0.0;
         const double place[2] = {t[0] * x + t[2] * y + t[4], t[1] * x + t[3] * y + t[5]};
@@ -93,8 +92,8 @@ std::array<double, 4> clipOf(const UiState& ui) {
 
 int window(lua_State* L) {
     UiState& ui = uiOf(L);
-    const double width = std::clamp(numberAt(L, 1, "width"), 0.0, kMost);
-    const double height = std::clamp(numberAt(L, 2, "height"), 0.0, kMost);
+    const double width = std::clamp(numberAt(L, 1, "width"), 0.0, kUiReach);
+    const double height = std::clamp(numberAt(L, 2, "height"), 0.0, kUiReach);
     auto& t = ui.transform;
     t[4] -= t[0] * width * ui.align[0] + t[2] * height * ui.align[1];
     t[5] -= t[1] * width * ui.align[0] + t[3] * height * ui.align[1];
@@ -183,7 +182,7 @@ int shadow(lua_State* L) {
 }
 
 int wordWrap(lua_State* L) {
-    uiOf(L).wrap = std::clamp(numberAt(L, 1, "width"), 0.0, kMost);
+    uiOf(L).wrap = std::clamp(numberAt(L, 1, "width"), 0.0, kUiReach);
     return 0;
 }
 

@@ -113,6 +113,7 @@ constexpr ScriptFunction kFunctions[] = {
     {"VecSub(a, b) -> v", "a minus b.", vecSub},
     {"VecDot(a, b) -> number", "The dot product.", vecDot},
     {"VecCross(a, b) -> v", "The cross product.", vecCross},
+    {"VecStr(v) -> text", "\"(x, y, z)\".", toText},
     {"VecLerp(a, b, t) -> v", "The point between a, at t = 0, and b, at t = 1.", vecLerp},
 };
 

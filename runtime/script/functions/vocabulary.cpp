@@ -82,6 +82,7 @@ const std::vector<Subject>& vocabulary() {
         {"ui-items", "Drawing: texts, shapes, images, lines", uiDrawFunctions()},
         {"files", "Files and saved tables", fileFunctions()},
         {"registry", "Registry and parameters", registryFunctions()},
+        {"game", "What belongs to the game", gameFunctions()},
     };
     return subjects;
 }

@@ -43,6 +43,8 @@ std::span<const ScriptFunction> uiStateFunctions();
 std::span<const ScriptFunction> uiDrawFunctions();
 /// Other files of the scripts' folder, and tables that saves keep.
 std::span<const ScriptFunction> fileFunctions();
+/// What a game has in place of these: players, input, sound, tools.
+std::span<const ScriptFunction> gameFunctions();
 /// Keys that scripts share, and parameters.
 std::span<const ScriptFunction> registryFunctions();
 

@@ -7,6 +7,8 @@
 namespace rubble::script {
 namespace {
 
+constexpr size_t kMaxLines = 10'000;
+
 int setTimeScale(lua_State* L) {
     ScriptContext::of(L).shared.timeScale = std::clamp(numberAt(L, 1, "scale"), 0.0, 10.0);
     return 0;
@@ -46,17 +48,20 @@ int spawn(lua_State* L) {
     std::vector<uint64_t> handles;
     ScriptContext::of(L).shared.mayHaveScripts = true;
     for (const rubble_prefab_row& row : rows) {
-        ScriptContext::of(L).shared.created.insert(row.handle);
+        ScriptContext::of(L).shared.pending.created.insert(row.handle);
         handles.push_back(row.handle);
     }
     return pushHandles(L, handles.data(), handles.size());
 }
 
-void addLine(lua_State* L, const Vector& from, const Vector& to, int colorAt) {
-    WorldLine line{from, to, {1.0, 1.0, 1.0, 1.0}, 2.0, false};
+/// Beyond kMaxLines, as of a host that never draws, lines are left out.
+void addLine(lua_State* L, const Vector& from, const Vector& to, int colorAt, bool isOccluded = false) {
+    WorldLine line{from, to, {1.0, 1.0, 1.0, 1.0}, isOccluded};
     const char* const names[] = {"r", "g", "b", "a"};
     for (int i = 0; i < 4; ++i) line.color[size_t(i)] = numberOr(L, colorAt + i, names[i], 1.0);
-    addWorldLine(L, line);
+    Sandbox::of(L).charge(L, 20);
+    std::vector<WorldLine>& lines = ScriptContext::of(L).shared.lines;
+    if (lines.size() < kMaxLines) lines.push_back(line);
 }
 
 int debugLine(lua_State* L) {
@@ -72,6 +77,16 @@ int debugCross(lua_State* L) {
         to[axis] += 0.25;
         addLine(L, from, to, 2);
     }
+    return 0;
+}
+
+int drawLine(lua_State* L) {
+    addLine(L, vectorAt(L, 1, "p0"), vectorAt(L, 2, "p1"), 3, true);
+    return 0;
+}
+
+int debugProfile(lua_State* L) {
+    ScriptContext::of(L).shared.showsProfile = boolOr(L, 1, true);
     return 0;
 }
 
@@ -124,8 +139,13 @@ constexpr ScriptFunction kFunctions[] = {
     {"DebugLine(p0, p1, r, g, b, a)", "A line of the world until the next tick(); of draw(), for its frame.",
      debugLine},
     {"DebugCross(pos, r, g, b, a)", "A cross at a place, drawn likewise.", debugCross},
+    {"DrawLine(p0, p1, r, g, b, a)", "A line of the world that voxels hide, drawn likewise.", drawLine},
     {"DebugPrint(text)", "Writes a line to the log.", debugPrint},
     {"DebugWatch(name, value)", "Shows a value by its name until it is given again.", debugWatch},
+    {"DebugProfile(show)",
+     "Shows over the image what each script, its callbacks and the functions that it calls have cost lately, a frame: "
+     "calls, milliseconds, allocations. false: no more.",
+     debugProfile},
     {"wait(seconds)", "Lets the world go on for so long, then continues. In callbacks and in what start() began.",
      wait},
     {"start(f, ...)", "Begins a function beside the callbacks, which may wait.", start},

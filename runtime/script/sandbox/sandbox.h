@@ -113,7 +113,7 @@ private:
     [[noreturn]] void stopForWork(lua_State* L);
     bool mayGrow(size_t kind, size_t size, size_t growth);
     void beginCall();
-    bool isLate() const;
+    bool isLate();
     void watchTime(lua_State* L);
     std::string timeLimit() const;
     std::string errorOf(lua_State* thread, int status);
@@ -125,8 +125,8 @@ private:
     bool m_isHost = false;
     size_t m_reserve = 0;  ///< bytes above the limit, with which an error is told
     uint64_t m_allocations = 0;
-    double m_startedAt = 0.0;  ///< processor time of the present call
-    int64_t m_lastLookAt = 0;  ///< nanoseconds of the steady clock
+    double m_startedAt = -1.0;  ///< processor time when the present call was first slow; negative: it never was
+    int64_t m_lastLookAt = 0;   ///< nanoseconds of the steady clock
     std::string m_stopReason, m_refusal;
     lua_State* m_state = nullptr;
 };

@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
+#include <malloc.h>
+
+#include <cstdlib>
 
 #include "tests/runtime/script/attacks.h"
 #include "tests/runtime/script/lua_run.h"
+#include "tests/runtime/script/yard_fixture.h"
 
 namespace rubble::script {
 namespace {
@@ -39,6 +43,34 @@ INSTANTIATE_TEST_SUITE_P(Lua, AttackTest, testing::ValuesIn(readAttacks()), [](c
     for (const char byte : tested.param.name) name += std::isalnum(static_cast<unsigned char>(byte)) ? byte : '_';
     return name;
 });
+
+/// Bytes that the process holds.
+size_t bytesInUse() {
+    const auto info = mallinfo2();
+    return info.uordblks + info.hblkhd;
+}
+
+/// With RUBBLE_LONG 10,000 rounds: scripts of a sandbox alone, and of a world.
+TEST(Attack, NothingLeaks) {
+    const std::vector<Attack> attacks = readAttacks();
+    const size_t rounds = std::getenv("RUBBLE_LONG") ? 10'000 : 1000;
+    SandboxLimits limits = smallLimits();
+    limits.memory = 1 << 20, limits.work = 30'000;
+    Yard yard(limits);
+    size_t before = 0;
+    for (size_t i = 0; i < rounds; ++i) {
+        const Attack& attack = attacks[i % attacks.size()];
+        {
+            Sandbox box(limits);
+            runText(box, attack.text);
+        }
+        yard.host().add("attack", "function init() " + attack.text + "\nend");
+        if (i % 20 == 0) yard.host().step();
+        yard.host().scripts().clear();
+        if (i == rounds / 2) before = bytesInUse();
+    }
+    EXPECT_LE(bytesInUse(), before + (64 << 10)) << before << " bytes after half of the rounds";
+}
 
 TEST(Attack, ThereAreAHundred) {
     EXPECT_GE(readAttacks().size(), 100u);

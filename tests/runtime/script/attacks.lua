@@ -314,3 +314,64 @@ return math.random(2, 1)
 local x = 2 while true do x = x ^ 1000 end
 --- division by zero: fails
 return 1 // 0
+--- os.exit: fails
+os.exit(0)
+--- a pipe: fails
+for line in io.popen('id'):lines() do print(line) end
+--- a library of C: fails
+return package.loadlib('libc.so.6', 'system')
+--- format of long numbers: stopped
+local f, t = ('%99.99f'):rep(100), {} for i = 1, 100 do t[i] = 1e300 end
+while true do pcall(string.format, f, table.unpack(t)) end
+--- format that quotes a long string: stopped
+local s = ('\0'):rep(200000) while true do pcall(string.format, '%q', s) end
+--- gsub with a callback that yields: fails
+coroutine.wrap(function() ('abc'):gsub('.', coroutine.yield) end)()
+--- gsub with a callback that fails: stopped
+while true do pcall(string.gsub, ('x'):rep(1000), '.', error) end
+--- gsub of nothing in a long string: stopped
+local s = ('x'):rep(100000) while true do s:gsub('', 'y') end
+--- loop by goto over __close: stopped
+::again:: do local x <close> = setmetatable({}, {__close = function() end}) end goto again
+--- coroutine in a finaliser: fails
+setmetatable({}, {__gc = coroutine.wrap(function() while true do end end)})
+--- finaliser that keeps what it gets: ends
+local m, kept = {}, {} for i = 1, 100 do setmetatable({}, m) end
+m.__gc = function(o) kept[#kept + 1] = o end collectgarbage() collectgarbage() assert(#kept == 0)
+--- bytecode by its mode: fails
+return load(('\27Lua'):rep(1000), 'x', 'b')()
+--- a chunk by a function: fails
+return load(function() return 'while true do end ' end)
+--- huge string keys: stopped
+local t = {} for i = 1, 1e6 do t[('k'):rep(200000) .. i] = i end
+--- environment that looks for ever: stopped
+local _ENV = setmetatable({}, {__index = function(t, k) return t[k .. k] end}) return x
+--- loop over all integers: stopped
+for i = math.mininteger, math.maxinteger do end
+--- sort with __lt that loops: stopped
+local m = {__lt = function() while true do end end} table.sort({setmetatable({}, m), setmetatable({}, m)})
+--- closing the coroutine that runs: fails
+coroutine.close(coroutine.running())
+--- error with a long text: fails
+error(setmetatable({}, {__tostring = function() return ('x'):rep(250000) end}))
+--- error handler that yields: ends
+coroutine.wrap(function() xpcall(error, coroutine.yield) end)()
+--- __newindex that stores by itself: fails
+local t = setmetatable({}, {__newindex = function(t, k, v) t[k] = v end}) t.x = 1
+--- __tostring that gives no text: fails
+return string.format('%s', setmetatable({}, {__tostring = function() return {} end}))
+--- coroutines with __close that are let go: ends
+for i = 1, 500 do
+    local c = coroutine.wrap(function()
+        local x <close> = setmetatable({}, {__close = function() while true do end end})
+        coroutine.yield()
+    end)
+    c()
+end
+collectgarbage()
+--- utf8.char of many: stopped
+local t = {} for i = 1, 200 do t[i] = 0x10ffff end while true do utf8.char(table.unpack(t)) end
+--- utf8.codes of a long string: stopped
+local s = ('é'):rep(100000) while true do for p, c in utf8.codes(s) do end end
+--- move of a list onto itself: stopped
+local t = {} for i = 1, 1000 do t[i] = i end while true do table.move(t, 1, 1000, 2) end

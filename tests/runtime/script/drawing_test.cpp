@@ -58,15 +58,15 @@ TEST(ScriptDrawing, EachFrameBeginsAnew) {
 
 TEST(ScriptDrawing, MistakesAreErrors) {
     Yard yard;
-    EXPECT_EQ(yard.run("UiPop()"), "test:2: UiPop: expected an UiPush() before it, found none");
+    EXPECT_EQ(yard.draw("UiPop()"), "test:2: UiPop: expected an UiPush() before it, found none");
     EXPECT_EQ(
-        yard.run("UiAlign('centre')"),
+        yard.draw("UiAlign('centre')"),
         "test:2: UiAlign: alignment: expected words of left, center, right, top, middle, bottom, found \"centre\"");
-    EXPECT_NE(yard.run("UiImage('../secret.png')").find("inside of the folder"), std::string::npos);
-    EXPECT_NE(yard.run("UiImage('post.vox')").find("expected a PNG file"), std::string::npos);
-    EXPECT_NE(yard.run("UiFont('/etc/passwd', 20)").find("inside of the folder"), std::string::npos);
-    EXPECT_NE(yard.run("UiFont('post.vox', 20)").find("font"), std::string::npos);
-    EXPECT_NE(yard.run("for i = 1, 1e6 do UiPush() end").find("at most 200"), std::string::npos);
+    EXPECT_NE(yard.draw("UiImage('../secret.png')").find("inside of the folder"), std::string::npos);
+    EXPECT_NE(yard.draw("UiImage('post.vox')").find("expected a PNG file"), std::string::npos);
+    EXPECT_NE(yard.draw("UiFont('/etc/passwd', 20)").find("inside of the folder"), std::string::npos);
+    EXPECT_NE(yard.draw("UiFont('post.vox', 20)").find("font"), std::string::npos);
+    EXPECT_NE(yard.draw("for i = 1, 1e6 do UiPush() end").find("at most 200"), std::string::npos);
 }
 
 TEST(ScriptDrawing, AFrameIsBounded) {

@@ -17,8 +17,7 @@ class ExampleTest : public testing::TestWithParam<lua_sample::Example> {};
 
 TEST_P(ExampleTest, DoesWhatItSays) {
     Yard yard;
-    const bool draws = GetParam().name.starts_with("Ui");
-    EXPECT_EQ(draws ? yard.draw(GetParam().text) : yard.run(GetParam().text), "");
+    EXPECT_EQ(GetParam().name.starts_with("Ui") ? yard.draw(GetParam().text) : yard.run(GetParam().text), "");
     EXPECT_EQ(yard.logged(RUBBLE_LOG_WARNING), "");
     const Script& script = yard.host().scripts().front();
     const std::vector<uint64_t>& calls = script.context().calls;

@@ -145,6 +145,54 @@ TEST(PublicMod, AnArtistOfShapes) {
     EXPECT_EQ(number(yard, "level.art.found"), 1);
 }
 
+TEST(PublicMod, AWreckingBall) {
+    Yard yard;
+    play(yard, "wrecking_ball.lua", 5, kPublic);
+    EXPECT_GT(number(yard, "level.wb.hits"), 0);
+    const std::string log = yard.logged(0);
+    EXPECT_NE(log.find("RegisterTool: this game has none"), log.npos) << log;
+    EXPECT_EQ(log.find("PlayLoop"), log.rfind("PlayLoop")) << "told once: " << log;
+}
+
+TEST(PublicMod, DemolitionCharges) {
+    Yard yard;
+    play(yard, "demolition_charges.lua", 4, kPublic);
+    EXPECT_GE(number(yard, "level.charges.blown"), 2);
+    EXPECT_EQ(text(yard, "level.charges.state"), "done");
+}
+
+TEST(PublicMod, ABlinkingLight) {
+    Yard yard;
+    play(yard, "blinking_light.lua", 4, kPublic);
+    EXPECT_EQ(number(yard, "level.light.tagged"), 1);
+    for (const char* key : {"level.light.limits", "level.light.other", "level.light.lit", "level.light.crate"})
+        EXPECT_EQ(text(yard, key), "1") << key;
+    EXPECT_GT(number(yard, "level.light.angle"), 0.2);
+}
+
+TEST(PublicMod, Meteors) {
+    Yard yard;
+    play(yard, "meteor_shower.lua", 5, kPublic);
+    EXPECT_GT(number(yard, "level.meteors"), 10);
+    EXPECT_NE(text(yard, "level.meteors.last"), "");
+}
+
+TEST(PublicMod, ATractorBeam) {
+    Yard yard;
+    play(yard, "tractor_beam.lua", 6, kPublic);
+    EXPECT_GE(number(yard, "level.beam.drops"), 1);
+    EXPECT_GT(number(yard, "level.beam.height"), 1.2);
+}
+
+TEST(PublicMod, ASlicer) {
+    Yard yard;
+    play(yard, "slicer.lua", 4, kPublic);
+    EXPECT_EQ(text(yard, "level.slicer.error"), "");
+    EXPECT_EQ(number(yard, "level.slicer.done"), 1);
+    EXPECT_GT(number(yard, "level.slicer.removed"), 100);
+    EXPECT_EQ(number(yard, "level.slicer.broken"), 1);
+}
+
 TEST(PublicMod, ASwing) {
     Yard yard;
     play(yard, "rope_swing.lua", 3, kPublic);

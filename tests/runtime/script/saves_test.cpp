@@ -180,5 +180,30 @@ TEST(Script, AnAnswerShowsVectors) {
     EXPECT_EQ(answer, "(1.0, 2.0, 3.0)\ttrue\t5\ttable: 1");
 }
 
+TEST(ScriptSaves, OddTablesDoNoHarm) {
+    Yard yard;
+    const auto errorOf = [&](const std::string& text) {
+        Script& script = yard.host().add("odd.lua", text);
+        EXPECT_EQ(script.error(), "");
+        yard.host().save();
+        const std::string error = script.error();
+        yard.host().scripts().clear();
+        return error;
+    };
+    EXPECT_EQ(errorOf("local loop = function() while true do end end saved('t', setmetatable({a = 1}, "
+                      "{__index = loop, __pairs = loop, __len = loop, __tostring = loop, __metatable = loop}))"),
+              "")
+        << "nothing of the script runs";
+    EXPECT_NE(errorOf("local t = saved('t') for i = 1, 1000 do t.t = {} t = t.t end").find("32 tables"),
+              std::string::npos);
+    EXPECT_NE(errorOf("local t = saved('t') t.t = t").find("32 tables"), std::string::npos);
+    EXPECT_NE(errorOf("local t = saved('t') for i = 1, 8 do t[i] = ('x'):rep(200000) end").find("bytes"),
+              std::string::npos);
+    EXPECT_NE(errorOf("saved('t').f = print").find("a function"), std::string::npos);
+    EXPECT_NE(errorOf("saved('t')[{}] = 1").find("a table as a key"), std::string::npos);
+    EXPECT_EQ(errorOf("saved('t')[('k'):rep(100000)] = 1"), "");
+    EXPECT_EQ(errorOf("local t = saved('t') t[0/1] = -1/0 t.nan = 0/0 t[math.mininteger] = true"), "");
+}
+
 }  // namespace
 }  // namespace rubble::script

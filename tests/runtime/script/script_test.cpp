@@ -36,6 +36,20 @@ TEST(Script, AnErrorNamesScriptLineAndValue) {
               "bad.lua:5: MakeHole: r0: expected a number, found \"big\"\n");
 }
 
+TEST(Script, DirectivesOfTeardownAreUnderstood) {
+    Yard yard;
+    std::ofstream(yard.folder() / "common.lua") << "#version 2\nfunction twice(x) return 2 * x end\nstep = 5";
+    Script& script = yard.host().add("mod.lua",
+                                     "#version 2\n#include \"common.lua\"\n\n"
+                                     "function init() print(twice(step)) error('line 4') end");
+    EXPECT_EQ(script.error(), "mod.lua:4: line 4");
+    EXPECT_NE(yard.logged(0).find("mod.lua: 10"), std::string::npos) << yard.logged(0);
+    EXPECT_EQ(yard.host().add("bad.lua", "\n#define X 1").error(), "bad.lua:2: unexpected symbol near '#'");
+    EXPECT_NE(yard.host().add("bad.lua", "#include common.lua").error(), "");
+    EXPECT_NE(yard.host().add("bad.lua", "#include \"../secret.lua\"").error().find("inside of the folder"),
+              std::string::npos);
+}
+
 TEST(Script, ATextThatDoesNotCompileIsReported) {
     Yard yard;
     EXPECT_EQ(yard.host().add("bad.lua", "function init()\n  x = = 1\nend").error(),
@@ -58,6 +72,31 @@ TEST(Script, WhatIsGoneIsToldOnceForEachLine) {
     const std::string log = yard.logged(RUBBLE_LOG_WARNING);
     EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 1) << log;
     EXPECT_NE(log.find("test:2: GetBodyVelocity: get_body_state"), std::string::npos) << log;
+}
+
+TEST(Script, BothVelocitiesAreSetInOneStep) {
+    Yard yard;
+    const std::string test =
+        "SetBodyTransform(b, Transform({0, 9, -5})) SetBodyVelocity(b, {0, 0, 14}) SetBodyAngularVelocity(b, {0, 2, "
+        "0}) "
+        "wait(0) assert(GetBodyVelocity(b).z > 13 and GetBodyAngularVelocity(b).y > 1.5) "
+        "SetBodyAngularVelocity(b, {0, 0, 0}) wait(0) "
+        "assert(GetBodyVelocity(b).z > 13 and math.abs(GetBodyAngularVelocity(b).y) < 0.1)";
+    EXPECT_EQ(yard.run("b = FindBody('crate') " + test), "");
+    EXPECT_EQ(yard.run("b = Spawn('post.vox', Transform({0, 9, -9}))[1] SetBodyDynamic(b, true) " + test), "")
+        << "also of a body that the step makes";
+    EXPECT_EQ(yard.logged(RUBBLE_LOG_WARNING), "");
+}
+
+TEST(Script, TagsAreReadAsTheyWereSet) {
+    Yard yard;
+    EXPECT_EQ(
+        yard.run("local b = FindBody('crate') assert(not HasTag(b, 'seen')) SetTag(b, 'seen', '5') "
+                 "assert(HasTag(b, 'seen') and GetTagValue(b, 'seen') == '5') SetTag(b, 'seen') "
+                 "assert(HasTag(b, 'seen') and GetTagValue(b, 'seen') == '') RemoveTag(b, 'seen') "
+                 "assert(not HasTag(b, 'seen') and GetTagValue(b, 'seen') == '') SetTag(b, 'seen', 'x') wait(0.1) "
+                 "assert(GetTagValue(b, 'seen') == 'x') RemoveTag(b, 'seen') wait(0.1) assert(not HasTag(b, 'seen'))"),
+        "");
 }
 
 TEST(Script, DrawingKeepsTheHolesOfItsStep) {
@@ -196,6 +235,27 @@ TEST(Script, TheSameScriptGivesTheSameWorld) {
     EXPECT_EQ(first.run(text), "");
     EXPECT_EQ(second.run(text), "");
     EXPECT_EQ(first.hash(), second.hash());
+}
+
+TEST(Script, CallbacksMayDestroyWhatTheyAreToldOf) {
+    Yard yard;
+    const std::string removeAll =
+        "function onBreak(shape) Delete(shape) end "
+        "function onSplit(shape, pieces) Delete(shape) for _, p in ipairs(pieces) do Delete(p) end end "
+        "function onBodyBreak(body) Delete(body) end "
+        "function onContact(a, b) Delete(a) Delete(b) end "
+        "function onFire(shape) Delete(shape) end "
+        "function onJoint(joint, what, from, to) Delete(joint) Delete(from) Delete(to) end "
+        "function onTrigger(trigger, body) Delete(trigger) Delete(body) end ";
+    for (const char* name : {"first.lua", "second.lua"})
+        yard.host().add(name, removeAll +
+                                  "function init() for i = 1, 30 do "
+                                  "Explosion({math.random() * 4 - 2, math.random() * 2, 0}, 1) "
+                                  "MakeHole({4.1, 1, 0}, 0.5, 0.5, 0.5) SpawnFire({-5, 1, -0.7}) "
+                                  "ApplyBodyImpulse(FindBody('crate'), {0, 0.4, -2}, {0, 500, 0}) wait(0.05) end end");
+    for (int i = 0; i < 120; ++i) ASSERT_EQ(yard.host().step(), RUBBLE_OK);
+    EXPECT_EQ(yard.logged(RUBBLE_LOG_ERROR), "");
+    for (const Script& script : yard.host().scripts()) EXPECT_GT(script.profile(Callback::Break).calls, 0u);
 }
 
 TEST(Script, AttacksLeaveTheWorldAsItWas) {
