@@ -41,6 +41,7 @@ vec3 throughFog(vec3 radiance, vec3 start, vec3 direction, float metres, vec3 ar
 }
 /// The same of a ray that leaves the level: the fog is lit by all of the sky.
 vec3 throughOpenFog(vec3 background, vec3 start, vec3 direction, bool isSunUp) {
-    vec3 sky = mix(mix(frame.skyColor.rgb, frame.horizonColor.rgb, 0.5), frame.groundColor.rgb, 0.5);
+    // Its mean over all directions, by skyRadiance().
+    vec3 sky = mix(mix(frame.horizonColor.rgb, frame.skyColor.rgb, 0.8), frame.groundColor.rgb, 0.5);
     return throughFog(background, start, direction, kMaxFogDistance, sky, isSunUp);
 }
