@@ -29,7 +29,7 @@ constexpr float kPreference = 0.02f;
 /// Voxels up to which boxes may overlap along an axis and slide past each other, and of motion in a step, along another
 /// axis more than along this one, that tell that they do.
 constexpr float kHair = 0.05f, kMinSlide = 0.01f;
-constexpr float kShared = 0.95f;          ///< cosine from which two normals count as one
+constexpr float kShared = 0.995f;         ///< cosine from which two normals count as one
 constexpr float kMinEdgeSine2 = 0.0225f;  ///< squared sine between edges below which they count as parallel
 constexpr float kParallel = 1e-6f;        ///< added to cosines against the rounding of parallel axes
 constexpr float kRounding = 1e-4f;        ///< metres, against that of gaps

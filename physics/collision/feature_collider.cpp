@@ -16,7 +16,8 @@ constexpr float kInset = 0.05f;
 constexpr float kMaxMargin = 0.4f;
 constexpr float kRounding = 1e-3f;     ///< cells added to bounds against rounding
 constexpr float kMinEdgeSine = 0.15f;  ///< between two edges below which they count as parallel
-constexpr float kUpright = 0.95f;      ///< cosine between an edge and a normal from which it stands on the face
+constexpr float kUpright = 0.995f;     ///< cosine between an edge and a normal from which it stands on the face
+constexpr float kMaxTilt = 0.1f;       ///< cosine between an edge and a normal up to which it lies along the face
 /// Cells of motion in a step, along one normal more than along another, that tell which of the two is right.
 constexpr float kMinSlide = 0.01f;
 
@@ -390,7 +391,7 @@ bool FeatureCollider::collideEdgeCrossing(const FeatureQuery& query, float from,
         glm::vec3 lift(0.0f);
         if (isTip(query, from, to))
             lift = query.along * (to < 0.5f ? 1.0f : -1.0f);
-        else if (depth[w] < kInset)
+        else if (depth[w] < kInset && std::abs(query.along[w]) < kMaxTilt)
             lift[w] = float(signs[w]);
         const glm::vec3 displacement = m_velocity + glm::cross(m_spin, q - m_about);
         const float difference = glm::dot(displacement, normal - lift);

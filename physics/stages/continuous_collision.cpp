@@ -127,9 +127,26 @@ void turnBack(SolverBody& body, const glm::dquat& rotation) {
     if (std::abs(now - energy) > kMaxEnergyError * energy) body.angularVelocity = turned;
 }
 
+/// Whether something may be inside of the body.
+bool hasGaps(const CollisionObject& object) {
+    const auto& parts = object.collider.parts;
+    return parts.size() > 1 || (!parts[0]->round() && (!parts[0]->whole() || parts[0]->whole()->widestGap > 0));
+}
+
+/// An upper bound of how far a point of the body is from where it would be now if nothing had acted, metres.
+double departureOf(const DynamicBody& body, double seconds) {
+    const Pose &from = body.stepPath.front(), &to = body.stepPath.back();
+    const glm::dquat turn = to.rotation * glm::conjugate(from.rotation);
+    const glm::dvec3 turned = 2.0 * (turn.w < 0.0 ? -1.0 : 1.0) * glm::dvec3(turn.x, turn.y, turn.z);
+    return glm::length(to.position - from.position - body.stepStart.velocity * seconds) +
+           body.object.radius * glm::length(turned - body.stepStart.angularVelocity * seconds);
+}
+
 /// Whether the body may have met what the search for contacts did not see, or has passed what it saw.
 bool needsSweep(const DynamicBody& body, double seconds) {
     const double voxel = body.object.smallestVoxel, moved = displacementOf(body);
+    // What flies in a box does not know that the box stops.
+    if (hasGaps(body.object) && departureOf(body, seconds) > kMaxDeviation * voxel) return true;
     if (moved <= kMinDisplacement * voxel) return false;
     if (roundOf(body)) return moved > kFarDisplacement * voxel;
     return moved > kFarDisplacement * voxel || body.isPenetrating || deviationOf(body, seconds) > kMaxDeviation * voxel;
