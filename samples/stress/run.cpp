@@ -41,6 +41,7 @@ public:
     RunResult play() {
         if (begin())
             for (int step = 0; step < m_settings.steps && !m_result.failure; ++step) oneStep(step);
+        if (!m_result.failure && m_isLoaded) stepAlone();
         if (!m_result.failure) endRecording();
         if (!m_result.failure) checkAll();
         if (m_world) m_api.get_state_hash(m_world, &m_result.hash);
@@ -104,6 +105,7 @@ private:
 
     /// What the step has left, for checks and figures.
     void readStep() {
+        m_isLoaded = false;
         m_view.before.swap(m_view.bodies);
         m_view.events = sized<rubble_events>();
         m_api.get_events(m_world, &m_view.events);
@@ -138,12 +140,17 @@ private:
                                   accounting.removed, energy, heapBytes()});
     }
 
-    /// A step without scripts, if an undo waits for one: with it no game can be saved.
-    void finishUndo() {
-        if (!std::exchange(m_requests.undoWaits, false) || !done(m_api.step(m_world))) return;
+    /// A step without scripts.
+    void stepAlone() {
+        if (!done(m_api.step(m_world))) return;
         ++m_requests.extraSteps;
         readStep();
         look(&Check::afterStep);
+    }
+
+    /// Makes the step that an undo waits for: with it no game can be saved.
+    void finishUndo() {
+        if (std::exchange(m_requests.undoWaits, false)) stepAlone();
     }
 
     bool record() { return done(m_api.start_recording(m_world, recordingPath().c_str())); }
@@ -229,6 +236,7 @@ private:
         }
         for (const auto& check : m_checks) check->restart();
         m_view.bodies.clear();
+        m_isLoaded = true;
         if (!m_result.failure) record();
     }
 
@@ -249,6 +257,7 @@ private:
     std::unique_ptr<rubble::script::ScriptHost> m_scripts;
     std::vector<std::unique_ptr<Check>> m_checks = makeChecks();
     RunResult m_result;
+    bool m_isLoaded = false;  ///< and no step was made since: the view has nothing of what was loaded
     uint64_t m_nextCheck = uint64_t(m_settings.checkInterval);  ///< a step of the scenario
 };
 
