@@ -20,10 +20,10 @@ namespace rubble {
 class Refusals : public testing::Test {
 protected:
     static void SetUpTestSuite() {
+        if (s_folder) return;  // of another suite: the files are made once
         s_folder = std::make_unique<TempFolder>();
         callFiles(s_folder->path());
     }
-    static void TearDownTestSuite() { s_folder.reset(); }
     void TearDown() override { api()->set_host(nullptr); }
 
     static bool isOfRenderer(const FunctionDescription& function) { return function.thread == "render"; }
