@@ -12,13 +12,24 @@ using rubble::script::Subject;
 constexpr const char* kNote =
     "<!-- Made by ./rubble lua --reference from runtime/script/functions and samples/lua/examples.lua. -->\n";
 
+/// An image of the pages whose subject begins so.
+struct PageImage {
+    std::string_view subject;
+    const char* link;
+};
+constexpr PageImage kImages[] = {
+    {"ui",
+     "![What samples/lua/drawing.lua draws: texts, shapes and a clipped window, each beside its "
+     "function](drawing.jpg)"},
+    {"break", "![What samples/lua/breaking.lua does to a wall and a crate, each below its function](breaking.jpg)"},
+    {"world", "![DebugProfile(): a table of a script, its callbacks and functions over the yard](profile.jpg)"},
+};
+
 std::string pageOf(const Subject& subject, const std::map<std::string, std::string>& examples) {
     std::string page = std::string(kNote) + "# " + std::string(subject.title) + "\n\n";
     page += "All functions are in the [index](README.md). The examples run in the yard of `samples/lua/yard.h`.\n";
-    if (subject.name.starts_with("ui"))
-        page +=
-            "\n![What samples/lua/drawing.lua draws: texts, shapes and a clipped window, each beside its function]"
-            "(drawing.jpg)\n";
+    for (const PageImage& image : kImages)
+        if (subject.name.starts_with(image.subject)) page += std::string("\n") + image.link + "\n";
     for (const ScriptFunction& function : subject.functions) {
         const std::string name = function.name();
         page += "\n## " + name + "\n\n`" + function.signature + "`\n\n" + function.meaning + "\n";
