@@ -8,6 +8,21 @@
 #include "runtime/assets/vox_import.h"
 
 namespace rubble {
+namespace {
+
+/// The ending of a path in small letters, with its dot.
+std::string endingOf(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    return ending;
+}
+
+Error wrongEnding(const std::string& path, const char* expected) {
+    return Error{(path.empty() ? "\"\"" : path) + ": expected a name ending in " + expected + ", found '" +
+                 endingOf(path) + "'"};
+}
+
+}  // namespace
 
 void ImportReport::count(const Level& level) {
     for (const LevelBody& body : level.bodies)
@@ -19,16 +34,20 @@ void ImportReport::count(const Level& level) {
 }
 
 Result<Level> readLevel(const std::string& path, const std::string& vdbTool, ImportReport* report) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    const std::string ending = endingOf(path);
     if (ending == ".vox") return importVox(path, {}, report);
     if (ending == ".vdb") return readVdb(path, vdbTool, report);
-    if (ending != ".rubble")
-        return Error{(path.empty() ? "\"\"" : path) + ": expected a name ending in .rubble, .vdb or .vox, found '" +
-                     ending + "'"};
+    if (ending != ".rubble") return wrongEnding(path, ".rubble, .vdb or .vox");
     Result<Level> level = readRubble(path);
     if (level && report) report->count(*level);
     return level;
+}
+
+Result<Done> writeLevel(const std::string& path, const Level& level, const std::string& vdbTool) {
+    const std::string ending = endingOf(path);
+    if (ending == ".rubble") return writeRubble(path, level);
+    if (ending == ".vdb") return writeVdb(path, level, vdbTool);
+    return wrongEnding(path, ".rubble or .vdb");
 }
 
 Result<Level> levelFromBytes(std::span<const uint8_t> bytes, const std::string& name) {

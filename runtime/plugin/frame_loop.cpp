@@ -166,10 +166,12 @@ void FrameLoop::endRecording() noexcept {
     }
 }
 
-void FrameLoop::step() {
+bool FrameLoop::step(World::Follows follows) {
+    if (follows == World::Follows::Nothing && m_recording) return false;
     Edits edits = m_edits.take();
-    stepWith(edits);
+    follows == World::Follows::Nothing ? stepAlone(edits) : stepWith(edits);
     m_edits.recycle(std::move(edits));
+    return true;
 }
 
 void FrameLoop::replay(const RecordedStep& step) {
@@ -204,16 +206,34 @@ void FrameLoop::stepWith(const Edits& hostEdits) {
     std::fill_n(m_times.ms.begin(), size_t(Stage::Apply), 0.0);  // the stages from Apply on are the render thread's
     m_followedStart = kFollowsNone;                              // a step of its own is none of those that it follows
     loadPhysics();
-    applyEdits(hostEdits);
+    applyEdits(hostEdits, World::Follows::All);
     m_physics ? stepPhysics() : followHostBodies();
-    if (m_mustPublishAll.exchange(false)) {
-        FrameChanges all = m_changes;
-        all.levelReplaced = true;
-        publish(all);
-    } else {
-        publish(m_changes);
-    }
+    if (m_physics)
+        publishStep(m_physics->poses(), m_physics->impacts());
+    else
+        publishStep(m_movedByHost, m_hostImpacts);
     forgetHostMotion();
+}
+
+/// A step in which no time passes. Physics is rebuilt by the next one in which it does, so that what is played follows
+/// from the world alone.
+void FrameLoop::stepAlone(const Edits& hostEdits) {
+    std::fill_n(m_times.ms.begin(), size_t(Stage::Apply), 0.0);
+    m_followedStart = kFollowsNone;
+    if (!m_rebuildPhysics) wakeWaiting(m_world);
+    applyEdits(hostEdits, World::Follows::Nothing);
+    m_rebuildPhysics = true;
+    recordMotion({}, {});
+    publishStep({}, {});
+}
+
+/// What the step has changed; the whole world where a renderer has seen nothing yet.
+void FrameLoop::publishStep(std::span<const BodyPose> moved, std::span<const Impact> impacts) {
+    moved = changedPoses(moved);
+    if (!m_mustPublishAll.exchange(false)) return publish(m_changes, moved, impacts);
+    FrameChanges all = m_changes;
+    all.levelReplaced = true;
+    publish(all, moved, impacts);
 }
 
 /// Before the edits, so that physics can tell what they change.
@@ -223,9 +243,9 @@ void FrameLoop::loadPhysics() {
     m_physics->load(m_world);
 }
 
-void FrameLoop::applyEdits(const Edits& hostEdits) {
+void FrameLoop::applyEdits(const Edits& hostEdits, World::Follows follows) {
     const ScopedTimer timer(m_times[Stage::ApplyEdits]);
-    m_changes = m_world.applyEdits(hostEdits, std::exchange(m_pending, {}));
+    m_changes = m_world.applyEdits(hostEdits, std::exchange(m_pending, {}), follows);
     recordEdits(hostEdits);
     m_rebuildPhysics = false;
 }
@@ -285,16 +305,11 @@ void FrameLoop::addPose(BodyHandle handle, std::vector<BodyPose>& out) const {
         out.push_back({handle, body->pose, body->velocity, body->angularVelocity, body->asleep});
 }
 
-std::span<const BodyPose> FrameLoop::changedPoses() {
-    const std::span<const BodyPose> poses = m_physics ? m_physics->poses() : m_movedByHost;
-    if (m_changes.teleported.empty()) return poses;
-    m_changedPoses.assign(poses.begin(), poses.end());
+std::span<const BodyPose> FrameLoop::changedPoses(std::span<const BodyPose> moved) {
+    if (m_changes.teleported.empty()) return moved;
+    m_changedPoses.assign(moved.begin(), moved.end());
     for (const BodyHandle handle : m_changes.teleported) addPose(handle, m_changedPoses);
     return m_changedPoses;
-}
-
-void FrameLoop::publish(const FrameChanges& changes) {
-    publish(changes, changedPoses(), m_physics ? m_physics->impacts() : m_hostImpacts);
 }
 
 void FrameLoop::publish(const FrameChanges& changes, std::span<const BodyPose> moved, std::span<const Impact> impacts) {

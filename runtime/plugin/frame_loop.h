@@ -85,8 +85,10 @@ public:
     /// [main-thread] Repeats a recorded step from its edits and what the host's physics did before it. If World and
     /// physics are in the state before that step, the hash after it is the recorded one.
     void replay(const RecordedStep& step);
-    /// [main-thread] Advances by exactly 1/60 s: queued edits, physics, damage by impacts, shadow volume, snapshot.
-    void step();
+    /// [main-thread] Advances by exactly 1/60 s: queued edits, physics, damage by impacts, shadow volume, snapshot. Or
+    /// nothing follows from the edits, and no time passes: false, without effect, while a recording runs, because its
+    /// steps are whole.
+    bool step(World::Follows follows = World::Follows::All);
     /// [main-thread] What the host's physics has done since the last step: where bodies are, then what hit what at the
     /// places where they are now. The next step breaks what those hits break. Stale handles are skipped.
     void followHost(std::span<const BodyPose> poses, std::span<const Impact> impacts);
@@ -136,8 +138,9 @@ private:
     void goOnAsLoaded(bool dropMarks);
     void wakeWaiting(World& world) const;
     void stepWith(const Edits& hostEdits);
+    void stepAlone(const Edits& hostEdits);
     void loadPhysics();
-    void applyEdits(const Edits& hostEdits);
+    void applyEdits(const Edits& hostEdits, World::Follows follows);
     void stepPhysics();
     void followHostBodies();
     void addHostDamage(const Edits& damage);
@@ -145,7 +148,7 @@ private:
     Edits damageOf(std::span<const Impact> impacts) const;
     /// Adds a body as it is now, if it is there.
     void addPose(BodyHandle handle, std::vector<BodyPose>& out) const;
-    void publish(const FrameChanges& changes);
+    void publishStep(std::span<const BodyPose> moved, std::span<const Impact> impacts);
     void publish(const FrameChanges& changes, std::span<const BodyPose> moved, std::span<const Impact> impacts);
     void endRecording() noexcept;
     void recordEdits(const Edits& hostEdits);
@@ -153,8 +156,8 @@ private:
     Result<Done> followStep(const RecordedStep& step, DeltaContent content);
     Result<Done> followEmptyStep();
     void readHostMotion();
-    /// The poses that physics or the host has just handed over, and those of bodies that edits teleported.
-    std::span<const BodyPose> changedPoses();
+    /// Those that have moved, and those of bodies that edits teleported.
+    std::span<const BodyPose> changedPoses(std::span<const BodyPose> moved);
 
     World m_world;
     PhysicsSettings m_givenPhysics;

@@ -73,7 +73,7 @@ void claimHandles(World& world, const Edits& edits) {
         if (edit.made) withMapOf(objectsToReserve(world), edit.made, [](auto& map, auto handle) { map.claim(handle); });
 }
 
-FrameChanges World::applyEdits(const Edits& edits, const Edits& damage) {
+FrameChanges World::applyEdits(const Edits& edits, const Edits& damage, Follows follows) {
     claimHandles(*this, damage);  // before undo, as where the handles were given out
     claimHandles(*this, edits);
     FrameChanges changes = beginStep();
@@ -81,12 +81,18 @@ FrameChanges World::applyEdits(const Edits& edits, const Edits& damage) {
     // The first step after a load has edits that waited in the save among the damage.
     const bool wasUndoOrRedo = runHistory(edits, changes, runHistory(damage, changes, false));
     const bool hasLostStress = m_data.settings.stress.on && !m_data.stress;  // in applyDelta()
-    if (wasUndoOrRedo || hasLostStress) m_data.restartStress();
+    if (follows == Follows::Nothing)
+        m_data.stress.reset();  // it has not seen these edits: the next step begins it again
+    else if (wasUndoOrRedo || hasLostStress)
+        m_data.restartStress();
     Edits all = damage;
     if (wasUndoOrRedo) std::erase_if(all, [](const Edit& edit) { return !edit.made; });
     all.insert(all.end(), edits.begin(), edits.end());
     const size_t restored = changes.entries();
-    if (!all.empty() || m_data.isBusy()) EditStep(m_data, changes).run(all);
+    if (follows == Follows::Nothing)
+        EditStep(m_data, changes).runAlone(all);
+    else if (!all.empty() || m_data.isBusy())
+        EditStep(m_data, changes).run(all);
     const bool isOnlyHistory = wasUndoOrRedo && (changes.entries() == restored || !hasOtherEdits(all));
     for (UndoHistory& undo : m_undo) undo.recordStep(m_data, changes, isOnlyHistory);
     keepNetChanges(changes, m_data);

@@ -14,6 +14,7 @@
 #include "runtime/world/queries/voxel_accounting.h"
 #include "runtime/world/queries/world_hash.h"
 #include "runtime/world/state/load_level.h"
+#include "runtime/world/state/to_level.h"
 #include "runtime/world/state/world_data.h"
 
 namespace rubble {
@@ -42,10 +43,13 @@ public:
     /// Replaces everything by the level, and all handles from before go stale; the next applyEdits() reports
     /// levelReplaced. Undo starts again.
     void load(const Level& level);
+    /// What a step does beside its edits. Nothing: no time passes, no piece comes off, nothing breaks under load, and
+    /// what is made counts as brought by the level; for editors.
+    enum class Follows : uint8_t { All, Nothing };
     /// One step: undo or redo, then the edits in their order, then all that follows from them and from time. Counts the
     /// step. Invalid edits are logged and do nothing. damage: what impacts of the step before do; it comes before the
     /// edits, and an undo or redo drops it, because its impacts are undone.
-    FrameChanges applyEdits(const Edits& edits, const Edits& damage = {});
+    FrameChanges applyEdits(const Edits& edits, const Edits& damage = {}, Follows follows = Follows::All);
     /// A step whose outcome is known, instead of applyEdits(): nothing is decided here, undo and the analyses of stress
     /// start again. Null: nothing happened in it.
     FrameChanges applyDelta(std::optional<WorldDelta> delta);

@@ -28,6 +28,19 @@ EXAMPLE(save_game) {
     require(saved == loaded, "the world as it was");
 }
 
+EXAMPLE(apply_edits) {
+    rubble_body_change up = {
+        .struct_size = sizeof up, .fields = RUBBLE_SET_POSE, .body = crate, .position = {0, 3, -2}};
+    rubble_body_state there;
+    OK(api->set_body(world, &up));
+    OK(api->apply_edits(world)); /* no time passes: the crate hangs in the air */
+    OK(api->get_body_state(world, crate, &there));
+    require(there.position[1] == 3, "where it was put");
+    OK(api->save_level(world, "edited.rubble", NULL));
+    OK(api->load_level(world, "edited.rubble", NULL));
+    steps(1);
+}
+
 EXAMPLE(get_locations) {
     rubble_location places[8];
     rubble_level_script scripts[8];

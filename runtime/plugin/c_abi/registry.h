@@ -37,8 +37,13 @@ struct HostedWorld {
     HostedWorld(const FrameLoopSettings& settings, const WorldOptions& given) : options(given), loop(settings) {}
     /// Takes over what the last step did.
     void listStep() {
-        events.fill(loop.changes());
+        listEdits();
         reports.fill(loop);
+    }
+    /// The same of edits alone, which give no reports.
+    void listEdits() {
+        events.fill(loop.changes());
+        reports.clear();
         bricks.follow(loop.changes(), loop.world().data());
     }
     /// Nothing is known of the steps of a world that was replaced.

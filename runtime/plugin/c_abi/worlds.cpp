@@ -69,6 +69,25 @@ rubble_result loadLevel(rubble_world world, const char* path, const char* vdbToo
     });
 }
 
+rubble_result saveLevel(rubble_world world, const char* path, const char* vdbTool) {
+    return inWorld("save_level", world, [&](const HostedWorld& hosted) {
+        if (!isGiven(path, "path")) return;
+        const Level level = toLevel(hosted.loop.world().data());
+        const Result<Done> written = writeLevel(path, level, vdbTool ? vdbTool : "");
+        if (!written) refuse(RUBBLE_ERROR_FILE, "{}", written.error());
+    });
+}
+
+rubble_result applyEdits(rubble_world world) {
+    return inWorld("apply_edits", world, [&](HostedWorld& hosted) {
+        change(hosted, [&] {
+            if (!hosted.loop.step(World::Follows::Nothing))
+                return refuse(RUBBLE_ERROR_ARGUMENT, "a recording runs, whose steps are whole: stop it before");
+            hosted.listEdits();
+        });
+    });
+}
+
 rubble_result step(rubble_world world) {
     return inWorld("step", world, [&](HostedWorld& hosted) {
         change(hosted, [&] {
@@ -141,7 +160,9 @@ void setWorldFunctions(rubble_api& api) {
     api.create_world = createWorld;
     api.destroy_world = destroyWorld;
     api.load_level = loadLevel;
+    api.save_level = saveLevel;
     api.step = step;
+    api.apply_edits = applyEdits;
     api.set_physics_threads = setPhysicsThreads;
     api.set_bounds = setBounds;
     api.get_bounds = getBounds;

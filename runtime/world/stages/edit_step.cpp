@@ -63,9 +63,37 @@ void EditStep::run(const Edits& edits) {
     enforceDebrisBudgets(m_context);
     updateLightGroups(m_context);
     if (m_context.world.stress) runStressAnalysis(m_context);
+    markBroken();
     listChangedBricks();
     if (m_context.world.triggers.size()) updateTriggers(m_context);
     dropNotes(m_context);
+}
+
+void EditStep::runAlone(const Edits& edits) {
+    takeRestoredBricks();
+    for (const Edit& edit : edits) applyEdit(edit);
+    refuseEmptyShapes(m_context);
+    releaseFragments(m_context);
+    dropEmptyShapes(m_context);
+    releaseUnheldJoints(m_context);
+    updateVelocities(m_context);
+    applyImpulses(m_context);
+    forgetLostVoxels(m_context);
+    listChangedBricks();
+    if (m_context.world.triggers.size()) updateTriggers(m_context);
+    countAsOfLevel();
+    dropNotes(m_context);
+}
+
+/// Later tests for what came off look at whole shapes again, because no test has followed these edits.
+void EditStep::countAsOfLevel() {
+    for (const BodyHandle handle : m_context.changes.bodiesCreated)
+        if (Body* body = m_context.world.bodies.find(handle); body && body->createdStep == m_context.changes.step) {
+            body->createdStep = body->restingSince = 0;
+            m_context.world.updateDebris(handle);
+        }
+    for (const auto& [slot, each] : m_context.editStates)
+        if (Shape* shape = m_context.world.shapes.find(each.shape)) shape->knownConnected = false;
 }
 
 void EditStep::applyEdit(const Edit& edit) {
@@ -99,13 +127,18 @@ void EditStep::takeRestoredBricks() {
     }
 }
 
-/// Adds to the journal what the edit states hold: bricks, carved shapes, broken bodies.
+void EditStep::markBroken() {
+    for (const auto& [slot, each] : m_context.editStates)
+        if (const Shape* shape = m_context.world.shapes.find(each.shape); shape && !each.carved.empty())
+            m_context.markBroken(shape->body);
+}
+
+/// Adds to the journal what the edit states hold: bricks and carved shapes.
 void EditStep::listChangedBricks() {
     size_t count = 0;
     for (auto& [slot, each] : m_context.editStates) {
         const Shape* shape = m_context.world.shapes.find(each.shape);
         if (!shape) continue;
-        if (!each.carved.empty()) m_context.markBroken(shape->body);
         each.carved.insert(each.filled);
         if (!each.carved.empty() || each.otherMaterials) m_context.changes.carved.push_back(each.shape);
         each.carved.insert(each.painted);

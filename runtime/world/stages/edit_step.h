@@ -15,11 +15,16 @@ public:
 
     /// Applies the edits, then does everything that follows from them and from time, and completes the journal.
     void run(const Edits& edits);
+    /// Applies the edits and nothing that follows from time, weight or a missing hold: what they make counts as brought
+    /// by the level, what they take was never there.
+    void runAlone(const Edits& edits);
 
 private:
     void applyEdit(const Edit& edit);
     void takeRestoredBricks();
+    void countAsOfLevel();
     void listChangedBricks();
+    void markBroken();
 
     EditContext m_context;
     FireStage m_fire;

@@ -134,6 +134,14 @@ void apply(EditContext& context, const SetLightGroupEdit& edit) {
     if (edit.switches && std::exchange(group->off, !edit.on) == edit.on) listGroup(context, edit.group);
 }
 
+void forgetLostVoxels(EditContext& context) {
+    context.world.groups.forEach([&](LightGroupHandle handle, LightGroup& group) {
+        if (handle.slot() >= context.removedByGroup.size() || !context.removedByGroup[handle.slot()]) return;
+        group.initialVoxels -= std::min(group.initialVoxels, context.removedByGroup[handle.slot()]);
+        context.changes.groups.push_back(handle);
+    });
+}
+
 void updateLightGroups(EditContext& context) {
     context.world.groups.forEach([&](LightGroupHandle handle, LightGroup& group) {
         const uint64_t removed =

@@ -8,6 +8,9 @@ namespace rubble {
 /// LightGroup::flickerSteps and then goes out with its lights and its glowing voxels.
 void updateLightGroups(EditContext& context);
 
+/// Takes the voxels that light groups lost in this step out of their accounts: no group begins to fail by it.
+void forgetLostVoxels(EditContext& context);
+
 /// Counts voxels that an edit made, by entry of their palette, in the light groups that they glow with. What a group
 /// lost in this step and has again is not lost.
 void countMade(EditContext& context, const Palette& palette, const EntryCounts& made);

@@ -109,6 +109,14 @@ void releaseFragments(EditContext& context) {
     }
 }
 
+void dropEmptyShapes(EditContext& context) {
+    std::vector<ShapeHandle> empty;
+    for (const auto& [slot, each] : context.editStates)
+        if (const Shape* shape = context.world.shapes.find(each.shape); shape && shape->grid.empty())
+            empty.push_back(each.shape);
+    for (const ShapeHandle shape : empty) destroyShape(context, shape);
+}
+
 void splitShapes(EditContext& context) {
     releaseFragments(context);
     std::vector<PendingSplit>& line = context.world.pendingSplits;

@@ -7,6 +7,9 @@ namespace rubble {
 /// before a shape's frame of cells changes.
 void releaseFragments(EditContext& context);
 
+/// Erases the shapes that have lost their last voxel, and tests no other for what came off.
+void dropEmptyShapes(EditContext& context);
+
 /// Tests which shapes that lost voxels are still connected, and makes pieces of what came off. Takes up to
 /// SplitSettings::partsPerStep parts of work; shapes beyond that wait in line for the next step.
 void splitShapes(EditContext& context);

@@ -19,8 +19,4 @@ void includeMade(WorldData& world, ShapeHandle shape);
 /// if it is the first material, changes places with "generic": entry 1 is what hosts take without a thought.
 PaletteRef materialPalette(const MaterialTable& materials);
 
-/// The whole world as a level: loading it gives the same hash of bodies and voxels. What burns, waits or moves inside a
-/// rope is not in it; see WorldState for that.
-Level toLevel(const WorldState& world);
-
 }  // namespace rubble

@@ -124,6 +124,10 @@ const std::map<std::string, std::vector<Prepare>> kCalls = {
     {"load_level", {[](HostCall& c) { c.point("path", callFiles().level.c_str()); }}},
     {"start_loading", {[](HostCall& c) { c.point("path", callFiles().level.c_str()); }}},
     {"save_game", {[](HostCall& c) { c.point("path", callFiles().scratch.c_str()); }}},
+    {"save_level", {[](HostCall& c) {
+         static const std::string scratch = callFiles().scratch + ".rubble";
+         c.point("path", scratch.c_str());
+     }}},
     {"start_recording", {[](HostCall& c) { c.point("path", callFiles().scratch.c_str()); }}},
     {"load_game", {[](HostCall& c) { c.point("path", callFiles().save.c_str()); }}},
     {"play_recording", {[](HostCall& c) { c.point("path", callFiles().recording.c_str()); }}},

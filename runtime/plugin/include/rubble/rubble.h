@@ -2354,6 +2354,21 @@ typedef struct rubble_api {
     /* [any-thread] Width and height of a text as set_overlay() draws it, of which text, font, font_size and size[0]
      * are read. RUBBLE_ERROR_FILE: the font cannot be read. */
     rubble_result (*measure_text)(const rubble_overlay_item* item, double out[2]);
+
+    /* ---- for editors of levels ---- */
+
+    /* [main-thread] Carries out the edits that wait and nothing else, as a step() in which no time passes: nothing
+     * moves, comes off, burns or breaks under load. What is made counts as brought by the level, what is taken as never
+     * there: parts that touch nothing stay until a later step() cuts their shape, and no light group begins to fail.
+     * The next step() begins with physics rebuilt from the world, as of a loaded game. get_reports() is empty after it.
+     * RUBBLE_ERROR_ARGUMENT: a recording runs. */
+    rubble_result (*apply_edits)(rubble_world world);
+    /* [main-thread] Writes the world as the last step left it as a level, whole or not at all: a .rubble or .vdb file,
+     * as the ending of the UTF-8 path says. vdb_tool: as in load_level(). Names and tags are those that edits have
+     * given; what joints, lights and light groups need to find each other gets a name. Left out are settings, fires,
+     * the motion of ropes, user values, and what the host keeps with the game. RUBBLE_ERROR_FILE: it cannot be
+     * written. */
+    rubble_result (*save_level)(rubble_world world, const char* path, const char* vdb_tool);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

@@ -1080,6 +1080,21 @@ public:
             return api().get_host_data(m_handle, name, out, capacity, count);
         });
     }
+    /** Carries out the edits that wait and nothing else, as a step() in which no time passes: nothing moves, comes off,
+     * burns or breaks under load. What is made counts as brought by the level, what is taken as never there: parts that
+     * touch nothing stay until a later step() cuts their shape, and no light group begins to fail. The next step()
+     * begins with physics rebuilt from the world, as of a loaded game. get_reports() is empty after it.
+     * RUBBLE_ERROR_ARGUMENT: a recording runs. */
+    void apply_edits() {
+        check(api().apply_edits(m_handle));
+    }
+    /** Writes the world as the last step left it as a level, whole or not at all: a .rubble or .vdb file, as the ending
+     * of the UTF-8 path says. vdb_tool: as in load_level(). Names and tags are those that edits have given; what
+     * joints, lights and light groups need to find each other gets a name. Left out are settings, fires, the motion of
+     * ropes, user values, and what the host keeps with the game. RUBBLE_ERROR_FILE: it cannot be written. */
+    void save_level(const char* path, const char* vdb_tool = nullptr) {
+        check(api().save_level(m_handle, path, vdb_tool));
+    }
 private:
     void release() noexcept {
         if (m_handle) api().destroy_world(std::exchange(m_handle, 0));

@@ -1,0 +1,175 @@
+// Bodies, and shapes on them: made, placed, duplicated, deleted.
+#include <fmt/format.h>
+
+#include "editor/core/editor.h"
+#include "editor/core/rotation.h"
+
+namespace editor {
+namespace {
+
+const Parameter kBodies{"what", Type::Objects, "the bodies", "selected"};
+const Parameter kTurn{"turn", Type::Point, "degrees about x, then y, then z", "0,0,0", -360, 360};
+
+/// A shape's settings as the parameters of shapeParameters() say.
+rubble_shape_settings shapeSettings(const Arguments& arguments) {
+    rubble_shape_settings shape{};
+    const glm::ivec3 size = arguments.cell("size");
+    for (int a = 0; a < 3; ++a) shape.size[a] = size[a];
+    shape.source = arguments.text("form") == "sphere" ? RUBBLE_SHAPE_SPHERE : RUBBLE_SHAPE_BOX;
+    shape.voxel_size = arguments.number("voxel");
+    shape.index = uint32_t(arguments.whole("index"));
+    return shape;
+}
+
+/// Makes a body whose shape has its middle, or the middle of its lowest layer, at a place.
+void create(Editor& editor, const Arguments& arguments) {
+    rubble_shape_settings shape = shapeSettings(arguments);
+    const glm::dvec3 extent = glm::dvec3(shape.size[0], shape.size[1], shape.size[2]) * shape.voxel_size;
+    rubble_body_settings body{};
+    body.flags = arguments.flag("static") ? RUBBLE_BODY_STATIC : RUBBLE_BODY_ASLEEP;
+    put(body.position, arguments.point("at"));
+    put(body.rotation, rotationOf(arguments.point("turn")));
+    shape.body = editor.world().create_body(body);
+    put(shape.position, {-extent.x / 2, arguments.flag("on_ground") ? 0.0 : -extent.y / 2, -extent.z / 2});
+    editor.world().create_shape(shape);
+    if (!arguments.text("name").empty()) editor.world().set_name(shape.body, arguments.text("name").c_str());
+    editor.selection() = {{shape.body}, {}};
+}
+
+void addShape(Editor& editor, const Arguments& arguments) {
+    rubble_shape_settings shape = shapeSettings(arguments);
+    shape.body = editor.object(arguments, "body", {RUBBLE_KIND_BODY});
+    put(shape.position, arguments.point("at"));
+    put(shape.rotation, rotationOf(arguments.point("turn")));
+    const rubble_shape made = editor.world().create_shape(shape);
+    if (!arguments.text("name").empty()) editor.world().set_name(made, arguments.text("name").c_str());
+    editor.selection() = {{made}, {}};
+}
+
+void import(Editor& editor, const Arguments& arguments) {
+    rubble_prefab prefab{};
+    prefab.path = arguments.text("file").c_str();
+    prefab.vdb_tool = editor.settings().vdbTool.c_str();
+    put(prefab.position, arguments.point("at"));
+    put(prefab.rotation, rotationOf(arguments.point("turn")));
+    editor.selection() = {};
+    uint32_t bodies = 0, shapes = 0;
+    for (const rubble_prefab_row& row : editor.world().create_prefab(prefab)) {
+        shapes += row.kind == RUBBLE_PREFAB_SHAPE;
+        if (row.kind != RUBBLE_PREFAB_BODY) continue;
+        ++bodies;
+        editor.selection().objects.push_back(row.handle);
+    }
+    editor.say(fmt::format("{} bodies with {} shapes", bodies, shapes));
+}
+
+void destroy(Editor& editor, const Arguments& arguments) {
+    rubble::World& world = editor.world();
+    for (const uint64_t each : editor.objects(arguments, "what",
+                                              {RUBBLE_KIND_BODY, RUBBLE_KIND_SHAPE, RUBBLE_KIND_LIGHT,
+                                               RUBBLE_KIND_WATER, RUBBLE_KIND_TRIGGER, RUBBLE_KIND_JOINT}))
+        switch (kindOf(world, each)) {
+            case RUBBLE_KIND_BODY:
+                world.destroy_body(each);
+                break;
+            case RUBBLE_KIND_SHAPE:
+                world.destroy_shape(each);
+                break;
+            case RUBBLE_KIND_LIGHT:
+                world.remove_light(each);
+                break;
+            case RUBBLE_KIND_WATER:
+                world.remove_water(each);
+                break;
+            case RUBBLE_KIND_TRIGGER:
+                world.remove_trigger(each);
+                break;
+            case RUBBLE_KIND_JOINT:
+                world.remove_joint(each);
+                break;
+            default:
+                break;
+        }
+}
+
+rubble_body copyOf(rubble::World& world, rubble_body from, glm::dvec3 by) {
+    const rubble_body_state state = world.get_body_state(from);
+    rubble_body_settings body{};
+    body.flags = state.flags & RUBBLE_BODY_STATIC ? RUBBLE_BODY_STATIC : RUBBLE_BODY_ASLEEP;
+    put(body.position, vectorOf(state.position) + by);
+    put(body.rotation, quaternionOf(state.rotation));
+    const rubble_body made = world.create_body(body);
+    const glm::dquat inverse = glm::inverse(quaternionOf(state.rotation));
+    for (const rubble_shape_state& each : world.get_shape_states(from)) {
+        rubble_shape_settings shape{};
+        shape.source = RUBBLE_SHAPE_COPY;
+        shape.copied = each.shape;
+        shape.body = made;
+        for (int a = 0; a < 3; ++a) shape.size[a] = each.size[a];
+        put(shape.position, inverse * (vectorOf(each.position) - vectorOf(state.position)));
+        put(shape.rotation, inverse * quaternionOf(each.rotation));
+        const rubble_shape copy = world.create_shape(shape);
+        if (const std::string name = nameOf(world, each.shape); !name.empty()) world.set_name(copy, name.c_str());
+    }
+    if (const std::string name = nameOf(world, from); !name.empty()) world.set_name(made, name.c_str());
+    return made;
+}
+
+void duplicate(Editor& editor, const Arguments& arguments) {
+    std::vector<uint64_t> made;
+    const std::vector<uint64_t> bodies = editor.objects(arguments, "what", {RUBBLE_KIND_BODY});
+    for (int i = 1; i <= arguments.whole("times"); ++i)
+        for (const rubble_body each : bodies)
+            made.push_back(copyOf(editor.world(), each, arguments.point("by") * double(i)));
+    editor.selection() = {std::move(made), {}};
+}
+
+std::vector<Parameter> shapeParameters() {
+    return {
+        {"size", Type::Cell, "cells along each axis", "8,8,8", 1, 4096},
+        {"at", Type::Point, "where it comes, in metres", "0,0,0"},
+        {"index", Type::Whole, "entry of the palette, as a material: 5 wood, 7 brick, 9 metal, 15 glass", "5", 1, 255},
+        {"name", Type::Text, "by which others find it", ""},
+        {"form", Type::Choice, "what is filled", "box", 0, 0, "box sphere"},
+        {"voxel", Type::Number, "side of a voxel in metres", "0.1", 0.001, 10},
+        kTurn};
+}
+
+}  // namespace
+
+std::vector<Command> bodyCommands() {
+    std::vector<Parameter> created = shapeParameters(), added = shapeParameters();
+    created.push_back({"static", Type::Flag, "whether it stands still", "no"});
+    created.push_back({"on_ground", Type::Flag, "whether the place is that of its foot, not of its middle", "yes"});
+    added.insert(added.begin(), {"body", Type::Objects, "the body that it is fixed to", "selected"});
+    const Parameter by{"by", Type::Point, "metres along x, y and z", kRequired};
+    return {
+        {"create", "bodies", Kind::Edit, "Makes a body with one shape.", created, create,
+         "create 6,6,6 3,0,3 index=7 name=block static=yes"},
+        {"add_shape", "bodies", Kind::Edit, "Adds a shape to a body, at a place of the body's frame.", added, addShape,
+         "add_shape crate 4,4,4 0,0.8,0 index=9 name=knob"},
+        {"import",
+         "bodies",
+         Kind::Edit,
+         "Places what a .vox, .vdb or .rubble file holds.",
+         {{"file", Type::Text, "its path", kRequired}, {"at", Type::Point, "where its origin comes", "0,0,0"}, kTurn},
+         import,
+         "import model.rubble 0,2,0"},
+        {"delete",
+         "bodies",
+         Kind::Edit,
+         "Deletes objects: bodies, shapes, lights, joints, water, triggers.",
+         {{"what", Type::Objects, "the objects", "selected"}},
+         destroy,
+         "delete ball"},
+        {"duplicate",
+         "bodies",
+         Kind::Edit,
+         "Makes copies of bodies, which are selected then.",
+         {by, {"times", Type::Whole, "how many, each farther on", "1", 1, 100}, kBodies},
+         duplicate,
+         "duplicate 2,0,0 2 crate"},
+    };
+}
+
+}  // namespace editor

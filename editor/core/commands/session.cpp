@@ -1,0 +1,118 @@
+// Files, the history, play.
+#include <fmt/format.h>
+
+#include "editor/core/editor.h"
+
+namespace editor {
+namespace {
+
+void clear(Editor& editor, const Arguments&) {
+    editor.document().clear();
+    editor.selection() = {};
+}
+
+void open(Editor& editor, const Arguments& arguments) {
+    editor.document().load(arguments.text("file"), editor.settings().vdbTool);
+    editor.selection() = {};
+}
+
+void save(Editor& editor, const Arguments& arguments) {
+    const std::string path = arguments.has("file") ? arguments.text("file") : editor.document().path();
+    if (path.empty()) arguments.refuse("file", "a path, found none: the level has no file yet");
+    editor.document().save(path, editor.settings().vdbTool);
+    editor.say("saved " + path);
+}
+
+void runScript(Editor& editor, const Arguments& arguments) {
+    const Outcome outcome = editor.runFile(arguments.text("file"));
+    if (!outcome.isDone) throw Refused(outcome.text);
+    editor.say(outcome.text);
+}
+
+void undo(Editor& editor, const Arguments& arguments) {
+    for (int i = 0; i < arguments.whole("times"); ++i) editor.document().undo();
+}
+
+void redo(Editor& editor, const Arguments& arguments) {
+    for (int i = 0; i < arguments.whole("times"); ++i) editor.document().redo();
+}
+
+void history(Editor& editor, const Arguments&) {
+    size_t number = 0;
+    for (const std::string& name : editor.document().done()) editor.say(fmt::format("{:4} {}", ++number, name));
+    const std::vector<std::string>& undone = editor.document().undone();
+    for (auto name = undone.rbegin(); name != undone.rend(); ++name)
+        editor.say(fmt::format("{:4} {} (undone)", ++number, *name));
+}
+
+void play(Editor& editor, const Arguments& arguments) {
+    editor.document().play(arguments.flag("wake"));
+}
+
+void step(Editor& editor, const Arguments& arguments) {
+    for (int i = 0; i < arguments.whole("count"); ++i) editor.document().step();
+}
+
+void stop(Editor& editor, const Arguments&) {
+    editor.document().stop();
+}
+
+void keep(Editor& editor, const Arguments&) {
+    editor.document().keep();
+}
+
+void printHash(Editor& editor, const Arguments&) {
+    editor.say(fmt::format("{:016x}", editor.document().hash()));
+}
+
+}  // namespace
+
+std::vector<Command> sessionCommands() {
+    const Parameter times{"times", Type::Whole, "how many steps of the history", "1", 1, 1e6};
+    return {
+        {"new", "session", Kind::Session, "Begins an empty level.", {}, clear, "new"},
+        {"open",
+         "session",
+         Kind::Session,
+         "Opens a level: .rubble, .vox or .vdb.",
+         {{"file", Type::Text, "its path", kRequired}},
+         open,
+         "open model.rubble"},
+        {"save",
+         "session",
+         Kind::Session,
+         "Writes the level: .rubble or .vdb.",
+         {{"file", Type::Text, "its path; else that of the level", kOptional}},
+         save,
+         "save saved.rubble"},
+        {"script",
+         "session",
+         Kind::Session,
+         "Runs a file: lines of commands, or Lua if its name ends in .lua.",
+         {{"file", Type::Text, "its path", kRequired}},
+         runScript,
+         "script commands.txt"},
+        {"undo", "session", Kind::Session, "Takes back what was done last.", {times}, undo, "undo"},
+        {"redo", "session", Kind::Session, "Takes an undo back.", {times}, redo, "redo"},
+        {"history", "session", Kind::View, "Lists what was done.", {}, history, "history"},
+        {"play",
+         "session",
+         Kind::Session,
+         "Begins to play from here.",
+         {{"wake", Type::Flag, "whether free bodies wake: what hangs in the air falls", "yes"}},
+         play,
+         "play"},
+        {"step",
+         "session",
+         Kind::Session,
+         "Plays steps of 1/60 s.",
+         {{"count", Type::Whole, "how many", "1", 1, 1e6}},
+         step,
+         "step 60"},
+        {"stop", "session", Kind::Session, "Ends play: the level is as it was before.", {}, stop, "stop"},
+        {"keep", "session", Kind::Session, "Ends play and keeps what became of the level.", {}, keep, "keep"},
+        {"hash", "session", Kind::View, "Tells the level's hash: equal levels have equal ones.", {}, printHash, "hash"},
+    };
+}
+
+}  // namespace editor

@@ -1,0 +1,105 @@
+// What a shape is beside its voxels, and what it is a part of.
+#include <algorithm>
+
+#include "editor/core/cells.h"
+#include "editor/core/editor.h"
+
+namespace editor {
+namespace {
+
+const Parameter kShapes{"shape", Type::Objects, "the shapes", "selected"};
+
+template <class F>
+void forEachShape(Editor& editor, const Arguments& arguments, F&& f) {
+    for (const rubble_shape shape : editor.objects(arguments, "shape", {RUBBLE_KIND_SHAPE})) f(shape);
+}
+
+void splitParts(Editor& editor, const Arguments& arguments) {
+    forEachShape(editor, arguments, [&](rubble_shape shape) { editor.world().split_shape(shape); });
+}
+
+void merge(Editor& editor, const Arguments& arguments) {
+    editor.world().merge_shape(editor.object(arguments, "shape", {RUBBLE_KIND_SHAPE}),
+                               editor.object(arguments, "into", {RUBBLE_KIND_SHAPE}));
+}
+
+void setProperties(Editor& editor, const Arguments& arguments) {
+    forEachShape(editor, arguments, [&](rubble_shape shape) {
+        rubble_shape_change change{};
+        change.shape = shape;
+        const auto read = [&](const char* name, uint32_t field, double& value) {
+            if (arguments.has(name)) change.fields |= field, value = arguments.number(name);
+        };
+        read("strength", RUBBLE_SHAPE_STRENGTH, change.strength);
+        read("density", RUBBLE_SHAPE_DENSITY, change.density);
+        read("emission", RUBBLE_SHAPE_EMISSION, change.emission);
+        if (arguments.has("bears_load"))
+            change.fields |= RUBBLE_SHAPE_LOAD, change.bears_load = arguments.flag("bears_load");
+        if (!change.fields) throw Refused("shape: expected something to set, found nothing");
+        editor.world().set_shape(change);
+    });
+}
+
+/// The lowest layer of voxels holds a shape, or nothing does.
+void anchor(Editor& editor, const Arguments& arguments) {
+    forEachShape(editor, arguments, [&](rubble_shape shape) {
+        const Cells grid = gridOf(editor.world(), shape);
+        rubble_cell_box box{{0, 0, 0}, {grid.size.x, 1, grid.size.z}};
+        for (Cells layer{grid.low, {grid.size.x, 1, grid.size.z}}; layer.low.y < grid.size.y; ++layer.low.y) {
+            const std::vector<uint8_t> voxels = readCells(editor.world(), shape, layer);
+            box.low[1] = layer.low.y;
+            if (std::any_of(voxels.begin(), voxels.end(), [](uint8_t index) { return index != 0; })) break;
+        }
+        rubble_shape_change change{};
+        change.shape = shape;
+        change.fields = RUBBLE_SHAPE_ANCHORS;
+        change.anchors = &box;
+        change.anchor_count = 1;
+        editor.world().set_shape(change);
+    });
+}
+
+}  // namespace
+
+std::vector<Command> shapePropertyCommands() {
+    const auto share = [](std::string_view name, std::string_view help, double low, double high) {
+        return Parameter{name, Type::Number, help, kOptional, low, high};
+    };
+    return {
+        {"split",
+         "shapes",
+         Kind::Edit,
+         "Makes shapes of the parts that do not touch.",
+         {kShapes},
+         splitParts,
+         "split parts"},
+        {"merge",
+         "shapes",
+         Kind::Edit,
+         "Adds a shape to another one of its body that it touches.",
+         {{"shape", Type::Objects, "the shape that is added", kRequired},
+          {"into", Type::Objects, "the shape that grows", kRequired}},
+         merge,
+         "merge lid box"},
+        {"shape",
+         "shapes",
+         Kind::Edit,
+         "Sets what a shape is beside its voxels.",
+         {kShapes,
+          share("strength", "multiple of its materials' strengths under load", 1e-6, 1e6),
+          share("density", "multiple of its materials' densities", 0.001, 1000),
+          share("emission", "multiple of what its entries emit", 0, 1000),
+          {"bears_load", Type::Flag, "whether weight and impacts may break it", kOptional}},
+         setProperties,
+         "shape wall strength=2 bears_load=no"},
+        {"anchor",
+         "shapes",
+         Kind::Edit,
+         "Holds a static shape to the world by its lowest layer of voxels.",
+         {kShapes},
+         anchor,
+         "anchor post"},
+    };
+}
+
+}  // namespace editor

@@ -1,0 +1,88 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <rubble/rubble.hpp>
+#include <string>
+#include <vector>
+
+namespace editor {
+
+/// A level that is being edited: a world in which no time passes but in play, its file, and its history.
+///
+/// Each edit is one mark of the world's own undo: bricks are shared, so that a step of the history costs what it has
+/// changed. Play is a step as well: stop() takes it back, to the bit, and redo() after it brings the ruin again.
+class Document {
+public:
+    /// What the world is made with; see rubble_world_settings.
+    explicit Document(uint32_t worldFlags);
+    Document(const Document&) = delete;
+    Document& operator=(const Document&) = delete;
+
+    /// Replaces the level by an empty one without a file.
+    void clear();
+    /// Replaces the level by that of a file: .rubble, .vox or .vdb. vdbTool: the program rubble-vdb. Throws
+    /// rubble::Error, and the level stays.
+    void load(const std::string& path, const std::string& vdbTool);
+    /// Writes the level as it is, whole or not at all, and takes the path as the level's own. Throws rubble::Error.
+    void save(const std::string& path, const std::string& vdbTool);
+    /// The file of the level; empty: it has none yet.
+    const std::string& path() const { return m_path; }
+    /// Whether something has changed since it was loaded or saved.
+    bool isChanged() const { return hash() != m_savedHash; }
+
+    /// Its world, to queue edits in work() and to read.
+    rubble::World& world() { return m_world; }
+    /// The same, to read.
+    const rubble::World& world() const { return m_world; }
+    /// Equal levels have equal hashes: objects, voxels, environment, materials, settings.
+    uint64_t hash() const { return m_world.get_resolved_hash(); }
+
+    /// Runs work(), which queues edits, and carries them out as one step of the history. One that changes nothing is
+    /// none. What work() throws, and edits that the world refuses, leave the level as it was; redo ends either way,
+    /// because the mark of the step has ended it.
+    void edit(const std::string& name, const std::function<void()>& work);
+    /// Carries out what is queued, within work(), for those that go on with what it has made.
+    void applyNow();
+    /// Takes the last step back; throws Refused where there is none.
+    void undo();
+    /// Takes an undo back; throws Refused where there is none.
+    void redo();
+    /// The steps that were done, the first one first.
+    const std::vector<std::string>& done() const { return m_done; }
+    /// Those that were taken back, the last one of the history first.
+    const std::vector<std::string>& undone() const { return m_undone; }
+
+    /// Whether time passes.
+    bool isPlaying() const { return m_isPlaying; }
+    /// Steps that were played since play().
+    uint64_t playedSteps() const { return m_playedSteps; }
+    /// Begins to play from here. wakes: free bodies wake, so that what hangs in the air falls; else they sleep until
+    /// something wakes them, as in a game that has loaded the level.
+    void play(bool wakes);
+    /// Advances by a step of 1/60 s, with the edits that wait.
+    void step();
+    /// Ends play: the level is as before it.
+    void stop();
+    /// Ends play and keeps what became of the level, as a step of the history.
+    void keep();
+
+    /// What the world has said since the last call: warnings and errors, a line each.
+    std::vector<std::string> takeMessages();
+
+private:
+    void begin();
+    void requireEditing(const char* what) const;
+    void requirePlaying(const char* what) const;
+    void takeBack();
+    void wakeAll();
+
+    std::vector<std::string> m_messages;
+    rubble::World m_world;
+    std::string m_path;
+    std::vector<std::string> m_done, m_undone;
+    uint64_t m_savedHash = 0, m_hashBeforePlay = 0;
+    bool m_isPlaying = false;
+    uint64_t m_playedSteps = 0;
+};
+
+}  // namespace editor

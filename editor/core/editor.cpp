@@ -1,0 +1,95 @@
+#include "editor/core/editor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace editor {
+namespace {
+
+/// A call as the history names it.
+std::string titleOf(const Line& line) {
+    std::string title = line.command;
+    for (const Given& each : line.given) title += " " + (each.name.empty() ? "" : each.name + "=") + each.value;
+    return title;
+}
+
+}  // namespace
+
+Editor::Editor(EditorSettings settings) : m_settings(std::move(settings)), m_document(m_settings.worldFlags) {}
+
+Outcome Editor::run(const std::string& text) {
+    try {
+        const size_t begin = text.find_first_not_of(" \t\r\n");
+        if (begin == text.npos || text.compare(begin, 2, "--") == 0) return {};
+        return run(readLine(text));
+    } catch (const std::exception& error) {
+        return {false, error.what()};
+    }
+}
+
+Outcome Editor::run(const Line& line) {
+    m_said.clear();
+    const Selection selected = m_selection;
+    try {
+        const Command* command = findCommand(line.command);
+        if (!command) {
+            const std::string_view like = similarCommand(line.command);
+            throw Refused(fmt::format("expected a command, found '{}'{}", line.command,
+                                      like.empty() ? "" : fmt::format("; did you mean {}?", like)));
+        }
+        runCommand(*command, line);
+        return {true, m_said};
+    } catch (const rubble::Error& error) {
+        m_selection = selected;
+        return {false, line.command + ": " + error.what()};
+    } catch (const std::exception& error) {
+        m_selection = selected;
+        const std::string what = error.what();
+        return {false, what.rfind(line.command, 0) == 0 ? what : line.command + ": " + what};
+    }
+}
+
+void Editor::runCommand(const Command& command, const Line& line) {
+    const Arguments arguments(command, line.given);
+    const auto work = [&] { command.run(*this, arguments); };
+    const bool isEdit = command.kind == Kind::Edit || (command.kind == Kind::Tool && !m_document.isPlaying());
+    if (isEdit)
+        m_document.edit(titleOf(line), work);
+    else
+        work();
+    dropStale();
+    for (const std::string& message : m_document.takeMessages()) say(message);
+}
+
+Outcome Editor::runFile(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return {false, fmt::format("{}: the file cannot be read", path)};
+    std::ostringstream text;
+    text << file.rdbuf();
+    if (path.ends_with(".lua")) return runLua(path, text.str());
+    std::istringstream lines(text.str());
+    std::string all;
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        const Outcome outcome = run(line);
+        if (!outcome.isDone) return {false, fmt::format("{}{}:{}: {}", all, path, number, outcome.text)};
+        all += outcome.text + (outcome.text.empty() ? "" : "\n");
+    }
+    return {true, all};
+}
+
+void Editor::say(const std::string& line) {
+    m_said += (m_said.empty() ? "" : "\n") + line;
+}
+
+void Editor::dropStale() {
+    std::erase_if(m_selection.objects, [&](uint64_t each) { return kindOf(world(), each) < 0; });
+    if (m_selection.cells.shape && kindOf(world(), m_selection.cells.shape) != RUBBLE_KIND_SHAPE)
+        m_selection.cells = {};
+}
+
+}  // namespace editor

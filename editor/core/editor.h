@@ -1,0 +1,83 @@
+#pragma once
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "editor/core/command.h"
+#include "editor/core/document.h"
+#include "editor/core/selection.h"
+
+namespace editor {
+
+struct EditorSettings {
+    uint32_t worldFlags = RUBBLE_WORLD_NO_RENDERER;  ///< RUBBLE_WORLD_...
+    std::string vdbTool;                             ///< the program rubble-vdb, for .vdb files
+};
+
+/// What a command came to.
+struct Outcome {
+    bool isDone = true;
+    std::string text;  ///< what it has to say; else what is wrong
+};
+
+/// A level, what of it is selected, and commands that work on both: all that the editor does, without its windows.
+class Editor {
+public:
+    /// Begins with an empty level.
+    explicit Editor(EditorSettings settings = {});
+
+    /// Runs a line: a command with its values, see readLine(). An empty line and a comment, which begins with '--', do
+    /// nothing. What is wrong is told and has changed nothing.
+    Outcome run(const std::string& line);
+    /// The same of a line that is taken apart.
+    Outcome run(const Line& line);
+    /// Runs a file: lines of commands, or Lua if its name ends in .lua. It ends at the first line that fails. The
+    /// outcome is all that its lines had to say, and last what is wrong, with the line's number.
+    Outcome runFile(const std::string& path);
+    /// Runs a script in Lua, as one or more steps of the history: Command("name", {parameter = value, ...}), and all
+    /// functions of docs/scripting.
+    Outcome runLua(const std::string& name, const std::string& text);
+
+    /// The level.
+    Document& document() { return m_document; }
+    /// Its world.
+    rubble::World& world() { return m_document.world(); }
+    /// What is selected.
+    Selection& selection() { return m_selection; }
+    /// Cells that were copied.
+    Clipboard& clipboard() { return m_clipboard; }
+    /// As they were given.
+    const EditorSettings& settings() const { return m_settings; }
+    /// Adds a line to what the command that runs has to say.
+    void say(const std::string& line);
+    /// Forgets what of the selection is gone.
+    void dropStale();
+
+    /// The objects that a parameter of Type::Objects names, of these kinds (RUBBLE_KIND_...): a body stands for its
+    /// shapes, and a shape for its body, where only the other kind is wanted. Throws Refused where there are none.
+    std::vector<uint64_t> objects(const Arguments& arguments, std::string_view parameter,
+                                  std::initializer_list<uint32_t> kinds) const;
+    /// The same where one is wanted: throws Refused of several.
+    uint64_t object(const Arguments& arguments, std::string_view parameter,
+                    std::initializer_list<uint32_t> kinds) const;
+
+private:
+    void runCommand(const Command& command, const Line& line);
+
+    EditorSettings m_settings;
+    Document m_document;
+    Selection m_selection;
+    Clipboard m_clipboard;
+    std::string m_said;
+};
+
+/// The kind of a living object, RUBBLE_KIND_...; -1: the handle names nothing.
+int kindOf(const rubble::World& world, uint64_t handle);
+/// The name of a kind, for people.
+const char* nameOfKind(uint32_t kind);
+/// The name of an object; empty: it has none.
+std::string nameOf(const rubble::World& world, uint64_t handle);
+
+}  // namespace editor

@@ -1,0 +1,128 @@
+// Which objects the values of commands name.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "editor/core/editor.h"
+
+namespace editor {
+namespace {
+
+using Kinds = std::initializer_list<uint32_t>;
+
+bool contains(Kinds kinds, uint32_t kind) {
+    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+std::string namesOf(Kinds kinds) {
+    std::string all;
+    for (const uint32_t kind : kinds) all += (all.empty() ? "" : " or ") + std::string(nameOfKind(kind));
+    return all;
+}
+
+void add(std::vector<uint64_t>& to, uint64_t object) {
+    if (std::find(to.begin(), to.end(), object) == to.end()) to.push_back(object);
+}
+
+/// An object as one of these kinds: itself, its shapes or its body.
+void addAs(const rubble::World& world, uint64_t object, Kinds kinds, std::vector<uint64_t>& to) {
+    const int kind = kindOf(world, object);
+    if (kind >= 0 && contains(kinds, uint32_t(kind))) return add(to, object);
+    if (kind == RUBBLE_KIND_BODY && contains(kinds, RUBBLE_KIND_SHAPE))
+        for (const uint64_t shape : world.get_objects_of(object, RUBBLE_KIND_SHAPE)) add(to, shape);
+    if (kind == RUBBLE_KIND_SHAPE && contains(kinds, RUBBLE_KIND_BODY)) add(to, world.get_shape_state(object).body);
+}
+
+void addNamed(const rubble::World& world, const std::string& name, Kinds kinds, std::vector<uint64_t>& to) {
+    const size_t before = to.size();
+    for (const uint32_t kind : kinds)
+        for (const uint64_t each : world.find_by_name(kind, name.c_str())) add(to, each);
+    if (to.size() != before) return;
+    for (const uint32_t kind : {RUBBLE_KIND_BODY, RUBBLE_KIND_SHAPE})
+        for (const uint64_t each : world.find_by_name(kind, name.c_str())) addAs(world, each, kinds, to);
+}
+
+/// "NAME" or "NAME=VALUE".
+void addTagged(const rubble::World& world, const std::string& tag, Kinds kinds, std::vector<uint64_t>& to) {
+    const size_t equals = tag.find('=');
+    const std::string name = tag.substr(0, equals), value = equals == tag.npos ? "" : tag.substr(equals + 1);
+    for (const uint32_t kind : {RUBBLE_KIND_BODY, RUBBLE_KIND_SHAPE, RUBBLE_KIND_LIGHT, RUBBLE_KIND_JOINT})
+        for (const uint64_t each : world.find_by_tag(kind, name.c_str(), equals == tag.npos ? nullptr : value.c_str()))
+            addAs(world, each, kinds, to);
+}
+
+template <class Read>
+bool isThere(Read&& read) {
+    try {
+        read();
+        return true;
+    } catch (const rubble::Error&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+int kindOf(const rubble::World& world, uint64_t handle) {
+    if (isThere([&] { world.get_body_state(handle); })) return RUBBLE_KIND_BODY;
+    if (isThere([&] { world.get_shape_state(handle); })) return RUBBLE_KIND_SHAPE;
+    if (isThere([&] { world.get_light_settings(handle); })) return RUBBLE_KIND_LIGHT;
+    if (isThere([&] { world.get_joint_state(handle); })) return RUBBLE_KIND_JOINT;
+    if (isThere([&] { world.get_light_group(handle); })) return RUBBLE_KIND_LIGHT_GROUP;
+    for (const uint32_t kind : {RUBBLE_KIND_WATER, RUBBLE_KIND_TRIGGER, RUBBLE_KIND_CHARACTER}) {
+        const std::vector<uint64_t> all = world.get_objects(kind);
+        if (std::find(all.begin(), all.end(), handle) != all.end()) return int(kind);
+    }
+    return -1;
+}
+
+const char* nameOfKind(uint32_t kind) {
+    static constexpr const char* kNames[] = {"body",  "shape",   "light",     "light group",
+                                             "water", "trigger", "character", "joint"};
+    return kind < std::size(kNames) ? kNames[kind] : "object";
+}
+
+std::string nameOf(const rubble::World& world, uint64_t handle) {
+    const std::vector<char> text = world.get_name(handle);
+    return text.empty() ? "" : text.data();
+}
+
+std::vector<uint64_t> Editor::objects(const Arguments& arguments, std::string_view parameter, Kinds kinds) const {
+    const std::string& text = arguments.text(parameter);
+    const rubble::World& all = m_document.world();
+    std::vector<uint64_t> found;
+    for (size_t begin = 0; begin <= text.size();) {
+        const size_t end = std::min(text.find(',', begin), text.size());
+        const std::string part = text.substr(begin, end - begin);
+        const size_t before = found.size();
+        begin = end + 1;
+        uint64_t handle = 0;
+        if (part == "selected") {
+            for (const uint64_t each : m_selection.objects) addAs(all, each, kinds, found);
+        } else if (part == "all") {
+            for (const uint32_t kind : kinds)
+                for (const uint64_t each : all.get_objects(kind)) add(found, each);
+        } else if (part.starts_with("tag:")) {
+            addTagged(all, part.substr(4), kinds, found);
+        } else if (part.starts_with("#") && std::from_chars(part.data() + 1, part.data() + part.size(), handle).ptr ==
+                                                part.data() + part.size()) {
+            addAs(all, handle, kinds, found);
+        } else {
+            addNamed(all, part, kinds, found);
+        }
+        if (found.size() == before)
+            arguments.refuse(parameter, fmt::format("a {}, found none by '{}'", namesOf(kinds), part));
+    }
+    return found;
+}
+
+uint64_t Editor::object(const Arguments& arguments, std::string_view parameter, Kinds kinds) const {
+    const std::vector<uint64_t> found = objects(arguments, parameter, kinds);
+    if (found.size() > 1)
+        arguments.refuse(parameter, fmt::format("one {}, found {} by '{}'", namesOf(kinds), found.size(),
+                                                arguments.text(parameter)));
+    return found.front();
+}
+
+}  // namespace editor

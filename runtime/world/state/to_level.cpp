@@ -1,0 +1,171 @@
+#include "runtime/world/state/to_level.h"
+
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+namespace rubble {
+namespace {
+
+/// A name by which a level finds the first object that has it.
+std::string uniqueName(std::set<std::string>& used, const std::string& wanted, const char* otherwise) {
+    const std::string stem = wanted.empty() ? otherwise : wanted;
+    std::string name = stem;
+    for (size_t i = 2; used.contains(name); ++i) name = stem + " " + std::to_string(i);
+    used.insert(name);
+    return name;
+}
+
+class LevelWriter {
+public:
+    explicit LevelWriter(const WorldState& world) : m_world(world) {
+        world.notes.forEach([&](NoteHandle, const Note& note) { m_notes.emplace(bitsOf(note.object), &note); });
+        m_shapeNames.resize(world.shapes.slotCount());
+        m_groupNames.resize(world.groups.slotCount());
+    }
+
+    Level write() {
+        m_level.name = m_world.name;
+        m_level.materials = m_world.materials;
+        m_level.environment = m_world.environment;
+        m_level.bounds = m_world.bounds;
+        m_level.locations = m_world.locations;
+        m_level.scripts = m_world.scripts;
+        nameShapes();
+        m_world.bodies.forEach([&](BodyHandle handle, const Body& body) { addBody(handle, body); });
+        addGroups();
+        addLights();
+        addRegions();
+        addJoints();
+        return std::move(m_level);
+    }
+
+private:
+    const Note* noteOf(const AnyObject& object) const {
+        const auto found = m_notes.find(bitsOf(object));
+        return found == m_notes.end() ? nullptr : found->second;
+    }
+    std::string nameOf(const AnyObject& object, const std::string& given) const {
+        const Note* note = noteOf(object);
+        return note && note->setsName ? note->name : given;
+    }
+    std::vector<std::string> tagsOf(const AnyObject& object, const std::vector<std::string>& given) const {
+        const Note* note = noteOf(object);
+        return note && note->setsTags ? note->tags : given;
+    }
+    const std::string& nameOfShape(ShapeHandle shape) const {
+        static const std::string none;
+        return m_world.shapes.find(shape) ? m_shapeNames[shape.slot()] : none;
+    }
+
+    std::set<uint64_t> namedShapes() const {
+        std::set<uint64_t> out;
+        m_world.joints.forEach([&](JointHandle, const Joint& joint) {
+            for (const JointEnd& end : joint.ends) out.insert(end.shape.bits);
+        });
+        m_world.lights.forEach([&](LightHandle, const Light& light) { out.insert(light.shape.bits); });
+        m_world.groups.forEach([&](LightGroupHandle, const LightGroup& group) { out.insert(group.supply.bits); });
+        return out;
+    }
+
+    /// In the order in which a level lists them, because of several of a name it finds the first.
+    void nameShapes() {
+        const std::set<uint64_t> named = namedShapes();
+        std::set<std::string> used;
+        m_world.bodies.forEach([&](BodyHandle, const Body& body) {
+            for (const ShapeHandle handle : body.shapes) {
+                std::string& name = m_shapeNames[handle.slot()];
+                name = nameOf(handle, m_world.shapes.at(handle).name);
+                if (named.contains(handle.bits)) name = uniqueName(used, name, "shape");
+                used.insert(name);
+            }
+        });
+    }
+
+    void addBody(BodyHandle handle, const Body& body) {
+        LevelBody out{nameOf(handle, body.name),
+                      body.pose,
+                      body.isStatic,
+                      body.velocity,
+                      body.angularVelocity,
+                      {},
+                      tagsOf(handle, body.tags),
+                      body.gravityScale,
+                      body.linearDamping,
+                      body.angularDamping};
+        for (const ShapeHandle each : body.shapes) {
+            const Shape& shape = m_world.shapes.at(each);
+            out.shapes.push_back({m_shapeNames[each.slot()], shape.local, shape.voxelSize, shape.grid, shape.palette,
+                                  shape.anchors, tagsOf(each, shape.tags), false, shape.paintColors, shape.strength,
+                                  shape.loadBearing, shape.collisionLayer, shape.collisionMask, shape.collisionShape,
+                                  shape.density, shape.emission});
+        }
+        m_level.bodies.push_back(std::move(out));
+    }
+
+    /// Palettes name slots: an empty one has a group without voxels.
+    void addGroups() {
+        std::set<std::string> used;
+        m_level.lightGroups.resize(m_world.groups.slotCount());
+        m_world.groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {
+            LightGroup& out = m_level.lightGroups[handle.slot()] = group;
+            out.name = m_groupNames[handle.slot()] = uniqueName(used, nameOf(handle, group.name), "light group");
+            if (group.supply) out.supplyShape = nameOfShape(group.supply);
+        });
+    }
+
+    void addLights() {
+        m_world.lights.forEach([&](LightHandle handle, const Light& light) {
+            const bool isInGroup = m_world.groups.find(light.group) != nullptr;
+            LevelLight out{light, nameOfShape(light.shape), isInGroup ? m_groupNames[light.group.slot()] : ""};
+            out.light.name = nameOf(handle, light.name);
+            out.light.shape = {};
+            out.light.group = {};
+            m_level.lights.push_back(std::move(out));
+        });
+    }
+
+    void addRegions() {
+        m_world.waters.forEach([&](WaterHandle handle, const Water& water) {
+            m_level.waters.push_back(water);
+            m_level.waters.back().name = nameOf(handle, water.name);
+        });
+        m_world.triggers.forEach([&](TriggerHandle handle, const Trigger& trigger) {
+            Trigger& out = m_level.triggers.emplace_back(trigger);
+            out.name = nameOf(handle, trigger.name);
+            out.tags = tagsOf(handle, trigger.tags);
+            out.inside.clear();
+        });
+        m_world.characters.forEach([&](CharacterHandle handle, const Character& each) {
+            m_level.characters.push_back(each);
+            m_level.characters.back().name = nameOf(handle, each.name);
+            m_level.characters.back().ground = {};
+        });
+    }
+
+    void addJoints() {
+        m_world.joints.forEach([&](JointHandle handle, const Joint& joint) {
+            LevelJoint out{joint, {}};
+            out.joint.name = nameOf(handle, joint.name);
+            for (size_t i = 0; i < 2; ++i) {
+                out.shapeNames[i] = nameOfShape(joint.ends[i].shape);
+                out.joint.ends[i].shape = {};
+            }
+            m_level.joints.push_back(std::move(out));
+        });
+    }
+
+    const WorldState& m_world;
+    std::unordered_map<uint64_t, const Note*> m_notes;    ///< by the object's handle
+    std::vector<std::string> m_shapeNames, m_groupNames;  ///< by slot, as the level has them
+    Level m_level;
+};
+
+}  // namespace
+
+Level toLevel(const WorldState& world) {
+    return LevelWriter(world).write();
+}
+
+}  // namespace rubble

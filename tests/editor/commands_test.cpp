@@ -1,0 +1,119 @@
+// The table of commands: each runs as its example says, is undone and redone.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "tests/editor/editor_level.h"
+
+namespace editor {
+namespace {
+
+class EveryCommand : public testing::TestWithParam<Command> {};
+
+std::string caseName(const testing::TestParamInfo<Command>& info) {
+    return std::string(info.param.name);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, EveryCommand, testing::ValuesIn(allCommands().begin(), allCommands().end()), caseName);
+
+/// What an example of undo, redo and play needs before it.
+void prepare(Editor& editor, std::string_view command) {
+    if (command == "redo") runAll(editor, {"undo"});
+    if (command == "step" || command == "stop" || command == "keep") runAll(editor, {"play"});
+}
+
+TEST_P(EveryCommand, RunsAsItsExampleSaysAndIsUndoneAndRedone) {
+    const ExampleFolder folder;
+    Editor editor;
+    makeTestLevel(editor);
+    prepare(editor, GetParam().name);
+    Document& document = editor.document();
+    const uint64_t before = document.hash();
+    const size_t steps = document.done().size();
+    const Outcome outcome = editor.run(std::string(GetParam().example));
+    ASSERT_TRUE(outcome.isDone) << GetParam().example << "\n" << outcome.text;
+    const uint64_t after = document.hash();
+    if (GetParam().kind == Kind::View) {
+        EXPECT_EQ(after, before);
+    }
+    if (GetParam().kind != Kind::Edit && GetParam().kind != Kind::Tool) return;
+    EXPECT_NE(after, before) << "the example changes nothing";
+    ASSERT_EQ(document.done().size(), steps + 1);
+    runAll(editor, {"undo"});
+    EXPECT_EQ(document.hash(), before);
+    EXPECT_EQ(document.done().size(), steps);
+    runAll(editor, {"redo"});
+    EXPECT_EQ(document.hash(), after);
+}
+
+TEST_P(EveryCommand, IsDescribed) {
+    const Command& command = GetParam();
+    EXPECT_TRUE(command.help.ends_with(".")) << command.help;
+    EXPECT_TRUE(command.example.starts_with(command.name));
+    std::set<std::string_view> names;
+    for (const Parameter& each : command.parameters) {
+        EXPECT_TRUE(names.insert(each.name).second) << each.name;
+        EXPECT_FALSE(each.help.empty()) << each.name;
+        EXPECT_FALSE(each.help.ends_with(".")) << each.name;
+        EXPECT_EQ(each.type == Type::Choice, !each.choices.empty()) << each.name;
+    }
+}
+
+TEST_P(EveryCommand, RefusesAParameterThatItDoesNotHave) {
+    Editor editor;
+    const Outcome outcome = editor.run(std::string(GetParam().name) + " no_such_parameter=1");
+    EXPECT_FALSE(outcome.isDone);
+    EXPECT_NE(outcome.text.find(GetParam().name), std::string::npos) << outcome.text;
+    EXPECT_NE(outcome.text.find("found 'no_such_parameter'"), std::string::npos) << outcome.text;
+}
+
+TEST(Commands, HaveNamesOfTheirOwn) {
+    std::set<std::string_view> names;
+    for (const Command& command : allCommands()) EXPECT_TRUE(names.insert(command.name).second) << command.name;
+    EXPECT_EQ(findCommand("sphere")->name, "sphere");
+    EXPECT_EQ(findCommand("nothing"), nullptr);
+}
+
+TEST(Commands, SayWhatIsWrong) {
+    Editor editor;
+    runAll(editor, {"create 8,8,8 name=crate"});
+    const uint64_t before = editor.document().hash();
+    const std::pair<const char*, const char*> cases[] = {
+        {"spere 1,2,3", "spere: expected a command, found 'spere'; did you mean sphere?"},
+        {"sphere", "sphere: center: expected three whole numbers x,y,z, each from -4096 to 4096, found none"},
+        {"sphere 1,2 3", "sphere: center: expected three whole numbers x,y,z, each from -4096 to 4096, found '1,2'"},
+        {"sphere 1,2,3 900", "sphere: radius: expected a number from 0.5 to 256, found '900'"},
+        {"sphere 1,2,3 nan", "sphere: radius: expected a number from 0.5 to 256, found 'nan'"},
+        {"sphere 1,2,3 do=melt", "sphere: do: expected one of: add erase paint replace, found 'melt'"},
+        {"sphere 1,2,3 center=4,5,6", "sphere: center: expected one value, found another: '4,5,6'"},
+        {"sphere 1,2,3 shape=house", "sphere: shape: expected a shape, found none by 'house'"},
+        {"undo 1 2", "undo: expected at most 1 values, found '2' beyond them"},
+        {"entry 5 color=red shape=crate", "entry: color: expected a colour #rrggbb, found 'red'"},
+        {"entry 5 material=cheese shape=crate", "entry: material: expected a material of the level, found 'cheese'"},
+        {"name \"half a quote", "expected a second '\"' in: name \"half a quote"},
+        {"redo", "redo: there is no undo to take back"},
+        {"stop", "stop: expected play, found none: play first"},
+        {"merge crate crate", "merge"},
+        {"open nowhere.rubble", "open: load_level: nowhere.rubble: cannot open: No such file or directory"},
+    };
+    for (const auto& [line, message] : cases) {
+        const Outcome outcome = editor.run(std::string(line));
+        EXPECT_FALSE(outcome.isDone) << line;
+        EXPECT_EQ(outcome.text.rfind(message, 0), 0u) << "found: " << outcome.text << "\nexpected: " << message;
+        EXPECT_EQ(editor.document().hash(), before) << line;
+    }
+    EXPECT_EQ(editor.document().done().size(), 1u);
+}
+
+TEST(Commands, AreTakenApartAsTyped) {
+    const Line line = readLine("  name \"a big crate\"  what=tag:old value=\"x = y\" ");
+    EXPECT_EQ(line.command, "name");
+    ASSERT_EQ(line.given.size(), 3u);
+    EXPECT_EQ(line.given[0].name + "|" + line.given[0].value, "|a big crate");
+    EXPECT_EQ(line.given[1].name + "|" + line.given[1].value, "what|tag:old");
+    EXPECT_EQ(line.given[2].name + "|" + line.given[2].value, "value|x = y");
+}
+
+}  // namespace
+}  // namespace editor

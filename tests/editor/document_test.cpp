@@ -1,0 +1,262 @@
+// A level that is edited: no time passes but in play, and play leaves nothing behind.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+#include <string>
+
+#include "editor/core/rotation.h"
+#include "tests/editor/editor_level.h"
+
+namespace editor {
+namespace {
+
+rubble_body bodyOf(Editor& editor, const char* name) {
+    return editor.world().find_by_name(RUBBLE_KIND_BODY, name).at(0);
+}
+
+TEST(Document, NothingFallsBurnsOrComesOffWhileItIsEdited) {
+    Editor editor;
+    runAll(editor, {"create 8,8,8 0,5,0 name=crate", "create 4,20,4 3,0,0 static=yes name=post",
+                    "box 0,5,0 3,5,3 erase shape=post", "move 1,0,0 crate"});
+    const rubble_body_state crate = editor.world().get_body_state(bodyOf(editor, "crate"));
+    EXPECT_EQ(crate.position[1], 5.0);
+    EXPECT_EQ(editor.world().get_body_states().size(), 2u) << "the upper half of the post came off";
+}
+
+TEST(Document, VoxelsThatAreErasedPutNoLightGroupOut) {
+    Editor editor;
+    runAll(editor, {"create 8,8,8 name=bulb", "light_group street", "entry 5 glow=4 group=street shape=bulb",
+                    "box 0,0,0 7,6,7 erase shape=bulb"});
+    const rubble_light_group street = editor.world().find_by_name(RUBBLE_KIND_LIGHT_GROUP, "street").at(0);
+    const rubble_light_group_state state = editor.world().get_light_group(street);
+    EXPECT_EQ(state.voxels, 64u);
+    EXPECT_EQ(state.removed_voxels, 0u);
+    EXPECT_EQ(state.flags, uint32_t(RUBBLE_GROUP_ON));
+    runAll(editor, {"play", "carve 0,0.75,0 0.5", "step 60"});
+    EXPECT_TRUE(editor.world().get_light_group(street).flags & RUBBLE_GROUP_OUT) << "a hit puts it out";
+}
+
+TEST(Document, NoEditPassesWhileStepsAreRecorded) {
+    const ExampleFolder folder;
+    Editor editor;
+    runAll(editor, {"create 8,8,8 name=crate"});
+    editor.world().start_recording("game.rubblelog");
+    const Outcome outcome = editor.run(std::string("move 1,0,0 crate"));
+    EXPECT_FALSE(outcome.isDone);
+    EXPECT_NE(outcome.text.find("a recording runs"), std::string::npos) << outcome.text;
+    editor.world().stop_recording();
+}
+
+TEST(Document, AWorldThatFollowsKnowsEditsWithoutTime) {
+    Editor editor;
+    makeTestLevel(editor);
+    rubble_world_settings settings{};
+    settings.flags = RUBBLE_WORLD_NO_RENDERER;
+    rubble::World follower(settings);
+    const std::vector<uint8_t> game = editor.world().save_game_data();
+    follower.load_game_data(game.data(), game.size());
+    editor.world().keep_deltas(RUBBLE_DELTAS_ALL);
+    runAll(editor, {"move 0,3,0 crate", "sphere 20,12,1 5 erase shape=wall", "play", "step 30", "stop", "undo"});
+    const std::vector<uint8_t> deltas = editor.world().take_deltas();
+    follower.apply_deltas(deltas.data(), deltas.size());
+    EXPECT_EQ(follower.get_resolved_hash(), editor.document().hash());
+}
+
+TEST(Document, PlayMovesThingsAndStopBringsAllBack) {
+    Editor editor;
+    makeTestLevel(editor);
+    runAll(editor, {"move 0,3,0 crate"});
+    const uint64_t before = editor.document().hash();
+    runAll(editor, {"play", "explode 0,1,2 2", "step 90"});
+    const uint64_t ruin = editor.document().hash();
+    EXPECT_GT(editor.world().get_body_states().size(), 9u) << "nothing broke";
+    runAll(editor, {"stop"});
+    EXPECT_EQ(editor.document().hash(), before);
+    runAll(editor, {"redo"});
+    EXPECT_EQ(editor.document().hash(), ruin) << "redo brings the ruin of a play that was stopped";
+    runAll(editor, {"undo"});
+    EXPECT_EQ(editor.document().hash(), before);
+    runAll(editor, {"undo", "redo"});
+    EXPECT_EQ(editor.document().hash(), before) << "the steps before play are still there";
+}
+
+TEST(Document, PlaysTwiceTheSame) {
+    Editor editor;
+    makeTestLevel(editor);
+    runAll(editor, {"place 0,3,1.5 10,20,30 crate"});
+    uint64_t ruins[2] = {};  // of voxels: pieces also know the number of the step in which they came off
+    glm::dvec3 places[2] = {};
+    for (int i = 0; i < 2; ++i) {
+        runAll(editor, {"play", "carve 0,1,2 0.7", "step 90"});
+        ruins[i] = editor.world().get_voxel_hash();
+        for (const rubble_body_state& body : editor.world().get_body_states()) places[i] += vectorOf(body.position);
+        runAll(editor, {"stop"});
+    }
+    EXPECT_EQ(ruins[0], ruins[1]);
+    EXPECT_EQ(places[0], places[1]);
+}
+
+TEST(Document, CanKeepTheRuin) {
+    Editor editor;
+    makeTestLevel(editor);
+    const uint64_t before = editor.document().hash();
+    runAll(editor, {"play", "explode 0,1,2 2", "step 60", "keep"});
+    const uint64_t ruin = editor.document().hash();
+    EXPECT_EQ(editor.document().done().back(), "play 60 steps");
+    runAll(editor, {"create 3,3,3 0,9,0", "undo", "undo"});
+    EXPECT_EQ(editor.document().hash(), before);
+    runAll(editor, {"redo"});
+    EXPECT_EQ(editor.document().hash(), ruin);
+}
+
+TEST(Document, RefusesEditsDuringPlay) {
+    Editor editor;
+    runAll(editor, {"create 8,8,8 name=crate", "play", "step"});
+    const Outcome outcome = editor.run(std::string("move 1,0,0 crate"));
+    EXPECT_FALSE(outcome.isDone);
+    EXPECT_NE(outcome.text.find("stop or keep it first"), std::string::npos) << outcome.text;
+    EXPECT_FALSE(editor.run(std::string("undo")).isDone);
+    EXPECT_FALSE(editor.run(std::string("save x.rubble")).isDone);
+    runAll(editor, {"stop", "move 1,0,0 crate"});
+}
+
+TEST(Document, AnEditThatChangesNothingIsNoStep) {
+    Editor editor;
+    runAll(editor, {"create 8,8,8 name=crate", "move 1,0,0 crate"});
+    const uint64_t before = editor.document().hash();
+    runAll(editor, {"box 20,20,20 30,30,30 erase shape=crate", "move 0,0,0 crate", "voxel 0,0,0 paint 5 shape=crate"});
+    EXPECT_EQ(editor.document().done().size(), 2u);
+    EXPECT_EQ(editor.document().hash(), before);
+    runAll(editor, {"undo"});
+    EXPECT_EQ(editor.world().get_body_state(bodyOf(editor, "crate")).position[0], 0.0);
+}
+
+TEST(Document, WhatIsSavedIsThereAgain) {
+    const ExampleFolder folder;
+    Editor editor;
+    makeTestLevel(editor);
+    runAll(editor, {"name knob door", "tag furniture oak knob", "save saved.rubble"});
+    EXPECT_FALSE(editor.document().isChanged());
+    Editor again;
+    runAll(again, {"open saved.rubble"});
+    EXPECT_EQ(again.world().get_voxel_hash(), editor.world().get_voxel_hash());
+    EXPECT_EQ(again.world().find_by_tag(RUBBLE_KIND_BODY, "furniture", "oak").size(), 1u);
+    EXPECT_EQ(again.world().find_by_name(RUBBLE_KIND_BODY, "knob").size(), 1u);
+    EXPECT_EQ(again.world().get_joint_states().size(), 1u) << "its shape has no name of its own";
+    EXPECT_EQ(again.world().find_by_name(RUBBLE_KIND_JOINT, "door_hinge").size(), 1u);
+    runAll(again, {"move 0,1,0 knob"});
+    EXPECT_TRUE(again.document().isChanged());
+}
+
+TEST(Document, RunsScriptsInLua) {
+    Editor editor;
+    const Outcome made = editor.runLua("room.lua", R"(
+        for i = 1, 3 do
+            Command("create", {size = {4, 4, 4}, at = {i, 0, 0}, name = "block " .. i})
+        end
+        Command("sphere", {center = {2, 2, 2}, radius = 1, ["do"] = "erase", shape = "block 2"})
+        print(#FindBodies("block 3"))
+    )");
+    EXPECT_TRUE(made.isDone) << made.text;
+    EXPECT_EQ(editor.document().done().size(), 4u);
+    const Outcome wrong = editor.runLua("bad.lua", "\nCommand('create', {size = {4, 4}})");
+    EXPECT_FALSE(wrong.isDone);
+    EXPECT_EQ(wrong.text, "bad.lua:2: Command: create: size: expected a text, a number, true or false, or {x, y, z}");
+    EXPECT_EQ(editor.document().done().size(), 4u);
+}
+
+/// A command with random values, of those that tests of the history draw from.
+std::string randomLine(std::mt19937& random) {
+    const auto below = [&](int n) { return int(random() % unsigned(n)); };
+    const auto cell = [&] { return fmt::format("{},{},{}", below(16) - 3, below(16) - 3, below(16) - 3); };
+    static constexpr const char* kOperations[] = {"add", "erase", "paint", "replace"};
+    const std::string brush =
+        fmt::format(" do={} index={} shape={}", kOperations[below(4)], 1 + below(12), below(2) ? "crate" : "wall");
+    const std::string some = below(2) ? "crate" : below(2) ? "wall" : "tag:more";
+    switch (below(14)) {
+        case 0:
+            return fmt::format("box {} {}{}", cell(), cell(), brush);
+        case 1:
+            return fmt::format("sphere {} {}{} mirror=xz", cell(), 1 + below(5), brush);
+        case 2:
+            return fmt::format("line {} {} {}{}", cell(), cell(), below(3), brush);
+        case 3:
+            return fmt::format("voxel {}{}", cell(), brush);
+        case 4:
+            return fmt::format("face {} +y 1{}", cell(), brush);
+        case 5:
+            return fmt::format("flood {}{}", cell(), brush);
+        case 6:
+            return fmt::format("create {},{},{} {},0,9 name=block", 1 + below(6), 1 + below(6), 1 + below(6), below(9));
+        case 7:
+            return fmt::format("move {},0,{} {}", below(5) - 2, below(5) - 2, some);
+        case 8:
+            return fmt::format("rotate 0,{},0 what={}", 15 * below(12), some);
+        case 9:
+            return fmt::format("entry {} color=#{:06x} shape={}", 1 + below(12), below(1 << 24), some);
+        case 10:
+            return fmt::format("duplicate 0,{},0 what=block", 1 + below(3));
+        case 11:
+            return fmt::format("tag more {} {}", below(4), some);
+        case 12:
+            return fmt::format("time {}", below(24));
+        default:
+            return below(2) ? "trim crate" : "delete block";
+    }
+}
+
+/// What a level comes to that has gone through random commands, undo, redo and play, and one that has done without what
+/// was undone.
+TEST(Document, RandomCommandsWithUndoAndRedoEqualAStraightReplay) {
+    const int commands = std::getenv("RUBBLE_LONG") ? 10'000 : 300;
+    std::mt19937 random(24);
+    Editor editor;
+    const char* const first[] = {"create 12,12,12 0,0,0 name=crate",
+                                 "create 30,20,3 0,0,2 index=7 name=wall static=yes"};
+    for (const char* line : first) runAll(editor, {line});
+    int done = 0;
+    for (int i = 0; i < commands; ++i) {
+        const unsigned what = random() % 16;
+        if (what < 3) {
+            if (editor.document().done().size() > std::size(first)) runAll(editor, {"undo"});
+        } else if (what < 5) {
+            editor.run(std::string("redo"));
+        } else if (what == 5 && i % 10 == 0) {
+            runAll(editor, {"play", "explode 0,0.5,0 1", "step 3", "stop"});
+            runAll(editor, {fmt::format("exposure {}", i + 2).c_str()});  // or redo would bring the ruin
+        } else {
+            const bool isFull = editor.world().get_body_states().size() > 40;
+            const std::string line = isFull ? "delete block" : randomLine(random);
+            const Outcome outcome = editor.run(line);
+            done += outcome.isDone;
+        }
+    }
+    EXPECT_GT(done, commands / 4);
+    Editor straight;
+    for (const std::string& line : editor.document().done()) {
+        const Outcome outcome = straight.run(line);
+        ASSERT_TRUE(outcome.isDone) << line << "\n" << outcome.text;
+    }
+    EXPECT_EQ(straight.document().hash(), editor.document().hash());
+}
+
+TEST(Document, TheProgramEditsAFileAndListsItsCommands) {
+    const ExampleFolder folder;
+    const std::string program = RUBBLE_EDITOR_PROGRAM;
+    ASSERT_EQ(std::system((program + " model.rubble 'box 0,0,0 1,1,1 erase shape=cube' -o out.rubble > said").c_str()),
+              0);
+    Editor editor;
+    runAll(editor, {"open out.rubble"});
+    EXPECT_EQ(editor.world().get_voxel_accounting().standing, 64u - 8u);
+    EXPECT_NE(std::system((program + " model.rubble 'bax 0,0,0' 2> said").c_str()), 0);
+    ASSERT_EQ(std::system((program + " --list > said").c_str()), 0);
+    std::ifstream file("said");
+    const std::string said((std::istreambuf_iterator<char>(file)), {});
+    for (const Command& command : allCommands())
+        EXPECT_NE(said.find("  " + std::string(command.name) + " "), std::string::npos) << command.name;
+}
+
+}  // namespace
+}  // namespace editor

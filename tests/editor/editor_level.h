@@ -1,0 +1,67 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <string>
+
+#include "editor/core/editor.h"
+#include "tests/support/temp_folder.h"
+
+namespace editor {
+
+/// Runs lines, each of which must work.
+inline void runAll(Editor& editor, std::initializer_list<const char*> lines) {
+    for (const char* line : lines) {
+        const Outcome outcome = editor.run(std::string(line));
+        ASSERT_TRUE(outcome.isDone) << line << "\n" << outcome.text;
+    }
+}
+
+/// Fills a level with what the examples of all commands work on.
+inline void makeTestLevel(Editor& editor) {
+    runAll(editor, {"create 40,25,3 0,0,2 index=7 name=wall static=yes",
+                    "create 8,8,8 0,0,0 name=crate",
+                    "create 12,12,12 -3,0,0 form=sphere name=ball",
+                    "resize -2,-2,-2 16,16,16 ball",
+                    "create 12,4,4 -3,0,3 name=parts",
+                    "box 4,0,0 7,3,3 erase shape=parts",
+                    "create 8,2,8 5,0,0 name=chest",
+                    "add_shape chest 8,6,8 -0.4,0.2,-0.4 name=box",
+                    "add_shape chest 8,2,8 -0.4,0.8,-0.4 name=lid",
+                    "create 2,20,2 -5,0,0 static=yes name=post",
+                    "resize 0,-2,0 2,22,2 post",
+                    "box 0,0,0 1,0,1 shape=post",
+                    "create 4,4,4 -6,0,3 name=painted",
+                    "entry 5 color=#112233 shape=painted",
+                    "create 8,20,1 8,0,2 name=door",
+                    "joint hinge door world 7.65,1,2 0,1,0 name=door_hinge",
+                    "light sphere 0,3,-2 name=glow",
+                    "light_group street",
+                    "tag old x wall",
+                    "select_box 0,0,0 3,3,3 crate",
+                    "copy",
+                    "select crate"});
+}
+
+/// Where the examples find their files: the folder in which a test runs, until it ends.
+class ExampleFolder {
+public:
+    /// Makes them.
+    ExampleFolder() : m_before(std::filesystem::current_path()) {
+        std::filesystem::current_path(m_folder.path());
+        Editor editor;
+        runAll(editor, {"create 4,4,4 name=cube", "save model.rubble"});
+        std::ofstream("commands.txt") << "-- a comment\ncreate 3,3,3 0,5,0 name=\"made by a script\"\n";
+    }
+    ~ExampleFolder() { std::filesystem::current_path(m_before); }
+    ExampleFolder(const ExampleFolder&) = delete;
+    ExampleFolder& operator=(const ExampleFolder&) = delete;
+
+private:
+    rubble::TempFolder m_folder;
+    std::filesystem::path m_before;
+};
+
+}  // namespace editor
