@@ -37,14 +37,13 @@ struct HostedWorld {
     HostedWorld(const FrameLoopSettings& settings, const WorldOptions& given) : options(given), loop(settings) {}
     /// Takes over what the last step did.
     void listStep() {
-        listEdits();
         reports.fill(loop);
+        listChanges();
     }
     /// The same of edits alone, which give no reports.
     void listEdits() {
-        events.fill(loop.changes());
-        reports.clear();
-        bricks.follow(loop.changes(), loop.world().data());
+        reports.restart(loop);
+        listChanges();
     }
     /// Nothing is known of the steps of a world that was replaced.
     void forgetSteps() {
@@ -63,6 +62,12 @@ struct HostedWorld {
     std::string damage;                      ///< what has left it in no defined state; empty: nothing
     std::weak_ptr<HostedRenderer> renderer;  ///< [render-thread] the one that draws it
     bool hadRenderer = false;                ///< [render-thread] another one has taken what was published until now
+
+private:
+    void listChanges() {
+        events.fill(loop.changes());
+        bricks.follow(loop.changes(), loop.world().data());
+    }
 };
 
 /// A renderer with what deletes it, so that a library without renderers links.
