@@ -42,7 +42,8 @@ glm::dvec3 exitFromInside(const VoxelGrid& grid, glm::ivec3 cell, glm::dvec3 cen
     double shortest = std::numeric_limits<double>::infinity();
     for (const glm::ivec3& side : kSides) {
         int depth = 1;
-        while (grid.at(cell + side * depth) && depth < shortest) ++depth;
+        while (grid.at(cell + side * depth) && depth < shortest + 1.0) ++depth;
+        if (grid.at(cell + side * depth)) continue;
         double distance = 0.0;
         for (int a = 0; a < 3; ++a) {
             if (side[a] > 0) distance = double(cell[a] + depth) + radius - center[a];

@@ -69,7 +69,7 @@ struct WheelSettings {
 struct RopeSettings {
     double length = 0.0;                       ///< metres; 0: the distance of the ends when it is made, plus `slack`
     double slack = 0.0;                        ///< metres
-    uint32_t points = 0;                       ///< ends included; 0: one every 0.4 m, at least 3
+    uint32_t points = 0;                       ///< ends included; 0: one every 0.4 m, at least 9
     double radius = 0.03;                      ///< metres
     double massPerMetre = 1.0;                 ///< kg
     double stretch = 0.0;                      ///< share of its length by which 10 kN stretch it

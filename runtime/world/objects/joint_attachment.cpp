@@ -14,8 +14,9 @@
 namespace rubble {
 namespace {
 
-constexpr double kRopeSpacing = 0.4;  ///< metres between a rope's points, unless it sets their number
-constexpr int kMaxSearchCells = 32;   ///< around an end, in which its voxel is searched
+constexpr double kRopeSpacing = 0.4;    ///< metres between a rope's points, unless it sets their number
+constexpr double kMinRopePoints = 9.0;  ///< of those: fewer cannot go round the body at an end, and swing through it
+constexpr int kMaxSearchCells = 32;     ///< around an end, in which its voxel is searched
 
 /// The cell that holds a joint's end: the nearest voxel within `radius`, both in cells.
 std::optional<glm::ivec3> findHeldCell(const VoxelGrid& grid, glm::dvec3 point, double radius) {
@@ -33,7 +34,8 @@ void initRopePoints(Joint& joint, glm::dvec3 from, glm::dvec3 to) {
     if (rope.length == 0.0) rope.length = glm::length(to - from) + rope.slack;
     rope.length = std::clamp(rope.length, 0.01, ranges::kJointNumber.high);
     if (rope.points == 0)
-        rope.points = uint32_t(std::clamp(std::round(rope.length / kRopeSpacing) + 1.0, 3.0, double(kMaxRopePoints)));
+        rope.points =
+            uint32_t(std::clamp(std::round(rope.length / kRopeSpacing) + 1.0, kMinRopePoints, double(kMaxRopePoints)));
     if (joint.points.size() == rope.points) return;
     joint.points.resize(rope.points);
     for (uint32_t i = 0; i < rope.points; ++i)

@@ -11,6 +11,7 @@ namespace rubble::known {
 namespace {
 
 constexpr double kRopeRadius = 0.03;
+constexpr double kLift = 0.2;   ///< metres by which the chain starts above the beam, half of its spacing
 constexpr double kBelow = 0.5;  ///< metres from the beam's upper side to the load's at the start
 
 /// Places on a path of straight lines, each `spacing` metres along it from the last.
@@ -56,9 +57,11 @@ BeamRope dropOverBeam(const PhysicsSettings& settings, const BeamDrop& drop) {
     rope.joint.rope.length = length;
     rope.joint.rope.points = uint32_t(points);
     rope.joint.rope.radius = kRopeRadius;
-    // The slack is a loop to the side above the load.
-    rope.joint.points =
-        pointsAlong({from, path[1], path[2], {out + 0.5 * drop.drop, out, 0.0}, path[2], to}, length, points);
+    // The slack is a loop to the side above the load. The chain starts above the beam, or it would cut it: a rope that
+    // starts inside of something may come out on any side.
+    const glm::dvec3 lift(0.0, kLift, 0.0), corner = path[2] + lift;
+    rope.joint.points = pointsAlong(
+        {from, path[1] + lift, corner, corner + glm::dvec3(0.5 * drop.drop, 0.0, 0.0), corner, to}, length, points);
     if (drop.spin != 0.0) {
         LevelJoint& axle = addJoint(scene, JointKind::Hinge, "", "body 0", {}, {half, half, 1.0});
         axle.joint.ends[0].frame = hingeAt({});
