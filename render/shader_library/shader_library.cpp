@@ -1,23 +1,12 @@
 #include "render/shader_library/shader_library.h"
 
-#include <limits>
 #include <utility>
 
 #include "render/gl/gl.h"
+#include "render/shader_library/uniforms_as_varyings.h"
 #include "runtime/core/log.h"
 
 namespace rubble {
-namespace {
-
-/// How many vectors a vertex program may hand to a fragment program beside its own few.
-int varyingVectors() {
-    constexpr int kOwn = 4;
-    GLint most = std::numeric_limits<int>::max();
-    if (isEmbedded()) glGetIntegerv(GL_MAX_VARYING_VECTORS, &most);
-    return most - kOwn;
-}
-
-}  // namespace
 
 ShaderLibrary::ShaderLibrary(std::filesystem::path folder, Fullscreen fullscreen, std::string defines,
                              ProgramCache* cache)

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "render/gl/gl.h"
+
 namespace rubble {
 namespace {
 
@@ -59,6 +61,13 @@ std::string_view firstWord(std::string_view text) {
 }
 
 }  // namespace
+
+int varyingVectors() {
+    constexpr int kOwn = 4;
+    GLint components = 0;
+    glGetIntegerv(GL_MAX_VARYING_COMPONENTS, &components);
+    return components / 4 - kOwn;
+}
 
 void passUniformsAsVaryings(ShaderSource& vertex, ShaderSource& fragment, int vectors) {
     static const std::regex uniform(R"(\buniform\s+(float|u?int|[iu]?vec[234]|mat4)\s+(\w+)\s*;)"),

@@ -13,4 +13,7 @@ namespace rubble {
 void passUniformsAsVaryings(ShaderSource& vertex, ShaderSource& fragment,
                             int vectors = std::numeric_limits<int>::max());
 
+/// How many vectors the vertex program of a full-screen shader may hand on beside its own few. [render-thread]
+int varyingVectors();
+
 }  // namespace rubble

@@ -83,7 +83,7 @@ public:
     }
     /// Adds a script whose draw(dt) is this text, and draws a view of 960 x 540 pixels. What went wrong, or "".
     std::string draw(const std::string& text) {
-        Script& script = m_host->add("ui.lua", "function draw(dt)\n" + text + "\nend");
+        Script& script = m_host->add("test", "function draw(dt)\n" + text + "\nend");
         EXPECT_EQ(m_host->draw(0, viewOf(960, 540), 1.0 / 60.0), RUBBLE_OK);
         return script.error();
     }
