@@ -65,6 +65,16 @@ void Editor::runCommand(const Command& command, const Line& line) {
 }
 
 Outcome Editor::runFile(const std::string& path) {
+    constexpr int kMaxOpenFiles = 16;
+    if (m_openFiles >= kMaxOpenFiles)
+        return {false, fmt::format("{}: expected at most {} scripts within each other", path, kMaxOpenFiles)};
+    ++m_openFiles;
+    const Outcome outcome = runLines(path);
+    --m_openFiles;
+    return outcome;
+}
+
+Outcome Editor::runLines(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file) return {false, fmt::format("{}: the file cannot be read", path)};
     std::ostringstream text;

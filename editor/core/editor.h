@@ -65,12 +65,15 @@ public:
 
 private:
     void runCommand(const Command& command, const Line& line);
+    Outcome runLines(const std::string& path);
+    std::vector<uint64_t> objectsOf(const std::string& part, std::initializer_list<uint32_t> kinds) const;
 
     EditorSettings m_settings;
     Document m_document;
     Selection m_selection;
     Clipboard m_clipboard;
     std::string m_said;
+    int m_openFiles = 0;  ///< of scripts that run, each within the one before
 };
 
 /// The kind of a living object, RUBBLE_KIND_...; -1: the handle names nothing.

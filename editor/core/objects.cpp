@@ -90,29 +90,35 @@ std::string nameOf(const rubble::World& world, uint64_t handle) {
 
 std::vector<uint64_t> Editor::objects(const Arguments& arguments, std::string_view parameter, Kinds kinds) const {
     const std::string& text = arguments.text(parameter);
-    const rubble::World& all = m_document.world();
-    std::vector<uint64_t> found;
+    std::vector<uint64_t> all;
     for (size_t begin = 0; begin <= text.size();) {
         const size_t end = std::min(text.find(',', begin), text.size());
-        const std::string part = text.substr(begin, end - begin);
-        const size_t before = found.size();
+        const std::vector<uint64_t> found = objectsOf(text.substr(begin, end - begin), kinds);
+        if (found.empty())
+            arguments.refuse(parameter,
+                             fmt::format("a {}, found none by '{}'", namesOf(kinds), text.substr(begin, end - begin)));
+        for (const uint64_t each : found) add(all, each);
         begin = end + 1;
-        uint64_t handle = 0;
-        if (part == "selected") {
-            for (const uint64_t each : m_selection.objects) addAs(all, each, kinds, found);
-        } else if (part == "all") {
-            for (const uint32_t kind : kinds)
-                for (const uint64_t each : all.get_objects(kind)) add(found, each);
-        } else if (part.starts_with("tag:")) {
-            addTagged(all, part.substr(4), kinds, found);
-        } else if (part.starts_with("#") && std::from_chars(part.data() + 1, part.data() + part.size(), handle).ptr ==
-                                                part.data() + part.size()) {
-            addAs(all, handle, kinds, found);
-        } else {
-            addNamed(all, part, kinds, found);
-        }
-        if (found.size() == before)
-            arguments.refuse(parameter, fmt::format("a {}, found none by '{}'", namesOf(kinds), part));
+    }
+    return all;
+}
+
+std::vector<uint64_t> Editor::objectsOf(const std::string& part, Kinds kinds) const {
+    const rubble::World& all = m_document.world();
+    std::vector<uint64_t> found;
+    uint64_t handle = 0;
+    if (part == "selected") {
+        for (const uint64_t each : m_selection.objects) addAs(all, each, kinds, found);
+    } else if (part == "all") {
+        for (const uint32_t kind : kinds)
+            for (const uint64_t each : all.get_objects(kind)) add(found, each);
+    } else if (part.starts_with("tag:")) {
+        addTagged(all, part.substr(4), kinds, found);
+    } else if (part.starts_with("#") &&
+               std::from_chars(part.data() + 1, part.data() + part.size(), handle).ptr == part.data() + part.size()) {
+        addAs(all, handle, kinds, found);
+    } else {
+        addNamed(all, part, kinds, found);
     }
     return found;
 }

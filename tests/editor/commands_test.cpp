@@ -1,10 +1,12 @@
 // The table of commands: each runs as its example says, is undone and redone.
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <set>
 #include <string>
 
 #include "tests/editor/editor_level.h"
+#include "tests/support/temp_folder.h"
 
 namespace editor {
 namespace {
@@ -104,6 +106,29 @@ TEST(Commands, SayWhatIsWrong) {
         EXPECT_EQ(editor.document().hash(), before) << line;
     }
     EXPECT_EQ(editor.document().done().size(), 1u);
+}
+
+TEST(Commands, ScriptsThatCallThemselvesEnd) {
+    rubble::TempFolder folder;
+    const std::string path = folder / "self.txt";
+    std::ofstream(path) << "script " << path << "\n";
+    Editor editor;
+    const Outcome outcome = editor.runFile(path);
+    EXPECT_FALSE(outcome.isDone);
+    EXPECT_NE(outcome.text.find("expected at most 16 scripts within each other"), outcome.text.npos) << outcome.text;
+    EXPECT_TRUE(editor.run("create 4,4,4").isDone);
+}
+
+TEST(Commands, NameAnObjectTwiceAndMeanItOnce) {
+    Editor editor;
+    runAll(editor, {"create 4,4,4 name=a", "create 4,4,4 2,0,0 name=b", "tag furniture a"});
+    for (const char* names : {"a,a", "tag:furniture,a", "all,b"})
+        EXPECT_EQ(editor.run(std::string("select ") + names).text.find("found none"), std::string::npos) << names;
+    const uint64_t before = editor.document().hash();
+    const Outcome undone = editor.run("undo 9");
+    EXPECT_FALSE(undone.isDone);
+    EXPECT_NE(undone.text.find("expected at most 3, found 9"), undone.text.npos) << undone.text;
+    EXPECT_EQ(editor.document().hash(), before) << "what is refused changes nothing";
 }
 
 TEST(Commands, AreTakenApartAsTyped) {

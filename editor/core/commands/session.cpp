@@ -29,12 +29,22 @@ void runScript(Editor& editor, const Arguments& arguments) {
     editor.say(outcome.text);
 }
 
+/// How often something is to be done of which there are so many; one is refused by what does it.
+int timesOf(const Arguments& arguments, size_t steps) {
+    const int times = arguments.whole("times");
+    if (times > 1 && size_t(times) > steps)
+        arguments.refuse("times", fmt::format("at most {}, found {}", steps, times));
+    return times;
+}
+
 void undo(Editor& editor, const Arguments& arguments) {
-    for (int i = 0; i < arguments.whole("times"); ++i) editor.document().undo();
+    const int times = timesOf(arguments, editor.document().done().size());
+    for (int i = 0; i < times; ++i) editor.document().undo();
 }
 
 void redo(Editor& editor, const Arguments& arguments) {
-    for (int i = 0; i < arguments.whole("times"); ++i) editor.document().redo();
+    const int times = timesOf(arguments, editor.document().undone().size());
+    for (int i = 0; i < times; ++i) editor.document().redo();
 }
 
 void history(Editor& editor, const Arguments&) {

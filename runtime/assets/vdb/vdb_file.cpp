@@ -120,6 +120,15 @@ std::string gridName(const std::string& name) {
     return out.empty() ? "shape" : out;
 }
 
+/// A name for the grids of a shape that no shape before has; UniqueNames numbers by " 2".
+std::string uniqueGridName(UniqueNames& names, std::set<std::string>& taken, const std::string& shape) {
+    for (;;) {
+        std::string name = names.unique(gridName(shape));
+        std::replace(name.begin(), name.end(), ' ', '_');
+        if (taken.insert(name).second) return name;
+    }
+}
+
 /// The solid cells of one grid of the file.
 struct SolidCells {
     openvdb::CoordBBox box;
@@ -457,12 +466,11 @@ Result<Done> writeVdbFile(const std::string& path, const Level& level) try {
     openvdb::initialize();
     openvdb::GridPtrVec grids;
     UniqueNames names;
+    std::set<std::string> taken;
     std::vector<std::string> prefixes;
     for (const LevelBody& body : level.bodies)
         for (const LevelShape& shape : body.shapes) {
-            std::string prefix = names.unique(gridName(shape.name));
-            std::replace(prefix.begin(), prefix.end(), ' ', '_');
-            prefixes.push_back(prefix);
+            prefixes.push_back(uniqueGridName(names, taken, shape.name));
             addShapeGrids(shape, body.pose * shape.local, prefixes.back(), grids);
         }
     openvdb::MetaMap metadata;

@@ -55,6 +55,21 @@ TEST_F(VdbFile, RoundTripKeepsTheHash) {
         << "no temporary files stay";
 }
 
+TEST_F(VdbFile, ShapesWhoseNamesAreAlikeKeepTheirGrids) {
+    Level level = sampleLevel();
+    const LevelBody body = level.bodies.front();
+    for (const char* name : {"shape", "shape 2", "", "shape_2", "", "shape 2"}) {
+        level.bodies.push_back(body);
+        level.bodies.back().name = name;
+        for (LevelShape& shape : level.bodies.back().shapes) shape.name = name;
+    }
+    const Result<Done> done = writeVdb(path("a.vdb"), level, kTool);
+    ASSERT_TRUE(done) << done.error();
+    const Result<Level> back = readVdb(path("a.vdb"), kTool);
+    ASSERT_TRUE(back) << back.error();
+    EXPECT_EQ(hashLevel(*back), hashLevel(level));
+}
+
 TEST_F(VdbFile, StrengthAndLoadBearingAreKeptAndHaveDefaults) {
     ASSERT_TRUE(writeVdb(path("a.vdb"), sampleLevel(), kTool));
     const auto lantern = [&] {
