@@ -122,11 +122,9 @@ std::string gridName(const std::string& name) {
 
 /// A name for the grids of a shape that no shape before has; UniqueNames numbers by " 2".
 std::string uniqueGridName(UniqueNames& names, std::set<std::string>& taken, const std::string& shape) {
-    for (;;) {
-        std::string name = names.unique(gridName(shape));
-        std::replace(name.begin(), name.end(), ' ', '_');
-        if (taken.insert(name).second) return name;
-    }
+    std::string name = names.unique(gridName(shape));
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return taken.insert(name).second ? name : uniqueGridName(names, taken, shape);
 }
 
 /// The solid cells of one grid of the file.
@@ -469,10 +467,9 @@ Result<Done> writeVdbFile(const std::string& path, const Level& level) try {
     std::set<std::string> taken;
     std::vector<std::string> prefixes;
     for (const LevelBody& body : level.bodies)
-        for (const LevelShape& shape : body.shapes) {
-            prefixes.push_back(uniqueGridName(names, taken, shape.name));
-            addShapeGrids(shape, body.pose * shape.local, prefixes.back(), grids);
-        }
+        for (const LevelShape& shape : body.shapes)
+            addShapeGrids(shape, body.pose * shape.local,
+                          prefixes.emplace_back(uniqueGridName(names, taken, shape.name)), grids);
     openvdb::MetaMap metadata;
     metadata.insertMeta(kPrefix + "version", openvdb::Int32Metadata(kProfileVersion));
     metadata.insertMeta(kPrefix + "content_hash", openvdb::StringMetadata(fmt::format("{:016x}", hashLevel(level))));
