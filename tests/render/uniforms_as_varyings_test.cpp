@@ -95,6 +95,9 @@ TEST_F(UniformsAsVaryingsGlTest, EveryPassBuilds) {
         ASSERT_TRUE(source) << source.error();
         if (source->text.find("in vec2 uv") == std::string::npos) continue;  // not full-screen
         ShaderSource vertex = *readShader(shaderFolder(), "lib/fullscreen.vert"), fragment = *source;
+        ShaderSource allOfVertex = vertex, all = fragment;
+        passUniformsAsVaryings(allOfVertex, all);
+        EXPECT_FALSE(std::regex_search(all.text, std::regex(R"(\bframe\.(?!glsl)[a-z])"))) << file.path();
         passUniformsAsVaryings(vertex, fragment, varyingVectors());
         EXPECT_EQ(std::count(fragment.text.begin(), fragment.text.end(), '\n'),
                   std::count(source->text.begin(), source->text.end(), '\n'));
