@@ -62,7 +62,7 @@ enum class Noise { Blue, White };
 /// How full-screen passes are drawn. All give the same image. Compute needs GL 4.3; without it fragments draw, with a
 /// warning where Compute was asked for.
 enum class Fullscreen {
-    Auto,      ///< Fastest on a GPU, Fragment on a software renderer
+    Auto,      ///< Compute on a GPU, Fragment on a software renderer
     Fragment,  ///< triangles
     Compute,   ///< compute programs
     Fastest,   ///< each pass alternates between both in its first frames and keeps the faster one

@@ -12,7 +12,10 @@ namespace {
 using ResetStatus = GLenum(GLAD_API_PTR*)();
 ResetStatus g_resetStatus = nullptr;
 using PixelTransfer = void(GLAD_API_PTR*)(GLenum, GLfloat);
-PixelTransfer g_pixelTransfer = nullptr;      ///< null in core profiles
+PixelTransfer g_pixelTransfer = nullptr;  ///< null in core profiles
+using CompilerThreads = void(GLAD_API_PTR*)(GLuint);
+CompilerThreads g_compilerThreads = nullptr;
+constexpr GLenum kCompilerThreads = 0x91B0;   ///< of KHR_parallel_shader_compile
 constexpr GLenum kUnmaskedRenderer = 0x9246;  ///< of WEBGL_debug_renderer_info
 bool g_hasCompute = false, g_isEmbedded = false;
 
@@ -21,6 +24,12 @@ const char* resetStatusName(int version) {
     if (version >= GLAD_MAKE_VERSION(4, 5)) return "glGetGraphicsResetStatus";
     if (offers("GL_KHR_robustness")) return "glGetGraphicsResetStatusKHR";
     return offers("GL_ARB_robustness") ? "glGetGraphicsResetStatusARB" : nullptr;
+}
+
+/// The function that sets the number of the driver's compiler threads; null: there is none.
+const char* compilerThreadsName() {
+    if (offers("GL_KHR_parallel_shader_compile")) return "glMaxShaderCompilerThreadsKHR";
+    return offers("GL_ARB_parallel_shader_compile") ? "glMaxShaderCompilerThreadsARB" : nullptr;
 }
 
 /// The version of the context, as its driver writes it.
@@ -40,7 +49,7 @@ Result<Done> loadGl(void* (*loader)(const char* name)) {
     const std::string found = versionText();
     g_isEmbedded = found.starts_with("OpenGL ES");
     if (g_isEmbedded) {
-        g_hasCompute = false, g_resetStatus = nullptr, g_pixelTransfer = nullptr;
+        g_hasCompute = false, g_resetStatus = nullptr, g_pixelTransfer = nullptr, g_compilerThreads = nullptr;
         return loadEmbeddedGl(find);
     }
     if (version < GLAD_MAKE_VERSION(3, 3)) return Error{"OpenGL: expected 3.3 or newer, found " + found};
@@ -55,6 +64,8 @@ Result<Done> loadGl(void* (*loader)(const char* name)) {
     glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profiles);
     const bool isCompatible = profiles & GL_CONTEXT_COMPATIBILITY_PROFILE_BIT;
     g_pixelTransfer = isCompatible ? reinterpret_cast<PixelTransfer>(loader("glPixelTransferf")) : nullptr;
+    const char* threads = compilerThreadsName();
+    g_compilerThreads = threads ? reinterpret_cast<CompilerThreads>(loader(threads)) : nullptr;
     return Done{};
 }
 
@@ -80,6 +91,14 @@ bool isCompatibility() {
 
 void setPixelTransfer(GLenum name, GLfloat value) {
     g_pixelTransfer(name, value);
+}
+
+GLuint setCompilerThreads(GLuint count) {
+    GLint before = 0;
+    if (!g_compilerThreads) return 0;
+    glGetIntegerv(kCompilerThreads, &before);
+    g_compilerThreads(count);
+    return GLuint(before);
 }
 
 bool isContextLost() {

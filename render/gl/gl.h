@@ -23,6 +23,10 @@ bool hasCompute();
 bool isCompatibility();
 /// Sets how such a context changes pixels that are uploaded or copied, as glPixelTransferf().
 void setPixelTransfer(GLenum name, GLfloat value);
+inline constexpr GLuint kAnyCompilerThreads = ~GLuint(0);
+/// Sets how many threads of its own the driver may compile programs with; kAnyCompilerThreads leaves it to the driver.
+/// Returns the number before. Does nothing where the GL has no such setting (KHR_parallel_shader_compile).
+GLuint setCompilerThreads(GLuint count);
 /// Whether the renderer runs on the processor: timer queries do not see its work, and glFinish costs nothing.
 bool isSoftwareGl();
 

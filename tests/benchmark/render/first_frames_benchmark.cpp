@@ -8,6 +8,7 @@
 #include "tests/benchmark/render/benchmarks.h"
 #include "tests/benchmark/render/gbuffer_rig.h"
 #include "tests/benchmark/render/town_views.h"
+#include "tests/support/temp_folder.h"
 
 namespace rubble::bench {
 namespace {
@@ -69,12 +70,13 @@ FrameSnapshot glassOf(const World& world, uint8_t opacity) {
     return step;
 }
 
-/// Milliseconds of processor time.
+/// Milliseconds by frameClockMs().
 double drawOnce(FrameLoop& loop, Renderer& renderer, const View& view) {
-    const double start = processMs();
+    glFinish();
+    const double start = frameClockMs();
     loop.draw(renderer, view, 1.0f);
     glFinish();
-    return processMs() - start;
+    return frameClockMs() - start;
 }
 
 void print(const char* name, const std::vector<double>& ms) {
@@ -150,7 +152,35 @@ void benchDrops(FrameLoop& loop, Renderer& renderer, const View& usual) {
     }
 }
 
+/// A renderer with the programs of all features; prints how long that took. Null: it says why.
+std::unique_ptr<Renderer> makeRenderer(const Options& options, GlContext& context, const std::string& cache,
+                                       const char* what) {
+    RenderSettings settings = RenderSettings::preset(options.preset);
+    settings.compileAhead = true;
+    settings.fullscreen = RenderSettings::fullscreenFromName(options.fullscreen);
+    settings.programCache = cache;
+    const double before = frameClockMs();
+    auto renderer = Renderer::create(context.loader(), options.shaders, settings);
+    glFinish();
+    if (!renderer) {
+        fmt::print(stderr, "{}\n", renderer.error());
+        return nullptr;
+    }
+    fmt::print("{:<50}{:7.0f} ms {}\n", what, frameClockMs() - before, frameClockName());
+    return std::move(*renderer);
+}
+
 }  // namespace
+
+int benchPrograms(const Options& options, GlContext& context) {
+    const TempFolder cache;
+    const std::string programs = cache / "programs";
+    for (const auto& [folder, what] : {std::pair(std::string(), "programs of all features"),
+                                       std::pair(programs, "the same, written to a cache of programs"),
+                                       std::pair(programs, "the same, read from it")})
+        if (!makeRenderer(options, context, folder, what)) return 1;
+    return 0;
+}
 
 int benchFirstFrames(const Options& options, GlContext& context) {
     FrameLoopSettings loopSettings;
@@ -159,15 +189,8 @@ int benchFirstFrames(const Options& options, GlContext& context) {
     FrameLoop loop(loopSettings);
     loop.load(makeTown(1));
     loop.step();
-    RenderSettings settings = RenderSettings::preset(options.preset);
-    settings.compileAhead = true;
-    const double before = processMs();
-    auto renderer = Renderer::create(context.loader(), options.shaders, settings);
-    if (!renderer) {
-        fmt::print(stderr, "{}\n", renderer.error());
-        return 1;
-    }
-    fmt::print("programs of all features, before the first frame: {:.0f} ms of processor time\n", processMs() - before);
+    auto renderer = makeRenderer(options, context, "", "programs of all features, before the first frame");
+    if (!renderer) return 1;
     const Offscreen target(options.size);
     const View view = townViews()[0].view(options.size, target.framebuffer());
     for (const Event& event : kEvents) {
@@ -175,12 +198,12 @@ int benchFirstFrames(const Options& options, GlContext& context) {
         std::vector<double> ms;
         for (int i = 0; i < kFramesAfter; ++i) {
             loop.step();
-            ms.push_back(drawOnce(loop, *renderer.value(), view));
+            ms.push_back(drawOnce(loop, *renderer, view));
         }
         print(event.name, ms);
     }
-    benchGlass(loop, *renderer.value(), view);
-    benchDrops(loop, *renderer.value(), view);
+    benchGlass(loop, *renderer, view);
+    benchDrops(loop, *renderer, view);
     return 0;
 }
 

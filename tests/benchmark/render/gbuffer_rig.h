@@ -1,5 +1,4 @@
 #pragma once
-#include <ctime>
 #include <string>
 #include <vector>
 
@@ -7,14 +6,10 @@
 #include "render/passes/gbuffer_pass.h"
 #include "render/passes/glass_pass.h"
 #include "render/scene/scene.h"
+#include "tests/benchmark/frame_clock.h"
 #include "tests/benchmark/render/benchmarks.h"
 
 namespace rubble::bench {
-
-/// Processor time of all threads of this process, milliseconds: little disturbed by other work on the machine.
-inline double processMs() {
-    return double(std::clock()) * 1e3 / CLOCKS_PER_SEC;
-}
 
 /// Scene, camera and the passes of primary visibility alone.
 class GBufferRig {
@@ -53,16 +48,17 @@ private:
     VertexArray m_emptyVertexArray = VertexArray::make();
 };
 
-/// Median processor milliseconds of draw() and the GL work that it starts. One more call before is not counted.
+/// Median milliseconds, by frameClockMs(), of draw() and the GL work that it starts. One more call before is not
+/// counted.
 template <class F>
 double medianMs(int frames, F&& draw) {
     std::vector<double> ms;
     for (int i = -1; i < frames; ++i) {
         glFinish();
-        const double before = processMs();
+        const double before = frameClockMs();
         draw();
         glFinish();
-        if (i >= 0) ms.push_back(processMs() - before);
+        if (i >= 0) ms.push_back(frameClockMs() - before);
     }
     return median(ms);
 }

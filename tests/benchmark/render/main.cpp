@@ -1,5 +1,5 @@
-// ./rubble bench frame|first|views|city|primary: the cost of a frame by pass, of what is first seen, of two views, in
-// ever larger worlds, and against other methods.
+// ./rubble bench frame|first|programs|views|city|primary: the cost of a frame by pass, of what is first seen, of two
+// views, in ever larger worlds, and against other methods.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -20,9 +20,9 @@ int main(int argc, char** argv) {
     bench::Options options;
     std::string subject, gl = "osmesa", size = "640x360";
     CLI::App app{"The cost of a frame", "bench_render"};
-    app.add_option("subject", subject, "frame, first, views, city or primary")
+    app.add_option("subject", subject, "frame, first, programs, views, city or primary")
         ->required()
-        ->check(CLI::IsMember({"frame", "first", "views", "city", "primary"}));
+        ->check(CLI::IsMember({"frame", "first", "programs", "views", "city", "primary"}));
     app.add_option("--frames", options.frames, "measured")->capture_default_str()->check(CLI::Range(1, 1000000000));
     app.add_option("--size", size, "WIDTHxHEIGHT")->capture_default_str();
     app.add_option("--gl", gl, "osmesa, egl or auto")->capture_default_str();
@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "--size: {}\n", error);
         return 1;
     }
+    setvbuf(stdout, nullptr, _IOLBF, 0);
     auto context = GlContext::create(GlContext::kindOf(gl));
     if (!context) {
         fmt::print(stderr, "{}\n", context.error());
@@ -55,6 +56,7 @@ int main(int argc, char** argv) {
     fmt::print("{}, {}x{}\n", reinterpret_cast<const char*>(glGetString(GL_RENDERER)), options.size.x, options.size.y);
     if (subject == "frame") return bench::benchFrame(options, *context.value());
     if (subject == "first") return bench::benchFirstFrames(options, *context.value());
+    if (subject == "programs") return bench::benchPrograms(options, *context.value());
     if (subject == "views") return bench::benchViews(options, *context.value());
     return subject == "city" ? bench::benchCityFrames(options, *context.value()) : bench::benchPrimary(options);
 }

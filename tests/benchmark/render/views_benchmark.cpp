@@ -1,12 +1,12 @@
-// Two views in a frame, as those of a split screen, against one: processor time of all threads, in alternation.
+// Two views in a frame, as those of a split screen, against one, in alternation.
 #include <fmt/format.h>
 
 #include <array>
 
 #include "render/gl/offscreen.h"
+#include "tests/benchmark/frame_clock.h"
 #include "tests/benchmark/render/benchmarks.h"
 #include "tests/benchmark/render/town_views.h"
-#include "tests/support/cpu_time.h"
 
 namespace rubble::bench {
 namespace {
@@ -27,14 +27,14 @@ struct Shown {
 double frameMs(Shown& shown, const Offscreen& target, int frame) {
     shown.loop->edits().push(demolition(kDemolitionAgain + frame, 1));
     shown.loop->step();
-    const double start = processMs();
+    const double start = frameClockMs();
     for (size_t i = 0; i < shown.views.size(); ++i) {
         View view = shown.views[i].view(target.size(), target.framebuffer());
         view.slot = int(i);
         shown.loop->draw(*shown.renderer, view, 1.0f);
         glFinish();
     }
-    return processMs() - start;
+    return frameClockMs() - start;
 }
 
 }  // namespace

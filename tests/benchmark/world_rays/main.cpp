@@ -145,16 +145,18 @@ int main(int argc, char** argv) {
     std::vector<std::string> names{"town", "city", "model"};
     int repeats = 5, edits = 0;
     bool worker = false;
+    std::string gl = "osmesa";
     CLI::App app{"Rays through the shadow volume", "bench_world_rays"};
     app.add_option("scenes", names, "town, city, model, wide")->capture_default_str();
     app.add_option("--repeats", repeats, "of each measurement; the median counts")->capture_default_str();
     app.add_option("--edits", edits, "measure again after so many edits, and with 300 moving bodies")
         ->capture_default_str();
     app.add_flag("--worker", worker, "only time the shadow worker with moving bodies");
+    app.add_option("--gl", gl, "osmesa, egl or auto")->capture_default_str();
     CLI11_PARSE(app, argc, argv);
     setvbuf(stdout, nullptr, _IOLBF, 0);
     disableGlThreads();
-    auto context = GlContext::create(GlContext::Kind::OsMesa);
+    auto context = GlContext::create(GlContext::kindOf(gl));
     if (!context || !loadGl(context.value()->loader())) return 1;
     for (const std::string& name : names) {
         const RayScene scene = name == "town"   ? townScene()
