@@ -124,15 +124,6 @@ std::span<const WaterEntry> PhysicsWorld::waterEntries() const {
     return m_reports ? m_reports->waterEntries() : std::span<const WaterEntry>();
 }
 
-std::vector<BodyHandle> PhysicsWorld::waiting() const {
-    std::vector<BodyHandle> handles;
-    m_impl->bodies.budget().forEachWaiting([&](uint32_t slot) {
-        const DynamicBody* body = m_impl->bodies.dynamicAt(slot);
-        if (body && body->asleep()) handles.push_back(body->handle());
-    });
-    return handles;
-}
-
 PhysicsStats PhysicsWorld::stats() const {
     PhysicsBodies& bodies = m_impl->bodies;
     PhysicsStats stats;

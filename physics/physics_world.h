@@ -52,7 +52,7 @@ public:
     virtual void setSettings(const PhysicsSettings& settings);
     /// Moves everything by settings.stepSeconds. What the functions below return is valid until the next step().
     virtual void step();
-    /// Bodies that moved, fell asleep or woke in the last step, in slot order.
+    /// Bodies that moved, fell asleep, woke or began to wait to wake in the last step, in slot order.
     virtual std::span<const BodyPose> poses() const;
     /// Characters that moved or changed in the last step, in slot order.
     virtual std::span<const CharacterMove> characters() const;
@@ -69,8 +69,6 @@ public:
     virtual std::span<const ReportedContact> contacts() const;
     /// Bodies that got into water in the last step, if that was asked for, in slot order.
     virtual std::span<const WaterEntry> waterEntries() const;
-    /// Sleeping bodies that wait to wake: load() forgets that they do.
-    virtual std::vector<BodyHandle> waiting() const;
     /// Counts of now and of the last step.
     virtual PhysicsStats stats() const;
 

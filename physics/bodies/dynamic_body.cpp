@@ -58,7 +58,7 @@ void DynamicBody::takeState(const World& world) {
     m_hasClampedMass = mass != m_mass.mass;
     m_mass.principalInertia *= mass / m_mass.mass;
     m_mass.mass = mass;
-    m_state = {m_handle, body.pose, body.velocity, body.angularVelocity, body.asleep};
+    m_state = {m_handle, body.pose, body.velocity, body.angularVelocity, body.asleep, body.waitsToWake};
     gravityScale = body.gravityScale;
     linearDamping = body.linearDamping, angularDamping = body.angularDamping;
     const Pose centerInBody{m_mass.center, m_mass.principalAxes};
@@ -167,9 +167,10 @@ void DynamicBody::restore() {
 }
 
 bool DynamicBody::refresh() {
-    const BodyPose now{m_handle, bodyPose(), motion.velocity, motion.angularVelocity, m_asleep};
+    const BodyPose now{m_handle, bodyPose(), motion.velocity, motion.angularVelocity, m_asleep, waits};
     const bool differs = !(now.pose == m_state.pose && now.velocity == m_state.velocity &&
-                           now.angularVelocity == m_state.angularVelocity && now.asleep == m_state.asleep);
+                           now.angularVelocity == m_state.angularVelocity && now.asleep == m_state.asleep &&
+                           now.waitsToWake == m_state.waitsToWake);
     m_state = now;
     return differs;
 }

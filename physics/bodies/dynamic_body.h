@@ -104,6 +104,7 @@ public:
     double linearDamping = 0.0, angularDamping = 0.0;
     bool isDebris = false;    ///< counts in the budget of awake debris
     bool settled = false;     ///< only a hard hit wakes it
+    bool waits = false;       ///< to wake: see AwakeBodies
     bool rests = false;       ///< is at rest: see SleepTimer
     bool wantsSleep = false;  ///< may sleep, but what it is jointed to may not
     int solverIndex = 0;      ///< in the solver's list of bodies, if it is awake

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <vector>
 
 #include "physics/bodies/dynamic_body.h"
@@ -26,34 +27,29 @@ public:
         --m_wakes;
         return true;
     }
-    /// Adds a body; does nothing if it is there already.
-    void add(const DynamicBody& body);
+    /// Adds a body, which waits no longer; does nothing if it is there already.
+    void add(DynamicBody& body);
     /// Removes a body; does nothing if it is not there.
     void remove(const DynamicBody& body);
-    /// Lets a sleeping body wait for a place in the budgets.
-    void wait(const DynamicBody& body);
-    /// The number of bodies that wait; some may have woken or gone meanwhile.
+    /// Lets a sleeping body wait for a place in the budgets; false: it does so already.
+    bool wait(DynamicBody& body);
+    /// Lets a body wait no longer.
+    void forget(DynamicBody& body);
+    /// The number of bodies that wait.
     size_t waiting() const { return m_waiting[0].size() + m_waiting[1].size(); }
-    /// Calls f(slot) for bodies that wait, in that order.
-    template <class F>
-    void forEachWaiting(F&& f) const {
-        for (const std::vector<uint32_t>& list : m_waiting)
-            for (const uint32_t slot : list) f(slot);
-    }
-    /// Calls tryWake(slot) for waiting bodies, debris last, each in the order of slots, until it returns false.
+    /// Calls tryWake(slot), which wakes it or returns false, for waiting bodies, debris last, each in the order of
+    /// slots, until one has no place.
     template <class F>
     void wakeWaiting(F&& tryWake) {
-        for (std::vector<uint32_t>& list : m_waiting) {
-            size_t done = 0;
-            while (done < list.size() && tryWake(list[done])) ++done;
-            list.erase(list.begin(), list.begin() + std::ptrdiff_t(done));
-        }
+        for (std::set<uint32_t>& list : m_waiting)
+            while (!list.empty() && tryWake(*list.begin())) {
+            }
     }
 
 private:
-    std::vector<uint32_t> m_slots;                   ///< ascending
-    std::array<std::vector<uint32_t>, 2> m_waiting;  ///< ascending; the second of debris
-    size_t m_debris = 0, m_debrisLimit = 0;          ///< awake, and allowed
+    std::vector<uint32_t> m_slots;                ///< ascending
+    std::array<std::set<uint32_t>, 2> m_waiting;  ///< the second of debris
+    size_t m_debris = 0, m_debrisLimit = 0;       ///< awake, and allowed
     size_t m_wakes = 0;
 };
 

@@ -147,6 +147,7 @@ bool PhysicsBodies::insert(const World& world, DynamicBody& body, bool asleep) {
     body.settled = asleep && world.bodies().at(body.handle()).settled;
     m_broadphase.add(body.object, !asleep);
     if (!asleep) m_awake.add(body);
+    if (asleep && world.bodies().at(body.handle()).waitsToWake) m_awake.wait(body);
     return true;
 }
 
@@ -157,6 +158,7 @@ void PhysicsBodies::destroyDynamic(BodyHandle handle) {
     const bool wasThere = !body->quarantined();
     m_broadphase.remove(body->object);
     m_awake.remove(*body);
+    m_awake.forget(*body);
     std::erase(m_ended, handle.slot());
     m_dynamics[handle.slot()].reset();
     if (wasThere) wakeTouching(low, high);
@@ -171,6 +173,7 @@ void PhysicsBodies::updateDynamic(const World& world, BodyHandle handle, const F
         const bool wasThere = !known->quarantined();
         m_broadphase.remove(known->object);
         m_awake.remove(*known);
+        m_awake.forget(*known);
         std::erase(m_ended, handle.slot());
         if (wasThere) wakeTouching(low, high);
     }
@@ -239,7 +242,7 @@ bool PhysicsBodies::tryWake(DynamicBody& body) {
 
 bool PhysicsBodies::wakeOrWait(DynamicBody& body, bool mayWait) {
     if (tryWake(body)) return true;
-    if (mayWait) m_awake.wait(body);
+    if (mayWait && m_awake.wait(body)) m_nowWaiting.push_back(body.handle().slot());
     return false;
 }
 
@@ -247,7 +250,7 @@ void PhysicsBodies::wakeWaiting(const PhysicsSettings& settings) {
     const size_t places = settings.awakeBodies - std::min<size_t>(settings.awakeBodies, awake().size());
     const size_t wakes = std::min<size_t>(settings.wakesPerStep, std::max(places, kMinWakes)), ofHits = wakes / 2;
     m_awake.setWakes(wakes - ofHits);
-    m_awake.wakeWaiting([&](uint32_t slot) { return !dynamicAt(slot) || tryWake(at(slot)); });
+    m_awake.wakeWaiting([&](uint32_t slot) { return tryWake(at(slot)); });
     m_awake.setWakes(m_awake.wakes() + ofHits);
 }
 
@@ -295,6 +298,8 @@ void PhysicsBodies::quarantineInvalid() {
 }
 
 void PhysicsBodies::reportPoses(std::vector<BodyPose>& out) {
+    m_ended.insert(m_ended.end(), m_nowWaiting.begin(), m_nowWaiting.end());
+    m_nowWaiting.clear();
     std::sort(m_ended.begin(), m_ended.end());
     auto next = m_ended.begin();
     const auto add = [&](uint32_t slot) {

@@ -65,7 +65,8 @@ public:
     /// Freezes awake bodies whose numbers are invalid or that are too far away, where they last were valid; clamps the
     /// others.
     void quarantineInvalid();
-    /// Ends a step: appends the state of each body that moved, woke or fell asleep, in slot order.
+    /// Ends a step: appends the state of each body that moved, woke, fell asleep or began to wait to wake, in slot
+    /// order.
     void reportPoses(std::vector<BodyPose>& out);
 
     /// The budgets of awake debris and of wakes in a step.
@@ -91,7 +92,8 @@ private:
     std::vector<BodyHandle> m_owners;                         ///< by shape slot
     std::vector<BodyHandle> m_handles;                        ///< by body slot
     AwakeBodies m_awake;
-    std::vector<uint32_t> m_ended;  ///< slots that fell asleep or were quarantined in this step
+    std::vector<uint32_t> m_ended;       ///< slots that fell asleep or were quarantined in this step
+    std::vector<uint32_t> m_nowWaiting;  ///< slots that began to wait to wake since the last step
     std::vector<CollisionObject*> m_found;
 };
 

@@ -12,11 +12,17 @@ namespace rubble {
 /// What is drawn over the image: items in their order, and the images that they name.
 class Overlay {
 public:
+    static constexpr size_t kMaxImages = 4096, kMaxImageBytes = size_t(1) << 30;
+
+    /// maxImageBytes: of the pixels of all images.
+    explicit Overlay(size_t maxImageBytes = kMaxImageBytes) : m_maxImageBytes(maxImageBytes) {}
+
     /// Replaces all items. An error says which one names a font that cannot be read or an image that is not there;
     /// then all is as before.
     Result<Done> set(std::vector<OverlayItem> items);
-    /// Gives an image a name, or replaces it. Without pixels: takes it away, with the items that name it.
-    void setImage(const std::string& name, OverlayImage image);
+    /// Gives an image a name, or replaces it. Without pixels: takes it away, with the items that name it. An error says
+    /// that there would be too many, or too many pixels; then all is as before.
+    Result<Done> setImage(const std::string& name, OverlayImage image);
 
     /// Whether nothing is drawn.
     bool empty() const { return m_items.empty(); }
@@ -30,6 +36,7 @@ public:
 private:
     std::vector<OverlayItem> m_items;
     std::map<std::string, OverlayImage> m_images;
+    size_t m_imageBytes = 0, m_maxImageBytes;  ///< of the pixels of all images
     Fonts m_fonts;
 };
 

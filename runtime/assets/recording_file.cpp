@@ -24,7 +24,7 @@ template <>
 inline constexpr auto kFields<BodyPose> = std::tuple{
     Field{"body", &BodyPose::body},         Field{"pose", &BodyPose::pose},
     Field{"velocity", &BodyPose::velocity}, Field{"angular_velocity", &BodyPose::angularVelocity},
-    Field{"asleep", &BodyPose::asleep},
+    Field{"asleep", &BodyPose::asleep},     Field{"waits_to_wake", &BodyPose::waitsToWake},
 };
 template <>
 inline constexpr auto kFields<CharacterMove> = std::tuple{

@@ -30,6 +30,7 @@ inline constexpr auto kFields<Body> = std::tuple{
     Field{"angular_velocity", &Body::angularVelocity},
     Field{"is_static", &Body::isStatic},
     Field{"asleep", &Body::asleep},
+    Field{"waits_to_wake", &Body::waitsToWake},
     Field{"shapes", &Body::shapes},
     Field{"tags", &Body::tags},
     Field{"settled", &Body::settled},

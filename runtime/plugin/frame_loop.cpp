@@ -91,13 +91,7 @@ void FrameLoop::load(SavedGame game) {
 
 /// The game as it is now, with `waiting` behind the edits that it has made itself.
 SavedGame FrameLoop::savedGame(const Edits& waiting) const {
-    const bool hasWaiting = m_physics && m_physics->stats().waiting > 0;
-    SavedGame game{hasWaiting ? WorldState() : m_world.state(), m_pending};
-    if (hasWaiting) {
-        World woken = m_world;
-        wakeWaiting(woken);
-        game.world = woken.state();
-    }
+    SavedGame game{m_world.state(), m_pending};
     restartPendingSplits(game.world);
     game.pending.insert(game.pending.end(), waiting.begin(), waiting.end());
     return game;
@@ -119,18 +113,7 @@ Result<Done> saveTo(const std::string& path, FrameLoop& loop) {
     return loop.save([&](std::span<const uint8_t> bytes) { return writeFileAtomically(path, bytes, kMaxFileBytes); });
 }
 
-/// Physics forgets which bodies wait to wake when it is rebuilt: in the game that is saved then they are awake.
-void FrameLoop::wakeWaiting(World& world) const {
-    if (!m_physics || world.data().levelReplaced) return;  // physics has not seen this world yet
-    std::vector<BodyPose> poses;
-    for (const BodyHandle handle : m_physics->waiting())
-        if (const Body* body = world.bodies().find(handle); body && body->asleep)
-            poses.push_back({handle, body->pose, body->velocity, body->angularVelocity, false});
-    world.setPoses(poses);
-}
-
 void FrameLoop::goOnAsLoaded(bool dropMarks) {
-    wakeWaiting(m_world);
     m_rebuildPhysics = true;
     m_world.resetCaches(dropMarks);
 }
@@ -176,7 +159,7 @@ bool FrameLoop::step(World::Follows follows) {
 
 void FrameLoop::replay(const RecordedStep& step) {
     m_rebuildPhysics = step.physicsRebuilt;
-    if (m_rebuildPhysics) wakeWaiting(m_world), m_world.resetCaches();
+    if (m_rebuildPhysics) m_world.resetCaches();
     if (step.hostMotion) {
         followHost(step.hostMotion->poses, {});
         addHostDamage(step.hostMotion->damage);
@@ -220,7 +203,6 @@ void FrameLoop::stepWith(const Edits& hostEdits) {
 void FrameLoop::stepAlone(const Edits& hostEdits) {
     std::fill_n(m_times.ms.begin(), size_t(Stage::Apply), 0.0);
     m_followedStart = kFollowsNone;
-    if (!m_rebuildPhysics) wakeWaiting(m_world);
     applyEdits(hostEdits, World::Follows::Nothing);
     m_rebuildPhysics = true;
     recordMotion({}, {});
@@ -302,7 +284,7 @@ Edits FrameLoop::damageOf(std::span<const Impact> impacts) const {
 
 void FrameLoop::addPose(BodyHandle handle, std::vector<BodyPose>& out) const {
     if (const Body* body = m_world.bodies().find(handle))
-        out.push_back({handle, body->pose, body->velocity, body->angularVelocity, body->asleep});
+        out.push_back({handle, body->pose, body->velocity, body->angularVelocity, body->asleep, body->waitsToWake});
 }
 
 std::span<const BodyPose> FrameLoop::changedPoses(std::span<const BodyPose> moved) {

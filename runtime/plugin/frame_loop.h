@@ -136,7 +136,6 @@ private:
     void dropWaitingEdits();
     SavedGame savedGame(const Edits& waiting) const;
     void goOnAsLoaded(bool dropMarks);
-    void wakeWaiting(World& world) const;
     void stepWith(const Edits& hostEdits);
     void stepAlone(const Edits& hostEdits);
     void loadPhysics();

@@ -172,6 +172,7 @@ void World::setPoses(std::span<const BodyPose> poses, std::optional<uint64_t> st
             body->velocity = pose.velocity;
             body->angularVelocity = pose.angularVelocity;
             body->asleep = pose.asleep;
+            body->waitsToWake = pose.waitsToWake;
             for (const ShapeHandle shape : body->shapes) m_data.updateShapeBounds(shape);
             m_data.checkBounds(pose.body);
             if (!changesSleep) continue;

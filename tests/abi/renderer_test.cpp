@@ -245,5 +245,29 @@ TEST_F(AbiRenderer, AContextOfTheWrongKindIsNamed) {
     }
 }
 
+TEST_F(AbiRenderer, TakesSoManyImagesAndNoMore) {
+    const std::string level = writeTestLevel();
+    ASSERT_EQ(m_api->load_level(m_world, level.c_str(), nullptr), RUBBLE_OK) << m_api->get_last_error();
+    const auto given = settings();
+    rubble_renderer renderer = 0;
+    ASSERT_EQ(m_api->create_renderer(m_world, &given, &renderer), RUBBLE_OK) << m_api->get_last_error();
+    const uint8_t white[4] = {255, 255, 255, 255};
+    auto image = sized<rubble_overlay_image>();
+    image.width = image.height = 1, image.pixels = white;
+    const auto set = [&](const std::string& name) {
+        image.name = name.c_str();
+        return m_api->set_overlay_image(renderer, &image);
+    };
+    for (int i = 0; i < 4096; ++i) ASSERT_EQ(set(std::to_string(i)), RUBBLE_OK) << m_api->get_last_error();
+    EXPECT_EQ(set("one more"), RUBBLE_ERROR_CAPACITY);
+    EXPECT_STREQ(m_api->get_last_error(), "set_overlay_image: there are 4096 images already; take one away first");
+    EXPECT_EQ(set("7"), RUBBLE_OK) << "it is replaced";
+    image.pixels = nullptr;
+    EXPECT_EQ(set("8"), RUBBLE_OK);
+    image.pixels = white;
+    EXPECT_EQ(set("one more"), RUBBLE_OK) << m_api->get_last_error();
+    EXPECT_EQ(m_api->destroy_renderer(renderer), RUBBLE_OK);
+}
+
 }  // namespace
 }  // namespace rubble

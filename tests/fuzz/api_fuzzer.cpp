@@ -241,8 +241,9 @@ void RandomHost::callPalette() {
     range.first = whole(8), range.count = 1 + whole(4);
     range.entry_size = m_decisions.oneIn(8) ? whole(64) : 0;
     constexpr size_t kLargest = 4096;  // bytes of a row that a host may name
-    const size_t bytes = 255 * (range.entry_size ? kLargest : sizeof(rubble_palette_entry));
-    std::vector<rubble_palette_entry> entries(bytes / sizeof(rubble_palette_entry));
+    const size_t rows = std::min(range.count, 255u) + 1, row = sizeof(rubble_palette_entry);
+    const size_t bytes = rows * std::clamp<size_t>(range.entry_size, row, kLargest);
+    std::vector<rubble_palette_entry> entries((bytes + row - 1) / row);
     api().get_palette(m_world, &range, entries.data());
     entries[0].material = uint8_t(whole(20)), entries[0].emission = number(4.0);
     const auto groups = [](rubble_world world, uint64_t* out, uint32_t capacity, uint32_t* count) {
@@ -284,10 +285,12 @@ void RandomHost::callFile() {
 void RandomHost::saveAndLoad() {
     if (std::exchange(m_undoWaits, false)) m_model->step();
     uint64_t before = 0, after = 0;
+    api().get_state_hash(m_world, &before);
     const bool usesFile = m_decisions.oneIn(8);  // files cost more than worlds
     const std::vector<uint8_t> data = usesFile ? std::vector<uint8_t>() : saved();
     if (usesFile && api().save_game(m_world, scratchPath("game.rubble").c_str()) != RUBBLE_OK) fail("save_game");
-    api().get_state_hash(m_world, &before);
+    api().get_state_hash(m_world, &after);
+    if (before != after) fail("a save changed the world");
     const rubble_result loaded = usesFile ? api().load_game(m_world, scratchPath("game.rubble").c_str())
                                           : api().load_game_data(m_world, data.data(), data.size());
     if (loaded != RUBBLE_OK) fail("load_game");

@@ -101,7 +101,7 @@ TEST_F(OverlayDrawing, TransformsTurnAndScale) {
 
 TEST_F(OverlayDrawing, AnImageHasItsColoursAndItsPart) {
     OverlayImage halves{{2, 1}, {255, 0, 0, 255, 0, 255, 0, 255}};
-    renderer->overlay().setImage("halves", halves);
+    ASSERT_TRUE(renderer->overlay().setImage("halves", halves));
     OverlayItem item = boxAt({10, 10}, {40, 20}, glm::vec4(1.0f));
     item.kind = Kind::Image, item.text = "halves";
     OverlayItem part = item;
@@ -110,7 +110,7 @@ TEST_F(OverlayDrawing, AnImageHasItsColoursAndItsPart) {
     EXPECT_TRUE(isRed(at(image, 12, 20)));
     EXPECT_GT(at(image, 48, 20).g, 250);
     EXPECT_GT(at(image, 62, 20).g, 250) << "the right part alone";
-    renderer->overlay().setImage("halves", {});
+    ASSERT_TRUE(renderer->overlay().setImage("halves", {}));
     EXPECT_FALSE(isRed(at(draw(camera()), 12, 20))) << "an image that is taken away takes its items along";
 }
 

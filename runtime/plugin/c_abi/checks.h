@@ -102,6 +102,16 @@ inline void requireNoError(const std::string& error) {
     if (!error.empty()) refuse(RUBBLE_ERROR_ARGUMENT, "{}", error);
 }
 
+/// A text of so many bytes; empty if the call is refused.
+inline std::string readText(const char* text, size_t least, size_t most, const char* name) {
+    if (!isGiven(text, name)) return {};
+    const size_t length = strnlen(text, most + 1);
+    if (length < least || length > most)
+        refuse(RUBBLE_ERROR_ARGUMENT, "{} has {}{} bytes, expected {} to {}", name, length > most ? "more than " : "",
+               std::min(length, most), least, most);
+    return isRefused() ? std::string() : std::string(text, length);
+}
+
 /// Three numbers in a range.
 inline glm::dvec3 readVector(const double (&values)[3], const char* name, NumberRange range = ranges::kCoordinate) {
     const glm::dvec3 vector(values[0], values[1], values[2]);
@@ -211,6 +221,20 @@ Handle<kType> readLiveHandle(const Map& map, uint64_t bits, const char* name) {
 template <HandleType kType, class Map>
 Handle<kType> readOptionalHandle(const Map& map, uint64_t bits, const char* name) {
     return bits ? readLiveHandle<kType>(map, bits, name) : Handle<kType>{};
+}
+
+/// All bytes for the host, or none: how many there are, and the bytes if it has given an array. Whether it has got
+/// them.
+template <class Count>
+bool writeBytes(const void* bytes, Count size, void* out, Count capacity, Count* count) {
+    *count = size;
+    if (!capacity) return false;
+    if (capacity < size) {
+        refuse(RUBBLE_ERROR_CAPACITY, "there are {} bytes, the array holds {}", size, capacity);
+        return false;
+    }
+    if (size) std::memcpy(out, bytes, size);
+    return true;
 }
 
 /// Copies a vector into a row.

@@ -1,4 +1,3 @@
-#include <cstring>
 #include <new>
 #include <optional>
 
@@ -28,12 +27,7 @@ rubble_result takeDeltas(rubble_world world, uint8_t* out, uint64_t capacity, ui
         if (!kept) refuse(RUBBLE_ERROR_ARGUMENT, "the world keeps no deltas: call keep_deltas() first");
         if (isRefused()) return;
         const std::vector<uint8_t> bytes = kept->file();
-        *count = bytes.size();
-        if (!capacity) return;
-        if (capacity < bytes.size())
-            return refuse(RUBBLE_ERROR_CAPACITY, "there are {} bytes, the array holds {}", bytes.size(), capacity);
-        std::memcpy(out, bytes.data(), bytes.size());
-        kept->clear();
+        if (writeBytes(bytes.data(), uint64_t(bytes.size()), out, capacity, count)) kept->clear();
     });
 }
 

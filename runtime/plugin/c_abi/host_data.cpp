@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstring>
 
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
@@ -34,11 +33,7 @@ rubble_result getLevelScripts(rubble_world world, rubble_level_script* out, uint
 }
 
 std::string readName(const char* name) {
-    if (!isGiven(name, "name")) return {};
-    const size_t length = strnlen(name, kMaxNameBytes + 1);
-    if (length < 1 || length > kMaxNameBytes)
-        refuse(RUBBLE_ERROR_ARGUMENT, "name has {} bytes, expected 1 to {}", length, kMaxNameBytes);
-    return isRefused() ? "" : std::string(name, length);
+    return readText(name, 1, kMaxNameBytes, "name");
 }
 
 std::vector<HostData>::const_iterator findData(const std::vector<HostData>& kept, const std::string& name) {
@@ -66,11 +61,7 @@ rubble_result getHostData(rubble_world world, const char* name, uint8_t* out, ui
         if (isRefused()) return;
         const auto& kept = hosted.loop.world().data().hostData;
         const auto found = findData(kept, key);
-        if (found == kept.end()) return;
-        *count = found->bytes.size();
-        if (capacity && capacity < *count)
-            return refuse(RUBBLE_ERROR_CAPACITY, "there are {} bytes, the array holds {}", *count, capacity);
-        if (capacity) std::memcpy(out, found->bytes.data(), found->bytes.size());
+        if (found != kept.end()) writeBytes(found->bytes.data(), uint64_t(found->bytes.size()), out, capacity, count);
     });
 }
 

@@ -27,16 +27,16 @@ rubble_result editObject(const char* function, rubble_world world, uint64_t bits
 
 /// A text of the host, once `error` has found nothing wrong with it.
 template <class Check>
-std::string readText(const char* given, const char* name, Check&& error) {
+std::string readChecked(const char* given, const char* name, Check&& error) {
     if (!isGiven(given, name)) return {};
     requireNoError(error(std::string_view(given)));
     return isRefused() ? std::string() : given;
 }
 std::string readName(const char* given, const char* name) {
-    return readText(given, name, [&](std::string_view text) { return nameError(name, text); });
+    return readChecked(given, name, [&](std::string_view text) { return nameError(name, text); });
 }
 std::string readTag(const char* given) {
-    return readText(given, "tag", tagError);
+    return readChecked(given, "tag", tagError);
 }
 
 /// Bytes for the host: all or none.
@@ -44,10 +44,7 @@ void writeText(std::string_view text, char* out, uint32_t capacity, uint32_t* co
     if (!isGiven(count, "count")) return;
     *count = 0;
     if (capacity && !isGiven(out, "out")) return;
-    *count = uint32_t(text.size());
-    if (capacity && capacity < text.size())
-        return refuse(RUBBLE_ERROR_CAPACITY, "there are {} bytes, the array holds {}", text.size(), capacity);
-    if (capacity) text.copy(out, text.size());
+    writeBytes(text.data(), uint32_t(text.size()), out, capacity, count);
 }
 
 rubble_result setName(rubble_world world, uint64_t object, const char* name) {

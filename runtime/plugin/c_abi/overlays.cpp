@@ -30,15 +30,6 @@ bool areZero(const double (&values)[N]) {
     return std::all_of(values, values + N, [](double value) { return value == 0.0; });
 }
 
-std::string readText(const char* text, size_t least, size_t most, const char* name) {
-    if (!isGiven(text, name)) return {};
-    const size_t length = strnlen(text, most + 1);
-    if (length < least || length > most)
-        refuse(RUBBLE_ERROR_ARGUMENT, "{} has {}{} bytes, expected {} to {}", name, length > most ? "more than " : "",
-               std::min(length, most), least, most);
-    return isRefused() ? "" : std::string(text, length);
-}
-
 void readLetters(const rubble_overlay_item& given, OverlayItem& item) {
     if (given.font) item.font = readText(given.font, 0, kMaxNameBytes, "font");
     item.fontSize = float(readOrDefault(given.font_size, kFontSize, item.fontSize, "font_size"));
@@ -124,7 +115,9 @@ rubble_result setOverlayImage(rubble_renderer renderer, const rubble_overlay_ima
             if (isRefused()) return;
             read.pixels.assign(given.pixels, given.pixels + size_t(given.width) * given.height * 4);
         }
-        if (!isRefused()) hosted.renderer->overlay().setImage(name, std::move(read));
+        if (isRefused()) return;
+        const auto set = hosted.renderer->overlay().setImage(name, std::move(read));
+        if (!set) refuse(RUBBLE_ERROR_CAPACITY, "{}", set.error());
     });
 }
 

@@ -40,8 +40,9 @@ void journalSlots(const SlotValues<Handle, T>& before, const Map& now, std::vect
 /// Of two states of one body. Its name and tags never change; what makes it broken is in the journal of its shapes.
 bool sameState(const Body& a, const Body& b) {
     return a.pose == b.pose && a.velocity == b.velocity && a.angularVelocity == b.angularVelocity &&
-           a.asleep == b.asleep && a.settled == b.settled && a.isStatic == b.isStatic && a.shapes == b.shapes &&
-           a.restingSince == b.restingSince && a.gravityScale == b.gravityScale && a.linearDamping == b.linearDamping &&
+           a.asleep == b.asleep && a.waitsToWake == b.waitsToWake && a.settled == b.settled &&
+           a.isStatic == b.isStatic && a.shapes == b.shapes && a.restingSince == b.restingSince &&
+           a.gravityScale == b.gravityScale && a.linearDamping == b.linearDamping &&
            a.angularDamping == b.angularDamping;
 }
 

@@ -17,6 +17,7 @@ struct Body {
     glm::dvec3 angularVelocity{0.0};  ///< rad/s, world axes
     bool isStatic = true;
     bool asleep = false;
+    bool waitsToWake = false;  ///< asleep until the budgets of physics have a place for it
     std::vector<ShapeHandle> shapes;
     std::vector<std::string> tags;
     bool settled = false;       ///< asleep for so long that only damage or motion near it wakes it
@@ -34,6 +35,7 @@ struct BodyPose {
     glm::dvec3 velocity{0.0};
     glm::dvec3 angularVelocity{0.0};
     bool asleep = false;
+    bool waitsToWake = false;  ///< see Body
 };
 
 }  // namespace rubble

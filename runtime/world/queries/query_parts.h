@@ -28,6 +28,21 @@ void inBatches(std::span<const Query> queries, const HitSink& sink, const Parall
     });
 }
 
+/// The same with the queries in another order: order[i] is the place of the one that comes at i.
+template <class Query, class Answer>
+void inOrderedBatches(std::span<const Query> queries, std::span<const uint32_t> order, const HitSink& sink,
+                      const ParallelFor& parallelFor, Answer&& answer) {
+    parallelFor((order.size() + kBatch - 1) / kBatch, [&](size_t batch) {
+        std::array<Query, kBatch> ordered;
+        std::array<WorldHit, kBatch> hits;
+        const std::span<const uint32_t> places =
+            order.subspan(batch * kBatch, std::min(kBatch, order.size() - batch * kBatch));
+        for (size_t i = 0; i < places.size(); ++i) ordered[i] = queries[places[i]];
+        answer(std::span<const Query>(ordered).first(places.size()), std::span(hits).first(places.size()));
+        for (size_t i = 0; i < places.size(); ++i) sink(places[i], std::span(hits).subspan(i, 1));
+    });
+}
+
 /// Whether a ray of unit direction meets a box, grown by `halfExtent`, within a distance. The slab method: the ray's
 /// interval inside a box is the intersection of its intervals between the three pairs of planes (Kay & Kajiya 1986).
 inline bool intersects(const WorldBox& box, glm::dvec3 halfExtent, glm::dvec3 origin, glm::dvec3 direction,

@@ -69,8 +69,8 @@ uint64_t resolvedHash(const WorldState& world) {
         hasher.add(body.pose);
         hasher.add(body.velocity);
         hasher.add(body.angularVelocity);
-        hasher.add(uint64_t(body.broken) << 3 | uint64_t(body.settled) << 2 | uint64_t(body.isStatic) << 1 |
-                   uint64_t(body.asleep));
+        hasher.add(uint64_t(body.waitsToWake) << 4 | uint64_t(body.broken) << 3 | uint64_t(body.settled) << 2 |
+                   uint64_t(body.isStatic) << 1 | uint64_t(body.asleep));
         hasher.add(body.createdStep);
         hasher.add(body.restingSince);
         hasher.add(glm::dvec3(body.gravityScale, body.linearDamping, body.angularDamping));

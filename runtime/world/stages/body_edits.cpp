@@ -39,7 +39,7 @@ void setKind(EditContext& context, BodyHandle handle, bool isStatic) {
     if (isStatic) {
         moveShapes(context, body);
         body.velocity = body.angularVelocity = glm::dvec3(0.0);
-        body.asleep = body.settled = false;
+        body.asleep = body.waitsToWake = body.settled = false;
         body.restingSince = 0;
         context.motions.erase(handle.slot());
     }

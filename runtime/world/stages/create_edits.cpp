@@ -39,7 +39,7 @@ Shape makeNew(const WorldData& world, const CreateShapeEdit& edit, bool isStatic
 void apply(EditContext& context, const CreateBodyEdit& edit) {
     Body body = edit.body;
     body.shapes.clear();
-    body.settled = body.broken = false;
+    body.waitsToWake = body.settled = body.broken = false;
     body.createdStep = context.changes.step;
     body.restingSince = body.asleep ? context.changes.step : 0;
     if (body.isStatic) body.velocity = body.angularVelocity = glm::dvec3(0.0), body.asleep = false;

@@ -89,7 +89,7 @@ void EditContext::listPalette(ShapeHandle shape) {
 void EditContext::wakeBody(BodyHandle handle) {
     Body& body = world.bodies.at(handle);
     if (body.asleep || body.restingSince) changes.woken.push_back(handle);
-    body.asleep = false;
+    body.asleep = body.waitsToWake = false;
     body.restingSince = 0;
     if (std::exchange(body.settled, false)) changes.unsettled.push_back(handle);
     world.updateDebris(handle);

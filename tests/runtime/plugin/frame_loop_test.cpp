@@ -50,36 +50,6 @@ Edits lightScript(const World& world, int step) {
     return {};
 }
 
-/// What has lost its support waits for a place in the budget of wakes, and physics is rebuilt by a save.
-TEST(FrameLoop, WhatWaitsToWakeIsNotForgottenByASave) {
-    constexpr int kCubes = 300;
-    Level level;
-    level.bodies.push_back({.name = "ground", .pose = {{-1.0, -0.2, -1.0}}});
-    level.bodies[0].shapes.push_back(levelShape("ground", solidGrid({170, 2, 100}, 1)));
-    for (int i = 0; i < kCubes; ++i) {
-        LevelBody cube{.name = "cube", .pose = {{0.5 * (i % 30), 0.0, 0.5 * (i / 30)}}, .isStatic = false};
-        cube.shapes.push_back(levelShape("cube", solidGrid({3, 3, 3}, 1)));
-        level.bodies.push_back(std::move(cube));
-    }
-    FrameLoopSettings settings = headlessSettings();
-    settings.physics.wakesPerStep = 20;
-    FrameLoop loop(settings), other(settings);
-    loop.load(level);
-    loop.step();
-    const ShapeHandle ground = loop.world().bodies().at(loop.world().bodies().handleAt(0)).shapes[0];
-    loop.edits().push(Edits{
-        CarveEdit{.kind = BrushKind::Box, .position = {7.5, -0.1, 4.0}, .halfSize = {9.0, 0.2, 6.0}, .shape = ground}});
-    loop.step();
-    ASSERT_GT(loop.physics()->stats().waiting, 0);
-    other.load(loop.save());
-    for (int i = 0; i < 60; ++i) loop.step(), other.step();
-    EXPECT_EQ(loop.world().hash(), other.world().hash());
-    int hanging = 0;
-    loop.world().bodies().forEach(
-        [&](BodyHandle, const Body& body) { hanging += body.name == "cube" && body.pose.position.y > -0.5; });
-    EXPECT_EQ(hanging, 0);
-}
-
 TEST(FrameLoop, ContinuingAfterASaveEqualsLoadingIt) {
     FrameLoop loop(headlessSettings());
     loop.load(tower());

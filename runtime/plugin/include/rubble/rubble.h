@@ -2349,7 +2349,8 @@ typedef struct rubble_api {
      * overlay builds its program. RUBBLE_ERROR_FILE: a font cannot be read. RUBBLE_ERROR_ARGUMENT: an image is not
      * there, among others. Then the items are as before. */
     rubble_result (*set_overlay)(rubble_renderer renderer, const rubble_overlay_item* items, uint32_t count);
-    /* [render-thread] Gives an image a name for items, or replaces it. The pixels are copied. */
+    /* [render-thread] Gives an image a name for items, or replaces it. The pixels are copied. RUBBLE_ERROR_CAPACITY:
+     * there would be more than 4096 images of this renderer, or more than 1 GiB of pixels. */
     rubble_result (*set_overlay_image)(rubble_renderer renderer, const rubble_overlay_image* image);
     /* [any-thread] Width and height of a text as set_overlay() draws it, of which text, font, font_size and size[0]
      * are read. RUBBLE_ERROR_FILE: the font cannot be read. */

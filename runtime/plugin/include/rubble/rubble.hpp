@@ -1143,7 +1143,8 @@ public:
     void set_overlay(const rubble_overlay_item* items, uint32_t count) {
         check(api().set_overlay(m_handle, items, count));
     }
-    /** Gives an image a name for items, or replaces it. The pixels are copied. */
+    /** Gives an image a name for items, or replaces it. The pixels are copied. RUBBLE_ERROR_CAPACITY: there would be
+     * more than 4096 images of this renderer, or more than 1 GiB of pixels. */
     void set_overlay_image(rubble_overlay_image image) {
         image.struct_size = sizeof image;
         check(api().set_overlay_image(m_handle, &image));
