@@ -21,6 +21,8 @@ namespace {
 constexpr double kMinDisplacement = 1.0;  ///< voxels that a body moves in a step in which it may be swept
 constexpr double kFarDisplacement = 2.0;  ///< voxels that a body moves in a step in which it is always swept
 constexpr double kMaxDeviation = 1.0;     ///< voxels from its expected path from which it is swept
+/// Voxels from where it would be by itself, from which a body is swept against what it may be in, or have inside.
+constexpr double kMinDeparture = 0.25;
 constexpr double kMaxBend = 0.1;          ///< voxels from the line between its ends that a path counts as straight
 constexpr double kMaxEnergyError = 1e-3;  ///< share of the energy up to which a body counts as turning freely
 constexpr double kNoStop = 2.0;           ///< a fraction of the step
@@ -152,6 +154,12 @@ bool needsSweep(const DynamicBody& body, double seconds) {
     return moved > kFarDisplacement * voxel || body.isPenetrating || deviationOf(body, seconds) > kMaxDeviation * voxel;
 }
 
+/// Whether the body may have met what it is in, or what is in it, as one of the two was sent elsewhere. anyGaps:
+/// whether anything may have something inside.
+bool needsInnerSweep(const DynamicBody& body, bool anyGaps, double seconds) {
+    return anyGaps && departureOf(body, seconds) > kMinDeparture * body.object.smallestVoxel;
+}
+
 /// World bounds of an object on a path.
 WorldBox boundsOf(const CollisionObject& object, const SweptPose& path) {
     WorldBox box{glm::dvec3(1e300), glm::dvec3(-1e300)};
@@ -205,14 +213,16 @@ void ContinuousCollision::findPairs(const DynamicBody& body, const WorldBox& box
 }
 
 /// Where a body first enters something on its path; above 1: it does not.
-double ContinuousCollision::fractionOf(DynamicBody& body, PhysicsBodies& bodies, const JointTable& joints) {
+double ContinuousCollision::fractionOf(const Swept& swept, PhysicsBodies& bodies, const JointTable& joints) {
+    const DynamicBody& body = bodies.at(swept.slot);
     std::array<Pose, 2> ends, still;
     const SweptPose path = simplified(body, ends);
     findPairs(body, boundsOf(body.object, path), bodies, joints);
     double fraction = kNoStop;
     for (const auto& [first, second] : m_pairs) {
         const CollisionObject& other = first == &body.object ? *second : *first;
-        if (isFree(body) && isMoving(other) && !mayBeInside(body.object, other)) continue;
+        if (swept.innerOnly && !isMoving(other)) continue;
+        if ((swept.innerOnly || (isFree(body) && isMoving(other))) && !mayBeInside(body.object, other)) continue;
         // A body that is put back is in the way of what follows it, which would then be deep in it.
         if (!mayPass(body.object, other, relativeDisplacement(body, other))) continue;
         fraction = std::min(fraction, timeOfImpact(body.object.collider, path, other.collider, pathOf(other, still)));
@@ -269,27 +279,36 @@ void ContinuousCollision::putBack(DynamicBody& body, double fraction, const glm:
     body.setPose();
 }
 
-bool ContinuousCollision::stop(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings,
-                               const glm::dvec3& gravity) {
-    if (!settings.continuous) return false;
+/// The bodies to be swept, and the bounds of where they have been: they are not where they were expected.
+void ContinuousCollision::findSwept(PhysicsBodies& bodies, double seconds) {
+    const std::vector<uint32_t>& awake = bodies.awake();
+    const bool anyGaps =
+        std::any_of(awake.begin(), awake.end(), [&](uint32_t slot) { return hasGaps(bodies.at(slot).object); });
     m_swept.clear();
-    for (const uint32_t slot : bodies.awake()) {
+    for (const uint32_t slot : awake) {
         DynamicBody& body = bodies.at(slot);
-        if (body.finite() && needsSweep(body, settings.stepSeconds))
-            m_swept.push_back(slot);
+        const bool isSwept = body.finite() && needsSweep(body, seconds);
+        if (isSwept || (body.finite() && needsInnerSweep(body, anyGaps, seconds)))
+            m_swept.push_back({slot, !isSwept});
         else
             body.held = 0;
     }
-    if (m_swept.empty()) return false;
-    for (const uint32_t slot : m_swept) {  // they are not where they were expected
+    for (const Swept& swept : m_swept) {
         std::array<Pose, 2> ends;
-        CollisionObject& object = bodies.at(slot).object;
-        const WorldBox swept = boundsOf(object, simplified(*object.dynamic, ends));
-        object.low = glm::min(object.low, swept.low), object.high = glm::max(object.high, swept.high);
+        CollisionObject& object = bodies.at(swept.slot).object;
+        const WorldBox box = boundsOf(object, simplified(*object.dynamic, ends));
+        object.low = glm::min(object.low, box.low), object.high = glm::max(object.high, box.high);
         bodies.broadphase().move(object);
     }
+}
+
+bool ContinuousCollision::stop(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings,
+                               const glm::dvec3& gravity) {
+    if (!settings.continuous) return false;
+    findSwept(bodies, settings.stepSeconds);
+    if (m_swept.empty()) return false;
     m_fractions.assign(bodies.awake().size() + 1, kNoStop);
-    for (const uint32_t slot : m_swept) stopAt(bodies.at(slot), fractionOf(bodies.at(slot), bodies, joints));
+    for (const Swept& swept : m_swept) stopAt(bodies.at(swept.slot), fractionOf(swept, bodies, joints));
     while (!m_queue.empty()) {
         const Stop next = m_queue.front();
         std::pop_heap(m_queue.begin(), m_queue.end(), std::greater());

@@ -24,14 +24,20 @@ private:
         uint32_t slot;
         auto operator<=>(const Stop&) const = default;
     };
+    /// A body that is swept. innerOnly: against what it is in, and what is in it.
+    struct Swept {
+        uint32_t slot;
+        bool innerOnly;
+    };
+    void findSwept(PhysicsBodies& bodies, double seconds);
     void findPairs(const DynamicBody& body, const WorldBox& box, PhysicsBodies& bodies, const JointTable& joints);
-    double fractionOf(DynamicBody& body, PhysicsBodies& bodies, const JointTable& joints);
+    double fractionOf(const Swept& swept, PhysicsBodies& bodies, const JointTable& joints);
     void stopAt(const DynamicBody& body, double fraction);
     void stopJointed(const DynamicBody& body, const PhysicsBodies& bodies, const JointTable& joints);
     void stopFollowers(const DynamicBody& body, PhysicsBodies& bodies, const JointTable& joints);
     void putBack(DynamicBody& body, double fraction, const glm::dvec3& gravity) const;
 
-    std::vector<uint32_t> m_swept;    ///< slots
+    std::vector<Swept> m_swept;
     std::vector<double> m_fractions;  ///< by solver index: where it stops; above 1: it does not
     std::vector<Stop> m_queue;        ///< a heap, the first on top: what it holds up is still to be found
     std::vector<CollisionObject*> m_found;
