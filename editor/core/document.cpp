@@ -94,12 +94,33 @@ void Document::edit(const std::string& name, const std::function<void()>& work) 
     throw Refused(joined(reasons));
 }
 
-/// Throws Refused with the reasons of what the world did not make.
 void Document::applyNow() {
     m_world.apply_edits();
+    requireNoRefusals();
+}
+
+/// Throws Refused with the reasons of what the world did not make.
+void Document::requireNoRefusals() const {
     std::vector<std::string> reasons;
     for (const rubble_refusal& each : m_world.get_refusals()) reasons.emplace_back(each.reason);
     if (!reasons.empty()) throw Refused(joined(reasons));
+}
+
+/// After an undo the world is at a mark, which stays that of what comes next: so redo lasts where nothing was queued.
+void Document::carryOut(const std::string& name) {
+    if (m_undone.empty()) return edit(name, [] {});
+    requireEditing("an edit");
+    const uint64_t before = hash();
+    m_world.apply_edits();
+    if (hash() == before) return requireNoRefusals();
+    m_undone.clear();
+    try {
+        requireNoRefusals();
+    } catch (...) {
+        takeBack();
+        throw;
+    }
+    m_done.push_back(name);
 }
 
 /// To the last mark.
@@ -146,14 +167,15 @@ void Document::wakeAll() {
     }
 }
 
-void Document::step() {
+void Document::step(const std::function<void()>& take) {
     requirePlaying("step");
-    m_world.step();
+    take ? take() : m_world.step();
     ++m_playedSteps;
 }
 
 void Document::stop() {
     requirePlaying("stop");
+    m_world.apply_edits();  // an undo would come before them
     takeBack();
     m_isPlaying = false;
     m_undone = {fmt::format("play {} steps", m_playedSteps)};

@@ -43,6 +43,8 @@ public:
     void edit(const std::string& name, const std::function<void()>& work);
     /// Carries out what is queued, within work(), for those that go on with what it has made.
     void applyNow();
+    /// Carries out what was queued outside of edit(), as by a script, as one step of the history.
+    void carryOut(const std::string& name);
     /// Takes the last step back; throws Refused where there is none.
     void undo();
     /// Takes an undo back; throws Refused where there is none.
@@ -59,9 +61,9 @@ public:
     /// Begins to play from here. wakes: free bodies wake, so that what hangs in the air falls; else they sleep until
     /// something wakes them, as in a game that has loaded the level.
     void play(bool wakes);
-    /// Advances by a step of 1/60 s, with the edits that wait.
-    void step();
-    /// Ends play: the level is as before it.
+    /// Advances by a step of 1/60 s, with the edits that wait. take() takes the step; without it the world does.
+    void step(const std::function<void()>& take = {});
+    /// Ends play: the level is as before it. What was queued in it goes with it.
     void stop();
     /// Ends play and keeps what became of the level, as a step of the history.
     void keep();
@@ -74,6 +76,7 @@ private:
     void requireEditing(const char* what) const;
     void requirePlaying(const char* what) const;
     void takeBack();
+    void requireNoRefusals() const;
     void wakeAll();
 
     std::vector<std::string> m_messages;

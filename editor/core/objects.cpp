@@ -47,7 +47,7 @@ void addNamed(const rubble::World& world, const std::string& name, Kinds kinds, 
 void addTagged(const rubble::World& world, const std::string& tag, Kinds kinds, std::vector<uint64_t>& to) {
     const size_t equals = tag.find('=');
     const std::string name = tag.substr(0, equals), value = equals == tag.npos ? "" : tag.substr(equals + 1);
-    for (const uint32_t kind : {RUBBLE_KIND_BODY, RUBBLE_KIND_SHAPE, RUBBLE_KIND_LIGHT, RUBBLE_KIND_JOINT})
+    for (uint32_t kind = RUBBLE_KIND_BODY; kind <= RUBBLE_KIND_JOINT; ++kind)
         for (const uint64_t each : world.find_by_tag(kind, name.c_str(), equals == tag.npos ? nullptr : value.c_str()))
             addAs(world, each, kinds, to);
 }

@@ -126,7 +126,7 @@ RunResult Script::run(Callback callback, lua_State* thread, int arguments) {
     double until = 0.0;
     if (result.state == RunResult::Waits && !isWait(thread, result.results, until))
         result = {RunResult::Failed, 0,
-                  m_context.name + ": coroutine.yield: expected a coroutine, found a callback: use wait()"};
+                  placeOf(thread) + ": coroutine.yield: expected a coroutine, found a callback: use wait()"};
     m_context.callback = nullptr;
     return result;
 }
@@ -134,6 +134,11 @@ RunResult Script::run(Callback callback, lua_State* thread, int arguments) {
 void Script::settle(lua_State* thread, int reference, const RunResult& result) {
     if (result.state == RunResult::Failed) report(result.error);
     if (isStopped()) return;  // nothing of it runs again
+    if (thread == m_textThread && result.state != RunResult::Waits) {
+        m_textThread = nullptr;
+        findCallbacks();
+        m_isReady = result.state == RunResult::Done;
+    }
     if (result.state == RunResult::Waits) {
         double until = 0.0;
         isWait(thread, result.results, until);
@@ -147,11 +152,17 @@ void Script::settle(lua_State* thread, int reference, const RunResult& result) {
     }
 }
 
-bool Script::load(const std::string& text) {
+bool Script::load(const std::string& text, bool isAgain) {
     std::string answer;
     m_text = text;
+    m_isAgain = isAgain;
     const bool isGood = evaluate(text, answer);
+    if (!m_waiting.empty()) {
+        m_textThread = m_waiting.back().thread;
+        return true;
+    }
     if (!isStopped()) findCallbacks();
+    m_isReady = isGood;
     return isGood;
 }
 
@@ -182,6 +193,10 @@ bool Script::compiles(const std::string& text) {
     lua_settop(thread, 0);
     m_idle.emplace_back(thread, reference);
     return isGood;
+}
+
+bool Script::isBegin(const std::string& text) {
+    return !compiles(text) && !isStopped() && m_sandbox.refusal().ends_with("<eof>");
 }
 
 void Script::findCallbacks() {

@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "runtime/script/binding/script_context.h"
@@ -48,12 +49,20 @@ public:
     Script(ScriptWorld& shared, const std::string& name, const SandboxLimits& limits);
 
     /// Compiles and runs the text of a script, which defines its callbacks; false: it has failed, error() says why.
-    bool load(const std::string& text);
+    /// isAgain: it has run before, in this world or in the one of a save. The text may wait, and has no callbacks until
+    /// it is done.
+    bool load(const std::string& text, bool isAgain);
+    /// Whether the text has come to its end and nobody was told of it yet.
+    bool takeReadiness() { return std::exchange(m_isReady, false); }
+    /// What is called first: init(), or onLoad() of one that has run before.
+    Callback first() const { return m_isAgain && has(Callback::Load) ? Callback::Load : Callback::Init; }
     /// Compiles a text and runs it as a callback would run; false: it has failed. What it returns is in `answer`.
     bool evaluate(const std::string& text, std::string& answer);
 
     /// Whether a text is whole: without running it.
     bool compiles(const std::string& text);
+    /// Whether a text is no whole one yet, but the begin of one.
+    bool isBegin(const std::string& text);
     /// What the last word of a line can become, sorted: keywords and globals, or of "a.b:c" fields of a.b, functions
     /// with their bracket. Runs nothing of the script.
     std::vector<std::string> completions(std::string_view line);
@@ -125,6 +134,8 @@ private:
     std::vector<Waiting> m_waiting;
     std::vector<std::pair<lua_State*, int>> m_idle;  ///< threads for calls, with their references
     std::string m_text;
+    lua_State* m_textThread = nullptr;  ///< that runs the text, while it waits
+    bool m_isReady = false, m_isAgain = false;
     bool m_isOfLevel = false;
     std::string m_error;
     uint64_t m_repeats = 0;  ///< of the same error

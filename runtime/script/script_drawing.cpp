@@ -24,12 +24,17 @@ UiItem lineItem(double pixels, size_t line, const std::string& text) {
 
 }  // namespace
 
-void ScriptHost::beginDrawing(const rubble_view& view) {
+void ScriptHost::setView(const rubble_view& view) {
     UiFrame& frame = m_shared.ui;
     frame.view = view;
     frame.pixels = double(view.height) / kCanvasHeight;
     frame.height = kCanvasHeight;
     frame.width = double(view.width) / frame.pixels;
+}
+
+void ScriptHost::beginDrawing(const rubble_view& view) {
+    UiFrame& frame = m_shared.ui;
+    setView(view);
     frame.items.clear();
     frame.isOpen = true;
     for (Script& script : m_scripts) {

@@ -43,12 +43,17 @@ Script& ScriptHost::add(const std::string& name, const std::string& text,
 
 void ScriptHost::begin(Script& script, const std::string& text, bool isAgain) {
     if (m_settings.measuresFunctions || m_profile) script.context().costs.resize(script.context().calls.size());
-    if (script.load(text)) {
-        const bool isLoaded = isAgain && script.has(Callback::Load);
-        script.call(isLoaded ? Callback::Load : Callback::Init, [](lua_State*) { return 0; });
-        if (!script.isStopped()) script.findCallbacks();
-    }
+    script.load(text, isAgain);
+    callFirst(script);
     setReports();
+}
+
+/// Calls init() or onLoad() if the text of the script is done.
+bool ScriptHost::callFirst(Script& script) {
+    if (!script.takeReadiness()) return false;
+    script.call(script.first(), [](lua_State*) { return 0; });
+    if (!script.isStopped()) script.findCallbacks();
+    return true;
 }
 
 bool ScriptHost::anyHas(Callback callback) const {
@@ -94,21 +99,38 @@ void ScriptHost::removePlaceholders() {
     }
 }
 
+void ScriptHost::beforeEdits() {
+    if (!m_shared.grids.empty()) removePlaceholders();
+}
+
+void ScriptHost::afterEdits() {
+    m_shared.pending = {};
+    m_shared.grids.clear();
+    m_shared.reframed.clear();
+}
+
 rubble_result ScriptHost::step() {
     callAll(Callback::Update, kStep);
-    if (!m_shared.grids.empty()) removePlaceholders();
+    beforeEdits();
     const rubble_result result = m_shared.api->step(m_shared.world);
     if (result != RUBBLE_OK) return result;
     ++m_shared.step;
     m_shared.time = double(m_shared.step) * kStep;
-    m_shared.pending = {};
-    m_shared.grids.clear();
+    afterEdits();
     if (!m_shared.pointLights.empty()) dropPointLights();
     readEvents();
-    for (Script& script : m_scripts)
-        if (script.isWaiting()) script.resumeWaiting();
+    resumeWaiting();
     if (std::exchange(m_shared.mayHaveScripts, false)) addLevelScripts({}, false);
     return result;
+}
+
+void ScriptHost::resumeWaiting() {
+    bool hasBegun = false;
+    for (Script& script : m_scripts) {
+        if (script.isWaiting()) script.resumeWaiting();
+        hasBegun = callFirst(script) || hasBegun;
+    }
+    if (hasBegun) setReports();
 }
 
 void ScriptHost::dropPointLights() {

@@ -74,6 +74,16 @@ public:
     /// Calls update(1/60 s), steps the world, and tells scripts what happened. The result is that of step().
     rubble_result step();
 
+    /// Around a step of the world, or apply_edits(), that the host takes itself: step() does both. After it nothing of
+    /// what scripts have queued waits any more.
+    void beforeEdits();
+    /// See beforeEdits().
+    void afterEdits();
+    /// Goes on with what waits for such a step, or for a time that has come. step() does it.
+    void resumeWaiting();
+
+    /// What the camera sees, for scripts that ask before the first draw(): before add().
+    void setView(const rubble_view& view);
     /// Calls draw(dt) of all scripts after tick(), for a view that is drawn next, and gives what they have drawn, the
     /// lines since tick() and the values of DebugWatch() to its renderer, of which there may be several.
     /// [render-thread, which is the main thread here] renderer 0: what is drawn only stands in shared().ui.items. Where
@@ -98,6 +108,7 @@ private:
     std::list<Script>::iterator restart(std::list<Script>::iterator old, std::string text,
                                         std::map<std::string, std::string> restored);
     void begin(Script& script, const std::string& text, bool isAgain);
+    bool callFirst(Script& script);
     void forgetWorld();
     void removePlaceholders();
     void callAll(Callback callback, double dt);

@@ -104,8 +104,7 @@ void ScriptHost::load() {
 }
 
 void ScriptHost::forgetWorld() {
-    m_shared.pending = {};
-    m_shared.grids.clear();
+    afterEdits();
     m_shared.brokenBodies.clear();
     m_shared.brokenShapes.clear();
     m_shared.pointLights.clear();
@@ -125,8 +124,9 @@ bool ScriptHost::reload(const std::string& name, const std::string& text) {
     for (auto script = m_scripts.begin(); script != m_scripts.end(); ++script) {
         if (script->name() != name) continue;
         std::string unused;
-        if (!script->compiles(text))
+        if (!script->isStopped() && !script->compiles(text))
             return script->evaluate(text, unused);  // which says what is wrong, and runs nothing
+        script->call(Callback::Destroy, [](lua_State*) { return 0; });
         const auto made = restart(script, text, script->savedTables());
         return made->error().empty();
     }
@@ -149,7 +149,8 @@ void ScriptHost::addLevelScripts(SavedTables restored, bool isAgain) {
 void ScriptHost::addLevelScript(const std::string& path, const std::string& parameters, SavedTables& restored,
                                 bool isAgain) {
     std::ifstream file;
-    if (!m_settings.folder.empty() && staysInside(path)) file.open(m_settings.folder + "/" + path, std::ios::binary);
+    if (!m_settings.folder.empty() && staysInside(path) && !leadsOutside(m_settings.folder, path))
+        file.open(m_settings.folder + "/" + path, std::ios::binary);
     if (!file.is_open()) {
         if (m_shared.log)
             m_shared.log(RUBBLE_LOG_ERROR, "the level names the script \"" + path +

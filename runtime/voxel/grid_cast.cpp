@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kContactTolerance = 1e-9;  ///< cells
 constexpr double kMaxCoordinate = 1e7;      ///< cells: shapes farther from the grid's origin hit nothing
+constexpr double kMaxOverlap = 1e13;        ///< the same of overlaps, which solve nothing: exact to 0.01 cells
 constexpr int kMaxNewtonSteps = 64;         ///< three or four are enough, except where the shape grazes the voxel
 
 /// An interval of t.
@@ -270,13 +271,13 @@ private:
     std::vector<BrickCandidate> m_candidates;
 };
 
-bool isNear(glm::dvec3 v) {
-    return std::abs(v.x) < kMaxCoordinate && std::abs(v.y) < kMaxCoordinate && std::abs(v.z) < kMaxCoordinate;
+bool isNear(glm::dvec3 v, double limit = kMaxCoordinate) {
+    return std::abs(v.x) < limit && std::abs(v.y) < limit && std::abs(v.z) < limit;
 }
 
-bool isNear(const CellShape& shape) {
-    bool near = isNear(shape.a) && isNear(shape.halfExtent());
-    if (!shape.isBox) near = near && isNear(shape.b) && shape.radius >= 0.0;
+bool isNear(const CellShape& shape, double limit = kMaxCoordinate) {
+    bool near = isNear(shape.a, limit) && isNear(shape.halfExtent(), limit);
+    if (!shape.isBox) near = near && isNear(shape.b, limit) && shape.radius >= 0.0;
     return near;
 }
 
@@ -328,7 +329,7 @@ CellContact castShape(const VoxelGrid& grid, const CellShape& shape, glm::dvec3 
 }
 
 std::optional<glm::ivec3> findOverlap(const VoxelGrid& grid, const CellShape& shape, EntryFilter accepted) {
-    if (!isNear(shape) || grid.empty()) return {};
+    if (!isNear(shape, kMaxOverlap) || grid.empty()) return {};
     const glm::dvec3 middle = shape.middle(), halfExtent = shape.halfExtent();
     std::optional<BoxAxes> axes;
     if (shape.isBox) axes.emplace(shape);

@@ -1,7 +1,9 @@
 #include "samples/lua/line_input.h"
 
+#include <termios.h>
 #include <unistd.h>
 
+#include <clocale>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -15,6 +17,7 @@ namespace lua_sample {
 namespace {
 
 constexpr int kMaxLines = 1000;  ///< of the history
+constexpr int kInterrupt = 3;    ///< Ctrl+C as a key
 
 LineInput::Complete complete;    ///< libedit knows one input and calls functions without an argument for it
 std::vector<std::string> words;  ///< that it offered last
@@ -32,6 +35,30 @@ char** completeWord(const char* text, int, int end) {
     return words.empty() ? nullptr : rl_completion_matches(text, nextWord);
 }
 
+int endInput(int, int) {
+    rl_done = 1;
+    return 0;
+}
+
+/// While one lives Ctrl+C is a key of the line that is read, which ends the input, and no signal.
+class InterruptAsKey {
+public:
+    InterruptAsKey() : m_isKnown(tcgetattr(STDIN_FILENO, &m_before) == 0) {
+        termios changed = m_before;
+        changed.c_cc[VINTR] = _POSIX_VDISABLE;
+        if (m_isKnown) tcsetattr(STDIN_FILENO, TCSANOW, &changed);
+    }
+    ~InterruptAsKey() {
+        if (m_isKnown) tcsetattr(STDIN_FILENO, TCSANOW, &m_before);
+    }
+    InterruptAsKey(const InterruptAsKey&) = delete;
+    InterruptAsKey& operator=(const InterruptAsKey&) = delete;
+
+private:
+    termios m_before{};
+    bool m_isKnown;
+};
+
 }  // namespace
 
 LineInput::LineInput(Complete given, std::string history)
@@ -43,6 +70,9 @@ LineInput::LineInput(Complete given, std::string history)
     rl_completer_word_break_characters = breaks;
     rl_completion_append_character = '\0';
     rl_attempted_completion_function = completeWord;
+    std::setlocale(LC_CTYPE, "C.UTF-8");  // letters beyond ASCII
+    rl_initialize();
+    rl_add_defun("end", endInput, kInterrupt);
     using_history();
     stifle_history(kMaxLines);
     read_history(m_history.c_str());
@@ -59,6 +89,7 @@ LineInput::~LineInput() = default;
 std::optional<std::string> LineInput::read(const char* prompt) {
 #ifdef RUBBLE_HAS_LIBEDIT
     if (m_isEdited) {
+        const InterruptAsKey key;
         char* typed = readline(prompt);
         if (!typed) return std::nullopt;
         std::string line = typed;

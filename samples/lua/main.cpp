@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -20,6 +21,7 @@ namespace lua_sample {
 namespace {
 
 namespace fs = std::filesystem;
+constexpr uint32_t kWidth = 1280, kHeight = 720;  ///< pixels of an image
 using rubble::script::Callback;
 using rubble::script::kCallbacks;
 using rubble::script::Script;
@@ -30,8 +32,26 @@ struct Options {
     std::vector<std::string> evaluated, parameters;
     std::vector<double> camera;
     int steps = 600;
-    bool prints = false, watches = false;
+    bool hasSteps = false, prints = false, watches = false;
 };
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// Ctrl+C ends a run in order, so that scripts get their destroy(); a second one ends it at once.
+void catchInterrupts() {
+    struct sigaction action = {};
+    action.sa_handler = [](int) { interrupted = 1; };
+    action.sa_flags = int(SA_RESETHAND);
+    sigaction(SIGINT, &action, nullptr);
+}
+
+std::map<std::string, std::string> parametersOf(const Options& options) {
+    std::map<std::string, std::string> parameters;
+    for (const std::string& each : options.parameters)
+        parameters[each.substr(0, each.find('='))] =
+            each.find('=') == each.npos ? "1" : each.substr(each.find('=') + 1);
+    return parameters;
+}
 
 std::string readFile(const std::string& path) {
     std::ostringstream text;
@@ -39,32 +59,50 @@ std::string readFile(const std::string& path) {
     return text.str();
 }
 
-/// Lines of Lua from standard input, each in a step of its own: an expression, or statements.
-int readLines(ScriptHost& host) {
-    Script& script = host.add("line", "");
+/// Whether a text is the begin of an expression or of statements.
+bool isBegin(Script& script, const std::string& text) {
+    const std::string expression = "return " + text;
+    return !script.compiles(expression) && (script.isBegin(text) || script.isBegin(expression));
+}
+
+/// The next expression or statements, which may have several lines; nothing: the input has ended.
+std::optional<std::string> readStatements(LineInput& input, Script& script) {
+    std::optional<std::string> text = input.read("> ");
+    while (text && isBegin(script, *text)) {
+        const std::optional<std::string> line = input.read(">> ");
+        if (!line) break;
+        *text += "\n" + *line;
+    }
+    return text;
+}
+
+/// Lua from standard input, each statement in a step of its own.
+int readLines(ScriptHost& host, const Options& options) {
+    Script& script = host.add("line", "", parametersOf(options));
     const char* home = std::getenv("HOME");
     LineInput input([&](std::string_view line) { return script.completions(line); },
                     std::string(home ? home : ".") + "/.rubble_lua_history");
-    while (const std::optional<std::string> line = input.read("> ")) {
+    while (const std::optional<std::string> text = readStatements(input, script)) {
         std::string answer;
-        const bool isExpression = script.compiles("return " + *line);
-        script.evaluate(isExpression ? "return " + *line : *line, answer);
+        const bool isExpression = script.compiles("return " + *text);
+        script.evaluate(isExpression ? "return " + *text : *text, answer);
         if (!answer.empty()) fmt::print("{}\n", answer);
         if (script.isStopped()) return 1;
         script.findCallbacks();  // a line may have defined tick()
         host.tick(1.0 / 60.0);
         host.step();
+        if (interrupted) break;
     }
     fmt::print("\n");
     return 0;
 }
 
 int evaluate(ScriptHost& host, const Options& options) {
-    Script& script = host.add("eval", "");
+    Script& script = host.add("eval", "", parametersOf(options));
     for (const std::string& text : options.evaluated) {
         std::string answer;
         if (!script.evaluate(script.compiles("return " + text) ? "return " + text : text, answer)) return 1;
-        for (int i = 0; script.isWaiting() && i < options.steps; ++i) host.step();
+        for (int i = 0; script.isWaiting() && i < options.steps && !interrupted; ++i) host.step();
         if (!answer.empty()) fmt::print("{}\n", answer);
         host.step();
     }
@@ -119,12 +157,8 @@ private:
 };
 
 int play(ScriptHost& host, OffscreenView* view, rubble_world world, const Options& options) {
-    std::map<std::string, std::string> parameters;
-    for (const std::string& each : options.parameters)
-        parameters[each.substr(0, each.find('='))] =
-            each.find('=') == each.npos ? "1" : each.substr(each.find('=') + 1);
     if (!options.script.empty())
-        host.add(fs::path(options.script).filename().string(), readFile(options.script), parameters);
+        host.add(fs::path(options.script).filename().string(), readFile(options.script), parametersOf(options));
     const auto isGood = [&] {
         return std::all_of(host.scripts().begin(), host.scripts().end(),
                            [](auto& each) { return each.error().empty(); });
@@ -132,12 +166,17 @@ int play(ScriptHost& host, OffscreenView* view, rubble_world world, const Option
     host.shared().showsProfile = view && options.prints;
     double due = 0.0;
     FileWatch watch(options.script);
-    for (int i = 0; i < options.steps && !(host.scripts().front().isStopped() && host.scripts().size() == 1); ++i) {
+    const auto isOver = [&](int steps) {
+        if (interrupted || (steps >= options.steps && (options.hasSteps || !options.watches))) return true;
+        return !options.watches && host.scripts().front().isStopped() && host.scripts().size() == 1;
+    };
+    for (int i = 0; !isOver(i); i += i < options.steps) {
         host.tick(1.0 / 60.0);
         if (view) host.draw(0, view->view(), 1.0 / 60.0);
         for (due += host.timeScale(); due >= 1.0; due -= 1.0) host.step();
         if (!options.watches) continue;
         watch.look(host);
+        std::fflush(stdout);
         std::this_thread::sleep_for(std::chrono::milliseconds(16));
     }
     if (options.prints) printProfile(host);
@@ -148,8 +187,15 @@ int play(ScriptHost& host, OffscreenView* view, rubble_world world, const Option
 
 int writeReference(const Options& options) {
     const std::string examples = fs::path(options.reference) / "../../samples/lua/examples.lua";
-    fs::create_directories(options.reference);
-    for (const auto& [name, page] : makeReference(examples)) std::ofstream(fs::path(options.reference) / name) << page;
+    std::error_code wrong;
+    fs::create_directories(options.reference, wrong);
+    for (const auto& [name, page] : makeReference(examples)) {
+        std::ofstream file(fs::path(options.reference) / name);
+        file << page;
+        if (file.flush()) continue;
+        fmt::print(stderr, "lua: --reference: expected a folder that can be written, found {}\n", options.reference);
+        return 1;
+    }
     return 0;
 }
 
@@ -160,12 +206,12 @@ int run(const Options& options) {
     rubble_world_settings settings = {.struct_size = sizeof settings, .flags = RUBBLE_WORLD_NO_RENDERER};
     std::string error;
     OffscreenView view;
-    OffscreenView::Camera camera;
+    Camera camera;
     if (options.camera.size() == 6)
         std::copy_n(options.camera.data(), 3, camera.eye), std::copy_n(options.camera.data() + 3, 3, camera.target);
     if (!options.image.empty()) settings.flags = RUBBLE_WORLD_WAIT_FOR_SHADOW;
     if (rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK) error = "this library is of another version";
-    if (error.empty() && !options.image.empty()) error = view.open(*api, 1280, 720, camera);
+    if (error.empty() && !options.image.empty()) error = view.open(*api, viewOf(camera, kWidth, kHeight));
     if (error.empty() && api->create_world(&settings, &world) != RUBBLE_OK) error = api->get_last_error();
     if (error.empty() && options.level.empty()) error = buildYard(*api, world);
     if (error.empty() && !options.level.empty() &&
@@ -183,11 +229,12 @@ int run(const Options& options) {
         given.measuresFunctions = options.prints;
         given.log = [](int level, const std::string& line) { fmt::print(level ? stderr : stdout, "{}\n", line); };
         ScriptHost host(*api, world, given);
+        host.setView(viewOf(camera, kWidth, kHeight));
         host.addLevelScripts();
         if (!options.evaluated.empty())
             result = evaluate(host, options);
         else if (options.script.empty() && host.scripts().empty())
-            result = readLines(host);
+            result = readLines(host, options);
         else
             result = play(host, options.image.empty() ? nullptr : &view, world, options);
     }
@@ -204,7 +251,9 @@ int main(int argc, char** argv) {
     app.add_option("script", options.script, "a file of Lua")->check(CLI::ExistingFile);
     app.add_option("--level", options.level, "a .rubble, .vox or .vdb file; without it a small yard");
     app.add_option("--vdb-tool", options.vdbTool, "the program rubble-vdb, for .vdb levels");
-    app.add_option("--steps", options.steps, "how long, in steps of 1/60 s");
+    const CLI::Option* steps =
+        app.add_option("--steps", options.steps, "how long, in steps of 1/60 s; with --watch until Ctrl+C without it")
+            ->check(CLI::Range(0, 1'000'000'000));
     app.add_option("--eval", options.evaluated, "runs this text instead, and prints what it gives");
     app.add_option("--param", options.parameters, "NAME=VALUE, for GetIntParam() and its like");
     app.add_flag("--profile", options.prints,
@@ -214,5 +263,7 @@ int main(int argc, char** argv) {
     app.add_option("--camera", options.camera, "x y z of the camera, and of what it looks at, in metres")->expected(6);
     app.add_option("--reference", options.reference, "writes the pages of docs/scripting into this folder");
     CLI11_PARSE(app, argc, argv);
+    options.hasSteps = steps->count() > 0;
+    lua_sample::catchInterrupts();
     return lua_sample::run(options);
 }

@@ -21,30 +21,36 @@ struct OffscreenView::Gl {
     std::optional<rubble::Offscreen> target;
 };
 
+rubble_view viewOf(const Camera& camera, uint32_t width, uint32_t height) {
+    const glm::dvec3 eye(camera.eye[0], camera.eye[1], camera.eye[2]);
+    const glm::dvec3 target(camera.target[0], camera.target[1], camera.target[2]);
+    const glm::dquat turn = glm::quatLookAt(glm::normalize(target - eye), glm::dvec3(0.0, 1.0, 0.0));
+    rubble_view view = {};
+    view.struct_size = sizeof view;
+    view.width = width, view.height = height;
+    for (int i = 0; i < 3; ++i) view.position[i] = eye[i];
+    view.rotation[0] = turn.x, view.rotation[1] = turn.y, view.rotation[2] = turn.z, view.rotation[3] = turn.w;
+    view.vertical_fov = 0.9, view.alpha = 1.0;
+    return view;
+}
+
 OffscreenView::OffscreenView() = default;
 OffscreenView::~OffscreenView() = default;
 
-std::string OffscreenView::open(const rubble_api& api, uint32_t width, uint32_t height, const Camera& camera) {
+std::string OffscreenView::open(const rubble_api& api, const rubble_view& view) {
     auto made = rubble::GlContext::create();
     if (!made) return made.error();
     m_api = &api;
     m_gl = std::make_unique<Gl>();
     m_gl->context = std::move(made).value();
     if (const auto loaded = rubble::loadGl(m_gl->context->loader()); !loaded) return loaded.error();
-    m_gl->target.emplace(glm::ivec2(int(width), int(height)));
+    m_gl->target.emplace(glm::ivec2(int(view.width), int(view.height)));
     rubble_host host = {};
     host.struct_size = sizeof host;
     host.gl_get_proc_address = m_gl->context->loader();
     if (api.set_host(&host) != RUBBLE_OK) return api.get_last_error();
-    const glm::dvec3 eye(camera.eye[0], camera.eye[1], camera.eye[2]);
-    const glm::dvec3 target(camera.target[0], camera.target[1], camera.target[2]);
-    const glm::dquat turn = glm::quatLookAt(glm::normalize(target - eye), glm::dvec3(0.0, 1.0, 0.0));
-    m_view.struct_size = sizeof m_view;
+    m_view = view;
     m_view.framebuffer = m_gl->target->framebuffer();
-    m_view.width = width, m_view.height = height;
-    for (int i = 0; i < 3; ++i) m_view.position[i] = eye[i];
-    m_view.rotation[0] = turn.x, m_view.rotation[1] = turn.y, m_view.rotation[2] = turn.z, m_view.rotation[3] = turn.w;
-    m_view.vertical_fov = 0.9, m_view.alpha = 1.0;
     return "";
 }
 

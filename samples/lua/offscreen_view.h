@@ -10,15 +10,19 @@ class ScriptHost;
 
 namespace lua_sample {
 
+/// A camera at a place that looks at another one, both in metres.
+struct Camera {
+    double eye[3] = {3.5, 2.2, -7.0}, target[3] = {0.0, 1.0, 0.0};
+};
+
+/// What it sees.
+rubble_view viewOf(const Camera& camera, uint32_t width, uint32_t height);
+
 /// Draws a world, and what scripts draw over it, without a window.
 class OffscreenView {
 public:
-    /// A camera at a place that looks at another one, both in metres.
-    struct Camera {
-        double eye[3] = {3.5, 2.2, -7.0}, target[3] = {0.0, 1.0, 0.0};
-    };
     /// Makes a GL context and tells the host's services of it, before worlds are made. What is missing, or "".
-    std::string open(const rubble_api& api, uint32_t width, uint32_t height, const Camera& camera);
+    std::string open(const rubble_api& api, const rubble_view& view);
     /// Draws nothing until open().
     OffscreenView();
     ~OffscreenView();

@@ -46,8 +46,8 @@ Vector optionVector(lua_State* L, int index, const char* name, const Vector& oth
 }
 
 /// Makes an object's handle known to the functions that come before the step.
-uint64_t made(lua_State* L, uint64_t handle) {
-    ScriptContext::of(L).shared.pending.created.insert(handle);
+uint64_t made(lua_State* L, uint64_t handle, uint32_t kind) {
+    ScriptContext::of(L).shared.pending.created[handle] = kind;
     return handle;
 }
 
@@ -77,7 +77,7 @@ rubble_body makeBody(lua_State* L, const Vector& position, int options) {
     copy(body.rotation, rotation);
     rubble_body out = 0;
     isDone(L, apiOf(L).create_body(worldOf(L), &body, &out));
-    return made(L, out);
+    return made(L, out, RUBBLE_KIND_BODY);
 }
 
 /// New palettes are white: gives the entry of a shape the colour of its material.
@@ -97,7 +97,7 @@ void tint(lua_State* L, rubble_shape shape, uint32_t index) {
 int finishBody(lua_State* L, const rubble_shape_settings& settings) {
     rubble_shape shape = 0;
     isDone(L, apiOf(L).create_shape(worldOf(L), &settings, &shape));
-    made(L, shape);
+    made(L, shape, RUBBLE_KIND_SHAPE);
     tint(L, shape, settings.index);
     const std::string tag = textAt(L, 1, "tag");
     if (!tag.empty())
@@ -176,7 +176,7 @@ int joint(lua_State* L) {
     setMotor(L, 5, settings);
     rubble_joint out = 0;
     isDone(L, apiOf(L).create_joint(worldOf(L), &settings, &out));
-    pushHandle(L, made(L, out));
+    pushHandle(L, made(L, out, RUBBLE_KIND_JOINT));
     return 1;
 }
 
@@ -213,7 +213,7 @@ int water(lua_State* L) {
     copy(settings.flow, optionVector(L, 3, "flow", {}));
     rubble_water out = 0;
     isDone(L, apiOf(L).create_water(worldOf(L), &settings, &out));
-    pushHandle(L, made(L, out));
+    pushHandle(L, made(L, out, RUBBLE_KIND_WATER));
     return 1;
 }
 
@@ -227,7 +227,7 @@ int character(lua_State* L) {
     copy(settings.position, vectorAt(L, 1, "pos"));
     rubble_character out = 0;
     isDone(L, apiOf(L).create_character(worldOf(L), &settings, &out));
-    pushHandle(L, made(L, out));
+    pushHandle(L, made(L, out, RUBBLE_KIND_CHARACTER));
     return 1;
 }
 
@@ -245,7 +245,7 @@ int lightGroup(lua_State* L) {
     settings.threshold = numberOr(L, 1, "threshold", 0.4);
     rubble_light_group out = 0;
     isDone(L, apiOf(L).create_light_group(worldOf(L), &settings, &out));
-    pushHandle(L, made(L, out));
+    pushHandle(L, made(L, out, RUBBLE_KIND_LIGHT_GROUP));
     return 1;
 }
 
@@ -285,7 +285,7 @@ int addLight(lua_State* L) {
     light.reach = 10.0;
     rubble_light out = 0;
     isDone(L, apiOf(L).create_light(worldOf(L), &light, &out));
-    pushHandle(L, made(L, out));
+    pushHandle(L, made(L, out, RUBBLE_KIND_LIGHT));
     return 1;
 }
 

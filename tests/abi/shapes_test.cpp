@@ -73,6 +73,46 @@ TEST_F(AbiShapes, VoxelsAreReadAsTheLastStepLeftThem) {
     expectRefused(api()->read_voxels(m_world, &box, outside, 8, &count), RUBBLE_ERROR_STALE, "box->shape");
 }
 
+TEST_F(AbiShapes, VoxelsAreWrittenIntoAGridThatIsResizedInTheSameStep) {
+    const rubble_shape shape = shapes()[0].shape;
+    auto resize = sized<rubble_resize>();
+    resize.shape = shape;
+    resize.size[0] = 30, resize.size[1] = 4, resize.size[2] = 17;
+    auto box = sized<rubble_voxel_box>();
+    box.shape = shape;
+    box.low[0] = 29;
+    for (int& side : box.size) side = 1;
+    const uint8_t voxel = 1;
+    expectRefused(api()->write_voxels(m_world, &box, &voxel, 1), RUBBLE_ERROR_ARGUMENT, "expected 0 to 16");
+    ASSERT_EQ(api()->resize_shape(m_world, &resize), RUBBLE_OK);
+    EXPECT_EQ(api()->write_voxels(m_world, &box, &voxel, 1), RUBBLE_OK) << api()->get_last_error();
+    box.low[1] = 5;
+    expectRefused(api()->write_voxels(m_world, &box, &voxel, 1), RUBBLE_ERROR_ARGUMENT, "axis 1, expected 0 to 3");
+    step();
+    expectRefused(api()->write_voxels(m_world, &box, &voxel, 1), RUBBLE_ERROR_ARGUMENT, "expected 0 to 3");
+    resize.size[1] = 10;
+    ASSERT_EQ(api()->resize_shape(m_world, &resize), RUBBLE_OK);
+    ASSERT_EQ(api()->trim_shape(m_world, shape), RUBBLE_OK);
+    EXPECT_EQ(api()->write_voxels(m_world, &box, &voxel, 1), RUBBLE_OK) << "only the step knows how large it is then";
+}
+
+TEST_F(AbiShapes, ABodyIsSetInMotionByTheStepThatFreesIt) {
+    auto change = sized<rubble_body_change>();
+    change.body = bodies(m_world)[0].body;
+    change.rotation[3] = 1.0;
+    change.fields = RUBBLE_SET_STATIC;
+    ASSERT_EQ(api()->set_body(m_world, &change), RUBBLE_OK);
+    change.fields = RUBBLE_SET_VELOCITY;
+    change.velocity[1] = 5.0;
+    expectRefused(api()->set_body(m_world, &change), RUBBLE_ERROR_ARGUMENT, "static");
+    change.fields = RUBBLE_SET_DYNAMIC;
+    ASSERT_EQ(api()->set_body(m_world, &change), RUBBLE_OK);
+    change.fields = RUBBLE_SET_VELOCITY;
+    ASSERT_EQ(api()->set_body(m_world, &change), RUBBLE_OK) << api()->get_last_error();
+    step();
+    EXPECT_GT(bodies(m_world)[0].velocity[1], 4.0);
+}
+
 TEST_F(AbiShapes, ShapesAreResizedTrimmedAndSplit) {
     auto resize = sized<rubble_resize>();
     resize.shape = shapes()[0].shape;

@@ -109,20 +109,26 @@ SetCollisionShapeEdit readCollisionShape(const World& world, const rubble_collis
     return edit;
 }
 
-SetBodyEdit readBodyChange(const World& world, const rubble_body_change& given) {
+/// Whether a body is static after the edits that wait, as far as that is known.
+bool isStaticThen(HostedWorld& hosted, BodyHandle handle) {
+    const Body* body = hosted.loop.world().bodies().find(handle);  // null: it is made by the step
+    hosted.waiting.follow(hosted.loop.edits());
+    return hosted.waiting.isStatic(handle, body ? std::optional(body->isStatic) : std::nullopt).value_or(false);
+}
+
+SetBodyEdit readBodyChange(HostedWorld& hosted, const rubble_body_change& given) {
     constexpr uint32_t kSleep = RUBBLE_SET_ASLEEP | RUBBLE_SET_AWAKE;
     constexpr uint32_t kMotion = RUBBLE_SET_VELOCITY | kSleep;
     constexpr uint32_t kKind = RUBBLE_SET_STATIC | RUBBLE_SET_DYNAMIC;
     constexpr uint32_t kForces = RUBBLE_SET_GRAVITY_SCALE | RUBBLE_SET_DAMPING;
     const uint32_t fields = readFlags(given.fields, RUBBLE_SET_POSE | kMotion | kKind | kForces, "fields");
-    const BodyHandle handle = readLiveHandle<HandleType::Body>(world.bodies(), given.body, "body");
-    const Body* body = world.bodies().find(handle);  // null: it is made by the step
+    const BodyHandle handle = readLiveHandle<HandleType::Body>(hosted.loop.world().bodies(), given.body, "body");
     if (fields == 0) refuse(RUBBLE_ERROR_ARGUMENT, "fields is 0, expected RUBBLE_SET_...: nothing would change");
     if ((fields & kSleep) == kSleep)
         refuse(RUBBLE_ERROR_ARGUMENT, "fields has RUBBLE_SET_ASLEEP and RUBBLE_SET_AWAKE, expected one of them");
     if ((fields & kKind) == kKind)
         refuse(RUBBLE_ERROR_ARGUMENT, "fields has RUBBLE_SET_STATIC and RUBBLE_SET_DYNAMIC, expected one of them");
-    const bool isStatic = fields & kKind ? (fields & RUBBLE_SET_STATIC) != 0 : body && body->isStatic;
+    const bool isStatic = fields & kKind ? (fields & RUBBLE_SET_STATIC) != 0 : isStaticThen(hosted, handle);
     if (isStatic && fields & kMotion)
         refuse(RUBBLE_ERROR_ARGUMENT, "fields has {:#x}, expected RUBBLE_SET_POSE alone: the body is static", fields);
     SetBodyEdit edit{.body = handle};
@@ -149,7 +155,10 @@ SetBodyEdit readBodyChange(const World& world, const rubble_body_change& given) 
 }
 
 rubble_result setBody(rubble_world world, const rubble_body_change* edit) {
-    return pushEdit("set_body", world, edit, "change", readBodyChange);
+    return inWorld("set_body", world, [&](HostedWorld& hosted) {
+        const rubble_body_change given = readStruct(edit, "change");
+        if (!isRefused()) push(hosted, readBodyChange(hosted, given));
+    });
 }
 rubble_result destroyBody(rubble_world world, rubble_body body) {
     return removeOne<DestroyBodyEdit, HandleType::Body>("destroy_body", world, body, "body", &World::bodies);

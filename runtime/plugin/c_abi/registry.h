@@ -12,6 +12,7 @@
 #include "runtime/plugin/c_abi/event_rows.h"
 #include "runtime/plugin/c_abi/host.h"
 #include "runtime/plugin/c_abi/report_rows.h"
+#include "runtime/plugin/c_abi/waiting_objects.h"
 #include "runtime/plugin/frame_loop.h"
 #include "runtime/plugin/level_loading.h"
 #include "runtime/voxel/greedy_mesh.h"
@@ -50,12 +51,14 @@ struct HostedWorld {
         events.clear();
         reports.restart(loop);
         bricks.forget();
+        waiting = {};
     }
     WorldOptions options;
     FrameLoop loop;
     EventRows events;
     ReportRows reports;
     BrickVersions bricks;
+    WaitingObjects waiting;
     std::vector<FaceQuad> quads;             ///< scratch of mesh_brick()
     std::unique_ptr<LevelLoading> loading;   ///< of a level that is not in the world yet
     std::atomic<bool> isInCall = false;      ///< of a [main-thread] function
@@ -67,6 +70,7 @@ private:
     void listChanges() {
         events.fill(loop.changes());
         bricks.follow(loop.changes(), loop.world().data());
+        waiting = {};
     }
 };
 

@@ -77,6 +77,13 @@ rubble_result readVoxels(rubble_world world, const rubble_voxel_box* box, uint8_
     });
 }
 
+/// The cells of a shape's grid after the edits that wait; nothing: only the step can tell.
+std::optional<glm::ivec3> waitingSize(HostedWorld& hosted, ShapeHandle handle) {
+    const Shape* shape = hosted.loop.world().shapes().find(handle);  // null: it is made by the step
+    hosted.waiting.follow(hosted.loop.edits());
+    return hosted.waiting.gridSize(handle, shape ? std::optional(shape->grid.size()) : std::nullopt);
+}
+
 rubble_result writeVoxels(rubble_world world, const rubble_voxel_box* box, const uint8_t* voxels, uint64_t size) {
     return inWorld("write_voxels", world, [&](HostedWorld& hosted) {
         const rubble_voxel_box given = readStruct(box, "box");
@@ -89,8 +96,7 @@ rubble_result writeVoxels(rubble_world world, const rubble_voxel_box* box, const
         const uint64_t needed = uint64_t(given.size[0]) * uint64_t(given.size[1]) * uint64_t(given.size[2]);
         if (size != needed)
             return refuse(RUBBLE_ERROR_ARGUMENT, "size is {}, expected {}, a byte each cell", size, needed);
-        const Shape* shape = shapes.find(handle);  // null: it is made by the step
-        const glm::ivec3 grid = shape ? shape->grid.size() : glm::ivec3(kMaxGridSize);
+        const glm::ivec3 grid = waitingSize(hosted, handle).value_or(glm::ivec3(kMaxGridSize));
         for (int a = 0; a < 3; ++a)
             if (cells.low[a] < 0 || cells.high[a] > grid[a])
                 return refuse(RUBBLE_ERROR_ARGUMENT, "the box has cells {} to {} of axis {}, expected 0 to {} at most",

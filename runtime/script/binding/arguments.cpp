@@ -1,5 +1,6 @@
 #include "runtime/script/binding/arguments.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -73,6 +74,12 @@ double numberAt(lua_State* L, int index, const char* name) {
 
 double numberOr(lua_State* L, int index, const char* name, double otherwise) {
     return lua_isnoneornil(L, index) ? otherwise : numberAt(L, index, name);
+}
+
+double clampedAt(lua_State* L, int index, const char* name, double low, double high) {
+    const double number = numberAt(L, index, name);
+    if (std::isnan(number)) refuseArgument(L, index, name, "a number");
+    return std::clamp(number, low, high);
 }
 
 bool boolOr(lua_State* L, int index, bool otherwise) {

@@ -1,5 +1,8 @@
 #include "runtime/script/binding/files.h"
 
+#include <algorithm>
+#include <filesystem>
+
 #include "runtime/script/binding/arguments.h"
 #include "runtime/script/binding/script_context.h"
 
@@ -10,9 +13,17 @@ bool staysInside(const std::string& path) {
            path.find('\0') == path.npos;
 }
 
+bool leadsOutside(const std::string& folder, const std::string& path) {
+    std::error_code wrong;
+    const auto inner = std::filesystem::weakly_canonical(folder + "/" + path, wrong);
+    const auto outer = std::filesystem::weakly_canonical(folder, wrong);
+    if (wrong) return true;
+    return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first != outer.end();
+}
+
 std::string fileAt(lua_State* L, int index, const char* name) {
     const std::string file = textAt(L, index, name), &folder = ScriptContext::of(L).shared.folder;
-    if (folder.empty() || !staysInside(file))
+    if (folder.empty() || !staysInside(file) || leadsOutside(folder, file))
         luaL_error(L, "%s: %s: expected a file inside of the folder that the host gives to scripts, found \"%s\"",
                    runningFunction(L).name().c_str(), name, file.c_str());
     return folder + "/" + file;

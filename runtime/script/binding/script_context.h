@@ -40,8 +40,10 @@ struct GridCopy {
 
 /// What calls since the last step have set and reads of the interface do not know yet.
 struct PendingReads {
-    std::set<uint64_t> created;                            ///< objects
+    std::map<uint64_t, uint32_t> created;                  ///< objects, with their kinds: RUBBLE_KIND_...
     std::map<rubble_body, std::array<double, 6>> motions;  ///< velocity and angular velocity
+    std::map<rubble_body, bool> kinds;                     ///< whether it is static
+    std::map<rubble_light, rubble_light_settings> lights;
     /// By object and tag its value; nothing: the tag was taken away.
     std::map<std::pair<uint64_t, std::string>, std::optional<std::string>> tags;
 };
@@ -67,8 +69,10 @@ struct ScriptWorld {
     double timeScale = 1.0;        ///< as SetTimeScale() has set it; the host decides how many steps a frame has
     double timeStep = 1.0 / 60.0;  ///< of the callback that runs
     uint64_t step = 0;
+    bool hasTime = true;  ///< false: nothing may wait for a time, because the host takes no steps
     PendingReads pending;
     std::map<rubble_shape, GridCopy> grids;  ///< of shapes whose voxels calls since the last step have written
+    std::set<rubble_shape> reframed;         ///< whose cells the next step gives other coordinates
     std::set<rubble_body> brokenBodies;      ///< that have lost voxels
     std::set<rubble_shape> brokenShapes;
     std::map<uint64_t, rubble_light> pointLights;  ///< of PointLight() in this step and in the last, by its number

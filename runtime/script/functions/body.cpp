@@ -62,12 +62,27 @@ int getAngularVelocity(lua_State* L) {
     return 1;
 }
 
+/// Whether the body of argument 1 moves freely after the edits of this step. Tells once that the running function has
+/// no effect on one that does not.
+bool movesFreely(lua_State* L) {
+    const PendingReads& pending = ScriptContext::of(L).shared.pending;
+    const rubble_body body = handleAt(L, 1, "body");
+    bool isStatic = false;
+    if (const auto set = pending.kinds.find(body); set != pending.kinds.end())
+        isStatic = set->second;
+    else if (!pending.created.count(body))
+        isStatic = stateAt(L).flags & RUBBLE_BODY_STATIC;
+    if (isStatic) warnOnce(L, "body: expected a dynamic body, found a static one, so it has no effect");
+    return !isStatic;
+}
+
 /// Sets one of the two velocities. The interface sets both: the other one is what this step has set, or that of the
 /// last step.
 int setMotion(lua_State* L, bool isAngular) {
     PendingReads& pending = ScriptContext::of(L).shared.pending;
     rubble_body_change change = changeAt(L, RUBBLE_SET_VELOCITY);
     const Vector given = vectorAt(L, 2, "velocity");
+    if (!movesFreely(L)) return 0;
     std::array<double, 6> motion{};
     if (const auto set = pending.motions.find(change.body); set != pending.motions.end()) {
         motion = set->second;
@@ -130,7 +145,10 @@ int isActive(lua_State* L) {
 }
 
 int setActive(lua_State* L) {
-    return apply(L, changeAt(L, boolOr(L, 2, true) ? RUBBLE_SET_AWAKE : RUBBLE_SET_ASLEEP));
+    const rubble_body_change change = changeAt(L, boolOr(L, 2, true) ? RUBBLE_SET_AWAKE : RUBBLE_SET_ASLEEP);
+    if (!movesFreely(L)) return 0;
+    if (change.fields == RUBBLE_SET_ASLEEP) ScriptContext::of(L).shared.pending.motions[change.body] = {};
+    return apply(L, change);
 }
 
 int isDynamic(lua_State* L) {
@@ -140,7 +158,13 @@ int isDynamic(lua_State* L) {
 }
 
 int setDynamic(lua_State* L) {
-    return apply(L, changeAt(L, boolOr(L, 2, true) ? RUBBLE_SET_DYNAMIC : RUBBLE_SET_STATIC));
+    const rubble_body_change change = changeAt(L, boolOr(L, 2, true) ? RUBBLE_SET_DYNAMIC : RUBBLE_SET_STATIC);
+    const bool isStatic = change.fields == RUBBLE_SET_STATIC;
+    PendingReads& pending = ScriptContext::of(L).shared.pending;
+    if (!isDone(L, apiOf(L).set_body(worldOf(L), &change))) return 0;
+    pending.kinds[change.body] = isStatic;
+    if (isStatic) pending.motions[change.body] = {};
+    return 0;
 }
 
 int isBroken(lua_State* L) {

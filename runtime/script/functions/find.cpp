@@ -6,12 +6,59 @@
 namespace rubble::script {
 namespace {
 
-/// The objects of a kind with the tag of argument 1, or all.
+/// Whether an object is of a kind, also one that the next step makes.
+bool isOfKind(lua_State* L, uint64_t object, uint32_t kind) {
+    const rubble_api& api = apiOf(L);
+    const rubble_world world = worldOf(L);
+    const auto& created = ScriptContext::of(L).shared.pending.created;
+    if (const auto made = created.find(object); made != created.end()) return made->second == kind;
+    rubble_body_state body = {};
+    rubble_shape_state shape = {};
+    rubble_joint_state joint = {};
+    auto light = sized<rubble_light_settings>();
+    uint32_t count = 0;
+    switch (kind) {
+        case RUBBLE_KIND_BODY:
+            return api.get_body_state(world, object, &body) == RUBBLE_OK;
+        case RUBBLE_KIND_SHAPE:
+            return api.get_shape_state(world, object, &shape) == RUBBLE_OK;
+        case RUBBLE_KIND_JOINT:
+            return api.get_joint_state(world, object, &joint) == RUBBLE_OK;
+        case RUBBLE_KIND_LIGHT:
+            return api.get_light_settings(world, object, &light) == RUBBLE_OK;
+        default:
+            return api.get_trigger_bodies(world, object, nullptr, 0, &count) == RUBBLE_OK;
+    }
+}
+
+/// Tags that calls of this step have set and taken away, in what the last step knows.
+void addPending(lua_State* L, uint32_t kind, const std::string& tag, std::vector<uint64_t>& found) {
+    const PendingReads& pending = ScriptContext::of(L).shared.pending;
+    Sandbox::of(L).charge(L, int64_t(tag.empty() ? pending.created.size() : pending.tags.size()));
+    if (tag.empty())
+        for (const auto& [object, made] : pending.created)
+            if (made == kind) found.push_back(object);
+    for (const auto& [place, value] : pending.tags) {
+        if (tag.empty() || place.second != tag) continue;
+        const auto known = std::find(found.begin(), found.end(), place.first);
+        if (!value && known != found.end()) found.erase(known);
+        if (value && known == found.end() && isOfKind(L, place.first, kind)) found.push_back(place.first);
+    }
+}
+
+/// The objects of a kind with the tag of argument 1; where there are none, those with that name. Without a tag all.
 const std::vector<uint64_t>& readFound(lua_State* L, uint32_t kind) {
     const std::string tag = textOr(L, 1, "tag", "");
-    return readHandles(L, [&](uint64_t* out, uint32_t capacity, uint32_t* count) {
+    const auto read = [&](uint64_t* out, uint32_t capacity, uint32_t* count) {
         if (tag.empty()) return apiOf(L).get_objects(worldOf(L), kind, out, capacity, count);
         return apiOf(L).find_by_tag(worldOf(L), kind, tag.c_str(), nullptr, out, capacity, count);
+    };
+    readHandles(L, read);
+    std::vector<uint64_t>& found = ScriptContext::of(L).rows;
+    addPending(L, kind, tag, found);
+    if (!found.empty() || tag.empty()) return found;
+    return readHandles(L, [&](uint64_t* out, uint32_t capacity, uint32_t* count) {
+        return apiOf(L).find_by_name(worldOf(L), kind, tag.c_str(), out, capacity, count);
     });
 }
 
@@ -151,17 +198,24 @@ int deleteObject(lua_State* L) {
 }
 
 constexpr ScriptFunction kFunctions[] = {
-    {"FindBody(tag, global) -> handle", "The first body with a tag, or 0. Without a tag the first of all.",
+    {"FindBody(tag, global) -> handle",
+     "The first body with a tag, else with that name, or 0. Without a tag the first of all.",
      findOne<RUBBLE_KIND_BODY>},
-    {"FindBodies(tag, global) -> list", "All bodies with a tag. Without a tag all.", findAll<RUBBLE_KIND_BODY>},
-    {"FindShape(tag, global) -> handle", "The first shape with a tag, or 0.", findOne<RUBBLE_KIND_SHAPE>},
-    {"FindShapes(tag, global) -> list", "All shapes with a tag.", findAll<RUBBLE_KIND_SHAPE>},
-    {"FindLight(tag, global) -> handle", "The first light with a tag, or 0.", findOne<RUBBLE_KIND_LIGHT>},
-    {"FindLights(tag, global) -> list", "All lights with a tag.", findAll<RUBBLE_KIND_LIGHT>},
-    {"FindJoint(tag, global) -> handle", "The first joint with a tag, or 0.", findOne<RUBBLE_KIND_JOINT>},
-    {"FindJoints(tag, global) -> list", "All joints with a tag.", findAll<RUBBLE_KIND_JOINT>},
-    {"FindTrigger(tag, global) -> handle", "The first trigger with a tag, or 0.", findOne<RUBBLE_KIND_TRIGGER>},
-    {"FindTriggers(tag, global) -> list", "All triggers with a tag.", findAll<RUBBLE_KIND_TRIGGER>},
+    {"FindBodies(tag, global) -> list", "All bodies with a tag, else with that name. Without a tag all.",
+     findAll<RUBBLE_KIND_BODY>},
+    {"FindShape(tag, global) -> handle", "The first shape with a tag, else with that name, or 0.",
+     findOne<RUBBLE_KIND_SHAPE>},
+    {"FindShapes(tag, global) -> list", "All shapes with a tag, else with that name.", findAll<RUBBLE_KIND_SHAPE>},
+    {"FindLight(tag, global) -> handle", "The first light with a tag, else with that name, or 0.",
+     findOne<RUBBLE_KIND_LIGHT>},
+    {"FindLights(tag, global) -> list", "All lights with a tag, else with that name.", findAll<RUBBLE_KIND_LIGHT>},
+    {"FindJoint(tag, global) -> handle", "The first joint with a tag, else with that name, or 0.",
+     findOne<RUBBLE_KIND_JOINT>},
+    {"FindJoints(tag, global) -> list", "All joints with a tag, else with that name.", findAll<RUBBLE_KIND_JOINT>},
+    {"FindTrigger(tag, global) -> handle", "The first trigger with a tag, else with that name, or 0.",
+     findOne<RUBBLE_KIND_TRIGGER>},
+    {"FindTriggers(tag, global) -> list", "All triggers with a tag, else with that name.",
+     findAll<RUBBLE_KIND_TRIGGER>},
     {"IsBodyInTrigger(trigger, body) -> boolean", "Whether a body was in a trigger in the last step.", isBodyInTrigger},
     {"FindLocation(tag, global) -> handle", "The first place of the level with this name, or 0.", findLocation},
     {"FindLocations(tag, global) -> list", "All places of the level with this name.", findLocations},

@@ -11,14 +11,24 @@ bool readLight(lua_State* L, rubble_light_settings& light) {
     return isDone(L, apiOf(L).get_light_settings(worldOf(L), handleAt(L, 1, "light"), &light));
 }
 
+/// The same as calls of this step have left them: the interface sets all of a light at once.
+bool readChanged(lua_State* L, rubble_light_settings& light) {
+    const auto& changed = ScriptContext::of(L).shared.pending.lights;
+    const auto found = changed.find(handleAt(L, 1, "light"));
+    if (found == changed.end()) return readLight(L, light);
+    light = found->second;
+    return true;
+}
+
 int write(lua_State* L, const rubble_light_settings& light) {
-    isDone(L, apiOf(L).set_light(worldOf(L), &light));
+    if (isDone(L, apiOf(L).set_light(worldOf(L), &light)))
+        ScriptContext::of(L).shared.pending.lights[light.light] = light;
     return 0;
 }
 
 int setEnabled(lua_State* L) {
     rubble_light_settings light;
-    if (!readLight(L, light)) return 0;
+    if (!readChanged(L, light)) return 0;
     light.flags =
         boolOr(L, 2, true) ? light.flags | RUBBLE_LIGHT_ENABLED : light.flags & ~uint32_t(RUBBLE_LIGHT_ENABLED);
     return write(L, light);
@@ -31,7 +41,7 @@ double brightness(const rubble_light_settings& light) {
 int setColor(lua_State* L) {
     const Vector color{numberAt(L, 2, "r"), numberAt(L, 3, "g"), numberAt(L, 4, "b")};
     rubble_light_settings light;
-    if (!readLight(L, light)) return 0;
+    if (!readChanged(L, light)) return 0;
     const double largest = std::max({color[0], color[1], color[2], 1e-9});
     copy(light.color, color * (brightness(light) / largest));
     return write(L, light);
@@ -40,7 +50,7 @@ int setColor(lua_State* L) {
 int setIntensity(lua_State* L) {
     const double intensity = numberAt(L, 2, "intensity");
     rubble_light_settings light;
-    if (!readLight(L, light)) return 0;
+    if (!readChanged(L, light)) return 0;
     const double before = brightness(light);
     for (double& channel : light.color) channel = before > 0.0 ? channel / before * intensity : intensity;
     return write(L, light);

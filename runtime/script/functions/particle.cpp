@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "runtime/script/binding/calls.h"
 #include "runtime/script/functions/vocabulary.h"
 
@@ -33,46 +36,47 @@ int setType(lua_State* L) {
 }
 
 int setColor(lua_State* L) {
-    const Vector color{numberAt(L, 1, "r"), numberAt(L, 2, "g"), numberAt(L, 3, "b")};
+    const Vector color{clampedAt(L, 1, "r", 0.0, 1e6), clampedAt(L, 2, "g", 0.0, 1e6), clampedAt(L, 3, "b", 0.0, 1e6)};
     copy(burstOf(L).color, color);
     return 0;
 }
 
 int setRadius(lua_State* L) {
-    const double first = numberAt(L, 1, "r0"), last = numberOr(L, 2, "r1", first);
+    const double first = clampedAt(L, 1, "r0", 0.001, 10.0);
+    const double last = lua_isnoneornil(L, 2) ? first : clampedAt(L, 2, "r1", 0.0, 20.0);
     rubble_particle_burst& burst = burstOf(L);
-    burst.size = std::clamp(first, 0.001, 10.0);
+    burst.size = first;
     burst.growth = std::clamp(last - first, 0.0, 10.0);  // of a whole life, until it is spawned
     return 0;
 }
 
 int setAlpha(lua_State* L) {
-    burstOf(L).opacity = std::clamp(numberAt(L, 1, "a0"), 0.001, 1.0);
+    burstOf(L).opacity = clampedAt(L, 1, "a0", 0.001, 1.0);
     return 0;
 }
 
 int setEmissive(lua_State* L) {
-    burstOf(L).glow = std::clamp(numberAt(L, 1, "e0"), 0.0, 1e6);
+    burstOf(L).glow = clampedAt(L, 1, "e0", 0.0, 1e6);
     return 0;
 }
 
 int setGravity(lua_State* L) {
-    burstOf(L).gravity = -std::clamp(numberAt(L, 1, "g0"), -100.0, 100.0);
+    burstOf(L).gravity = -clampedAt(L, 1, "g0", -100.0, 100.0);
     return 0;
 }
 
 int setDrag(lua_State* L) {
-    burstOf(L).drag = std::clamp(numberAt(L, 1, "d0"), 0.0, 100.0);
+    burstOf(L).drag = clampedAt(L, 1, "d0", 0.0, 100.0);
     return 0;
 }
 
 int setRotation(lua_State* L) {
-    burstOf(L).spin = std::clamp(numberAt(L, 1, "r0"), -100.0, 100.0);
+    burstOf(L).spin = clampedAt(L, 1, "r0", -100.0, 100.0);
     return 0;
 }
 
 int setStretch(lua_State* L) {
-    burstOf(L).stretch = std::clamp(numberAt(L, 1, "s0"), 0.0, 1.0);
+    burstOf(L).stretch = clampedAt(L, 1, "s0", 0.0, 1.0);
     return 0;
 }
 
@@ -81,11 +85,21 @@ int setCollide(lua_State* L) {
     return 0;
 }
 
+/// A vector whose components are brought into -most to most; not a number is an error.
+Vector boundedAt(lua_State* L, int index, const char* name, double most) {
+    Vector vector = vectorAt(L, index, name);
+    for (double& component : vector) {
+        if (std::isnan(component)) refuseArgument(L, index, name, "a vector of numbers");
+        component = std::clamp(component, -most, most);
+    }
+    return vector;
+}
+
 int spawn(lua_State* L) {
     rubble_particle_burst burst = burstOf(L);
-    copy(burst.position, vectorAt(L, 1, "pos"));
-    copy(burst.velocity, vectorAt(L, 2, "vel"));
-    burst.life = std::clamp(numberAt(L, 3, "life"), 0.02, 60.0);
+    copy(burst.position, boundedAt(L, 1, "pos", 1e9));
+    copy(burst.velocity, boundedAt(L, 2, "vel", 1e3));
+    burst.life = clampedAt(L, 3, "life", 0.02, 60.0);
     burst.growth = std::min(burst.growth / burst.life, 10.0);
     const rubble_result result = apiOf(L).spawn_particles(worldOf(L), &burst);
     if (result != RUBBLE_ERROR_ARGUMENT) isDone(L, result);

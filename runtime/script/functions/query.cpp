@@ -119,6 +119,8 @@ int queryClosestPoint(lua_State* L) {
 
 rubble_query_shape boxAt(lua_State* L) {
     const Vector low = vectorAt(L, 1, "min"), high = vectorAt(L, 2, "max");
+    for (size_t i = 0; i < 3; ++i)
+        if (!(high[i] >= low[i])) refuseArgument(L, 2, "max", "no less than min");
     rubble_query_shape box = {};
     box.kind = RUBBLE_QUERY_BOX;
     copy(box.position, (low + high) * 0.5);

@@ -110,8 +110,9 @@ int getMaterialAtPosition(lua_State* L) {
 }
 
 int getMaterialAtIndex(lua_State* L) {
-    const std::array<int32_t, 3> cell{cellOf(numberAt(L, 2, "x")), cellOf(numberAt(L, 3, "y")),
-                                      cellOf(numberAt(L, 4, "z"))};
+    const std::array<int32_t, 3> cell{cellOf(clampedAt(L, 2, "x", -4096.0, 4096.0)),
+                                      cellOf(clampedAt(L, 3, "y", -4096.0, 4096.0)),
+                                      cellOf(clampedAt(L, 4, "z", -4096.0, 4096.0))};
     return pushCell(L, handleAt(L, 1, "shape"), cell);
 }
 

@@ -14,14 +14,18 @@ constexpr int64_t kMaxCells = 1 << 24;  ///< that one call writes
 Cell cellAt(lua_State* L, int index) {
     Cell cell;
     const char* const names[] = {"x", "y", "z"};
-    for (int i = 0; i < 3; ++i)
-        cell[i] = int32_t(std::clamp(std::floor(numberAt(L, index + i, names[i])), -4096.0, 4096.0));
+    for (int i = 0; i < 3; ++i) cell[i] = int32_t(std::floor(clampedAt(L, index + i, names[i], -4096.0, 4096.0)));
     return cell;
 }
 
 /// The copy of a shape's grid that this step draws in; null: the shape is gone.
 GridCopy* gridOf(lua_State* L, rubble_shape shape) {
     std::map<rubble_shape, GridCopy>& grids = ScriptContext::of(L).shared.grids;
+    if (ScriptContext::of(L).shared.reframed.count(shape))
+        luaL_error(L,
+                   "%s: expected a shape whose cells are known, found one that TrimShape() or MergeShape() moves in "
+                   "the next step: wait(0) first",
+                   runningFunction(L).name().c_str());
     if (const auto found = grids.find(shape); found != grids.end()) return &found->second;
     rubble_shape_state state = {};
     if (!isDone(L, apiOf(L).get_shape_state(worldOf(L), shape, &state))) return nullptr;
@@ -97,7 +101,26 @@ void resizeCopy(GridCopy& grid, const Cell& low, const Cell& size) {
     grid = std::move(resized);
 }
 
-/// Resizes a shape, and the copy of its grid.
+/// Whether a box of cells has no voxel.
+bool isEmptyIn(const GridCopy& grid, const Cell& low, const Cell& size) {
+    for (int32_t z = std::max(low[2], 0); z < std::min(low[2] + size[2], grid.size[2]); ++z)
+        for (int32_t y = std::max(low[1], 0); y < std::min(low[1] + size[1], grid.size[1]); ++y)
+            for (int32_t x = std::max(low[0], 0); x < std::min(low[0] + size[0], grid.size[0]); ++x)
+                if (grid.voxels[grid.at(x, y, z)]) return false;
+    return true;
+}
+
+/// A cell of a grid within a box; nothing: the box does not meet the grid.
+std::optional<Cell> cellWithin(const GridCopy& grid, const Cell& low, const Cell& size) {
+    Cell cell;
+    for (size_t i = 0; i < 3; ++i) {
+        cell[i] = std::clamp(low[i], 0, grid.size[i] - 1);
+        if (cell[i] < low[i] || cell[i] >= low[i] + size[i]) return std::nullopt;
+    }
+    return cell;
+}
+
+/// Resizes a shape, and the copy of its grid. One of which no voxel stays gets a placeholder, for what is drawn next.
 bool resizeShape(lua_State* L, rubble_shape shape, const Cell& low, const Cell& size) {
     auto edit = sized<rubble_resize>();
     edit.shape = shape;
@@ -109,19 +132,16 @@ bool resizeShape(lua_State* L, rubble_shape shape, const Cell& low, const Cell& 
         luaL_error(L, "%s: expected at most %d cells", runningFunction(L).name().c_str(), int(kMaxCells));
     GridCopy* grid = gridOf(L, shape);
     if (!grid) return false;
-    const bool isEmpty = std::all_of(grid->voxels.begin(), grid->voxels.end(), [](uint8_t voxel) { return !voxel; });
-    Cell kept{};
-    for (size_t i = 0; isEmpty && i < 3; ++i) {
-        kept[i] = std::clamp(low[i], 0, grid->size[i] - 1);
-        if (kept[i] < low[i] || kept[i] >= low[i] + size[i])
-            luaL_error(L, "%s: expected a box that meets the grid of an empty shape",
-                       runningFunction(L).name().c_str());
-    }
-    if (isEmpty) writeCell(L, shape, kept, 1);
-    if (grid->placeholder && *grid->placeholder != kept) writeCell(L, shape, *grid->placeholder, 0);
+    const std::optional<Cell> kept = cellWithin(*grid, low, size);
+    if (!kept && isEmptyIn(*grid, {0, 0, 0}, grid->size))
+        luaL_error(L, "%s: expected a box that meets the grid of an empty shape", runningFunction(L).name().c_str());
+    const bool isEmpty = kept && isEmptyIn(*grid, low, size);
+    if (isEmpty) writeCell(L, shape, *kept, 1);
+    if (grid->placeholder && (!isEmpty || *grid->placeholder != *kept)) writeCell(L, shape, *grid->placeholder, 0);
     if (!isDone(L, apiOf(L).resize_shape(worldOf(L), &edit))) return false;
     resizeCopy(*grid, low, size);
-    if (isEmpty) grid->placeholder = Cell{kept[0] - low[0], kept[1] - low[1], kept[2] - low[2]};
+    grid->placeholder.reset();
+    if (isEmpty) grid->placeholder = Cell{(*kept)[0] - low[0], (*kept)[1] - low[1], (*kept)[2] - low[2]};
     return true;
 }
 
@@ -142,7 +162,7 @@ int create(lua_State* L) {
     rubble_shape made = 0;
     ScriptContext& context = ScriptContext::of(L);
     if (isDone(L, apiOf(L).create_shape(worldOf(L), &settings, &made))) {
-        context.shared.pending.created.insert(made);
+        context.shared.pending.created[made] = RUBBLE_KIND_SHAPE;
         context.shared.grids[made] = {{8, 8, 8}, std::vector<uint8_t>(512)};
     }
     pushHandle(L, made);
@@ -167,7 +187,8 @@ int resize(lua_State* L) {
 }
 
 int trim(lua_State* L) {
-    isDone(L, apiOf(L).trim_shape(worldOf(L), handleAt(L, 1, "shape")));
+    const rubble_shape shape = handleAt(L, 1, "shape");
+    if (isDone(L, apiOf(L).trim_shape(worldOf(L), shape))) ScriptContext::of(L).shared.reframed.insert(shape);
     return 0;
 }
 
@@ -191,16 +212,19 @@ int split(lua_State* L) {
 }
 
 int merge(lua_State* L) {
-    const rubble_shape shape = handleAt(L, 1, "shape");
-    isDone(L, apiOf(L).merge_shape(worldOf(L), shape, lua_isnoneornil(L, 2) ? 0 : handleAt(L, 2, "into")));
+    const rubble_shape shape = handleAt(L, 1, "shape"), into = lua_isnoneornil(L, 2) ? 0 : handleAt(L, 2, "into");
+    if (isDone(L, apiOf(L).merge_shape(worldOf(L), shape, into)))
+        ScriptContext::of(L).shared.reframed.insert({shape, into});
     return 0;
 }
 
 int copyContent(lua_State* L) {
     const rubble_shape from = handleAt(L, 1, "src"), to = handleAt(L, 2, "dst");
-    const GridCopy* source = gridOf(L, from);
-    if (!source || !resizeShape(L, to, {0, 0, 0}, source->size)) return 0;
+    const GridCopy *source = gridOf(L, from), *target = gridOf(L, to);
+    if (!source || !target) return 0;
     const GridCopy content = *source;
+    Sandbox::of(L).require(L, int64_t(content.voxels.size()) / 4 + 1000);  // no stop between the two edits
+    if (!resizeShape(L, to, {0, 0, 0}, content.size)) return 0;
     editBox(L, to, {0, 0, 0}, content.size, [&](const Cell& cell, uint8_t& voxel) {
         voxel = content.voxels[content.at(cell[0], cell[1], cell[2])];
         return true;

@@ -51,6 +51,11 @@ int yieldUntil(lua_State* L, double until, lua_KContext context, lua_KFunction c
     if (ScriptContext::of(L).callback != L)
         return luaL_error(L, "%s: expected a callback or what start() has begun, found a coroutine of the script",
                           runningFunction(L).name().c_str());
+    if (!lua_isyieldable(L))
+        return luaL_error(L,
+                          "%s: expected a callback that can wait, found one inside of a call of table.sort, require "
+                          "or another function that calls back",
+                          runningFunction(L).name().c_str());
     lua_pushlightuserdata(L, const_cast<char*>(&kWait));
     lua_pushnumber(L, until);
     return lua_yieldk(L, 2, context, continuation);
@@ -123,6 +128,9 @@ int waitForStep(lua_State* L, lua_KContext context, lua_KFunction continuation) 
 }
 
 int waitUntil(lua_State* L, double time) {
+    if (!ScriptContext::of(L).shared.hasTime)
+        return luaL_error(L, "%s: expected a world in which time passes, found one that stands still: play first",
+                          runningFunction(L).name().c_str());
     return yieldUntil(L, time, 0, nothing);
 }
 

@@ -10,7 +10,7 @@ namespace {
 constexpr size_t kMaxLines = 10'000;
 
 int setTimeScale(lua_State* L) {
-    ScriptContext::of(L).shared.timeScale = std::clamp(numberAt(L, 1, "scale"), 0.0, 10.0);
+    ScriptContext::of(L).shared.timeScale = clampedAt(L, 1, "scale", 0.0, 10.0);
     return 0;
 }
 
@@ -47,8 +47,9 @@ int spawn(lua_State* L) {
     isDone(L, apiOf(L).create_prefab(worldOf(L), &prefab, rows.data(), count, &count));
     std::vector<uint64_t> handles;
     ScriptContext::of(L).shared.mayHaveScripts = true;
+    static constexpr uint32_t kKinds[] = {RUBBLE_KIND_BODY, RUBBLE_KIND_SHAPE, RUBBLE_KIND_JOINT, RUBBLE_KIND_LIGHT};
     for (const rubble_prefab_row& row : rows) {
-        ScriptContext::of(L).shared.pending.created.insert(row.handle);
+        ScriptContext::of(L).shared.pending.created[row.handle] = kKinds[row.kind];
         handles.push_back(row.handle);
     }
     return pushHandles(L, handles.data(), handles.size());

@@ -47,6 +47,14 @@ int wrap(lua_State* L) {
     return 1;
 }
 
+int yield(lua_State* L) {
+    if (!lua_isyieldable(L))
+        return luaL_error(L,
+                          "coroutine.yield: expected a coroutine that can yield, found one inside of a call of "
+                          "table.sort, require or another function that calls back");
+    return lua_yield(L, lua_gettop(L));
+}
+
 }  // namespace
 
 void openCoroutine(lua_State* L) {
@@ -57,6 +65,8 @@ void openCoroutine(lua_State* L) {
     lua_setfield(L, -2, "wrap");
     wrapField(L, "resume", resume);
     wrapField(L, "close", resume);
+    lua_pushcfunction(L, yield);
+    lua_setfield(L, -2, "yield");
     lua_pop(L, 1);
 }
 

@@ -199,9 +199,11 @@ RunResult Sandbox::run(lua_State* thread, int arguments) {
 std::string Sandbox::errorOf(lua_State* thread, int status) {
     if (status == LUA_ERRMEM) return m_refusal;
     if (isStopped()) return m_stopReason;
+    const bool hasText = lua_type(thread, -1) == LUA_TSTRING;
+    const std::string place = hasText || thread == m_state ? "" : placeOf(thread);
     if (thread != m_state) lua_xmove(thread, m_state, 1);  // a failed thread runs nothing
     m_reserve = kReserve;
-    if (lua_type(m_state, -1) != LUA_TSTRING) {
+    if (!hasText) {
         lua_pushcfunction(m_state, textOf);
         lua_insert(m_state, -2);
         watch(m_state);
@@ -211,7 +213,8 @@ std::string Sandbox::errorOf(lua_State* thread, int status) {
     if (isStopped()) return m_stopReason;
     size_t length = 0;
     const char* text = lua_type(m_state, -1) == LUA_TSTRING ? lua_tolstring(m_state, -1, &length) : nullptr;
-    const std::string error = text ? std::string(text, length) : "an error whose value has no text";
+    const std::string error =
+        (place.empty() ? "" : place + ": ") + (text ? std::string(text, length) : "an error whose value has no text");
     lua_settop(m_state, 0);
     return error;
 }

@@ -67,6 +67,11 @@ public:
         if (work > m_workLeft) stopForWork(L);
         m_workLeft -= work;
     }
+    /// Stops the script if it has less than that left: before work that is charged in parts and done whole or not at
+    /// all.
+    void require(lua_State* L, int64_t work) {
+        if (work > m_workLeft) stopForWork(L);
+    }
     /// Stops the script for good. `reason` follows "the script": "wanted more than ...".
     [[noreturn]] void stop(lua_State* L, const std::string& reason);
     /// Whether it was stopped. A function of C that has caught an error passes it on then by raiseStop().

@@ -5,8 +5,11 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -43,6 +46,80 @@ TEST(LuaProgram, SaysWhatEachFunctionHasCost) {
     EXPECT_NE(text.find(" 5 calls"), std::string::npos) << text;
     EXPECT_NE(text.find("GetTime"), std::string::npos) << text;
     EXPECT_NE(text.find("allocations"), std::string::npos) << text;
+}
+
+TEST(LuaProgram, GivesParametersToTextsAndLines) {
+    EXPECT_EQ(output("", "--eval 'GetIntParam(\"n\", 1)' --param n=7"), "7\n");
+    EXPECT_NE(output("echo 'GetIntParam(\"n\", 1)' |", "--param n=8").find("> 8\n"), std::string::npos);
+}
+
+TEST(LuaProgram, ReadsStatementsOfSeveralLines) {
+    const std::string text = output("printf 'for i = 1, 2 do\nprint(i * 11)\nend\n(1 +\n1)\nx = = 1\n3\n' |", "");
+    EXPECT_NE(text.find("line: 22\n"), std::string::npos) << text;
+    EXPECT_NE(text.find(">> 2\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("line:1: unexpected symbol"), std::string::npos) << text;
+    EXPECT_NE(text.find("> 3\n"), std::string::npos) << text;
+}
+
+TEST(LuaProgram, RefusesValuesThatItCannotUse) {
+    EXPECT_NE(output("", "--eval 1 --steps -5").find("--steps"), std::string::npos);
+    EXPECT_NE(output("", "--reference /dev/null/x").find("expected a folder that can be written"), std::string::npos);
+}
+
+/// The program with a script that it watches, until it ends.
+class Watched {
+public:
+    explicit Watched(const std::string& script) {
+        int ends[2];
+        EXPECT_EQ(pipe(ends), 0);
+        m_process = fork();
+        if (!m_process) {
+            dup2(ends[1], STDOUT_FILENO);
+            dup2(ends[1], STDERR_FILENO);
+            close(ends[0]);
+            execl(RUBBLE_LUA_PROGRAM, "rubble-lua", script.c_str(), "--watch", nullptr);
+            _exit(127);
+        }
+        close(ends[1]);
+        m_output = fdopen(ends[0], "r");
+    }
+    ~Watched() { std::fclose(m_output); }
+    Watched(const Watched&) = delete;
+    Watched& operator=(const Watched&) = delete;
+
+    /// Reads lines until one has a text; false: the program has ended without it.
+    bool says(const std::string& text) {
+        std::array<char, 512> line;
+        while (std::fgets(line.data(), line.size(), m_output))
+            if (std::string(line.data()).find(text) != std::string::npos) return true;
+        return false;
+    }
+    /// Ctrl+C; gives the status with which the program ends.
+    int interrupt() {
+        int status = -1;
+        kill(m_process, SIGINT);
+        EXPECT_TRUE(says("bye"));
+        waitpid(m_process, &status, 0);
+        return status;
+    }
+
+private:
+    pid_t m_process = 0;
+    FILE* m_output = nullptr;
+};
+
+TEST(LuaProgram, WatchesAScriptThatWasStopped) {
+    const TempFolder folder;
+    const std::string script = (folder.path() / "mod.lua").string();
+    std::ofstream(script) << "while true do end";
+    Watched program(script);
+    EXPECT_TRUE(program.says("mod.lua:1: the script wanted more than"));
+    std::ofstream(script + ".new") << "local n = 0 function update() n = n + 1 if n == 3 then print('runs') end end\n"
+                                      "function destroy() print('bye') end";
+    std::filesystem::last_write_time(script + ".new", std::filesystem::last_write_time(script) + std::chrono::hours(1));
+    std::filesystem::rename(script + ".new", script);
+    EXPECT_TRUE(program.says("mod.lua: runs"));
+    EXPECT_TRUE(WIFEXITED(program.interrupt()));
 }
 
 #ifdef RUBBLE_HAS_LIBEDIT
@@ -92,6 +169,30 @@ private:
     int m_keys = -1;
     std::string m_shown;
 };
+
+TEST(LuaProgram, EndsInOrderByCtrlCAtATerminal) {
+    const TempFolder home;
+    {
+        Terminal terminal(home.path());
+        ASSERT_TRUE(terminal.shows("> "));
+        terminal.type("function destroy() print('b' .. 'ye') end\n");
+        ASSERT_TRUE(terminal.shows("> "));
+        terminal.type("not done\x03");
+        EXPECT_TRUE(terminal.shows("bye"));
+    }
+    std::ifstream file(home.path() / ".rubble_lua_history");
+    const std::string kept((std::istreambuf_iterator<char>(file)), {});
+    EXPECT_NE(kept.find("destroy"), std::string::npos) << kept;
+}
+
+TEST(LuaProgram, TakesLettersBeyondAsciiAtATerminal) {
+    const TempFolder home;
+    Terminal terminal(home.path());
+    ASSERT_TRUE(terminal.shows("> "));
+    terminal.type("#'Gr\xc3\xbc\xc3\x9f' * 1111\n");
+    EXPECT_TRUE(terminal.shows("\n6666"));
+    EXPECT_EQ(terminal.end(), 0);
+}
 
 TEST(LuaProgram, CompletesNamesAndKeepsLinesAtATerminal) {
     const TempFolder home;

@@ -19,10 +19,10 @@ TEST_F(SandboxTest, RunsLua) {
 
 TEST_F(SandboxTest, AnErrorNamesScriptLineAndValue) {
     EXPECT_EQ(run("local t = {}\nreturn t.wheel.speed"), "error: test:2: attempt to index a nil value (field 'wheel')");
-    EXPECT_EQ(run("error({})"), "error: table: 1") << "a value without a text has at least its kind";
-    EXPECT_EQ(run("error(setmetatable({}, {__tostring = function() return 'mine' end}))"), "error: mine");
-    EXPECT_EQ(run("error(nil)"), "error: nil");
-    EXPECT_EQ(run("error(setmetatable({}, {__tostring = error}))"), "error: an error whose value has no text");
+    EXPECT_EQ(run("error({})"), "error: test:1: table: 1") << "a value without a text has at least its kind";
+    EXPECT_EQ(run("error(setmetatable({}, {__tostring = function() return 'mine' end}))"), "error: test:1: mine");
+    EXPECT_EQ(run("error(nil)"), "error: test:1: nil");
+    EXPECT_EQ(run("error(setmetatable({}, {__tostring = error}))"), "error: test:1: an error whose value has no text");
     EXPECT_FALSE(m_box.isStopped());
 }
 

@@ -128,7 +128,7 @@ TEST(Script, OnlyCallbacksWait) {
     EXPECT_EQ(yard.run("coroutine.wrap(function() wait(1) end)()"),
               "test:2: wait: expected a callback or what start() has begun, found a coroutine of the script");
     EXPECT_EQ(yard.run("coroutine.yield(5)"),
-              "test: coroutine.yield: expected a coroutine, found a callback: use wait()");
+              "test:2: coroutine.yield: expected a coroutine, found a callback: use wait()");
 }
 
 TEST(Script, EventsAreTold) {

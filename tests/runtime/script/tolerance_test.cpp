@@ -1,0 +1,122 @@
+// What scripts may be like and ask for, and what they are told where that is wrong.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "runtime/script/binding/directives.h"
+#include "tests/runtime/script/yard_fixture.h"
+
+namespace rubble::script {
+namespace {
+
+TEST(ScriptText, MayBeginWithAMarkOrAProgram) {
+    EXPECT_EQ(withoutDirectives("\xef\xbb\xbfx = 1"), "x = 1");
+    EXPECT_EQ(withoutDirectives("#!/usr/bin/lua\nx = 1"), "--#!/usr/bin/lua\nx = 1");
+    EXPECT_EQ(withoutDirectives("\xef\xbb\xbf#version 2\n#include \"a.lua\""), "--#version 2\nrequire(\"a.lua\")");
+}
+
+TEST(ScriptText, DirectivesInStringsAndCommentsStay) {
+    for (const std::string text : {"x = [[\n#version 2\n#include \"a.lua\"\n]]", "--[==[ ]]\n#version 2\n]==]",
+                                   "x = 'a\\z\n#version 2'", "x = [=[\n#version 2", "x = \"[[\"\ny = '\\'[['"})
+        EXPECT_EQ(withoutDirectives(text), text);
+    EXPECT_EQ(withoutDirectives("-- [[ x\n#version 2"), "-- [[ x\n--#version 2");
+    EXPECT_EQ(withoutDirectives("x = '[['\n#version 2"), "x = '[['\n--#version 2");
+    EXPECT_EQ(withoutDirectives("x = t[1]\n#version 2"), "x = t[1]\n--#version 2");
+}
+
+TEST(ScriptText, MayWait) {
+    Yard yard;
+    Script& script = yard.host().add("late.lua",
+                                     "print('text') wait(0.05) function init() print('init') end\n"
+                                     "function update() print('update') end print('end')");
+    for (int i = 0; i < 5; ++i) yard.host().step();
+    EXPECT_EQ(script.error(), "");
+    const std::string log = yard.logged(0), begin = "late.lua: text\nlate.lua: end\nlate.lua: init\nlate.lua: update\n";
+    EXPECT_EQ(log.substr(0, begin.size()), begin);
+    yard.host().add("wrong.lua", "wait(0)\nerror('late') function init() print('never') end");
+    for (int i = 0; i < 5; ++i) yard.host().step();
+    EXPECT_EQ(yard.logged(RUBBLE_LOG_ERROR), "wrong.lua:2: late\n");
+    EXPECT_EQ(yard.logged(0).find("never"), std::string::npos);
+}
+
+TEST(ScriptErrors, NameTheLineOfAnyValue) {
+    Yard yard;
+    EXPECT_EQ(yard.run("\nerror(nil)"), "test:3: nil");
+    EXPECT_EQ(yard.run("\nerror({})").substr(0, 14), "test:3: table:");
+    EXPECT_EQ(yard.run("table.sort({1, 2, 3},\nfunction(a, b) wait(0) return a < b end)").substr(0, 28),
+              "test:3: wait: expected a cal");
+    EXPECT_EQ(yard.run("('abc'):gsub('.',\nfunction() coroutine.yield() end)").substr(0, 27),
+              "test:3: coroutine.yield: ex");
+    EXPECT_EQ(yard.run("\ncoroutine.yield()"),
+              "test:3: coroutine.yield: expected a coroutine, found a callback: use wait()");
+}
+
+TEST(ScriptErrors, ValuesThatAreNoNumbersAreTold) {
+    for (const char* call : {"ParticleRadius(0 / 0)", "ParticleColor(1, 1, 0 / 0)",
+                             "SpawnParticle({0, 0 / 0, 0}, {0, 0, 0}, 1)", "SpawnParticle({0, 0, 0}, {0, 0, 0}, 0 / 0)",
+                             "SetTimeScale(0 / 0)", "DrawShapeBox(FindShape('crate'), 0 / 0, 0, 0, 1, 1, 1)",
+                             "GetShapeMaterialAtIndex(FindShape('crate'), 0, 0 / 0, 0)"}) {
+        Yard yard;
+        EXPECT_NE(yard.run(call).find(": expected a "), std::string::npos) << call;
+    }
+    Yard yard;
+    EXPECT_EQ(yard.run("QueryAabbBodies({1, 0, 0}, {0, 1, 1})"),
+              "test:2: QueryAabbBodies: max: expected no less than min, found a table of 3 values");
+}
+
+TEST(ScriptQueries, BoxesMayBeAsLargeAsAWorld) {
+    Yard yard;
+    EXPECT_EQ(yard.run("for _, size in ipairs{1e3, 1e5, 1e7, 5e8} do local far = {size, size, size} "
+                       "assert(#QueryAabbBodies({-size, -size, -size}, far) == #FindBodies(), size) "
+                       "assert(#QueryAabbShapes({0, -size, -size}, far) < #FindShapes(), size) end"),
+              "");
+}
+
+TEST(ScriptFinds, WhatHasANameWhereNothingHasTheTag) {
+    Yard yard;
+    uint64_t gate = 0, bulb = 0;
+    uint32_t count = 0;
+    ASSERT_EQ(yard.api().find_by_tag(yard.world(), RUBBLE_KIND_TRIGGER, "gate", nullptr, &gate, 1, &count), RUBBLE_OK);
+    ASSERT_EQ(yard.api().find_by_tag(yard.world(), RUBBLE_KIND_LIGHT, "bulb", nullptr, &bulb, 1, &count), RUBBLE_OK);
+    yard.api().set_name(yard.world(), gate, "way in");
+    yard.api().set_name(yard.world(), bulb, "spot");
+    yard.host().step();
+    EXPECT_EQ(yard.run("local gate = FindTrigger('gate') assert(gate ~= 0 and FindTrigger('way in') == gate) "
+                       "assert(FindLight('spot') == FindLight('bulb') and #FindLights('spot') == 1) "
+                       "SetTag(FindBody('crate'), 'spot') assert(FindLight('spot') == FindLight('bulb'))"),
+              "");
+}
+
+TEST(ScriptFiles, LinksDoNotLeadOutOfTheFolder) {
+    Yard yard;
+    const TempFolder other;
+    std::ofstream(other.path() / "secret.lua") << "return 7";
+    std::filesystem::create_directory_symlink(other.path(), yard.folder() / "out");
+    std::filesystem::create_symlink(yard.folder() / "tools.lua", yard.folder() / "same.lua");
+    EXPECT_NE(yard.run("require('out/secret')").find("inside of the folder"), std::string::npos);
+    EXPECT_EQ(yard.run("assert(require('same').double(2) == 4)"), "") << "a link within the folder";
+}
+
+TEST(ScriptCamera, IsKnownBeforeTheFirstFrame) {
+    Yard yard;
+    rubble_view view = viewOf(960, 540);
+    view.position[1] = 3.0;
+    yard.host().setView(view);
+    EXPECT_EQ(yard.run("assert(GetCameraTransform().pos.y == 3 and GetPlayerCameraTransform().pos.y == 3)"), "");
+}
+
+TEST(ScriptReload, CallsDestroyAndRevivesAStoppedScript) {
+    Yard yard;
+    yard.host().add("mod.lua", "local kept = saved('t', {n = 1}) function destroy() print('ends') kept.n = 2 end");
+    EXPECT_TRUE(yard.host().reload("mod.lua", "print(saved('t').n)"));
+    EXPECT_EQ(yard.logged(0), "mod.lua: ends\nmod.lua: 2\n");
+    EXPECT_FALSE(yard.host().reload("mod.lua", "while true do end"));
+    EXPECT_TRUE(yard.host().scripts().front().isStopped());
+    EXPECT_FALSE(yard.host().reload("mod.lua", "x = = 1"));
+    EXPECT_TRUE(yard.host().reload("mod.lua", "print('again')"));
+    EXPECT_TRUE(yard.logged(0).ends_with("mod.lua: again\n")) << yard.logged(0);
+}
+
+}  // namespace
+}  // namespace rubble::script
