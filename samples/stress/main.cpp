@@ -1,5 +1,6 @@
 // ./rubble stress: scenarios of destruction, written in Lua, with everything checked at every step.
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -18,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Bytes by which the heap may be larger after a run than before it: what libraries keep.
-constexpr uint64_t kMaxHeapGrowth = 2 << 20;
+constexpr int64_t kMaxHeapGrowth = 2 << 20;
 
 struct Options {
     std::string scenario = "all", out = "out/stress";
@@ -51,12 +52,20 @@ std::vector<fs::path> findScenarios(const std::string& name) {
     return found;
 }
 
+/// Bytes of the heap in a block, with what malloc needs for it.
+uint64_t blockBytes(const void* block) {
+    return block ? malloc_usable_size(const_cast<void*>(block)) + sizeof(size_t) : 0;
+}
+
 /// What the result of a run and the list of its commands hold themselves.
 uint64_t bytesOf(const RunResult& result, const std::vector<Command>& commands) {
-    uint64_t bytes = result.steps.capacity() * sizeof(StepFigures) + commands.capacity() * sizeof(Command);
-    for (const Command& command : commands)
-        bytes += command.text.capacity() + command.needed.capacity() * sizeof(size_t);
-    for (const auto& game : result.games) bytes += game.capacity();
+    static const size_t inPlace = std::string().capacity();
+    uint64_t bytes = blockBytes(result.steps.data()) + blockBytes(result.games.data()) + blockBytes(commands.data());
+    for (const Command& command : commands) {
+        if (command.text.capacity() > inPlace) bytes += blockBytes(command.text.data());
+        bytes += blockBytes(command.needed.data());
+    }
+    for (const auto& game : result.games) bytes += blockBytes(game.data());
     return bytes;
 }
 
@@ -77,22 +86,22 @@ public:
     }
 
     bool run() {
-        CommandLog commands;
+        CommandLog log;
         rubble::Progress progress(m_settings.name, m_settings.steps);
-        m_settings.observer = &commands;
+        m_settings.observer = &log;
         m_settings.onStep = [&](int step) {
             if (step % 60 == 0) progress.advance(step);
         };
         const auto start = std::chrono::steady_clock::now();
         const uint64_t heap = heapBytes();
         RunResult result = play(m_api, m_settings);
-        const uint64_t left = heapBytes() - bytesOf(result, commands.commands());
-        if (!result.failure && left > heap + kMaxHeapGrowth)
-            result.failure = {"memory", fmt::format("{} KiB are left", (left - heap) >> 10), m_settings.steps};
+        const std::vector<Command> commands = log.take();
+        result.heapLeft = int64_t(heapBytes() - bytesOf(result, commands) - heap);
+        if (!result.failure && result.heapLeft > kMaxHeapGrowth)
+            result.failure = {"memory", fmt::format("{} KiB are left", result.heapLeft >> 10), m_settings.steps};
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         std::string script;
-        if (result.failure && m_options.minimiseRuns > 0)
-            script = minimiseFailure(*result.failure, commands.commands());
+        if (result.failure && m_options.minimiseRuns > 0) script = minimiseFailure(*result.failure, commands);
         print(result, seconds);
         report(writeFigures(m_options.out, m_settings, result, seconds, script));
         if (m_options.images) report(drawGames(m_api, m_options.out, m_settings, result));

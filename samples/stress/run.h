@@ -47,6 +47,8 @@ struct RunResult {
     std::vector<StepFigures> steps;
     std::vector<std::vector<uint8_t>> games;  ///< saved games to be drawn
     uint64_t hash = 0;                        ///< after the last step
+    std::map<std::string, double> seconds;    ///< of processor time of all threads, by what was done
+    int64_t heapLeft = 0;                     ///< bytes in use that were not in use before the run
     int replayed = 0;                         ///< steps that gave the same hash when played from a recording
     int loads = 0;                            ///< of levels and games
 };
