@@ -25,8 +25,8 @@ struct Options {
     std::string scenario = "all", out = "out/stress";
     std::vector<uint64_t> seeds = {1};
     double minutes = 1.0 / 3.0, checkEvery = 4.0;
-    int images = 3, minimiseRuns = 200;
-    bool lists = false, listsJobs = false, replays = true;
+    int images = 3, minimiseRuns = 200, replayEvery = 1;
+    bool lists = false, listsJobs = false;
 };
 
 std::string readFile(const fs::path& path) {
@@ -79,7 +79,7 @@ public:
         m_settings.seed = seed;
         m_settings.steps = std::max(1, int(options.minutes * 3600.0));
         m_settings.checkInterval = std::max(1, int(options.checkEvery * 60.0));
-        m_settings.replays = options.replays;
+        m_settings.replayEvery = options.replayEvery;
         m_settings.levels = RUBBLE_STRESS_LEVELS;
         m_settings.folder = options.out;
         m_settings.images = options.images;
@@ -162,9 +162,10 @@ int run(const Options& options) {
         for (const uint64_t seed : options.seeds)
             if (options.listsJobs)
                 fmt::print(
-                    "./rubble stress {} --seed {} --minutes {} --check-every {} --out {} --images {} --minimise {}{}\n",
-                    scenario.stem().string(), seed, options.minutes, options.checkEvery, options.out, options.images,
-                    options.minimiseRuns, options.replays ? "" : " --no-replay");
+                    "./rubble stress {} --seed {} --minutes {} --check-every {} --replay-every {} --out {} --images {} "
+                    "--minimise {}\n",
+                    scenario.stem().string(), seed, options.minutes, options.checkEvery, options.replayEvery,
+                    options.out, options.images, options.minimiseRuns);
             else if (!options.lists)
                 failed += !Job(*api, options, scenario, seed).run();
     }
@@ -193,7 +194,10 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     app.add_flag("--list", options.lists, "the scenarios, and what they do");
     app.add_flag("--list-jobs", options.listsJobs, "a command for each run, for GNU parallel");
-    app.add_flag("!--no-replay", options.replays, "do not play recordings again");
+    app.add_option("--replay-every", options.replayEvery,
+                   "the first of so many recordings is played again; 0: none, 1: all")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 100000));
     CLI11_PARSE(app, argc, argv);
     return stress::run(options);
 }

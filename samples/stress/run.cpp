@@ -172,7 +172,7 @@ private:
         finishUndo();
         m_time.enter("replay");
         if (!done(m_api.stop_recording(m_world)) || !done(m_api.get_state_hash(m_world, &hash))) return;
-        if (m_settings.replays) replay(hash);
+        if (m_settings.replayEvery && m_recordings++ % m_settings.replayEvery == 0) replay(hash);
     }
 
     /// Looks at all that takes long. Nothing is recorded meanwhile.
@@ -279,6 +279,7 @@ private:
     RunResult m_result;
     uint64_t m_heap = 0;  ///< bytes in use when it was last looked at
     ProcessorTime m_time;
+    int m_recordings = 0;     ///< that have ended
     bool m_isLoaded = false;  ///< and no step was made since: the view has nothing of what was loaded
     uint64_t m_nextCheck = uint64_t(m_settings.checkInterval);  ///< a step of the scenario
 };

@@ -18,7 +18,7 @@ struct RunSettings {
     uint64_t seed = 1;
     int steps = 1200;
     int checkInterval = 240;  ///< steps between the checks that take long; no recording is longer
-    bool replays = true;      ///< plays each recording again, with two threads
+    int replayEvery = 1;      ///< the first of so many recordings is played again, with two threads; 0: none
     std::string levels;       ///< the folder of levels that scripts may load
     std::string folder;       ///< for recordings
     int images = 0;           ///< how many games are kept at most, to be drawn
