@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "samples/stress/scene_functions.h"
 
@@ -114,6 +115,11 @@ void CommandLog::end(lua_State* L, const rubble::script::ScriptFunction&, int re
     }
     name(L, first, made);
     if (results > 1 && m_isCommand) name(L, first + 1, "GetShapeBody(" + made + ")");
+}
+
+std::vector<Command> CommandLog::take() {
+    m_expressions.clear();
+    return std::exchange(m_commands, {});
 }
 
 std::string scriptOf(const std::vector<Command>& commands) {

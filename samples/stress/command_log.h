@@ -21,8 +21,8 @@ public:
     void begin(lua_State* L, const rubble::script::ScriptFunction& function) override;
     void end(lua_State* L, const rubble::script::ScriptFunction& function, int results) override;
 
-    /// In their order.
-    const std::vector<Command>& commands() const { return m_commands; }
+    /// All of them in their order: the log is empty afterwards.
+    std::vector<Command> take();
 
 private:
     std::string valueText(lua_State* L, int index, int depth, std::vector<size_t>& needed) const;

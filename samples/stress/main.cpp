@@ -1,5 +1,6 @@
 // ./rubble stress: scenarios of destruction, written in Lua, with everything checked at every step.
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -18,14 +19,14 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Bytes by which the heap may be larger after a run than before it: what libraries keep.
-constexpr uint64_t kMaxHeapGrowth = 2 << 20;
+constexpr int64_t kMaxHeapGrowth = 2 << 20;
 
 struct Options {
     std::string scenario = "all", out = "out/stress";
     std::vector<uint64_t> seeds = {1};
     double minutes = 1.0 / 3.0, checkEvery = 4.0;
-    int images = 3, minimiseRuns = 200;
-    bool lists = false, listsJobs = false, replays = true;
+    int images = 3, minimiseRuns = 200, replayEvery = 1;
+    bool lists = false, listsJobs = false;
 };
 
 std::string readFile(const fs::path& path) {
@@ -51,12 +52,20 @@ std::vector<fs::path> findScenarios(const std::string& name) {
     return found;
 }
 
+/// Bytes of the heap in a block, with what malloc needs for it.
+uint64_t blockBytes(const void* block) {
+    return block ? malloc_usable_size(const_cast<void*>(block)) + sizeof(size_t) : 0;
+}
+
 /// What the result of a run and the list of its commands hold themselves.
 uint64_t bytesOf(const RunResult& result, const std::vector<Command>& commands) {
-    uint64_t bytes = result.steps.capacity() * sizeof(StepFigures) + commands.capacity() * sizeof(Command);
-    for (const Command& command : commands)
-        bytes += command.text.capacity() + command.needed.capacity() * sizeof(size_t);
-    for (const auto& game : result.games) bytes += game.capacity();
+    static const size_t inPlace = std::string().capacity();
+    uint64_t bytes = blockBytes(result.steps.data()) + blockBytes(result.games.data()) + blockBytes(commands.data());
+    for (const Command& command : commands) {
+        if (command.text.capacity() > inPlace) bytes += blockBytes(command.text.data());
+        bytes += blockBytes(command.needed.data());
+    }
+    for (const auto& game : result.games) bytes += blockBytes(game.data());
     return bytes;
 }
 
@@ -70,29 +79,29 @@ public:
         m_settings.seed = seed;
         m_settings.steps = std::max(1, int(options.minutes * 3600.0));
         m_settings.checkInterval = std::max(1, int(options.checkEvery * 60.0));
-        m_settings.replays = options.replays;
+        m_settings.replayEvery = options.replayEvery;
         m_settings.levels = RUBBLE_STRESS_LEVELS;
         m_settings.folder = options.out;
         m_settings.images = options.images;
     }
 
     bool run() {
-        CommandLog commands;
+        CommandLog log;
         rubble::Progress progress(m_settings.name, m_settings.steps);
-        m_settings.observer = &commands;
+        m_settings.observer = &log;
         m_settings.onStep = [&](int step) {
             if (step % 60 == 0) progress.advance(step);
         };
         const auto start = std::chrono::steady_clock::now();
         const uint64_t heap = heapBytes();
         RunResult result = play(m_api, m_settings);
-        const uint64_t left = heapBytes() - bytesOf(result, commands.commands());
-        if (!result.failure && left > heap + kMaxHeapGrowth)
-            result.failure = {"memory", fmt::format("{} KiB are left", (left - heap) >> 10), m_settings.steps};
+        const std::vector<Command> commands = log.take();
+        result.heapLeft = int64_t(heapBytes() - bytesOf(result, commands) - heap);
+        if (!result.failure && result.heapLeft > kMaxHeapGrowth)
+            result.failure = {"memory", fmt::format("{} KiB are left", result.heapLeft >> 10), m_settings.steps};
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         std::string script;
-        if (result.failure && m_options.minimiseRuns > 0)
-            script = minimiseFailure(*result.failure, commands.commands());
+        if (result.failure && m_options.minimiseRuns > 0) script = minimiseFailure(*result.failure, commands);
         print(result, seconds);
         report(writeFigures(m_options.out, m_settings, result, seconds, script));
         if (m_options.images) report(drawGames(m_api, m_options.out, m_settings, result));
@@ -153,9 +162,10 @@ int run(const Options& options) {
         for (const uint64_t seed : options.seeds)
             if (options.listsJobs)
                 fmt::print(
-                    "./rubble stress {} --seed {} --minutes {} --check-every {} --out {} --images {} --minimise {}{}\n",
-                    scenario.stem().string(), seed, options.minutes, options.checkEvery, options.out, options.images,
-                    options.minimiseRuns, options.replays ? "" : " --no-replay");
+                    "./rubble stress {} --seed {} --minutes {} --check-every {} --replay-every {} --out {} --images {} "
+                    "--minimise {}\n",
+                    scenario.stem().string(), seed, options.minutes, options.checkEvery, options.replayEvery,
+                    options.out, options.images, options.minimiseRuns);
             else if (!options.lists)
                 failed += !Job(*api, options, scenario, seed).run();
     }
@@ -184,7 +194,10 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     app.add_flag("--list", options.lists, "the scenarios, and what they do");
     app.add_flag("--list-jobs", options.listsJobs, "a command for each run, for GNU parallel");
-    app.add_flag("!--no-replay", options.replays, "do not play recordings again");
+    app.add_option("--replay-every", options.replayEvery,
+                   "the first of so many recordings is played again; 0: none, 1: all")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 100000));
     CLI11_PARSE(app, argc, argv);
     return stress::run(options);
 }

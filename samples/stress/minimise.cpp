@@ -17,7 +17,7 @@ public:
         m_settings.observer = nullptr;
         m_settings.onStep = {};
         m_settings.images = 0;
-        m_settings.replays = failure.check == "replay";
+        m_settings.replayEvery = failure.check == "replay";
     }
 
     Minimised run(std::vector<Command> commands) {

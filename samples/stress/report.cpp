@@ -53,6 +53,8 @@ std::string writeFigures(const std::string& folder, const RunSettings& settings,
     file["seed"] = settings.seed;
     file["steps"] = steps.size();
     file["seconds"] = seconds;
+    file["processor_seconds"] = result.seconds;
+    file["heap_left"] = result.heapLeft;
     file["hash"] = fmt::format("{:016x}", result.hash);
     file["replayed_steps"] = result.replayed;
     file["loads"] = result.loads;

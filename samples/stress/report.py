@@ -128,6 +128,15 @@ def row(run, before):
             + f'<td class="text{" bad" if failure else ""}">{html.escape(state)}{same}</td></tr>')
 
 
+def processor(run):
+    """How much processor time a run took, and what for."""
+    seconds = run.get("processor_seconds", {})
+    total = sum(seconds.values())
+    parts = [f"{name} {100 * value / total:.0f} %" for name, value in sorted(seconds.items(), key=lambda row: -row[1])
+             if value >= 0.005 * total > 0]
+    return f"<p>{number(total)} s of processor time: {', '.join(parts)}.</p>" if parts else ""
+
+
 def details(folder, run, before):
     """Plots, stages and images of a run."""
     rows = ""
@@ -145,7 +154,7 @@ def details(folder, run, before):
             script += f"<p>This fails the same way:</p><pre>{html.escape(failure['script'])}</pre>"
     name = f"{run['scenario']} {run['seed']}"
     return (f'<h2 id="{name}">{run["scenario"]}, seed {run["seed"]}</h2><p>{html.escape(describe(run["scenario"]))}</p>'
-            f"{script}{images(folder, run)}<div>{plots(run, before)}</div>"
+            f"{script}{images(folder, run)}{processor(run)}<div>{plots(run, before)}</div>"
             f'<table><tr><th>stage of a step, ms</th><th>p50</th><th>p95</th><th>p99</th><th>max</th>'
             f'<th class="text">what it does</th></tr>{rows}</table>')
 

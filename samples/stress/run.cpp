@@ -12,6 +12,7 @@
 #include "runtime/script/binding/vector_math.h"
 #include "runtime/script/script_host.h"
 #include "samples/stress/checks/check.h"
+#include "samples/stress/processor_time.h"
 #include "samples/stress/scene_functions.h"
 
 namespace stress {
@@ -24,6 +25,9 @@ constexpr int64_t kScriptWork = 50'000'000;
 
 constexpr uint32_t kWorldFlags =
     RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_DATA | RUBBLE_WORLD_SHADOW_INLINE | RUBBLE_WORLD_WAIT_FOR_SHADOW;
+
+/// Steps between looks at the heap: malloc counts all free blocks for that.
+constexpr size_t kHeapInterval = 15;
 
 class Run {
 public:
@@ -45,6 +49,7 @@ public:
         if (!m_result.failure) endRecording();
         if (!m_result.failure) checkAll();
         if (m_world) m_api.get_state_hash(m_world, &m_result.hash);
+        m_result.seconds = m_time.seconds();
         return std::move(m_result);
     }
 
@@ -86,6 +91,7 @@ private:
     }
 
     void oneStep(int step) {
+        m_time.enter("steps");
         m_scripts->tick(1.0 / 60.0);
         if (!done(m_scripts->step())) return;
         ++m_view.step;
@@ -105,6 +111,7 @@ private:
 
     /// What the step has left, for checks and figures.
     void readStep() {
+        m_time.enter("figures");
         m_isLoaded = false;
         m_view.before.swap(m_view.bodies);
         m_view.events = sized<rubble_events>();
@@ -134,10 +141,11 @@ private:
             const auto velocity = rubble::script::vectorOf(body.state.velocity);
             if (body.isDynamic()) energy += 0.5 * body.properties.mass * rubble::script::dot(velocity, velocity);
         }
+        if (m_result.steps.size() % kHeapInterval == 0) m_heap = heapBytes();
         m_result.steps.push_back({float(stats.edits_ms), float(stats.physics_ms), float(stats.poses_ms),
                                   float(stats.impacts_ms), float(stats.shadow_ms), stats.bodies, stats.bodies_awake,
                                   stats.contacts, uint32_t(stats.shadow_lag), accounting.standing, accounting.in_pieces,
-                                  accounting.removed, energy, heapBytes()});
+                                  accounting.removed, energy, m_heap});
     }
 
     /// A step without scripts.
@@ -153,19 +161,24 @@ private:
         if (std::exchange(m_requests.undoWaits, false)) stepAlone();
     }
 
-    bool record() { return done(m_api.start_recording(m_world, recordingPath().c_str())); }
+    bool record() {
+        m_time.enter("replay");
+        return done(m_api.start_recording(m_world, recordingPath().c_str()));
+    }
 
     /// The end of a recording: it is played again.
     void endRecording() {
         uint64_t hash = 0;
         finishUndo();
+        m_time.enter("replay");
         if (!done(m_api.stop_recording(m_world)) || !done(m_api.get_state_hash(m_world, &hash))) return;
-        if (m_settings.replays) replay(hash);
+        if (m_settings.replayEvery && m_recordings++ % m_settings.replayEvery == 0) replay(hash);
     }
 
     /// Looks at all that takes long. Nothing is recorded meanwhile.
     void checkAll() {
         m_nextCheck = m_view.step + uint64_t(m_settings.checkInterval);
+        m_time.enter("save");
         m_view.game = savedGame(m_api, m_world);
         if (m_view.game.empty()) return fail("save", m_api.get_last_error());
         keepGame();
@@ -182,6 +195,7 @@ private:
 
     /// Loads the game into another world, and steps both: they must stay equal.
     void stepBesideCopy() {
+        m_time.enter("save");
         const LoadedCopy copy(m_api, m_view.game, kWorldFlags);
         if (!copy.error().empty()) return fail("save", copy.error());
         uint64_t hash = 0, copied = 0;
@@ -192,14 +206,19 @@ private:
         m_api.get_state_hash(m_world, &hash);
         m_api.get_state_hash(copy.world(), &copied);
         if (hash != copied) fail("save", "a loaded game has another hash after a step than the one that went on");
-        for (const auto& check : m_checks)
+        for (const auto& check : m_checks) {
+            m_time.enter(check->name());
             if (std::string wrong = check->besideCopy(m_view, copy.world()); !wrong.empty())
                 return fail(check->name(), wrong);
+        }
+        m_time.enter("save");
     }
 
     void look(std::string (Check::*at)(const StepView&)) {
-        for (const auto& check : m_checks)
+        for (const auto& check : m_checks) {
+            m_time.enter(check->name());
             if (std::string wrong = (*check.*at)(m_view); !wrong.empty()) return fail(check->name(), wrong);
+        }
         std::erase_if(m_requests.holes,
                       [&](const SceneRequests::Hole& hole) { return hole.step <= m_view.worldSteps(); });
     }
@@ -226,6 +245,7 @@ private:
         waiting.swap(m_requests.waiting);
         endRecording();
         if (!m_result.failure && m_view.step >= m_nextCheck) checkAll();
+        m_time.enter("steps");
         for (const SceneRequests::Request& request : waiting) {
             if (m_result.failure) return;
             if (request.kind == SceneRequests::SaveAndLoad)
@@ -257,6 +277,9 @@ private:
     std::unique_ptr<rubble::script::ScriptHost> m_scripts;
     std::vector<std::unique_ptr<Check>> m_checks = makeChecks();
     RunResult m_result;
+    uint64_t m_heap = 0;  ///< bytes in use when it was last looked at
+    ProcessorTime m_time;
+    int m_recordings = 0;     ///< that have ended
     bool m_isLoaded = false;  ///< and no step was made since: the view has nothing of what was loaded
     uint64_t m_nextCheck = uint64_t(m_settings.checkInterval);  ///< a step of the scenario
 };

@@ -18,7 +18,7 @@ struct RunSettings {
     uint64_t seed = 1;
     int steps = 1200;
     int checkInterval = 240;  ///< steps between the checks that take long; no recording is longer
-    bool replays = true;      ///< plays each recording again, with two threads
+    int replayEvery = 1;      ///< the first of so many recordings is played again, with two threads; 0: none
     std::string levels;       ///< the folder of levels that scripts may load
     std::string folder;       ///< for recordings
     int images = 0;           ///< how many games are kept at most, to be drawn
@@ -47,6 +47,8 @@ struct RunResult {
     std::vector<StepFigures> steps;
     std::vector<std::vector<uint8_t>> games;  ///< saved games to be drawn
     uint64_t hash = 0;                        ///< after the last step
+    std::map<std::string, double> seconds;    ///< of processor time of all threads, by what was done
+    int64_t heapLeft = 0;                     ///< bytes in use that were not in use before the run
     int replayed = 0;                         ///< steps that gave the same hash when played from a recording
     int loads = 0;                            ///< of levels and games
 };

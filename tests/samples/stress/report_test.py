@@ -11,6 +11,7 @@ import report  # noqa: E402
 def run_of(scenario, seed, failure=None, bodies=12):
     """The figures of a run of ten minutes."""
     run = {"scenario": scenario, "seed": seed, "steps": 36030, "replayed_steps": 36000, "loads": 2, "hash": "1f",
+           "processor_seconds": {"steps": 150.0, "replay": 49.9, "motion": 0.1},
            "ms_p50_p95_p99_max": {stage: [1.0, 2.0, 3.0, 4.0] for stage in report.STAGES},
            "plots": {title: [0.0, 0.0] for title in report.PLOTS}}
     run["plots"]["bodies"] = [1, bodies]
@@ -33,6 +34,7 @@ class Report(unittest.TestCase):
         self.assertIn("Water rises through a room", page)
         self.assertIn("Step 7: mass: 1 &lt; 2", page)
         self.assertIn("<pre>Box(&lt;)</pre>", page)
+        self.assertIn("200 s of processor time: steps 75 %, replay 25 %.", page)
         self.assertIn("None at any time: step, awake bodies", page)
 
     def test_comparison_marks_what_is_worse(self):
