@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <thread>
 
 #include "runtime/core/constants.h"
@@ -194,6 +195,7 @@ int runWindow(const SandboxOptions& options) {
     settings.fullscreen = RenderSettings::fullscreenFromName(options.fullscreen);
     settings.hostState = HostState::Reset;
     settings.compileAhead = true;
+    settings.programCache = (std::filesystem::path(options.tools).parent_path() / "programs").string();
     auto renderer = Renderer::create((*window)->loader(), options.shaders, settings);
     if (!renderer) return logError(renderer.error()), 1;
     Game game(options, **window, std::move(*stage), std::move(*renderer));
