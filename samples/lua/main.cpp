@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -157,6 +158,7 @@ private:
 };
 
 int play(ScriptHost& host, OffscreenView* view, rubble_world world, const Options& options) {
+    FileWatch watch(options.script);  // before the script is read
     if (!options.script.empty())
         host.add(fs::path(options.script).filename().string(), readFile(options.script), parametersOf(options));
     const auto isGood = [&] {
@@ -165,7 +167,6 @@ int play(ScriptHost& host, OffscreenView* view, rubble_world world, const Option
     };
     host.shared().showsProfile = view && options.prints;
     double due = 0.0;
-    FileWatch watch(options.script);
     const auto isOver = [&](int steps) {
         if (interrupted || (steps >= options.steps && (options.hasSteps || !options.watches))) return true;
         return !options.watches && host.scripts().front().isStopped() && host.scripts().size() == 1;
@@ -209,8 +210,12 @@ int run(const Options& options) {
     Camera camera;
     if (options.camera.size() == 6)
         std::copy_n(options.camera.data(), 3, camera.eye), std::copy_n(options.camera.data() + 3, 3, camera.target);
+    double distance = 0.0;
+    for (int i = 0; i < 3; ++i) distance = std::max(distance, std::abs(camera.target[i] - camera.eye[i]));
+    if (!(distance > 1e-6 && distance < 1e9)) error = "--camera: expected two places that are not the same";
     if (!options.image.empty()) settings.flags = RUBBLE_WORLD_WAIT_FOR_SHADOW;
-    if (rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK) error = "this library is of another version";
+    if (error.empty() && rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK)
+        error = "this library is of another version";
     if (error.empty() && !options.image.empty()) error = view.open(*api, viewOf(camera, kWidth, kHeight));
     if (error.empty() && api->create_world(&settings, &world) != RUBBLE_OK) error = api->get_last_error();
     if (error.empty() && options.level.empty()) error = buildYard(*api, world);

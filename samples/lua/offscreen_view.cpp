@@ -1,5 +1,6 @@
 #include "samples/lua/offscreen_view.h"
 
+#include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
 
@@ -24,7 +25,9 @@ struct OffscreenView::Gl {
 rubble_view viewOf(const Camera& camera, uint32_t width, uint32_t height) {
     const glm::dvec3 eye(camera.eye[0], camera.eye[1], camera.eye[2]);
     const glm::dvec3 target(camera.target[0], camera.target[1], camera.target[2]);
-    const glm::dquat turn = glm::quatLookAt(glm::normalize(target - eye), glm::dvec3(0.0, 1.0, 0.0));
+    const glm::dvec3 ahead = glm::normalize(target - eye);
+    const glm::dvec3 up = std::abs(ahead.y) < 0.9999 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
+    const glm::dquat turn = glm::quatLookAt(ahead, up);
     rubble_view view = {};
     view.struct_size = sizeof view;
     view.width = width, view.height = height;

@@ -63,6 +63,8 @@ TEST(LuaProgram, ReadsStatementsOfSeveralLines) {
 
 TEST(LuaProgram, RefusesValuesThatItCannotUse) {
     EXPECT_NE(output("", "--eval 1 --steps -5").find("--steps"), std::string::npos);
+    EXPECT_NE(output("", "--eval 1 --camera 1 1 1 1 1 1").find("two places"), std::string::npos);
+    EXPECT_EQ(output("", "--eval 1 --camera 1 9 1 1 1 1"), "1\n") << "straight down";
     EXPECT_NE(output("", "--reference /dev/null/x").find("expected a folder that can be written"), std::string::npos);
 }
 
