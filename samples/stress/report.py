@@ -170,8 +170,8 @@ def headline(runs, others):
             "every step: no voxel is lost or appears, handles are of things that are there, motion is finite, mass is "
             "that of the voxels, no energy comes from nowhere, lights are on something. Every few seconds: the budgets "
             "of pieces hold, the shadow volume is that of a world built from scratch, a saved game goes on as the one "
-            "that was saved, the hash tells worlds apart, and the recording gives the same hashes again, with two "
-            "threads and without the script.</p>"
+            "that was saved, the hash tells worlds apart, and recordings give the same hashes again, with two threads "
+            "and without the script.</p>"
             f"<details><summary>What the words mean</summary><dl>{words}</dl></details>")
     if others:
         head += "<p>In brackets and grey: the other folder. Red: worse by more than a tenth; green: better.</p>"
