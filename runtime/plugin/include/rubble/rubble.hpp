@@ -415,8 +415,10 @@ public:
     /** Writes the game between two steps to a file, whole or not at all, with the edits that wait in the queue.
      * Symbolic links are followed; what is no regular file, such as a folder or a device, is not replaced. The next
      * step of the running game begins with physics rebuilt from the world, as a loaded game does, so that playing on
-     * and loading give the same result. Undo marks are not in the file: a loaded game has none. RUBBLE_ERROR_ARGUMENT:
-     * an undo or redo waits for the next step. RUBBLE_ERROR_FILE: the file cannot be written; nothing has changed. */
+     * and loading give the same result. What takes several steps to compute, as stress and what comes off under
+     * `split_parts`, begins again in both: get_state_hash() has it, get_resolved_hash() does not. Undo marks are not in
+     * the file: a loaded game has none. RUBBLE_ERROR_ARGUMENT: an undo or redo waits for the next step.
+     * RUBBLE_ERROR_FILE: the file cannot be written; nothing has changed. */
     void save_game(const char* path) {
         check(api().save_game(m_handle, path));
     }
