@@ -209,7 +209,8 @@ void Renderer::Impl::drawLight(const FrameContext& frame) {
     clearNoisyLight(frame);
     if (settings.sun && block.sunDirection.y > 0.0f) run("sun", kGBuffer, NoisyLight, [&] { sun.draw(frame); });
     if (settings.sky)
-        run("sky", kGBuffer | kBounceHistory | kLightHistory, NoisyLight | HitProximity, [&] { sky.draw(frame); });
+        run("sky", kGBuffer | kBounceHistory | kLightHistory, NoisyLight | HitProximity,
+            [&] { sky.draw(frame, isGlassSunlit() ? &*glassShadow : nullptr); });
     if (LocalLightsPass::needed(frame))
         run("local lights", kGBuffer | kLightHistory | previous(Specular), NoisyLight | Specular,
             [&] { drawLazily(localLights, frame); });
@@ -342,8 +343,7 @@ void Renderer::Impl::draw(const View& view, float alpha) {
                          (lightGrid ? lightGrid->bytes() : 0) + (overlayPass ? overlayPass->bytes() : 0);
     stats.computePrograms = shaders.computePrograms();
     stats.waitingBytes = scene.bodies().waitingBytes();
-    stats.shapes = scene.bodies().shapes();
-    stats.bricks = scene.bodies().bricks();
+    stats.shapes = scene.bodies().shapes(), stats.bricks = scene.bodies().bricks();
 }
 
 void Renderer::Impl::drawFrames(const View& view, float alpha) {

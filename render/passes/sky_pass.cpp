@@ -3,6 +3,7 @@
 #include "render/passes/bounce.h"
 #include "render/passes/fullscreen.h"
 #include "render/passes/gbuffer_pass.h"
+#include "render/passes/glass_shadow_pass.h"
 #include "render/scene/scene.h"
 
 namespace rubble {
@@ -10,7 +11,7 @@ namespace rubble {
 SkyPass::SkyPass(ShaderLibrary& shaders)
     : m_program(shaders.loadFullscreen("passes/sky.frag", {.surfacesOnly = true, .merge = {Merge::Color}})) {}
 
-void SkyPass::draw(const FrameContext& frame) const {
+void SkyPass::draw(const FrameContext& frame, const GlassShadowPass* glassShadow) const {
     if (!m_program) return;
     TargetPool& targets = frame.targets;
     const FullscreenTargets into{{&targets.target(Target::NoisyLight), &targets.target(Target::HitProximity)},
@@ -18,6 +19,7 @@ void SkyPass::draw(const FrameContext& frame) const {
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
         GBufferPass::bind(program, targets);
         frame.scene.bindShadow(program);
+        GlassShadowPass::bind(program, glassShadow);
         bindBounce(program, frame, BounceRays::Diffuse);
         program.set("uBlueNoise", frame.blueNoise);
         program.set("uLightHistory", targets.history(Target::AccumulatedLight).previous);

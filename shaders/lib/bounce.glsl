@@ -11,7 +11,8 @@
 // A path ends at the sky, or after uMaxBounces faces. There the missing light is taken to be the radiance known at the
 // start of the path, scaled by how much more open the last face is: the "ambient share". In a closed room this sums the
 // geometric series of all further bounces over the frames. It is biased where start and end see different surroundings.
-// Needs lib/frame, gbuffer, sky, shadow_trace, sampling, brdf.
+// Needs lib/frame, gbuffer, sky, shadow_trace, sampling, brdf. With HAS_GLASS_SHADOW it needs lib/glass_shadow too, and
+// the sun has the colours of glass.
 #include "lib/constants.glsl"
 #include "lib/surface_history.glsl"
 #include "lib/color.glsl"
@@ -87,10 +88,11 @@ struct PathStart {
     vec2 directionSample;  // for the direction of the path's next ray
     float hitProximity;    // of its surroundings (passes/sky.frag): 0 in the open
     float maxEmission;     // clamp of the radiance of voxels that emit
+    int maxBounces;        // offscreen faces of the path
 };
 
 PathStart startPath(vec3 light, vec3 normal, ivec2 lights) {
-    return PathStart(light, normal, lights, vec3(0.0), vec2(0.0), 0.0, kMaxHitRadiance);
+    return PathStart(light, normal, lights, vec3(0.0), vec2(0.0), 0.0, kMaxHitRadiance, uMaxBounces);
 }
 
 /// Clamp of what voxels that emit send to a diffuse surface. Few rays meet a small one that is far away, and each of
@@ -109,7 +111,11 @@ vec3 sunlightOn(vec3 position, vec3 normal) {
     if (!uSunUp || facing <= 0.0 ||
         shadowTrace(cellOrigin(position, normal), frame.sunDirection.xyz, kMaxSunDistance, t))
         return vec3(0.0);
-    return frame.sunColor.rgb * (facing / kPi);
+    vec3 sun = frame.sunColor.rgb * (facing / kPi);
+#ifdef HAS_GLASS_SHADOW
+    sun *= sunThroughGlass(position);
+#endif
+    return sun;
 }
 
 /// Irradiance of all local lights on a face / pi, estimated with one ray to one of them (lib/local_lights.glsl).
@@ -179,12 +185,13 @@ vec3 radianceAt(vec3 hitWorld, vec3 direction, PathStart start, float emissionWe
         OffscreenFace face = shadeOffscreenFace(hitWorld, normal, direction, start, emissionWeight);
         radiance += throughput * face.radiance;
         throughput *= min(face.reflectance, vec3(kMaxReflectance));
-        if (i >= uMaxBounces) {
+        if (i >= start.maxBounces) {
             radiance += min(throughput * ambientShare(normal, start), vec3(kMaxReflectance)) * start.light;
             break;
         }
         vec3 origin = cellOrigin(hitWorld, normal);
-        direction = cosineDirection(normal, fract(start.directionSample + float(i) * kR2Step));
+        // The factor makes the pairs of numbers of a path's rays fill the square: a step alone would tie them together.
+        direction = cosineDirection(normal, fract(start.directionSample * float(12 * i - 11) + float(i) * kR2Step));
         float t;
         if (!shadowTrace(origin, direction, uMaxDistance, t)) {
             radiance += throughput * skyRadiance(direction);

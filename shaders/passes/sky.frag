@@ -11,6 +11,8 @@
 #include "lib/moving_bodies.glsl"
 #include "lib/brdf.glsl"
 #include "lib/sky.glsl"
+#include "lib/glass_shadow.glsl"
+#define HAS_GLASS_SHADOW
 #include "lib/bounce.glsl"
 
 uniform int uRayCount;
@@ -21,6 +23,7 @@ in vec2 uv;
 layout(location = 0) out vec4 light;
 layout(location = 1) out vec4 hitProximity;  // x: 1 where rays hit at once, 0 where they leave
 
+const int kBouncesAfterChange = 2;         // more than usual
 const float kHalfProximityDistance = 1.0;  // metres: a hit at this distance counts a half
 
 void main() {
@@ -41,6 +44,9 @@ void main() {
         start.light *= countsOfPreviousFrame(left.now * uMaxHistory);
         start.hitProximity = fract(texelFetch(uSurfaceHistory, last, 0).z);
         rays = max(rays, left.rays);
+        // The previous frame's light stands for no further bounces, which matter where light comes from all around.
+        bool isEnclosed = start.hitProximity > 0.5 * (kIndoorProximity.x + kIndoorProximity.y);
+        if (isEnclosed && countsOfPreviousFrame(left.now * uMaxHistory) < 1.0) start.maxBounces += kBouncesAfterChange;
     }
     int i = 0;
     do {

@@ -273,13 +273,14 @@ TEST_P(Ghosts, ACameraThatStrafedLeavesNoTrace) {
 TEST_P(Ghosts, ARecolouredLightHasItsNewColour) {
     m_stage.lights[0].color = glm::vec3(0.2f, 0.5f, 1.0f) * m_stage.lights[0].color.r;
     apply();
-    expectNoGhost("recolour", 0.047);
+    expectNoGhost("recolour", 0.045);
 }
 
 TEST_P(Ghosts, ARemovedRoofLetsTheLightIn) {
     m_stage.scene.edit(m_stage.roof, all(0));
     apply();
-    expectNoGhost("roof", 0.042);  // two jittered samples by night are that far from many
+    // Two jittered samples by night are that far from many. A room's light comes from all around, by many bounces.
+    expectNoGhost("roof", m_stage.name == "hall" ? 0.03 : 0.042);
 }
 
 TEST_P(Ghosts, ALightThatGoesOutLeavesNoGlow) {
@@ -288,7 +289,7 @@ TEST_P(Ghosts, ALightThatGoesOutLeavesNoGlow) {
     now.palettes.push_back({m_stage.bulb, palette(false), nullptr});
     renderer->apply(std::move(now));
     m_isLightOut = true;
-    expectNoGhost("out", 0.045);
+    expectNoGhost("out", 0.044);
 }
 
 TEST_P(Ghosts, AStillImageStaysStill) {
