@@ -192,24 +192,57 @@ Float8 normalImpulse(const Contact<Float8>& c, const ContactBias& bias, const Ve
                   Float8(0.0f));
 }
 
+/// The normals of a group, by what an impulse at one point adds to the normal velocity of another (the Delassus
+/// matrix): passes over these need no more of the bodies.
+struct NormalRows {
+    NormalRows(const ContactArrays& set, const PairGroup& group, const ContactBias* biases,
+               const VelocityPair<Float8>& bodies) {
+        Vec normals[kMaxManifoldPoints], armsA[kMaxManifoldPoints], armsB[kMaxManifoldPoints];
+        for (uint32_t i = 0; i < group.count; ++i) {
+            const Contact<Float8> c = load(set.contacts[group.from + i]);
+            const Vec &armA = armsA[i] = cross(c.rA, c.normal), &armB = armsB[i] = cross(c.rB, c.normal);
+            normals[i] = c.normal;
+            velocity[i] = bodies.normalVelocity(c) + biases[i].velocity;
+            before[i] = impulse[i] = c.normalImpulse;
+            mass[i] = c.normalMass * biases[i].massScale, softness[i] = biases[i].impulseScale;
+            const Vec turnA = bodies.inverseInertiaA * armA, turnB = bodies.inverseInertiaB * armB;
+            const Float8 inverseMass = bodies.inverseMassA + bodies.inverseMassB;
+            for (uint32_t k = 0; k <= i; ++k)
+                gain[i][k] = gain[k][i] =
+                    dot(armsA[k], turnA) + dot(armsB[k], turnB) + dot(normals[k], c.normal) * inverseMass;
+        }
+    }
+    Float8 velocity[kMaxManifoldPoints];                             ///< m/s, with the bias
+    Float8 mass[kMaxManifoldPoints];                                 ///< effective
+    Float8 softness[kMaxManifoldPoints];                             ///< the impulse scale: see Softness
+    Float8 impulse[kMaxManifoldPoints], before[kMaxManifoldPoints];  ///< N s, now and at the start
+    Float8 gain[kMaxManifoldPoints][kMaxManifoldPoints];             ///< m/s for 1 N s
+};
+
 /// More passes over the normals of the pairs that close fast, until they converge.
 void solveHits(const ContactArrays& set, const PairGroup& group, const ContactBias* biases, Float8 changed,
                Float8 largest, VelocityPair<Float8>& bodies) {
     const Bool8 isHit = load(group.isHit) > Float8(0.5f);
-    for (int pass = 1; pass < kHitPasses; ++pass) {
-        const Bool8 isActive = isHit & (changed > largest * Float8(kConverged));
-        if (!any(isActive)) return;
+    Bool8 isActive = isHit & (changed > largest * Float8(kConverged));
+    if (!any(isActive)) return;
+    NormalRows rows(set, group, biases, bodies);
+    for (int pass = 1; pass < kHitPasses && any(isActive); ++pass) {
         changed = largest = Float8(0.0f);
         for (uint32_t i = 0; i < group.count; ++i) {
-            Contact<Lanes>& at = set.contacts[group.from + i];
-            const Contact<Float8> c = load(at);
-            const Float8 impulse = select(isActive, normalImpulse(c, biases[i], bodies), c.normalImpulse),
-                         change = impulse - c.normalImpulse;
-            bodies.applyNormalImpulse(c, change);
-            store(impulse, at.normalImpulse);
+            const Float8 old = rows.impulse[i],
+                         solved = larger(old - rows.mass[i] * rows.velocity[i] - rows.softness[i] * old, Float8(0.0f)),
+                         impulse = select(isActive, solved, old), change = impulse - old;
+            rows.impulse[i] = impulse;
+            for (uint32_t k = 0; k < group.count; ++k) rows.velocity[k] = rows.velocity[k] + rows.gain[i][k] * change;
             changed = larger(changed, larger(change, Float8(0.0f) - change));
             largest = larger(largest, impulse);
         }
+        isActive = isHit & (changed > largest * Float8(kConverged));
+    }
+    for (uint32_t i = 0; i < group.count; ++i) {
+        Contact<Lanes>& at = set.contacts[group.from + i];
+        bodies.applyNormalImpulse(load(at), rows.impulse[i] - rows.before[i]);
+        store(rows.impulse[i], at.normalImpulse);
     }
 }
 
