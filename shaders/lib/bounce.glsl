@@ -113,7 +113,11 @@ vec3 sunlightOn(vec3 position, vec3 normal) {
         return vec3(0.0);
     vec3 sun = frame.sunColor.rgb * (facing / kPi);
 #ifdef HAS_GLASS_SHADOW
-    sun *= sunThroughGlass(position);
+    int i = loopBegin();
+    do {
+        if (!uGlassShadow) break;  // a software GL leaves a loop, but runs both sides of a branch
+        sun *= sunThroughGlass(position);
+    } while (++i < 1);
 #endif
     return sun;
 }
