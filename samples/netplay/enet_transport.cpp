@@ -31,15 +31,21 @@ enet_uint32 lastSent(const ENetPeer* peer) {
     return peer->lastSendTime - 1;
 }
 
-/// Called for each datagram. A connect that finds all peers in use takes the place of one that is not confirmed: the
-/// oldest of the address that has most of these, so that no address keeps others out.
+/// Whether a peer is no connection yet, or no longer.
+bool isLoose(const ENetPeer& peer) {
+    return peer.state == ENET_PEER_STATE_ACKNOWLEDGING_CONNECT || peer.state == ENET_PEER_STATE_DISCONNECTING ||
+           peer.state == ENET_PEER_STATE_DISCONNECT_LATER;
+}
+
+/// Called for each datagram. A connect that finds all peers in use takes the place of one that is loose: the oldest of
+/// the address that has most of these, so that no address keeps others out.
 int makeRoom(ENetHost* host, ENetEvent*) {
     const std::span<ENetPeer> peers(host->peers, host->peerCount);
     const auto isFree = [](const ENetPeer& peer) { return peer.state == ENET_PEER_STATE_DISCONNECTED; };
     if (!isConnect(*host) || std::any_of(peers.begin(), peers.end(), isFree)) return 0;
     std::map<enet_uint32, std::vector<ENetPeer*>> pending;  // by address
     for (ENetPeer& peer : peers)
-        if (peer.state == ENET_PEER_STATE_ACKNOWLEDGING_CONNECT) pending[peer.address.host].push_back(&peer);
+        if (isLoose(peer)) pending[peer.address.host].push_back(&peer);
     const auto most = std::max_element(pending.begin(), pending.end(),
                                        [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
     if (most != pending.end()) enet_peer_reset(*std::ranges::min_element(most->second, {}, lastSent));
@@ -61,7 +67,7 @@ public:
     }
     ~EnetTransport() override {
         for (auto& [number, peer] : m_peers) enet_peer_disconnect_now(peer, 0);
-        if (!m_peers.empty()) enet_host_flush(m_host.get());
+        enet_host_flush(m_host.get());
     }
 
     void connect(const ENetAddress& address) {
@@ -69,13 +75,18 @@ public:
     }
 
     bool receive(Event& event) override {
+        if (!m_dropped.empty()) {
+            event = {Event::Kind::Disconnected, m_dropped.back(), {}};
+            m_dropped.pop_back();
+            return true;
+        }
         ENetEvent got;
         while (hasNext(got)) {
             if (got.type == ENET_EVENT_TYPE_CONNECT) return open(got.peer, event);
             const Peer peer = numberOf(got.peer);
             if (got.type == ENET_EVENT_TYPE_DISCONNECT) {
-                m_peers.erase(peer);
                 got.peer->data = nullptr;
+                if (peer && !m_peers.erase(peer)) continue;
                 event = {Event::Kind::Disconnected, peer, {}};
                 return true;
             }
@@ -98,7 +109,11 @@ public:
     }
 
     void drop(Peer peer) override {
-        if (const auto found = m_peers.find(peer); found != m_peers.end()) enet_peer_disconnect_later(found->second, 0);
+        const auto found = m_peers.find(peer);
+        if (found == m_peers.end()) return;
+        enet_peer_disconnect_later(found->second, 0);
+        m_peers.erase(found);
+        m_dropped.push_back(peer);
     }
 
     void tick() override {
@@ -141,6 +156,7 @@ private:
     };
     std::unique_ptr<ENetHost, Destroy> m_host;
     std::map<Peer, ENetPeer*> m_peers;
+    std::vector<Peer> m_dropped;  ///< not yet told to have ended
     Peer m_last = 0;
     int m_reads = 0;  ///< in this tick that gave no event
     bool m_patient;

@@ -1,5 +1,10 @@
 // The host of SDL2 in C99 plays its script without a display.
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
 
 #include "generated/paths.h"
 #include "tests/samples/hosts/host_run.h"
@@ -26,7 +31,7 @@ TEST(HostSdl, SaysWhatIsWrongWithItsArguments) {
     const std::string program = kProgram;
     const HostRun none = runHost(program), size = runHost(program + " " + kLevel + " --size big"),
                   level = runHost(program + " missing.vox --script /tmp"),
-                  folder = runHost(program + " " + kLevel + " --script /missing --size 64x48");
+                  folder = runHost(program + " " + kLevel + " --script /proc/missing --size 64x48");
     EXPECT_EQ(none.exitCode, 2);
     EXPECT_NE(none.output.find("expected a level"), std::string::npos) << none.output;
     EXPECT_EQ(size.exitCode, 2);
@@ -34,8 +39,67 @@ TEST(HostSdl, SaysWhatIsWrongWithItsArguments) {
     EXPECT_EQ(level.exitCode, 1);
     EXPECT_NE(level.output.find("missing.vox"), std::string::npos) << level.output;
     EXPECT_EQ(folder.exitCode, 2);
-    EXPECT_NE(folder.output.find("expected a folder to write images to, found \"/missing\""), std::string::npos)
+    EXPECT_NE(folder.output.find("expected a folder to write images to, found \"/proc/missing\""), std::string::npos)
         << folder.output;
+}
+
+TEST(HostSdl, TakesNoNumberThatIsNone) {
+    if (const std::string missing = missingFor(kProgram, "libsdl2-dev"); !missing.empty()) GTEST_SKIP() << missing;
+    const std::string script = std::string("timeout 20 ") + kProgram + " " + kLevel + " --script ";
+    const std::string folder = hostFolder("sdl_refused").string() + "/none";
+    for (const std::string options : {"--steps -1", "--steps 0", "--steps 5x", "--steps 99999999999999999999",
+                                      "--size 40x40abc", "--size -1x5", "--script -x", "second.vox"}) {
+        const HostRun run = runHost(script + folder + " --size 64x48 --steps 3 " + options);
+        EXPECT_EQ(run.exitCode, 2) << options << "\n" << run.output;
+        EXPECT_NE(run.output.find("host_sdl: expected"), std::string::npos) << run.output;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder)) << "a refused call leaves nothing";
+}
+
+/// Starts a long script, sends it a signal once it has begun to write an image, and returns how it ended.
+int endBySignal(int number, const std::filesystem::path& folder) {
+    const pid_t child = fork();
+    if (child == 0) {
+        std::signal(number, SIG_DFL);
+        unsetenv("DISPLAY"), unsetenv("WAYLAND_DISPLAY");
+        execl(kProgram, kProgram, kLevel, "--script", folder.c_str(), "--steps", "3000", "--size", "64x48", nullptr);
+        _exit(127);
+    }
+    int status = 0;
+    while (!std::filesystem::exists(folder / "1_start.png")) {
+        if (waitpid(child, &status, WNOHANG) != 0) return status;
+        usleep(10'000);
+    }
+    kill(child, number);
+    waitpid(child, &status, 0);
+    return status;
+}
+
+TEST(HostSdl, ASignalEndsAScript) {
+    if (const std::string missing = missingFor(kProgram, "libsdl2-dev"); !missing.empty()) GTEST_SKIP() << missing;
+    for (const int number : {SIGINT, SIGTERM}) {
+        const int status = endBySignal(number, hostFolder("sdl_signal"));
+        EXPECT_TRUE(WIFSIGNALED(status)) << status;
+        EXPECT_EQ(WTERMSIG(status), number);
+    }
+}
+
+TEST(HostSdl, OpensNoWindowThatNobodySees) {
+    if (const std::string missing = missingFor(kProgram, "libsdl2-dev"); !missing.empty()) GTEST_SKIP() << missing;
+    const HostRun run = runHost(std::string("DISPLAY=:987 timeout 20 ") + kProgram + " " + kLevel);
+    EXPECT_EQ(run.exitCode, 2) << run.output;
+    EXPECT_NE(run.output.find("expected a display"), std::string::npos) << run.output;
+}
+
+TEST(HostLauncher, RefusesOptionsOfGodotBeforeItBuilds) {
+    const std::string folder = hostFolder("godot_refused").string() + "/none";
+    for (const std::string options :
+         {"--steps 0", "--steps abc", "--steps -1", "--size big", "--script", "--script -x"}) {
+        const HostRun run = runHost(RUBBLE_SOURCE_DIR "/rubble host godot --script " + folder + " " + options);
+        EXPECT_EQ(run.exitCode, 1) << options;
+        EXPECT_NE(run.output.find("rubble: error: host godot: "), std::string::npos) << run.output;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder)) << "a refused call leaves nothing";
 }
 
 TEST(HostLauncher, SaysWhatAHostCanDoWithoutBuildingIt) {

@@ -43,6 +43,29 @@ TEST(Participant, SaysThatThereIsNoAnswer) {
     EXPECT_NE(words.find("no answer from 127.0.0.1:" + std::to_string(options.port)), std::string::npos) << words;
 }
 
+TEST(Participant, JoinsThoughManyHaveConnectedAndSayNothing) {
+    rubble::World world(without(0));
+    auto listening = listenWithEnet(0, 4);
+    const Options options = optionsFor(*listening);
+    Server server(world, std::move(listening), {});
+    std::vector<std::unique_ptr<Transport>> silent;
+    for (int i = 0; i < 400; ++i) {
+        silent.push_back(connectTo(options, 1));
+        Event event;
+        for (int round = 0; round < 4; ++round) {
+            silent.back()->tick(), silent.back()->receive(event);
+            server.tick();
+        }
+        EXPECT_EQ(event.kind, Event::Kind::Connected) << i;
+    }
+    Participant participant(options, without(RUBBLE_WORLD_HOST_PHYSICS), 1);
+    for (int step = 0; step < 60 && participant.link() != Link::Playing; ++step) {
+        participant.tick(step);
+        server.tick();
+    }
+    EXPECT_EQ(participant.link(), Link::Playing);
+}
+
 TEST(Participant, SaysThatItHasLostTheServer) {
     rubble::World world(without(0));
     buildYard(world, 1);
