@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 
 #include "generated/paths.h"
 #include "tests/samples/hosts/host_run.h"
@@ -56,17 +57,17 @@ TEST(HostSdl, TakesNoNumberThatIsNone) {
     EXPECT_FALSE(std::filesystem::exists(folder)) << "a refused call leaves nothing";
 }
 
-/// Starts a long script, sends it a signal once it has begun to write an image, and returns how it ended.
-int endBySignal(int number, const std::filesystem::path& folder) {
+/// Starts a shell command without a display, sends it a signal once it has made a file, and returns how it ended.
+int endBySignal(int number, const std::string& command, const std::filesystem::path& made) {
     const pid_t child = fork();
     if (child == 0) {
         std::signal(number, SIG_DFL);
         unsetenv("DISPLAY"), unsetenv("WAYLAND_DISPLAY");
-        execl(kProgram, kProgram, kLevel, "--script", folder.c_str(), "--steps", "3000", "--size", "64x48", nullptr);
+        execl("/bin/bash", "bash", "-c", command.c_str(), nullptr);
         _exit(127);
     }
     int status = 0;
-    while (!std::filesystem::exists(folder / "1_start.png")) {
+    while (!std::filesystem::exists(made)) {
         if (waitpid(child, &status, WNOHANG) != 0) return status;
         usleep(10'000);
     }
@@ -78,7 +79,9 @@ int endBySignal(int number, const std::filesystem::path& folder) {
 TEST(HostSdl, ASignalEndsAScript) {
     if (const std::string missing = missingFor(kProgram, "libsdl2-dev"); !missing.empty()) GTEST_SKIP() << missing;
     for (const int number : {SIGINT, SIGTERM}) {
-        const int status = endBySignal(number, hostFolder("sdl_signal"));
+        const std::filesystem::path folder = hostFolder("sdl_signal");
+        const std::string command = std::string("exec ") + kProgram + " " + kLevel + " --steps 3000 --size 64x48";
+        const int status = endBySignal(number, command + " --script " + folder.string(), folder / "1_start.png");
         EXPECT_TRUE(WIFSIGNALED(status)) << status;
         EXPECT_EQ(WTERMSIG(status), number);
     }
@@ -89,6 +92,24 @@ TEST(HostSdl, OpensNoWindowThatNobodySees) {
     const HostRun run = runHost(std::string("DISPLAY=:987 timeout 20 ") + kProgram + " " + kLevel);
     EXPECT_EQ(run.exitCode, 2) << run.output;
     EXPECT_NE(run.output.find("expected a display"), std::string::npos) << run.output;
+}
+
+TEST(HostLauncher, LeavesNothingBehindUnderXvfb) {
+    if (const std::string missing = missingFor("/usr/bin/xvfb-run", "xvfb"); !missing.empty()) GTEST_SKIP() << missing;
+    for (const int number : {SIGINT, SIGTERM}) {
+        const std::filesystem::path folder = hostFolder("launcher_signal");
+        const std::string written = (folder / "number").string();
+        const std::string function = "eval \"$(sed -n '/^underXvfb/,/^}/p' " RUBBLE_SOURCE_DIR "/rubble)\"; underXvfb ";
+        const int status = endBySignal(number,
+                                       function + "bash -c 'echo $$ >" + written + ".part && mv " + written + ".part " +
+                                           written + " && exec sleep 20'",
+                                       written);
+        EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) > 128) << status;
+        pid_t command = 0;
+        std::ifstream(written) >> command;
+        ASSERT_GT(command, 1);
+        EXPECT_NE(kill(command, 0), 0) << "the command still runs";
+    }
 }
 
 TEST(HostLauncher, RefusesOptionsOfGodotBeforeItBuilds) {
