@@ -73,6 +73,7 @@ void Client::receive() {
             if (m_state != State::Refused) m_state = State::Disconnected;
             m_transport.reset();
         } else {
+            ++m_heard;
             const std::optional<Message> message = decode(event.bytes, false);
             expect(message.has_value(), "expected a message of the server");
             handle(*message);

@@ -59,6 +59,8 @@ public:
     size_t tracked() const { return m_bodies.size(); }
     /// Bytes of the steps that wait until they are shown.
     size_t waitingBytes() const { return m_waitingBytes; }
+    /// How many messages of servers have come.
+    uint64_t heard() const { return m_heard; }
     /// How often it has taken a snapshot.
     int snapshots() const { return m_snapshots; }
 
@@ -110,6 +112,7 @@ private:
     Input m_input;
     std::vector<Ask> m_asks;
     std::vector<uint64_t> m_corrections = std::vector<uint64_t>(1001);
+    uint64_t m_heard = 0;
     int m_snapshots = 0;
 };
 

@@ -6,7 +6,8 @@
 
 namespace netplay {
 
-/// Listens on a UDP port of all addresses. Throws std::runtime_error if it is taken. port 0: any, see portOf().
+/// Listens on a UDP port of all addresses. Throws std::runtime_error if it is taken. Connects that are not confirmed
+/// yet take none of the places of `peers`. port 0: any, see portOf().
 /// patient: no connection ends because its other end has not answered in time, for tests on loaded machines.
 std::unique_ptr<Transport> listenWithEnet(uint16_t port, size_t peers, bool patient = false);
 /// Connects to a server; Event::Kind::Connected says when, Disconnected that it does not answer. Throws

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kMaxMessagesPerStep = 32;     // of one client, after a stall of half a second
 constexpr uint64_t kStepsToJoin = 10 * 60;  // that a connection may say nothing
+constexpr size_t kMaxWaiting = 64;          // connections that have not joined
 constexpr size_t kHeaderBytes = 32;         // of a message with poses, and its bytes for a player
 constexpr size_t kPlayerBytes = 9;
 
@@ -76,8 +77,7 @@ void Server::receive() {
     Event event;
     while (m_transport->receive(event)) {
         if (event.kind == Event::Kind::Connected) {
-            auto& client = m_clients[event.peer] = std::make_unique<Client>();
-            client->peer = event.peer, client->since = m_step;
+            accept(event.peer);
             continue;
         }
         const auto found = m_clients.find(event.peer);
@@ -94,6 +94,17 @@ void Server::receive() {
         if (isSilent) m_transport->drop(client.peer);
         return isSilent || client.isGone;
     });
+}
+
+/// Of those that have not joined, the oldest gives way.
+void Server::accept(Peer peer) {
+    auto& client = m_clients[peer] = std::make_unique<Client>();
+    client->peer = peer, client->since = m_step;
+    const auto waits = [](const auto& entry) { return !entry.second->session; };
+    if (size_t(std::count_if(m_clients.begin(), m_clients.end(), waits)) <= kMaxWaiting) return;
+    const auto oldest = std::find_if(m_clients.begin(), m_clients.end(), waits);
+    m_transport->drop(oldest->first);
+    m_clients.erase(oldest);
 }
 
 void Server::handle(Client& client, std::span<const uint8_t> bytes) {

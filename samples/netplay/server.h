@@ -49,6 +49,7 @@ private:
     struct Client;
 
     void receive();
+    void accept(Peer peer);
     void handle(Client& client, std::span<const uint8_t> bytes);
     bool handle(Client& client, const Join& join);
     bool handle(Client& client, const Input& input);

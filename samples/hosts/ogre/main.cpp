@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "samples/hosts/ogre/scene.h"
+#include "samples/hosts/support/options.h"
 #include "samples/hosts/support/report.h"
 #include "samples/hosts/support/yard.h"
 
@@ -45,14 +46,11 @@ Options readOptions(const std::vector<std::string>& words) {
         const std::string value = i + 1 < words.size() ? words[i + 1] : "";
         if (words[i] == "--script") {
             options.folder = value;
-            if (value.empty()) refuse("a folder for the script's images", value);
+            if (!is_path(value.c_str())) refuse("a folder for the script's images", value);
         } else if (words[i] == "--steps") {
-            char* end = nullptr;
-            options.steps = std::strtoull(value.c_str(), &end, 10);
-            if (options.steps == 0 || *end) refuse("a number of steps", value);
+            if (!read_steps(value.c_str(), &options.steps)) refuse("a number of steps above 0", value);
         } else if (words[i] == "--size") {
-            const int read = std::sscanf(value.c_str(), "%ux%u", &options.width, &options.height);
-            if (read != 2 || options.width - 1 > 4095 || options.height - 1 > 4095) refuse("a size in pixels", value);
+            if (!read_size(value.c_str(), &options.width, &options.height)) refuse("a size in pixels", value);
         } else {
             refuse("an option", words[i]);
         }
@@ -127,6 +125,7 @@ void Game::writeImage(const std::string& name) {
 }
 
 void Game::runScript() {
+    if (!make_folder(m_options.folder.c_str())) refuse("a folder to write images to", m_options.folder);
     while (m_yard.steps < m_options.steps) {
         const uint64_t step = m_yard.steps % SCRIPT_CYCLE;
         yard_play_script(&m_yard);
@@ -179,6 +178,7 @@ void Game::runWindow() {
 int run(const Options& options) {
     SDL_SysWMinfo info;
     SDL_VERSION(&info.version);
+    if (!options.folder.empty()) SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");  // a script reads no events
     if (SDL_Init(SDL_INIT_VIDEO) != 0) refuse("an X display", SDL_GetError());
     SDL_Window* const window = SDL_CreateWindow("Rubble in Ogre", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
                                                 int(options.width), int(options.height), 0);

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "samples/hosts/support/gl_state.h"
+#include "samples/hosts/support/options.h"
 #include "samples/hosts/support/own_meshes.h"
 #include "samples/hosts/support/report.h"
 #include "samples/hosts/support/yard.h"
@@ -45,20 +46,18 @@ static struct options read_options(int argc, char** argv) {
             fputs(usage, stdout);
             exit(0);
         }
-        if (strncmp(argv[i], "--", 2) != 0) {
+        if (argv[i][0] != '-') {
+            if (options.level) refuse("one level", argv[i]);
             options.level = argv[i];
             continue;
         }
         if (strcmp(argv[i], "--script") == 0) {
             options.folder = value;
-            if (!*value) refuse("a folder for the script's images", value);
+            if (!is_path(value)) refuse("a folder for the script's images", value);
         } else if (strcmp(argv[i], "--steps") == 0) {
-            char* end;
-            options.steps = strtoull(value, &end, 10);
-            if (options.steps == 0 || *end) refuse("a number of steps", value);
+            if (!read_steps(value, &options.steps)) refuse("a number of steps above 0", value);
         } else if (strcmp(argv[i], "--size") == 0) {
-            const int read = sscanf(value, "%ux%u", &options.width, &options.height);
-            if (read != 2 || options.width - 1 > 4095 || options.height - 1 > 4095) refuse("a size in pixels", value);
+            if (!read_size(value, &options.width, &options.height)) refuse("a size in pixels", value);
         } else {
             refuse("an option", argv[i]);
         }
@@ -69,8 +68,14 @@ static struct options read_options(int argc, char** argv) {
 }
 
 static void open_window(const struct options* options) {
-    if (options->folder) SDL_setenv("SDL_VIDEODRIVER", "offscreen", 0);
+    const char* const wanted = SDL_getenv("SDL_VIDEODRIVER");
+    if (options->folder) {
+        SDL_setenv("SDL_VIDEODRIVER", "offscreen", 0);
+        SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1"); /* a script reads no events: signals end it */
+    }
     if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no video");
+    if (!options->folder && !wanted && strcmp(SDL_GetCurrentVideoDriver(), "offscreen") == 0)
+        refuse("a display for the window, or --script FOLDER", "none"); /* SDL would go on where nobody sees it */
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 3);
@@ -133,6 +138,7 @@ static void write_image(const struct options* options, const char* name) {
 
 /* Plays the script as fast as it can. Images are of the first cycle; later ones draw every 100 steps. */
 static void run_script(const struct options* options) {
+    if (!make_folder(options->folder)) refuse("a folder to write images to", options->folder);
     while (yard.steps < options->steps) {
         const uint64_t step = yard.steps % SCRIPT_CYCLE;
         yard_play_script(&yard);

@@ -9,7 +9,7 @@ static const double kFieldOfView = 1.05, kNear = 0.1, kFar = 200.0; /* radians, 
 
 void yard_check(const struct yard* yard, rubble_result result, const char* what) {
     if (result == RUBBLE_OK) return;
-    fprintf(stderr, "%s: error %d: %s\n", what, (int)result,
+    fprintf(stderr, "%.*s: error %d: %s\n", (int)strcspn(what, "("), what, (int)result,
             yard->api ? yard->api->get_last_error() : "librubble is of another version than rubble.h");
     exit(1);
 }

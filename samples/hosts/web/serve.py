@@ -30,7 +30,11 @@ class Page(http.server.SimpleHTTPRequestHandler):
 
     def do_POST(self):
         name = pathlib.PurePosixPath(self.path.partition("?")[0]).name
-        body = self.rfile.read(int(self.headers["Content-Length"]))
+        length = self.headers["Content-Length"] or ""
+        if not length.isdecimal():
+            self.send_error(411, "expected a Content-Length")
+            return
+        body = self.rfile.read(int(length))
         self.send_response(204)
         self.end_headers()
         if not Page.out:
@@ -43,6 +47,12 @@ class Page(http.server.SimpleHTTPRequestHandler):
 
     def log_message(self, *arguments):
         pass
+
+
+class Server(http.server.ThreadingHTTPServer):
+    def handle_error(self, request, address):
+        if not isinstance(sys.exc_info()[1], ConnectionError):
+            super().handle_error(request, address)
 
 
 def play_script(server, out, options):
@@ -70,6 +80,25 @@ def play_script(server, out, options):
     return 0 if name == "end" else 1
 
 
+def fail(text):
+    print(f"serve.py: {text}", file=sys.stderr)
+    sys.exit(2)
+
+
+def open_server(arguments):
+    """A server for the page's folder. Ends the program with a line where there can be none."""
+    if not (pathlib.Path(arguments.page) / "index.html").is_file():
+        fail(f'expected the folder of the page, found "{arguments.page}"')
+    if not 0 <= arguments.port <= 65535:
+        fail(f"--port: expected 0 to 65535, found {arguments.port}")
+    handler = functools.partial(Page, directory=arguments.page)
+    port = 0 if arguments.script else arguments.port
+    try:
+        return Server(("127.0.0.1", port), handler)
+    except OSError as error:
+        return fail(f"--port {port}: {error.strerror}")
+
+
 def main():
     parser = argparse.ArgumentParser(description="Serves the page of the browser host.")
     parser.add_argument("page")
@@ -77,8 +106,7 @@ def main():
     parser.add_argument("--script", metavar="OUT")
     parser.add_argument("options", nargs="*")
     arguments = parser.parse_intermixed_args()
-    handler = functools.partial(Page, directory=arguments.page)
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0 if arguments.script else arguments.port), handler)
+    server = open_server(arguments)
     if arguments.script:
         return play_script(server, arguments.script, arguments.options)
     print(f"http://127.0.0.1:{server.server_port}/ (Ctrl+C ends it)")

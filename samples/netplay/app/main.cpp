@@ -31,8 +31,11 @@ int serve(const Options& options) {
     ServerSettings rules;
     rules.seed = uint64_t(std::random_device{}()) << 32 | std::random_device{}();
     rules.log = say;
-    Server server(world, overLink(listenWithEnet(options.port, rules.players + 8), options, 1), rules);
-    say(fmt::format("listening on UDP port {}; ./rubble netplay --join HOST", options.port));
+    auto listening = listenWithEnet(options.port, rules.players + 8);
+    const uint16_t port = portOf(*listening);
+    Server server(world, overLink(std::move(listening), options, 1), rules);
+    say(fmt::format("listening on UDP port {}; ./rubble netplay --join HOST{}", port,
+                    port == kPort ? "" : fmt::format(" --port {}", port)));
     for (StepClock clock; !isInterrupted && (!options.seconds || clock.steps() < options.seconds * kStepsPerSecond);
          clock.wait())
         if (clock.take()) server.tick();
@@ -40,12 +43,15 @@ int serve(const Options& options) {
 }
 
 int join(const Options& options) {
+    if (options.port == 0) throw std::runtime_error("--port 0: expected that of the server");
     if (options.bots) return playBots(options);
     return options.frames || !Screen::hasDisplay() ? playIntoFrames(options) : playInWindow(options);
 }
 
 void addImageOptions(CLI::App& app, Options& options) {
-    app.add_option("--frames", options.frames, "no window: a bot plays, as so many images evenly over the time")
+    app.add_option("--frames", options.frames,
+                   "no window: a bot plays, as so many images evenly over --seconds, or 12 s, from when it has joined")
+        ->excludes("--server")
         ->check(CLI::Range(1, 1000));
     app.add_option("--out", options.out, "folder of the images")->capture_default_str();
     app.add_option_function<std::string>(
@@ -67,19 +73,22 @@ int run(int argc, char** argv) {
     auto* server = app.add_flag("--server", options.isServer, "run the world");
     auto* host = app.add_option("--join", options.host, "join the server on this host");
     server->excludes(host);
-    app.add_option("--port", options.port, "UDP port of the server")->capture_default_str();
+    app.add_option("--port", options.port, "UDP port of the server; --server: 0 is any that is free")
+        ->capture_default_str();
     app.add_option("--rows", options.rows, "rows of houses in the yard")
         ->check(CLI::Range(1, 4))
         ->capture_default_str();
-    app.add_option("--level", options.level, "server: a level in place of the yard, .rubble or .vox");
-    app.add_option("--bots", options.bots, "so many bots join, and nothing is drawn")->check(CLI::Range(1, 64));
+    app.add_option("--level", options.level, "server: a level in place of the yard, .rubble or .vox")->excludes(host);
+    app.add_option("--bots", options.bots, "so many bots join, and nothing is drawn")
+        ->excludes(server)
+        ->check(CLI::Range(1, 64));
     app.add_option("--seconds", options.seconds, "how long; 0: until it is interrupted")
         ->check(CLI::Range(0, 1'000'000))
         ->capture_default_str();
     app.add_option("--latency", options.latency, "ms that each message from here takes longer")
         ->check(CLI::Range(0, 5000));
     app.add_option("--loss", options.loss, "percent of the datagrams from here that are lost")
-        ->check(CLI::Range(0, 90));
+        ->check(CLI::Range(0.0, 90.0));
     addImageOptions(app, options);
     CLI11_PARSE(app, argc, argv);
     std::signal(SIGINT, [](int) { isInterrupted = 1; });

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "samples/netplay/app/participant.h"
 #include "samples/netplay/app/player_view.h"
 #include "samples/netplay/app/step_clock.h"
 #include "samples/netplay/bot.h"
@@ -24,29 +25,29 @@ constexpr int kStepsBetweenClicks = 15;                   // of a player who hol
 constexpr int kDefaultFrames = 12, kDefaultSeconds = 12;  // without a display
 constexpr const char* kToolNames[kTools] = {"blast", "hammer", "paint", "push"};
 
-/// A client with its world.
-struct Seat {
-    const Options& options;
-    rubble::World world;
-    Client client{world};
-    uint32_t seed;
+void report(const Participant& seat, int64_t step) {
+    if (step % (5 * kStepsPerSecond) == 0 && seat.link() == Participant::Link::Playing)
+        say(fmt::format("player {}: step {}, {} bodies", seat.client.player(), seat.client.appliedStep(),
+                        seat.world.get_body_states().size()));
+}
 
-    Seat(const Options& given, const rubble_world_settings& settings, uint32_t number)
-        : options(given), world(settings), seed(number) {}
+void makeFolder(const std::string& path) {
+    std::error_code error;
+    std::filesystem::create_directories(path, error);
+    if (error) throw std::runtime_error(fmt::format("{}: expected a folder for images: {}", path, error.message()));
+}
 
-    /// One step, with a new connection each second while there is none. False: the server does not want it.
-    bool tick(int64_t step) {
-        if (client.state() == Client::State::Disconnected && step % kStepsPerSecond == 0)
-            client.connect(connectTo(options, seed += 1000));
-        client.tick();
-        if (step % (5 * kStepsPerSecond) == 0 && client.state() == Client::State::Playing)
-            say(fmt::format("player {}: step {}, {} bodies", client.player(), client.appliedStep(),
-                            world.get_body_states().size()));
-        if (client.state() != Client::State::Refused) return true;
-        fmt::print(stderr, "netplay: the server has refused: it is full, or of another version\n");
-        return false;
-    }
-};
+/// Whether a bot need not go on.
+bool isHopeless(Participant::Link link) {
+    return link == Participant::Link::NoAnswer || link == Participant::Link::Refused;
+}
+
+/// What a bot's play came to when its time is over: it should be in the game then, unless somebody ended it early.
+int exitCode(const Participant& seat) {
+    if (seat.link() == Participant::Link::Playing || isInterrupted) return 0;
+    if (seat.link() == Participant::Link::Connecting) fmt::print(stderr, "netplay: {}\n", seat.words());
+    return 1;
+}
 
 /// Whether the time of the options has come, or an interruption.
 bool isOver(const Options& options, const StepClock& clock) {
@@ -57,22 +58,23 @@ bool isOver(const Options& options, const StepClock& clock) {
 
 int playInWindow(const Options& options) {
     const auto screen = Screen::openWindow(options.size, "Rubble netplay: blast");
-    Seat seat(options, drawnWorld(), 1);
+    Participant seat(options, drawnWorld(), 1);
     PlayerView view(seat.world, seat.client, *screen, options.preset.c_str());
     Tool tool = Tool::Blast;
+    std::string title;
     int64_t nextUse = 0;
     StepClock clock;
     while (screen->poll() && !isOver(options, clock)) {
         for (int i = 0; i < kTools; ++i)
-            if (screen->hasPressed(i + 1)) {
-                tool = Tool(i);
-                screen->setTitle(std::string("Rubble netplay: ") + kToolNames[i]);
-            }
+            if (screen->hasPressed(i + 1)) tool = Tool(i);
+        const std::string words = seat.link() == Participant::Link::Playing ? kToolNames[int(tool)] : seat.words();
+        if (std::exchange(title, "Rubble netplay: " + words) != title) screen->setTitle(title);
         for (rubble::PlayerInput input = screen->input(); clock.take(); input.turnRight = input.turnUp = 0.0) {
             const bool isUsing = screen->isClicking() && clock.steps() >= nextUse;
             if (isUsing) nextUse = clock.steps() + kStepsBetweenClicks;
             view.act(input, tool, isUsing);
-            if (!seat.tick(clock.steps())) return 1;
+            if (seat.tick(clock.steps()) == Participant::Link::Refused) return 1;
+            report(seat, clock.steps());
             view.follow();
         }
         view.draw(clock.part());
@@ -85,45 +87,52 @@ int playIntoFrames(const Options& given) {
     Options options = given;
     if (options.frames == 0) options.frames = kDefaultFrames;
     if (options.seconds == 0) options.seconds = kDefaultSeconds;
-    std::filesystem::create_directories(options.out);
+    makeFolder(options.out);
     const auto screen = Screen::inMemory(options.size);
-    Seat seat(options, drawnWorld(), 1);
+    Participant seat(options, drawnWorld(), 1);
     Bot bot(std::random_device{}(), options.rows, kStepsBetweenAsks);
     PlayerView view(seat.world, seat.client, *screen, options.preset.c_str());
     StepClock clock;
+    std::optional<int64_t> joined;  // the time of the images begins then
     for (int frame = 0; frame < options.frames && !isInterrupted; clock.wait()) {
         while (clock.take()) {
             bot.act(seat.client);
-            if (!seat.tick(clock.steps())) return 1;
+            if (isHopeless(seat.tick(clock.steps()))) return 1;
+            report(seat, clock.steps());
+            if (!joined && seat.link() == Participant::Link::Playing) joined = clock.steps();
             view.follow();
         }
+        if (!joined) continue;
         view.lookAt(bot.target());
         view.draw(clock.part());
         const int64_t due = int64_t(frame + 1) * options.seconds * kStepsPerSecond / options.frames;
-        if (clock.steps() < due) continue;
+        if (clock.steps() - *joined < due) continue;
         const std::string path = fmt::format("{}/{:04d}.png", options.out, frame++);
         writeImage(path, screen->size(), screen->read());
         say(fmt::format("{}: step {}", path, seat.client.appliedStep()));
     }
-    return 0;
+    return exitCode(seat);
 }
 
 int playBots(const Options& options) {
     rubble_world_settings settings{};
     settings.flags = RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_HOST_PHYSICS;
-    std::vector<std::unique_ptr<Seat>> seats;
+    std::vector<std::unique_ptr<Participant>> seats;
     std::vector<Bot> bots;
     for (int i = 0; i < options.bots; ++i) {
-        seats.push_back(std::make_unique<Seat>(options, settings, uint32_t(i + 1)));
+        seats.push_back(std::make_unique<Participant>(options, settings, uint32_t(i + 1)));
         bots.emplace_back(uint32_t(i + 1), options.rows, kStepsBetweenAsks);
     }
     for (StepClock clock; !isOver(options, clock); clock.wait()) {
         if (!clock.take()) continue;
         for (size_t i = 0; i < seats.size(); ++i) {
             bots[i].act(seats[i]->client);
-            if (!seats[i]->tick(clock.steps() - 1)) return 1;
+            if (isHopeless(seats[i]->tick(clock.steps() - 1))) return 1;
+            report(*seats[i], clock.steps() - 1);
         }
     }
+    for (const auto& seat : seats)
+        if (const int code = exitCode(*seat)) return code;
     return 0;
 }
 

@@ -1609,7 +1609,7 @@ typedef struct rubble_view {
      * beyond the far one are drawn too, to 65 km along the view axis, and depths end at the planes. Of a perspective,
      * [0] and [5] are 0.001 to 10,000 (fields of view of 3.14 to 0.0002 radians: rays are floats) and [8] and [9] -4 to
      * 4; of an orthographic projection, 1e-4 to 100 (views of 20 km to 2 cm), [12] and [13] -1e5 to 1e5, and the near
-     * plane lies within 100 km of the eye. All zeros: vertical_fov in the middle of the view */
+     * plane lies within 100 km of the eye. All zeros, without VIEW_DEPTH or _ZERO_TO_ONE: vertical_fov, centred */
     double projection[16];
 } rubble_view;
 

@@ -6,7 +6,8 @@ public class Rubble : ModuleRules
 {
     public Rubble(ReadOnlyTargetRules Target) : base(Target)
     {
-        Type = ModuleType.External;
+        PCHUsage = PCHUsageMode.UseExplicitOrSharedPCHs;
+        PublicDependencyModuleNames.Add("Core");
         string Root = Path.Combine(PluginDirectory, "ThirdParty");
         string Library = Path.Combine(Root, "lib", "librubble-physics.so.1");
         PublicSystemIncludePaths.Add(Path.Combine(Root, "include"));
