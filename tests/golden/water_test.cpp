@@ -318,6 +318,7 @@ TEST_F(WaterTest, ChangesLittleWhileTheCameraDipsIn) {
 TEST_F(WaterTest, CoversPanesAsItCoversWhatIsBesideThem) {
     RenderSettings settings;
     settings.temporal = settings.fog = false;
+    settings.bounce = false;  // bounced sun has the colours of panes, also beside the water
     const auto drawn = [&](const Camera& camera, double paneHeight, float clarity) {
         LitScene scene = poolScene(true);
         if (paneHeight >= 0.0)
