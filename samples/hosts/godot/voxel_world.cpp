@@ -128,8 +128,18 @@ Variant VoxelWorld::exitTree(Arguments) {
     return {};
 }
 
+/// What a world without a level begins with comes from its children alone.
+bool VoxelWorld::destroyBodies() {
+    uint32_t count = 0;
+    if (!check(m_api->get_objects(m_world, RUBBLE_KIND_BODY, nullptr, 0, &count), "reload")) return false;
+    std::vector<uint64_t> bodies(count);
+    if (!check(m_api->get_objects(m_world, RUBBLE_KIND_BODY, bodies.data(), count, &count), "reload")) return false;
+    return std::all_of(bodies.begin(), bodies.end(),
+                       [&](uint64_t body) { return check(m_api->destroy_body(m_world, body), "reload"); });
+}
+
 Variant VoxelWorld::reload(Arguments) {
-    if (!m_world || !loadLevel()) return {};
+    if (!m_world || !(level.empty() ? destroyBodies() : loadLevel())) return {};
     if (m_bodies) m_bodies->clear();
     m_lights.forget();
     for (WorldChild* child : m_children) child->spawn();

@@ -74,6 +74,7 @@ private:
     void open();
     void close();
     bool loadLevel();
+    bool destroyBodies();
     void reportBreaks();
     void reportHits();
 

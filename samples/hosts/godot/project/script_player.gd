@@ -1,5 +1,6 @@
 # Plays without a player, for tests and for machines without a display: with RUBBLE_SCRIPT=FOLDER in the environment it
 # breaks the yard at fixed steps, writes images into the folder, and says what it saw. RUBBLE_STEPS: how long, 300 at first.
+# Godot 3 reads the environment as ASCII: other letters of the folder, and %, are written as in URLs, %C3%BC.
 extends Reference
 
 const HOLE = 20
@@ -9,7 +10,7 @@ const CYCLE = 300
 const IMAGES = {10: "1_start", 40: "2_hole", 55: "3_flying", 300: "4_end"}
 
 var game
-var folder = OS.get_environment("RUBBLE_SCRIPT")
+var folder = OS.get_environment("RUBBLE_SCRIPT").percent_decode()
 var last = int(max(1, int(OS.get_environment("RUBBLE_STEPS")))) if OS.has_environment("RUBBLE_STEPS") else CYCLE
 var steps = 0
 var busy = false
@@ -89,7 +90,9 @@ func _write_image(name):
 		for _frame in 3:  # light gathers over some frames
 			yield(VisualServer, "frame_post_draw")
 		var image = yield(_grab(), "completed")
-		image.save_png(folder + "/" + name + ".png")
+		if image.save_png(folder + "/" + name + ".png") != OK:
+			print("RUBBLE_SCRIPT: expected a folder to write images to, found \"%s\"" % folder)
+			return game.get_tree().quit(1)
 		print("%s/%s.png: pieces %d, removed voxels %d, own pixels %d of %d, changed GL state %d" % [folder, name,
 			game.pieces, game.world.removed_voxels(), _own_pixels(image), alone, game.world.changed_gl_state()])
 	print("signals: pieces %d of %d, hits %d, broken voxels %d" % [game.pieces, game.world.piece_count(), game.hits,
