@@ -285,7 +285,7 @@ void RandomHost::callFile() {
 void RandomHost::saveAndLoad() {
     if (std::exchange(m_undoWaits, false)) m_model->step();
     uint64_t before = 0, after = 0;
-    api().get_resolved_hash(m_world, &before);  // the state has searches that a save begins again
+    api().get_resolved_hash(m_world, &before);   // the state has searches that a save begins again
     const bool usesFile = m_decisions.oneIn(8);  // files cost more than worlds
     const std::vector<uint8_t> data = usesFile ? std::vector<uint8_t>() : saved();
     if (usesFile && api().save_game(m_world, scratchPath("game.rubble").c_str()) != RUBBLE_OK) fail("save_game");
