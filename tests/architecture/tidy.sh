@@ -25,7 +25,9 @@ else
     exit 2
 fi
 ((${#files[@]})) || exit 0
-mapfile -d '' -t files < <(printf '%s\0' "${files[@]}" | sort -zu)
+# samples/hosts/untested needs engines that are not here.
+mapfile -d '' -t files < <(printf '%s\0' "${files[@]}" | grep -zv '^samples/hosts/untested/' | sort -zu)
+((${#files[@]})) || exit 0
 
 # A large change is sampled, so that CI stays short; --all looks at every file.
 max=40
