@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -158,6 +159,51 @@ TEST(HostGodot, TheInspectorShowsPropertiesAndSignals) {
           "voxel_body.static: False", "voxel_body signals destroyed", "voxel_character.height: 1.8 \"0.5,3,0.05\"",
           "voxel_world_runtime.level:"})
         EXPECT_NE(run.output.find(line), std::string::npos) << "expected " << line << "\n" << run.output;
+}
+
+/// A scene without a level: a floor, a crate and a script, which breaks the crate and loads the world again.
+constexpr char kSceneWithoutLevel[] = R"([gd_scene load_steps=4 format=2]
+[ext_resource path="res://addons/rubble/voxel_world_runtime.gdns" type="Script" id=1]
+[ext_resource path="res://addons/rubble/voxel_body_runtime.gdns" type="Script" id=2]
+[ext_resource path="res://main.gd" type="Script" id=3]
+[node name="Main" type="Spatial"]
+script = ExtResource( 3 )
+[node name="World" type="Spatial" parent="."]
+script = ExtResource( 1 )
+[node name="Floor" type="Spatial" parent="World"]
+script = ExtResource( 2 )
+size = Vector3( 40, 4, 40 )
+static = true
+[node name="Crate" type="Spatial" parent="World"]
+transform = Transform( 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0 )
+script = ExtResource( 2 )
+size = Vector3( 12, 12, 12 )
+)";
+constexpr char kScriptOfReload[] = R"(extends Spatial
+var steps = 0
+func _physics_process(_delta):
+	steps += 1
+	if steps == 10: $World.explode(Vector3(0, 1, 0), 1.0)
+	if steps == 60: print("bodies before: ", $World.body_count())
+	if steps == 60: $World.reload()
+	if steps == 70: print("bodies after: ", $World.body_count())
+	if steps == 70: get_tree().quit()
+)";
+
+TEST(HostGodot, ReloadWithoutALevelKeepsTheNodesBodiesAlone) {
+    if (const std::string why = missing(); !why.empty()) GTEST_SKIP() << why;
+    const std::filesystem::path folder = hostFolder("godot_reload");
+    std::filesystem::copy(std::string(kProject) + "/addons", folder / "addons",
+                          std::filesystem::copy_options::recursive);
+    std::ofstream(folder / "project.godot") << "config_version=4\n[application]\nrun/main_scene=\"res://main.tscn\"\n";
+    std::ofstream(folder / "main.tscn") << kSceneWithoutLevel;
+    std::ofstream(folder / "main.gd") << kScriptOfReload;
+    const HostRun run = runHost("HOME=" + folder.string() + " godot3-server --fixed-fps 60 --path " + folder.string());
+    EXPECT_EQ(run.exitCode, 0) << run.output;
+    const size_t before = run.output.find("bodies before: ");
+    ASSERT_NE(before, std::string::npos) << run.output;
+    EXPECT_GT(std::atoi(run.output.c_str() + before + 15), 3) << "the crate is in pieces";
+    EXPECT_NE(run.output.find("bodies after: 2\n"), std::string::npos) << run.output;
 }
 
 }  // namespace
