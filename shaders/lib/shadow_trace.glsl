@@ -160,7 +160,7 @@ bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exact
 #ifdef NO_PAGED_SHADOWS  // see ShaderLibrary::setRareFeatures()
     return walkShadowPart(false, originWorld, direction, tMax, exactDistance, t);
 #else
-    // A loop, so that compilers inline the walk once: half the time to build, and sky rays take 0.78 of it on an H100.
+    // A loop, so that compilers inline the walk once. On an H100 sky rays take 0.78 of the time, local lights 1.23.
     bool stopped = false;
     t = tMax;
     int part = loopBegin(), end = frame.shadowPagedSize.w != 0 ? 2 : 1;

@@ -77,24 +77,29 @@ bool canConnect(Transport& server) {
     return false;
 }
 
+/// Sends the first datagram of 400 clients, which never confirm.
+void connectWithoutConfirming(Transport& server) {
+    const std::vector<uint8_t> connect = connectDatagram();
+    std::vector<std::unique_ptr<Socket>> sockets;  // ports of their own
+    for (int i = 0; i < 400; ++i) {
+        sockets.push_back(std::make_unique<Socket>());
+        sockets.back()->send(portOf(server), connect);
+        if (i % 50 == 0) tick(server);
+    }
+}
+
 TEST(EnetTransport, EmptyAndLongDatagramsDoNotHoldUpOthers) {
     for (const size_t bytes : {0, 5000}) {
         const auto server = listenWithEnet(0, 4);
-        Socket stranger;
-        for (int i = 0; i < (bytes ? 20 : 200); ++i) stranger.send(portOf(*server), std::vector<uint8_t>(bytes));
+        Socket sender;
+        for (int i = 0; i < (bytes ? 20 : 200); ++i) sender.send(portOf(*server), std::vector<uint8_t>(bytes));
         EXPECT_TRUE(canConnect(*server)) << bytes << " bytes";
     }
 }
 
 TEST(EnetTransport, ConnectsThatNobodyConfirmsDoNotKeepOthersOut) {
     const auto server = listenWithEnet(0, 4);
-    const std::vector<uint8_t> connect = connectDatagram();
-    std::vector<std::unique_ptr<Socket>> strangers;
-    for (int i = 0; i < 400; ++i) {
-        strangers.push_back(std::make_unique<Socket>());
-        strangers.back()->send(portOf(*server), connect);
-        if (i % 50 == 0) tick(*server);
-    }
+    connectWithoutConfirming(*server);
     EXPECT_TRUE(canConnect(*server));
 }
 
@@ -105,13 +110,7 @@ TEST(EnetTransport, APlayerKeepsHisPlaceWhenOthersConnect) {
     for (int round = 0; round < kRounds && !client->receive(event); ++round) client->tick(), tick(*server);
     ASSERT_EQ(event.kind, Event::Kind::Connected);
     client->tick(), tick(*server);  // the server hears of it
-    const std::vector<uint8_t> connect = connectDatagram();
-    std::vector<std::unique_ptr<Socket>> strangers;
-    for (int i = 0; i < 400; ++i) {
-        strangers.push_back(std::make_unique<Socket>());
-        strangers.back()->send(portOf(*server), connect);
-        if (i % 50 == 0) tick(*server);
-    }
+    connectWithoutConfirming(*server);
     client->send(event.peer, Delivery::Reliable, std::vector<uint8_t>{1, 2, 3});
     client->tick();
     std::vector<uint8_t> got;
