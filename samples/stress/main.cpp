@@ -22,11 +22,11 @@ namespace fs = std::filesystem;
 constexpr int64_t kMaxHeapGrowth = 2 << 20;
 
 struct Options {
-    std::string scenario = "all", out = "out/stress";
+    std::string scenario = "all", out = "out/stress", build;
     std::vector<uint64_t> seeds = {1};
     double minutes = 1.0 / 3.0, checkEvery = 4.0;
     int images = 3, minimiseRuns = 200, replayEvery = 1;
-    bool lists = false, listsJobs = false;
+    bool lists = false, listsJobs = false, hasThreads = false;
 };
 
 std::string readFile(const fs::path& path) {
@@ -83,6 +83,7 @@ public:
         m_settings.levels = RUBBLE_STRESS_LEVELS;
         m_settings.folder = options.out;
         m_settings.images = options.images;
+        m_settings.hasThreads = options.hasThreads;
     }
 
     bool run() {
@@ -103,7 +104,7 @@ public:
         std::string script;
         if (result.failure && m_options.minimiseRuns > 0) script = minimiseFailure(*result.failure, commands);
         print(result, seconds);
-        report(writeFigures(m_options.out, m_settings, result, seconds, script));
+        report(writeFigures(m_options.out, m_options.build, m_settings, result, seconds, script));
         if (m_options.images) report(drawGames(m_api, m_options.out, m_settings, result));
         return !result.failure;
     }
@@ -163,9 +164,9 @@ int run(const Options& options) {
             if (options.listsJobs)
                 fmt::print(
                     "./rubble stress {} --seed {} --minutes {} --check-every {} --replay-every {} --out {} --images {} "
-                    "--minimise {}\n",
+                    "--minimise {}{}\n",
                     scenario.stem().string(), seed, options.minutes, options.checkEvery, options.replayEvery,
-                    options.out, options.images, options.minimiseRuns);
+                    options.out, options.images, options.minimiseRuns, options.hasThreads ? " --threads" : "");
             else if (!options.lists)
                 failed += !Job(*api, options, scenario, seed).run();
     }
@@ -198,6 +199,8 @@ int main(int argc, char** argv) {
                    "the first of so many recordings is played again; 0: none, 1: all")
         ->capture_default_str()
         ->check(CLI::Range(0, 100000));
+    app.add_flag("--threads", options.hasThreads, "shadows on a thread of their own, and two threads for physics");
+    app.add_option("--build", options.build, "what the figures call this build")->take_last();
     CLI11_PARSE(app, argc, argv);
     return stress::run(options);
 }

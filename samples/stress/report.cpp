@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "runtime/script/binding/script_context.h"
 
@@ -39,18 +40,33 @@ nlohmann::json percentilesOf(const std::vector<StepFigures>& steps, Value&& valu
     return {at(50), at(95), at(99), sorted.back()};
 }
 
+/// The processor as the system calls it, and how many there are.
+std::string machineName() {
+    std::string name = "unknown processor";
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (const size_t colon = line.find(": "); line.starts_with("model name") && colon != line.npos) {
+            name = line.substr(colon + 2);
+            break;
+        }
+    return fmt::format("{}, {} processors", name, std::thread::hardware_concurrency());
+}
+
 double stepMs(const StepFigures& step) {
     return step.editsMs + step.physicsMs + step.posesMs + step.impactsMs + step.shadowMs;
 }
 
 }  // namespace
 
-std::string writeFigures(const std::string& folder, const RunSettings& settings, const RunResult& result,
-                         double seconds, const std::string& script) {
+std::string writeFigures(const std::string& folder, const std::string& build, const RunSettings& settings,
+                         const RunResult& result, double seconds, const std::string& script) {
     nlohmann::json file;
     const std::vector<StepFigures>& steps = result.steps;
     file["scenario"] = settings.name;
     file["seed"] = settings.seed;
+    file["build"] = build;
+    file["machine"] = machineName();
+    file["threads"] = settings.hasThreads;
     file["steps"] = steps.size();
     file["seconds"] = seconds;
     file["processor_seconds"] = result.seconds;

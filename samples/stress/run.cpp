@@ -26,6 +26,12 @@ constexpr int64_t kScriptWork = 50'000'000;
 constexpr uint32_t kWorldFlags =
     RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_DATA | RUBBLE_WORLD_SHADOW_INLINE | RUBBLE_WORLD_WAIT_FOR_SHADOW;
 
+/// With threads: the shadow worker works while the next steps are made.
+constexpr uint32_t kThreadedFlags = RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_DATA;
+
+/// Steps of a world beside a copy of it. With threads the shadow volume is some steps behind, and more are compared.
+constexpr int kStepsBesideCopy = 1, kStepsBesideThreaded = 3;
+
 /// Steps between looks at the heap: malloc counts all free blocks for that.
 constexpr size_t kHeapInterval = 15;
 
@@ -70,7 +76,8 @@ private:
 
     bool begin() {
         auto world = sized<rubble_world_settings>();
-        world.flags = kWorldFlags;
+        world.flags = m_settings.hasThreads ? kThreadedFlags : kWorldFlags;
+        world.physics_threads = m_settings.hasThreads ? 2 : 1;
         if (!done(m_api.create_world(&world, &m_world)) || !done(m_api.step(m_world))) return false;
         m_view.world = m_world;
         rubble::script::ScriptHostSettings host;
@@ -198,18 +205,22 @@ private:
         m_time.enter("save");
         const LoadedCopy copy(m_api, m_view.game, kWorldFlags);
         if (!copy.error().empty()) return fail("save", copy.error());
+        const int steps = m_settings.hasThreads ? kStepsBesideThreaded : kStepsBesideCopy;
+        for (int i = 0; i < steps && !m_result.failure; ++i) stepBoth(copy.world());
+    }
+
+    void stepBoth(rubble_world copy) {
         uint64_t hash = 0, copied = 0;
-        if (!done(m_api.step(m_world)) || !done(m_api.step(copy.world()))) return;
+        if (!done(m_api.step(m_world)) || !done(m_api.step(copy))) return;
         ++m_requests.extraSteps;
         readStep();
         look(&Check::afterStep);
         m_api.get_state_hash(m_world, &hash);
-        m_api.get_state_hash(copy.world(), &copied);
+        m_api.get_state_hash(copy, &copied);
         if (hash != copied) fail("save", "a loaded game has another hash after a step than the one that went on");
         for (const auto& check : m_checks) {
             m_time.enter(check->name());
-            if (std::string wrong = check->besideCopy(m_view, copy.world()); !wrong.empty())
-                return fail(check->name(), wrong);
+            if (std::string wrong = check->besideCopy(m_view, copy); !wrong.empty()) return fail(check->name(), wrong);
         }
         m_time.enter("save");
     }

@@ -22,6 +22,7 @@ struct RunSettings {
     std::string levels;       ///< the folder of levels that scripts may load
     std::string folder;       ///< for recordings
     int images = 0;           ///< how many games are kept at most, to be drawn
+    bool hasThreads = false;  ///< the shadow worker on its own thread, and two threads for physics
     rubble::script::CallObserver* observer = nullptr;
     std::function<void(int step)> onStep;
 };

@@ -46,7 +46,7 @@ public:
     virtual std::string afterStep(const StepView&) { return {}; }
     /// Every few seconds, for what takes long.
     virtual std::string atBorder(const StepView&) { return {}; }
-    /// After one more step, without edits. A copy had loaded the game before it, and has done it as well.
+    /// After each of the next steps, without edits. A copy had loaded the game before them, and has done them as well.
     virtual std::string besideCopy(const StepView&, rubble_world) { return {}; }
     /// A level or a game was loaded: nothing of before counts.
     virtual void restart() {}

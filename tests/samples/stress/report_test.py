@@ -11,6 +11,7 @@ import report  # noqa: E402
 def run_of(scenario, seed, failure=None, bodies=12):
     """The figures of a run of ten minutes."""
     run = {"scenario": scenario, "seed": seed, "steps": 36030, "replayed_steps": 36000, "loads": 2, "hash": "1f",
+           "build": "1a2b", "machine": "X1, 2 processors",
            "processor_seconds": {"steps": 150.0, "replay": 49.9, "motion": 0.1},
            "ms_p50_p95_p99_max": {stage: [1.0, 2.0, 3.0, 4.0] for stage in report.STAGES},
            "plots": {title: [0.0, 0.0] for title in report.PLOTS}}
@@ -34,8 +35,8 @@ class Report(unittest.TestCase):
         self.assertIn("Water rises through a room", page)
         self.assertIn("Step 7: mass: 1 &lt; 2", page)
         self.assertIn("<pre>Box(&lt;)</pre>", page)
-        self.assertIn("200 s of processor time: steps 75 %, replay 25 %.", page)
-        self.assertIn("None at any time: step, awake bodies", page)
+        self.assertIn("200 s of processor time: steps 75 %, replay 25 %. Build 1a2b. Machine: X1, 2 processors.", page)
+        self.assertIn("Zero in every step: step, awake bodies", page)
 
     def test_comparison_marks_what_is_worse(self):
         slow = run_of("flood", 1)
@@ -44,11 +45,26 @@ class Report(unittest.TestCase):
         self.assertIn('<td class="bad">9.00 <small>(1.00)</small></td>', page)
         self.assertIn("all checks held; same hash", page)
 
-    def test_envelope_has_a_row_for_each_scenario(self):
+    def test_envelope_has_a_row_for_each_run(self):
         rows = report.envelope(runs_of(run_of("flood", 1), run_of("flood", 2, bodies=4321),
                                        run_of("scales", 1, self.FAILURE))).splitlines()
-        self.assertIn("| flood | 1 2 | 10 | 72,000 | 4,321 | 0 | 0 | 2 | 0 | all checks held |", rows)
-        self.assertIn("| scales | 1 | 10 | 36,000 | 12 | 0 | 0 | 2 | 0 | seed 1: mass at step 7 |", rows)
+        self.assertIn("| flood | 2 | 10 | 36,000 | 4,321 | 0 | 0 | 2 | 0 | 1a2b | X1, 2 processors | all checks held |",
+                      rows)
+        self.assertIn("| scales | 1 | 10 | 36,000 | 12 | 0 | 0 | 2 | 0 | 1a2b | X1, 2 processors | mass at step 7 |",
+                      rows)
+
+    def test_envelope_keeps_the_rows_of_other_runs(self):
+        before = report.envelope(runs_of(run_of("flood", 2, bodies=22), run_of("flood", 10, bodies=77)))
+        after = report.envelope(runs_of(run_of("flood", 1), run_of("flood", 10, bodies=33)), before).splitlines()
+        rows = [line.split(" | ") for line in after if line.startswith("| flood")]
+        self.assertEqual([(row[1], row[4]) for row in rows], [("1", "12"), ("2", "22"), ("10", "33")])
+
+    def test_no_shorter_run_replaces_a_longer_one(self):
+        short = run_of("flood", 1, bodies=9)
+        short["steps"] = 1201
+        before = report.envelope(runs_of(run_of("flood", 1)))
+        self.assertEqual(report.envelope(runs_of(short), before), before)
+        self.assertNotEqual(report.envelope(runs_of(run_of("flood", 1, bodies=9)), before), before)
 
 
 if __name__ == "__main__":
