@@ -11,7 +11,8 @@ namespace {
 
 using namespace rubble::script;
 
-constexpr double kMaxVelocityError = 0.02;  ///< m/s, and a share of the speed that a spin gives
+constexpr double kStepSeconds = 1.0 / 60.0;
+constexpr double kMaxVelocityError = 1e-6;  ///< m/s, and a share of the speed that a spin gives
 
 /// The centre of mass in the world.
 Vector centerOf(const BodyRow& body) {
@@ -46,7 +47,8 @@ private:
         const BodyRow* now = StepView::find(view.bodies, piece.body);
         const BodyRow* old = StepView::find(view.before, parent.body);
         if (!now || !old || !old->isDynamic()) return {};
-        const Vector arm = centerOf(*now) - centerOf(*old), spin = vectorOf(old->state.angular_velocity);
+        const Vector began = centerOf(*now) - vectorOf(now->state.velocity) * kStepSeconds;
+        const Vector arm = began - centerOf(*old), spin = vectorOf(old->state.angular_velocity);
         const Vector expected = vectorOf(old->state.velocity) + cross(spin, arm);
         const double error = length(vectorOf(now->state.velocity) - expected);
         const double turned = length(spin) * length(arm);

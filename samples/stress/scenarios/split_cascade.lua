@@ -1,26 +1,40 @@
--- Without gravity, plates that fly and spin are cut again and again; pieces go on as their bodies moved.
+-- Plates are cut in two in flight, and their pieces again and again; what is left falls, and splits once more on the ground.
+local columns = {Vec(0.05, 9, 9), Vec(9, 0.05, 9)} -- one of the middle, as the plates have 63: 31, 15, 7 and 3 are left
+
+function halve(generation)
+    for _, shape in ipairs(FindShapes("plate")) do
+        if math.random() < 0.95 then
+            local body = GetShapeBody(shape)
+            local frame = GetBodyTransform(body)
+            Cut(shape, frame * GetBodyCenterOfMass(body), columns[generation % 2 + 1], frame.rot)
+        end
+    end
+end
+
 function init()
-    Settings{min_piece_voxels = 1, debris_bodies = 4000, awake_debris_bodies = 4000, impact_threshold = 1e9}
-    SetGravity({0, 0, 0})
-    while true do
-        FreeFlight(false)
-        for i = 1, 6 do
-            Box("plate", {30 * i - 100, 200, 0}, {40, 40, 2}, 6, {dynamic = true,
-                velocity = {math.random() - 0.5, 4 * math.random(), math.random()}, spin = {0, 0, 2 * math.random() - 1}})
+    local ground = Box("ground", {-30, -0.4, -20}, {600, 4, 400}, 6)
+    for round = 0, math.huge do
+        Settings{min_piece_voxels = 1, debris_bodies = 1800, awake_debris_bodies = 1500, impact_threshold = 1e9}
+        SetGravity({0, 0, 0})
+        for i = 0, round // 3 % 6 do
+            Box("plate", {10 * i - 29, 6, 0}, {63, 63, 3}, 5 + i % 3, {dynamic = true,
+                velocity = {0, math.random(), math.random()}, spin = {0, 0, 0.5 + math.random()}})
         end
         wait(0.1)
         FreeFlight(true)
-        for cut = 1, 12 do
-            for _, body in ipairs(FindBodies("plate")) do
-                local frame = GetBodyTransform(body)
-                MakeHole(frame * Vec(4 * math.random(), 4 * math.random(), 0.1), 0.6, 0.6, 0.6)
-            end
+        for generation = 1, 8 do
+            halve(generation)
             wait(0.1)
         end
         FreeFlight(false)
-        LoadLevel("garden")
-        wait(0.1)
-        for _, shape in ipairs(FindShapes("plate")) do Delete(shape) end
-        SetGravity({0, 0, 0})
+        Settings{impact_threshold = 1}
+        SetGravity({0, -30, 0})
+        wait(1.1)
+        for i = 1, 2 do -- what is deleted may split in the same step
+            for _, shape in ipairs(FindShapes()) do
+                if shape ~= ground then Delete(shape) end
+            end
+            wait(0.1)
+        end
     end
 end
