@@ -35,6 +35,7 @@ COLUMNS = {
     "replayed": "steps that were played again from a recording, without scripts, and gave the same hash of the state",
     "p50, p95, p99": "half, 95 % and 99 % of the steps took no longer than this: wall clock, with whatever else the "
                      "machine did",
+    "processor": "mean of all steps: processor time of all threads, without the checks",
     "heap": "the most memory in use at once",
     "bodies": "the most at once: what stands, and all pieces",
     "kinetic energy": "of all bodies",
@@ -112,6 +113,12 @@ def cell(value, before, larger_is_worse=True):
     return f"<td{mark}>{value:.2f} <small>({before:.2f})</small></td>"
 
 
+def step_processor(run):
+    """Processor time of a step, in ms; an old file has none."""
+    seconds = run.get("processor_seconds", {}).get("steps", 0.0)
+    return 1000 * seconds / max(1, run["steps"])
+
+
 def row(run, before):
     """The row of a run in the table of all."""
     failure = run.get("failure")
@@ -124,7 +131,8 @@ def row(run, before):
     name = f"{run['scenario']} {run['seed']}"
     return (f'<tr><td><a href="#{name}">{run["scenario"]}, seed {run["seed"]}</a></td>'
             f'<td>{run["steps"]}</td><td>{run["replayed_steps"]}</td>'
-            + "".join(cell(value, was) for value, was in zip(times, old)) + cell(peak, old_peak)
+            + "".join(cell(value, was) for value, was in zip(times, old))
+            + cell(step_processor(run), step_processor(before) if before else None) + cell(peak, old_peak)
             + f'<td>{max(run["plots"]["bodies"] or [0]):g}</td>'
             + f'<td class="text{" bad" if failure else ""}">{html.escape(state)}{same}</td></tr>')
 
@@ -184,7 +192,7 @@ def headline(runs, others):
 def page(folder, runs, others):
     """The whole page."""
     table = ('<table><tr><th>scenario</th><th>steps</th><th>replayed</th><th>p50, ms</th><th>p95</th><th>p99</th>'
-             '<th>max</th><th>heap, MiB</th><th>bodies</th><th class="text">result</th></tr>'
+             '<th>max</th><th>processor, ms</th><th>heap, MiB</th><th>bodies</th><th class="text">result</th></tr>'
              + "".join(row(run, others.get(key)) for key, run in runs.items()) + "</table>")
     body = "".join(details(folder, run, others.get(key)) for key, run in runs.items())
     return (f"<!doctype html><meta charset=utf-8><title>Stress scenarios</title><style>{STYLE}</style>"
@@ -193,12 +201,13 @@ def page(folder, runs, others):
 
 TITLE = "# Stress scenarios"
 ENVELOPE = [TITLE, "",
-            "What the engine has gone through with everything checked at every step ([docs/stress.md](docs/stress.md)). "
-            "Each row is a run, with its build and its machine; bodies, contacts and memory are the most at once. "
+            "What the engine has gone through with everything checked at every step "
+            "([docs/stress.md](docs/stress.md)). Each row is a run, with its build and its machine; bodies, "
+            "contacts and memory are the most at once, the time of a step is the mean processor time of all threads. "
             "Written by `./rubble stress report FOLDER --publish`, which replaces the rows of the runs in FOLDER; do "
             "not edit.", "",
             "| scenario | seed | minutes | steps replayed | bodies | contacts | voxels removed | loads | heap, MiB | "
-            "build | machine | result |", "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
+            "ms a step | build | machine | result |", "|" + " --- |" * 13]
 
 
 def envelope_row(run):
@@ -209,7 +218,8 @@ def envelope_row(run):
     failure = run.get("failure")
     result = f"{failure['check']} at step {failure['step']}" if failure else "all checks held"
     return (f"| {run['scenario']} | {run['seed']} | {number(run['steps'] // 60 / 60)} | {run['replayed_steps']:,} | "
-            f"{most('bodies')} | {most('contacts')} | {most('removed voxels')} | {run['loads']} | {most('heap, MiB')} | "
+            f"{most('bodies')} | {most('contacts')} | {most('removed voxels')} | {run['loads']} | "
+            f"{most('heap, MiB')} | {step_processor(run):.2f} | "
             f"{run.get('build') or 'unknown'} | {run.get('machine') or 'unknown'} | {result} |")
 
 
@@ -218,7 +228,7 @@ def published_rows(part):
     rows = {}
     for line in part.splitlines():
         cells = [cell.strip() for cell in line.strip("|").split("|")]
-        if line.startswith("| ") and len(cells) == 12 and cells[1].isdigit():
+        if line.startswith("| ") and len(cells) == 13 and cells[1].isdigit():
             rows[cells[0], int(cells[1])] = line
     return rows
 
@@ -254,7 +264,8 @@ def main():
     parser = argparse.ArgumentParser(description="The page of a folder of stress runs")
     parser.add_argument("folder")
     parser.add_argument("--compare", metavar="OTHER", help="a folder of another build's runs")
-    parser.add_argument("--publish", action="store_true", help="write the rows of these runs into OPERATING_ENVELOPE.md")
+    parser.add_argument("--publish", action="store_true",
+                        help="write the rows of these runs into OPERATING_ENVELOPE.md")
     parser.add_argument("--build", help="the commit of runs that do not say theirs")
     parser.add_argument("--machine", help="the machine of runs that do not say theirs")
     options = parser.parse_args()

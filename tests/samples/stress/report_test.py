@@ -46,12 +46,11 @@ class Report(unittest.TestCase):
         self.assertIn("all checks held; same hash", page)
 
     def test_envelope_has_a_row_for_each_run(self):
+        rest = "| 36,000 | {} | 0 | 0 | 2 | 0 | 4.16 | 1a2b | X1, 2 processors | {} |"
         rows = report.envelope(runs_of(run_of("flood", 1), run_of("flood", 2, bodies=4321),
                                        run_of("scales", 1, self.FAILURE))).splitlines()
-        self.assertIn("| flood | 2 | 10 | 36,000 | 4,321 | 0 | 0 | 2 | 0 | 1a2b | X1, 2 processors | all checks held |",
-                      rows)
-        self.assertIn("| scales | 1 | 10 | 36,000 | 12 | 0 | 0 | 2 | 0 | 1a2b | X1, 2 processors | mass at step 7 |",
-                      rows)
+        self.assertIn("| flood | 2 | 10 " + rest.format("4,321", "all checks held"), rows)
+        self.assertIn("| scales | 1 | 10 " + rest.format("12", "mass at step 7"), rows)
 
     def test_envelope_keeps_the_rows_of_other_runs(self):
         before = report.envelope(runs_of(run_of("flood", 2, bodies=22), run_of("flood", 10, bodies=77)))
