@@ -74,12 +74,15 @@ float newShareAt(vec3 position, bool through) {
     float share = uLookEverywhere;
     vec3 ray = isOrthographic() ? frame.viewMiddle.xyz * 1e4 : position - frame.cameraPosition.xyz;
     vec3 origin = through ? position - ray : position, inverse = 1.0 / (ray + vec3(equal(ray, vec3(0.0))) * 1e-6);
-    float margin = 0.02 + pixelMetres(viewDepth(position));
+    float depth = viewDepth(position);
     int i = loopBegin();
     do {
         if (uLookCornerCount == 0) break;
-        vec3 a = (uLookCorners[i].xyz - margin - origin) * inverse,
-             b = (uLookCorners[i + 1].xyz + margin - origin) * inverse;
+        vec3 low = uLookCorners[i].xyz, high = uLookCorners[i + 1].xyz;
+        // A pixel where the box is, which may lie far before the sky.
+        float boxDepth = viewDepth(0.5 * (low + high)) + 0.5 * length(high - low);
+        float margin = 0.02 + pixelMetres(clamp(boxDepth, 0.0, depth));
+        vec3 a = (low - margin - origin) * inverse, b = (high + margin - origin) * inverse;
         vec3 enter = min(a, b), leave = max(a, b);
         float end = through ? 1.0 : 0.0;
         bool isMet = max(max(enter.x, enter.y), max(enter.z, 0.0)) <= min(min(leave.x, leave.y), min(leave.z, end));

@@ -29,9 +29,11 @@ out vec4 filtered;
 
 const int kTaps = 5;  // the first is the pixel itself
 const float kCentreWeight = 1.5;
-const float kLongHistory = 12.0;  // frames
-const float kNoiseShare = 0.64;   // of the variance between neighbours at a stride of 1
-const float kLowNoise = 0.10;     // relative standard deviation of the accumulated light
+const float kLongHistory = 12.0;                   // frames
+const float kFewFrames = 6.0, kManyFrames = 14.0;  // between which the moments over time get to say what noise is left
+const float kMinDifference = 0.025;                // of two pixels, relative to their sum, that always counts as noise
+const float kNoiseShare = 0.64;                    // of the variance between neighbours at a stride of 1
+const float kLowNoise = 0.10;                      // relative standard deviation of the accumulated light
 // Deviation of one sample of hit proximity, relative to the largest that a number in [0, 1] with its mean can have.
 // Where light is far noisier than a hidden sky makes it, few rays meet what is bright. It is near, and the rest is not:
 // both are noisy alike, and what stops at one keeps the noise of the other.
@@ -89,18 +91,19 @@ void main() {
     float centreLum = lums[0];
     // Neighbours differ by slopes of light too, and the wider the taps the more: the wide steps would level them.
     float spatial = kNoiseShare / float(max(uStride, 1)) * max(squares / total - lum * lum, 0.0);
-    float skyDeviation = sqrt(mix(spatial, temporal / total, clamp((centre.z - 3.0) / 6.0, 0.0, 1.0)));
+    // The moments are those of unfiltered light. Each pass leaves about a quarter of the variance.
+    temporal *= mix(1.0, 1.0 / float(max(uStride * uStride, 1)), smoothstep(kFewFrames, kManyFrames, centre.z)) / total;
+    float skyDeviation = sqrt(mix(spatial, temporal, clamp((centre.z - 3.0) / 6.0, 0.0, 1.0)));
     float sunDeviation = sqrt(max(sun * (1.0 - sun), 1e-6) / max(uSunRays * min(centre.z, uSunFrames), 1.0));
-    // Relative to the mean of the pair, so that both pixels see the same difference.
-    float skyShare = 2.0 * skyDeviation / max(lum, 1e-5) + 0.025;
+    // Noise of few rays that meet what is bright: the variance of a pair is in proportion to its mean.
+    float pairDeviation = 2.0 * skyDeviation * sqrt(2.0 / max(lum, 1e-5));
     // The sun is noisy in narrow penumbras only: wide strides would soften shadows.
     float sunScale = uStride > 1 ? 1e4 : 1.0 / (1.5 * sunDeviation + 0.004);
-
     float lightNoise = skyDeviation / max(lum, 1e-5);
-
     filtered = centreLight;
     for (int i = 1; i < kTaps; ++i) {
-        float sky = biweight((lums[i] - centreLum) / (skyShare * (lums[i] + centreLum) + 1e-4));
+        float pair = lums[i] + centreLum, deviation = pairDeviation * sqrt(pair) + kMinDifference * pair + 1e-4;
+        float sky = biweight((lums[i] - centreLum) / deviation);
         float w = weights[i] / (kCentreWeight + float(kTaps - 1));
         sky *= proximityWeight(centre.z, proximities[i], lightNoise);
         filtered +=

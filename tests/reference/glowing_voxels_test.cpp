@@ -67,7 +67,7 @@ protected:
 };
 
 /// The clamps against fireflies take a quarter of the light here (lib/bounce.glsl). The filter takes no more of it;
-/// early it brings light from beside the cubes, and half of the differences are gone.
+/// early it brings light from beside the cubes, and half of the differences are gone. After many frames it is narrower.
 TEST_F(GlowingVoxels, TheFilterTakesNoLightFromTheGround) {
     const LitScene scene = glowingCubes();
     const FloatImage traced =
@@ -79,12 +79,13 @@ TEST_F(GlowingVoxels, TheFilterTakesNoLightFromTheGround) {
         std::printf("%d frames more: light %.3f, filtered %.3f; error %.3f, filtered %.3f\n", frames, before.light,
                     after.light, before.error, after.error);
         EXPECT_GT(after.light, before.light - 0.02);
+        EXPECT_LT(after.error, before.error) << "a filter must be better than none";
         return after;
     };
     const Match early = filtered(8), late = filtered(56);
     EXPECT_NEAR(early.light, 1.0, 0.2);
-    EXPECT_LT(early.error, 0.95);
-    EXPECT_LT(late.error, 0.85);
+    EXPECT_LT(early.error, 0.85);
+    EXPECT_LT(late.error, 0.58);
 }
 
 }  // namespace
