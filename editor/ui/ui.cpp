@@ -101,6 +101,7 @@ void Ui::drawBottom() {
     page("History", [&] { drawHistory(m_session); });
     page("Messages", [&] { drawMessages(m_session); });
     page("Profiler", [&] { m_profiler.draw(m_session); });
+    page("Replay", [&] { drawReplay(m_session); });
     ImGui::EndTabBar();
 }
 
@@ -164,7 +165,7 @@ void Ui::useBrush(Wires& wires, const std::optional<Hover>& hover, bool isFree) 
     if (isDragged) followMouse(*m_stroke, m_session.world(), m_frame, ImGui::GetIO().MousePos);
     drawGhost(wires, m_session.world(), brush, *m_stroke);
     if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
-    m_session.run(lineOf(brush, *m_stroke));
+    m_session.run(lineOf(m_session.world(), brush, *m_stroke));
     m_stroke.reset();
 }
 
@@ -188,22 +189,34 @@ void Ui::useMouse(Wires& wires, bool isFree) {
     if (isPointing && hover && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) click(*hover);
 }
 
+void Ui::drawImage(double share) {
+    const bool isReplay = m_session.showsReplay && m_session.replay.world();
+    if (isReplay && !m_replay && makeViewport) m_replay = makeViewport(*m_session.replay.world());
+    Viewport& shown = isReplay && m_replay ? *m_replay : m_viewport;
+    const uint64_t version = isReplay ? m_session.replay.version() : m_session.version();
+    if (share > 0.0) shown.draw(m_frame, version, m_session.pass, share);
+    ImGui::Image(shown.texture(), m_frame.size, {0, 1}, {1, 0});
+}
+
 void Ui::drawView(double share) {
     m_frame.camera = m_session.camera;
-    if (share > 0.0) m_viewport.draw(m_frame, m_session.version(), m_session.pass, share);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::SetNextWindowPos(m_frame.origin);
     ImGui::SetNextWindowSize(m_frame.size);
     ImGui::Begin("view", nullptr, kFixed);
     ImGui::PopStyleVar();
-    ImGui::Image(m_viewport.texture(), m_frame.size, {0, 1}, {1, 0});
+    drawImage(share);
     const bool isHovered = ImGui::IsWindowHovered();
     moveCamera(isHovered);
     m_frame.camera = m_session.camera;
     Wires wires(m_frame, *ImGui::GetWindowDrawList());
-    drawSelection(m_session, wires);
-    m_marks.draw(m_session, wires);
-    useMouse(wires, isHovered);
+    if (m_session.showsReplay) {
+        m_session.status = "The view shows the replay: the level itself stays as it is";
+    } else {
+        drawSelection(m_session, wires);
+        m_marks.draw(m_session, wires);
+        useMouse(wires, isHovered);
+    }
     ImGui::End();
 }
 

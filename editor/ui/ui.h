@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+#include <memory>
 #include <optional>
 
 #include "editor/ui/panels/panels.h"
@@ -16,6 +18,10 @@ class Ui {
 public:
     /// All outlive it.
     Ui(Session& session, Viewport& viewport) : m_session(session), m_viewport(viewport) {}
+    /// Makes the image of the replay when it is first wanted.
+    std::function<std::unique_ptr<Viewport>(const rubble::World&)> makeViewport;
+    /// Whether nothing would become of another frame.
+    bool isSettled() const { return shownViewport().isSettled(); }
 
     /// Makes one frame of the interface, between ImGui's NewFrame() and Render(). share: see Viewport::draw();
     /// 0: the image of the level stays.
@@ -29,6 +35,8 @@ public:
 
 private:
     void drawView(double share);
+    void drawImage(double share);
+    const Viewport& shownViewport() const { return m_session.showsReplay && m_replay ? *m_replay : m_viewport; }
     void drawRight();
     void drawBottom();
     void moveCamera(bool isHovered);
@@ -39,6 +47,7 @@ private:
 
     Session& m_session;
     Viewport& m_viewport;
+    std::unique_ptr<Viewport> m_replay;
     ViewFrame m_frame;
     TreePanel m_tree;
     ProfilerPanel m_profiler;

@@ -65,6 +65,7 @@ const ScriptedUi::Verb ScriptedUi::kVerbs[] = {
     {"breaker", "COMMAND [METRES]: what a click breaks", &ScriptedUi::setBreaker},
     {"hover", "POINT: the mouse goes to where a point of the world is seen", &ScriptedUi::hover},
     {"by", "X Y: the mouse moves by pixels", &ScriptedUi::moveBy},
+    {"leave", "the mouse goes out of the window", &ScriptedUi::leave},
     {"click", "the left button goes down and up", &ScriptedUi::click},
     {"press", "the left button goes down", &ScriptedUi::press},
     {"release", "the left button goes up", &ScriptedUi::release},
@@ -72,8 +73,11 @@ const ScriptedUi::Verb ScriptedUi::kVerbs[] = {
     {"overlay", "NAME [yes|no]", &ScriptedUi::showOverlay},
     {"pass", "NAME: an image of the renderer", &ScriptedUi::showPass},
     {"commands", "[WORDS]: opens the palette of commands", &ScriptedUi::showCommands},
-    {"form", "COMMAND: opens its form", &ScriptedUi::showForm},
+    {"close", "closes it", &ScriptedUi::closeCommands},
+    {"form", "COMMAND [NAME=VALUE...]: opens its form, with values in it", &ScriptedUi::showForm},
     {"play", "STEPS: plays, a frame each step", &ScriptedUi::play},
+    {"live", "shows the level again", &ScriptedUi::live},
+    {"replay", "STEP: shows a step of the last play", &ScriptedUi::replay},
     {"screenshot", "FILE: writes an image of the window", &ScriptedUi::writeImage},
 };
 
@@ -136,6 +140,7 @@ std::string ScriptedUi::runAll(const std::string& lines) {
     int number = 0;
     for (std::string line; std::getline(in, line);) {
         ++number;
+        if (const size_t at = line.find("$OUT"); at != line.npos) line.replace(at, 4, m_folder);
         if (const std::string error = run(line); !error.empty()) return fmt::format("line {}: {}", number, error);
     }
     return "";
@@ -194,6 +199,11 @@ void ScriptedUi::moveBy(const Words& words) {
     frames(2);
 }
 
+void ScriptedUi::leave(const Words&) {
+    m_x = m_y = -1.0f;
+    frames(2);
+}
+
 void ScriptedUi::press(const Words&) {
     m_isDown = true;
     frames(2);
@@ -211,7 +221,7 @@ void ScriptedUi::click(const Words& words) {
 
 void ScriptedUi::showTab(const Words& words) {
     static constexpr const char* kRight[] = {"Properties", "Palette", "Sky", "View"};
-    static constexpr const char* kBottom[] = {"History", "Messages", "Profiler"};
+    static constexpr const char* kBottom[] = {"History", "Messages", "Profiler", "Replay"};
     Tabs& tabs = m_stage->session().tabs;
     const std::string& name = wordAt(words, 0);
     const bool isRight = std::find(std::begin(kRight), std::end(kRight), name) != std::end(kRight);
@@ -247,9 +257,15 @@ void ScriptedUi::showCommands(const Words& words) {
     frames(2);
 }
 
+void ScriptedUi::closeCommands(const Words&) {
+    m_stage->ui().commands().close();
+    frames(1);
+}
+
 void ScriptedUi::showForm(const Words& words) {
     if (!findCommand(wordAt(words, 0))) throw Refused(fmt::format("expected a command, found '{}'", words[0].value));
     m_stage->session().wantedCommand = words[0].value;
+    m_stage->session().wantedValues = {words.begin() + 1, words.end()};
     m_stage->session().wantsCommands = true;
     frames(3);
 }
@@ -266,6 +282,17 @@ void ScriptedUi::play(const Words& words) {
     session.isPaused = true;
 }
 
+void ScriptedUi::replay(const Words& words) {
+    Session& session = m_stage->session();
+    session.replay.seek(size_t(std::max(numberOf(wordAt(words, 0)), 1)));
+    session.showsReplay = session.replay.size() > 0;
+    frames(1);
+}
+
+void ScriptedUi::live(const Words&) {
+    m_stage->session().showsReplay = false;
+}
+
 void ScriptedUi::writeImage(const Words& words) {
     namespace fs = std::filesystem;
     const fs::path path = fs::path(m_folder) / wordAt(words, 0);
@@ -273,7 +300,7 @@ void ScriptedUi::writeImage(const Words& words) {
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), ignored);
     int count = 0;
     do frame(1.0);
-    while (!m_stage->viewport().isSettled() && ++count < kMaxFrames);
+    while (!m_stage->ui().isSettled() && ++count < kMaxFrames);
     frame(1.0);
     if (const std::string error = m_gl.write(path.string()); !error.empty()) throw Refused(error);
 }

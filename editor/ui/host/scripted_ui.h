@@ -18,7 +18,8 @@ public:
 
     /// Runs a line. An error says what is wrong with it; empty: nothing.
     std::string run(const std::string& line);
-    /// Runs lines, up to the first one that fails; its error has the line's number.
+    /// Runs lines, up to the first one that fails; its error has the line's number. $OUT in
+    /// them is the folder of images.
     std::string runAll(const std::string& lines);
     /// Makes frames of the interface without the image of the level.
     void frames(int count);
@@ -39,6 +40,7 @@ private:
     void setBreaker(const Words& words);
     void hover(const Words& words);
     void moveBy(const Words& words);
+    void leave(const Words& words);
     void click(const Words& words);
     void press(const Words& words);
     void release(const Words& words);
@@ -47,8 +49,11 @@ private:
     void showPass(const Words& words);
     void showCommands(const Words& words);
     void showForm(const Words& words);
+    void closeCommands(const Words& words);
     void frameSelection(const Words& words);
     void play(const Words& words);
+    void replay(const Words& words);
+    void live(const Words& words);
     void writeImage(const Words& words);
 
     OffscreenGl m_gl;

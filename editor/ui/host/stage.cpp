@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <stdexcept>
 
 #include "editor/ui/state/theme.h"
@@ -26,6 +27,9 @@ Stage::Stage(const StageSettings& settings, GlLoader loader) {
     m_viewport.emplace(m_editor->world(), settings.preset, settings.programCache);
     m_session.emplace(*m_editor);
     m_ui.emplace(*m_session, *m_viewport);
+    m_ui->makeViewport = [settings](const rubble::World& world) {
+        return std::make_unique<Viewport>(world, settings.preset, settings.programCache);
+    };
 }
 
 Stage::~Stage() = default;
@@ -36,7 +40,7 @@ void Stage::draw(double share, uint32_t framebuffer) {
     const uint64_t frames = m_viewport->frames();
     m_ui->frame(share);
     ImGui::Render();
-    m_painter->draw(*ImGui::GetDrawData(), framebuffer);
+    if (share > 0.0) m_painter->draw(*ImGui::GetDrawData(), framebuffer);
     m_uiMs = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
     const rubble_draw_stats after = m_viewport->stats();
     if (m_viewport->frames() == frames) return;

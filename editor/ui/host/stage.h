@@ -27,7 +27,7 @@ public:
     Stage& operator=(const Stage&) = delete;
 
     /// Makes a frame of the interface, after ImGui's NewFrame() of the host, and draws it into a framebuffer. share:
-    /// see Viewport::draw().
+    /// see Viewport::draw(); 0: it is made, but not drawn.
     void draw(double share, uint32_t framebuffer);
     /// The editor.
     Editor& editor() { return *m_editor; }

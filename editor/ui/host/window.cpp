@@ -100,7 +100,7 @@ public:
 private:
     bool isBusy() {
         const bool plays = session().editor().document().isPlaying() && !session().isPaused;
-        return plays || m_events.framesDue > 0 || !m_stage.viewport().isSettled();
+        return plays || m_events.framesDue > 0 || !m_stage.ui().isSettled();
     }
 
     void wait() {

@@ -76,6 +76,22 @@ std::string tipOf(const Parameter& parameter) {
     return tip;
 }
 
+/// Name, help, and at the right its keys or its subject.
+void drawRow(const Command& command, ImVec2 at) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const std::string key = keyOf(command.name);
+    const std::string right = key.empty() ? std::string(command.subject) : key;
+    const float end = at.x + ImGui::GetContentRegionAvail().x - 6 * uiScale();
+    const float x = end - ImGui::CalcTextSize(right.c_str()).x, bottom = at.y + ImGui::GetTextLineHeightWithSpacing();
+    list.AddText({at.x + 6 * uiScale(), at.y}, theme::kText, command.name.data(),
+                 command.name.data() + command.name.size());
+    list.PushClipRect(at, {x - 10 * uiScale(), bottom}, true);
+    list.AddText({at.x + 142 * uiScale(), at.y}, theme::kDim, command.help.data(),
+                 command.help.data() + command.help.size());
+    list.PopClipRect();
+    list.AddText({x, at.y}, key.empty() ? theme::kDim : theme::kAccent, right.c_str());
+}
+
 }  // namespace
 
 std::vector<const Command*> CommandPalette::find(const std::string& words) {
@@ -123,18 +139,7 @@ void CommandPalette::drawList(Session& session) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         if (ImGui::Selectable("##row", i == m_marked)) chosen = &command;
         if (i == m_marked && before != search) ImGui::SetScrollHereY();
-        ImDrawList& list = *ImGui::GetWindowDrawList();
-        list.AddText({at.x + 4, at.y}, theme::kText, command.name.data(), command.name.data() + command.name.size());
-        list.AddText({at.x + 140 * uiScale(), at.y}, theme::kDim, command.help.data(),
-                     command.help.data() + command.help.size());
-        const std::string key = keyOf(command.name);
-        const std::string right = key.empty() ? std::string(command.subject) : key;
-        const float width = ImGui::CalcTextSize(right.c_str()).x;
-        const float x = at.x + ImGui::GetContentRegionAvail().x - width - 4;
-        list.AddRectFilled({x - 10 * uiScale(), at.y}, {x + width + 4, at.y + ImGui::GetTextLineHeight()},
-                           ImGui::GetColorU32(i == m_marked ? ImVec4(0.27f, 0.21f, 0.14f, 1.0f)
-                                                            : ImVec4(0.105f, 0.108f, 0.116f, 1.0f)));
-        list.AddText({x, at.y}, key.empty() ? theme::kDim : theme::kAccent, right.c_str());
+        drawRow(command, at);
         tooltip(fmt::format("{}\ne.g. {}", command.help, command.example).c_str());
         ImGui::PopID();
     }
@@ -190,7 +195,11 @@ void CommandPalette::draw(Session& session) {
         m_marked = 0;
         search.clear();
         if (const Command* command = findCommand(session.wantedCommand)) choose(*command);
+        for (size_t i = 0; m_chosen && i < m_values.size(); ++i)
+            for (const Given& each : session.wantedValues)
+                if (each.name == m_chosen->parameters[i].name) m_values[i] = each.value;
         session.wantsCommands = false;
+        session.wantedValues.clear();
         session.wantedCommand.clear();
     }
     if (!m_isOpen) return;

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cstdlib>
+
 #include "editor/ui/panels/panels.h"
 #include "editor/ui/panels/widgets.h"
 #include "editor/ui/state/theme.h"
@@ -8,8 +11,10 @@ void drawHistory(Session& session) {
     const Document& document = session.editor().document();
     const int done = int(document.done().size()), all = done + int(document.undone().size());
     int target = -1;
-    ImGui::BeginChild("steps");
     ImGui::PushFont(monoFont());
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const int lines = std::max(int(ImGui::GetContentRegionAvail().y / line), 1);
+    ImGui::BeginChild("steps", {0, float(lines) * line});
     if (ImGui::Selectable("   0  the level as it was opened", done == 0)) target = 0;
     tooltip("A click goes there: it undoes or redoes what lies between");
     ImGuiListClipper clipper;
@@ -26,12 +31,11 @@ void drawHistory(Session& session) {
             if (!isDone) ImGui::PopStyleColor();
             ImGui::PopID();
         }
-    ImGui::PopFont();
     static int shown = -1;
-    if (shown != done)
-        ImGui::SetScrollY(float(done) * ImGui::GetTextLineHeightWithSpacing() - ImGui::GetWindowHeight() / 2);
+    if (shown != done) ImGui::SetScrollY(float(std::max(std::min(done + 2, all + 1) - lines, 0)) * line);
     shown = done;
     ImGui::EndChild();
+    ImGui::PopFont();
     if (target < 0 || target == done) return;
     session.run(target < done ? "undo" : "redo", {{"times", std::to_string(std::abs(target - done))}});
 }

@@ -25,8 +25,10 @@ std::vector<std::string> materialNames(Session& session) {
     return names;
 }
 
-bool isUsed(const rubble_palette_entry& entry) {
-    return entry.material || entry.color[0] || entry.color[1] || entry.color[2] || entry.emission > 0.0;
+/// Whether somebody has set an entry: the last ones of a palette are seldom.
+bool isSet(const rubble_palette_entry& entry, const rubble_palette_entry& last) {
+    return !std::equal(entry.color, entry.color + 3, last.color) || entry.material != last.material ||
+           entry.roughness != last.roughness || entry.emission != last.emission || entry.opacity != last.opacity;
 }
 
 void drawSwatch(Session& session, const rubble_palette_entry& entry, int index, const std::string& material) {
@@ -51,8 +53,9 @@ void drawSwatch(Session& session, const rubble_palette_entry& entry, int index, 
 void drawEntry(Session& session, const rubble_palette_entry& entry, const std::vector<std::string>& materials,
                rubble_shape shape) {
     const auto set = [&](const char* name, const std::string& value) {
-        session.run("entry",
-                    {{"index", std::to_string(session.brush.index)}, {name, value}, {"shape", handleText(shape)}});
+        session.run("entry", {{"index", std::to_string(session.brush.index)},
+                              {name, value},
+                              {"shape", referenceTo(session.world(), shape)}});
     };
     heading(fmt::format("Entry {}", session.brush.index).c_str());
     float color[3];
@@ -93,14 +96,14 @@ void drawPalette(Session& session) {
     const auto nameOfMaterial = [&](uint8_t index) { return index < materials.size() ? materials[index] : "none"; };
     static bool showsAll = false;
     ImGui::Checkbox("all 255", &showsAll);
-    tooltip("Also entries that have neither colour nor material");
+    tooltip("Also entries that nobody has set");
     const float spacing = 4 * uiScale();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(spacing, spacing));
     ImGui::BeginChild("swatches", {0, std::min(ImGui::GetContentRegionAvail().y * 0.42f, 200 * uiScale())});
     const float right = ImGui::GetContentRegionAvail().x;
     float x = 0;
     for (int i = 1; i <= int(entries.size()); ++i) {
-        if (!showsAll && !isUsed(entries[size_t(i - 1)]) && i != session.brush.index) continue;
+        if (!showsAll && !isSet(entries[size_t(i - 1)], entries.back()) && i != session.brush.index) continue;
         const float side = 24 * uiScale();
         if (x > 0 && x + side <= right)
             ImGui::SameLine();

@@ -15,6 +15,8 @@ void drawStatus(Session& session, const Viewport& viewport);
 void drawHistory(Session& session);
 /// What commands said, and a line to type them.
 void drawMessages(Session& session);
+/// The steps of the last play; a drag shows any of them.
+void drawReplay(Session& session);
 /// All values of what is selected.
 void drawProperties(Session& session);
 /// The entries of the palette of the shape that is selected.
@@ -71,6 +73,8 @@ public:
     void draw(Session& session);
     /// The commands that it lists for a search, the best first.
     static std::vector<const Command*> find(const std::string& words);
+    /// Closes it.
+    void close() { m_isOpen = false; }
     /// What is searched.
     std::string search;
 

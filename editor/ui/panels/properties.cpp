@@ -19,14 +19,14 @@ void drawName(Session& session, uint64_t handle) {
 
 /// Degrees about x, then y, then z, as rotationOf() takes them.
 glm::dvec3 degreesOf(glm::dquat q) {
-    return glm::degrees(glm::eulerAngles(q));
+    return glm::degrees(glm::eulerAngles(q)) + 0.0;
 }
 
 void drawPlace(Session& session, const rubble_body_state& body) {
     double position[3], turn[3];
     put(position, vectorOf(body.position));
     put(turn, degreesOf(quaternionOf(body.rotation)));
-    const std::string what = handleText(body.body);
+    const std::string what = referenceTo(session.world(), body.body);
     property("place", "Of the body's frame, in metres");
     const bool isMoved = pointField("##place", position, 0.02);
     property("turn", "Degrees about x, then y, then z");
@@ -40,7 +40,7 @@ void drawPlace(Session& session, const rubble_body_state& body) {
 void drawBody(Session& session, rubble_body handle) {
     const rubble_body_state body = session.world().get_body_state(handle);
     const rubble_body_properties properties = session.world().get_body_properties(handle);
-    const std::string what = handleText(handle);
+    const std::string what = referenceTo(session.world(), handle);
     heading("Body");
     drawName(session, handle);
     drawPlace(session, body);
@@ -63,7 +63,7 @@ void drawBody(Session& session, rubble_body handle) {
 void drawShape(Session& session, rubble_shape handle) {
     const rubble_shape_state shape = session.world().get_shape_state(handle);
     const rubble_shape_properties own = session.world().get_shape_properties(handle);
-    const std::string what = handleText(handle);
+    const std::string what = referenceTo(session.world(), handle);
     heading("Shape");
     ImGui::PushID("shape");
     drawName(session, handle);

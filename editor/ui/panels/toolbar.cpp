@@ -9,13 +9,15 @@
 namespace editor {
 namespace {
 
+/// A line between groups of buttons.
 void gap() {
-    ImGui::SameLine(0, 9 * uiScale());
-    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::SameLine(0, 8 * uiScale());
     const float height = ImGui::GetFrameHeight() + 4 * uiScale();
+    ImGui::Dummy({1, height});
+    const ImVec2 at = ImGui::GetItemRectMin();
     ImGui::GetWindowDrawList()->AddLine({at.x, at.y + 4 * uiScale()}, {at.x, at.y + height - 4 * uiScale()},
                                         IM_COL32(70, 73, 80, 255));
-    ImGui::SameLine(0, 9 * uiScale());
+    ImGui::SameLine(0, 8 * uiScale());
 }
 
 void openForm(Session& session, const char* command) {
@@ -56,14 +58,20 @@ void drawModes(Session& session) {
         {Mode::Break, Icon::Break, "Break things  (X)\nin play, or as a step of the history"},
     };
     for (const Row& row : kRows) {
+        if (&row != kRows) ImGui::SameLine(0, 2);
         if (iconButton(row.tip, row.icon, session.mode == row.mode, row.tip)) session.mode = row.mode;
-        ImGui::SameLine(0, 2);
     }
     gap();
 }
 
+/// Fields of a row stand in its middle, as its buttons are higher.
+void centerField() {
+    ImGui::SetCursorPosY(ImGui::GetStyle().WindowPadding.y + 2 * uiScale());
+}
+
 void choice(const char* id, int& value, const char* const* names, int count, float width, const char* tip) {
     ImGui::SameLine(0, 5 * uiScale());
+    centerField();
     ImGui::SetNextItemWidth(width * uiScale());
     ImGui::Combo(id, &value, names, count);
     tooltip(tip);
@@ -80,6 +88,7 @@ void drawBrush(Session& session) {
     }
     choice("##operation", brush.operation, kOperations, 4, 84, "What becomes of the cells  (T add, E erase, P paint)");
     ImGui::SameLine(0, 5 * uiScale());
+    centerField();
     ImGui::SetNextItemWidth(64 * uiScale());
     ImGui::DragInt("##size", &brush.size, 0.1f, 1, 64, "size %d");
     tooltip("Cells: radius of balls and lines, depth of faces  ([ and ])");
@@ -89,11 +98,13 @@ void drawBrush(Session& session) {
 
 void drawModeSettings(Session& session) {
     if (session.mode == Mode::Brush) return drawBrush(session);
+    centerField();
     ImGui::AlignTextToFramePadding();
     if (session.mode == Mode::Break) {
         ImGui::Dummy({0, 0});
         choice("##breaker", session.breaker, kBreakers, 4, 92, "What a click does");
         ImGui::SameLine(0, 5 * uiScale());
+        centerField();
         ImGui::SetNextItemWidth(92 * uiScale());
         numberField("##breaksize", session.breakSize, 0.02, "%.2f m");
         session.breakSize = std::clamp(session.breakSize, 0.05, 10.0);
@@ -101,6 +112,7 @@ void drawModeSettings(Session& session) {
     }
     ImGui::TextDisabled("snap");
     ImGui::SameLine();
+    centerField();
     ImGui::SetNextItemWidth(86 * uiScale());
     if (session.mode == Mode::Rotate) {
         numberField("##snap", session.snapAngle, 0.5, "%.1f\u00b0");
@@ -115,6 +127,7 @@ void drawPlay(Session& session) {
     const bool runs = isPlaying && !session.isPaused;
     const float side = ImGui::GetFrameHeight() + 4 * uiScale();
     ImGui::SameLine(ImGui::GetWindowWidth() - 5 * side - 88 * uiScale());
+    ImGui::SetCursorPosY(ImGui::GetStyle().WindowPadding.y);
     if (iconButton("play", runs ? Icon::Pause : Icon::Play, runs, runs ? "Pause  (Space)" : "Play from here  (Space)"))
         session.togglePlay();
     ImGui::SameLine(0, 2);
@@ -133,6 +146,7 @@ void drawPlay(Session& session) {
     choice("##speed", speed, kNames, 5, 62, "Speed of play: slow motion below 1");
     session.speed = kSpeeds[speed];
     ImGui::SameLine(0, 4 * uiScale());
+    ImGui::SetCursorPosY(ImGui::GetStyle().WindowPadding.y);
     if (iconButton("search", Icon::Search, false, "All commands  (Ctrl+P)")) session.wantsCommands = true;
 }
 

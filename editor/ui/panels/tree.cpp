@@ -28,7 +28,7 @@ void TreePanel::gather(Session& session) {
     rubble::World& all = session.world();
     const auto add = [&](uint64_t handle, uint32_t kind, int depth) {
         std::string name = nameOf(all, handle);
-        if (name.empty()) name = fmt::format("{} {}", nameOfKind(kind), handle & 0xffffffffu);
+        if (name.empty()) name = nameOfKind(kind);
         m_rows.push_back({handle, kind, depth, std::move(name)});
     };
     for (const uint64_t body : all.get_objects(RUBBLE_KIND_BODY)) {

@@ -54,7 +54,7 @@ void Camera::fly(glm::dvec3 by) {
 
 void Camera::frame(glm::dvec3 center, double radius) {
     pivot = center;
-    distance = std::max(radius, 0.2) / std::sin(fov / 2.0);
+    distance = std::max(radius, 0.2) / std::tan(fov / 2.0) * 0.8;
 }
 
 std::optional<ImVec2> ViewFrame::project(glm::dvec3 point) const {

@@ -29,7 +29,7 @@ std::string textOf(const Line& line) {
 
 std::string numberText(double number) {
     const double rounded = std::round(number * 1e4) / 1e4;
-    return fmt::format("{}", rounded == 0.0 ? 0.0 : rounded);
+    return fmt::format("{}", rounded + 0.0);
 }
 
 std::string pointText(glm::dvec3 point) {
@@ -38,6 +38,24 @@ std::string pointText(glm::dvec3 point) {
 
 std::string cellText(glm::ivec3 cell) {
     return fmt::format("{},{},{}", cell.x, cell.y, cell.z);
+}
+
+std::string referenceTo(const rubble::World& world, uint64_t handle) {
+    const auto isPlain = [](const std::string& name) {
+        return !name.empty() && name.find_first_of("#,:=\" ") == name.npos && name != "all" && name != "selected" &&
+               name != "world";
+    };
+    const int kind = kindOf(world, handle);
+    if (kind != RUBBLE_KIND_BODY && kind != RUBBLE_KIND_SHAPE) return handleText(handle);
+    const std::string own = nameOf(world, handle);
+    if (isPlain(own) && world.find_by_name(uint32_t(kind), own.c_str()).size() == 1) return own;
+    if (kind == RUBBLE_KIND_BODY || !own.empty()) return handleText(handle);
+    const rubble_body body = world.get_shape_state(handle).body;
+    const std::string name = nameOf(world, body);
+    const bool isAlone = isPlain(name) && world.find_by_name(RUBBLE_KIND_SHAPE, name.c_str()).empty() &&
+                         world.find_by_name(RUBBLE_KIND_BODY, name.c_str()).size() == 1 &&
+                         world.get_objects_of(body, RUBBLE_KIND_SHAPE).size() == 1;
+    return isAlone ? name : handleText(handle);
 }
 
 std::string handleText(uint64_t handle) {
@@ -57,7 +75,20 @@ void Session::keep(const Line& line, const Outcome& outcome) {
     ++m_version;
     say(Message::Kind::Call, textOf(line));
     if (!outcome.text.empty()) say(outcome.isDone ? Message::Kind::Answer : Message::Kind::Error, outcome.text);
-    if (outcome.isDone && line.command == "play") isPaused = false, m_due = 0.0;
+    if (outcome.isDone) follow(line);
+}
+
+/// The replay follows play.
+void Session::follow(const Line& line) {
+    if (line.command == "play") {
+        isPaused = showsReplay = false;
+        m_due = 0.0;
+        replay.begin(world());
+    } else if (!m_editor.document().isPlaying()) {
+        replay.end(world());
+    } else if (line.command == "step") {
+        replay.add(world());
+    }
 }
 
 bool Session::run(const Line& line) {
@@ -137,7 +168,8 @@ void Session::togglePlay() {
 void Session::stepOnce() {
     if (!m_editor.document().isPlaying() && !run("play", {})) return;
     isPaused = true;
-    m_editor.run(Line{"step", {}});
+    const Line line{"step", {}};
+    if (m_editor.run(line).isDone) follow(line);
     ++m_version;
 }
 
@@ -147,7 +179,12 @@ bool Session::advance(double seconds) {
     const int steps = int(m_due);
     if (steps == 0) return false;
     m_due -= steps;
-    const Outcome outcome = m_editor.run(Line{"step", {{"count", std::to_string(steps)}}});
+    const Line line{"step", {}};
+    Outcome outcome;
+    for (int i = 0; i < steps && outcome.isDone; ++i) {
+        outcome = m_editor.run(line);
+        if (outcome.isDone) follow(line);
+    }
     if (!outcome.text.empty()) say(outcome.isDone ? Message::Kind::Answer : Message::Kind::Error, outcome.text);
     isPaused = !outcome.isDone;
     ++m_version;

@@ -7,6 +7,7 @@
 
 #include "editor/core/editor.h"
 #include "editor/ui/state/camera.h"
+#include "editor/ui/state/replay.h"
 
 namespace editor {
 
@@ -105,13 +106,17 @@ public:
     Tabs tabs;
     std::string pass = "final";  ///< which image of the renderer is shown
     bool isPaused = false;
-    double speed = 1.0;          ///< of play, in multiples of the clock's
-    bool wantsCommands = false;  ///< the palette of commands shall open
-    std::string wantedCommand;   ///< with the form of this one
-    std::string status;          ///< what the mouse points at
+    double speed = 1.0;               ///< of play, in multiples of the clock's
+    bool wantsCommands = false;       ///< the palette of commands shall open
+    std::string wantedCommand;        ///< with the form of this one
+    std::vector<Given> wantedValues;  ///< and these values in it
+    Replay replay;                    ///< of the last play
+    bool showsReplay = false;         ///< the view shows it in place of the level
+    std::string status;               ///< what the mouse points at
 
 private:
     void keep(const Line& line, const Outcome& outcome);
+    void follow(const Line& line);
 
     Editor& m_editor;
     std::deque<Message> m_messages;
@@ -120,6 +125,9 @@ private:
     bool m_isPreviewing = false;
 };
 
+/// How commands name a body or a shape: by its name, or its body's, where that is one object's alone; else by its
+/// handle.
+std::string referenceTo(const rubble::World& world, uint64_t handle);
 /// A handle as commands take it.
 std::string handleText(uint64_t handle);
 /// Numbers as commands take them: "x,y,z", rounded to a ten-thousandth.

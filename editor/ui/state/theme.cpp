@@ -49,7 +49,7 @@ void setColors(ImGuiStyle& style) {
     c[ImGuiCol_Text] = ImGui::ColorConvertU32ToFloat4(theme::kText);
     c[ImGuiCol_TextDisabled] = ImGui::ColorConvertU32ToFloat4(theme::kDim);
     c[ImGuiCol_WindowBg] = c[ImGuiCol_ChildBg] = ImGui::ColorConvertU32ToFloat4(theme::kPanel);
-    c[ImGuiCol_PopupBg] = gray(0.105f, 0.98f);
+    c[ImGuiCol_PopupBg] = gray(0.105f);
     c[ImGuiCol_Border] = gray(0.26f);
     c[ImGuiCol_FrameBg] = gray(0.19f);
     c[ImGuiCol_FrameBgHovered] = gray(0.235f);

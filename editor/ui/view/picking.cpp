@@ -65,7 +65,7 @@ void followMouse(Stroke& stroke, const rubble::World& world, const ViewFrame& fr
     stroke.to = glm::clamp(cell, stroke.from - kMaxLength, stroke.from + kMaxLength);
 }
 
-Line lineOf(const Brush& brush, const Stroke& stroke) {
+Line lineOf(const rubble::World& world, const Brush& brush, const Stroke& stroke) {
     Line line;
     const bool isDragged = stroke.from != stroke.to;
     const std::string size = std::to_string(brush.size);
@@ -100,7 +100,7 @@ Line lineOf(const Brush& brush, const Stroke& stroke) {
     add("do", kOperations[brush.operation]);
     if (brush.operation != 1) add("index", std::to_string(brush.index));
     if (brush.mirror) add("mirror", kMirrors[brush.mirror]);
-    add("shape", handleText(stroke.shape));
+    add("shape", referenceTo(world, stroke.shape));
     return line;
 }
 

@@ -33,6 +33,6 @@ void followMouse(Stroke& stroke, const rubble::World& world, const ViewFrame& fr
 /// Cells around the line of a stroke that is drawn by `line`.
 int strokeRadius(const Brush& brush);
 /// The command that draws a stroke.
-Line lineOf(const Brush& brush, const Stroke& stroke);
+Line lineOf(const rubble::World& world, const Brush& brush, const Stroke& stroke);
 
 }  // namespace editor
