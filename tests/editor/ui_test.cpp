@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "editor/ui/host/scripted_ui.h"
+#include "editor/ui/view/load_probe.h"
+#include "editor/ui/view/overlay_marks.h"
 #include "tests/editor/editor_level.h"
 
 namespace editor {
@@ -107,6 +109,35 @@ TEST_F(Window, AnImageShowsTheLevelAndThePanels) {
     m_ui->setFolder(folder.path());
     play("ui tab Palette\nui screenshot window.png");
     EXPECT_GT(std::filesystem::file_size(std::filesystem::path(folder.path()) / "window.png"), 20000u);
+}
+
+TEST(Components, AreAnchoredOrLoose) {
+    Editor editor;
+    runAll(editor, {"create 10,20,4 static=yes name=wall", "box 0,12,0 9,12,3 erase shape=wall"});
+    const auto all = componentsOf(editor.world(), editor.world().get_objects(RUBBLE_KIND_SHAPE).at(0));
+    ASSERT_EQ(all.size(), 2u);
+    EXPECT_EQ(all[0].voxels, 10u * 12 * 4);
+    EXPECT_TRUE(all[0].isAnchored);
+    EXPECT_EQ(all[1].voxels, 10u * 7 * 4);
+    EXPECT_FALSE(all[1].isAnchored);
+}
+
+TEST(Load, ABeamIsWeakestAtItsRoot) {
+    Editor editor;
+    runAll(editor, {"create 40,3,6 0,2,0 index=5 name=beam static=yes", "box 0,-16,0 5,-1,5 index=5 shape=beam",
+                    "anchor beam"});
+    const rubble_shape beam = editor.world().get_objects(RUBBLE_KIND_SHAPE).at(0);
+    const uint64_t before = editor.document().hash();
+    const LoadProbe weak = LoadProbe::of(editor.world(), beam);
+    EXPECT_EQ(editor.document().hash(), before) << "a copy is tried, not the level";
+    ASSERT_EQ(weak.weakest, 0);
+    for (const LoadProbe::Cell& each : weak.cells) {
+        if (each.level > 0) break;
+        EXPECT_NEAR(each.cell.x, 5, 3) << "the beam leaves its post here";
+    }
+    runAll(editor, {"shape beam strength=12"});
+    const LoadProbe strong = LoadProbe::of(editor.world(), beam);
+    EXPECT_GE(strong.weakest, 3) << "12 times as strong: 8 times the load at least";
 }
 
 }  // namespace

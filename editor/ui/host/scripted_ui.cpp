@@ -231,10 +231,11 @@ void ScriptedUi::showTab(const Words& words) {
 }
 
 void ScriptedUi::showOverlay(const Words& words) {
-    static constexpr const char* kNames[] = {"grid", "anchors", "components", "contacts", "sleep", "joints", "lights"};
+    static constexpr const char* kNames[] = {"grid",     "anchors", "components", "load",
+                                             "contacts", "sleep",   "joints",     "lights"};
     Overlays& all = m_stage->session().overlays;
-    bool* const values[] = {&all.grid,  &all.anchors, &all.components, &all.contacts,
-                            &all.sleep, &all.joints,  &all.lights};
+    bool* const values[] = {&all.grid,     &all.anchors, &all.components, &all.load,
+                            &all.contacts, &all.sleep,   &all.joints,     &all.lights};
     *values[choiceOf(wordAt(words, 0), kNames)] = words.size() < 2 || words[1].value == "yes";
     frames(1);
 }

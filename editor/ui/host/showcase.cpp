@@ -61,6 +61,16 @@ ui screenshot 05_components.png
 ui overlay components no
 ui overlay anchors no
 undo 2
+create 40,3,6 -1.6,1.6,-2.6 index=5 name=beam static=yes
+entry 5 color=#9a6a3a roughness=0.7 shape=beam
+box 0,-16,0 5,-1,5 index=5 shape=beam
+anchor beam
+shape beam strength=12
+select beam
+ui overlay load
+ui screenshot 13_load.png
+ui overlay load no
+undo 5
 select wall
 ui mode break
 ui breaker explode 0.9

@@ -91,6 +91,9 @@ void drawViewSettings(Session& session, const Viewport& viewport) {
     row("ground grid", session.overlays.grid, "Lines of a metre at height 0");
     row("anchors", session.overlays.anchors, "What holds static shapes to the world: of the selected shape, or of all");
     row("components", session.overlays.components, "Parts of the selected shape that do not touch: anchored or loose");
+    row("load", session.overlays.load,
+        "Where the selected shape would break first under more load, from red to yellow: tried in a copy of the level "
+        "by halving its strength. Takes a while in large levels");
     row("contacts", session.overlays.contacts,
         "In play: where bodies begin to touch, meet or slide in the last half second, longer where they push harder");
     row("sleep", session.overlays.sleep, "Free bodies: awake ones in the accent, sleeping ones grey");

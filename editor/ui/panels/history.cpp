@@ -32,6 +32,7 @@ void drawHistory(Session& session) {
             ImGui::PopID();
         }
     static int shown = -1;
+    ImGui::Dummy({1, 0});  // so that the last row ends where a row ends
     if (shown != done) ImGui::SetScrollY(float(std::max(std::min(done + 2, all + 1) - lines, 0)) * line);
     shown = done;
     ImGui::EndChild();

@@ -34,8 +34,8 @@ struct Brush {
 
 /// What is drawn over the view.
 struct Overlays {
-    bool grid = false, anchors = false, components = false, contacts = false, sleep = false, joints = false,
-         lights = false;
+    bool grid = false, anchors = false, components = false, load = false, contacts = false, sleep = false,
+         joints = false, lights = false;
 };
 
 /// Which of the panels with tabs is in front.

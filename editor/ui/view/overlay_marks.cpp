@@ -174,6 +174,34 @@ void OverlayMarks::drawContacts(Session& session, Wires& wires) {
     }
 }
 
+/// From red, where it breaks as it is, to a faint yellow, where it takes 64 times its load.
+void OverlayMarks::drawLoad(Session& session, Wires& wires) {
+    static constexpr ImU32 kHeat[LoadProbe::kLevels] = {IM_COL32(255, 60, 50, 210),  IM_COL32(255, 104, 46, 200),
+                                                        IM_COL32(255, 142, 48, 185), IM_COL32(250, 176, 60, 165),
+                                                        IM_COL32(240, 204, 90, 140), IM_COL32(228, 220, 128, 115),
+                                                        IM_COL32(214, 222, 170, 90)};
+    const rubble_shape shape = session.selectedShape();
+    if (!shape || session.editor().document().isPlaying()) return;
+    if (shape != m_load.shape || session.version() != m_loadVersion) m_load = LoadProbe::of(session.world(), shape);
+    m_loadVersion = session.version();
+    const rubble_shape_state state = session.world().get_shape_state(shape);
+    glm::dvec3 middle(0.0);
+    int count = 0;
+    for (size_t i = 0; i < std::min(m_load.cells.size(), kMaxMarks); ++i) {
+        const LoadProbe::Cell& each = m_load.cells[i];
+        const ImU32 color = kHeat[each.level];
+        wires.cells(state, glm::dvec3(each.cell) - 0.02, glm::dvec3(1.04), color,
+                    (color & 0x00ffffffu) | (color >> 25 << 24), 1.0f);
+        if (each.level == m_load.weakest) middle += glm::dvec3(each.cell) + 0.5, ++count;
+    }
+    const std::string text =
+        count == 0            ? fmt::format("bears more than {} times its load", 1 << (LoadProbe::kLevels - 1))
+        : m_load.weakest == 0 ? "weakest here: breaks under its load"
+                              : fmt::format("weakest here: breaks at {} times its load", 1 << m_load.weakest);
+    const glm::dvec3 at = count ? middle / double(count) : sizeOf(state) * 0.5;
+    wires.label(worldOf(state, at), theme::kText, text.c_str());
+}
+
 void OverlayMarks::draw(Session& session, Wires& wires) {
     const Overlays& shown = session.overlays;
     if (shown.contacts != m_asksForContacts) {
@@ -187,6 +215,7 @@ void OverlayMarks::draw(Session& session, Wires& wires) {
     if (shown.grid) drawGrid(session, wires);
     if (shown.anchors) drawAnchors(session, wires);
     if (shown.components) drawComponents(session, wires);
+    if (shown.load) drawLoad(session, wires);
     if (shown.sleep) drawSleep(session, wires);
     if (shown.contacts) drawContacts(session, wires);
     if (shown.joints) drawJoints(session, wires);

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "editor/ui/state/session.h"
+#include "editor/ui/view/load_probe.h"
 #include "editor/ui/view/wires.h"
 
 namespace editor {
@@ -30,11 +31,14 @@ private:
     };
     void drawComponents(Session& session, Wires& wires);
     void drawContacts(Session& session, Wires& wires);
+    void drawLoad(Session& session, Wires& wires);
 
     std::vector<Component> m_components;
     rubble_shape m_shape = 0;
     uint64_t m_version = 0, m_contactVersion = 0;
     std::vector<Contact> m_contacts;
+    LoadProbe m_load;
+    uint64_t m_loadVersion = 0;
     bool m_asksForContacts = false;
 };
 
