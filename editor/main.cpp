@@ -1,19 +1,26 @@
-// ./rubble editor and ./rubble edit: commands on a level, without a window.
+// ./rubble editor and ./rubble edit: commands on a level, with a window or without.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "editor/core/editor.h"
+#include "editor/ui/host/scripted_ui.h"
+#include "editor/ui/host/window.h"
 
 namespace editor {
 namespace {
 
 struct Options {
-    std::string level, script, output, vdbTool;
+    std::string level, script, output, vdbTool, uiScript, screenshots, size = "1280x720", preset;
     std::vector<std::string> commands;
     bool lists = false;
+
+    /// Whether there is something to do without a window.
+    bool isBatch() const { return !script.empty() || !output.empty() || !commands.empty(); }
 };
 
 /// A parameter as the list of commands shows it.
@@ -41,8 +48,53 @@ bool tell(const Outcome& outcome) {
     return outcome.isDone;
 }
 
+int fail(const std::string& error) {
+    fmt::print(stderr, "rubble-editor: {}\n", error);
+    return 1;
+}
+
+/// The interface without a display, driven by a script: images in a folder.
+int drawImages(const Options& options) {
+    int width = 0, height = 0;
+    if (sscanf(options.size.c_str(), "%dx%d", &width, &height) != 2 || width < 640 || height < 400 || width > 8192 ||
+        height > 8192)
+        return fail("--size: expected WIDTHxHEIGHT, at least 640x400, found " + options.size);
+    std::string text = kShowcase;
+    if (!options.uiScript.empty()) {
+        std::ostringstream read;
+        read << std::ifstream(options.uiScript, std::ios::binary).rdbuf();
+        text = read.str();
+    }
+    try {
+        ScriptedUi ui({.vdbTool = options.vdbTool, .preset = options.preset.empty() ? "draft" : options.preset}, width,
+                      height);
+        ui.setFolder(options.screenshots);
+        if (!options.level.empty() && !ui.stage().session().run("open", {{"file", options.level}}))
+            return fail(ui.stage().session().messages().back().text);
+        if (!options.level.empty()) ui.stage().session().frameSelection();
+        const std::string error = ui.runAll(text);
+        return error.empty() ? 0 : fail(error);
+    } catch (const std::exception& error) {
+        return fail(error.what());
+    }
+}
+
+int openWindow(const Options& options) {
+    if (!hasDisplay())
+        return fail(
+            "the window needs a display, and DISPLAY and WAYLAND_DISPLAY are empty. Without one:\n"
+            "  ./rubble editor LEVEL --script FILE -o OUT     runs commands\n"
+            "  ./rubble editor LEVEL --screenshots FOLDER     draws images of the window\n"
+            "  xvfb-run -a ./rubble editor LEVEL              gives it a display of its own (Debian package xvfb)");
+    const std::string error = runWindow(
+        {.vdbTool = options.vdbTool, .preset = options.preset.empty() ? "fast" : options.preset}, options.level);
+    return error.empty() ? 0 : fail(error);
+}
+
 int run(const Options& options) {
     if (options.lists) return listCommands();
+    if (!options.screenshots.empty() || !options.uiScript.empty()) return drawImages(options);
+    if (!options.isBatch()) return openWindow(options);
     Editor editor({.vdbTool = options.vdbTool});
     const auto call = [&](const char* command, const std::string& file) {
         return tell(editor.run(Line{command, {{"file", file}}}));
@@ -59,12 +111,20 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
     editor::Options options;
-    CLI::App app{"Makes and changes levels by commands. Its window: without --script, --run and -o."};
+    CLI::App app{
+        "Makes and changes levels by commands. Opens its window unless there are commands to run or images to draw."};
     app.add_option("level", options.level, "a .rubble, .vox or .vdb file; without it an empty level");
     app.add_option("commands", options.commands, "commands, each as one argument, as 'create 8,8,8 0,1,0'");
     app.add_option("--script", options.script, "a file of commands, a line each, or of Lua")->check(CLI::ExistingFile);
     app.add_option("-o,--output", options.output, "writes the level here: .rubble or .vdb");
     app.add_option("--vdb-tool", options.vdbTool, "the program rubble-vdb, for .vdb files");
+    app.add_option("--screenshots", options.screenshots,
+                   "draws images of the window into this folder, without a display");
+    app.add_option("--ui-script", options.uiScript,
+                   "what is drawn there: a file of commands, and of lines that begin with ui")
+        ->check(CLI::ExistingFile);
+    app.add_option("--size", options.size, "of those images, WIDTHxHEIGHT in pixels");
+    app.add_option("--preset", options.preset, "of the renderer: draft fast balanced accurate");
     app.add_flag("--list", options.lists, "lists all commands with their parameters");
     CLI11_PARSE(app, argc, argv);
     return editor::run(options);

@@ -82,7 +82,7 @@ void Particles::move(Particle& p) const {
 void Particles::step(const FrameChanges& changes, std::span<const Impact> impacts, std::span<const Fire> fires,
                      const World& world) {
     if (m_settings.maxAlive == 0) return;
-    if (changes.levelReplaced) clear();
+    if (changes.levelReplaced || changes.isRestored) clear();
     for (Particle& particle : m_alive) move(particle);
     std::erase_if(m_alive, [](const Particle& particle) { return particle.age >= particle.life; });
     m_floorQuery = glm::dvec3(1e30);  // the world has changed since the last step

@@ -49,6 +49,16 @@ TEST_F(ParticlesTest, MaterialsEmitTheirOwnParticles) {
     EXPECT_GT(count(metal, ParticleKind::Spark), 5u);
 }
 
+TEST_F(ParticlesTest, AnUndoClearsTheAir) {
+    Particles particles({});
+    particles.step(breaks("brick", 900), {}, {}, world);
+    ASSERT_FALSE(particles.empty());
+    FrameChanges restored;
+    restored.isRestored = true;
+    particles.step(restored, {}, {}, world);
+    EXPECT_TRUE(particles.empty());
+}
+
 TEST_F(ParticlesTest, BudgetHoldsAndLateEventsStillShow) {
     Particles particles({.maxAlive = 300});
     for (int i = 0; i < 60; ++i) {

@@ -1,0 +1,181 @@
+#include "editor/ui/host/window.h"
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+namespace editor {
+namespace {
+
+constexpr int kWidth = 1440, kHeight = 900;  ///< of a plain display
+constexpr int kFramesOfEvent = 3;            ///< that the interface needs to answer to an event
+
+/// What the callbacks of GLFW write to.
+struct Events {
+    Session* session = nullptr;
+    int framesDue = kFramesOfEvent;
+};
+
+Events& eventsOf(GLFWwindow* window) {
+    return *static_cast<Events*>(glfwGetWindowUserPointer(window));
+}
+
+void dropFiles(GLFWwindow* window, int count, const char** paths) {
+    Events& events = eventsOf(window);
+    events.framesDue = kFramesOfEvent;
+    if (!events.session) return;
+    for (int i = 0; i < count; ++i)
+        events.session->run("import", {{"file", paths[i]}, {"at", pointText(events.session->camera.pivot)}});
+    events.session->tabs.bottom = "Messages";
+    events.session->tabs.isAsked = true;
+}
+
+/// Each event asks for some frames: nothing else does while the level stands still.
+void watchEvents(GLFWwindow* window) {
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { eventsOf(w).framesDue = kFramesOfEvent; });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { eventsOf(w).framesDue = kFramesOfEvent; });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { eventsOf(w).framesDue = kFramesOfEvent; });
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int, int, int, int) { eventsOf(w).framesDue = kFramesOfEvent; });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { eventsOf(w).framesDue = kFramesOfEvent; });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { eventsOf(w).framesDue = kFramesOfEvent; });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { eventsOf(w).framesDue = kFramesOfEvent; });
+    glfwSetDropCallback(window, dropFiles);
+}
+
+GLFWwindow* openWindow(std::string& error) {
+    if (!glfwInit()) {
+        const char* reason = nullptr;
+        glfwGetError(&reason);
+        error = fmt::format("cannot open a display: {}", reason ? reason : "no reason given");
+        return nullptr;
+    }
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    for (const auto& [major, minor] : {std::pair(4, 3), std::pair(3, 3)}) {
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
+        if (GLFWwindow* window = glfwCreateWindow(kWidth, kHeight, "Rubble", nullptr, nullptr)) return window;
+    }
+    error = "cannot open a window with OpenGL 3.3 core";
+    glfwTerminate();
+    return nullptr;
+}
+
+/// The open window, with all that is made for it.
+class WindowLoop {
+public:
+    WindowLoop(GLFWwindow* window, const StageSettings& settings)
+        : m_window(window),
+          m_stage(settings, [](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); }) {
+        m_events.session = &m_stage.session();
+        glfwSetWindowUserPointer(window, &m_events);
+        watchEvents(window);
+        ImGui_ImplGlfw_InitForOpenGL(window, true);
+    }
+    ~WindowLoop() {
+        ImGui_ImplGlfw_Shutdown();
+        glfwSetWindowUserPointer(m_window, nullptr);
+    }
+    WindowLoop(const WindowLoop&) = delete;
+    WindowLoop& operator=(const WindowLoop&) = delete;
+
+    Session& session() { return m_stage.session(); }
+
+    void run() {
+        while (!isClosed()) {
+            wait();
+            const double now = glfwGetTime(), seconds = std::min(now - m_last, 0.25);
+            m_last = now;
+            session().advance(seconds);
+            m_events.framesDue = std::max(m_events.framesDue - 1, 0);
+            draw();
+            showTitle();
+        }
+    }
+
+private:
+    bool isBusy() {
+        const bool plays = session().editor().document().isPlaying() && !session().isPaused;
+        return plays || m_events.framesDue > 0 || !m_stage.ui().isSettled();
+    }
+
+    void wait() {
+        if (isBusy()) return glfwPollEvents();
+        ImGui::GetIO().WantTextInput ? glfwWaitEventsTimeout(0.4) : glfwWaitEvents();  // a cursor blinks
+        m_events.framesDue = std::max(m_events.framesDue, 1);
+        m_last = glfwGetTime();
+    }
+
+    void draw() {
+        ImGui_ImplGlfw_NewFrame();
+        ImGui::NewFrame();
+        m_stage.draw(double(ImGui::GetIO().DisplayFramebufferScale.x), 0);
+        glfwSwapBuffers(m_window);
+    }
+
+    void showTitle() {
+        if (session().version() == m_titled) return;
+        m_titled = session().version();
+        const Document& document = session().editor().document();
+        const std::string path = document.path().empty() ? "a new level" : document.path();
+        glfwSetWindowTitle(m_window, (path.substr(path.find_last_of('/') + 1) + " - Rubble").c_str());
+    }
+
+    /// The first attempt to close a level that has changed asks for a second one.
+    bool isClosed() {
+        if (!glfwWindowShouldClose(m_window)) return false;
+        if (m_isWarned || session().editor().document().done().empty()) return true;
+        if (!session().editor().document().isPlaying() && !session().editor().document().isChanged()) return true;
+        m_isWarned = true;
+        glfwSetWindowShouldClose(m_window, GLFW_FALSE);
+        session().say(Message::Kind::Error,
+                      "The level has changes that are not saved. Close again to lose them, or Ctrl+S.");
+        session().tabs.bottom = "Messages";
+        session().tabs.isAsked = true;
+        m_events.framesDue = kFramesOfEvent;
+        return false;
+    }
+
+    GLFWwindow* m_window;
+    Events m_events;
+    Stage m_stage;
+    double m_last = 0.0;
+    uint64_t m_titled = 0;
+    bool m_isWarned = false;
+};
+
+}  // namespace
+
+bool hasDisplay() {
+    const auto isSet = [](const char* name) { return std::getenv(name) && *std::getenv(name); };
+    return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY");
+}
+
+std::string runWindow(StageSettings settings, const std::string& level) {
+    std::string error;
+    GLFWwindow* const window = openWindow(error);
+    if (!window) return error;
+    glfwMakeContextCurrent(window);
+    glfwSwapInterval(1);
+    float scale = 1.0f;
+    glfwGetWindowContentScale(window, &scale, nullptr);
+    settings.scale = std::max(scale, 1.0f);
+    try {
+        WindowLoop loop(window, settings);
+        const bool isOpen = level.empty() || loop.session().run("open", {{"file", level}});
+        if (!isOpen) loop.session().tabs.bottom = "Messages";
+        if (!level.empty()) loop.session().frameSelection();
+        loop.run();
+    } catch (const std::exception& failure) {
+        error = failure.what();
+    }
+    glfwDestroyWindow(window);
+    glfwTerminate();
+    return error;
+}
+
+}  // namespace editor

@@ -1,0 +1,181 @@
+#include <fmt/format.h>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "editor/core/rotation.h"
+#include "editor/ui/panels/panels.h"
+#include "editor/ui/panels/widgets.h"
+#include "editor/ui/state/theme.h"
+
+namespace editor {
+namespace {
+
+void drawName(Session& session, uint64_t handle) {
+    std::string name = nameOf(session.world(), handle);
+    property("name", "By which commands and scripts find it");
+    if (textField("##name", name, "no name")) session.run("name", {{"name", name}, {"what", handleText(handle)}});
+}
+
+/// Degrees about x, then y, then z, as rotationOf() takes them.
+glm::dvec3 degreesOf(glm::dquat q) {
+    return glm::degrees(glm::eulerAngles(q)) + 0.0;
+}
+
+void drawPlace(Session& session, const rubble_body_state& body) {
+    double position[3], turn[3];
+    put(position, vectorOf(body.position));
+    put(turn, degreesOf(quaternionOf(body.rotation)));
+    const std::string what = referenceTo(session.world(), body.body);
+    property("place", "Of the body's frame, in metres");
+    const bool isMoved = pointField("##place", position, 0.02);
+    property("turn", "Degrees about x, then y, then z");
+    const bool isTurned = pointField("##turn", turn, 1.0, "%.1f");
+    if (isMoved) session.run("place", {{"at", pointText(vectorOf(position))}, {"what", what}});
+    if (isTurned)
+        session.run("place",
+                    {{"at", pointText(vectorOf(body.position))}, {"turn", pointText(vectorOf(turn))}, {"what", what}});
+}
+
+void drawBody(Session& session, rubble_body handle) {
+    const rubble_body_state body = session.world().get_body_state(handle);
+    const rubble_body_properties properties = session.world().get_body_properties(handle);
+    const std::string what = referenceTo(session.world(), handle);
+    heading("Body");
+    drawName(session, handle);
+    drawPlace(session, body);
+    bool stands = body.flags & RUBBLE_BODY_STATIC;
+    property("static", "Whether it stands still");
+    if (ImGui::Checkbox("##static", &stands)) session.run("hold", {{"static", stands ? "yes" : "no"}, {"what", what}});
+    double gravity = properties.gravity_scale, damping = properties.linear_damping;
+    property("gravity", "Multiple of the world's");
+    if (numberField("##gravity", gravity, 0.01))
+        session.run("body", {{"gravity", numberText(gravity)}, {"what", what}});
+    property("damping", "1/s, of its velocity");
+    if (numberField("##damping", damping, 0.01))
+        session.run("body", {{"damping", numberText(damping)}, {"what", what}});
+    property("mass", "From its voxels and their materials");
+    ImGui::Text("%.1f kg", properties.mass);
+    property("state", "Whether physics moves it");
+    ImGui::TextUnformatted(stands ? "static" : body.flags & RUBBLE_BODY_ASLEEP ? "asleep" : "awake");
+}
+
+void drawShape(Session& session, rubble_shape handle) {
+    const rubble_shape_state shape = session.world().get_shape_state(handle);
+    const rubble_shape_properties own = session.world().get_shape_properties(handle);
+    const std::string what = referenceTo(session.world(), handle);
+    heading("Shape");
+    ImGui::PushID("shape");
+    drawName(session, handle);
+    property("grid", "Cells along each axis");
+    ImGui::Text("%d x %d x %d", shape.size[0], shape.size[1], shape.size[2]);
+    property("voxels", "That are not empty");
+    ImGui::Text("%llu of %.0f mm", static_cast<unsigned long long>(shape.voxel_count), shape.voxel_size * 1000.0);
+    const auto number = [&](const char* name, const char* tip, double value) {
+        property(name, tip);
+        if (numberField(fmt::format("##{}", name).c_str(), value, 0.01))
+            session.run("shape", {{name, numberText(value)}, {"shape", what}});
+    };
+    number("strength", "Multiple of its materials' strengths under load", own.strength);
+    number("density", "Multiple of its materials' densities", own.density);
+    number("emission", "Multiple of what its entries emit", own.emission);
+    bool bears = own.bears_load;
+    property("bears load", "Whether weight and impacts may break it");
+    if (ImGui::Checkbox("##bears", &bears))
+        session.run("shape", {{"bears_load", bears ? "yes" : "no"}, {"shape", what}});
+    property("anchors", "Boxes of cells that hold it to the world");
+    ImGui::Text("%u", own.anchor_count);
+    if (own.is_piece) ImGui::TextDisabled("a piece that came off another shape");
+    ImGui::PopID();
+}
+
+void drawLight(Session& session, rubble_light handle) {
+    const rubble_light_settings light = session.world().get_light_settings(handle);
+    const std::string what = handleText(handle);
+    heading("Light");
+    drawName(session, handle);
+    double at[3], color[3], reach = light.reach, radius = light.radius;
+    put(at, vectorOf(light.position));
+    put(color, vectorOf(light.color));
+    property("place", "In metres; on a shape: from the corner of its grid");
+    if (pointField("##at", at, 0.02)) session.run("set_light", {{"at", pointText(vectorOf(at))}, {"what", what}});
+    property("colour", "Linear radiant intensity of red, green, blue");
+    if (pointField("##color", color, 0.1))
+        session.run("set_light", {{"color", pointText(vectorOf(color))}, {"what", what}});
+    property("reach", "Metres beyond which it lights nothing");
+    if (numberField("##reach", reach, 0.1)) session.run("set_light", {{"reach", numberText(reach)}, {"what", what}});
+    property("radius", "Metres, of what glows: how soft its shadows are");
+    if (numberField("##radius", radius, 0.01))
+        session.run("set_light", {{"radius", numberText(radius)}, {"what", what}});
+    bool isOn = light.flags & RUBBLE_LIGHT_ENABLED;
+    property("on", "Whether it shines");
+    if (ImGui::Checkbox("##on", &isOn)) session.run("set_light", {{"on", isOn ? "yes" : "no"}, {"what", what}});
+}
+
+void drawJoint(Session& session, rubble_joint handle) {
+    static constexpr const char* kKinds[] = {"ball", "hinge", "slider", "cone", "fixed", "rope", "wheel"};
+    const rubble_joint_state joint = session.world().get_joint_state(handle);
+    heading("Joint");
+    drawName(session, handle);
+    property("kind", "What it leaves free");
+    ImGui::TextUnformatted(joint.kind < std::size(kKinds) ? kKinds[joint.kind] : "");
+    for (const rubble_shape side : joint.shapes) {
+        property(side == joint.shapes[0] ? "first" : "second", "The shape that it holds; a click selects it");
+        ImGui::PushID(side == joint.shapes[0] ? 0 : 1);
+        const std::string name = side ? nameOf(session.world(), side) : "the world";
+        if (ImGui::Selectable(name.empty() ? handleText(side).c_str() : name.c_str()) && side)
+            session.select(side, false);
+        ImGui::PopID();
+    }
+    if (ImGui::Button("Motor...")) session.wantsCommands = true, session.wantedCommand = "motor";
+    commandTooltip("motor");
+}
+
+void drawActions(Session& session, bool isBody) {
+    const auto button = [&](const char* label, const char* command, bool asks) {
+        if (ImGui::Button(label)) {
+            if (asks)
+                session.wantsCommands = true, session.wantedCommand = command;
+            else
+                session.run(command, {});
+        }
+        commandTooltip(command);
+    };
+    ImGui::Dummy({0, 4 * uiScale()});
+    if (isBody) {
+        button("Duplicate...", "duplicate", true);
+        ImGui::SameLine();
+        button("Hollow...", "hollow", true);
+        ImGui::SameLine();
+    }
+    button("Delete", "delete", false);
+}
+
+}  // namespace
+
+void drawProperties(Session& session) {
+    const std::vector<uint64_t>& selected = session.editor().selection().objects;
+    if (selected.empty()) {
+        ImGui::TextDisabled("Nothing is selected.");
+        ImGui::TextWrapped("Click an object in the view or in the tree; Ctrl+P finds every command.");
+        return;
+    }
+    const uint64_t first = selected.front();
+    if (selected.size() > 1) ImGui::TextDisabled("the first of %zu that are selected", selected.size());
+    const int kind = kindOf(session.world(), first);
+    const bool isBody = kind == RUBBLE_KIND_BODY || kind == RUBBLE_KIND_SHAPE;
+    if (isBody) {
+        drawBody(session, kind == RUBBLE_KIND_BODY ? first : session.world().get_shape_state(first).body);
+        if (const rubble_shape shape = session.selectedShape()) drawShape(session, shape);
+    } else if (kind == RUBBLE_KIND_LIGHT) {
+        drawLight(session, first);
+    } else if (kind == RUBBLE_KIND_JOINT) {
+        drawJoint(session, first);
+    } else if (kind >= 0) {
+        heading(nameOfKind(uint32_t(kind)));
+        drawName(session, first);
+    }
+    drawActions(session, isBody);
+}
+
+}  // namespace editor

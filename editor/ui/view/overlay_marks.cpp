@@ -1,0 +1,225 @@
+#include "editor/ui/view/overlay_marks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "editor/core/cells.h"
+#include "editor/core/rotation.h"
+#include "editor/ui/state/theme.h"
+
+namespace editor {
+namespace {
+
+constexpr int64_t kMaxComponentCells = int64_t(1) << 24;  ///< of a shape whose components are looked for
+constexpr uint64_t kContactSteps = 30;                    ///< for which a contact is shown
+constexpr size_t kMaxMarks = 2000;                        ///< of one kind: more could not be told apart
+constexpr ImU32 kAwake = theme::kAccent, kAsleep = IM_COL32(150, 158, 170, 150), kLoose = IM_COL32(238, 120, 108, 255);
+constexpr ImU32 kLink = IM_COL32(120, 190, 240, 255), kGlow = IM_COL32(255, 232, 150, 255);
+
+glm::dvec3 sizeOf(const rubble_shape_state& shape) {
+    return {shape.size[0], shape.size[1], shape.size[2]};
+}
+
+bool overlaps(const Component& component, const rubble_cell_box& box) {
+    for (int a = 0; a < 3; ++a)
+        if (box.low[a] >= component.low[a] + component.size[a] || box.low[a] + box.size[a] <= component.low[a])
+            return false;
+    return true;
+}
+
+/// Gathers the component of a cell, and takes its voxels away.
+Component takeComponent(std::vector<uint8_t>& voxels, const Cells& grid, glm::ivec3 start,
+                        std::vector<glm::ivec3>& open) {
+    const auto at = [&](glm::ivec3 c) { return (size_t(c.z) * grid.size.y + c.y) * grid.size.x + c.x; };
+    glm::ivec3 low = start, high = start;
+    Component found;
+    open.assign(1, start);
+    voxels[at(start)] = 0;
+    while (!open.empty()) {
+        const glm::ivec3 cell = open.back();
+        open.pop_back();
+        ++found.voxels;
+        low = glm::min(low, cell), high = glm::max(high, cell);
+        for (int a = 0; a < 3; ++a)
+            for (const int step : {-1, 1}) {
+                glm::ivec3 next = cell;
+                next[a] += step;
+                if (!grid.contains(next) || !voxels[at(next)]) continue;
+                voxels[at(next)] = 0;
+                open.push_back(next);
+            }
+    }
+    found.low = low, found.size = high - low + 1;
+    return found;
+}
+
+void drawAnchors(Session& session, Wires& wires) {
+    size_t marks = 0;
+    const auto drawOf = [&](const rubble_shape_state& shape) {
+        for (const rubble_cell_box& box : session.world().get_anchors(shape.shape))
+            if (++marks < kMaxMarks)
+                wires.cells(shape, {box.low[0], box.low[1], box.low[2]}, {box.size[0], box.size[1], box.size[2]},
+                            theme::kAccent, theme::kAccentFaint);
+    };
+    const std::vector<rubble_shape_state> selected = [&] {
+        std::vector<rubble_shape_state> all;
+        if (const rubble_shape shape = session.selectedShape()) all.push_back(session.world().get_shape_state(shape));
+        return all.empty() ? session.world().get_shape_states(0) : all;
+    }();
+    for (const rubble_shape_state& shape : selected) drawOf(shape);
+}
+
+void drawSleep(Session& session, Wires& wires) {
+    size_t marks = 0;
+    for (const rubble_body_state& body : session.world().get_body_states()) {
+        if (body.flags & RUBBLE_BODY_STATIC || ++marks > kMaxMarks) continue;
+        const ImU32 color = body.flags & RUBBLE_BODY_ASLEEP ? kAsleep : kAwake;
+        for (const rubble_shape_state& shape : session.world().get_shape_states(body.body))
+            wires.cells(shape, glm::dvec3(0.0), sizeOf(shape), color, 0, body.flags & RUBBLE_BODY_ASLEEP ? 1.0f : 2.0f);
+    }
+}
+
+void drawJoints(Session& session, Wires& wires) {
+    for (const rubble_joint_state& joint : session.world().get_joint_states()) {
+        const glm::dvec3 a = vectorOf(joint.first_anchor), b = vectorOf(joint.second_anchor);
+        wires.line(a, b, kLink, 2.0f);
+        wires.dot(a, kLink, 5.0f);
+        wires.dot(b, kLink, 3.0f);
+    }
+}
+
+void drawLights(Session& session, Wires& wires) {
+    for (const rubble_light each : session.world().get_lights()) {
+        const rubble_light_settings light = session.world().get_light_settings(each);
+        glm::dvec3 at = vectorOf(light.position);
+        if (light.shape) {
+            const rubble_shape_state shape = session.world().get_shape_state(light.shape);
+            at = vectorOf(shape.position) + quaternionOf(shape.rotation) * at;
+        }
+        wires.dot(at, light.flags & RUBBLE_LIGHT_ENABLED ? kGlow : kAsleep, 5.0f);
+        const double radius = std::max(light.radius, 0.15);
+        wires.ring(at, {radius, 0, 0}, {0, 0, radius}, kGlow, 1.0f);
+    }
+}
+
+void drawGrid(Session& session, Wires& wires) {
+    constexpr int kLines = 20;
+    const glm::dvec3 middle(std::round(session.camera.pivot.x), 0.0, std::round(session.camera.pivot.z));
+    for (int i = -kLines; i <= kLines; ++i) {
+        const ImU32 color = i % 5 ? IM_COL32(255, 255, 255, 26) : IM_COL32(255, 255, 255, 60);
+        wires.line(middle + glm::dvec3(i, 0, -kLines), middle + glm::dvec3(i, 0, kLines), color, 1.0f);
+        wires.line(middle + glm::dvec3(-kLines, 0, i), middle + glm::dvec3(kLines, 0, i), color, 1.0f);
+    }
+}
+
+}  // namespace
+
+std::vector<Component> componentsOf(const rubble::World& world, rubble_shape shape) {
+    const Cells grid = gridOf(world, shape);
+    if (grid.count() > kMaxComponentCells) return {};
+    std::vector<uint8_t> voxels = readCells(world, shape, grid);
+    std::vector<Component> all;
+    std::vector<glm::ivec3> open;
+    for (size_t i = 0; i < voxels.size(); ++i) {
+        if (!voxels[i]) continue;
+        const int x = int(i) % grid.size.x, y = int(i) / grid.size.x % grid.size.y;
+        all.push_back(takeComponent(voxels, grid, {x, y, int(i) / grid.size.x / grid.size.y}, open));
+    }
+    for (Component& component : all)
+        for (const rubble_cell_box& box : world.get_anchors(shape))
+            component.isAnchored = component.isAnchored || overlaps(component, box);
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Component& a, const Component& b) { return a.voxels > b.voxels; });
+    return all;
+}
+
+void OverlayMarks::drawComponents(Session& session, Wires& wires) {
+    const rubble_shape shape = session.selectedShape();
+    if (!shape) return;
+    if (shape != m_shape || session.version() != m_version) m_components = componentsOf(session.world(), shape);
+    m_shape = shape, m_version = session.version();
+    const rubble_shape_state state = session.world().get_shape_state(shape);
+    for (size_t i = 0; i < std::min<size_t>(m_components.size(), 200); ++i) {
+        const Component& each = m_components[i];
+        const ImU32 color = each.isAnchored ? theme::kAccent : kLoose;
+        wires.cells(state, each.low, each.size, color, (color & 0x00ffffffu) | 0x20000000u, 2.0f);
+        if (i < 12)
+            wires.label(worldOf(state, glm::dvec3(each.low) + glm::dvec3(each.size) * 0.5), theme::kText,
+                        fmt::format("{} voxels, {}", each.voxels, each.isAnchored ? "anchored" : "loose").c_str());
+    }
+}
+
+/// Those of the last steps: most touch in one step only.
+void OverlayMarks::drawContacts(Session& session, Wires& wires) {
+    const uint64_t now = session.editor().document().playedSteps();
+    if (!session.editor().document().isPlaying()) return m_contacts.clear();
+    if (session.version() != m_contactVersion) {
+        const rubble_reports reports = session.world().get_reports();
+        for (uint32_t i = 0; i < reports.contact_count; ++i)
+            m_contacts.push_back({vectorOf(reports.contacts[i].position), vectorOf(reports.contacts[i].normal),
+                                  reports.contacts[i].impulse, now});
+    }
+    m_contactVersion = session.version();
+    std::erase_if(m_contacts, [&](const Contact& each) { return each.step + kContactSteps < now; });
+    if (m_contacts.size() > kMaxMarks) m_contacts.erase(m_contacts.begin(), m_contacts.end() - kMaxMarks);
+    for (const Contact& contact : m_contacts) {
+        const double length = std::clamp(std::log10(1.0 + contact.impulse) * 0.3, 0.05, 1.5);
+        const auto alpha = ImU32(255 - 215 * (now - contact.step) / (kContactSteps + 1));
+        const ImU32 color = (theme::kAccent & 0x00ffffffu) | alpha << 24;
+        wires.line(contact.at, contact.at + contact.normal * length, color, 2.0f);
+        wires.dot(contact.at, color, 3.0f);
+    }
+}
+
+/// From red, where it breaks as it is, to a faint yellow, where it takes 64 times its load.
+void OverlayMarks::drawLoad(Session& session, Wires& wires) {
+    static constexpr ImU32 kHeat[LoadProbe::kLevels] = {IM_COL32(255, 60, 50, 210),  IM_COL32(255, 104, 46, 200),
+                                                        IM_COL32(255, 142, 48, 185), IM_COL32(250, 176, 60, 165),
+                                                        IM_COL32(240, 204, 90, 140), IM_COL32(228, 220, 128, 115),
+                                                        IM_COL32(214, 222, 170, 90)};
+    const rubble_shape shape = session.selectedShape();
+    if (!shape || session.editor().document().isPlaying()) return;
+    if (shape != m_load.shape || session.version() != m_loadVersion) m_load = LoadProbe::of(session.world(), shape);
+    m_loadVersion = session.version();
+    const rubble_shape_state state = session.world().get_shape_state(shape);
+    glm::dvec3 middle(0.0);
+    int count = 0;
+    for (size_t i = 0; i < std::min(m_load.cells.size(), kMaxMarks); ++i) {
+        const LoadProbe::Cell& each = m_load.cells[i];
+        const ImU32 color = kHeat[each.level];
+        wires.cells(state, glm::dvec3(each.cell) - 0.02, glm::dvec3(1.04), color,
+                    (color & 0x00ffffffu) | (color >> 25 << 24), 1.0f);
+        if (each.level == m_load.weakest) middle += glm::dvec3(each.cell) + 0.5, ++count;
+    }
+    const std::string text =
+        count == 0            ? fmt::format("bears more than {} times its load", 1 << (LoadProbe::kLevels - 1))
+        : m_load.weakest == 0 ? "weakest here: breaks under its load"
+                              : fmt::format("weakest here: breaks at {} times its load", 1 << m_load.weakest);
+    const glm::dvec3 at = count ? middle / double(count) : sizeOf(state) * 0.5;
+    wires.label(worldOf(state, at), theme::kText, text.c_str());
+}
+
+void OverlayMarks::draw(Session& session, Wires& wires) {
+    const Overlays& shown = session.overlays;
+    if (shown.contacts != m_asksForContacts) {
+        rubble_report_filter filter{};
+        constexpr uint32_t kKinds =
+            RUBBLE_REPORT_CONTACT_BEGUN | RUBBLE_REPORT_CONTACT_SLID | RUBBLE_REPORT_CONTACT_HIT;
+        filter.kinds = shown.contacts ? kKinds : 0;
+        session.world().set_report_filter(filter);
+        m_asksForContacts = shown.contacts;
+    }
+    if (shown.grid) drawGrid(session, wires);
+    if (shown.anchors) drawAnchors(session, wires);
+    if (shown.components) drawComponents(session, wires);
+    if (shown.load) drawLoad(session, wires);
+    if (shown.sleep) drawSleep(session, wires);
+    if (shown.contacts) drawContacts(session, wires);
+    if (shown.joints) drawJoints(session, wires);
+    if (shown.lights) drawLights(session, wires);
+}
+
+}  // namespace editor

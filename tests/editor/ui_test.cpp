@@ -1,0 +1,144 @@
+// The window without a window: what the mouse does comes out as commands.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "editor/ui/host/scripted_ui.h"
+#include "editor/ui/view/load_probe.h"
+#include "editor/ui/view/overlay_marks.h"
+#include "tests/editor/editor_level.h"
+
+namespace editor {
+namespace {
+
+class Window : public testing::Test {
+protected:
+    void SetUp() override {
+        m_ui = std::make_unique<ScriptedUi>(StageSettings{}, 960, 600);
+        play("create 16,16,16 0,0,0 name=crate\nui camera 3,3,4 0,0.8,0");
+    }
+    /// Runs lines, each of which must work.
+    void play(const std::string& lines) { ASSERT_EQ(m_ui->runAll(lines), ""); }
+    Document& document() { return m_ui->stage().editor().document(); }
+    rubble_shape crate() { return m_ui->stage().editor().world().get_objects(RUBBLE_KIND_SHAPE).at(0); }
+    uint64_t voxels() { return m_ui->stage().editor().world().get_shape_state(crate()).voxel_count; }
+
+    std::unique_ptr<ScriptedUi> m_ui;
+};
+
+TEST_F(Window, AClickOfABrushIsACommandThatUndoTakesBack) {
+    const uint64_t before = document().hash(), count = voxels();
+    const size_t steps = document().done().size();
+    play("ui brush voxel add index=7\nui hover 0.05,1.6,0.05");
+    EXPECT_EQ(document().hash(), before) << "the ghost is only shown";
+    play("ui click");
+    ASSERT_EQ(document().done().size(), steps + 1);
+    EXPECT_EQ(document().done().back(), "voxel cell=8,16,8 do=add index=7 shape=crate");
+    EXPECT_EQ(voxels(), count + 1);
+    play("undo");
+    EXPECT_EQ(document().hash(), before);
+}
+
+TEST_F(Window, ADragOfABrushIsOneStep) {
+    const uint64_t count = voxels();
+    const size_t steps = document().done().size();
+    play("ui brush sphere erase size=2\nui hover 0.05,1.6,0.05\nui press\nui by 60 0\nui by 60 0\nui release");
+    ASSERT_EQ(document().done().size(), steps + 1);
+    EXPECT_TRUE(document().done().back().starts_with("line from=8,15,8 to=")) << document().done().back();
+    EXPECT_LT(voxels() + 60, count);
+}
+
+TEST_F(Window, AClickSelectsAndAnArrowMoves) {
+    const rubble_body body = m_ui->stage().editor().world().get_objects(RUBBLE_KIND_BODY).at(0);
+    play("deselect\nui mode select\nui hover 0.05,1.6,0.05\nui click");
+    EXPECT_EQ(m_ui->stage().editor().selection().objects, std::vector<uint64_t>{body});
+    play("ui mode move\nui hover 0.3,0.8,0\nui press\nui by 30 10\nui by 30 10\nui release");
+    ASSERT_TRUE(document().done().back().starts_with("move by=")) << document().done().back();
+    const rubble_body_state moved = m_ui->stage().editor().world().get_body_state(body);
+    EXPECT_GT(moved.position[0], -0.8);
+    EXPECT_NEAR(moved.position[0] * 10.0, std::round(moved.position[0] * 10.0), 1e-9) << "it snaps to a voxel";
+    EXPECT_EQ(moved.position[1], 0.0);
+}
+
+TEST_F(Window, PlayLeavesNothingBehind) {
+    play("move 0,3,0 crate");
+    const uint64_t before = document().hash();
+    play("ui breaker explode 0.8\nui play 30");
+    EXPECT_EQ(document().playedSteps(), 30u);
+    EXPECT_NE(document().hash(), before);
+    const uint64_t ruin = document().hash();
+    play("stop");
+    EXPECT_EQ(document().hash(), before);
+    Replay& replay = m_ui->stage().session().replay;
+    ASSERT_EQ(replay.size(), 30u);
+    const auto heightAt = [&](size_t step) {
+        replay.seek(step);
+        return replay.world()->get_body_states().at(0).position[1];
+    };
+    const double last = heightAt(30), tenth = heightAt(10);
+    EXPECT_LT(last, tenth) << "it falls";
+    EXPECT_EQ(heightAt(30), last) << "again, after a step back";
+    EXPECT_EQ(replay.world()->get_resolved_hash(), ruin);
+    EXPECT_EQ(document().hash(), before) << "the replay is not the level";
+}
+
+TEST_F(Window, APaletteOfCommandsHasThemAllWithTheirForms) {
+    for (const Command& command : allCommands()) {
+        const std::vector<const Command*> found = CommandPalette::find(std::string(command.name));
+        ASSERT_FALSE(found.empty()) << command.name;
+        EXPECT_EQ(found.front(), &command);
+        EXPECT_EQ(m_ui->run("ui form " + std::string(command.name)), "");
+    }
+    EXPECT_EQ(CommandPalette::find("").size(), allCommands().size());
+    EXPECT_TRUE(CommandPalette::find("no such words").empty());
+}
+
+TEST_F(Window, AWrongLineOfAScriptSaysWhatIsExpected) {
+    EXPECT_NE(m_ui->run("ui jump").find("expected one of these, found 'jump'"), std::string::npos);
+    EXPECT_NE(m_ui->run("ui hover 0,0,1000").find("expected a point that the view shows"), std::string::npos);
+    EXPECT_NE(m_ui->runAll("\nui brush cube").find("line 2: ui brush cube: expected one of: voxel box"),
+              std::string::npos);
+}
+
+TEST_F(Window, AnImageShowsTheLevelAndThePanels) {
+    const rubble::TempFolder folder;
+    m_ui->setFolder(folder.path());
+    play("ui tab Palette\nui screenshot window.png");
+    EXPECT_GT(std::filesystem::file_size(std::filesystem::path(folder.path()) / "window.png"), 20000u);
+}
+
+TEST(Components, AreAnchoredOrLoose) {
+    Editor editor;
+    runAll(editor, {"create 10,20,4 static=yes name=wall", "box 0,12,0 9,12,3 erase shape=wall"});
+    const auto all = componentsOf(editor.world(), editor.world().get_objects(RUBBLE_KIND_SHAPE).at(0));
+    ASSERT_EQ(all.size(), 2u);
+    EXPECT_EQ(all[0].voxels, 10u * 12 * 4);
+    EXPECT_TRUE(all[0].isAnchored);
+    EXPECT_EQ(all[1].voxels, 10u * 7 * 4);
+    EXPECT_FALSE(all[1].isAnchored);
+}
+
+TEST(Load, ABeamIsWeakestAtItsRoot) {
+    Editor editor;
+    runAll(editor, {"create 40,3,6 0,2,0 index=5 name=beam static=yes", "box 0,-16,0 5,-1,5 index=5 shape=beam",
+                    "anchor beam"});
+    const rubble_shape beam = editor.world().get_objects(RUBBLE_KIND_SHAPE).at(0);
+    const uint64_t before = editor.document().hash();
+    const LoadProbe weak = LoadProbe::of(editor.world(), beam);
+    EXPECT_EQ(editor.document().hash(), before) << "a copy is tried, not the level";
+    ASSERT_EQ(weak.weakest, 0);
+    for (const LoadProbe::Cell& each : weak.cells) {
+        if (each.level > 0) break;
+        EXPECT_NEAR(each.cell.x, 5, 3) << "the beam leaves its post here";
+    }
+    runAll(editor, {"shape beam strength=12"});
+    const LoadProbe strong = LoadProbe::of(editor.world(), beam);
+    EXPECT_GE(strong.weakest, 3) << "12 times as strong: 8 times the load at least";
+}
+
+}  // namespace
+}  // namespace editor
