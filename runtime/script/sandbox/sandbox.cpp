@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
+#include <cstddef>
 #include <cstdlib>
 #include <ctime>
 #include <new>
@@ -19,6 +20,11 @@ constexpr size_t kStringHeader = 25;         ///< what Lua adds to the bytes of 
 constexpr size_t kLargestStack = 400 << 10;  ///< bytes: a single call by way of `__call` may take its square
 constexpr double kSlowCallsPerFrame = 4.0;
 constexpr int64_t kSlowInterval = 2'000'000;  ///< ns for kInterval instructions, beyond which each is watched
+
+/// Before each block of Lua: how many were made before it.
+struct alignas(std::max_align_t) Header {
+    uint64_t number;
+};
 
 double processorSeconds() {
     timespec time{};
@@ -49,6 +55,10 @@ int textOf(lua_State* L) {
 
 }  // namespace
 
+uint64_t creationOf(const void* block) {
+    return (static_cast<const Header*>(block) - 1)->number;
+}
+
 std::string placeOf(lua_State* L) {
     lua_Debug frame;
     for (int level = 0; lua_getstack(L, level, &frame); ++level) {
@@ -77,8 +87,9 @@ Sandbox::~Sandbox() {
 void* Sandbox::allocate(void* sandbox, void* block, size_t oldSize, size_t size) {
     Sandbox& box = *static_cast<Sandbox*>(sandbox);
     const size_t held = block ? oldSize : 0;
+    Header* const header = block ? static_cast<Header*>(block) - 1 : nullptr;
     if (size == 0) {
-        std::free(block);
+        std::free(header);
         box.m_memory -= held;
         return nullptr;
     }
@@ -88,11 +99,12 @@ void* Sandbox::allocate(void* sandbox, void* block, size_t oldSize, size_t size)
         box.m_workLeft -= kAllocationWork + int64_t(size >> 5);
         ++box.m_allocations;
     }
-    void* moved = std::realloc(block, size);
+    auto* const moved = static_cast<Header*>(std::realloc(header, size + sizeof(Header)));
     if (!moved) return nullptr;
+    if (!header) moved->number = box.m_allocations;
     box.m_memory += size - held;
     box.m_peak = std::max(box.m_peak, box.m_memory);
-    return moved;
+    return moved + 1;
 }
 
 bool Sandbox::mayGrow(size_t kind, size_t size, size_t growth) {

@@ -54,6 +54,17 @@ TEST_F(SandboxTest, CallsOfAFrameShareItsWork) {
     }
 }
 
+TEST_F(SandboxTest, PairsGoesThroughObjectsAsTheyWereMade) {
+    const std::string text =
+        "local all, order, told = {}, {}, '' for i = 1, 60 do local kind = i % 3 "
+        "local made = kind == 0 and {} or kind == 1 and function() return i end or coroutine.create(print) "
+        "order[i % 7 * 10 + i // 7] = {made, i} end "
+        "for _, row in pairs(order) do all[row[1]] = row[2] end all[print] = 61 all.name = 0 "
+        "local last = -1 for _, i in pairs(all) do assert(i == last + 1) last = i end return last";
+    EXPECT_EQ(run(text), "61");
+    EXPECT_EQ(runText(m_box, text), "61");
+}
+
 TEST_F(SandboxTest, LongListsAreSorted) {
     EXPECT_EQ(run("local t = {} for i = 1, 30000 do t[i] = 30001 - i end table.sort(t) return t[1], t[30000]"),
               "1 30000");
