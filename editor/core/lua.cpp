@@ -1,6 +1,7 @@
 // Commands for scripts in Lua.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -132,9 +133,10 @@ Outcome LuaRun::command(const Line& line) {
     } catch (const std::exception& wrong) {
         return {false, wrong.what()};
     }
-    const uint64_t steps = document.playedSteps();
+    const uint64_t before = document.playedSteps();
     const Outcome outcome = m_editor.run(line);
-    if (!document.isPlaying() || document.playedSteps() != steps) m_host->afterEdits();
+    const uint64_t steps = document.playedSteps() - std::min(before, document.playedSteps());
+    if (!document.isPlaying() || steps) m_host->afterEdits(document.isPlaying() ? steps : 0);
     m_host->shared().hasTime = document.isPlaying();
     return outcome;
 }

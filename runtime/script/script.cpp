@@ -168,6 +168,7 @@ bool Script::load(const std::string& text, bool isAgain) {
 
 bool Script::evaluate(const std::string& text, std::string& answer) {
     int reference = 0;
+    beginFrame();
     lua_State* thread = takeThread(reference);
     Chunk chunk{thread, text, m_context.name};
     if (!thread || !m_sandbox.prepare(compile, &chunk)) {

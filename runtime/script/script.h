@@ -71,6 +71,8 @@ public:
     bool has(Callback callback) const { return m_has[size_t(callback)]; }
     /// Looks which callbacks there are.
     void findCallbacks();
+    /// From here on all calls together have the work of a frame.
+    void beginFrame() { m_sandbox.beginFrame(); }
     /// Calls a callback. `push` puts its arguments onto the stack and returns how many.
     template <class Push>
     void call(Callback callback, Push&& push) {

@@ -115,6 +115,7 @@ rubble_result ScriptHost::show(rubble_renderer renderer) {
 rubble_result ScriptHost::draw(rubble_renderer renderer, const rubble_view& view, double dt) {
     const size_t lines = m_shared.lines.size();  // those of draw() are of this view alone
     beginDrawing(view);
+    beginFrame();
     callAll(Callback::Draw, dt);
     m_shared.ui.isOpen = false;
     addLinesAndWatches();

@@ -81,7 +81,12 @@ void ScriptHost::callAll(Callback callback, double dt) {
         });
 }
 
+void ScriptHost::beginFrame() {
+    for (Script& script : m_scripts) script.beginFrame();
+}
+
 void ScriptHost::tick(double dt) {
+    beginFrame();
     m_shared.lines.clear();
     callAll(Callback::Tick, dt);
 }
@@ -103,28 +108,34 @@ void ScriptHost::beforeEdits() {
     if (!m_shared.grids.empty()) removePlaceholders();
 }
 
-void ScriptHost::afterEdits() {
+void ScriptHost::afterEdits(uint64_t steps) {
+    m_shared.step += steps;
+    m_shared.time = double(m_shared.step) * kStep;
     m_shared.pending = {};
     m_shared.grids.clear();
     m_shared.reframed.clear();
 }
 
 rubble_result ScriptHost::step() {
+    beginFrame();
     callAll(Callback::Update, kStep);
     beforeEdits();
     const rubble_result result = m_shared.api->step(m_shared.world);
     if (result != RUBBLE_OK) return result;
-    ++m_shared.step;
-    m_shared.time = double(m_shared.step) * kStep;
-    afterEdits();
+    afterEdits(1);
     if (!m_shared.pointLights.empty()) dropPointLights();
     readEvents();
-    resumeWaiting();
+    resumeAll();
     if (std::exchange(m_shared.mayHaveScripts, false)) addLevelScripts({}, false);
     return result;
 }
 
 void ScriptHost::resumeWaiting() {
+    beginFrame();
+    resumeAll();
+}
+
+void ScriptHost::resumeAll() {
     bool hasBegun = false;
     for (Script& script : m_scripts) {
         if (script.isWaiting()) script.resumeWaiting();

@@ -77,8 +77,8 @@ public:
     /// Around a step of the world, or apply_edits(), that the host takes itself: step() does both. After it nothing of
     /// what scripts have queued waits any more.
     void beforeEdits();
-    /// See beforeEdits().
-    void afterEdits();
+    /// See beforeEdits(). `steps`: how many steps of the world the host has taken.
+    void afterEdits(uint64_t steps = 0);
     /// Goes on with what waits for such a step, or for a time that has come. step() does it.
     void resumeWaiting();
 
@@ -111,6 +111,8 @@ private:
     bool callFirst(Script& script);
     void forgetWorld();
     void removePlaceholders();
+    void beginFrame();
+    void resumeAll();
     void callAll(Callback callback, double dt);
     bool anyHas(Callback callback) const;
     void setReports();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <vector>
 
 // Shape casts against voxels.
@@ -21,7 +22,9 @@ namespace rubble {
 namespace {
 
 constexpr double kContactTolerance = 1e-9;  ///< cells
-constexpr double kMaxCoordinate = 1e7;      ///< cells: shapes farther from the grid's origin hit nothing
+constexpr double kMaxCoordinate = 1e7;      ///< cells: what is farther from the grid's origin is first moved near it
+constexpr double kMaxSize = 4e7;            ///< cells: larger shapes hit nothing
+constexpr double kNearMargin = 64.0;        ///< cells between a grid and what was moved near it
 constexpr double kMaxOverlap = 1e13;        ///< the same of overlaps, which solve nothing: exact to 0.01 cells
 constexpr int kMaxNewtonSteps = 64;         ///< three or four are enough, except where the shape grazes the voxel
 
@@ -168,6 +171,8 @@ public:
           m_direction(direction),
           m_accepted(accepted) {
         m_best.t = tMax;
+        const double size = std::max({m_halfExtent.x, m_halfExtent.y, m_halfExtent.z});
+        m_tolerance = std::max(kContactTolerance, 4.0 * std::numeric_limits<double>::epsilon() * size);
         if (shape.isBox) m_axes.emplace(shape);
     }
 
@@ -251,8 +256,8 @@ private:
             const glm::dvec3 normal =
                 near.distance > 0.0 ? (near.onSegment - near.onBox) / near.distance : glm::dvec3(0.0);
             const double approach = -glm::dot(normal, m_direction);
-            if (gap <= kContactTolerance) {
-                if (gap >= -kContactTolerance && near.distance > 0.0 && !(approach > 1e-12)) return;
+            if (gap <= m_tolerance) {
+                if (gap >= -m_tolerance && near.distance > 0.0 && !(approach > 1e-12)) return;
                 m_best = {true, cell, t, near.onBox, normal};
                 return;
             }
@@ -266,6 +271,7 @@ private:
     const CellShape& m_shape;
     glm::dvec3 m_middle, m_halfExtent, m_direction;
     EntryFilter m_accepted;
+    double m_tolerance;  ///< cells: coordinates of a very large shape are not as exact
     std::optional<BoxAxes> m_axes;
     CellContact m_best;
     std::vector<BrickCandidate> m_candidates;
@@ -279,6 +285,20 @@ bool isNear(const CellShape& shape, double limit = kMaxCoordinate) {
     bool near = isNear(shape.a, limit) && isNear(shape.halfExtent(), limit);
     if (!shape.isBox) near = near && isNear(shape.b, limit) && shape.radius >= 0.0;
     return near;
+}
+
+/// The shape begins where its bounding box comes near the grid, so that what is solved has small coordinates.
+CellContact castFromAfar(const VoxelGrid& grid, CellShape shape, glm::dvec3 direction, double tMax,
+                         EntryFilter accepted) {
+    const glm::dvec3 reach = shape.halfExtent() + kNearMargin;
+    if (!isNear(reach, kMaxSize)) return {};
+    const Span path = spanInBox(shape.middle(), direction, -reach, glm::dvec3(grid.size()) + reach, {0.0, tMax});
+    if (path.empty()) return {};
+    shape.a += direction * path.enter;
+    shape.b += direction * path.enter;
+    CellContact contact = ShapeCast(grid, shape, direction, tMax - path.enter, accepted).run();
+    contact.t += path.enter;
+    return contact;
 }
 
 }  // namespace
@@ -324,8 +344,9 @@ SegmentToBox closestToBox(glm::dvec3 a, glm::dvec3 b, glm::dvec3 low, glm::dvec3
 
 CellContact castShape(const VoxelGrid& grid, const CellShape& shape, glm::dvec3 direction, double tMax,
                       EntryFilter accepted) {
-    if (!isNear(shape) || !isNear(direction) || !(tMax >= 0.0) || grid.empty()) return {};
-    return ShapeCast(grid, shape, direction, tMax, accepted).run();
+    if (!isNear(shape, kMaxOverlap) || !isNear(direction) || !(tMax >= 0.0) || grid.empty()) return {};
+    if (isNear(shape)) return ShapeCast(grid, shape, direction, tMax, accepted).run();
+    return castFromAfar(grid, shape, direction, tMax, accepted);
 }
 
 std::optional<glm::ivec3> findOverlap(const VoxelGrid& grid, const CellShape& shape, EntryFilter accepted) {

@@ -157,7 +157,14 @@ private:
     fs::file_time_type m_changed;
 };
 
-int play(ScriptHost& host, OffscreenView* view, rubble_world world, const Options& options) {
+/// A frame: scripts see it as hosts show it, after its steps.
+void playFrame(ScriptHost& host, const OffscreenView* view, double& due) {
+    host.tick(1.0 / 60.0);
+    for (due += host.timeScale(); due >= 1.0; due -= 1.0) host.step();
+    if (view) host.draw(view->renderer(), view->view(), 1.0 / 60.0);
+}
+
+int play(ScriptHost& host, OffscreenView* view, const Options& options) {
     FileWatch watch(options.script);  // before the script is read
     if (!options.script.empty())
         host.add(fs::path(options.script).filename().string(), readFile(options.script), parametersOf(options));
@@ -172,16 +179,15 @@ int play(ScriptHost& host, OffscreenView* view, rubble_world world, const Option
         return !options.watches && host.scripts().front().isStopped() && host.scripts().size() == 1;
     };
     for (int i = 0; !isOver(i); i += i < options.steps) {
-        host.tick(1.0 / 60.0);
-        if (view) host.draw(0, view->view(), 1.0 / 60.0);
-        for (due += host.timeScale(); due >= 1.0; due -= 1.0) host.step();
+        playFrame(host, view, due);
         if (!options.watches) continue;
         watch.look(host);
         std::fflush(stdout);
         std::this_thread::sleep_for(std::chrono::milliseconds(16));
     }
     if (options.prints) printProfile(host);
-    const std::string error = view ? view->write(host, world, options.image) : "";
+    if (view && host.shared().step == 0) host.step();  // a renderer shows nothing before the first one
+    const std::string error = view ? view->write(options.image) : "";
     if (!error.empty()) fmt::print(stderr, "lua: {}\n", error);
     return error.empty() && isGood() ? 0 : 1;
 }
@@ -222,6 +228,7 @@ int run(const Options& options) {
     if (error.empty() && !options.level.empty() &&
         api->load_level(world, options.level.c_str(), options.vdbTool.c_str()) != RUBBLE_OK)
         error = api->get_last_error();
+    if (error.empty() && !options.image.empty()) error = view.begin(world);
     if (!error.empty()) {
         fmt::print(stderr, "lua: {}\n", error);
         return 1;
@@ -241,8 +248,9 @@ int run(const Options& options) {
         else if (options.script.empty() && host.scripts().empty())
             result = readLines(host, options);
         else
-            result = play(host, options.image.empty() ? nullptr : &view, world, options);
+            result = play(host, options.image.empty() ? nullptr : &view, options);
     }
+    view.end();
     api->destroy_world(world);
     return result;
 }
@@ -259,8 +267,10 @@ int main(int argc, char** argv) {
     const CLI::Option* steps =
         app.add_option("--steps", options.steps, "how long, in steps of 1/60 s; with --watch until Ctrl+C without it")
             ->check(CLI::Range(0, 1'000'000'000));
-    app.add_option("--eval", options.evaluated, "runs this text instead, and prints what it gives");
-    app.add_option("--param", options.parameters, "NAME=VALUE, for GetIntParam() and its like");
+    app.add_option("--eval", options.evaluated, "runs this text instead, and prints what it gives")
+        ->allow_extra_args(false);
+    app.add_option("--param", options.parameters, "NAME=VALUE, for GetIntParam() and its like")
+        ->allow_extra_args(false);
     app.add_flag("--profile", options.prints,
                  "prints what each callback and each function have cost; with --image: shows it too");
     app.add_flag("--watch", options.watches, "in real time; the script begins again when its file changes");

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
+#include <utility>
 
 #include "render/gl/gl.h"
 #include "render/gl/offscreen.h"
-#include "runtime/script/script_host.h"
 #include "samples/support/gl_context.h"
 #include "samples/support/image.h"
 
@@ -57,21 +57,25 @@ std::string OffscreenView::open(const rubble_api& api, const rubble_view& view) 
     return "";
 }
 
-std::string OffscreenView::write(rubble::script::ScriptHost& scripts, rubble_world world, const std::string& path) {
-    rubble_renderer renderer = 0;
+std::string OffscreenView::begin(rubble_world world) {
     rubble_renderer_settings settings = {};
     settings.struct_size = sizeof settings;
     settings.flags = RUBBLE_RENDERER_COMPILE_LATE;
-    if (m_api->create_renderer(world, &settings, &renderer) != RUBBLE_OK) return m_api->get_last_error();
-    scripts.step();  // a new renderer shows the world from the next step on
-    rubble_result result = scripts.draw(renderer, m_view, 1.0 / 60.0);
-    for (int i = 0; i < kFrames && result == RUBBLE_OK; ++i) result = m_api->draw(renderer, &m_view);
+    return m_api->create_renderer(world, &settings, &m_renderer) == RUBBLE_OK ? "" : m_api->get_last_error();
+}
+
+void OffscreenView::end() {
+    if (m_renderer) m_api->destroy_renderer(std::exchange(m_renderer, 0));
+}
+
+std::string OffscreenView::write(const std::string& path) {
+    rubble_result result = RUBBLE_OK;
+    for (int i = 0; i < kFrames && result == RUBBLE_OK; ++i) result = m_api->draw(m_renderer, &m_view);
     std::string error = result == RUBBLE_OK ? "" : m_api->get_last_error();
     rubble::Image image(int(m_view.width), int(m_view.height));
     image.rgb = m_gl->target->readRgb();
     const auto written = rubble::writePng(path, image);
     if (!written) error = written.error();
-    m_api->destroy_renderer(renderer);
     return error;
 }
 

@@ -27,16 +27,23 @@ public:
     OffscreenView();
     ~OffscreenView();
 
+    /// Makes the renderer of a world, which sees it from the next step on. What is wrong, or "".
+    std::string begin(rubble_world world);
+    /// Before the world is destroyed.
+    void end();
+    /// Of begin(), else 0.
+    rubble_renderer renderer() const { return m_renderer; }
     /// The view of the camera.
     const rubble_view& view() const { return m_view; }
     /// Draws some frames of the world as it is, so that light settles, and writes the last one as PNG. What is wrong,
     /// or "".
-    std::string write(rubble::script::ScriptHost& scripts, rubble_world world, const std::string& path);
+    std::string write(const std::string& path);
 
 private:
     struct Gl;
     const rubble_api* m_api = nullptr;
     rubble_view m_view = {};
+    rubble_renderer m_renderer = 0;
     std::unique_ptr<Gl> m_gl;
 };
 

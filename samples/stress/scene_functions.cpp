@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
+#include <string_view>
 
 #include "runtime/script/binding/calls.h"
 #include "runtime/script/binding/vector_math.h"
@@ -107,7 +109,9 @@ int finishBody(lua_State* L, const rubble_shape_settings& settings) {
 rubble_shape_settings shapeSettings(lua_State* L, uint32_t source, int entry, int options) {
     auto shape = sized<rubble_shape_settings>();
     shape.source = source;
-    shape.index = uint32_t(std::clamp(numberOr(L, entry, "entry", 6.0), 1.0, 255.0));
+    const double index = numberOr(L, entry, "entry", 6.0);
+    if (!(index >= 1.0 && index <= 255.0)) refuseArgument(L, entry, "entry", "1 to 255");
+    shape.index = uint32_t(index);
     shape.voxel_size = optionNumber(L, options, "voxel", 0.1);
     shape.rotation[3] = 1.0;
     return shape;
@@ -116,14 +120,19 @@ rubble_shape_settings shapeSettings(lua_State* L, uint32_t source, int entry, in
 int box(lua_State* L) {
     auto shape = shapeSettings(L, RUBBLE_SHAPE_BOX, 4, 5);
     const Vector cells = vectorAt(L, 3, "cells");
-    for (size_t axis = 0; axis < 3; ++axis) shape.size[axis] = int32_t(std::clamp(cells[axis], 1.0, 4096.0));
+    for (size_t axis = 0; axis < 3; ++axis) {
+        if (!(cells[axis] >= 1.0 && cells[axis] <= 4096.0)) refuseArgument(L, 3, "cells", "1 to 4096 each");
+        shape.size[axis] = int32_t(cells[axis]);
+    }
     shape.body = makeBody(L, vectorAt(L, 2, "corner"), 5);
     return finishBody(L, shape);
 }
 
 int ball(lua_State* L) {
     auto shape = shapeSettings(L, RUBBLE_SHAPE_SPHERE, 4, 5);
-    std::fill_n(shape.size, 3, int32_t(std::clamp(numberAt(L, 3, "cells"), 1.0, 512.0)));
+    const double cells = numberAt(L, 3, "cells");
+    if (!(cells >= 1.0 && cells <= 512.0)) refuseArgument(L, 3, "cells", "1 to 512");
+    std::fill_n(shape.size, 3, int32_t(cells));
     const double half = 0.5 * shape.size[0] * shape.voxel_size;
     shape.body = makeBody(L, vectorAt(L, 2, "center") - Vector{half, half, half}, 5);
     return finishBody(L, shape);
@@ -297,7 +306,18 @@ int pour(lua_State* L) {
 /// A field of rubble_settings that scenarios may set.
 template <class T>
 void setOption(lua_State* L, const char* name, T& field) {
-    field = T(std::max(0.0, optionNumber(L, 1, name, double(field))));
+    const double value = optionNumber(L, 1, name, double(field));
+    if (!(value >= 0.0)) luaL_error(L, "Settings: %s: expected a number of at least 0, found %f", name, value);
+    field = T(value);
+}
+
+/// A misspelt setting would test something else without a word.
+void checkNames(lua_State* L, std::initializer_list<std::string_view> names) {
+    for (lua_pushnil(L); lua_next(L, 1); lua_pop(L, 1)) {
+        const char* name = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "";
+        if (std::find(names.begin(), names.end(), name) == names.end())
+            luaL_error(L, "Settings: expected the name of a setting, found \"%s\"", name);
+    }
 }
 
 void setFlag(lua_State* L, const char* name, uint32_t bit, uint32_t& flags) {
@@ -309,6 +329,9 @@ void setFlag(lua_State* L, const char* name, uint32_t bit, uint32_t& flags) {
 
 int settings(lua_State* L) {
     luaL_checktype(L, 1, LUA_TTABLE);
+    checkNames(L, {"stress", "fire", "paint_layer", "debris_bodies", "debris_voxels", "awake_debris_bodies",
+                   "largest_debris", "min_piece_voxels", "settle_steps", "split_parts", "max_fires", "impact_threshold",
+                   "fire_spread", "strength_scale"});
     auto values = sized<rubble_settings>();
     isDone(L, apiOf(L).get_settings(worldOf(L), &values));
     setFlag(L, "stress", RUBBLE_SETTING_STRESS, values.flags);

@@ -45,6 +45,16 @@ TEST(EditorLua, CommandsComeAfterWhatWasQueuedBefore) {
     EXPECT_FALSE(editor.document().isChanged());
 }
 
+TEST(EditorLua, StepsOfTheCommandAreTime) {
+    Editor editor;
+    runAll(editor, {"create 8,8,8 name=crate"});
+    runLua(editor,
+           "Command('play') wait(0.5) local before = GetTime() Command('step', {count = 60}) "
+           "assert(math.abs(GetTime() - before - 1) < 1e-9) wait(0.5) "
+           "assert(math.abs(GetTime() - before - 1.5) < 1e-9) "
+           "before = GetTime() Command('stop') assert(GetTime() == before)");
+}
+
 TEST(EditorLua, HistoryHasWhatWasQueued) {
     Editor editor;
     runAll(editor, {"create 8,8,8 name=crate"});

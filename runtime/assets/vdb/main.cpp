@@ -19,7 +19,7 @@ void limitProcess(uint64_t memoryMib, uint64_t seconds) {
         const struct rlimit both { value, value };
         setrlimit(resource, &both);
     };
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // sanitizers reserve terabytes
+#ifndef RUBBLE_IS_SANITIZED  // sanitizers reserve terabytes
     limit(RLIMIT_AS, memoryMib << 20);
 #else
     (void)memoryMib;

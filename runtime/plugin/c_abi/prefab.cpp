@@ -8,6 +8,7 @@
 #include "runtime/assets/assets.h"
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
+#include "runtime/world/level/references.h"
 
 namespace rubble::abi {
 namespace {
@@ -121,18 +122,18 @@ private:
     void addShapes(const LevelBody& from) {
         const size_t body = m_bodies[m_nextBody++];
         for (const LevelShape& shape : from.shapes) {
+            m_shapes.add(shape.name, isLeftOut(shape) ? 0 : m_made.size() + 1);
             if (isLeftOut(shape)) continue;
             CreateShapeEdit edit;
             static_cast<LevelShape&>(edit.shape) = shape;
             edit.shape.palette = m_palettes(shape.palette);
-            m_shapes.emplace(shape.name, m_made.size());
             m_made.push_back({RUBBLE_PREFAB_SHAPE, std::move(edit), {body, kNone}});
         }
     }
-    /// The row of the first shape of that name.
-    size_t findShape(const std::string& name) const {
-        const auto found = m_shapes.find(name);
-        return name.empty() || found == m_shapes.end() ? kNone : found->second;
+    /// The row of the shape that a light or joint names.
+    size_t findShape(const std::string& reference) const {
+        const size_t row = m_shapes.find(reference);
+        return row ? row - 1 : kNone;
     }
     void addJoint(const LevelJoint& from) {
         AddJointEdit edit{from.joint};
@@ -156,7 +157,7 @@ private:
     std::vector<Made> m_made;
     std::vector<size_t> m_bodies;  ///< rows of the level's bodies
     size_t m_nextBody = 0;
-    std::unordered_map<std::string, size_t> m_shapes;
+    References<size_t> m_shapes;  ///< rows, plus one
 };
 
 rubble_result createPrefab(rubble_world world, const rubble_prefab* prefab, rubble_prefab_row* out, uint32_t capacity,

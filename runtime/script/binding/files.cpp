@@ -2,11 +2,18 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
 
 #include "runtime/script/binding/arguments.h"
 #include "runtime/script/binding/script_context.h"
 
 namespace rubble::script {
+namespace {
+
+/// How mods of Teardown begin the paths of their own files.
+constexpr std::string_view kModFolder = "MOD/";
+
+}  // namespace
 
 bool staysInside(const std::string& path) {
     return !path.empty() && path[0] != '/' && path.find('\\') == path.npos && path.find("..") == path.npos &&
@@ -22,10 +29,11 @@ bool leadsOutside(const std::string& folder, const std::string& path) {
 }
 
 std::string fileAt(lua_State* L, int index, const char* name) {
-    const std::string file = textAt(L, index, name), &folder = ScriptContext::of(L).shared.folder;
+    const std::string given = textAt(L, index, name), &folder = ScriptContext::of(L).shared.folder;
+    const std::string file = given.starts_with(kModFolder) ? given.substr(kModFolder.size()) : given;
     if (folder.empty() || !staysInside(file) || leadsOutside(folder, file))
         luaL_error(L, "%s: %s: expected a file inside of the folder that the host gives to scripts, found \"%s\"",
-                   runningFunction(L).name().c_str(), name, file.c_str());
+                   runningFunction(L).name().c_str(), name, given.c_str());
     return folder + "/" + file;
 }
 

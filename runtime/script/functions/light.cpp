@@ -34,8 +34,12 @@ int setEnabled(lua_State* L) {
     return write(L, light);
 }
 
+/// W/sr of a light of intensity 0: far below what is seen, and keeps its colour.
+constexpr double kNoIntensity = 1e-30;
+
 double brightness(const rubble_light_settings& light) {
-    return *std::max_element(light.color, light.color + 3);
+    const double largest = *std::max_element(light.color, light.color + 3);
+    return largest > 2.0 * kNoIntensity ? largest : 0.0;
 }
 
 int setColor(lua_State* L) {
@@ -43,7 +47,8 @@ int setColor(lua_State* L) {
     rubble_light_settings light;
     if (!readChanged(L, light)) return 0;
     const double largest = std::max({color[0], color[1], color[2], 1e-9});
-    copy(light.color, color * (brightness(light) / largest));
+    const double intensity = std::max(*std::max_element(light.color, light.color + 3), kNoIntensity);
+    copy(light.color, color * (intensity / largest));
     return write(L, light);
 }
 
@@ -51,8 +56,9 @@ int setIntensity(lua_State* L) {
     const double intensity = numberAt(L, 2, "intensity");
     rubble_light_settings light;
     if (!readChanged(L, light)) return 0;
-    const double before = brightness(light);
-    for (double& channel : light.color) channel = before > 0.0 ? channel / before * intensity : intensity;
+    const double before = *std::max_element(light.color, light.color + 3);
+    const double now = intensity == 0.0 ? kNoIntensity : intensity;
+    for (double& channel : light.color) channel = before > 0.0 ? channel / before * now : now;
     return write(L, light);
 }
 

@@ -1,3 +1,7 @@
+#include <cmath>
+#include <sstream>
+#include <string>
+
 #include "runtime/script/binding/calls.h"
 #include "runtime/script/binding/vector_math.h"
 #include "runtime/script/functions/vocabulary.h"
@@ -32,20 +36,28 @@ constexpr size_t kMaxRejected = 10'000;
 
 /// QueryRequire("physical dynamic large ...").
 int queryRequire(lua_State* L) {
-    const std::string words = textAt(L, 1, "layers");
-    uint32_t& flags = ScriptContext::of(L).query.flags;
-    const auto has = [&](const char* word) {
-        return (" " + words + " ").find(" " + std::string(word) + " ") != words.npos;
-    };
-    if (has("physical")) flags |= RUBBLE_FILTER_REJECT_UNPHYSICAL;
-    if (has("dynamic")) flags |= RUBBLE_FILTER_REJECT_STATIC;
-    if (has("static")) flags |= RUBBLE_FILTER_REJECT_DYNAMIC;
+    std::istringstream words(textAt(L, 1, "layers"));
+    uint32_t flags = 0;
+    bool isKnown = true;
+    for (std::string word; words >> word;) {
+        if (word == "physical")
+            flags |= RUBBLE_FILTER_REJECT_UNPHYSICAL;
+        else if (word == "dynamic")
+            flags |= RUBBLE_FILTER_REJECT_STATIC;
+        else if (word == "static")
+            flags |= RUBBLE_FILTER_REJECT_DYNAMIC;
+        else
+            isKnown = isKnown && (word == "large" || word == "small" || word == "visible" || word == "animated");
+    }
+    if (!isKnown) refuseArgument(L, 1, "layers", "words of \"physical\", \"dynamic\" and \"static\"");
+    ScriptContext::of(L).query.flags |= flags;
     return 0;
 }
 
 int queryInclude(lua_State* L) {
     const double layers = numberAt(L, 1, "layers");
-    if (!(layers >= 1.0 && layers <= 255.0)) refuseArgument(L, 1, "layers", "bits of layers, 1 to 255");
+    if (!(layers >= 1.0 && layers <= 255.0) || layers != std::floor(layers))
+        refuseArgument(L, 1, "layers", "bits of layers, 1 to 255");
     ScriptContext::of(L).query.layers |= uint32_t(layers);
     return 0;
 }
@@ -178,7 +190,8 @@ int queryRaycasts(lua_State* L) {
 
 constexpr ScriptFunction kFunctions[] = {
     {"QueryRequire(layers)",
-     "The next query finds only what is \"physical\", \"dynamic\", \"static\": words with spaces between.",
+     "The next query finds only what is \"physical\", \"dynamic\", \"static\": words with spaces between. \"large\", "
+     "\"small\", \"visible\" and \"animated\" are passed over.",
      queryRequire},
     {"QueryInclude(layers)", "The next query finds only shapes of these collision layers, 8 bits.", queryInclude},
     {"QueryRejectBody(body)", "The next query does not find a body.", queryRejectBody},

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdlib>
 
 #include "runtime/script/binding/calls.h"
@@ -35,8 +36,19 @@ std::string textOf(double number) {
     return text;
 }
 
+/// A number without its fraction, within the range of whole numbers; nothing of what is none.
+int64_t wholeOf(double number) {
+    constexpr double kLimit = 9223372036854775808.0;  // 2^63
+    if (std::isnan(number)) return 0;
+    if (number >= kLimit) return INT64_MAX;
+    return number < -kLimit ? INT64_MIN : int64_t(number);
+}
+
 int setInt(lua_State* L) {
-    return set(L, std::to_string(int64_t(numberAt(L, 2, "value"))));
+    if (lua_isinteger(L, 2)) return set(L, std::to_string(lua_tointeger(L, 2)));
+    const double value = numberAt(L, 2, "value");
+    if (std::isnan(value)) refuseArgument(L, 2, "value", "a number");
+    return set(L, std::to_string(wholeOf(value)));
 }
 
 int setFloat(lua_State* L) {
@@ -52,8 +64,17 @@ int setString(lua_State* L) {
     return set(L, lua_tostring(L, 2));
 }
 
+/// Digits are exact; what goes on with a fraction or an exponent, or begins with 0x, is read as a number.
+int64_t wholeOf(const std::string& text) {
+    char* end = nullptr;
+    const int64_t digits = std::strtoll(text.c_str(), &end, 10);
+    return *end == '.' || *end == 'e' || *end == 'E' || *end == 'x' || *end == 'X' || end == text.c_str()
+               ? wholeOf(std::strtod(text.c_str(), nullptr))
+               : digits;
+}
+
 int pushInt(lua_State* L, const std::string* value) {
-    lua_pushinteger(L, value ? std::strtoll(value->c_str(), nullptr, 10) : 0);
+    lua_pushinteger(L, value ? wholeOf(*value) : 0);
     return 1;
 }
 

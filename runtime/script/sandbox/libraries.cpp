@@ -1,6 +1,7 @@
 #include "runtime/script/sandbox/libraries.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "runtime/script/sandbox/sandbox.h"
 
@@ -43,6 +44,12 @@ int seedRandom(lua_State* L) {
     return 0;
 }
 
+/// math.pow of Lua 5.1.
+int power(lua_State* L) {
+    lua_pushnumber(L, std::pow(luaL_checknumber(L, 1), luaL_checknumber(L, 2)));
+    return 1;
+}
+
 void openLibrary(lua_State* L, const char* name, lua_CFunction open) {
     luaL_requiref(L, name, open, 1);
     lua_pop(L, 1);
@@ -83,6 +90,8 @@ void openMath(lua_State* L) {
     openLibrary(L, "math", luaopen_math);
     lua_getglobal(L, "math");
     chargeArguments(L, kMath);
+    lua_pushcfunction(L, power);
+    lua_setfield(L, -2, "pow");
     lua_getfield(L, -1, "randomseed");
     lua_pushcclosure(L, seedRandom, 1);
     lua_pushvalue(L, -1);

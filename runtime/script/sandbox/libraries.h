@@ -11,8 +11,8 @@ void openLibraries(lua_State* L);
 /// assert, error, pairs, pcall, load, print, ... into the table of globals on the stack. Of Lua's are missing dofile,
 /// loadfile, warn; `load` takes text alone, `setmetatable` no finaliser, `collectgarbage` counts and collects.
 void openBase(lua_State* L);
-/// `pairs`, which goes through the keys of a table in a fixed order: numbers, strings, booleans, each sorted. That of
-/// Lua depends on where objects lie in memory.
+/// `pairs`, which goes through the keys of a table in a fixed order: numbers, strings, booleans, each sorted, then
+/// objects as they were made. That of Lua depends on where objects lie in memory.
 void openPairs(lua_State* L);
 /// `coroutine`, whose functions pass a stop on.
 void openCoroutine(lua_State* L);
@@ -34,6 +34,9 @@ void limitResults(lua_State* L, const char* const* names);
 
 /// Replaces a function of the table on the stack by one that has it as its upvalue.
 void wrapField(lua_State* L, const char* name, lua_CFunction function);
+
+/// Orders the blocks of a state by when they were made.
+uint64_t creationOf(const void* block);
 
 /// What it costs to compile a text, in units of work.
 int64_t compileCost(std::string_view text);

@@ -8,8 +8,8 @@
 namespace rubble::script {
 namespace {
 
-/// A key of a table, as it is sorted: numbers by size, then strings by their bytes, booleans, and all others in the
-/// order that the table has.
+/// A key of a table, as it is sorted: numbers by size, then strings by their bytes, booleans, objects as they were
+/// made, and the libraries' functions in the order that the table has.
 struct Key {
     enum Kind { Number, String, Boolean, Other } kind = Other;
     double number = 0.0;
@@ -25,6 +25,23 @@ struct Key {
         return position < other.position;
     }
 };
+
+/// Of an object the number of its block, or a last one if it has none of its own.
+lua_Integer creationAt(lua_State* L, int index) {
+    const auto* block = static_cast<const char*>(lua_topointer(L, index));
+    switch (lua_type(L, index)) {
+        case LUA_TTABLE:
+            return lua_Integer(creationOf(block));
+        case LUA_TTHREAD:
+            return lua_Integer(creationOf(block - LUA_EXTRASPACE));
+        case LUA_TFUNCTION:
+            if (lua_iscfunction(L, index) && !lua_getupvalue(L, index, 1)) return LUA_MAXINTEGER;
+            if (lua_iscfunction(L, index)) lua_pop(L, 1);
+            return lua_Integer(creationOf(block));
+        default:
+            return LUA_MAXINTEGER;
+    }
+}
 
 Key keyAt(lua_State* L, int index, int position) {
     Key key;
@@ -46,6 +63,8 @@ Key keyAt(lua_State* L, int index, int position) {
             key.kind = Key::Boolean;
             key.integer = lua_toboolean(L, index);
             break;
+        default:
+            key.integer = creationAt(L, lua_absindex(L, index));
     }
     return key;
 }

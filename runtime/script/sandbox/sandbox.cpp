@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
+#include <cstddef>
 #include <cstdlib>
 #include <ctime>
 #include <new>
@@ -14,10 +15,16 @@ namespace {
 
 constexpr int64_t kAllocationWork = 16;  ///< of one, besides its bytes
 constexpr size_t kReserve = 64 << 10;
-constexpr size_t kLargeBlock = 4 << 10;       ///< bytes: allocations that look at the time
-constexpr size_t kStringHeader = 25;          ///< what Lua adds to the bytes of a string
-constexpr size_t kLargestStack = 400 << 10;   ///< bytes: a single call by way of `__call` may take its square
+constexpr size_t kLargeBlock = 4 << 10;      ///< bytes: allocations that look at the time
+constexpr size_t kStringHeader = 25;         ///< what Lua adds to the bytes of a string
+constexpr size_t kLargestStack = 400 << 10;  ///< bytes: a single call by way of `__call` may take its square
+constexpr double kSlowCallsPerFrame = 4.0;
 constexpr int64_t kSlowInterval = 2'000'000;  ///< ns for kInterval instructions, beyond which each is watched
+
+/// Before each block of Lua: how many were made before it.
+struct alignas(std::max_align_t) Header {
+    uint64_t number;
+};
 
 double processorSeconds() {
     timespec time{};
@@ -48,6 +55,10 @@ int textOf(lua_State* L) {
 
 }  // namespace
 
+uint64_t creationOf(const void* block) {
+    return (static_cast<const Header*>(block) - 1)->number;
+}
+
 std::string placeOf(lua_State* L) {
     lua_Debug frame;
     for (int level = 0; lua_getstack(L, level, &frame); ++level) {
@@ -57,7 +68,9 @@ std::string placeOf(lua_State* L) {
     return "";
 }
 
-Sandbox::Sandbox(const SandboxLimits& limits, void* owner) : m_limits(limits), m_owner(owner), m_workLeft(limits.work) {
+Sandbox::Sandbox(const SandboxLimits& limits, void* owner)
+    : m_limits(limits), m_owner(owner), m_callWork(limits.work), m_workLeft(limits.work) {
+    beginFrame();
     m_state = lua_newstate(allocate, this);
     if (!m_state) throw std::bad_alloc();
     *static_cast<Sandbox**>(lua_getextraspace(m_state)) = this;
@@ -74,8 +87,9 @@ Sandbox::~Sandbox() {
 void* Sandbox::allocate(void* sandbox, void* block, size_t oldSize, size_t size) {
     Sandbox& box = *static_cast<Sandbox*>(sandbox);
     const size_t held = block ? oldSize : 0;
+    Header* const header = block ? static_cast<Header*>(block) - 1 : nullptr;
     if (size == 0) {
-        std::free(block);
+        std::free(header);
         box.m_memory -= held;
         return nullptr;
     }
@@ -85,11 +99,12 @@ void* Sandbox::allocate(void* sandbox, void* block, size_t oldSize, size_t size)
         box.m_workLeft -= kAllocationWork + int64_t(size >> 5);
         ++box.m_allocations;
     }
-    void* moved = std::realloc(block, size);
+    auto* const moved = static_cast<Header*>(std::realloc(header, size + sizeof(Header)));
     if (!moved) return nullptr;
+    if (!header) moved->number = box.m_allocations;
     box.m_memory += size - held;
     box.m_peak = std::max(box.m_peak, box.m_memory);
-    return moved;
+    return moved + 1;
 }
 
 bool Sandbox::mayGrow(size_t kind, size_t size, size_t growth) {
@@ -127,9 +142,14 @@ void Sandbox::onCount(lua_State* L, lua_Debug*) {
 /// Asking for the processor time is a system call, so that a call's begins with its first slow look.
 bool Sandbox::isLate() {
     if (steadyNanoseconds() - m_lastLookAt <= kSlowInterval) return false;
-    const double now = processorSeconds();
-    if (m_startedAt < 0.0) m_startedAt = now;
-    return now - m_startedAt > m_limits.processorSeconds;
+    if (m_startedAt < 0.0) m_startedAt = processorSeconds();
+    const double late = lateSeconds();
+    return late > m_limits.processorSeconds || m_frameSeconds + late > kSlowCallsPerFrame * m_limits.processorSeconds;
+}
+
+/// Of the present call, since it was first slow.
+double Sandbox::lateSeconds() const {
+    return m_startedAt < 0.0 ? 0.0 : processorSeconds() - m_startedAt;
 }
 
 void Sandbox::watchTime(lua_State* L) {
@@ -141,11 +161,15 @@ void Sandbox::watchTime(lua_State* L) {
 }
 
 std::string Sandbox::timeLimit() const {
-    return "more than its " + std::to_string(m_limits.processorSeconds) + " s of processor time in one call";
+    const bool isCall = lateSeconds() > m_limits.processorSeconds;
+    return "more than its " + std::to_string(m_limits.processorSeconds * (isCall ? 1.0 : kSlowCallsPerFrame)) +
+           " s of processor time in one " + (isCall ? "call" : "frame");
 }
 
 void Sandbox::stopForWork(lua_State* L) {
-    stop(L, "wanted more than its " + std::to_string(m_limits.work) + " instructions in one call");
+    const bool isCall = m_callWork >= m_limits.work;
+    const int64_t most = isCall ? m_limits.work : std::max(m_limits.work, m_limits.workPerFrame);
+    stop(L, "wanted more than its " + std::to_string(most) + " instructions in one " + (isCall ? "call" : "frame"));
 }
 
 void Sandbox::stop(lua_State* L, const std::string& reason) {
@@ -160,14 +184,19 @@ void Sandbox::raiseStop(lua_State* L) {
     std::abort();  // lua_error() does not return
 }
 
-void Sandbox::beginCall() {
-    m_workLeft = m_limits.work;
+void Sandbox::beginFrame() {
+    m_frameWork = std::max(m_limits.work, m_limits.workPerFrame);
+    m_frameSeconds = 0.0;
+}
+
+void Sandbox::beginCall(int64_t work) {
+    m_callWork = m_workLeft = work;
     m_startedAt = -1.0;
     m_lastLookAt = steadyNanoseconds();
 }
 
 bool Sandbox::prepare(lua_CFunction function, void* argument) {
-    beginCall();
+    beginCall(m_limits.work);
     lua_pushcfunction(m_state, function);
     lua_pushlightuserdata(m_state, argument);
     const int status = lua_pcall(m_state, 1, 0, 0);
@@ -178,10 +207,12 @@ bool Sandbox::prepare(lua_CFunction function, void* argument) {
 
 RunResult Sandbox::run(lua_State* thread, int arguments) {
     if (isStopped()) return {RunResult::Failed, 0, m_stopReason};
-    beginCall();
+    beginCall(std::min(m_limits.work, m_frameWork));
     watch(thread);
     RunResult result;
     const int status = lua_resume(thread, nullptr, arguments, &result.results);
+    m_frameWork = std::max<int64_t>(0, m_frameWork - workUsed());
+    m_frameSeconds += lateSeconds();
     if (status == LUA_OK || status == LUA_YIELD) {
         result.state = status == LUA_OK ? RunResult::Done : RunResult::Waits;
         return result;

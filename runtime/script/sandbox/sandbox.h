@@ -8,12 +8,13 @@
 
 namespace rubble::script {
 
-/// What a script may use up. The first three are counted, so that a script ends at the same place on every machine.
+/// What a script may use up. The first four are counted, so that a script ends at the same place on every machine.
 struct SandboxLimits {
     size_t memory = 16 << 20;             ///< bytes of all that it holds
     size_t longestString = 256 << 10;     ///< bytes: what a single instruction on strings can cost
     int64_t work = 2'000'000;             ///< of one call into it; a unit is about one instruction of Lua, some 10 ns
-    double processorSeconds = 0.25;       ///< of one call: a net for what its work does not show
+    int64_t workPerFrame = 4'000'000;     ///< of all calls from one beginFrame() to the next; at least `work`
+    double processorSeconds = 0.25;       ///< of one call: a net for what its work does not show; of a frame four times
     uint64_t seed = 0x9e3779b97f4a7c15u;  ///< of math.random
 };
 
@@ -55,6 +56,8 @@ public:
     /// The limits.
     const SandboxLimits& limits() const { return m_limits; }
 
+    /// From here on all calls together have the work of a frame.
+    void beginFrame();
     /// Starts or goes on with a coroutine, as lua_resume() does, under new limits of work and time: for a start the
     /// function and its arguments lie on its stack. A thread that has failed is ready for another start.
     RunResult run(lua_State* thread, int arguments);
@@ -99,7 +102,7 @@ public:
     };
 
     /// What the present or last call has used of its work.
-    int64_t workUsed() const { return m_limits.work - m_workLeft; }
+    int64_t workUsed() const { return m_callWork - m_workLeft; }
     /// Bytes that it holds now.
     size_t memoryUsed() const { return m_memory; }
     /// The most that it has held.
@@ -117,7 +120,8 @@ private:
     static void onCount(lua_State* L, lua_Debug*);
     [[noreturn]] void stopForWork(lua_State* L);
     bool mayGrow(size_t kind, size_t size, size_t growth);
-    void beginCall();
+    void beginCall(int64_t work);
+    double lateSeconds() const;
     bool isLate();
     void watchTime(lua_State* L);
     std::string timeLimit() const;
@@ -125,7 +129,9 @@ private:
 
     SandboxLimits m_limits;
     void* m_owner;
-    int64_t m_workLeft;
+    int64_t m_callWork, m_workLeft;  ///< of the present call: all, and what is left
+    int64_t m_frameWork;             ///< what is left of it for calls to come
+    double m_frameSeconds = 0.0;     ///< processor time of slow calls of the frame
     size_t m_memory = 0, m_peak = 0;
     bool m_isHost = false;
     size_t m_reserve = 0;  ///< bytes above the limit, with which an error is told

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <vector>
 
 #include "runtime/script/sandbox/libraries.h"
@@ -129,7 +130,7 @@ int sort(lua_State* L) {
     if (!lua_isnil(L, 2)) luaL_checktype(L, 2, LUA_TFUNCTION);
     luaL_argcheck(L, length < (1 << 24), 1, "list too long");
     chargeRange(L, 1, length);
-    lua_createtable(L, int(length), 0);
+    lua_createtable(L, int(std::bit_ceil(size_t(length))), 0);
     for (lua_Integer i = 1; i <= length; ++i) {
         lua_geti(L, 1, i);
         lua_rawseti(L, 3, i);
@@ -148,6 +149,12 @@ int sort(lua_State* L) {
     return 0;
 }
 
+/// table.getn of Lua 5.1.
+int getn(lua_State* L) {
+    lua_pushinteger(L, lengthOf(L));
+    return 1;
+}
+
 }  // namespace
 
 void openTable(lua_State* L) {
@@ -156,8 +163,10 @@ void openTable(lua_State* L) {
     wrapField(L, "unpack", unpack);
     wrapField(L, "move", move);
     static constexpr luaL_Reg kFunctions[] = {
-        {"insert", insert}, {"remove", remove}, {"sort", sort}, {nullptr, nullptr}};
+        {"insert", insert}, {"remove", remove}, {"sort", sort}, {"getn", getn}, {nullptr, nullptr}};
     luaL_setfuncs(L, kFunctions, 0);
+    lua_getfield(L, -1, "unpack");
+    lua_setglobal(L, "unpack");  // its name in Lua 5.1
     lua_pop(L, 1);
 }
 

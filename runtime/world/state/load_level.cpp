@@ -4,11 +4,11 @@
 #include <glm/common.hpp>
 #include <optional>
 #include <string>
-#include <unordered_map>
 
 #include "runtime/core/log.h"
 #include "runtime/core/ranges.h"
 #include "runtime/world/level/fit_lights.h"
+#include "runtime/world/level/references.h"
 #include "runtime/world/objects/joint_attachment.h"
 #include "runtime/world/objects/object_errors.h"
 #include "runtime/world/objects/transforms.h"
@@ -17,13 +17,7 @@
 namespace rubble {
 namespace {
 
-using ShapeNames = std::unordered_map<std::string, ShapeHandle>;  ///< of several shapes of a name the first
-
-/// Empty for an empty name and for a name that no shape has.
-ShapeHandle findByName(const ShapeNames& names, const std::string& name) {
-    const auto shape = names.find(name);
-    return name.empty() || shape == names.end() ? ShapeHandle{} : shape->second;
-}
+using ShapeReferences = References<ShapeHandle>;
 
 ShapeHandle loadShape(WorldData& world, BodyHandle body, bool isStatic, const LevelShape& from) {
     Shape shape = makeShape(from, isStatic, world.materials);
@@ -35,11 +29,14 @@ ShapeHandle loadShape(WorldData& world, BodyHandle body, bool isStatic, const Le
 }
 
 /// Leaves out shapes that are hidden or have no voxels, and bodies of such shapes only: a World's shapes have voxels.
-ShapeNames loadBodies(WorldData& world, const Level& level) {
-    ShapeNames names;
+ShapeReferences loadBodies(WorldData& world, const Level& level) {
+    ShapeReferences references;
     const auto isLeftOut = [](const LevelShape& shape) { return shape.hidden || shape.grid.empty(); };
     for (const LevelBody& source : level.bodies) {
-        if (!source.shapes.empty() && std::all_of(source.shapes.begin(), source.shapes.end(), isLeftOut)) continue;
+        if (!source.shapes.empty() && std::all_of(source.shapes.begin(), source.shapes.end(), isLeftOut)) {
+            for (const LevelShape& shape : source.shapes) references.add(shape.name, {});
+            continue;
+        }
         Body body{.name = source.name, .pose = source.pose, .isStatic = source.isStatic, .tags = source.tags};
         body.velocity = source.velocity;
         body.angularVelocity = source.angularVelocity;
@@ -49,9 +46,10 @@ ShapeNames loadBodies(WorldData& world, const Level& level) {
             !source.isStatic && source.velocity == glm::vec3(0.0f) && source.angularVelocity == glm::vec3(0.0f);
         const BodyHandle handle = world.bodies.insert(std::move(body));
         for (const LevelShape& shape : source.shapes)
-            if (!isLeftOut(shape)) names.emplace(shape.name, loadShape(world, handle, source.isStatic, shape));
+            references.add(shape.name,
+                           isLeftOut(shape) ? ShapeHandle{} : loadShape(world, handle, source.isStatic, shape));
     }
-    return names;
+    return references;
 }
 
 /// Fills in LightGroup::initialVoxels where the level does not set it.
@@ -76,10 +74,11 @@ void countGroupVoxels(WorldData& world) {
 }
 
 /// A group whose supply is not connected in the level needs none.
-void connectPowerSupplies(WorldData& world, const ShapeNames& names) {
+void connectPowerSupplies(WorldData& world, const ShapeReferences& shapes) {
     world.groups.forEach([&](LightGroupHandle handle, LightGroup& group) {
-        group.supply = findByName(names, group.supplyShape);
+        group.supply = shapes.find(group.supplyShape);
         if (!group.supply && group.supplyShape.empty()) return;
+        if (group.supply) group.supplyShape = world.shapes.at(group.supply).name;
         if (!group.out && isPowered(world, handle, group)) return;
         if (!group.out)
             logWarning("light group '" + group.name +
@@ -88,23 +87,23 @@ void connectPowerSupplies(WorldData& world, const ShapeNames& names) {
     });
 }
 
-void loadLights(WorldData& world, const Level& level, const ShapeNames& names) {
+void loadLights(WorldData& world, const Level& level, const ShapeReferences& shapes) {
+    References<LightGroupHandle> groups;
+    world.groups.forEach([&](LightGroupHandle handle, const LightGroup& group) { groups.add(group.name, handle); });
     for (const LevelLight& source : level.lights) {
         Light light = source.light;
-        light.shape = findByName(names, source.shapeName);
-        world.groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {
-            if (!source.groupName.empty() && group.name == source.groupName) light.group = handle;
-        });
+        light.shape = shapes.find(source.shapeName);
+        light.group = groups.find(source.groupName);
         world.lights.insert(std::move(light));
     }
 }
 
-void loadJoints(WorldData& world, const Level& level, const ShapeNames& names) {
+void loadJoints(WorldData& world, const Level& level, const ShapeReferences& shapes) {
     for (const LevelJoint& source : level.joints) {
         Joint joint = source.joint;
         std::string error;
         for (size_t i = 0; i < 2; ++i) {
-            joint.ends[i].shape = findByName(names, source.shapeNames[i]);
+            joint.ends[i].shape = shapes.find(source.shapeNames[i]);
             if (!source.shapeNames[i].empty() && !joint.ends[i].shape)
                 error = "there is no shape '" + source.shapeNames[i] + "'";
         }
@@ -196,10 +195,10 @@ void loadLevel(WorldData& world, const Level& level) {
     world.hostData.clear();
     world.setEnvironment(level.environment);
     for (const LightGroup& group : level.lightGroups) world.groups.insert(group);
-    const ShapeNames names = loadBodies(world, level);
+    const ShapeReferences shapes = loadBodies(world, level);
     countGroupVoxels(world);
-    connectPowerSupplies(world, names);
-    loadLights(world, level, names);
+    connectPowerSupplies(world, shapes);
+    loadLights(world, level, shapes);
     for (const Water& water : level.waters) world.waters.insert(water);
     for (Trigger trigger : level.triggers) {
         trigger.inside.clear();
@@ -209,7 +208,7 @@ void loadLevel(WorldData& world, const Level& level) {
         character.ground = {};
         world.characters.insert(std::move(character));
     }
-    loadJoints(world, level, names);
+    loadJoints(world, level, shapes);
     world.footprint = boxOfShapes(world, true);
     world.bounds =
         level.bounds.low == level.bounds.high ? withinRange(boundsAround(boxOfShapes(world, false))) : level.bounds;

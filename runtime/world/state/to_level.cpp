@@ -5,6 +5,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "runtime/world/level/references.h"
+
 namespace rubble {
 namespace {
 
@@ -22,7 +24,8 @@ public:
     explicit LevelWriter(const WorldState& world) : m_world(world) {
         world.notes.forEach([&](NoteHandle, const Note& note) { m_notes.emplace(bitsOf(note.object), &note); });
         m_shapeNames.resize(world.shapes.slotCount());
-        m_groupNames.resize(world.groups.slotCount());
+        m_shapeReferences.resize(world.shapes.slotCount());
+        m_groupReferences.resize(world.groups.slotCount());
     }
 
     Level write() {
@@ -54,9 +57,9 @@ private:
         const Note* note = noteOf(object);
         return note && note->setsTags ? note->tags : given;
     }
-    const std::string& nameOfShape(ShapeHandle shape) const {
+    const std::string& referenceToShape(ShapeHandle shape) const {
         static const std::string none;
-        return m_world.shapes.find(shape) ? m_shapeNames[shape.slot()] : none;
+        return m_world.shapes.find(shape) ? m_shapeReferences[shape.slot()] : none;
     }
 
     std::set<uint64_t> namedShapes() const {
@@ -69,16 +72,32 @@ private:
         return out;
     }
 
+    /// What others call an object, the next of its kind: its name, or its number where that is another one's name or
+    /// none. It gets another name only if one has the number as its name.
+    static std::string referenceTo(std::string& name, std::set<std::string>& used, size_t number,
+                                   const std::set<std::string>& all, const char* otherwise) {
+        const bool isFirst = !name.empty() && used.insert(name).second;
+        if (isFirst) return name;
+        if (std::string reference = numberReference(number); !all.contains(reference)) return reference;
+        return name = uniqueName(used, name, otherwise);
+    }
+
     /// In the order in which a level lists them, because of several of a name it finds the first.
     void nameShapes() {
         const std::set<uint64_t> named = namedShapes();
-        std::set<std::string> used;
+        std::set<std::string> all, used;
+        m_world.shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
+            all.insert(m_shapeNames[handle.slot()] = nameOf(handle, shape.name));
+        });
+        size_t number = 0;
         m_world.bodies.forEach([&](BodyHandle, const Body& body) {
             for (const ShapeHandle handle : body.shapes) {
+                ++number;
                 std::string& name = m_shapeNames[handle.slot()];
-                name = nameOf(handle, m_world.shapes.at(handle).name);
-                if (named.contains(handle.bits)) name = uniqueName(used, name, "shape");
-                used.insert(name);
+                if (named.contains(handle.bits))
+                    m_shapeReferences[handle.slot()] = referenceTo(name, used, number, all, "shape");
+                else
+                    used.insert(name);
             }
         });
     }
@@ -106,19 +125,23 @@ private:
 
     /// Palettes name slots: an empty one has a group without voxels.
     void addGroups() {
-        std::set<std::string> used;
+        std::set<std::string> all, used;
+        m_world.groups.forEach(
+            [&](LightGroupHandle handle, const LightGroup& group) { all.insert(nameOf(handle, group.name)); });
         m_level.lightGroups.resize(m_world.groups.slotCount());
         m_world.groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {
             LightGroup& out = m_level.lightGroups[handle.slot()] = group;
-            out.name = m_groupNames[handle.slot()] = uniqueName(used, nameOf(handle, group.name), "light group");
-            if (group.supply) out.supplyShape = nameOfShape(group.supply);
+            out.name = nameOf(handle, group.name);
+            m_groupReferences[handle.slot()] = referenceTo(out.name, used, handle.slot() + 1, all, "light group");
+            if (group.supply) out.supplyShape = referenceToShape(group.supply);
         });
     }
 
     void addLights() {
         m_world.lights.forEach([&](LightHandle handle, const Light& light) {
             const bool isInGroup = m_world.groups.find(light.group) != nullptr;
-            LevelLight out{light, nameOfShape(light.shape), isInGroup ? m_groupNames[light.group.slot()] : ""};
+            LevelLight out{light, referenceToShape(light.shape),
+                           isInGroup ? m_groupReferences[light.group.slot()] : ""};
             out.light.name = nameOf(handle, light.name);
             out.light.shape = {};
             out.light.group = {};
@@ -149,7 +172,7 @@ private:
             LevelJoint out{joint, {}};
             out.joint.name = nameOf(handle, joint.name);
             for (size_t i = 0; i < 2; ++i) {
-                out.shapeNames[i] = nameOfShape(joint.ends[i].shape);
+                out.shapeNames[i] = referenceToShape(joint.ends[i].shape);
                 out.joint.ends[i].shape = {};
             }
             m_level.joints.push_back(std::move(out));
@@ -157,8 +180,9 @@ private:
     }
 
     const WorldState& m_world;
-    std::unordered_map<uint64_t, const Note*> m_notes;    ///< by the object's handle
-    std::vector<std::string> m_shapeNames, m_groupNames;  ///< by slot, as the level has them
+    std::unordered_map<uint64_t, const Note*> m_notes;              ///< by the object's handle
+    std::vector<std::string> m_shapeNames;                          ///< by slot, as the level has them
+    std::vector<std::string> m_shapeReferences, m_groupReferences;  ///< by slot
     Level m_level;
 };
 

@@ -5,8 +5,8 @@
 namespace rubble {
 
 /// The whole world as a level: loading it gives the same hash of bodies and voxels. Names and tags are those that edits
-/// have given. Shapes and light groups that others name, and that have no name of their own, get one. What burns, waits
-/// or moves inside a rope is not in it, nor the settings; see WorldState for that.
+/// have given. Lights, joints and supplies name shapes and groups by number where a name would not do. What burns,
+/// waits or moves inside a rope is not in it, nor the settings; see WorldState for that.
 Level toLevel(const WorldState& world);
 
 }  // namespace rubble

@@ -51,6 +51,10 @@ TEST(LuaProgram, SaysWhatEachFunctionHasCost) {
 TEST(LuaProgram, GivesParametersToTextsAndLines) {
     EXPECT_EQ(output("", "--eval 'GetIntParam(\"n\", 1)' --param n=7"), "7\n");
     EXPECT_NE(output("echo 'GetIntParam(\"n\", 1)' |", "--param n=8").find("> 8\n"), std::string::npos);
+    const TempFolder folder;
+    const std::string script = (folder.path() / "mod.lua").string();
+    std::ofstream(script) << "print(GetIntParam('n', 1) + GetIntParam('m', 1))";
+    EXPECT_EQ(output("", "--steps 1 --param n=9 --param m=2 " + script), "mod.lua: 11\n");
 }
 
 TEST(LuaProgram, ReadsStatementsOfSeveralLines) {

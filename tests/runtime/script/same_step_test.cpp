@@ -96,6 +96,21 @@ TEST(SameStep, TagsAreFoundAsTheyWereSet) {
               "");
 }
 
+TEST(SameStep, ADarkLightKeepsItsColour) {
+    Yard yard;
+    EXPECT_EQ(yard.run("local l = FindLight('bulb') SetLightColor(l, 1, 0.5, 0) SetLightIntensity(l, 0) wait(0) "
+                       "assert(not IsLightActive(l)) SetLightColor(l, 0, 0.5, 1) wait(0) "
+                       "assert(not IsLightActive(l)) SetLightIntensity(l, 8) wait(0) assert(IsLightActive(l))"),
+              "");
+    rubble_light bulb = 0;
+    uint32_t count = 0;
+    ASSERT_EQ(yard.api().find_by_tag(yard.world(), RUBBLE_KIND_LIGHT, "bulb", nullptr, &bulb, 1, &count), RUBBLE_OK);
+    auto light = sized<rubble_light_settings>();
+    ASSERT_EQ(yard.api().get_light_settings(yard.world(), bulb, &light), RUBBLE_OK);
+    EXPECT_NEAR(light.color[1], 4.0, 1e-4);
+    EXPECT_NEAR(light.color[2], 8.0, 1e-4);
+}
+
 TEST(SameStep, ChangesOfALightAddUp) {
     Yard yard;
     EXPECT_EQ(yard.run("local l = FindLight('bulb') SetLightColor(l, 1, 0, 0) SetLightIntensity(l, 5) "

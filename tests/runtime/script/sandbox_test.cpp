@@ -40,6 +40,36 @@ TEST_F(SandboxTest, BytecodeIsRefused) {
               "error: test:1: load: expected the text of a chunk, found a function");
 }
 
+TEST_F(SandboxTest, CallsOfAFrameShareItsWork) {
+    const std::string text = "for i = 1, 400000 do end return 1";
+    int calls = 0;
+    while (calls < 30 && run(text) == "1") ++calls;
+    EXPECT_GE(calls, 8);
+    EXPECT_LE(calls, 10);
+    EXPECT_NE(m_box.stopReason().find("its 4000000 instructions in one frame"), std::string::npos);
+    Sandbox other{SandboxLimits{}};
+    for (int i = 0; i < 30; ++i) {
+        other.beginFrame();
+        ASSERT_EQ(runText(other, text), "1");
+    }
+}
+
+TEST_F(SandboxTest, PairsGoesThroughObjectsAsTheyWereMade) {
+    const std::string text =
+        "local all, order, told = {}, {}, '' for i = 1, 60 do local kind = i % 3 "
+        "local made = kind == 0 and {} or kind == 1 and function() return i end or coroutine.create(print) "
+        "order[i % 7 * 10 + i // 7] = {made, i} end "
+        "for _, row in pairs(order) do all[row[1]] = row[2] end all[print] = 61 all.name = 0 "
+        "local last = -1 for _, i in pairs(all) do assert(i == last + 1) last = i end return last";
+    EXPECT_EQ(run(text), "61");
+    EXPECT_EQ(runText(m_box, text), "61");
+}
+
+TEST_F(SandboxTest, LongListsAreSorted) {
+    EXPECT_EQ(run("local t = {} for i = 1, 30000 do t[i] = 30001 - i end table.sort(t) return t[1], t[30000]"),
+              "1 30000");
+}
+
 TEST_F(SandboxTest, ALoopIsStopped) {
     EXPECT_EQ(run("local i = 0\nwhile true do i = i + 1 end"),
               "error: test:2: the script wanted more than its 2000000 instructions in one call and was stopped");
@@ -48,7 +78,10 @@ TEST_F(SandboxTest, ALoopIsStopped) {
 }
 
 TEST_F(SandboxTest, EachCallHasABudgetOfItsOwn) {
-    for (int i = 0; i < 5; ++i) EXPECT_EQ(run("for i = 1, 1000000 do end return 'done'"), "done");
+    for (int i = 0; i < 5; ++i) {
+        m_box.beginFrame();
+        EXPECT_EQ(run("for i = 1, 1000000 do end return 'done'"), "done");
+    }
     EXPECT_GT(m_box.workUsed(), 900'000);
     EXPECT_LT(m_box.workUsed(), 1'200'000);
 }

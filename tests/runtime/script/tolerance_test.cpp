@@ -40,6 +40,53 @@ TEST(ScriptText, MayWait) {
     EXPECT_EQ(yard.logged(0).find("never"), std::string::npos);
 }
 
+TEST(ScriptText, MayBeOfLua51) {
+    Yard yard;
+    EXPECT_EQ(
+        yard.run("assert(select('#', unpack({1, 2, 3})) == 3 and table.getn({5, 6}) == 2 and math.pow(2, 10) == 1024)"),
+        "");
+    EXPECT_EQ(
+        yard.run(
+            "assert(require('MOD/tools').double(4) == 8) assert(#Spawn('MOD/post.vox', Transform({0, 9, 0})) > 0)"),
+        "");
+    EXPECT_NE(yard.run("Spawn('MOD/../post.vox', Transform())").find("found \"MOD/../post.vox\""), std::string::npos);
+    EXPECT_NE(yard.run("Spawn('MOD//etc/passwd', Transform())").find("expected a file inside"), std::string::npos);
+}
+
+TEST(ScriptText, ReadsWholeNumbersOfAnyForm) {
+    Yard yard;
+    EXPECT_EQ(yard.run("local function whole(set, value) set('n', value) return GetInt('n') end "
+                       "assert(whole(SetFloat, 1e15) == 1000000000000000 and whole(SetFloat, 1e-300) == 0) "
+                       "assert(whole(SetString, '1e3') == 1000 and whole(SetString, '0x10') == 16) "
+                       "assert(whole(SetString, '12.9') == 12 and whole(SetString, 'many') == 0) "
+                       "assert(whole(SetInt, 2^63) == math.maxinteger and whole(SetInt, -1/0) == math.mininteger) "
+                       "assert(whole(SetInt, math.maxinteger - 1) == math.maxinteger - 1)"),
+              "");
+    EXPECT_NE(yard.run("SetInt('n', 0 / 0)").find("SetInt: value: expected a number"), std::string::npos);
+}
+
+TEST(ScriptErrors, WordsThatNoFilterHasAreTold) {
+    Yard yard;
+    EXPECT_NE(yard.run("QueryRequire('dynamc')").find("QueryRequire: layers: expected words of"), std::string::npos);
+    EXPECT_NE(yard.run("QueryInclude(2.5)").find("QueryInclude: layers: expected"), std::string::npos);
+    EXPECT_EQ(yard.run("QueryRequire('  physical large  static ') QueryRequire('')"), "");
+}
+
+TEST(ScriptBudget, WhatGoesOnInAStepSharesOne) {
+    Yard yard;
+    const Script& starts = yard.host().add("starts",
+                                           "function init() for i = 1, 200 do start(function() while true do "
+                                           "for j = 1, 300000 do end wait(0) end end) end end");
+    const Script& hears = yard.host().add("hears", "function onBreak() for j = 1, 300000 do end end");
+    yard.host().add("breaks", "function update() MakeHole({0, 1, 0}, 0.2, 0.2) Explosion({0, 0.4, -2}, 2) end");
+    for (int i = 0; i < 10; ++i) ASSERT_EQ(yard.host().step(), RUBBLE_OK);
+    EXPECT_NE(starts.error().find("instructions in one frame"), std::string::npos) << starts.error();
+    EXPECT_LT(starts.profile(Callback::Resume).work, 5'000'000);
+    EXPECT_GT(hears.profile(Callback::Break).calls, 0u);
+    EXPECT_LT(hears.profile(Callback::Break).work, 10 * 5'000'000);
+    EXPECT_FALSE(yard.host().scripts().back().isStopped());
+}
+
 TEST(ScriptErrors, NameTheLineOfAnyValue) {
     Yard yard;
     EXPECT_EQ(yard.run("\nerror(nil)"), "test:3: nil");

@@ -56,6 +56,25 @@ TEST(Joint, ComesWithTheLevelAndHoldsOnToVoxels) {
     EXPECT_EQ(again.hash(), world.hash());
 }
 
+TEST(Joint, ComesBackToShapesWithoutNames) {
+    for (const char* name : {"", "same"}) {
+        Level level = beamAndPost();
+        for (LevelBody& body : level.bodies) body.shapes[0].name = name;
+        level.joints[0].shapeNames = {"#1", "#2"};
+        World world, again;
+        world.load(level);
+        ASSERT_EQ(world.joints().size(), 1u) << name;
+        again.load(toLevel(world));
+        ASSERT_EQ(again.joints().size(), 1u) << name;
+        for (const size_t end : {0, 1}) {
+            const ShapeHandle shape = again.joints().at(firstJoint(again)).ends[end].shape;
+            EXPECT_EQ(shape, world.joints().at(firstJoint(world)).ends[end].shape);
+            EXPECT_EQ(again.shapes().at(shape).name, name);
+        }
+        EXPECT_EQ(again.hash(), world.hash()) << name;
+    }
+}
+
 TEST(Joint, FollowsItsVoxelIntoAPiece) {
     World world;
     world.load(beamAndPost());

@@ -257,6 +257,29 @@ TEST(Query, SphereCastsTouchWhereTheReferenceDoes) {
 TEST(Query, CapsuleCastsTouchWhereTheReferenceDoes) {
     checkCasts(QueryShapeKind::Capsule, 2000, 1e-7);
 }
+/// Places are up to 2e9 m, and voxels may have 1 mm.
+TEST(Query, CastsFromAfarHitAsFromNear) {
+    VoxelGrid grid({4, 4, 4});
+    GridWriter(grid).set({1, 1, 1}, uint8_t(1));
+    Level level = oneShapeLevel(std::move(grid), true);
+    level.bodies[0].shapes[0].voxelSize = 1e-3f;
+    World world;
+    world.load(level);
+    const glm::dvec3 direction = glm::normalize(glm::dvec3(-1.0, -0.5, 0.25));
+    const WorldHit near = castShape(world, {{.position = -direction, .radius = 0.01}, direction, 2.0});
+    ASSERT_TRUE(near.hit);
+    for (const double distance : {2e4, 9e5}) {
+        const WorldHit far = castShape(world, {{.position = -direction * distance, .radius = 0.01}, direction, 1e6});
+        ASSERT_TRUE(far.hit) << distance;
+        EXPECT_NEAR(far.distance, near.distance + distance - 1.0, 1e-6);
+        EXPECT_NEAR(glm::length(far.position - near.position), 0.0, 1e-6);
+    }
+    EXPECT_FALSE(castShape(world, {{.position = -direction * 9e5, .radius = 0.01}, -direction, 1e6}).hit);
+    EXPECT_FALSE(castShape(world, {{.position = -direction * 9e5, .radius = 0.01}, direction, 8e5}).hit);
+    const WorldHit large = castShape(world, {{.position = {0.0, 2e4, 0.0}, .radius = 1e4}, {0.0, -1.0, 0.0}, 1e6});
+    EXPECT_TRUE(large.hit) << "the largest radius among the smallest voxels";
+}
+
 TEST(Query, BoxCastsStopAtTheFirstContact) {
     Random random(6);
     int hits = 0;
