@@ -1,6 +1,7 @@
 #include "render/scene/brick_atlas.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "runtime/core/assertion.h"
@@ -9,12 +10,18 @@
 namespace rubble {
 namespace {
 
+constexpr size_t kBricksPerCall = 1024;  ///< what is gathered for a call stays in the processor's cache
+
 /// The 4x4x4 voxels at (x, y, z) * 4 of a brick as one word: bit x + 4 y + 16 z.
 uint64_t wordOf(const Brick& brick, int x, int y, int z) {
     uint64_t word = 0;
-    for (int dz = 0; dz < 4; ++dz)
-        for (int dy = 0; dy < 4; ++dy)
-            word |= (brick.occupancy[size_t(z * 4 + dz)] >> (x * 4 + (y * 4 + dy) * 8) & 15) << (dy * 4 + dz * 16);
+    for (int dz = 0; dz < 4; ++dz) {
+        // Four rows of eight bits, of which four count, moved together.
+        uint64_t rows = brick.occupancy[size_t(z * 4 + dz)] >> (x * 4 + y * 32) & 0x0f0f0f0f;
+        rows = (rows | rows >> 4) & 0x00ff00ff;
+        rows = (rows | rows >> 8) & 0xffff;
+        word |= rows << (dz * 16);
+    }
     return word;
 }
 
@@ -79,23 +86,20 @@ uint64_t BrickAtlas::uploadBricks(uint64_t budgetBytes) {
     return slots.size() * kBrickBytes;
 }
 
-/// Sends ascending slots; neighbours in one call.
+/// Sends ascending slots; neighbours in one call, as far as kBricksPerCall goes.
 void BrickAtlas::send(const std::vector<uint32_t>& slots) {
-    std::vector<uint64_t> words;
-    std::vector<uint8_t> indices;
-    for (size_t i = 0; i < slots.size();) {
-        const size_t first = i;
-        words.clear();
-        indices.clear();
-        for (; i < slots.size() && slots[i] == slots[first] + (i - first); ++i) {
-            const Brick& brick = *m_bySlot[slots[i]];
-            for (int w = 0; w < 8; ++w) words.push_back(wordOf(brick, w & 1, w >> 1 & 1, w >> 2));
-            BrickIndices expanded;
-            expandBrick(&brick, expanded);
-            indices.insert(indices.end(), expanded.begin(), expanded.end());
+    std::vector<std::array<uint64_t, 8>> words(std::min(slots.size(), kBricksPerCall));
+    std::vector<BrickIndices> indices(words.size());
+    for (size_t i = 0, count = 0; i < slots.size(); i += count) {
+        const uint32_t first = slots[i];
+        for (count = 0; count < words.size() && i + count < slots.size() && slots[i + count] == first + count;
+             ++count) {
+            const Brick& brick = *m_bySlot[slots[i + count]];
+            for (int w = 0; w < 8; ++w) words[count][size_t(w)] = wordOf(brick, w & 1, w >> 1 & 1, w >> 2);
+            expandBrick(&brick, indices[count]);
         }
-        m_words.upload(slots[first] * kWordBytes, std::as_bytes(std::span(words)));
-        m_indices.upload(slots[first] * kIndexBytes, std::as_bytes(std::span(indices)));
+        m_words.upload(first * kWordBytes, std::as_bytes(std::span(words).first(count)));
+        m_indices.upload(first * kIndexBytes, std::as_bytes(std::span(indices).first(count)));
     }
 }
 

@@ -14,6 +14,7 @@ namespace {
 static_assert(shared::kShadowCell == kShadowCell);
 
 constexpr uint64_t kSlotBytes = sizeof(ShadowWords);
+constexpr size_t kSlotsPerCall = (512 << 10) / kSlotBytes;  ///< what is gathered for a call stays in the cache
 
 }  // namespace
 
@@ -78,7 +79,8 @@ uint64_t GpuShadowVolume::upload() {
     return m_directory.upload() + uploadTexels();
 }
 
-/// Sends waiting texels, neighbours in one call. Of several for one slot the last one counts.
+/// Sends waiting texels, neighbours in one call as far as kSlotsPerCall goes. Of several for one slot the last one
+/// counts.
 uint64_t GpuShadowVolume::uploadTexels() {
     std::erase_if(m_waiting, [&](const Waiting& waiting) { return waiting.slot >= m_maxSlots; });
     std::stable_sort(m_waiting.begin(), m_waiting.end(),
@@ -90,7 +92,7 @@ uint64_t GpuShadowVolume::uploadTexels() {
         const uint32_t next = i + 1 < m_waiting.size() ? m_waiting[i + 1].slot : ~0u;
         if (next == slot) continue;
         run.push_back(m_waiting[i].content->texels);
-        if (next == slot + 1) continue;
+        if (next == slot + 1 && run.size() < kSlotsPerCall) continue;
         m_texels.upload((slot + 1 - run.size()) * kSlotBytes, std::as_bytes(std::span(run)));
         sent += run.size() * kSlotBytes;
         run.clear();
