@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <fstream>
+#include <iostream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -15,12 +17,12 @@ namespace editor {
 namespace {
 
 struct Options {
-    std::string level, script, output, vdbTool, uiScript, screenshots, size = "1280x720", preset;
+    std::string level, script, output, vdbTool, journals, uiScript, screenshots, size = "1280x720", preset;
     std::vector<std::string> commands;
-    bool lists = false;
+    bool lists = false, recovers = false, discards = false, isForced = false;
 
     /// Whether there is something to do without a window.
-    bool isBatch() const { return !script.empty() || !output.empty() || !commands.empty(); }
+    bool isBatch() const { return !script.empty() || !output.empty() || !commands.empty() || recovers || discards; }
 };
 
 /// A parameter as the list of commands shows it.
@@ -91,19 +93,37 @@ int openWindow(const Options& options) {
     return error.empty() ? 0 : fail(error);
 }
 
+/// Runs the lines of standard input as they come, also after one that has failed; false: one has.
+bool runInput(Editor& editor) {
+    bool isDone = true;
+    for (std::string line; std::getline(std::cin, line); std::fflush(stdout)) isDone = tell(editor.run(line)) && isDone;
+    return isDone;
+}
+
+/// The folder of journals: none where a few commands run and nobody waits.
+std::string journalsOf(const Options& options) {
+    const bool isAsked = options.recovers || options.discards;
+    return options.journals.empty() && isAsked ? userJournals() : options.journals;
+}
+
 int run(const Options& options) {
     if (options.lists) return listCommands();
     if (!options.screenshots.empty() || !options.uiScript.empty()) return drawImages(options);
     if (!options.isBatch()) return openWindow(options);
-    Editor editor({.vdbTool = options.vdbTool});
+    Editor editor({.vdbTool = options.vdbTool, .journals = journalsOf(options)});
     const auto call = [&](const char* command, const std::string& file) {
         return tell(editor.run(Line{command, {{"file", file}}}));
     };
     if (!options.level.empty() && !call("open", options.level)) return 1;
-    if (!options.script.empty() && !tell(editor.runFile(options.script))) return 1;
+    if (options.recovers && !tell(editor.run(Line{"recover", {}}))) return 1;
+    if (options.discards && !tell(editor.run(Line{"discard", {}}))) return 1;
+    if (options.script == "-" && !runInput(editor)) return 1;
+    if (!options.script.empty() && options.script != "-" && !tell(editor.runFile(options.script))) return 1;
     for (const std::string& line : options.commands)
         if (!tell(editor.run(line))) return 1;
-    return options.output.empty() || call("save", options.output) ? 0 : 1;
+    if (options.output.empty()) return 0;
+    return tell(editor.run(Line{"save", {{"file", options.output}, {"force", options.isForced ? "yes" : "no"}}})) ? 0
+                                                                                                                  : 1;
 }
 
 }  // namespace
@@ -115,8 +135,15 @@ int main(int argc, char** argv) {
         "Makes and changes levels by commands. Opens its window unless there are commands to run or images to draw."};
     app.add_option("level", options.level, "a .rubble, .vox or .vdb file; without it an empty level");
     app.add_option("commands", options.commands, "commands, each as one argument, as 'create 8,8,8 0,1,0'");
-    app.add_option("--script", options.script, "a file of commands, a line each, or of Lua")->check(CLI::ExistingFile);
-    app.add_option("-o,--output", options.output, "writes the level here: .rubble or .vdb");
+    app.add_option("--script", options.script,
+                   "a file of commands, a line each, or of Lua; -: lines of standard input");
+    app.add_option("-o,--output", options.output, "writes the level here: .rubble, .vdb or .vox");
+    app.add_flag("--force", options.isForced, "also over a level that another program has written meanwhile");
+    app.add_option("--journal", options.journals,
+                   "a folder for what is done, until it is saved: --recover brings it back after a crash");
+    app.add_flag("--recover", options.recovers,
+                 "brings back what was not saved when an editor of the level ended early");
+    app.add_flag("--discard", options.discards, "forgets that");
     app.add_option("--vdb-tool", options.vdbTool, "the program rubble-vdb, for .vdb files");
     app.add_option("--screenshots", options.screenshots,
                    "draws images of the window into this folder, without a display");

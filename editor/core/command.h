@@ -53,6 +53,10 @@ std::vector<Command> bodyCommands();
 std::vector<Command> placementCommands();
 /// Entries of palettes, and materials.
 std::vector<Command> paletteCommands();
+/// What works on whole palettes.
+std::vector<Command> paletteToolCommands();
+/// What images become.
+std::vector<Command> imageCommands();
 /// Lights and light groups.
 std::vector<Command> lightCommands();
 /// Joints and ropes.
@@ -67,5 +71,7 @@ std::vector<Command> nameCommands();
 std::vector<Command> toolCommands();
 /// Files, undo and redo, play and stop.
 std::vector<Command> sessionCommands();
+/// What is written for other programs.
+std::vector<Command> fileCommands();
 
 }  // namespace editor

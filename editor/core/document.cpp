@@ -1,6 +1,7 @@
 #include "editor/core/document.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <utility>
 
@@ -28,20 +29,34 @@ std::string joined(const std::vector<std::string>& lines) {
     return all;
 }
 
-}  // namespace
-
-Document::Document(uint32_t worldFlags) : m_world(worldSettings(worldFlags, m_messages)) {
-    begin();
+/// For people.
+std::string describe(const Recovery& found) {
+    return fmt::format("an editor that has ended early left {} changes of {} that were not saved: recover or discard",
+                       found.changes, found.level.empty() ? "a level without a file" : found.level);
 }
 
-/// The history of a world that has just been made or loaded.
-void Document::begin() {
+}  // namespace
+
+Document::Document(uint32_t worldFlags, std::string journals)
+    : m_world(worldSettings(worldFlags, m_messages)), m_journals(std::move(journals)) {
+    begin("");
+}
+
+/// A world that has just been made or loaded.
+void Document::begin(const std::string& path) {
+    m_path = path;
+    m_fileState = stateOf(path);
+    beginHistory();
+    openJournal();
+}
+
+void Document::beginHistory() {
     m_done.clear();
     m_undone.clear();
     m_isPlaying = false;
     m_world.set_undo_limit(kMarks);
     m_world.apply_edits();
-    m_savedHash = hash();
+    m_savedSteps = 0;
 }
 
 void Document::clear() {
@@ -50,26 +65,50 @@ void Document::clear() {
     rubble::World empty(settings);
     const std::vector<uint8_t> game = empty.save_game_data();
     m_world.load_game_data(game.data(), game.size());
-    m_path.clear();
-    begin();
+    begin("");
 }
 
 void Document::load(const std::string& path, const std::string& vdbTool) {
     m_world.load_level(path.c_str(), vdbTool.c_str());
-    m_path = path;
-    begin();
+    begin(path);
 }
 
-void Document::save(const std::string& path, const std::string& vdbTool) {
+void Document::save(const std::string& path, const std::string& vdbTool, bool isForced) {
     requireEditing("save");
+    if (path == m_path && !isForced && hasFileChanged())
+        throw Refused(
+            fmt::format("save: {} has been written by another program since it was opened or saved: expected "
+                        "force=yes, or another path",
+                        path));
     m_world.save_level(path.c_str(), vdbTool.c_str());
+    const bool isMoved = path != m_path;
     m_path = path;
-    m_savedHash = hash();
+    m_fileState = stateOf(path);
+    m_savedSteps = m_done.size();
+    if (isMoved) openJournal();
+    if (m_journal) beginJournal();
+}
+
+std::optional<Document::FileState> Document::stateOf(const std::string& path) {
+    struct stat now {};
+    if (path.empty() || ::stat(path.c_str(), &now) != 0) return std::nullopt;
+    return FileState{uint64_t(now.st_size), uint64_t(now.st_dev), uint64_t(now.st_ino), now.st_mtim.tv_sec,
+                     now.st_mtim.tv_nsec};
+}
+
+bool Document::hasFileChanged() const {
+    const std::optional<FileState> now = stateOf(m_path);
+    return now && now != m_fileState;
 }
 
 void Document::edit(const std::string& name, const std::function<void()>& work) {
     requireEditing("an edit");
-    const uint64_t before = hash();
+    requireDecision("an edit");
+    makeStep(name, work);
+    keepInJournal([&](Journal& journal) { journal.add(m_world); });
+}
+
+void Document::makeStep(const std::string& name, const std::function<void()>& work) {
     const size_t messages = m_messages.size();
     m_world.add_undo_mark();
     try {
@@ -78,16 +117,12 @@ void Document::edit(const std::string& name, const std::function<void()>& work) 
     } catch (...) {
         m_world.apply_edits();
         takeBack();
-        m_undone.clear();
+        forgetUndone();
         throw;
     }
-    if (hash() != before) {
-        m_done.push_back(name);
-        m_undone.clear();
-        return;
-    }
+    forgetUndone();
+    if (m_world.has_changed()) return m_done.push_back(name);
     takeBack();
-    m_undone.clear();
     if (m_messages.size() == messages) return;
     const std::vector<std::string> reasons(m_messages.begin() + ptrdiff_t(messages), m_messages.end());
     m_messages.resize(messages);
@@ -110,10 +145,10 @@ void Document::requireNoRefusals() const {
 void Document::carryOut(const std::string& name) {
     if (m_undone.empty()) return edit(name, [] {});
     requireEditing("an edit");
-    const uint64_t before = hash();
+    requireDecision("an edit");
     m_world.apply_edits();
-    if (hash() == before) return requireNoRefusals();
-    m_undone.clear();
+    if (!m_world.has_changed()) return requireNoRefusals();
+    forgetUndone();
     try {
         requireNoRefusals();
     } catch (...) {
@@ -121,6 +156,13 @@ void Document::carryOut(const std::string& name) {
         throw;
     }
     m_done.push_back(name);
+    keepInJournal([&](Journal& journal) { journal.add(m_world); });
+}
+
+/// What is done next has no redo.
+void Document::forgetUndone() {
+    m_undone.clear();
+    if (m_savedSteps > m_done.size()) m_savedSteps.reset();
 }
 
 /// To the last mark.
@@ -135,6 +177,7 @@ void Document::undo() {
     takeBack();
     m_undone.push_back(std::move(m_done.back()));
     m_done.pop_back();
+    keepInJournal([&](Journal& journal) { journal.add(m_world); });
 }
 
 void Document::redo() {
@@ -144,17 +187,22 @@ void Document::redo() {
     m_world.apply_edits();
     m_done.push_back(std::move(m_undone.back()));
     m_undone.pop_back();
+    keepInJournal([&](Journal& journal) { journal.add(m_world); });
 }
 
 void Document::play(bool wakes) {
     requireEditing("play");
-    m_hashBeforePlay = hash();
+    requireDecision("play");
     m_world.add_undo_mark();
     if (wakes) wakeAll();
     m_world.apply_edits();
-    m_undone.clear();
+    forgetUndone();
     m_isPlaying = true;
     m_playedSteps = 0;
+    keepInJournal([&](Journal& journal) {
+        journal.markPlay(true);
+        journal.add(m_world);
+    });
 }
 
 void Document::wakeAll() {
@@ -171,22 +219,95 @@ void Document::step(const std::function<void()>& take) {
     requirePlaying("step");
     take ? take() : m_world.step();
     ++m_playedSteps;
+    keepInJournal([&](Journal& journal) { journal.add(m_world); });
+}
+
+void Document::endPlay() {
+    m_isPlaying = false;
+    keepInJournal([&](Journal& journal) {
+        journal.add(m_world);
+        journal.markPlay(false);
+    });
 }
 
 void Document::stop() {
     requirePlaying("stop");
     m_world.apply_edits();  // an undo would come before them
     takeBack();
-    m_isPlaying = false;
+    endPlay();
     m_undone = {fmt::format("play {} steps", m_playedSteps)};
 }
 
 void Document::keep() {
     requirePlaying("keep");
     m_world.apply_edits();
-    m_isPlaying = false;
-    if (hash() == m_hashBeforePlay) return takeBack();
-    m_done.push_back(fmt::format("play {} steps", m_playedSteps));
+    const bool isChanged = m_world.has_changed();
+    if (isChanged)
+        m_done.push_back(fmt::format("play {} steps", m_playedSteps));
+    else
+        takeBack();
+    endPlay();
+}
+
+/// That of the level's file; of a level without one the first that no other editor has.
+void Document::openJournal() {
+    m_journal.reset();
+    if (m_journals.empty()) return;
+    constexpr int kUntitled = 8;
+    const std::string folder = journalFolder(m_journals, m_path);
+    for (int i = 1; !m_journal && i <= (m_path.empty() ? kUntitled : 1); ++i) try {
+            m_journal = std::make_unique<Journal>(i == 1 ? folder : fmt::format("{}-{}", folder, i));
+        } catch (const Refused& error) {
+            if (!m_path.empty() || i == kUntitled) m_messages.emplace_back(error.what());
+        }
+    if (!m_journal) return;
+    if (const std::optional<Recovery> found = m_journal->found())
+        m_messages.push_back(describe(*found));
+    else
+        beginJournal();
+}
+
+void Document::beginJournal() {
+    keepInJournal([&](Journal& journal) { journal.begin(m_world, m_path); });
+}
+
+/// Goes on without a journal where it cannot be written.
+void Document::keepInJournal(const std::function<void(Journal&)>& write) {
+    if (!m_journal) return;
+    try {
+        write(*m_journal);
+    } catch (const std::exception& error) {
+        m_messages.push_back(fmt::format("{}; from now on a crash loses what is not saved", error.what()));
+        m_journal.reset();
+        m_world.keep_deltas(RUBBLE_DELTAS_NONE);
+    }
+}
+
+std::optional<Recovery> Document::recovery() const {
+    return m_journal ? m_journal->found() : std::nullopt;
+}
+
+void Document::settleRecovery(bool isWanted) {
+    const std::optional<Recovery> found = recovery();
+    if (!found) throw Refused("expected changes of this level that were not saved, found none");
+    if (isWanted) return recover(found->isTailLost);
+    m_journal->discard();
+    beginJournal();
+}
+
+void Document::recover(bool isTailLost) {
+    m_path = m_journal->recover(m_world);
+    m_fileState = stateOf(m_path);
+    beginHistory();
+    m_savedSteps.reset();
+    beginJournal();
+    if (isTailLost) m_messages.emplace_back("the end of the journal is damaged: its last change is lost");
+}
+
+/// Refuses while it is open what becomes of changes from before a crash.
+void Document::requireDecision(const char* what) const {
+    if (const std::optional<Recovery> found = recovery())
+        throw Refused(fmt::format("{}: expected recover or discard first: {}", what, describe(*found)));
 }
 
 std::vector<std::string> Document::takeMessages() {

@@ -1,9 +1,13 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <rubble/rubble.hpp>
 #include <string>
 #include <vector>
+
+#include "editor/core/journal.h"
 
 namespace editor {
 
@@ -14,7 +18,8 @@ namespace editor {
 class Document {
 public:
     /// What the world is made with; see rubble_world_settings.
-    explicit Document(uint32_t worldFlags);
+    /// journals: a folder in which journals of levels are kept while they are open; empty: none are.
+    explicit Document(uint32_t worldFlags, std::string journals = {});
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
 
@@ -23,18 +28,27 @@ public:
     /// Replaces the level by that of a file: .rubble, .vox or .vdb. vdbTool: the program rubble-vdb. Throws
     /// rubble::Error, and the level stays.
     void load(const std::string& path, const std::string& vdbTool);
-    /// Writes the level as it is, whole or not at all, and takes the path as the level's own. Throws rubble::Error.
-    void save(const std::string& path, const std::string& vdbTool);
+    /// Writes the level as it is, whole or not at all, and takes the path as the level's own. Throws rubble::Error, and
+    /// Refused where hasFileChanged(), unless it is forced.
+    void save(const std::string& path, const std::string& vdbTool, bool isForced = false);
+    /// Whether another program has written the level's file since it was loaded or saved.
+    bool hasFileChanged() const;
     /// The file of the level; empty: it has none yet.
     const std::string& path() const { return m_path; }
     /// Whether something has changed since it was loaded or saved.
-    bool isChanged() const { return hash() != m_savedHash; }
+    bool isChanged() const { return m_savedSteps != m_done.size(); }
+
+    /// What the journal holds of this level from an editor that has ended early; none: nothing. Edits are refused until
+    /// it is settled.
+    std::optional<Recovery> recovery() const;
+    /// Makes that the level, without its history, or forgets it. Throws Refused where there is nothing.
+    void settleRecovery(bool isWanted);
 
     /// Its world, to queue edits in work() and to read.
     rubble::World& world() { return m_world; }
     /// The same, to read.
     const rubble::World& world() const { return m_world; }
-    /// Equal levels have equal hashes: objects, voxels, environment, materials, settings.
+    /// Equal levels have equal hashes: objects, voxels, environment, materials, settings. Costs all objects.
     uint64_t hash() const { return m_world.get_resolved_hash(); }
 
     /// Runs work(), which queues edits, and carries them out as one step of the history. One that changes nothing is
@@ -72,18 +86,36 @@ public:
     std::vector<std::string> takeMessages();
 
 private:
-    void begin();
+    /// What tells that a file was written.
+    struct FileState {
+        uint64_t size = 0, device = 0, number = 0;
+        int64_t seconds = 0, nanoseconds = 0;
+        bool operator==(const FileState&) const = default;
+    };
+    static std::optional<FileState> stateOf(const std::string& path);
+    void begin(const std::string& path);
+    void beginHistory();
+    void makeStep(const std::string& name, const std::function<void()>& work);
+    void endPlay();
+    void openJournal();
+    void beginJournal();
+    void keepInJournal(const std::function<void(Journal&)>& write);
+    void recover(bool isTailLost);
+    void requireDecision(const char* what) const;
     void requireEditing(const char* what) const;
     void requirePlaying(const char* what) const;
     void takeBack();
+    void forgetUndone();
     void requireNoRefusals() const;
     void wakeAll();
 
     std::vector<std::string> m_messages;
     rubble::World m_world;
-    std::string m_path;
+    std::string m_path, m_journals;
+    std::optional<FileState> m_fileState;  ///< as it was loaded or saved
+    std::unique_ptr<Journal> m_journal;    ///< null: there is none
     std::vector<std::string> m_done, m_undone;
-    uint64_t m_savedHash = 0, m_hashBeforePlay = 0;
+    std::optional<size_t> m_savedSteps = 0;  ///< with how many steps done it is as in its file; none: no longer
     bool m_isPlaying = false;
     uint64_t m_playedSteps = 0;
 };

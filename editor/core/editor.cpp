@@ -18,7 +18,8 @@ std::string titleOf(const Line& line) {
 
 }  // namespace
 
-Editor::Editor(EditorSettings settings) : m_settings(std::move(settings)), m_document(m_settings.worldFlags) {}
+Editor::Editor(EditorSettings settings)
+    : m_settings(std::move(settings)), m_document(m_settings.worldFlags, m_settings.journals) {}
 
 Outcome Editor::run(const std::string& text) {
     try {

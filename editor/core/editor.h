@@ -14,6 +14,7 @@ namespace editor {
 struct EditorSettings {
     uint32_t worldFlags = RUBBLE_WORLD_NO_RENDERER;  ///< RUBBLE_WORLD_...
     std::string vdbTool;                             ///< the program rubble-vdb, for .vdb files
+    std::string journals;                            ///< where journals of open levels are kept; empty: none are
 };
 
 /// What a command came to.
@@ -75,6 +76,9 @@ private:
     std::string m_said;
     int m_openFiles = 0;  ///< of scripts that run, each within the one before
 };
+
+/// The tag of objects that edits leave alone, but for unlock.
+inline constexpr const char* kLockedTag = "locked";
 
 /// The kind of a living object, RUBBLE_KIND_...; -1: the handle names nothing.
 int kindOf(const rubble::World& world, uint64_t handle);

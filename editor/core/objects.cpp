@@ -52,6 +52,13 @@ void addTagged(const rubble::World& world, const std::string& tag, Kinds kinds, 
             addAs(world, each, kinds, to);
 }
 
+/// Whether edits leave an object alone: it, or the body of a shape, is locked.
+bool isLocked(const rubble::World& world, uint64_t object) {
+    if (!world.get_tag(object, kLockedTag).empty()) return true;
+    return kindOf(world, object) == RUBBLE_KIND_SHAPE &&
+           !world.get_tag(world.get_shape_state(object).body, kLockedTag).empty();
+}
+
 template <class Read>
 bool isThere(Read&& read) {
     try {
@@ -93,10 +100,14 @@ std::vector<uint64_t> Editor::objects(const Arguments& arguments, std::string_vi
     std::vector<uint64_t> all;
     for (size_t begin = 0; begin <= text.size();) {
         const size_t end = std::min(text.find(',', begin), text.size());
-        const std::vector<uint64_t> found = objectsOf(text.substr(begin, end - begin), kinds);
-        if (found.empty())
-            arguments.refuse(parameter,
-                             fmt::format("a {}, found none by '{}'", namesOf(kinds), text.substr(begin, end - begin)));
+        const std::string part = text.substr(begin, end - begin);
+        std::vector<uint64_t> found = objectsOf(part, kinds);
+        if (found.empty()) arguments.refuse(parameter, fmt::format("a {}, found none by '{}'", namesOf(kinds), part));
+        if (arguments.command().kind == Kind::Edit && arguments.command().name != "unlock") {
+            std::erase_if(found, [&](uint64_t each) { return isLocked(m_document.world(), each); });
+            if (found.empty())
+                arguments.refuse(parameter, fmt::format("what is not locked, found '{}': unlock it first", part));
+        }
         for (const uint64_t each : found) add(all, each);
         begin = end + 1;
     }

@@ -1,11 +1,15 @@
 #include "runtime/assets/assets.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
 #include "runtime/assets/chunk_file.h"
 #include "runtime/assets/rubble_file.h"
+#include "runtime/assets/vox_export.h"
 #include "runtime/assets/vox_import.h"
+#include "runtime/core/log.h"
 
 namespace rubble {
 namespace {
@@ -47,7 +51,13 @@ Result<Done> writeLevel(const std::string& path, const Level& level, const std::
     const std::string ending = endingOf(path);
     if (ending == ".rubble") return writeRubble(path, level);
     if (ending == ".vdb") return writeVdb(path, level, vdbTool);
-    return wrongEnding(path, ".rubble or .vdb");
+    if (ending == ".vox") {
+        std::vector<std::string> lost;
+        const Result<Done> written = writeVox(path, level, lost);
+        for (const std::string& line : lost) logWarning(fmt::format("{}: not in the file: {}", path, line));
+        return written;
+    }
+    return wrongEnding(path, ".rubble, .vdb or .vox");
 }
 
 Result<Level> levelFromBytes(std::span<const uint8_t> bytes, const std::string& name) {

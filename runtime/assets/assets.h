@@ -43,7 +43,8 @@ Result<Done> writeVdb(const std::string& path, const Level& level, const std::st
 /// Reads a file of the format that its name's ending says: .rubble, .vdb or .vox.
 Result<Level> readLevel(const std::string& path, const std::string& vdbTool, ImportReport* report = nullptr);
 
-/// Writes a level, whole or not at all, in the format that the name's ending says: .rubble or .vdb.
+/// Writes a level, whole or not at all, in the format that the name's ending says: .rubble, .vdb or .vox, which
+/// holds less: what it leaves out is logged.
 Result<Done> writeLevel(const std::string& path, const Level& level, const std::string& vdbTool);
 
 /// Reads a .rubble or .vox file in memory, told apart by its first bytes. `name`: of the file, for messages.

@@ -9,9 +9,6 @@
 namespace rubble {
 namespace {
 
-// MagicaVoxel's emission has no unit. A fully emissive colour of power 0 gets this factor on its linear colour: such a
-// light is brighter than a sunlit wall of the default environment.
-constexpr float kEmissionScale = 5.0f;
 constexpr uint8_t kMinOpacity = 26;  // of 255: clear glass stays visible
 
 /// An attribute as a number in [low, high]; `fallback` if it is missing or no number.
@@ -52,8 +49,14 @@ void applyMaterial(const VoxAttributes& attributes, PaletteEntry& entry) {
     }
     if (type == "_emit") {
         const float power = number(attributes, "_flux", 0.0f, 0.0f, 4.0f);
-        entry.emission = kEmissionScale * number(attributes, "_emit", weight, 0.0f, 1.0f) * (1.0f + power);
+        entry.emission = kVoxEmissionScale * number(attributes, "_emit", weight, 0.0f, 1.0f) * (1.0f + power);
     }
+}
+
+/// The material that an entry's attributes name; 0: none of ours.
+uint8_t namedMaterial(const VoxAttributes& attributes) {
+    const auto found = attributes.find(kVoxMaterialKey);
+    return found == attributes.end() ? uint8_t(0) : defaultMaterials().find(found->second);
 }
 
 }  // namespace
@@ -76,8 +79,11 @@ Palette voxPalette(const VoxFile& file, const std::array<bool, 256>& used, bool 
         entry.green = file.colors[stored][1];
         entry.blue = file.colors[stored][2];
         const auto material = file.materials.find(int32_t(stored));
-        if (material != file.materials.end()) applyMaterial(material->second, entry);
-        if (used[slot]) entry.material = teardownPalette ? teardownMaterial(slot) : guessMaterial(entry);
+        const bool isDescribed = material != file.materials.end();
+        if (isDescribed) applyMaterial(material->second, entry);
+        if (!used[slot]) continue;
+        if (isDescribed) entry.material = namedMaterial(material->second);
+        if (!entry.material) entry.material = teardownPalette ? teardownMaterial(slot) : guessMaterial(entry);
     }
     return palette;
 }

@@ -150,6 +150,11 @@ void World::resetSearches(const FrameChanges& changes) {
             if (Shape* shape = m_data.shapes.find(handle)) shape->knownConnected = false;
 }
 
+std::optional<bool> differsFromMark(const World& world) {
+    if (world.m_undo.empty()) return std::nullopt;
+    return world.m_undo[0].differs(world.m_data);
+}
+
 void World::resetCaches(bool dropMarks) {
     try {
         m_data.restartStress();

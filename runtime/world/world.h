@@ -111,6 +111,7 @@ public:
 private:
     friend WorldObjects& objectsToReserve(World& world);
     friend void setHostData(World& world, const std::string& name, std::string bytes);
+    friend std::optional<bool> differsFromMark(const World& world);
     friend void addScript(World& world, LevelScript script);
     bool runHistory(const Edits& edits, FrameChanges& changes, bool wasUndoOrRedo);
     void resetSearches(const FrameChanges& changes);
@@ -124,6 +125,9 @@ private:
 void setHostData(World& world, const std::string& name, std::string bytes);
 /// Adds a script, as of a prefab, to those of the level.
 void addScript(World& world, LevelScript script);
+
+/// Whether resolvedHash() is another one than at the last undo mark, undo or redo; none: no marks are kept.
+std::optional<bool> differsFromMark(const World& world);
 
 /// The slot maps of a world, to reserve handles in and for nothing else.
 inline WorldObjects& objectsToReserve(World& world) {

@@ -41,6 +41,21 @@ EXAMPLE(apply_edits) {
     steps(1);
 }
 
+EXAMPLE(has_changed) {
+    rubble_body_change up = {
+        .struct_size = sizeof up, .fields = RUBBLE_SET_POSE, .body = crate, .position = {0, 3, -2}};
+    uint32_t changed;
+    OK(api->set_undo_limit(world, 10));
+    OK(api->add_undo_mark(world));
+    OK(api->apply_edits(world));
+    OK(api->has_changed(world, &changed));
+    require(!changed, "nothing has come since the mark");
+    OK(api->set_body(world, &up));
+    OK(api->apply_edits(world));
+    OK(api->has_changed(world, &changed));
+    require(changed, "the crate is elsewhere");
+}
+
 EXAMPLE(get_locations) {
     rubble_location places[8];
     rubble_level_script scripts[8];

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "editor/core/cells.h"
 #include "tests/editor/editor_level.h"
 #include "tests/support/temp_folder.h"
 
@@ -27,8 +28,10 @@ void prepare(Editor& editor, std::string_view command) {
 
 TEST_P(EveryCommand, RunsAsItsExampleSaysAndIsUndoneAndRedone) {
     const ExampleFolder folder;
-    Editor editor;
-    makeTestLevel(editor);
+    const bool needsJournal = GetParam().name == "recover" || GetParam().name == "discard";
+    if (needsJournal) leaveJournal("crashed");
+    Editor editor({.journals = needsJournal ? "crashed" : ""});
+    if (!needsJournal) makeTestLevel(editor);
     prepare(editor, GetParam().name);
     Document& document = editor.document();
     const uint64_t before = document.hash();
@@ -129,6 +132,36 @@ TEST(Commands, NameAnObjectTwiceAndMeanItOnce) {
     EXPECT_FALSE(undone.isDone);
     EXPECT_NE(undone.text.find("expected at most 3, found 9"), undone.text.npos) << undone.text;
     EXPECT_EQ(editor.document().hash(), before) << "what is refused changes nothing";
+}
+
+TEST(Commands, LeaveWhatIsLockedAlone) {
+    Editor editor;
+    runAll(editor, {"create 4,4,4 name=a", "create 4,4,4 2,0,0 name=b", "layer props a,b", "lock a"});
+    const auto heightOf = [&](const char* name) {
+        return editor.world().get_body_state(editor.world().find_by_name(RUBBLE_KIND_BODY, name).at(0)).position[1];
+    };
+    runAll(editor, {"move 0,1,0 all", "move 0,1,0 tag:layer=props"});
+    EXPECT_EQ(heightOf("a"), 0.0);
+    EXPECT_EQ(heightOf("b"), 2.0);
+    for (const char* line : {"move 0,1,0 a", "voxel 0,0,0 erase shape=a", "delete a"}) {
+        const Outcome outcome = editor.run(std::string(line));
+        EXPECT_FALSE(outcome.isDone) << line;
+        EXPECT_NE(outcome.text.find("found 'a': unlock it first"), outcome.text.npos) << outcome.text;
+    }
+    runAll(editor, {"unlock a", "move 0,1,0 a"});
+    EXPECT_EQ(heightOf("a"), 1.0);
+}
+
+TEST(Commands, DrawInPatterns) {
+    Editor editor;
+    const auto voxels = [&] { return editor.world().get_voxel_accounting().standing; };
+    runAll(editor, {"create 8,8,8 name=a", "box 0,0,0 7,7,7 erase shape=a pattern=checker"});
+    EXPECT_EQ(voxels(), 256u);
+    runAll(editor, {"undo", "box 0,0,0 7,7,7 erase shape=a pattern=y every=2"});
+    EXPECT_EQ(voxels(), 256u);
+    const rubble_shape shape = editor.world().get_objects(RUBBLE_KIND_SHAPE).at(0);
+    EXPECT_EQ(readCells(editor.world(), shape, between({0, 0, 0}, {0, 7, 0})),
+              (std::vector<uint8_t>{0, 0, 5, 5, 0, 0, 5, 5}));
 }
 
 TEST(Commands, AreTakenApartAsTyped) {

@@ -1,10 +1,12 @@
 #pragma once
 #include <gtest/gtest.h>
+#include <png.h>
 
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "editor/core/editor.h"
 #include "tests/support/temp_folder.h"
@@ -40,9 +42,31 @@ inline void makeTestLevel(Editor& editor) {
                     "light sphere 0,3,-2 name=glow",
                     "light_group street",
                     "tag old x wall",
+                    "create 4,4,4 -9,0,0 name=locked",
+                    "lock locked",
+                    "create 4,4,4 -9,0,3 index=30 name=striped",
+                    "box 0,0,0 3,1,3 paint 31 shape=striped",
+                    "entry 30 color=#808080 material=wood shape=striped",
+                    "entry 31 color=#808080 material=wood shape=striped",
                     "select_box 0,0,0 3,3,3 crate",
                     "copy",
                     "select crate"});
+}
+
+/// Makes a folder of journals as an editor leaves it that ends without a word.
+inline void leaveJournal(const std::string& folder) {
+    Editor editor({.journals = folder + "-living"});
+    runAll(editor, {"create 4,4,4 name=cube"});
+    std::filesystem::copy(folder + "-living", folder, std::filesystem::copy_options::recursive);
+}
+
+/// Writes an image, rows from above, four bytes a pixel.
+inline void writePng(const std::string& path, uint32_t width, uint32_t height, const std::vector<uint8_t>& pixels) {
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    png.format = PNG_FORMAT_RGBA;
+    png.width = width, png.height = height;
+    ASSERT_TRUE(png_image_write_to_file(&png, path.c_str(), 0, pixels.data(), 0, nullptr)) << png.message;
 }
 
 /// Where the examples find their files: the folder in which a test runs, until it ends.
@@ -53,6 +77,7 @@ public:
         std::filesystem::current_path(m_folder.path());
         Editor editor;
         runAll(editor, {"create 4,4,4 name=cube", "save model.rubble"});
+        writePng("image.png", 2, 1, {0, 0, 0, 255, 250, 120, 60, 255});
         std::ofstream("commands.txt") << "-- a comment\ncreate 3,3,3 0,5,0 name=\"made by a script\"\n";
     }
     ~ExampleFolder() { std::filesystem::current_path(m_before); }

@@ -23,6 +23,19 @@ void removeTag(Editor& editor, const Arguments& arguments) {
     for (const uint64_t each : named(editor, arguments)) editor.world().remove_tag(each, arguments.text("tag").c_str());
 }
 
+void setLayer(Editor& editor, const Arguments& arguments) {
+    for (const uint64_t each : named(editor, arguments))
+        editor.world().set_tag(each, "layer", arguments.text("layer").c_str());
+}
+
+void lock(Editor& editor, const Arguments& arguments) {
+    for (const uint64_t each : named(editor, arguments)) editor.world().set_tag(each, kLockedTag, "");
+}
+
+void unlock(Editor& editor, const Arguments& arguments) {
+    for (const uint64_t each : named(editor, arguments)) editor.world().remove_tag(each, kLockedTag);
+}
+
 }  // namespace
 
 std::vector<Command> nameCommands() {
@@ -44,6 +57,21 @@ std::vector<Command> nameCommands() {
          setTag,
          "tag furniture heavy crate"},
         {"untag", "names", Kind::Edit, "Takes a tag away.", {tag, what}, removeTag, "untag old wall"},
+        {"layer",
+         "names",
+         Kind::Edit,
+         "Puts objects into a layer: tag:layer=NAME then stands for all in it.",
+         {{"layer", Type::Text, "its name", kRequired}, what},
+         setLayer,
+         "layer furniture crate"},
+        {"lock",
+         "names",
+         Kind::Edit,
+         "Keeps objects from edits until unlock: all and tag:NAME leave them out.",
+         {what},
+         lock,
+         "lock wall"},
+        {"unlock", "names", Kind::Edit, "Lets objects be edited again.", {what}, unlock, "unlock locked"},
     };
 }
 

@@ -5,22 +5,12 @@
 #include <utility>
 
 #include "editor/core/editor.h"
+#include "editor/core/palette.h"
 
 namespace editor {
 namespace {
 
 const Parameter kShapes{"shape", Type::Objects, "the shapes whose palette it is", "selected"};
-
-rubble_palette_range rangeOf(rubble_shape shape, uint32_t first, uint32_t count, bool allEqual) {
-    rubble_palette_range range{};
-    range.struct_size = sizeof range;
-    range.flags = allEqual ? RUBBLE_PALETTE_ALL_EQUAL : 0;
-    range.shape = shape;
-    range.first = first;
-    range.count = count;
-    range.entry_size = sizeof(rubble_palette_entry);
-    return range;
-}
 
 uint8_t materialOf(Editor& editor, const Arguments& arguments, std::string_view parameter) {
     const uint32_t index = editor.world().find_material(arguments.text(parameter).c_str());
@@ -32,7 +22,7 @@ uint8_t materialOf(Editor& editor, const Arguments& arguments, std::string_view 
 void setEntry(Editor& editor, const Arguments& arguments) {
     for (const rubble_shape shape : editor.objects(arguments, "shape", {RUBBLE_KIND_SHAPE})) {
         const auto first = uint32_t(arguments.whole("index"));
-        rubble_palette_entry entry = editor.world().get_palette(rangeOf(shape, first, 1, false)).front();
+        rubble_palette_entry entry = editor.world().get_palette(paletteRange(shape, first, 1)).front();
         const auto share = [&](const char* name, uint8_t& value) {
             if (arguments.has(name)) value = uint8_t(arguments.number(name) * 255.0 + 0.5);
         };
@@ -47,25 +37,25 @@ void setEntry(Editor& editor, const Arguments& arguments) {
         share("reflectivity", entry.reflectivity);
         if (arguments.has("glow")) entry.emission = arguments.number("glow");
         if (arguments.has("group")) entry.light_group = editor.object(arguments, "group", {RUBBLE_KIND_LIGHT_GROUP});
-        editor.world().set_palette(rangeOf(shape, first, 1, arguments.flag("all_equal")), &entry);
+        editor.world().set_palette(paletteRange(shape, first, 1, arguments.flag("all_equal")), &entry);
     }
 }
 
 void swapEntries(Editor& editor, const Arguments& arguments) {
     const auto a = uint32_t(arguments.whole("first")), b = uint32_t(arguments.whole("second"));
     for (const rubble_shape shape : editor.objects(arguments, "shape", {RUBBLE_KIND_SHAPE})) {
-        const rubble_palette_entry first = editor.world().get_palette(rangeOf(shape, a, 1, false)).front();
-        const rubble_palette_entry second = editor.world().get_palette(rangeOf(shape, b, 1, false)).front();
-        editor.world().set_palette(rangeOf(shape, a, 1, false), &second);
-        editor.world().set_palette(rangeOf(shape, b, 1, false), &first);
+        const rubble_palette_entry first = editor.world().get_palette(paletteRange(shape, a, 1)).front();
+        const rubble_palette_entry second = editor.world().get_palette(paletteRange(shape, b, 1)).front();
+        editor.world().set_palette(paletteRange(shape, a, 1), &second);
+        editor.world().set_palette(paletteRange(shape, b, 1), &first);
     }
 }
 
 void sharePalette(Editor& editor, const Arguments& arguments) {
     const rubble_shape from = editor.object(arguments, "from", {RUBBLE_KIND_SHAPE});
-    const std::vector<rubble_palette_entry> all = editor.world().get_palette(rangeOf(from, 1, 255, false));
+    const std::vector<rubble_palette_entry> all = editor.world().get_palette(paletteRange(from, 1, 255));
     for (const rubble_shape shape : editor.objects(arguments, "shape", {RUBBLE_KIND_SHAPE}))
-        editor.world().set_palette(rangeOf(shape, 1, 255, false), all.data());
+        editor.world().set_palette(paletteRange(shape, 1, 255), all.data());
 }
 
 void setMaterial(Editor& editor, const Arguments& arguments) {

@@ -19,8 +19,17 @@ void open(Editor& editor, const Arguments& arguments) {
 void save(Editor& editor, const Arguments& arguments) {
     const std::string path = arguments.has("file") ? arguments.text("file") : editor.document().path();
     if (path.empty()) arguments.refuse("file", "a path, found none: the level has no file yet");
-    editor.document().save(path, editor.settings().vdbTool);
+    editor.document().save(path, editor.settings().vdbTool, arguments.flag("force"));
     editor.say("saved " + path);
+}
+
+void recover(Editor& editor, const Arguments&) {
+    editor.document().settleRecovery(true);
+    editor.selection() = {};
+}
+
+void discard(Editor& editor, const Arguments&) {
+    editor.document().settleRecovery(false);
 }
 
 void runScript(Editor& editor, const Arguments& arguments) {
@@ -91,10 +100,25 @@ std::vector<Command> sessionCommands() {
         {"save",
          "session",
          Kind::Session,
-         "Writes the level: .rubble or .vdb.",
-         {{"file", Type::Text, "its path; else that of the level", kOptional}},
+         "Writes the level: .rubble, .vdb or .vox.",
+         {{"file", Type::Text, "its path; else that of the level", kOptional},
+          {"force", Type::Flag, "also over a file that another program has written meanwhile", "no"}},
          save,
          "save saved.rubble"},
+        {"recover",
+         "session",
+         Kind::Session,
+         "Brings back what was not saved when an editor of this level ended early.",
+         {},
+         recover,
+         "recover"},
+        {"discard",
+         "session",
+         Kind::Session,
+         "Forgets what was not saved when an editor of this level ended early.",
+         {},
+         discard,
+         "discard"},
         {"script",
          "session",
          Kind::Session,

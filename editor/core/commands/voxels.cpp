@@ -29,8 +29,18 @@ const Parameter kMirror{"mirror",
                         0,
                         "none x y z xy xz yz xyz"};
 
+const Parameter kPattern{"pattern",
+                         Type::Choice,
+                         "which cells it covers: all, every other cube, or every other layer along an axis",
+                         "all",
+                         0,
+                         0,
+                         "all checker x y z"};
+const Parameter kEvery{"every", Type::Whole, "cells along each side of the pattern's cubes, or of its layers",
+                       "1",     1,           256};
+
 std::vector<Parameter> withBrush(std::vector<Parameter> own) {
-    own.insert(own.end(), {kOperation, kIndex, kMirror, kShape});
+    own.insert(own.end(), {kOperation, kIndex, kMirror, kShape, kPattern, kEvery});
     return own;
 }
 
@@ -50,6 +60,14 @@ uint8_t changed(Operation operation, uint8_t before, uint8_t index) {
             return index;
     }
     return before;
+}
+
+/// Whether a cell is in a pattern; which: of the choices of kPattern.
+bool isInPattern(glm::ivec3 cell, int which, int every) {
+    const auto layer = [=](int c) { return (c >= 0 ? c : c - every + 1) / every; };
+    if (which == 0) return true;
+    if (which == 1) return (layer(cell.x) + layer(cell.y) + layer(cell.z)) % 2 == 0;
+    return layer(cell[which - 2]) % 2 == 0;
 }
 
 /// A cell seen in the mirrors of those axes whose bit is set, about the middle of the grid.
@@ -74,9 +92,11 @@ void draw(Editor& editor, const Arguments& arguments, const Cells& box, const st
             all = joined(all, between(mirrored(box.low, some, grid), mirrored(box.low + box.size - 1, some, grid)));
     if (all.count() > kMaxCells * 8)
         throw Refused(fmt::format("expected a smaller brush, found one of {} cells", all.count()));
+    const int pattern = arguments.choice("pattern"), every = arguments.whole("every");
     CellWriter writer(editor.world(), shape);
     if (operation == Operation::Add || operation == Operation::Replace) writer.makeRoom(all);
     writer.write(all, [&](glm::ivec3 cell, uint8_t before) {
+        if (!isInPattern(cell, pattern, every)) return before;
         for (unsigned some = 0; some < 8; ++some)
             if ((some & ~axes) == 0 && box.contains(mirrored(cell, some, grid)) && isIn(mirrored(cell, some, grid)))
                 return changed(operation, before, index);

@@ -88,6 +88,15 @@ rubble_result applyEdits(rubble_world world) {
     });
 }
 
+rubble_result hasChanged(rubble_world world, uint32_t* out) {
+    return inWorld("has_changed", world, [&](const HostedWorld& hosted) {
+        const std::optional<bool> differs = differsFromMark(hosted.loop.world());
+        if (!differs)
+            return refuse(RUBBLE_ERROR_ARGUMENT, "expected undo marks, found none: set_undo_limit() comes first");
+        if (isGiven(out, "out")) *out = *differs;
+    });
+}
+
 rubble_result step(rubble_world world) {
     return inWorld("step", world, [&](HostedWorld& hosted) {
         change(hosted, [&] {
@@ -163,6 +172,7 @@ void setWorldFunctions(rubble_api& api) {
     api.save_level = saveLevel;
     api.step = step;
     api.apply_edits = applyEdits;
+    api.has_changed = hasChanged;
     api.set_physics_threads = setPhysicsThreads;
     api.set_bounds = setBounds;
     api.get_bounds = getBounds;

@@ -1,9 +1,11 @@
 #include "runtime/world/history/undo_history.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
 #include "runtime/core/log.h"
+#include "runtime/world/objects/state_hash.h"
 
 namespace rubble {
 namespace {
@@ -29,6 +31,14 @@ SlotValues<Handle, T> selectSlots(const SlotValues<Handle, T>& slots, const Slot
     return out;
 }
 
+/// Whether a slot holds another object than it did, or one in another state.
+template <class Map, class Handle, class T>
+bool isOther(const std::pair<const uint32_t, std::pair<Handle, std::optional<T>>>& slot, const Map& now) {
+    const auto& [was, value] = slot.second;
+    const Handle is = now.handleAt(slot.first);
+    return was != is || (is && hashState(*value, 0) != hashState(now.at(is), 0));
+}
+
 }  // namespace
 
 UndoHistory::UndoHistory(const WorldData& world) : m_baseline(world), m_current(m_baseline.emptyDelta()) {}
@@ -36,6 +46,19 @@ UndoHistory::UndoHistory(const WorldData& world) : m_baseline(world), m_current(
 /// Whether anything has since the last mark, undo or redo: objects, or heat, which no journal lists.
 bool UndoHistory::hasChanged() const {
     return !m_current.empty() || m_current.fire.hash() != m_baseline.last().fire.hash();
+}
+
+bool UndoHistory::differs(const WorldData& world) const {
+    bool differs = m_current.made.low != world.made.low || m_current.made.high != world.made.high;
+    const auto compareValues = [&](const auto& was, const auto& is) {
+        differs = differs || (was && was->hash() != is.hash());
+    };
+    forEachWorldValue(compareValues, m_current, world);
+    const auto compareObjects = [&](const auto& was, const auto& now) {
+        differs = differs || std::any_of(was.begin(), was.end(), [&](const auto& slot) { return isOther(slot, now); });
+    };
+    forEachKind(compareObjects, m_current, world);
+    return differs;
 }
 
 void UndoHistory::mark(size_t limit) {

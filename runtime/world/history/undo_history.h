@@ -23,6 +23,9 @@ public:
     /// Restores the World as it was before the last undo; false if there is nothing to redo.
     bool redo(WorldData& world, FrameChanges& changes);
 
+    /// Whether resolvedHash() is another one than at the last mark, undo or redo. Costs the objects that changed since.
+    bool differs(const WorldData& world) const;
+
     /// Takes over what a step changed. Unless the step was an undo or redo and nothing else, redo is no longer
     /// possible.
     void recordStep(const WorldData& world, const FrameChanges& changes, bool isOnlyHistory);

@@ -43,6 +43,28 @@ TEST(UndoMarks, AMarkSinceWhichNothingHasChangedIsReturnedToAsWell) {
     EXPECT_EQ(afterStep({kRedo}), second);
 }
 
+TEST(UndoMarks, TheWorldDiffersFromItsMarkWhereItsHashDoes) {
+    World world = smallWorld();
+    world.applyEdits({kMark});
+    const uint64_t atMark = resolvedHash(world);
+    EXPECT_FALSE(differsFromMark(world).value());
+    BodyHandle crate;
+    world.bodies().forEach([&](BodyHandle handle, const Body& body) {
+        if (body.name == "crate") crate = handle;
+    });
+    const Pose before = world.bodies().at(crate).pose;
+    world.applyEdits({sphereCarve({50.5, 1.2, 0.3}, 0.4)});
+    EXPECT_FALSE(differsFromMark(world).value()) << "it hit nothing";
+    world.setPoses(std::vector<BodyPose>{{crate, {before.position + 1.0, before.rotation}, {}, {}, false}});
+    EXPECT_TRUE(differsFromMark(world).value());
+    EXPECT_NE(resolvedHash(world), atMark);
+    world.applyEdits({kUndo});
+    EXPECT_FALSE(differsFromMark(world).value());
+    world.applyEdits({kMark, sphereCarve({0.5, 1.2, 0.3}, 0.4)});
+    EXPECT_TRUE(differsFromMark(world).value());
+    EXPECT_NE(resolvedHash(world), atMark);
+}
+
 TEST(UndoMarks, WithoutAMarkNothingIsUndone) {
     World world = smallWorld();
     world.applyEdits({sphereCarve({0.5, 1.2, 0.3}, 0.4)});

@@ -2365,12 +2365,16 @@ typedef struct rubble_api {
      * The next step() begins with physics rebuilt from the world, as of a loaded game. get_reports() is empty after it.
      * RUBBLE_ERROR_ARGUMENT: a recording runs. */
     rubble_result (*apply_edits)(rubble_world world);
-    /* [main-thread] Writes the world as the last step left it as a level, whole or not at all: a .rubble or .vdb file,
-     * as the ending of the UTF-8 path says. vdb_tool: as in load_level(). Names and tags are those that edits have
-     * given; what joints, lights and light groups need to find each other gets a name. Left out are settings, fires,
-     * the motion of ropes, user values, and what the host keeps with the game. RUBBLE_ERROR_FILE: it cannot be
-     * written. */
+    /* [main-thread] Writes the world as the last step left it as a level, whole or not at all: a .rubble, .vdb or .vox
+     * file, as the ending of the UTF-8 path says. vdb_tool: as in load_level(). Names and tags are those that edits
+     * have given; what joints, lights and light groups need to find each other gets a name. Left out are settings,
+     * fires, the motion of ropes, user values, and what the host keeps with the game. A .vox file holds shapes with one
+     * palette; what else it leaves out is logged as warnings. RUBBLE_ERROR_FILE: it cannot be written. */
     rubble_result (*save_level)(rubble_world world, const char* path, const char* vdb_tool);
+    /* [main-thread] Whether steps have changed the world since its last undo mark, undo or redo: 1 if
+     * get_resolved_hash() is another one than it was then, else 0. Costs the objects that changed since.
+     * RUBBLE_ERROR_ARGUMENT: no marks are kept; see set_undo_limit(). */
+    rubble_result (*has_changed)(rubble_world world, uint32_t* out);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

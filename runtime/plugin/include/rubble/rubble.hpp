@@ -1090,12 +1090,21 @@ public:
     void apply_edits() {
         check(api().apply_edits(m_handle));
     }
-    /** Writes the world as the last step left it as a level, whole or not at all: a .rubble or .vdb file, as the ending
-     * of the UTF-8 path says. vdb_tool: as in load_level(). Names and tags are those that edits have given; what
+    /** Writes the world as the last step left it as a level, whole or not at all: a .rubble, .vdb or .vox file, as the
+     * ending of the UTF-8 path says. vdb_tool: as in load_level(). Names and tags are those that edits have given; what
      * joints, lights and light groups need to find each other gets a name. Left out are settings, fires, the motion of
-     * ropes, user values, and what the host keeps with the game. RUBBLE_ERROR_FILE: it cannot be written. */
+     * ropes, user values, and what the host keeps with the game. A .vox file holds shapes with one palette; what else
+     * it leaves out is logged as warnings. RUBBLE_ERROR_FILE: it cannot be written. */
     void save_level(const char* path, const char* vdb_tool = nullptr) {
         check(api().save_level(m_handle, path, vdb_tool));
+    }
+    /** Whether steps have changed the world since its last undo mark, undo or redo: 1 if get_resolved_hash() is another
+     * one than it was then, else 0. Costs the objects that changed since. RUBBLE_ERROR_ARGUMENT: no marks are kept; see
+     * set_undo_limit(). */
+    uint32_t has_changed() {
+        uint32_t out{};
+        check(api().has_changed(m_handle, &out));
+        return out;
     }
 private:
     void release() noexcept {

@@ -1,0 +1,41 @@
+// What is written for other programs.
+#include <fmt/format.h>
+
+#include "editor/core/editor.h"
+#include "editor/core/mesh_export.h"
+
+namespace editor {
+namespace {
+
+void exportLevel(Editor& editor, const Arguments& arguments) {
+    const std::string& path = arguments.text("file");
+    const bool isMesh = path.ends_with(".obj") || path.ends_with(".glb");
+    if (!isMesh) {
+        if (arguments.text("what") != "all")
+            arguments.refuse("what", fmt::format("all, where the file is neither .obj nor .glb, found '{}'",
+                                                 arguments.text("what")));
+        if (path == editor.document().path())
+            arguments.refuse("file", "another file than the level's own, which save writes");
+        editor.world().save_level(path.c_str(), editor.settings().vdbTool.c_str());
+        return editor.say("wrote " + path);
+    }
+    const MeshCounts counts = writeMeshes(editor.world(), editor.objects(arguments, "what", {RUBBLE_KIND_SHAPE}), path);
+    editor.say(fmt::format("wrote {}: {} shapes, {} faces", path, counts.shapes, counts.faces));
+}
+
+}  // namespace
+
+std::vector<Command> fileCommands() {
+    return {
+        {"export",
+         "session",
+         Kind::View,
+         "Writes a copy for other programs: .vox, .obj or .glb, and .rubble or .vdb.",
+         {{"file", Type::Text, "its path, whose ending says the format", kRequired},
+          {"what", Type::Objects, "the shapes, of .obj and .glb", "all"}},
+         exportLevel,
+         "export crate.glb crate"},
+    };
+}
+
+}  // namespace editor
