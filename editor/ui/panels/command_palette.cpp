@@ -99,7 +99,7 @@ bool drawShade(ImVec2 display) {
     ImGui::SetNextWindowBgAlpha(0.5f);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::kLine);
     ImGui::Begin("shade", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBringToFrontOnFocus);
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing);
     const bool isHovered = ImGui::IsWindowHovered();
     ImGui::End();
     ImGui::PopStyleColor();
@@ -180,7 +180,9 @@ void CommandPalette::drawForm(Session& session) {
         ImGui::SetNextItemWidth(210 * uiScale());
         drawField(parameter, m_values[i]);
         ImGui::SameLine(312 * uiScale());
+        ImGui::PushTextWrapPos(0.0f);
         ImGui::TextDisabled("%s", std::string(parameter.help).c_str());
+        ImGui::PopTextWrapPos();
     }
     m_mustFocus = false;
     ImGui::EndChild();
@@ -226,7 +228,7 @@ void CommandPalette::draw(Session& session) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
-    ImGui::SetNextWindowFocus();
+    if (m_mustFocus) ImGui::SetNextWindowFocus();  // not always: that would close the lists of its fields
     ImGui::Begin("commands", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
     m_chosen ? drawForm(session) : drawList(session);
     ImGui::End();
