@@ -57,7 +57,7 @@ void Ui::frame(double share) {
     const float s = uiScale(), top = kToolbar * s, bottom = size.y - kStatus * s;
     const float left = kLeft * s, right = size.x - kRight * s, below = bottom - kBottom * s;
     const float line = 1.0f;
-    handleKeys(m_session, ImGui::GetIO().WantTextInput);
+    handleKeys(m_session, ImGui::GetIO().WantTextInput || m_commands.isOpen());
     m_frame.origin = {left + line, top + line};
     m_frame.size = {std::max(right - left - 2 * line, 32.0f), std::max(below - top - 2 * line, 32.0f)};
     ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, size, theme::kLine);

@@ -64,6 +64,25 @@ TEST_F(Window, AClickSelectsAndAnArrowMoves) {
     EXPECT_EQ(moved.position[1], 0.0);
 }
 
+TEST_F(Window, ADragOfAFieldIsOneCommand) {
+    const size_t steps = document().done().size();
+    play("ui tab Properties\nui at 850 232\nui press\nui by 20 0\nui by 20 0");
+    EXPECT_EQ(document().done().size(), steps) << "it is dragged still";
+    play("ui release");
+    ASSERT_EQ(document().done().size(), steps + 1);
+    EXPECT_EQ(document().done().back(), "body gravity=1.4 what=crate");
+}
+
+TEST_F(Window, AFormChoosesAndRuns) {
+    play("ui form create size=4,4,4 name=block");
+    EXPECT_TRUE(m_ui->stage().ui().commands().isOpen());
+    const uint64_t before = document().hash();
+    play("ui at 148 471\nui click");
+    EXPECT_NE(document().hash(), before);
+    EXPECT_EQ(document().done().back(), "create size=4,4,4 name=block");
+    EXPECT_FALSE(m_ui->stage().ui().commands().isOpen());
+}
+
 TEST_F(Window, PlayLeavesNothingBehind) {
     play("move 0,3,0 crate");
     const uint64_t before = document().hash();

@@ -64,6 +64,7 @@ const ScriptedUi::Verb ScriptedUi::kVerbs[] = {
     {"brush", "FORM [OPERATION] [size=N] [index=N] [mirror=AXES]", &ScriptedUi::setBrush},
     {"breaker", "COMMAND [METRES]: what a click breaks", &ScriptedUi::setBreaker},
     {"hover", "POINT: the mouse goes to where a point of the world is seen", &ScriptedUi::hover},
+    {"at", "X Y: the mouse goes to a pixel of the window", &ScriptedUi::moveTo},
     {"by", "X Y: the mouse moves by pixels", &ScriptedUi::moveBy},
     {"leave", "the mouse goes out of the window", &ScriptedUi::leave},
     {"click", "the left button goes down and up", &ScriptedUi::click},
@@ -190,6 +191,12 @@ void ScriptedUi::hover(const Words& words) {
     const auto at = m_stage->ui().view().project(pointAt(words, 0));
     if (!at || !m_stage->ui().view().contains(*at)) throw Refused("expected a point that the view shows");
     m_x = at->x, m_y = at->y;
+    frames(2);
+}
+
+void ScriptedUi::moveTo(const Words& words) {
+    m_x = float(numberOf(wordAt(words, 0)));
+    m_y = float(numberOf(wordAt(words, 1)));
     frames(2);
 }
 

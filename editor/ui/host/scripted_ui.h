@@ -39,6 +39,7 @@ private:
     void setBrush(const Words& words);
     void setBreaker(const Words& words);
     void hover(const Words& words);
+    void moveTo(const Words& words);
     void moveBy(const Words& words);
     void leave(const Words& words);
     void click(const Words& words);

@@ -92,6 +92,20 @@ void drawRow(const Command& command, ImVec2 at) {
     list.AddText({x, at.y}, key.empty() ? theme::kDim : theme::kAccent, right.c_str());
 }
 
+/// Darkens all behind the palette, and takes its clicks. True: the mouse is there.
+bool drawShade(ImVec2 display) {
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize(display);
+    ImGui::SetNextWindowBgAlpha(0.5f);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::kLine);
+    ImGui::Begin("shade", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing);
+    const bool isHovered = ImGui::IsWindowHovered();
+    ImGui::End();
+    ImGui::PopStyleColor();
+    return isHovered;
+}
+
 }  // namespace
 
 std::vector<const Command*> CommandPalette::find(const std::string& words) {
@@ -166,7 +180,9 @@ void CommandPalette::drawForm(Session& session) {
         ImGui::SetNextItemWidth(210 * uiScale());
         drawField(parameter, m_values[i]);
         ImGui::SameLine(312 * uiScale());
+        ImGui::PushTextWrapPos(0.0f);
         ImGui::TextDisabled("%s", std::string(parameter.help).c_str());
+        ImGui::PopTextWrapPos();
     }
     m_mustFocus = false;
     ImGui::EndChild();
@@ -205,21 +221,20 @@ void CommandPalette::draw(Session& session) {
     if (!m_isOpen) return;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const ImVec2 size(std::min(720 * uiScale(), display.x * 0.9f), std::min(430 * uiScale(), display.y * 0.8f));
+    const bool isShadeHovered = drawShade(display);
     ImGui::SetNextWindowPos({(display.x - size.x) / 2, 70 * uiScale()});
     ImGui::SetNextWindowSize(size);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8 * uiScale());
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
-    ImGui::SetNextWindowFocus();
+    if (m_mustFocus) ImGui::SetNextWindowFocus();  // not always: that would close the lists of its fields
     ImGui::Begin("commands", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
     m_chosen ? drawForm(session) : drawList(session);
     ImGui::End();
     ImGui::PopStyleColor(2);
     ImGui::PopStyleVar(2);
-    const bool isOutside = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsAnyItemHovered() &&
-                           !ImGui::IsMouseHoveringRect({(display.x - size.x) / 2, 70 * uiScale()},
-                                                       {(display.x + size.x) / 2, 70 * uiScale() + size.y}, false);
+    const bool isOutside = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && isShadeHovered;
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) || isOutside) m_isOpen = false;
 }
 

@@ -73,6 +73,8 @@ public:
     void draw(Session& session);
     /// The commands that it lists for a search, the best first.
     static std::vector<const Command*> find(const std::string& words);
+    /// Whether it is open.
+    bool isOpen() const { return m_isOpen; }
     /// Closes it.
     void close() { m_isOpen = false; }
     /// What is searched.

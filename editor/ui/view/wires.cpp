@@ -1,5 +1,6 @@
 #include "editor/ui/view/wires.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/trigonometric.hpp>
 #include <utility>
@@ -85,8 +86,9 @@ void Wires::label(glm::dvec3 at, ImU32 color, const char* text) {
     const auto p = project(seen(at));
     if (!p || !m_frame.contains(*p)) return;
     const ImVec2 size = ImGui::CalcTextSize(text);
-    const ImVec2 low(std::round(p->x + 8.0f * uiScale()), std::round(p->y - size.y / 2.0f));
     const float margin = 4.0f * uiScale();
+    const float right = m_frame.origin.x + m_frame.size.x - size.x - 2.0f * margin;
+    const ImVec2 low(std::round(std::min(p->x + 8.0f * uiScale(), right)), std::round(p->y - size.y / 2.0f));
     m_list.AddRectFilled({low.x - margin, low.y - margin / 2}, {low.x + size.x + margin, low.y + size.y + margin / 2},
                          IM_COL32(18, 19, 22, 215), margin);
     m_list.AddText(low, color, text);
