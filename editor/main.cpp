@@ -88,8 +88,10 @@ int openWindow(const Options& options) {
             "  ./rubble editor LEVEL --script FILE -o OUT     runs commands\n"
             "  ./rubble editor LEVEL --screenshots FOLDER     draws images of the window\n"
             "  xvfb-run -a ./rubble editor LEVEL              gives it a display of its own (Debian package xvfb)");
-    const std::string error = runWindow(
-        {.vdbTool = options.vdbTool, .preset = options.preset.empty() ? "fast" : options.preset}, options.level);
+    const std::string journals = options.journals.empty() ? userJournals() : options.journals;
+    const std::string preset = options.preset.empty() ? "fast" : options.preset;
+    const std::string error =
+        runWindow({.vdbTool = options.vdbTool, .journals = journals, .preset = preset}, options.level);
     return error.empty() ? 0 : fail(error);
 }
 

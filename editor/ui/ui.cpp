@@ -71,6 +71,7 @@ void Ui::frame(double share) {
     ImGui::PopStyleVar();
     m_session.tabs.isAsked = false;
     m_commands.draw(m_session);
+    drawRecovery(m_session);
 }
 
 void Ui::drawRight() {

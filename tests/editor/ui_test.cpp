@@ -159,5 +159,22 @@ TEST(Load, ABeamIsWeakestAtItsRoot) {
     EXPECT_GE(strong.weakest, 3) << "12 times as strong: 8 times the load at least";
 }
 
+TEST(WindowRecovery, AsksWhatBecomesOfChangesThatACrashLeft) {
+    const rubble::TempFolder folder;
+    const std::string journals = folder / "journals", left = folder / "left";
+    {
+        Editor crashed({.journals = journals});
+        ASSERT_TRUE(crashed.run("create 8,8,8 0,0,0 name=crate").isDone);
+        std::filesystem::copy(journals, left, std::filesystem::copy_options::recursive);
+    }
+    ScriptedUi ui(StageSettings{.journals = left}, 960, 600);
+    Document& document = ui.stage().editor().document();
+    ASSERT_TRUE(document.recovery());
+    ui.frames(2);
+    EXPECT_EQ(ui.runAll("ui at 275 320\nui click"), "");
+    EXPECT_FALSE(document.recovery());
+    EXPECT_EQ(document.world().get_objects(RUBBLE_KIND_SHAPE).size(), 1u);
+}
+
 }  // namespace
 }  // namespace editor

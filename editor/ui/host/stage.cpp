@@ -20,7 +20,7 @@ Stage::Stage(const StageSettings& settings, GlLoader loader) {
     rubble_host host{};
     host.gl_get_proc_address = loader;
     rubble::set_host(host);
-    m_editor.emplace(EditorSettings{RUBBLE_WORLD_WAIT_FOR_SHADOW, settings.vdbTool});
+    m_editor.emplace(EditorSettings{RUBBLE_WORLD_WAIT_FOR_SHADOW, settings.vdbTool, settings.journals});
     m_context = std::make_unique<Context>();
     applyTheme(settings.scale);
     m_painter.emplace();

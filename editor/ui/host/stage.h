@@ -12,6 +12,7 @@ namespace editor {
 /// What a host of the interface says of itself.
 struct StageSettings {
     std::string vdbTool;           ///< the program rubble-vdb
+    std::string journals;          ///< see EditorSettings
     std::string preset = "draft";  ///< of the renderer, see rubble_renderer_settings
     std::string programCache;      ///< a folder for compiled programs; empty: none
     float scale = 1.0f;            ///< pixels of the display by those of a plain one

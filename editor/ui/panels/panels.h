@@ -19,6 +19,8 @@ void drawMessages(Session& session);
 void drawReplay(Session& session);
 /// All values of what is selected.
 void drawProperties(Session& session);
+/// Asks what becomes of changes that an editor left that ended early; nothing where there are none.
+void drawRecovery(Session& session);
 /// The entries of the palette of the shape that is selected.
 void drawPalette(Session& session);
 /// Time of day, fog, gravity and what else is of the whole level.

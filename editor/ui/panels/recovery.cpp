@@ -1,0 +1,39 @@
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "editor/ui/panels/panels.h"
+#include "editor/ui/panels/widgets.h"
+#include "editor/ui/state/theme.h"
+
+namespace editor {
+
+void drawRecovery(Session& session) {
+    constexpr const char* kTitle = "Changes that were not saved";
+    const std::optional<Recovery> found = session.editor().document().recovery();
+    if (!found) return;
+    if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({480 * uiScale(), 0});
+    if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
+    const std::string level = found->level.empty() ? "a level without a file" : found->level;
+    ImGui::TextWrapped("%s",
+                       fmt::format("An editor of {} ended before it could save {} changes.{}", level, found->changes,
+                                   found->isTailLost ? " The last of them is damaged and is left out." : "")
+                           .c_str());
+    ImGui::Spacing();
+    const bool isRecovered = ImGui::Button("Recover");
+    tooltip("The level as it was then, without its history");
+    ImGui::SameLine();
+    const bool isDiscarded = ImGui::Button("Discard");
+    tooltip("The level as it was last saved");
+    if (isRecovered || isDiscarded) {
+        session.run(isRecovered ? "recover" : "discard");
+        session.frameSelection();
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
+}  // namespace editor
