@@ -219,9 +219,13 @@ lua_State* Script::begin(Callback callback, int& reference) {
     const Sandbox::HostAccess access(m_sandbox);
     lua_rawgeti(thread, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
     lua_pushstring(thread, nameOf(callback));
-    lua_rawget(thread, -2);
+    const bool isThere = lua_rawget(thread, -2) == LUA_TFUNCTION;
     lua_remove(thread, -2);
-    return thread;
+    if (isThere) return thread;
+    m_has[size_t(callback)] = false;  // the script has taken it away
+    lua_settop(thread, 0);
+    m_idle.emplace_back(thread, reference);
+    return nullptr;
 }
 
 void Script::startAll() {

@@ -276,6 +276,8 @@ def main():
     if not runs:
         sys.exit(f"stress report: expected NAME_SEED.json files in {options.folder}, found none")
     others = load(options.compare) if options.compare else {}
+    if options.compare and not others.keys() & runs.keys():
+        sys.exit(f"stress report: --compare: expected runs of the same names in {options.compare}, found none")
     target = pathlib.Path(options.folder) / "report.html"
     target.write_text(page(options.folder, runs, others))
     print(f"report: {target}")

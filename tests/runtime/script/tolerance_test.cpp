@@ -87,6 +87,18 @@ TEST(ScriptBudget, WhatGoesOnInAStepSharesOne) {
     EXPECT_FALSE(yard.host().scripts().back().isStopped());
 }
 
+TEST(ScriptText, MayTakeACallbackAway) {
+    Yard yard;
+    yard.host().add("once", "function update() print('once') update = nil end function tick() tick = 5 end");
+    for (int i = 0; i < 4; ++i) {
+        yard.host().tick(1.0 / 60.0);
+        ASSERT_EQ(yard.host().step(), RUBBLE_OK);
+    }
+    EXPECT_EQ(yard.logged(0), "once: once\n");
+    EXPECT_EQ(yard.host().scripts().back().error(), "");
+    EXPECT_FALSE(yard.host().scripts().back().has(Callback::Update));
+}
+
 TEST(ScriptErrors, NameTheLineOfAnyValue) {
     Yard yard;
     EXPECT_EQ(yard.run("\nerror(nil)"), "test:3: nil");
