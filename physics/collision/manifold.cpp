@@ -134,6 +134,8 @@ void inheritImpulses(const Manifold& before, Manifold& now) {
                 now.points[size_t(i)].isPressed = pressesOn(before.points[size_t(k)]);
                 taken[size_t(k)] = known[size_t(i)] = true;
             }
+    if (before.count == 1 && now.count == 1 && glm::dot(before.points[0].normal, now.points[0].normal) > kSameDirection)
+        now.torsionImpulse = before.torsionImpulse;
     for (int k = 0; k < before.count; ++k) {
         const ManifoldPoint& gone = before.points[size_t(k)];
         if (taken[size_t(k)] || gone.normalImpulse == 0.0f) continue;

@@ -44,6 +44,7 @@ struct ManifoldHead {
     glm::dvec3 origin{0.0};           ///< positions of points are relative to it: the first's frame origin, world
     float allowedPenetration = 0.0f;  ///< metres: see updateAllowedPenetration()
     float approach = 0.0f;            ///< m/s: the fastest at which a point closed before the last solve
+    float torsionImpulse = 0.0f;      ///< of a lone point, about its normal, on the first; of the last substep, N m s
     int count = 0;
     bool isRound = false;        ///< one of the objects is touched as what is round
     bool isPenetrating = false;  ///< the last solve left a hit deep: see ContactSolver::solve()

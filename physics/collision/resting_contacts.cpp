@@ -25,6 +25,7 @@ void RestingContacts::keep(std::span<Manifold* const> manifolds) {
         if (at == pairs.end() || at->second != second->number) at = pairs.insert(at, Pair{second->number});
         at->pose = relativePose(first->pose, second->pose);
         at->allowedPenetration = manifold->allowedPenetration;
+        at->torsionImpulse = manifold->torsionImpulse;
         at->points.clear();
         for (const ManifoldPoint& point : manifold->all())
             at->points.push_back({point.feature, point.normal, point.frictionImpulse, point.normalImpulse});
@@ -40,6 +41,7 @@ bool RestingContacts::find(const CollisionObject& first, const CollisionObject& 
         return false;
     out.count = 0;
     out.allowedPenetration = at->allowedPenetration;
+    out.torsionImpulse = at->torsionImpulse;
     for (const Point& kept : at->points) {
         ManifoldPoint& point = out.points[out.count++];
         point.feature = kept.feature;

@@ -29,7 +29,7 @@ private:
     struct Pair {
         uint32_t second = 0;  ///< number of the object
         RelativePose pose;
-        float allowedPenetration = 0.0f;
+        float allowedPenetration = 0.0f, torsionImpulse = 0.0f;
         std::vector<Point> points;
 
         /// Orders pairs by `second`, for a search.

@@ -246,9 +246,25 @@ void solveHits(const ContactArrays& set, const PairGroup& group, const ContactBi
     }
 }
 
+/// The spin of a lone point about its normal. Points beside each other resist it by their friction.
+void applyTorsion(const Contact<Float8>& c, const Float8& impulse, VelocityPair<Float8>& bodies) {
+    bodies.wA = bodies.wA + bodies.inverseInertiaA * (c.normal * impulse);
+    bodies.wB = bodies.wB - bodies.inverseInertiaB * (c.normal * impulse);
+}
+void solveTorsion(const ContactArrays& set, PairGroup& group, VelocityPair<Float8>& bodies) {
+    const Contact<Float8> c = load(set.contacts[group.from]);
+    const Float8 inverse = dot(c.normal, bodies.inverseInertiaA * c.normal + bodies.inverseInertiaB * c.normal),
+                 spin = dot(c.normal, bodies.wA - bodies.wB), before = load(group.torsionImpulse),
+                 limit = load(group.torsionArm) * c.normalImpulse,
+                 wanted = before - spin / larger(inverse, Float8(1e-30f)),
+                 impulse = larger(smaller(wanted, limit), Float8(0.0f) - limit);
+    applyTorsion(c, impulse - before, bodies);
+    store(impulse, group.torsionImpulse);
+}
+
 /// All normals of two bodies first, then their friction: an impulse that is too large is corrected by the next point's
 /// before it limits friction.
-[[gnu::flatten]] void solveGroup(const ContactArrays& set, const PairGroup& group, const ContactPass& pass) {
+[[gnu::flatten]] void solveGroup(const ContactArrays& set, PairGroup& group, const ContactPass& pass) {
     // Until the bodies move again they stay as they are, but where normals have turned since.
     if (group.anyFollowed || pass.haveMoved) updateSeparations(set, group);
     VelocityPair<Float8> bodies = loadVelocities(set.states, group);
@@ -276,6 +292,7 @@ void solveHits(const ContactArrays& set, const PairGroup& group, const ContactBi
         store(c.tangentImpulse1, at.tangentImpulse1);
         store(c.tangentImpulse2, at.tangentImpulse2);
     }
+    if (group.anyTorsion) solveTorsion(set, group, bodies);
     storeVelocities(set.states, group, bodies);
 }
 
@@ -299,6 +316,7 @@ void solveHits(const ContactArrays& set, const PairGroup& group, const ContactBi
             bodies.applyNormalImpulse(c, c.normalImpulse);
             bodies.applyFrictionImpulse(c, c.tangentImpulse1, c.tangentImpulse2);
         }
+        if (group.anyTorsion) applyTorsion(load(set.contacts[group.from]), load(group.torsionImpulse), bodies);
         storeVelocities(set.states, group, bodies, isFirst);
     }
 }

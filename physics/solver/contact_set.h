@@ -37,10 +37,12 @@ struct PairGroup {
     int a[kLanes] = {}, b[kLanes] = {};  ///< the bodies of each pair; 0 where there is none
     uint32_t pair[kLanes];               ///< indices of pairs, or kNone
     uint32_t from = 0, count = 0;        ///< of the contacts; a lane with fewer points has empty ones at the end
-    bool anyHit = false, anyFollowed = false, anyRound = false;
+    bool anyHit = false, anyFollowed = false, anyRound = false, anyTorsion = false;
     bool isSteady = false;                    ///< all of its bodies are
     Lanes isHit;                              ///< 1, or 0
     Lanes biasRate, massScale, impulseScale;  ///< see Softness
+    Lanes torsionArm;      ///< metres: of a lone point, its largest torque about its normal over its normal force; or 0
+    Lanes torsionImpulse;  ///< about that normal on A, N m s, of a substep
 };
 
 /// What the contact solver iterates over.

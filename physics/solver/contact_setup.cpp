@@ -133,13 +133,17 @@ void classifyPair(const ContactSet& set, PairConstraints& pair, std::span<const 
         pair.impulse += impulse;
         pair.angularImpulseA += glm::cross(rA, impulse), pair.angularImpulseB += glm::cross(rB, impulse);
     }
+    if (const float torsion = pair.manifold->torsionImpulse; torsion != 0.0f && pair.manifold->count == 1) {
+        const glm::vec3 angularImpulse = pair.points()[0].normal * torsion;
+        pair.angularImpulseA += angularImpulse, pair.angularImpulseB += angularImpulse;
+    }
     pair.manifold->approach = closing;
     pair.isHit = closing > kHitSpeed;
     pair.isFollowed = pair.isHit || (pair.a && pair.b && moving2 > kFollowedSpeed * kFollowedSpeed);
 }
 
 void fillGroup(ContactSet& set, PairGroup& group, std::span<const SolverBody> bodies, const glm::vec3& up,
-               const ContactSoftness& softness) {
+               const ContactSoftness& softness, float torsionRadius) {
     for (uint32_t i = fullPoints(set, group); i < group.count; ++i)
         set.contacts[group.from + i] = {}, set.starts[group.from + i] = {};
     for (size_t lane = 0; lane < kLanes; ++lane) {
@@ -153,6 +157,11 @@ void fillGroup(ContactSet& set, PairGroup& group, std::span<const SolverBody> bo
         group.isHit.at[lane] = pair.isHit ? 1.0f : 0.0f;
         group.biasRate.at[lane] = soft.biasRate * awakeMassShare(set, pair, pair.a ? originA : originB);
         group.massScale.at[lane] = soft.massScale, group.impulseScale.at[lane] = soft.impulseScale;
+        if (pair.manifold->count == 1 && !pair.manifold->isRound && torsionRadius > 0.0f) {
+            group.anyTorsion = true;
+            group.torsionArm.at[lane] = pair.points()[0].friction * torsionRadius;
+            group.torsionImpulse.at[lane] = pair.manifold->torsionImpulse;
+        }
         for (size_t i = 0; i < pair.points().size(); ++i) {
             set.beginContact(pair, i, contactOf(pair, pair.points()[i], originA, originB));
             set.setStart(pair, i, startOf(*pair.manifold, pair.points()[i], up));
@@ -183,6 +192,7 @@ void WarmStartFilter::reject(ContactSet& set) {
             any = true;
             pair.isWarm = false;
             pair.impulse = pair.angularImpulseA = pair.angularImpulseB = glm::vec3(0.0f);
+            pair.manifold->torsionImpulse = 0.0f;
             for (ManifoldPoint& point : pair.points()) {
                 point.normalImpulse = 0.0f;
                 point.frictionImpulse = glm::vec3(0.0f);

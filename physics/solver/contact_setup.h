@@ -20,9 +20,10 @@ struct ContactSoftness {
     Softness<float> moving, withStatic, stiff;  ///< of two bodies; of a body and the world; of a load-bearing body
 };
 /// Fills in a group and the contacts at the start of the step, but for what the kernel's prepare() computes. Writes
-/// only what belongs to the group. up: unit vector against gravity, or 0. [any thread]
+/// only what belongs to the group. up: unit vector against gravity, or 0. torsionRadius: see SolverSettings.
+/// [any thread]
 void fillGroup(ContactSet& set, PairGroup& group, std::span<const SolverBody> bodies, const glm::vec3& up,
-               const ContactSoftness& softness);
+               const ContactSoftness& softness, float torsionRadius);
 
 /// Sets the impulses of contacts to 0 that would throw a body. No warm start after the loss of a support: what a
 /// contact that is gone held back is missing in the balance of impulses.

@@ -49,6 +49,7 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
     m_parallelFor = settings.parallelFor;
     const double weight = glm::length(gravity);
     m_up = weight > 0.0 ? glm::vec3(gravity / -weight) : glm::vec3(0.0f);
+    m_torsionRadius = float(settings.torsionRadius);
     prepare(bodies, manifolds, bodyOf, settings);
     m_joints.begin(joints, m_set.states);
     m_warmStartFilter.reject(m_set);
@@ -117,7 +118,7 @@ void ContactSolver::packGroups(std::span<const SolverBody> bodies, std::span<con
     }
     const ContactArrays set = arrays();
     forEachBlockwise<kGroupsPerTask>(m_parallelFor, m_set.groups.size(), [&](size_t i) {
-        fillGroup(m_set, m_set.groups[i], bodies, m_up, m_softness);
+        fillGroup(m_set, m_set.groups[i], bodies, m_up, m_softness, m_torsionRadius);
         m_kernels->prepare(set, i, i + 1);
     });
     m_stiffGroups.clear();
@@ -212,6 +213,7 @@ void ContactSolver::storeImpulses(const PairGroup& group) {
         if (group.pair[lane] == PairGroup::kNone) continue;
         const PairConstraints& pair = m_set.pairs[group.pair[lane]];
         pair.manifold->isPenetrating = pair.isHit && isDeep(pair);
+        pair.manifold->torsionImpulse = group.anyTorsion ? group.torsionImpulse.at[lane] : 0.0f;
         const Contact<Lanes>* c = &m_set.contacts[group.from];
         for (ManifoldPoint& point : pair.points()) {
             const auto vector = [&](const Vec3<Lanes>& v) {

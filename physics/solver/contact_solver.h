@@ -21,6 +21,7 @@ struct SolverSettings {
     double dampingRatio = 5.0;       ///< of contacts
     double loadBearingRatio = 30.0;  ///< of masses above which a light body under a heavy one gets stiffer contacts
     int loadBearingPasses = 8;       ///< more over the contacts of such bodies; 0: none is stiffer
+    double torsionRadius = 0.0;      ///< metres: the arm of a lone contact point's friction against spin
     double maxPushSpeed = 1.5;       ///< m/s at which overlaps are pushed apart
     double slop = 0.0002;            ///< metres that contacts may overlap, so that they last
     bool hitsConserve = true;        ///< what is hit in the step keeps its angular momentum as it rotates
@@ -71,7 +72,8 @@ private:
     std::vector<std::vector<Pose>> m_paths;  ///< by body; see pathOf()
     std::vector<uint32_t> m_stiffGroups;     ///< of load-bearing bodies
     ContactSoftness m_softness;
-    glm::vec3 m_up{0.0f};  ///< unit vector against gravity; zero: there is none
+    float m_torsionRadius = 0.0f;  ///< metres
+    glm::vec3 m_up{0.0f};          ///< unit vector against gravity; zero: there is none
     const ContactKernels* m_kernels = &contactKernels();
 };
 

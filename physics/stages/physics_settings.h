@@ -17,6 +17,7 @@ struct PhysicsSettings {
     double contactHertz = 90.0;       ///< stiffness of contacts, at most a quarter of the rate of substeps
     double loadBearingRatio = 30.0;   ///< of masses above which a light body under a heavy one gets stiffer contacts
     int loadBearingPasses = 8;        ///< more over such contacts; 0: none is stiffer
+    double torsionRadius = 2e-3;      ///< metres: the arm of a lone contact point's friction against spin; 0: none
     double contactMargin = 0.02;      ///< metres apart up to which bodies have contacts
     bool continuous = true;           ///< fast bodies are swept, so that they do not tunnel
     double sweepThreshold = 0.02;     ///< metres of motion in a step above which a body is swept

@@ -62,6 +62,7 @@ void StepSolver::solve(PhysicsBodies& bodies, std::span<Manifold* const> manifol
                     .contactHertz = settings.contactHertz,
                     .loadBearingRatio = settings.loadBearingRatio,
                     .loadBearingPasses = settings.loadBearingPasses,
+                    .torsionRadius = settings.torsionRadius,
                     .hitsConserve = settings.rotation != RotationRule::Never,
                     .parallelFor = parallelFor},
                    activeJoints);

@@ -67,7 +67,7 @@ struct Heap {
         set.contacts.resize(set.contactCount);
         set.starts.resize(set.contactCount);
         for (PairGroup& group : set.groups)
-            fillGroup(set, group, bodies, {0, 1, 0}, {{20.0f, 0.9f, 0.1f}, {40.0f, 0.8f, 0.2f}, {}});
+            fillGroup(set, group, bodies, {0, 1, 0}, {{20.0f, 0.9f, 0.1f}, {40.0f, 0.8f, 0.2f}, {}}, 0.002f);
         for (size_t i = 0; i < set.groups.size(); i += 3) makeRound(set.groups[i]);
     }
 
