@@ -30,7 +30,7 @@ out vec4 filtered;
 const int kTaps = 5;  // the first is the pixel itself
 const float kCentreWeight = 1.5;
 const float kLongHistory = 12.0;                   // frames
-const float kFewFrames = 6.0, kManyFrames = 14.0;  // between which the moments over time get to say what noise is left
+const float kFewFrames = 12.0, kManyFrames = 24.0;  // between which the moments over time get to say what noise is left
 const float kMinDifference = 0.025;                // of two pixels, relative to their sum, that always counts as noise
 const float kNoiseShare = 0.64;                    // of the variance between neighbours at a stride of 1
 const float kLowNoise = 0.10;                      // relative standard deviation of the accumulated light

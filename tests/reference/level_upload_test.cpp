@@ -1,4 +1,6 @@
 // What the frames of a loaded level send to the GL: the first one all of it, once, without copies of the whole.
+#include <cstdio>
+
 #include "render/gl/offscreen.h"
 #include "runtime/plugin/frame_loop.h"
 #include "samples/scenes/demolition.h"
@@ -48,11 +50,13 @@ TEST_F(LevelUpload, SendsTheTownOnceInTheFirstFrame) {
     const Offscreen target({64, 36});
     const Sent first = nextFrame(loop, renderer, target), second = nextFrame(loop, renderer, target),
                third = nextFrame(loop, renderer, target);
+    std::printf("first frame: %.1f MB in %d calls of at most %.2f MB\n", double(first.bytes) * 1e-6, int(first.calls),
+                double(first.largest) * 1e-6);
     EXPECT_EQ(renderer.stats().waitingBytes, 0u);
     EXPECT_GT(first.bytes, uint64_t(renderer.stats().bricks) * 576) << "all bricks";
     EXPECT_LT(first.bytes, renderer.stats().textureBytes) << "no byte twice";
     EXPECT_LT(first.largest, 1u << 20) << "what is gathered for a call must stay in the processor's cache";
-    EXPECT_LT(first.calls, first.bytes / (128u << 10)) << "few calls";
+    EXPECT_LT(first.calls, 128u);
     EXPECT_LT(second.bytes, 32u << 10);
     EXPECT_LT(third.bytes, 8u << 10);
 }
