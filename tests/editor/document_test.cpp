@@ -178,7 +178,9 @@ TEST(Document, RandomCommandsWithUndoAndRedoEqualAStraightReplay) {
     const std::vector<std::string> first = RandomCommands::first();
     for (const std::string& line : first) runAll(editor, {line.c_str()});
     int done = 0;
+    std::vector<uint64_t> hashes;  // after each step that is done
     for (int i = 0; i < commands; ++i) {
+        hashes.resize(editor.document().done().size(), editor.document().hash());
         const int what = random.below(16);
         if (what < 3) {
             if (editor.document().done().size() > first.size()) runAll(editor, {"undo"});
@@ -197,10 +199,14 @@ TEST(Document, RandomCommandsWithUndoAndRedoEqualAStraightReplay) {
         }
     }
     EXPECT_GT(done, commands / 4);
+    hashes.resize(editor.document().done().size(), editor.document().hash());
     Editor straight;
-    for (const std::string& line : editor.document().done()) {
+    for (size_t i = 0; i < hashes.size(); ++i) {
+        const std::string& line = editor.document().done()[i];
         const Outcome outcome = straight.run(line);
         ASSERT_TRUE(outcome.isDone) << line << "\n" << outcome.text;
+        if (i < first.size()) continue;
+        ASSERT_EQ(straight.document().hash(), hashes[i]) << "step " << i << ": " << line;
     }
     EXPECT_EQ(straight.document().hash(), editor.document().hash());
 }

@@ -238,7 +238,7 @@ Session makeSession(uint32_t seed) {
 
 /// kill -9 at random places: no change is lost that the editor had told of, because it is with the system before.
 TEST(Journal, WhatIsKilledAtARandomPlaceComesBack) {
-    const int kills = std::getenv("RUBBLE_LONG") ? 200 : 4;
+    const int kills = std::getenv("RUBBLE_LONG") ? 200 : 3;
     std::mt19937 random(9);
     Session session;
     int recovered = 0;

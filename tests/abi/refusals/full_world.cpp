@@ -18,6 +18,7 @@ FullWorld::FullWorld(const std::string& level, uint32_t flags) : m_hasPhysics(!(
     settings.flags = RUBBLE_WORLD_SHADOW_DATA | RUBBLE_WORLD_SHADOW_INLINE | RUBBLE_WORLD_PARTICLES | flags;
     require(api()->create_world(&settings, &m_world));
     require(api()->load_level(m_world, level.c_str(), nullptr));
+    require(api()->set_undo_limit(m_world, 4));
     m_stale = makeAll(20.0);
     m_live = makeAll(30.0);
     step();
