@@ -68,8 +68,10 @@ int drawImages(const Options& options) {
         text = read.str();
     }
     try {
-        ScriptedUi ui({.vdbTool = options.vdbTool, .preset = options.preset.empty() ? "draft" : options.preset}, width,
-                      height);
+        ScriptedUi ui({.vdbTool = options.vdbTool,
+                       .journals = options.journals,
+                       .preset = options.preset.empty() ? "draft" : options.preset},
+                      width, height);
         ui.setFolder(options.screenshots);
         if (!options.level.empty() && !ui.stage().session().run("open", {{"file", options.level}}))
             return fail(ui.stage().session().messages().back().text);
