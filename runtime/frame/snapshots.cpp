@@ -36,6 +36,10 @@ bool showsNothing(const FrameSnapshot& s) {
 void Snapshots::publish(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
                         std::vector<ShadowPatches> patches, std::span<const Impact> impacts) {
     enqueue(changes, moved, world, impacts);
+    release(std::move(patches));
+}
+
+void Snapshots::release(std::vector<ShadowPatches> patches) {
     SnapshotMerger out;
     for (ShadowPatches& publication : patches) {
         while (!m_waiting.empty() && m_waiting.front().snapshot.version <= publication.version) releaseOldest(out);
@@ -46,7 +50,7 @@ void Snapshots::publish(const FrameChanges& changes, std::span<const BodyPose> m
         out.add(std::move(shadow));
     }
     while (!m_waiting.empty() && !m_waiting.front().needsShadow) releaseOldest(out);
-    post(out.take(), changes.step);
+    post(out.take());
 }
 
 void Snapshots::publishWithoutShadow(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
@@ -54,7 +58,7 @@ void Snapshots::publishWithoutShadow(const FrameChanges& changes, std::span<cons
     enqueue(changes, moved, world, impacts);
     SnapshotMerger out;
     while (!m_waiting.empty()) releaseOldest(out);
-    post(out.take(), changes.step);
+    post(out.take());
 }
 
 std::optional<FrameSnapshot> Snapshots::take() {
@@ -74,9 +78,9 @@ void Snapshots::releaseOldest(SnapshotMerger& out) {
     m_waiting.pop_front();
 }
 
-void Snapshots::post(std::optional<FrameSnapshot> snapshot, uint64_t newestStep) {
+void Snapshots::post(std::optional<FrameSnapshot> snapshot) {
     if (!snapshot) return;
-    snapshot->newestStep = newestStep;
+    snapshot->newestStep = m_newestStep;
     const std::lock_guard lock(m_mutex);
     m_posted.push_back(std::move(*snapshot));
     if (m_posted.size() < kMaxPosted) return;
@@ -92,6 +96,7 @@ void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> m
         m_moving.clear();
     }
     ++m_count;
+    m_newestStep = changes.step;
     FrameSnapshot out;
     out.version = out.newestStep = changes.step;
     out.replacesAll = out.shadowReplacesAll = changes.levelReplaced;

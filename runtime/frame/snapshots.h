@@ -28,7 +28,12 @@ public:
     /// nothing and allocates nothing.
     void publish(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
                  std::vector<ShadowPatches> patches, std::span<const Impact> impacts = {});
-    /// [main-thread] The same where no shadow worker is used: nothing waits.
+    /// Whether a snapshot waits for its shadow. [a thread that no publish() runs beside]
+    bool isWaiting() const { return !m_waiting.empty(); }
+    /// Posts what waits for these patches: what publish() does with what came since the last step, between two steps.
+    /// Patches come in the order in which the worker published them. [a thread that no publish() runs beside]
+    void release(std::vector<ShadowPatches> patches);
+    /// [main-thread] As publish() where no shadow worker is used: nothing waits.
     void publishWithoutShadow(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
                               std::span<const Impact> impacts = {});
     /// [main-thread] For worlds of which nothing is published: moves the particles by a step.
@@ -68,7 +73,7 @@ private:
     void addFires(const FrameChanges& changes, const World& world);
     /// Moves the oldest waiting snapshot, without its shadow, behind `out`.
     void releaseOldest(SnapshotMerger& out);
-    void post(std::optional<FrameSnapshot> snapshot, uint64_t newestStep);
+    void post(std::optional<FrameSnapshot> snapshot);
 
     std::deque<Waiting> m_waiting;        ///< oldest first
     std::mutex m_mutex;                   ///< of the two that follow
@@ -76,6 +81,7 @@ private:
     std::vector<FrameSnapshot> m_posted;  ///< what came after it, oldest first
     std::vector<LastPose> m_lastPoses;
     uint64_t m_count = 0;                   ///< of calls of enqueue()
+    uint64_t m_newestStep = 0;              ///< of the last of them
     std::vector<BodyHandle> m_placed;       ///< whose pose or motion an edit or undo has set in this step, ascending
     std::vector<ShapeHandle> m_moving;      ///< shapes that the newest snapshot shows moving
     std::vector<ShapeHandle> m_moved;       ///< the same while it is being made

@@ -301,6 +301,7 @@ void FrameLoop::publish(const FrameChanges& changes, std::span<const BodyPose> m
         m_shadow->submit(changes, moved, m_world);
     }
     const ScopedTimer timer(m_times[Stage::Publish]);
+    const std::lock_guard lock(m_publishing);
     if (!m_publish && m_moveParticles) m_snapshots.stepParticles(changes, impacts, m_world);
     if (!m_shadow) {
         if (m_publish) m_snapshots.publishWithoutShadow(changes, moved, m_world, impacts);
@@ -308,8 +309,20 @@ void FrameLoop::publish(const FrameChanges& changes, std::span<const BodyPose> m
     }
     if (m_waitForShadow) m_shadow->waitFor(changes.step);
     std::vector<ShadowPatches> patches = m_shadow->takePatches();
-    if (m_shadowCopy) m_shadowCopy->follow(patches);
+    if (m_shadowCopy) {
+        m_shadowCopy->follow(std::exchange(m_released, {}));
+        m_shadowCopy->follow(patches);
+    }
     if (m_publish) m_snapshots.publish(changes, moved, m_world, std::move(patches), impacts);
+}
+
+/// Between two steps, as in a pause, the shadow volume of the last one is finished with nobody to publish it.
+void FrameLoop::releaseFinished() {
+    const std::unique_lock lock(m_publishing, std::try_to_lock);
+    if (!lock || !m_shadow || !m_snapshots.isWaiting()) return;
+    std::vector<ShadowPatches> patches = m_shadow->takePatches();
+    if (m_shadowCopy) m_released.insert(m_released.end(), patches.begin(), patches.end());
+    m_snapshots.release(std::move(patches));
 }
 
 void FrameLoop::restartDrawing() {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -149,6 +150,7 @@ private:
     void addPose(BodyHandle handle, std::vector<BodyPose>& out) const;
     void publishStep(std::span<const BodyPose> moved, std::span<const Impact> impacts);
     void publish(const FrameChanges& changes, std::span<const BodyPose> moved, std::span<const Impact> impacts);
+    void releaseFinished();
     void endRecording() noexcept;
     void recordEdits(const Edits& hostEdits);
     void recordMotion(std::span<const BodyPose> poses, std::span<const CharacterMove> characters);
@@ -167,6 +169,8 @@ private:
     std::unique_ptr<PhysicsWorld> m_physics;  ///< null: the host moves the bodies
     std::unique_ptr<ShadowWorker> m_shadow;
     std::unique_ptr<ShadowCopy> m_shadowCopy;  ///< null: nobody asks for it
+    std::vector<ShadowPatches> m_released;     ///< by draw(): the copy has not followed them yet
+    std::mutex m_publishing;                   ///< of m_released, and of m_snapshots but for its mailbox
     Snapshots m_snapshots;
     EditQueue m_edits;
     /// Edits of the last step's impacts, and those that waited when the game was saved. They come before the host's.

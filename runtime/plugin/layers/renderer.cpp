@@ -16,6 +16,7 @@ void FrameLoop::draw(Renderer& renderer, const View& view, float alpha) {
     try {
         m_times[Stage::Apply] = 0.0;
         const ScopedTimer timer(m_times[Stage::Apply]);
+        releaseFinished();
         std::optional<FrameSnapshot> snapshot = m_snapshots.take();
         if (snapshot && snapshot->replacesAll) m_awaitsAll = false;
         if (snapshot && !m_awaitsAll) renderer.apply(std::move(*snapshot));

@@ -207,6 +207,15 @@ TEST(Snapshots, AStepWaitsForItsShadow) {
     ASSERT_TRUE(rest);
     EXPECT_EQ(rest->version, 5u) << "coming to rest does not change the shadow volume";
     EXPECT_EQ(rest->poses.at(0).previous.position.y, 6.0);
+    EXPECT_FALSE(snapshots.isWaiting());
+    publish({moveTo(world, 1, 5.0)}, {});
+    ASSERT_TRUE(snapshots.isWaiting());
+    snapshots.release(reached(6));
+    const auto paused = snapshots.take();
+    ASSERT_TRUE(paused) << "no step must come for it";
+    EXPECT_EQ(paused->version, 6u);
+    EXPECT_EQ(paused->newestStep, 6u);
+    EXPECT_FALSE(snapshots.isWaiting());
 }
 
 TEST(Snapshots, WithTheWorkerAllArrivesAndTheVersionsAgree) {
