@@ -1,4 +1,7 @@
+#include <array>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/abi/create_fixture.h"
@@ -77,6 +80,129 @@ protected:
 
     rubble_world m_other = 0;
 };
+
+/// Steps in which something is made and gone again, in a world that ends around what edits have made.
+class AbiMadeAndGone : public AbiDeltas {
+protected:
+    using Work = std::function<void()>;
+
+    void SetUp() override {
+        AbiDeltas::SetUp();
+        api()->destroy_world(m_world);
+        auto settings = sized<rubble_world_settings>();
+        settings.flags = RUBBLE_WORLD_NO_RENDERER;
+        ASSERT_EQ(api()->create_world(&settings, &m_world), RUBBLE_OK) << api()->get_last_error();
+        make(shapeOn(make(bodyAt(0.0, 0.0, RUBBLE_BODY_STATIC)), RUBBLE_SHAPE_BOX, 20));
+        step();
+    }
+
+    rubble_shape freeBox() { return make(shapeOn(make(bodyAt(3.0, 5.0, 0)), RUBBLE_SHAPE_BOX, 3)); }
+    static void expectDone(rubble_result result) { EXPECT_EQ(result, RUBBLE_OK) << api()->get_last_error(); }
+    std::vector<std::pair<const char*, Work>> shapesMadeAndGone() {
+        return {
+            {"body and box, body destroyed",
+             [&] {
+                 const rubble_body body = make(bodyAt(30.0, 5.0, 0));
+                 make(shapeOn(body, RUBBLE_SHAPE_BOX, 3));
+                 expectDone(api()->destroy_body(m_world, body));
+             }},
+            {"box destroyed", [&] { expectDone(api()->destroy_shape(m_world, freeBox())); }},
+            {"box carved away",
+             [&] {
+                 freeBox();
+                 auto carve = sized<rubble_carve>();
+                 carve.position[0] = 3.0, carve.position[1] = 5.0;
+                 std::fill_n(carve.radii, 3, 3.0);
+                 expectDone(api()->carve(m_world, &carve));
+             }},
+            {"voxels taken",
+             [&] {
+                 const std::vector<uint8_t> none(27);
+                 const rubble_voxel_box all = wholeOf(freeBox(), 3);
+                 expectDone(api()->write_voxels(m_world, &all, none.data(), none.size()));
+             }},
+            {"shape without voxels", [&] { make(shapeOn(make(bodyAt(3.0, 50.0, 0)), RUBBLE_SHAPE_EMPTY, 4)); }},
+            {"shape without voxels on an old body",
+             [&] { make(shapeOn(bodies(m_world).at(0).body, RUBBLE_SHAPE_EMPTY, 99)); }},
+        };
+    }
+    std::vector<std::pair<const char*, Work>> othersMadeAndGone() {
+        return {
+            {"body", [&] { expectDone(api()->destroy_body(m_world, make(bodyAt(3.0, 5.0, 0)))); }},
+            {"light",
+             [&] {
+                 auto light = sized<rubble_light_settings>();
+                 light.reach = 5.0;
+                 madeAndGone(api()->create_light, light, api()->remove_light);
+             }},
+            {"water",
+             [&] {
+                 const double corners[8] = {-1, -1, 1, -1, 1, 1, -1, 1};
+                 auto water = sized<rubble_water_settings>();
+                 water.outline = corners, water.outline_count = 4;
+                 madeAndGone(api()->create_water, water, api()->remove_water);
+             }},
+            {"trigger",
+             [&] { madeAndGone(api()->create_trigger, sized<rubble_trigger_settings>(), api()->remove_trigger); }},
+            {"character",
+             [&] {
+                 madeAndGone(api()->create_character, sized<rubble_character_settings>(), api()->remove_character);
+             }},
+            {"joint and rope",
+             [&] {
+                 auto joint = sized<rubble_joint_settings>();
+                 joint.shapes[0] = shapes().at(0).shape;
+                 std::fill_n(joint.position, 3, 0.85);
+                 madeAndGone(api()->create_joint, joint, api()->remove_joint);
+                 joint.kind = RUBBLE_JOINT_ROPE, joint.rope_end[1] = 4.0;
+                 madeAndGone(api()->create_joint, joint, api()->remove_joint);
+             }},
+        };
+    }
+    template <class Create, class Settings, class Remove>
+    void madeAndGone(Create create, const Settings& settings, Remove remove) {
+        uint64_t handle = 0;
+        expectDone(create(m_world, &settings, &handle));
+        expectDone(remove(m_world, handle));
+    }
+    void expectFollowed(const char* what) {
+        for (int i = 0; i < 2; ++i) {
+            step();
+            ASSERT_EQ(apply(take()), RUBBLE_OK) << what << ", " << i << ": " << api()->get_last_error();
+            EXPECT_EQ(resolved(m_world), resolved(m_other)) << what;
+            EXPECT_EQ(accounting(m_world), accounting(m_other)) << what;
+        }
+    }
+    static std::array<uint64_t, 4> accounting(rubble_world world) {
+        auto out = sized<rubble_voxel_accounting>();
+        EXPECT_EQ(api()->get_voxel_accounting(world, &out), RUBBLE_OK) << api()->get_last_error();
+        return {out.imported, out.standing, out.in_pieces, out.removed};
+    }
+};
+
+TEST_F(AbiMadeAndGone, AFollowerIsEqualAfterTheStep) {
+    for (const auto& list : {shapesMadeAndGone(), othersMadeAndGone()})
+        for (const auto& [what, work] : list) {
+            copyTo(m_other);
+            work();
+            expectFollowed(what);
+        }
+}
+
+TEST_F(AbiMadeAndGone, AShapeThatIsRefusedChangesNothing) {
+    const rubble_body body = make(bodyAt(3.0, 0.0, 0));
+    make(shapeOn(body, RUBBLE_SHAPE_BOX, 5));
+    step();
+    auto sleep = sized<rubble_body_change>();
+    sleep.body = body, sleep.fields = RUBBLE_SET_ASLEEP;
+    expectDone(api()->set_body(m_world, &sleep));
+    step(2);
+    const uint64_t before = resolved(m_world);
+    make(shapeOn(body, RUBBLE_SHAPE_EMPTY, 99));
+    step();
+    EXPECT_EQ(refusals().size(), 1u);
+    EXPECT_EQ(resolved(m_world), before);
+}
 
 TEST_F(AbiDeltas, AWorldThatFollowsHasNoReports) {
     auto filter = sized<rubble_report_filter>();

@@ -64,6 +64,11 @@ WorldDelta WorldBaseline::update(const WorldData& world, const FrameChanges& cha
     m_last.pendingSplits.clear();
     for (const PendingSplit& pending : world.pendingSplits) m_last.pendingSplits.push_back({pending.shape, {}, {}});
     WorldDelta before;
+    before.numbersChanged = m_last.imported != world.imported || m_last.removed != world.removed ||
+                            m_last.made.low != world.made.low || m_last.made.high != world.made.high;
+    m_last.imported = world.imported;
+    m_last.removed = world.removed;
+    m_last.made = world.made;
     if (changes.empty()) return before;
     const auto body = [&](BodyHandle handle) { updateSlot(world.bodies, m_last.bodies, handle, before.bodies); };
     forEachShapeIn(changes, [&](ShapeHandle handle) {
@@ -92,9 +97,6 @@ WorldDelta WorldBaseline::update(const WorldData& world, const FrameChanges& cha
     if (changes.environmentChanged) before.environment = std::exchange(m_last.environment, world.environment);
     if (changes.materialsChanged) before.materials = std::exchange(m_last.materials, world.materials);
     if (changes.settingsChanged) before.settings = std::exchange(m_last.settings, world.settings);
-    m_last.imported = world.imported;
-    m_last.removed = world.removed;
-    m_last.made = world.made;
     m_freeSlots = freeSlotsOf(world);
     return before;
 }

@@ -204,7 +204,7 @@ void journalNotes(const WorldDelta& before, WorldData& world, FrameChanges& chan
 }  // namespace
 
 bool WorldDelta::empty() const {
-    bool isEmpty = true;
+    bool isEmpty = !numbersChanged;
     forEachWorldValue([&](const auto& value) { isEmpty = isEmpty && !value; }, *this);
     forEachKind([&](const auto& values) { isEmpty = isEmpty && values.empty(); }, *this);
     return isEmpty;

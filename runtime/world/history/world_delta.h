@@ -20,13 +20,14 @@ struct WorldDelta : ObjectKinds<SlotValues> {
     ObjectKinds<FreeSlots> freeSlots;  ///< that are used next
     uint64_t imported = 0, removed = 0;
     WorldBox made;
+    bool numbersChanged = false;  ///< imported, removed or made: also by shapes that were made and gone in one step
     FireState fire;
     std::vector<ShapeHandle> waiting;        ///< for their split, see WorldState::pendingSplits
     std::optional<Environment> environment;  ///< none: it has not changed
     std::optional<MaterialTable> materials;  ///< the same
     std::optional<WorldSettings> settings;   ///< the same; their limit of undo marks is of no account
 
-    /// Whether it holds no object, no environment, no materials and no settings.
+    /// Whether it holds no object, no other numbers, no environment, no materials and no settings.
     bool empty() const;
 };
 

@@ -69,19 +69,26 @@ void apply(EditContext& context, const CreateShapeEdit& edit) {
     if (context.world.groups.size() > 0) countMade(context, *shape.palette, countEntries(shape.grid));
     const bool isEmpty = shape.grid.empty();
     const ShapeHandle handle = context.make(context.world.shapes, std::move(shape));
-    if (isEmpty) context.emptyShapes.push_back(handle);
     context.world.bodies.at(edit.body).shapes.push_back(handle);
     context.world.updateShapeBounds(handle);
-    includeMade(context.world, handle);
     context.changes.shapesCreated.push_back(handle);
-    if (!context.isNew(edit.body)) context.wakeBody(edit.body);
+    if (isEmpty) {  // it may be refused in the end: what writes its voxels wakes the body
+        context.emptyShapes.push_back(handle);
+    } else {
+        includeMade(context.world, handle);
+        if (!context.isNew(edit.body)) context.wakeBody(edit.body);
+    }
     context.world.updateDebris(edit.body);
 }
 
 void refuseEmptyShapes(EditContext& context) {
     for (const ShapeHandle handle : context.emptyShapes) {
         const Shape* shape = context.world.shapes.find(handle);
-        if (!shape || !shape->grid.empty() || context.editState(handle).lostVoxels) continue;
+        if (!shape) continue;
+        if (!shape->grid.empty() || context.editState(handle).lostVoxels) {
+            includeMade(context.world, handle);
+            continue;
+        }
         eraseEmptyShape(context, handle);
         context.refuse(AnyHandle{handle.bits}, "create_shape", "the shape has no voxels: write some before the step");
     }
