@@ -19,20 +19,32 @@ void FrameLoop::keepDeltas(std::optional<DeltaContent> content) {
 
 Result<Done> FrameLoop::follow(const Deltas& deltas, const std::function<void()>& afterStep) {
     const DeltaSpan& span = deltas.span;
-    endRecording();  // it would miss these steps, as would deltas of this world
-    keepDeltas(std::nullopt);
-    if (span.from == span.to) return Done{};
+    const auto endOwn = [&] {  // a recording would miss these steps, as would deltas of this world
+        endRecording();
+        keepDeltas(std::nullopt);
+    };
+    if (span.from == span.to) {
+        endOwn();
+        return Done{};
+    }
     if (span.from != m_world.step() || (span.from != span.start && span.start != m_followedStart))
         return Error{fmt::format(
             "expected the delta of step {}, the next of those that were applied, found that of step {}, kept "
             "since step {}: a follower begins with the game that is saved after keep_deltas()",
             m_world.step() + 1, span.from + 1, span.start)};
-    if (span.from == span.start) m_followedPalettes.clear();
-    m_followedStart = span.start;
+    std::vector<PaletteRef> replaced;  // by those of another keep_deltas()
+    if (span.from == span.start) replaced.swap(m_followedPalettes);
     auto next = deltas.steps.begin();
     for (uint64_t step = span.from + 1; step <= span.to; ++step) {
         const bool isIn = next != deltas.steps.end() && next->step == step;
-        if (Result<Done> done = isIn ? followStep(*next, span.content) : followEmptyStep(); !done) return done;
+        Result<Done> done = isIn ? followStep(*next, span.content) : followEmptyStep();
+        if (m_world.step() == span.from) {  // the first step was refused: this call has had no effect
+            if (span.from == span.start) m_followedPalettes = std::move(replaced);
+            return done;
+        }
+        endOwn();
+        m_followedStart = span.start;
+        if (!done) return done;
         if (isIn) ++next;
         afterStep();
     }

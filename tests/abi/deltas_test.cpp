@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/abi/create_fixture.h"
+#include "tests/support/temp_folder.h"
 
 namespace rubble {
 namespace {
@@ -96,7 +97,11 @@ protected:
         step();
     }
 
-    rubble_shape freeBox() { return make(shapeOn(make(bodyAt(3.0, 5.0, 0)), RUBBLE_SHAPE_BOX, 3)); }
+    /// Each is outside of all that was made before.
+    rubble_shape freeBox() {
+        m_height += 30.0;
+        return make(shapeOn(make(bodyAt(3.0, m_height, 0)), RUBBLE_SHAPE_BOX, 3));
+    }
     static void expectDone(rubble_result result) { EXPECT_EQ(result, RUBBLE_OK) << api()->get_last_error(); }
     std::vector<std::pair<const char*, Work>> shapesMadeAndGone() {
         return {
@@ -111,7 +116,7 @@ protected:
              [&] {
                  freeBox();
                  auto carve = sized<rubble_carve>();
-                 carve.position[0] = 3.0, carve.position[1] = 5.0;
+                 carve.position[0] = 3.0, carve.position[1] = m_height;
                  std::fill_n(carve.radii, 3, 3.0);
                  expectDone(api()->carve(m_world, &carve));
              }},
@@ -121,7 +126,7 @@ protected:
                  const rubble_voxel_box all = wholeOf(freeBox(), 3);
                  expectDone(api()->write_voxels(m_world, &all, none.data(), none.size()));
              }},
-            {"shape without voxels", [&] { make(shapeOn(make(bodyAt(3.0, 50.0, 0)), RUBBLE_SHAPE_EMPTY, 4)); }},
+            {"shape without voxels", [&] { make(shapeOn(make(bodyAt(300.0, 5.0, 0)), RUBBLE_SHAPE_EMPTY, 4)); }},
             {"shape without voxels on an old body",
              [&] { make(shapeOn(bodies(m_world).at(0).body, RUBBLE_SHAPE_EMPTY, 99)); }},
         };
@@ -178,6 +183,8 @@ protected:
         EXPECT_EQ(api()->get_voxel_accounting(world, &out), RUBBLE_OK) << api()->get_last_error();
         return {out.imported, out.standing, out.in_pieces, out.removed};
     }
+
+    double m_height = 5.0;
 };
 
 TEST_F(AbiMadeAndGone, AFollowerIsEqualAfterTheStep) {
@@ -403,6 +410,54 @@ TEST_F(AbiDeltas, StepsThatAreMissingOrOfAnotherWorldAreRefused) {
     step();
     ASSERT_EQ(api()->step(m_other), RUBBLE_OK);
     expectRefused(apply(take()), RUBBLE_ERROR_FILE, "expected the delta of step");
+}
+
+TEST_F(AbiDeltas, ARefusedTakeLeavesRecordingDeltasAndReportsOfTheFollower) {
+    const TempFolder folder;
+    const std::string log = folder / "follower.rubblelog";
+    breakTable();
+    step();
+    const std::vector<uint8_t> first = take();
+    step();
+    const std::vector<uint8_t> second = take();
+    auto filter = sized<rubble_report_filter>();
+    auto reports = sized<rubble_reports>();
+    filter.kinds = RUBBLE_REPORT_BREAK;
+    const rubble_explosion explosion = tableExplosion();
+    ASSERT_EQ(api()->set_report_filter(m_other, &filter), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->keep_deltas(m_other, RUBBLE_DELTAS_ALL), RUBBLE_OK);
+    ASSERT_EQ(api()->start_recording(m_other, log.c_str()), RUBBLE_OK) << api()->get_last_error();
+    expectRefused(apply(second), RUBBLE_ERROR_FILE, "found that of step");
+    ASSERT_EQ(api()->explode(m_other, &explosion), RUBBLE_OK);
+    for (int i = 0; i < 2; ++i) {
+        ASSERT_EQ(api()->step(m_other), RUBBLE_OK) << api()->get_last_error();
+        expectRefused(apply(first), RUBBLE_ERROR_FILE, "expected the delta of step");
+        ASSERT_EQ(api()->get_reports(m_other, &reports), RUBBLE_OK);
+        EXPECT_EQ(reports.break_count > 0, i == 0) << "those of the step";
+    }
+    uint64_t size = 0, steps = 0;
+    EXPECT_EQ(api()->take_deltas(m_other, nullptr, 0, &size), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->stop_recording(m_other), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->play_recording(m_world, log.c_str(), &steps), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(steps, 2u);
+}
+
+/// The content of the first step is wrong, not the frame around it.
+TEST_F(AbiDeltas, AStepThatIsRefusedLeavesDeltasOfTheFollower) {
+    auto settings = sized<rubble_world_settings>();
+    settings.flags = RUBBLE_WORLD_NO_RENDERER;
+    rubble_world stranger = 0;
+    ASSERT_EQ(api()->create_world(&settings, &stranger), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->step(stranger), RUBBLE_OK) << "as many as the other world has done";
+    ASSERT_EQ(api()->keep_deltas(stranger, RUBBLE_DELTAS_ALL), RUBBLE_OK);
+    breakTable();
+    step();
+    const std::vector<uint8_t> data = take();
+    expectRefused(api()->apply_deltas(stranger, data.data(), data.size()), RUBBLE_ERROR_FILE,
+                  "a shape that fits the world before the step");
+    uint64_t size = 0;
+    EXPECT_EQ(api()->take_deltas(stranger, nullptr, 0, &size), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(api()->destroy_world(stranger), RUBBLE_OK);
 }
 
 TEST_F(AbiDeltas, WrongBytesAreRefused) {

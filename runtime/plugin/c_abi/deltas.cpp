@@ -39,10 +39,12 @@ rubble_result applyDeltas(rubble_world world, const void* data, uint64_t size) {
         if (!deltas) return refuse(RUBBLE_ERROR_FILE, "{}", deltas.error());
         change(hosted, [&] {
             const FrameLoop& loop = hosted.loop;
+            const uint64_t before = loop.world().step();
             const auto noteBricks = [&] { hosted.bricks.follow(loop.changes(), loop.world().data()); };
             if (const Result<Done> done = hosted.loop.follow(*deltas, noteBricks); !done) {
-                hosted.bricks.forget();
                 refuse(RUBBLE_ERROR_FILE, "data: {}", done.error());
+                if (loop.world().step() == before) return;
+                hosted.bricks.forget();
             }
             hosted.events.fill(hosted.loop.changes());
             hosted.reports.restart(hosted.loop);

@@ -12,7 +12,6 @@ namespace {
 
 /// Adds the objects of a later delta to those of an earlier one, which stay.
 void addMissing(WorldDelta& into, WorldDelta from) {
-    into.numbersChanged = into.numbersChanged || from.numbersChanged;
     forEachKind([](auto& values, auto& earlier) { values.merge(earlier); }, into, from);
     const auto addValue = [](auto& value, auto& earlier) {
         if (!value) value = std::move(earlier);

@@ -65,39 +65,6 @@ TEST(UndoMarks, TheWorldDiffersFromItsMarkWhereItsHashDoes) {
     EXPECT_NE(resolvedHash(world), atMark);
 }
 
-/// What it has grown by, the box that says where the world ends, is in no list of the journal.
-TEST(UndoMarks, AStepInWhichAShapeIsMadeAndGoneIsUndone) {
-    World world;  // with no level that says where it ends
-    WorldSettings settings;
-    settings.undoMarks = 8;
-    world.setSettings(settings);
-    world.applyEdits({kMark});
-    const uint64_t first = resolvedHash(world);
-    const auto makeAndDestroy = [&] {
-        CreateBodyEdit body;
-        body.body.pose.position = {0.0, 500.0, 0.0};
-        CreateShapeEdit box{.source = ShapeSource::Box, .size = glm::ivec3(4), .entry = 1};
-        box.body = reserveHandle(world, &WorldObjects::bodies);
-        Edits edits = {body, box, DestroyBodyEdit{box.body}};
-        edits[0].made = AnyHandle{box.body.bits};
-        edits[1].made = AnyHandle{reserveHandle(world, &WorldObjects::shapes).bits};
-        world.applyEdits(edits);
-    };
-    makeAndDestroy();
-    const uint64_t second = resolvedHash(world);
-    ASSERT_NE(second, first);
-    EXPECT_TRUE(differsFromMark(world).value());
-    world.applyEdits({kMark});
-    EXPECT_FALSE(differsFromMark(world).value());
-    world.applyEdits({AddLightEdit{}});
-    world.applyEdits({kUndo});
-    EXPECT_EQ(resolvedHash(world), second);
-    world.applyEdits({kUndo});
-    EXPECT_EQ(resolvedHash(world), first);
-    world.applyEdits({kRedo});
-    EXPECT_EQ(resolvedHash(world), second);
-}
-
 TEST(UndoMarks, WithoutAMarkNothingIsUndone) {
     World world = smallWorld();
     world.applyEdits({sphereCarve({0.5, 1.2, 0.3}, 0.4)});
