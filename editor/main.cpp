@@ -145,9 +145,9 @@ int main(int argc, char** argv) {
     app.add_flag("--force", options.isForced, "also over a level that another program has written meanwhile");
     app.add_option("--journal", options.journals,
                    "a folder for what is done, until it is saved: --recover brings it back after a crash");
-    app.add_flag("--recover", options.recovers,
-                 "brings back what was not saved when an editor of the level ended early");
-    app.add_flag("--discard", options.discards, "forgets that");
+    CLI::Option* const recover = app.add_flag("--recover", options.recovers,
+                                              "brings back what was not saved when an editor of the level ended early");
+    app.add_flag("--discard", options.discards, "forgets that")->excludes(recover);
     app.add_option("--vdb-tool", options.vdbTool, "the program rubble-vdb, for .vdb files");
     app.add_option("--screenshots", options.screenshots,
                    "draws images of the window into this folder, without a display");

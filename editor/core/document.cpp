@@ -31,8 +31,11 @@ std::string joined(const std::vector<std::string>& lines) {
 
 /// For people.
 std::string describe(const Recovery& found) {
-    return fmt::format("an editor that has ended early left {} changes of {} that were not saved: recover or discard",
-                       found.changes, found.level.empty() ? "a level without a file" : found.level);
+    return fmt::format("an editor that has ended early left {} change{} of {} that {} not saved: recover or discard{}",
+                       found.changes, found.changes == 1 ? "" : "s",
+                       found.level.path.empty() ? "a level without a file" : found.level.path,
+                       found.changes == 1 ? "was" : "were",
+                       found.isTailLost ? "; its journal is damaged, and what came later is lost" : "");
 }
 
 }  // namespace
@@ -75,6 +78,7 @@ void Document::load(const std::string& path, const std::string& vdbTool) {
 
 void Document::save(const std::string& path, const std::string& vdbTool, bool isForced) {
     requireEditing("save");
+    requireDecision("save");
     if (path == m_path && !isForced && hasFileChanged())
         throw Refused(
             fmt::format("save: {} has been written by another program since it was opened or saved: expected "
@@ -89,7 +93,7 @@ void Document::save(const std::string& path, const std::string& vdbTool, bool is
     if (m_journal) beginJournal();
 }
 
-std::optional<Document::FileState> Document::stateOf(const std::string& path) {
+std::optional<FileState> Document::stateOf(const std::string& path) {
     struct stat now {};
     if (path.empty() || ::stat(path.c_str(), &now) != 0) return std::nullopt;
     return FileState{uint64_t(now.st_size), uint64_t(now.st_dev), uint64_t(now.st_ino), now.st_mtim.tv_sec,
@@ -267,8 +271,8 @@ void Document::openJournal() {
         beginJournal();
 }
 
-void Document::beginJournal() {
-    keepInJournal([&](Journal& journal) { journal.begin(m_world, m_path); });
+void Document::beginJournal(size_t recovered) {
+    keepInJournal([&](Journal& journal) { journal.begin(m_world, {m_path, m_fileState}, recovered); });
 }
 
 /// Goes on without a journal where it cannot be written.
@@ -290,18 +294,18 @@ std::optional<Recovery> Document::recovery() const {
 void Document::settleRecovery(bool isWanted) {
     const std::optional<Recovery> found = recovery();
     if (!found) throw Refused("expected changes of this level that were not saved, found none");
-    if (isWanted) return recover(found->isTailLost);
+    if (isWanted) return recover(*found);
     m_journal->discard();
     beginJournal();
 }
 
-void Document::recover(bool isTailLost) {
-    m_path = m_journal->recover(m_world);
-    m_fileState = stateOf(m_path);
+void Document::recover(const Recovery& found) {
+    m_journal->recover(m_world);
+    if (!found.level.path.empty()) m_path = found.level.path, m_fileState = found.level.file;
     beginHistory();
     m_savedSteps.reset();
-    beginJournal();
-    if (isTailLost) m_messages.emplace_back("the end of the journal is damaged: its last change is lost");
+    beginJournal(std::max<size_t>(found.changes, 1));
+    if (found.isTailLost) m_messages.emplace_back("the end of the journal is damaged: what came later is lost");
 }
 
 /// Refuses while it is open what becomes of changes from before a crash.

@@ -86,21 +86,15 @@ public:
     std::vector<std::string> takeMessages();
 
 private:
-    /// What tells that a file was written.
-    struct FileState {
-        uint64_t size = 0, device = 0, number = 0;
-        int64_t seconds = 0, nanoseconds = 0;
-        bool operator==(const FileState&) const = default;
-    };
     static std::optional<FileState> stateOf(const std::string& path);
     void begin(const std::string& path);
     void beginHistory();
     void makeStep(const std::string& name, const std::function<void()>& work);
     void endPlay();
     void openJournal();
-    void beginJournal();
+    void beginJournal(size_t recovered = 0);
     void keepInJournal(const std::function<void(Journal&)>& write);
-    void recover(bool isTailLost);
+    void recover(const Recovery& found);
     void requireDecision(const char* what) const;
     void requireEditing(const char* what) const;
     void requirePlaying(const char* what) const;

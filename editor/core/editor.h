@@ -80,6 +80,8 @@ private:
 /// The tag of objects that edits leave alone, but for unlock.
 inline constexpr const char* kLockedTag = "locked";
 
+/// Whether edits leave an object alone: it, or the body of a shape, is locked.
+bool isLocked(const rubble::World& world, uint64_t object);
 /// The kind of a living object, RUBBLE_KIND_...; -1: the handle names nothing.
 int kindOf(const rubble::World& world, uint64_t handle);
 /// The name of a kind, for people.

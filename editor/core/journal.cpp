@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kMagic = "rubble journal 1\n";
 constexpr uint64_t kMaxRecord = uint64_t(1) << 32;
+constexpr ptrdiff_t kFileStateBytes = 48;  ///< of a FileState, before the level's path
 
 /// FNV-1a: against bytes that were never written.
 uint64_t checksum(const uint8_t* bytes, size_t size, uint64_t hash = 0xcbf29ce484222325ull) {
@@ -80,7 +81,7 @@ Journal::Journal(std::string folder) : m_folder(std::move(folder)) {
 Journal::~Journal() {
     closeChanges();
     std::error_code code;
-    if (!m_found) fs::remove_all(m_folder, code);  // with the lock, while it is held
+    if (!m_found && !m_isRecovered) fs::remove_all(m_folder, code);  // with the lock, while it is held
     ::close(m_lock);
 }
 
@@ -102,11 +103,32 @@ uint64_t Journal::last() const {
     return last;
 }
 
+std::vector<uint8_t> Journal::bytesOf(const JournalLevel& level) {
+    std::vector<uint8_t> out;
+    const FileState file = level.file.value_or(FileState{});
+    addNumber(out, level.file.has_value());
+    for (const uint64_t each :
+         {file.size, file.device, file.number, uint64_t(file.seconds), uint64_t(file.nanoseconds)})
+        addNumber(out, each);
+    out.insert(out.end(), level.path.begin(), level.path.end());
+    return out;
+}
+
+JournalLevel Journal::levelOf(const std::vector<uint8_t>& bytes) {
+    JournalLevel out;
+    if (bytes.size() < size_t(kFileStateBytes)) return out;
+    const auto number = [&](size_t i) { return numberAt(bytes.data() + 8 * i); };
+    if (number(0)) out.file = FileState{number(1), number(2), number(3), int64_t(number(4)), int64_t(number(5))};
+    out.path.assign(bytes.begin() + kFileStateBytes, bytes.end());
+    return out;
+}
+
 /// Records up to the first one that is not whole.
 Journal::Content Journal::read() const {
     Content out;
     const std::vector<uint8_t> bytes = readAll(file("changes", last()));
     const uint8_t *at = bytes.data(), *end = at + bytes.size();
+    out.isTailLost = at != end;
     if (bytes.size() < kMagic.size() || !std::equal(kMagic.begin(), kMagic.end(), at)) return out;
     at += kMagic.size();
     bool isFirst = true;
@@ -117,7 +139,7 @@ Journal::Content Journal::read() const {
         Record record{Kind(at[0]), {at + 17, at + 17 + size}};
         at += 17 + size;
         if (isFirst)
-            out.level.assign(record.bytes.begin(), record.bytes.end());
+            out.level = levelOf(record.bytes);
         else
             out.records.push_back(std::move(record));
         isFirst = false;
@@ -129,13 +151,16 @@ Journal::Content Journal::read() const {
 std::optional<Recovery> Journal::look() const {
     if (last() == 0) return std::nullopt;
     const Content content = read();
-    const auto isChange = [](const Record& record) { return record.kind == Kind::Change; };
-    const auto changes = std::count_if(content.records.begin(), content.records.end(), isChange);
-    if (changes == 0) return std::nullopt;
-    return Recovery{content.level, size_t(changes), content.isTailLost};
+    size_t changes = 0;
+    for (const Record& each : content.records) {
+        if (each.kind == Kind::Change) ++changes;
+        if (each.kind == Kind::Recovered && each.bytes.size() == 8) changes += numberAt(each.bytes.data());
+    }
+    if (changes == 0 && !content.isTailLost) return std::nullopt;
+    return Recovery{content.level, changes, content.isTailLost};
 }
 
-std::string Journal::recover(rubble::World& world) const {
+void Journal::recover(rubble::World& world) const {
     const Content content = read();
     world.load_game(file("base", last()).c_str());
     auto end = content.records.end();
@@ -145,10 +170,9 @@ std::string Journal::recover(rubble::World& world) const {
     }
     for (auto each = content.records.begin(); each != end; ++each)
         if (each->kind == Kind::Change) world.apply_deltas(each->bytes.data(), each->bytes.size());
-    return content.level;
 }
 
-void Journal::begin(rubble::World& world, const std::string& level) {
+void Journal::begin(rubble::World& world, const JournalLevel& level, size_t recovered) {
     const uint64_t number = last() + 1;
     world.keep_deltas(RUBBLE_DELTAS_ALL);
     world.save_game(file("base", number).c_str());
@@ -158,7 +182,13 @@ void Journal::begin(rubble::World& world, const std::string& level) {
     m_changes = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0600);
     if (m_changes < 0) fail(path, "cannot open");
     writeAll(m_changes, path, reinterpret_cast<const uint8_t*>(kMagic.data()), kMagic.size());
-    write(Kind::Change, {level.begin(), level.end()});
+    write(Kind::Change, bytesOf(level));
+    if (recovered) {
+        std::vector<uint8_t> count;
+        addNumber(count, recovered);
+        write(Kind::Recovered, count);
+    }
+    m_isRecovered = recovered > 0;
     m_thread = std::jthread([this](const std::stop_token& stop) { bringToDisk(stop); });
     m_found.reset();
     removeOthers(number);

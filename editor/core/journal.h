@@ -11,11 +11,24 @@
 
 namespace editor {
 
+/// What tells that a file was written.
+struct FileState {
+    uint64_t size = 0, device = 0, number = 0;
+    int64_t seconds = 0, nanoseconds = 0;
+    bool operator==(const FileState&) const = default;
+};
+
+/// What a journal is of.
+struct JournalLevel {
+    std::string path;               ///< of the level's file; empty: it has none
+    std::optional<FileState> file;  ///< as it was loaded or saved; none: there was none
+};
+
 /// What a journal holds of a level that was not closed.
 struct Recovery {
-    std::string level;        ///< the level's file; empty: it had none
+    JournalLevel level;
     size_t changes = 0;       ///< records since it was opened or saved
-    bool isTailLost = false;  ///< the last record is damaged, as by a power failure, and is left out
+    bool isTailLost = false;  ///< a record is damaged, as by a power failure: it and what follows are left out
 };
 
 /// Keeps what is done to a level on the disk until it is closed, so that a crash loses nothing of it. A folder holds
@@ -25,21 +38,22 @@ class Journal {
 public:
     /// Takes the folder, which is made. Throws Refused where another editor has it, or it cannot be written.
     explicit Journal(std::string folder);
-    /// Closes it: what it holds is removed, unless it waits for recover() or discard().
+    /// Closes it: what it holds is removed, unless it waits for recover() or discard(), or was recovered and not saved.
     ~Journal();
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
     /// What is there of an editor that has crashed; none: nothing.
     const std::optional<Recovery>& found() const { return m_found; }
-    /// Makes that level of the world, exactly as it was, but without a play that was not ended; returns its file.
-    /// Throws rubble::Error where it is damaged.
-    std::string recover(rubble::World& world) const;
+    /// Makes that level of the world, exactly as it was, but without a play that was not ended. Throws rubble::Error
+    /// where it is damaged.
+    void recover(rubble::World& world) const;
     /// Forgets what is there.
     void discard();
 
     /// Begins again: the world as it is now is the base, and it keeps deltas from now on. What was there is removed.
-    void begin(rubble::World& world, const std::string& level);
+    /// recovered: how many changes of the base are not in the level's file, so that closing keeps the journal.
+    void begin(rubble::World& world, const JournalLevel& level, size_t recovered = 0);
     /// Play begins or has ended: a crash in between comes back to its beginning.
     void markPlay(bool begins);
     /// Adds what the world's steps came to since the last call. When this returns, the system has it, so that it
@@ -47,16 +61,18 @@ public:
     void add(rubble::World& world);
 
 private:
-    enum class Kind : uint8_t { Change = 1, PlayBegins, PlayEnds };
+    enum class Kind : uint8_t { Change = 1, PlayBegins, PlayEnds, Recovered };
     struct Record {
         Kind kind;
         std::vector<uint8_t> bytes;
     };
     struct Content {
-        std::string level;
+        JournalLevel level;
         std::vector<Record> records;
         bool isTailLost = false;
     };
+    static std::vector<uint8_t> bytesOf(const JournalLevel& level);
+    static JournalLevel levelOf(const std::vector<uint8_t>& bytes);
     std::string file(const char* name, uint64_t number) const;
     uint64_t last() const;
     Content read() const;
@@ -70,7 +86,8 @@ private:
     void bringToDisk(const std::stop_token& stop);
     void closeChanges();
     std::optional<Recovery> m_found;
-    std::mutex m_mutex;  ///< of m_changes and m_isDirty
+    bool m_isRecovered = false;  ///< what is kept was not saved before, nor since
+    std::mutex m_mutex;          ///< of m_changes and m_isDirty
     std::condition_variable_any m_wake;
     bool m_isDirty = false;  ///< something is not on the disk yet
     std::jthread m_thread;   ///< bringToDisk()

@@ -52,13 +52,6 @@ void addTagged(const rubble::World& world, const std::string& tag, Kinds kinds, 
             addAs(world, each, kinds, to);
 }
 
-/// Whether edits leave an object alone: it, or the body of a shape, is locked.
-bool isLocked(const rubble::World& world, uint64_t object) {
-    if (!world.get_tag(object, kLockedTag).empty()) return true;
-    return kindOf(world, object) == RUBBLE_KIND_SHAPE &&
-           !world.get_tag(world.get_shape_state(object).body, kLockedTag).empty();
-}
-
 template <class Read>
 bool isThere(Read&& read) {
     try {
@@ -70,6 +63,12 @@ bool isThere(Read&& read) {
 }
 
 }  // namespace
+
+bool isLocked(const rubble::World& world, uint64_t object) {
+    if (!world.get_tag(object, kLockedTag).empty()) return true;
+    return kindOf(world, object) == RUBBLE_KIND_SHAPE &&
+           !world.get_tag(world.get_shape_state(object).body, kLockedTag).empty();
+}
 
 int kindOf(const rubble::World& world, uint64_t handle) {
     if (isThere([&] { world.get_body_state(handle); })) return RUBBLE_KIND_BODY;

@@ -143,12 +143,13 @@ TEST(Commands, LeaveWhatIsLockedAlone) {
     runAll(editor, {"move 0,1,0 all", "move 0,1,0 tag:layer=props"});
     EXPECT_EQ(heightOf("a"), 0.0);
     EXPECT_EQ(heightOf("b"), 2.0);
-    for (const char* line : {"move 0,1,0 a", "voxel 0,0,0 erase shape=a", "delete a"}) {
+    for (const char* line : {"move 0,1,0 a", "voxel 0,0,0 erase shape=a", "delete a", "carve 0,0.2,0 0.3",
+                             "explode 0,0,0 1", "shatter 0,0.2,0 0.3", "spray 0,0.4,0 #ff0000 0.3"}) {
         const Outcome outcome = editor.run(std::string(line));
         EXPECT_FALSE(outcome.isDone) << line;
         EXPECT_NE(outcome.text.find("found 'a': unlock it first"), outcome.text.npos) << outcome.text;
     }
-    runAll(editor, {"unlock a", "move 0,1,0 a"});
+    runAll(editor, {"carve 2,2.2,0 0.1", "play", "carve 0,0.2,0 0.1", "stop", "unlock a", "move 0,1,0 a"});
     EXPECT_EQ(heightOf("a"), 1.0);
 }
 

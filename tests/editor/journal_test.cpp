@@ -9,6 +9,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <random>
 #include <sstream>
 
@@ -84,7 +85,7 @@ TEST(Journal, BelongsToALevelAndBeginsAgainWhenItIsSaved) {
     Editor again({.journals = copy});
     EXPECT_FALSE(again.document().recovery()) << "that is another level";
     const Outcome opened = again.run("open " + file);
-    EXPECT_NE(opened.text.find("left 1 changes of " + file), opened.text.npos) << opened.text;
+    EXPECT_NE(opened.text.find("left 1 change of " + file), opened.text.npos) << opened.text;
     runAll(again, {"recover"});
     EXPECT_EQ(again.document().hash(), hash);
     EXPECT_EQ(again.document().path(), file);
@@ -110,6 +111,58 @@ TEST(Journal, IsGoneAfterACleanEndAndADiscard) {
         runAll(again, {"discard", "create 3,3,3"});
     }
     EXPECT_TRUE(fs::is_empty(copy));
+}
+
+TEST(Journal, IsKeptUntilItsChangesAreSavedOrDiscarded) {
+    Crashed crashed;
+    const std::string file = crashed.file("level.rubble");
+    runAll(crashed.editor(), {"create 4,4,4 name=crate", ("save " + file).c_str(), "move 0,1,0 crate"});
+    const uint64_t hash = crashed.editor().document().hash();
+    const std::string copy = crashed.copy();
+    {
+        Editor again({.journals = copy});
+        const Outcome opened = again.run("open " + file), saved = again.run(std::string("save"));
+        EXPECT_NE(opened.text.find("left 1 change of"), opened.text.npos) << opened.text;
+        EXPECT_FALSE(saved.isDone);
+        EXPECT_NE(saved.text.find("save: expected recover or discard first"), saved.text.npos) << saved.text;
+    }
+    {
+        Editor again({.journals = copy});
+        runAll(again, {("open " + file).c_str(), "recover"});
+        EXPECT_FALSE(again.run(std::string("undo")).isDone);
+    }
+    Editor again({.journals = copy});
+    runAll(again, {("open " + file).c_str(), "recover"});
+    EXPECT_EQ(again.document().hash(), hash);
+    runAll(again, {"save"});
+    EXPECT_FALSE(again.document().recovery());
+}
+
+TEST(Journal, RemembersTheFileThatItsChangesAreOf) {
+    Crashed crashed;
+    const std::string file = crashed.file("level.rubble");
+    runAll(crashed.editor(), {"create 4,4,4 name=crate", ("save " + file).c_str(), "move 0,1,0 crate"});
+    const std::string copy = crashed.copy();
+    Editor other, again({.journals = copy});
+    runAll(other, {"create 9,9,9", ("save " + file).c_str()});
+    runAll(again, {("open " + file).c_str(), "recover"});
+    EXPECT_TRUE(again.document().hasFileChanged());
+    EXPECT_FALSE(again.run(std::string("save")).isDone);
+    runAll(again, {"save force=yes"});
+}
+
+TEST(Journal, SaysThatItCannotBeRead) {
+    Crashed crashed;
+    runAll(crashed.editor(), {"create 4,4,4 name=crate", "move 0,1,0 crate"});
+    const std::string copy = crashed.copy(), changes = copy + "/untitled/changes-1";
+    std::ofstream(changes, std::ios::binary) << std::string(300, 'x');
+    Editor again({.journals = copy});
+    ASSERT_TRUE(again.document().recovery());
+    EXPECT_TRUE(again.document().recovery()->isTailLost);
+    EXPECT_EQ(again.document().recovery()->changes, 0u);
+    EXPECT_FALSE(again.run(std::string("create 3,3,3")).isDone);
+    runAll(again, {"recover"});
+    EXPECT_TRUE(again.world().get_objects(RUBBLE_KIND_SHAPE).empty()) << "the game that it began with";
 }
 
 TEST(Journal, LeavesADamagedEndOut) {

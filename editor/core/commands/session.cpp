@@ -145,7 +145,13 @@ std::vector<Command> sessionCommands() {
          "step 60"},
         {"stop", "session", Kind::Session, "Ends play: the level is as it was before.", {}, stop, "stop"},
         {"keep", "session", Kind::Session, "Ends play and keeps what became of the level.", {}, keep, "keep"},
-        {"hash", "session", Kind::View, "Tells the level's hash: equal levels have equal ones.", {}, printHash, "hash"},
+        {"hash",
+         "session",
+         Kind::View,
+         "Tells the hash of the level's state, to which undo, redo and stop return.",
+         {},
+         printHash,
+         "hash"},
     };
 }
 

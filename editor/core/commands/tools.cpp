@@ -1,18 +1,38 @@
 // What breaks things, in play or while editing.
+#include <fmt/format.h>
+
 #include "editor/core/editor.h"
 #include "editor/core/rotation.h"
 
 namespace editor {
 namespace {
 
+constexpr double kSootRadius = 1.45;  ///< of an explosion, as a multiple of its size
+
+/// While the level is edited tools leave alone what is locked, as all other edits do.
+void requireUnlocked(Editor& editor, const Arguments& arguments, double reach) {
+    if (editor.document().isPlaying()) return;
+    rubble_query_shape ball{};
+    ball.kind = RUBBLE_QUERY_SPHERE;
+    put(ball.position, arguments.point("at"));
+    ball.radius = reach;
+    for (const rubble_shape shape : editor.world().overlap_shapes(ball))
+        if (isLocked(editor.world(), shape))
+            arguments.refuse("at",
+                             fmt::format("what is not locked within {} m, found '{}': unlock it first, or play", reach,
+                                         nameOf(editor.world(), editor.world().get_shape_state(shape).body)));
+}
+
 void explode(Editor& editor, const Arguments& arguments) {
     rubble_explosion explosion{};
     put(explosion.position, arguments.point("at"));
     explosion.size = arguments.number("size");
+    requireUnlocked(editor, arguments, kSootRadius * explosion.size);
     editor.world().explode(explosion);
 }
 
 void carve(Editor& editor, const Arguments& arguments) {
+    requireUnlocked(editor, arguments, arguments.number("radius"));
     rubble_carve hole{};
     hole.brush = RUBBLE_BRUSH_SPHERE;
     put(hole.position, arguments.point("at"));
@@ -21,6 +41,7 @@ void carve(Editor& editor, const Arguments& arguments) {
 }
 
 void shatter(Editor& editor, const Arguments& arguments) {
+    requireUnlocked(editor, arguments, arguments.number("radius"));
     rubble_break blow{};
     put(blow.position, arguments.point("at"));
     for (double& radius : blow.radii) radius = arguments.number("radius");
@@ -29,6 +50,7 @@ void shatter(Editor& editor, const Arguments& arguments) {
 }
 
 void spray(Editor& editor, const Arguments& arguments) {
+    requireUnlocked(editor, arguments, arguments.number("radius"));
     rubble_paint paint{};
     const auto color = arguments.color("color");
     std::copy(color.begin(), color.end(), paint.color);

@@ -17,10 +17,10 @@ void drawRecovery(Session& session) {
     ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({480 * uiScale(), 0});
     if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
-    const std::string level = found->level.empty() ? "a level without a file" : found->level;
+    const std::string level = found->level.path.empty() ? "a level without a file" : found->level.path;
     ImGui::TextWrapped("%s",
                        fmt::format("An editor of {} ended before it could save {} changes.{}", level, found->changes,
-                                   found->isTailLost ? " The last of them is damaged and is left out." : "")
+                                   found->isTailLost ? " The journal is damaged, and what came later is lost." : "")
                            .c_str());
     ImGui::Spacing();
     const bool isRecovered = ImGui::Button("Recover");
