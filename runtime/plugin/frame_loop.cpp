@@ -296,12 +296,12 @@ std::span<const BodyPose> FrameLoop::changedPoses(std::span<const BodyPose> move
 
 void FrameLoop::publish(const FrameChanges& changes, std::span<const BodyPose> moved, std::span<const Impact> impacts) {
     m_moved = moved;
+    const std::lock_guard lock(m_publishing);  // a draw() that took this step's patches now would have no snapshot of it
     if (m_shadow) {
         const ScopedTimer timer(m_times[Stage::Shadow]);
         m_shadow->submit(changes, moved, m_world);
     }
     const ScopedTimer timer(m_times[Stage::Publish]);
-    const std::lock_guard lock(m_publishing);
     if (!m_publish && m_moveParticles) m_snapshots.stepParticles(changes, impacts, m_world);
     if (!m_shadow) {
         if (m_publish) m_snapshots.publishWithoutShadow(changes, moved, m_world, impacts);

@@ -19,7 +19,7 @@ inline bool changesShadow(const FrameChanges& changes, std::span<const BodyPose>
 }
 
 /// Keeps the shadow volume up to date, on its own thread or inline, from a copy of the world's shapes that shares their
-/// bricks. [main-thread] All calls.
+/// bricks. [main-thread] All calls but takePatches(), which any thread may make.
 class ShadowWorker {
 public:
     enum class Mode { Thread, Inline };

@@ -112,12 +112,25 @@ struct BoxAxes {
     int count = 0;
 
     explicit BoxAxes(const CellShape& box) {
+        const std::array<glm::dvec3, 3> edges = edgeDirections(box);
         for (int i = 0; i < 3; ++i) add(box, glm::dvec3(i == 0, i == 1, i == 2));
-        for (const glm::dvec3& half : box.halfAxes) add(box, half);
+        for (const glm::dvec3& edge : edges) add(box, edge);
         for (int i = 0; i < 3; ++i)
-            for (const glm::dvec3& half : box.halfAxes)
-                if (const double length = glm::length(half); length > 0.0)
-                    add(box, glm::cross(glm::dvec3(i == 0, i == 1, i == 2), half / length));
+            for (const glm::dvec3& edge : edges) add(box, glm::cross(glm::dvec3(i == 0, i == 1, i == 2), edge));
+    }
+    /// Unit vectors; of a flat box the third is its normal, and there is none of a segment or a point.
+    static std::array<glm::dvec3, 3> edgeDirections(const CellShape& box) {
+        std::array<glm::dvec3, 3> out{};
+        size_t flat = 0, flatCount = 0;
+        for (size_t i = 0; i < 3; ++i) {
+            const double length = glm::length(box.halfAxes[i]);
+            if (length > 0.0)
+                out[i] = box.halfAxes[i] / length;
+            else
+                flat = i, ++flatCount;
+        }
+        if (flatCount == 1) out[flat] = glm::cross(out[(flat + 1) % 3], out[(flat + 2) % 3]);
+        return out;
     }
     void add(const CellShape& box, glm::dvec3 axis) {
         const double length = glm::length(axis);
