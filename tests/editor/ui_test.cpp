@@ -171,7 +171,7 @@ TEST(WindowRecovery, AsksWhatBecomesOfChangesThatACrashLeft) {
     Document& document = ui.stage().editor().document();
     ASSERT_TRUE(document.recovery());
     ui.frames(2);
-    EXPECT_EQ(ui.runAll("ui at 275 320\nui click"), "");
+    EXPECT_EQ(ui.runAll("ui at 281 326\nui click"), "");
     EXPECT_FALSE(document.recovery());
     EXPECT_EQ(document.world().get_objects(RUBBLE_KIND_SHAPE).size(), 1u);
 }

@@ -16,7 +16,15 @@ void drawRecovery(Session& session) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({480 * uiScale(), 0});
-    if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8 * uiScale());
+    const bool isOpen =
+        ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+    ImGui::PopStyleVar();
+    if (!isOpen) return;
+    ImGui::PushFont(boldFont());
+    ImGui::TextUnformatted(kTitle);
+    ImGui::PopFont();
+    ImGui::Spacing();
     const std::string level = found->level.path.empty() ? "a level without a file" : found->level.path;
     ImGui::TextWrapped("%s",
                        fmt::format("An editor of {} ended before it could save {} changes.{}", level, found->changes,
