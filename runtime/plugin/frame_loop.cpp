@@ -296,7 +296,7 @@ std::span<const BodyPose> FrameLoop::changedPoses(std::span<const BodyPose> move
 
 void FrameLoop::publish(const FrameChanges& changes, std::span<const BodyPose> moved, std::span<const Impact> impacts) {
     m_moved = moved;
-    const std::lock_guard lock(m_publishing);  // a draw() that took this step's patches now would have no snapshot of it
+    const std::lock_guard lock(m_publishing);  // a draw() before publish() would take this step's patches
     if (m_shadow) {
         const ScopedTimer timer(m_times[Stage::Shadow]);
         m_shadow->submit(changes, moved, m_world);
