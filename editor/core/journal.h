@@ -79,12 +79,12 @@ private:
     std::optional<Recovery> look() const;
     void write(Kind kind, const std::vector<uint8_t>& bytes);
     void removeOthers(uint64_t number) const;
+    void bringToDisk(const std::stop_token& stop);
+    void closeChanges();
 
     std::string m_folder;
     int m_lock = -1, m_changes = -1;  ///< file descriptors
     uint64_t m_number = 0;
-    void bringToDisk(const std::stop_token& stop);
-    void closeChanges();
     std::optional<Recovery> m_found;
     bool m_isRecovered = false;  ///< what is kept was not saved before, nor since
     std::mutex m_mutex;          ///< of m_changes and m_isDirty

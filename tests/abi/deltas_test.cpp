@@ -446,18 +446,18 @@ TEST_F(AbiDeltas, ARefusedTakeLeavesRecordingDeltasAndReportsOfTheFollower) {
 TEST_F(AbiDeltas, AStepThatIsRefusedLeavesDeltasOfTheFollower) {
     auto settings = sized<rubble_world_settings>();
     settings.flags = RUBBLE_WORLD_NO_RENDERER;
-    rubble_world stranger = 0;
-    ASSERT_EQ(api()->create_world(&settings, &stranger), RUBBLE_OK) << api()->get_last_error();
-    ASSERT_EQ(api()->step(stranger), RUBBLE_OK) << "as many as the other world has done";
-    ASSERT_EQ(api()->keep_deltas(stranger, RUBBLE_DELTAS_ALL), RUBBLE_OK);
+    rubble_world unrelated = 0;
+    ASSERT_EQ(api()->create_world(&settings, &unrelated), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->step(unrelated), RUBBLE_OK) << "as many as the other world has done";
+    ASSERT_EQ(api()->keep_deltas(unrelated, RUBBLE_DELTAS_ALL), RUBBLE_OK);
     breakTable();
     step();
     const std::vector<uint8_t> data = take();
-    expectRefused(api()->apply_deltas(stranger, data.data(), data.size()), RUBBLE_ERROR_FILE,
+    expectRefused(api()->apply_deltas(unrelated, data.data(), data.size()), RUBBLE_ERROR_FILE,
                   "a shape that fits the world before the step");
     uint64_t size = 0;
-    EXPECT_EQ(api()->take_deltas(stranger, nullptr, 0, &size), RUBBLE_OK) << api()->get_last_error();
-    EXPECT_EQ(api()->destroy_world(stranger), RUBBLE_OK);
+    EXPECT_EQ(api()->take_deltas(unrelated, nullptr, 0, &size), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(api()->destroy_world(unrelated), RUBBLE_OK);
 }
 
 TEST_F(AbiDeltas, WrongBytesAreRefused) {

@@ -4,24 +4,9 @@
 #include "runtime/core/planted_fault.h"
 
 namespace rubble {
-namespace {
-
-/// Chains field after field into one hash.
-struct Hasher {
-    uint64_t state = 0;
-    void add(uint64_t value) { state = hashValue(value, state); }
-    void add(const glm::dvec3& v) { state = hashBytes(&v, sizeof v, state); }
-    void add(const glm::dquat& q) { state = hashBytes(&q, sizeof q, state); }
-    void add(const Pose& pose) {
-        add(pose.position);
-        add(pose.rotation);
-    }
-};
-
-}  // namespace
 
 uint64_t hashState(const Body& body, uint64_t seed) {
-    Hasher hasher{seed};
+    StateHasher hasher{seed};
     hasher.add(body.pose);
     hasher.add(body.velocity);
     hasher.add(body.angularVelocity);
@@ -34,7 +19,7 @@ uint64_t hashState(const Body& body, uint64_t seed) {
 }
 
 uint64_t hashState(const Shape& shape, uint64_t paletteHash, uint64_t seed) {
-    Hasher hasher{seed};
+    StateHasher hasher{seed};
     hasher.add(shape.body.slot());
     hasher.add(shape.local);
     hasher.add(glm::dvec3(shape.grid.size()));
@@ -54,7 +39,7 @@ uint64_t hashState(const Shape& shape, uint64_t seed) {
 }
 
 uint64_t hashState(const LightGroup& group, uint64_t seed) {
-    Hasher hasher{seed};
+    StateHasher hasher{seed};
     hasher.add(group.removedVoxels << 1 | uint64_t(group.out));
     hasher.add(group.initialVoxels);
     hasher.add(group.failingSince << 2 | uint64_t(group.off) << 1 | uint64_t(group.dark));

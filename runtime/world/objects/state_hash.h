@@ -1,9 +1,22 @@
 #pragma once
 #include <cstdint>
 
+#include "runtime/core/hash.h"
 #include "runtime/world/objects/world_objects.h"
 
 namespace rubble {
+
+/// Chains value after value into one hash.
+struct StateHasher {
+    uint64_t state = 0;
+    void add(uint64_t value) { state = hashValue(value, state); }
+    void add(const glm::dvec3& v) { state = hashBytes(&v, sizeof v, state); }
+    void add(const glm::dquat& q) { state = hashBytes(&q, sizeof q, state); }
+    void add(const Pose& pose) {
+        add(pose.position);
+        add(pose.rotation);
+    }
+};
 
 // What resolvedHash() takes of one object, chained into a hash: its state, without its slot. Costs no voxels.
 

@@ -6,13 +6,6 @@
 namespace rubble {
 namespace {
 
-/// Chains value after value into one hash.
-struct Hasher {
-    uint64_t state = 0;
-    void add(uint64_t value) { state = hashValue(value, state); }
-    void add(const glm::dvec3& v) { state = hashBytes(&v, sizeof v, state); }
-};
-
 /// Hashes of palettes, of which most follow an equal one.
 class PaletteHash {
 public:
@@ -44,7 +37,7 @@ uint64_t stateHash(const WorldData& world) {
 }
 
 uint64_t voxelHash(const WorldState& world) {
-    Hasher hasher;
+    StateHasher hasher;
     PaletteHash palettes;
     world.shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
         hasher.add(handle.slot());
@@ -58,7 +51,7 @@ uint64_t voxelHash(const WorldState& world) {
 }
 
 uint64_t resolvedHash(const WorldState& world) {
-    Hasher hasher;
+    StateHasher hasher;
     const auto addAll = [&](const auto& map) {
         map.forEach([&](auto handle, const auto& value) {
             hasher.add(handle.slot());

@@ -96,17 +96,22 @@ TEST(SameStep, TagsAreFoundAsTheyWereSet) {
               "");
 }
 
+rubble_light_settings bulbOf(Yard& yard) {
+    rubble_light bulb = 0;
+    uint32_t count = 0;
+    auto light = sized<rubble_light_settings>();
+    EXPECT_EQ(yard.api().find_by_tag(yard.world(), RUBBLE_KIND_LIGHT, "bulb", nullptr, &bulb, 1, &count), RUBBLE_OK);
+    EXPECT_EQ(yard.api().get_light_settings(yard.world(), bulb, &light), RUBBLE_OK);
+    return light;
+}
+
 TEST(SameStep, ADarkLightKeepsItsColour) {
     Yard yard;
     EXPECT_EQ(yard.run("local l = FindLight('bulb') SetLightColor(l, 1, 0.5, 0) SetLightIntensity(l, 0) wait(0) "
                        "assert(not IsLightActive(l)) SetLightColor(l, 0, 0.5, 1) wait(0) "
                        "assert(not IsLightActive(l)) SetLightIntensity(l, 8) wait(0) assert(IsLightActive(l))"),
               "");
-    rubble_light bulb = 0;
-    uint32_t count = 0;
-    ASSERT_EQ(yard.api().find_by_tag(yard.world(), RUBBLE_KIND_LIGHT, "bulb", nullptr, &bulb, 1, &count), RUBBLE_OK);
-    auto light = sized<rubble_light_settings>();
-    ASSERT_EQ(yard.api().get_light_settings(yard.world(), bulb, &light), RUBBLE_OK);
+    const rubble_light_settings light = bulbOf(yard);
     EXPECT_NEAR(light.color[1], 4.0, 1e-4);
     EXPECT_NEAR(light.color[2], 8.0, 1e-4);
 }
@@ -116,11 +121,7 @@ TEST(SameStep, ChangesOfALightAddUp) {
     EXPECT_EQ(yard.run("local l = FindLight('bulb') SetLightColor(l, 1, 0, 0) SetLightIntensity(l, 5) "
                        "SetLightEnabled(l, false) wait(0)"),
               "");
-    rubble_light bulb = 0;
-    uint32_t count = 0;
-    ASSERT_EQ(yard.api().find_by_tag(yard.world(), RUBBLE_KIND_LIGHT, "bulb", nullptr, &bulb, 1, &count), RUBBLE_OK);
-    auto light = sized<rubble_light_settings>();
-    ASSERT_EQ(yard.api().get_light_settings(yard.world(), bulb, &light), RUBBLE_OK);
+    const rubble_light_settings light = bulbOf(yard);
     EXPECT_NEAR(light.color[0], 5.0, 1e-4);
     EXPECT_EQ(light.color[1], 0.0);
     EXPECT_FALSE(light.flags & RUBBLE_LIGHT_ENABLED);
