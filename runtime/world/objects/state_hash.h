@@ -9,9 +9,13 @@ namespace rubble {
 /// Chains value after value into one hash.
 struct StateHasher {
     uint64_t state = 0;
+    /// A number, or bits.
     void add(uint64_t value) { state = hashValue(value, state); }
+    /// The bytes of a vector.
     void add(const glm::dvec3& v) { state = hashBytes(&v, sizeof v, state); }
+    /// The bytes of a quaternion.
     void add(const glm::dquat& q) { state = hashBytes(&q, sizeof q, state); }
+    /// Position, then rotation.
     void add(const Pose& pose) {
         add(pose.position);
         add(pose.rotation);
