@@ -40,6 +40,10 @@ Result<std::unique_ptr<Window>> Window::create(glm::ivec2 size, const std::strin
 
 Window::Window(GLFWwindow* window) : m_window(window), m_down(GLFW_KEY_LAST + 1, 0), m_wasDown(m_down) {
     glfwGetCursorPos(m_window, &m_mouse.x, &m_mouse.y);
+    glfwSetWindowUserPointer(m_window, this);
+    glfwSetScrollCallback(m_window, [](GLFWwindow* w, double, double turned) {
+        static_cast<Window*>(glfwGetWindowUserPointer(w))->m_wheel += turned;
+    });
 }
 
 Window::~Window() {
@@ -67,6 +71,29 @@ bool Window::pressed(int key) const {
 }
 bool Window::mouseHeld() const {
     return glfwGetMouseButton(m_window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
+}
+
+bool Window::buttonHeld(int button) const {
+    return glfwGetMouseButton(m_window, button) == GLFW_PRESS;
+}
+double Window::takeWheel() {
+    return std::exchange(m_wheel, 0.0);
+}
+
+void Window::captureCursor(bool isCaptured) {
+    if (isCaptured == m_isCaptured) return;
+    m_isCaptured = isCaptured;
+    glfwSetInputMode(m_window, GLFW_CURSOR, isCaptured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+    glfwGetCursorPos(m_window, &m_mouse.x, &m_mouse.y);
+}
+
+glm::dvec2 Window::cursor() const {
+    glm::dvec2 at, units;
+    glfwGetCursorPos(m_window, &at.x, &at.y);
+    int width = 0, height = 0;
+    glfwGetWindowSize(m_window, &width, &height);
+    units = {std::max(width, 1), std::max(height, 1)};
+    return at * glm::dvec2(size()) / units;
 }
 
 glm::dvec2 Window::takeMouseMotion() {

@@ -32,6 +32,14 @@ public:
     bool pressed(int key) const;
     /// Whether the left mouse button is down.
     bool mouseHeld() const;
+    /// Whether a button of the mouse is down: 0 left, 1 right, 2 middle.
+    bool buttonHeld(int button) const;
+    /// How far the wheel was turned since the last call.
+    double takeWheel();
+    /// A captured cursor is hidden and never leaves the window.
+    void captureCursor(bool isCaptured);
+    /// Where a free cursor is, in pixels of the framebuffer.
+    glm::dvec2 cursor() const;
     /// Pixels that the captured mouse moved since the last call.
     glm::dvec2 takeMouseMotion();
     /// Size of the framebuffer in pixels.
@@ -47,6 +55,8 @@ private:
     explicit Window(GLFWwindow* window);
     GLFWwindow* m_window;
     glm::dvec2 m_mouse{0.0};
+    double m_wheel = 0.0;
+    bool m_isCaptured = true;
     std::string m_down, m_wasDown;  ///< one byte a key
 };
 
