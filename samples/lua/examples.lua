@@ -90,6 +90,17 @@ local before = GetShapeVoxelCount(wall)
 local removed = MakeHole({0, 1.5, 0.15}, 0.5, 0.5) -- brick is of medium hardness
 wait(0.1)
 assert(removed > 0 and GetShapeVoxelCount(wall) <= before - removed)
+--- MakeHoleLine
+local wall = FindShape("wall")
+local before = GetShapeVoxelCount(wall)
+MakeHoleLine({-1, 1.5, 0.15}, {1, 1.5, 0.15}, 0.12, 0.12) -- a slit of two metres
+wait(0.1)
+assert(GetShapeVoxelCount(wall) <= before - 20 * 2 * 3)
+--- Crack
+local bodies = #FindBodies()
+Crack({0, 1.5, 0.15}, 0.6, 0.6)
+wait(0.1)
+assert(#FindBodies() > bodies) -- bricks that came off
 --- Explosion
 Explosion({0, 0.4, -0.5}, 1.5)
 wait(0.1)
@@ -107,6 +118,13 @@ assert(GetFireCount() > 0)
 SpawnFire({0, 0.8, -1.6})
 wait(0.1)
 assert(GetFireCount() > 0)
+--- Extinguish
+SpawnFire({0, 0.8, -1.6})
+wait(0.1)
+assert(GetFireCount() > 0)
+Extinguish({0, 0.8, -1.6}, 1, 20)
+wait(0.1)
+assert(GetFireCount() == 0)
 --- GetFireCount
 assert(GetFireCount() == 0)
 --- QueryClosestFire

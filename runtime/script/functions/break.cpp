@@ -18,6 +18,29 @@ int makeHole(lua_State* L) {
     return 1;
 }
 
+int makeHoleLine(lua_State* L) {
+    auto carve = sized<rubble_carve>();
+    carve.brush = RUBBLE_BRUSH_CAPSULE;
+    copy(carve.position, vectorAt(L, 1, "p0"));
+    copy(carve.end, vectorAt(L, 2, "p1"));
+    carve.radii[0] = numberAt(L, 3, "r0");
+    carve.radii[1] = std::min(numberOr(L, 4, "r1", 0.0), carve.radii[0]);
+    carve.radii[2] = std::min(numberOr(L, 5, "r2", 0.0), carve.radii[1]);
+    isDone(L, apiOf(L).carve(worldOf(L), &carve));
+    return 0;
+}
+
+int crack(lua_State* L) {
+    auto edit = sized<rubble_break>();
+    copy(edit.position, vectorAt(L, 1, "pos"));
+    edit.radii[0] = numberAt(L, 2, "r0");
+    edit.radii[1] = std::min(numberOr(L, 3, "r1", 0.0), edit.radii[0]);
+    edit.radii[2] = std::min(numberOr(L, 4, "r2", 0.0), edit.radii[1]);
+    edit.seed = uint32_t(ScriptContext::of(L).shared.step);
+    isDone(L, apiOf(L).break_voxels(worldOf(L), &edit));
+    return 0;
+}
+
 int explosion(lua_State* L) {
     auto blast = sized<rubble_explosion>();
     copy(blast.position, vectorAt(L, 1, "pos"));
@@ -93,6 +116,15 @@ int spawnFire(lua_State* L) {
     copy(heat.position, vectorAt(L, 1, "pos"));
     heat.radius = 0.3;
     isDone(L, apiOf(L).heat(worldOf(L), &heat));
+    return 0;
+}
+
+int extinguish(lua_State* L) {
+    auto edit = sized<rubble_extinguish>();
+    copy(edit.position, vectorAt(L, 1, "pos"));
+    edit.radius = numberOr(L, 2, "radius", 1.0);
+    edit.wet_seconds = numberOr(L, 3, "wetSeconds", 0.0);
+    isDone(L, apiOf(L).extinguish(worldOf(L), &edit));
     return 0;
 }
 
@@ -177,12 +209,18 @@ constexpr ScriptFunction kFunctions[] = {
      "Removes voxels in the next step: soft materials within r0 metres, medium within r1, hard within r2. "
      "Gives how many that are; onBreak() tells what went.",
      makeHole},
+    {"MakeHoleLine(p0, p1, r0, r1, r2)",
+     "The same along a line from p0 to p1: a cut, or a long thin hole. Gives nothing.", makeHoleLine},
+    {"Crack(pos, r0, r1, r2)", "Breaks what is within these radii into pieces, as its material does, in the next step.",
+     crack},
     {"Explosion(pos, size)", "Breaks and pushes in the next step; size 0.5 to 4.", explosion},
     {"Shoot(origin, dir, type, strength, maxDist)",
      "A \"bullet\", \"shotgun\" or \"rocket\" hits the first voxel on its path.", shoot},
     {"AddHeat(shape, pos, amount)", "Heats a shape around a place, by amount megajoules. What gets hot enough burns.",
      addHeat},
     {"SpawnFire(pos)", "Lights what can burn within 0.3 metres.", spawnFire},
+    {"Extinguish(pos, radius, wetSeconds)",
+     "Puts out what burns around a place, and keeps it from burning for so long.", extinguish},
     {"GetFireCount() -> count", "How many parts of shapes burn.", getFireCount},
     {"QueryClosestFire(pos, maxDist) -> hit, pos", "The nearest fire.", queryClosestFire},
     {"QueryAabbFireCount(min, max) -> count", "How many fires are in a box.", queryAabbFireCount},
