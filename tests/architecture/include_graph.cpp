@@ -30,7 +30,7 @@ const std::vector<Library>& libraries() {
         {"OpenGL", {"GL/", "GLES", "glad/", "KHR/"}, {"render/", "samples/support/", "samples/hosts/", "tests/"}},
         {"a window or a GL context",
          {"GLFW/", "EGL/", "GL/osmesa", "X11/"},
-         {"samples/support/", "samples/sandbox/window.cpp", "editor/"}},
+         {"samples/support/", "samples/sandbox/window.cpp", "samples/sandbox/shell/display.cpp", "editor/"}},
         {"SDL", {"SDL"}, {"samples/hosts/sdl/", "samples/hosts/ogre/main.cpp"}},
         {"Ogre", {"Ogre"}, {"samples/hosts/ogre/"}},
         {"emscripten", {"emscripten"}, {"samples/hosts/web/"}},

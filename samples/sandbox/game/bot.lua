@@ -1,0 +1,163 @@
+-- Plays in the town with each tool and each menu, and writes an image of each.
+local bot = require("bots/hands")
+
+local wall = {Vec(19.0, 0.1, 47.0), Vec(19.4, 0.75, 44.2)}      -- low, of concrete
+local house = {Vec(15.4, 0.1, 35.6), Vec(18.3, 1.5, 34.8)}      -- brick in the sun
+local shop = {Vec(40.5, 0.1, 40.5), Vec(41.2, 1.5, 36.4)}       -- glass
+local car = {Vec(21.6, 0.1, 51.0), Vec(21.4, 0.6, 48.4)}
+
+-- Each tool: where, how long the button is held, and after how many frames the image of its use is taken.
+local uses = {
+    {"sledge", house, 60, 22}, {"axe", house, 60, 20}, {"pistol", shop, 20, 6}, {"shotgun", shop, 20, 8},
+    {"rocket", house, 4, 34}, {"timebomb", car, 4, 40}, {"blowtorch", car, 80, 50}, {"extinguisher", car, 80, 50},
+    {"laser", wall, 60, 40}, {"drill", wall, 70, 50}, {"vacuum", house, 90, 50},
+}
+
+local function use(row)
+    local tool, place, frames, at = row[1], row[2], row[3], row[4]
+    bot.choose(tool)
+    bot.stand(place[1], place[2])
+    bot.image(tool .. "-1")
+    SetInput("lmb", true)
+    for i = 1, math.max(frames, at) + 1 do
+        if i == frames then SetInput("lmb", false) end
+        if i == at then Screenshot(tool .. "-2.png") end
+        if tool == "laser" or tool == "drill" and i % 20 == 0 then AddInput("mousedx", 2) end
+        bot.frames(1)
+    end
+    bot.frames(110)
+    bot.image(tool .. "-3")
+end
+
+local function menus()
+    bot.frames(30)
+    bot.image("title")
+    bot.press("return")
+    bot.expect(GetString("game.menu") == "", "a game that has begun")
+    bot.frames(40)
+    bot.image("play")
+    bot.press("f1")
+    bot.image("keys")
+    bot.press("f1")
+    SetInput("tab", true)
+    AddInput("mousedx", 200)
+    AddInput("mousedy", 160)
+    bot.frames(4)
+    bot.image("radial")
+    SetInput("tab", false)
+    bot.frames(4)
+    bot.press("esc")
+    bot.expect(GetString("game.menu") == "pause", "the menu")
+    bot.image("pause")
+    for _ = 1, 3 do bot.press("downarrow") end
+    bot.press("return")
+    bot.expect(GetString("game.menu") == "settings", "the settings")
+    bot.press("downarrow")
+    bot.press("rightarrow")
+    bot.image("settings")
+    bot.press("esc")
+    bot.press("esc")
+    bot.expect(GetString("game.menu") == "", "to play again")
+end
+
+local function spray()
+    bot.choose("spray")
+    bot.stand(wall[1], wall[2])
+    bot.press("rmb")
+    bot.image("spray-1")
+    SetInput("lmb", true)
+    for i = 1, 60 do
+        AddInput("mousedx", 10 * math.sin(i / 5))
+        AddInput("mousedy", 8 * math.cos(i / 5))
+        bot.frames(1)
+    end
+    bot.image("spray-2")
+    SetInput("lmb", false)
+end
+
+local function bombs()
+    bot.choose("remotebomb")
+    bot.stand(house[1], house[2])
+    for i = -1, 1 do
+        bot.look(house[2] + Vec(0, 0.2, 0.9 * i))
+        bot.press("lmb")
+    end
+    bot.frames(10)
+    bot.image("remotebomb-1")
+    SetInput("rmb", true)
+    bot.frames(14)
+    bot.image("remotebomb-2")
+    SetInput("rmb", false)
+    bot.frames(150)
+    bot.image("remotebomb-3")
+    SetInput("ctrl", true)
+    bot.press("z")
+    SetInput("ctrl", false)
+    bot.frames(10)
+    bot.image("undo")
+end
+
+local function ties()
+    for _, tool in ipairs({"plank", "rope"}) do
+        bot.choose(tool)
+        bot.stand(house[1], house[2])
+        bot.look(house[2] + Vec(0, 0.9, -0.8))
+        bot.press("lmb")
+        bot.look(house[2] + Vec(0, -0.5, 1.4))
+        bot.image(tool .. "-1")
+        bot.press("lmb")
+        bot.frames(30)
+        bot.image(tool .. "-2")
+    end
+end
+
+-- The nearest loose thing that can be carried, in front of the player.
+local function looseThing()
+    local best, nearest = 0, 1e9
+    for _, body in ipairs(FindBodies()) do
+        local mass = IsBodyDynamic(body) and GetBodyMass(body) or 0
+        if mass > 3 and mass < 200 then
+            local at = GetBodyTransform(body) * GetBodyCenterOfMass(body)
+            local far = VecLength(at - Vec(23, 1, 45))
+            if far < nearest and at.y < 1.5 then best, nearest = body, far end
+        end
+    end
+    return best
+end
+
+local function carry()
+    for _, tool in ipairs({"hands", "gravitygun"}) do
+        local body = looseThing()
+        bot.expect(body ~= 0, "a loose thing")
+        local at = GetBodyTransform(body) * GetBodyCenterOfMass(body)
+        bot.choose(tool)
+        bot.stand(Vec(at.x + 0.3, math.max(0.1, at.y - 0.6), at.z + 2), at)
+        bot.image(tool .. "-1")
+        SetInput("lmb", true)
+        bot.frames(30)
+        AddInput("mousedy", -120)
+        bot.frames(40)
+        bot.image(tool .. "-2")
+        bot.press("rmb")
+        SetInput("lmb", false)
+        bot.frames(20)
+        bot.image(tool .. "-3")
+    end
+end
+
+bot.play(function()
+    menus()
+    for _, row in ipairs(uses) do use(row) end
+    spray()
+    bombs()
+    ties()
+    carry()
+    bot.stand(Vec(30, 0.2, 54), Vec(24, 3, 36))
+    bot.press("v")
+    bot.hold("space", 60)
+    bot.image("end")
+end)
+
+function tick()
+    bot.tick()
+end

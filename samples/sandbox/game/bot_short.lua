@@ -1,0 +1,182 @@
+-- A test: builds a small yard and plays in it with each tool and each menu. Each use must do what the tool is for.
+local bot = require("bots/hands")
+
+local kEye = Vec(50, 0, 48)
+local brick, wood, crate
+
+local function build()
+    local function model(size, material, color)
+        return {size = size, voxel = 0.1, origin = {size[1] // 2, 0, size[3] // 2},
+            palette = {{color[1], color[2], color[3], material = material}},
+            boxes = {{0, 0, 0, size[1] - 1, size[2] - 1, size[3] - 1, 1}}}
+    end
+    local gray, red, brown = {0.5, 0.5, 0.5}, {0.5, 0.25, 0.2}, {0.5, 0.35, 0.2}
+    CreateModel(model({120, 3, 120}, "concrete", gray), Transform(Vec(50, -0.3, 50)), false)
+    _, brick = CreateModel(model({60, 30, 3}, "brick", red), Transform(Vec(52, 0, 45)), false)
+    _, wood = CreateModel(model({20, 30, 3}, "wood", brown), Transform(Vec(47.5, 0, 45)), false)
+    crate = CreateModel(model({5, 5, 5}, "wood", brown), Transform(Vec(50, 0, 46.4)), true)
+    bot.stand(kEye, Vec(51.5, 1.4, 45))
+end
+
+-- Holds the left button at a place with a tool for some frames, and lets some pass.
+local function use(tool, target, held, after)
+    bot.choose(tool)
+    bot.look(target)
+    bot.hold("lmb", held)
+    bot.frames(after or 10)
+end
+
+local function breaks(tool, shape, target, held, after)
+    local before = GetShapeVoxelCount(shape)
+    bot.stand(kEye, target)
+    use(tool, target, held, after)
+    local left = IsHandleValid(shape) and GetShapeVoxelCount(shape) or 0
+    bot.expect(left < before, tool .. " to remove voxels")
+    return before - left
+end
+
+local function tools()
+    local near = Vec(51.0, 1.4, 45.1)
+    kEye = Vec(51, 0, 46.8)
+    breaks("sledge", brick, near, 4, 30)
+    breaks("drill", brick, Vec(51.6, 1.2, 45.1), 40)
+    breaks("laser", brick, Vec(50.6, 2.2, 45.1), 6)
+    breaks("pistol", brick, Vec(51.6, 2.2, 45.1), 3)
+    breaks("shotgun", brick, Vec(52.2, 1.8, 45.1), 3)
+    kEye = Vec(47.5, 0, 46.8)
+    breaks("axe", wood, Vec(47.3, 1.6, 45.1), 4, 30)
+    bot.stand(kEye, Vec(47.9, 1.2, 45.1))
+    use("blowtorch", Vec(47.9, 1.2, 45.1), 90)
+    bot.expect(GetFireCount() > 0, "the blowtorch to light a fire")
+    use("extinguisher", Vec(47.9, 1.2, 45.1), 60)
+    bot.expect(GetFireCount() == 0, "the extinguisher to put it out")
+    kEye = Vec(53.5, 0, 47)
+    bot.stand(kEye, Vec(53.5, 1.4, 45.15))
+    local before = GetShapeVoxelCount(brick)
+    use("spray", Vec(53.5, 1.4, 45.15), 12)  -- no script can read paint, which is a layer over the voxels
+    bot.expect(GetShapeVoxelCount(brick) == before, "the spray can to remove nothing")
+end
+
+local function carriers()
+    for _, tool in ipairs({"hands", "gravitygun"}) do
+        kEye = Vec(50, 0, 48)
+        SetBodyTransform(crate, Transform(Vec(50, 0.05, 46.4)))
+        SetBodyVelocity(crate, Vec(0, 0, 0))
+        SetBodyAngularVelocity(crate, Vec(0, 0, 0))
+        bot.stand(kEye, Vec(50, 0.3, 46.4))
+        bot.choose(tool)
+        bot.look(Vec(50, 0.3, 46.4))
+        SetInput("lmb", true)
+        bot.frames(4)
+        bot.look(Vec(50, 1.9, 46))
+        bot.frames(60)
+        bot.expect(GetBodyTransform(crate).pos.y > 0.5, tool .. " to lift a crate")
+        bot.press("rmb")
+        SetInput("lmb", false)
+        bot.frames(40)
+        if tool == "hands" then bot.press("e") end
+    end
+    SetBodyTransform(crate, Transform(Vec(50, 0.05, 46.4)))
+end
+
+local function ties()
+    kEye = Vec(52, 0, 47.5)
+    for tool, find in pairs({plank = function() return #FindJoints() end, rope = function() return #FindJoints() end}) do
+        local before = find()
+        bot.stand(kEye, Vec(53, 1.2, 45.1))
+        use(tool, Vec(53.0, 1.0, 45.1), 3)
+        use(tool, Vec(54.0, 1.6, 45.1), 3, 20)
+        bot.expect(find() > before, tool .. " to hold things together")
+    end
+end
+
+local function blasts()
+    kEye = Vec(54, 0, 51)
+    breaks("rocket", brick, Vec(54, 1.4, 45.1), 3, 60)
+    local after = GetShapeVoxelCount(brick)
+    SetInput("ctrl", true)
+    bot.press("z")
+    SetInput("ctrl", false)
+    bot.frames(5)
+    bot.expect(GetShapeVoxelCount(brick) > after, "Ctrl+Z to take back an explosion")
+    kEye = Vec(50.5, 0, 47)
+    bot.stand(kEye, Vec(50.5, 1.3, 45.1))
+    use("remotebomb", Vec(50.5, 1.3, 45.1), 3)
+    local before = GetShapeVoxelCount(brick)
+    bot.press("rmb")
+    bot.frames(20)
+    bot.expect(GetShapeVoxelCount(brick) < before, "a remote bomb to go off")
+    breaks("timebomb", brick, Vec(53, 0.5, 45.1), 3, 220)
+    local bodies = #FindBodies()
+    use("vacuum", Vec(50.5, 0.2, 45.6), 60)
+    bot.expect(#FindBodies() < bodies, "the vacuum to swallow pieces")
+end
+
+local function menus()
+    bot.expect(GetString("game.menu") == "title", "a title")
+    bot.press("return")
+    bot.expect(GetString("game.menu") == "", "a game that has begun")
+    SetInput("tab", true)
+    bot.frames(3)
+    AddInput("mousedx", 300)
+    bot.frames(3)
+    bot.expect(GetString("game.menu") == "radial", "the wheel of tools")
+    local tool = GetString("game.tool")
+    SetInput("tab", false)
+    bot.frames(4)
+    bot.expect(GetString("game.tool") ~= tool, "another tool")
+    bot.press("esc")
+    bot.expect(GetString("game.menu") == "pause", "the menu")
+    bot.image("pause")
+    for _ = 1, 3 do bot.press("downarrow") end
+    bot.press("return")
+    bot.expect(GetString("game.menu") == "settings", "the settings")
+    for _ = 1, 6 do bot.press("downarrow") end
+    bot.press("leftarrow")
+    bot.expect(GetFloat("world.gravity") == 9, "less gravity")
+    bot.press("rightarrow")
+    bot.press("esc")
+    bot.press("esc")
+    bot.expect(GetString("game.menu") == "", "to play again")
+end
+
+-- After a load the scripts begin again, this one too: onLoad() goes on.
+local progress = saved("progress", {isSaved = false})
+
+local function saves()
+    progress.isSaved = true
+    bot.press("f5")
+    bot.expect(HasSave("quick"), "a saved game")
+    bot.stand(Vec(45, 0, 55), Vec(50, 1, 45))
+    bot.press("f9")
+    bot.frames(3)
+    error("expected the saved game to be loaded")
+end
+
+local function checkLoad()
+    bot.frames(3)
+    bot.expect(GetString("game.menu") == "", "to play on")
+    bot.expect(GetPlayerTransform().pos.z < 54, "the player where the game was saved")
+    bot.expect(GetString("game.tool") == "vacuum", "the tool that was in the hand")
+    bot.expect(#FindBodies("viewmodel") <= 1, "one model before the eyes")
+end
+
+function onLoad()
+    bot.play(checkLoad)
+end
+
+if not progress.isSaved then bot.play(function()
+    bot.frames(3)
+    menus()
+    build()
+    tools()
+    carriers()
+    ties()
+    blasts()
+    bot.image("end")
+    saves()
+end) end
+
+function tick()
+    bot.tick()
+end

@@ -1,0 +1,68 @@
+-- What E does: pushes doors, takes small things into the hand, switches lamps.
+local feel = require("feel")
+
+local interact = {held = 0}
+local kReach, kMaxMass = 2.6, 120
+local localPoint, distance = Vec(0, 0, 0), 1.5
+
+local function hingeOf(shape)
+    for _, joint in ipairs(GetShapeJoints(shape)) do
+        if GetJointType(joint) == "hinge" then return joint end
+    end
+end
+
+-- Takes a thing into the hand where the eyes look at it.
+function interact.take(aim)
+    interact.held, distance = aim.body, math.max(1.2, aim.dist)
+    localPoint = TransformToLocalPoint(GetBodyTransform(aim.body), aim.pos)
+end
+
+-- What E would do with what the eyes look at: a text, and the deed.
+function interact.offer(aim)
+    if interact.held ~= 0 then return "Let go", interact.drop end
+    if not aim.hit or aim.dist > kReach or not IsHandleValid(aim.shape) then return nil end
+    local hinge = hingeOf(aim.shape)
+    if hinge and IsBodyDynamic(aim.body) then
+        return "Push the door", function()
+            local push = VecScale(Vec(aim.dir.x, 0, aim.dir.z), 3.2 * GetBodyMass(aim.body))
+            ApplyBodyImpulse(aim.body, aim.pos, push)
+        end
+    end
+    local lights = GetShapeLights(aim.shape)
+    if #lights > 0 then
+        local isOn = IsLightActive(lights[1])
+        return isOn and "Switch the lamp off" or "Switch the lamp on", function()
+            for _, light in ipairs(lights) do SetLightEnabled(light, not isOn) end
+        end
+    end
+    if IsBodyDynamic(aim.body) and GetBodyMass(aim.body) < kMaxMass then
+        return "Take", function() interact.take(aim) end
+    end
+end
+
+function interact.drop()
+    interact.held = 0
+end
+
+-- Throws what is held.
+function interact.throw(dir)
+    local body = interact.held
+    interact.held = 0
+    if not IsHandleValid(body) then return end
+    local center = GetBodyTransform(body) * GetBodyCenterOfMass(body)
+    ApplyBodyImpulse(body, center, VecScale(dir, 11 * GetBodyMass(body)))
+    feel.kick(-0.8)
+end
+
+-- Each step: holds it before the eyes.
+function interact.update()
+    if interact.held == 0 then return end
+    if not IsHandleValid(interact.held) or not IsBodyDynamic(interact.held) then return interact.drop() end
+    local eye = GetPlayerCameraTransform()
+    local point = GetBodyTransform(interact.held) * localPoint
+    local goal = eye.pos + eye.rot * Vec(0, -0.1, -distance)
+    if VecLength(goal - point) > 2.5 then return interact.drop() end
+    ConstrainPosition(interact.held, 0, point, goal, 6, 12 * GetBodyMass(interact.held))
+end
+
+return interact

@@ -1,0 +1,60 @@
+-- Looks, walks, runs, crouches, jumps and flies; carries a lamp.
+local options = require("options")
+local feel = require("feel")
+
+local player = {isFlying = false, hasLamp = false, speed = 0}
+local kWalk, kRun, kCrouch, kFly, kFastFly = 4.0, 6.8, 2.0, 9.0, 26.0
+local kRadiansPerPixel = 0.0022
+local jumps = false
+
+-- Where the town begins: on the pavement, with the house before one.
+function player.spawn()
+    local place = FindLocation("player")
+    if place ~= 0 then return SetPlayerTransform(GetLocationTransform(place)) end
+    SetPlayerTransform(Transform(Vec(33.5, 0.3, 50.5), QuatLookAt({33.5, 1.6, 50.5}, {25.5, 2.8, 38})))
+end
+
+-- Each frame, where no menu is open.
+function player.tick(dt)
+    local yaw, pitch = GetPlayerLook()
+    local scale = kRadiansPerPixel * options.get("sensitivity") * options.get("fov") / 68
+    SetPlayerLook(yaw - scale * InputValue("mousedx"), pitch - scale * InputValue("mousedy"))
+    jumps = jumps or InputPressed("jump")
+    if InputPressed("v") then player.fly(not player.isFlying) end
+    if InputPressed("flashlight") then player.hasLamp = not player.hasLamp end
+end
+
+function player.fly(isFlying)
+    player.isFlying = isFlying
+    SetPlayerWalking(not isFlying)
+end
+
+-- Each step. `moves`: a menu may hold the player still.
+function player.update(moves)
+    local right, ahead, up = 0, 0, 0
+    if moves then
+        right = (InputDown("right") and 1 or 0) - (InputDown("left") and 1 or 0)
+        ahead = (InputDown("up") and 1 or 0) - (InputDown("down") and 1 or 0)
+        up = (InputDown("jump") and 1 or 0) - (InputDown("crouch") and 1 or 0)
+    end
+    local yaw, pitch = GetPlayerLook()
+    local isFree = player.isFlying or IsPlayerSwimming()
+    local heading = QuatEuler(0, math.deg(yaw), 0) * (isFree and QuatEuler(math.deg(pitch), 0, 0) or Quat())
+    local wish = heading * Vec(right, 0, -ahead)
+    if isFree then wish = wish + Vec(0, up, 0) end
+    local length = VecLength(wish)
+    if length > 1 then wish = VecScale(wish, 1 / length) end
+    local crouches = not isFree and moves and InputDown("crouch")
+    local runs = InputDown("sprint")
+    local speed = player.isFlying and (runs and kFastFly or kFly) or crouches and kCrouch or runs and kRun or kWalk
+    MovePlayer(VecScale(wish, speed), jumps and moves, crouches)
+    jumps = false
+    if player.hasLamp then
+        local eye = GetPlayerCameraTransform()
+        PointLight(eye.pos + eye.rot * Vec(0.2, -0.25, -0.5), 7, 6.2, 5, 1)
+    end
+    local velocity = GetPlayerVelocity()
+    player.speed = IsPlayerGrounded() and VecLength(Vec(velocity.x, 0, velocity.z)) or 0
+end
+
+return player

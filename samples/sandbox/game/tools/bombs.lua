@@ -1,0 +1,42 @@
+-- What bombs of both kinds share: they are bodies with a tag, so that saves keep them and blasts throw them.
+local feel = require("feel")
+local belt = require("toolbelt")
+
+local bombs = {}
+
+-- Throws one before the player. `tag` names its kind.
+function bombs.throw(model, aim, tag, speed)
+    local frame = Transform(aim.eye + 0.5 * aim.dir, aim.rot)
+    local body = CreateModel(model, frame, true)
+    SetTag(body, tag)
+    start(function()
+        wait(0.02)
+        SetBodyVelocity(body, VecScale(aim.dir, speed) + Vec(0, 2, 0) + GetPlayerVelocity())
+        SetBodyAngularVelocity(body, Vec(3, 1, 2))
+    end)
+    return body
+end
+
+-- Puts one on what the eyes look at, where it stays.
+function bombs.place(model, aim, tag)
+    local up = math.abs(aim.normal.y) > 0.9 and Vec(0, 0, 1) or Vec(0, 1, 0)
+    local frame = Transform(aim.pos + 0.1 * aim.normal, QuatLookAt(aim.pos, aim.pos - aim.normal))
+    local body, shape = CreateModel(model, frame, true)
+    SetTag(body, tag)
+    CreateNail(shape, aim.shape, aim.pos, 0)
+    return body
+end
+
+function bombs.center(body)
+    return GetBodyTransform(body) * GetBodyCenterOfMass(body)
+end
+
+function bombs.explode(body, size)
+    local at = bombs.center(body)
+    Delete(body)
+    Explosion(at, size)
+    feel.flash(at + Vec(0, 0.3, 0), {1, 0.62, 0.28}, 600, 0.28)
+    feel.shakeAt(at, 1.1)
+end
+
+return bombs

@@ -1,0 +1,24 @@
+#pragma once
+#include <span>
+
+#include "runtime/script/binding/script_context.h"
+
+namespace sandbox {
+
+class Game;
+
+/// What scripts of the game have beside the functions of all scripts: input, player, camera, saves, models.
+std::span<const rubble::script::ScriptFunction> gameFunctions();
+
+// Their rows, by subject: one file each.
+/// Input and player.
+std::span<const rubble::script::ScriptFunction> playerFunctions();
+/// Camera, menus, saves, undo.
+std::span<const rubble::script::ScriptFunction> sessionFunctions();
+/// Bodies of boxes, ropes, nails.
+std::span<const rubble::script::ScriptFunction> makeFunctions();
+
+/// The game whose script runs.
+Game& gameOf(lua_State* L);
+
+}  // namespace sandbox

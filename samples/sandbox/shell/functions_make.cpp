@@ -1,0 +1,178 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "runtime/script/binding/calls.h"
+#include "samples/sandbox/shell/functions.h"
+#include "samples/sandbox/shell/game.h"
+
+namespace sandbox {
+namespace {
+
+using namespace rubble::script;
+
+/// Leaves the field of a table on the stack; its index.
+int pushField(lua_State* L, int table, const char* name) {
+    lua_getfield(L, table, name);
+    return lua_gettop(L);
+}
+
+double fieldOr(lua_State* L, int table, const char* name, double otherwise) {
+    const double value = numberOr(L, pushField(L, table, name), name, otherwise);
+    lua_pop(L, 1);
+    return value;
+}
+
+int elementAt(lua_State* L, int table, int place, const char* name) {
+    lua_geti(L, table, place);
+    const double value = clampedAt(L, lua_gettop(L), name, -4096.0, 4096.0);
+    lua_pop(L, 1);
+    return int(std::floor(value));
+}
+
+uint8_t byteOf(double share) {
+    return uint8_t(std::clamp(share * 255.0 + 0.5, 0.0, 255.0));
+}
+
+/// A material of the world by its name; "none": it is seen, and touches nothing.
+uint8_t materialOf(lua_State* L, int row) {
+    const std::string name = textOr(L, pushField(L, row, "material"), "material", "none");
+    lua_pop(L, 1);
+    uint32_t index = 0;
+    if (name == "none") return 0;
+    if (apiOf(L).find_material(worldOf(L), name.c_str(), &index) != RUBBLE_OK)
+        luaL_error(L, "CreateModel: expected a material of the world, found \"%s\"", name.c_str());
+    return uint8_t(index);
+}
+
+/// Colours {r, g, b} of 0 to 1 with roughness, metallic, emission, opacity and material.
+void setPalette(lua_State* L, rubble_shape shape, int table) {
+    std::vector<rubble_palette_entry> entries;
+    const int count = int(std::min<lua_Unsigned>(lua_rawlen(L, table), 255));
+    for (int i = 1; i <= count; ++i) {
+        lua_geti(L, table, i);
+        const int row = lua_gettop(L);
+        const Vector color = vectorAt(L, row, "palette");
+        rubble_palette_entry entry = {};
+        for (size_t k = 0; k < 3; ++k) entry.color[k] = byteOf(color[k]);
+        entry.opacity = byteOf(fieldOr(L, row, "opacity", 1.0));
+        entry.roughness = byteOf(fieldOr(L, row, "roughness", 0.6));
+        entry.metallic = byteOf(fieldOr(L, row, "metallic", 0.0));
+        entry.reflectivity = 10;
+        entry.emission = fieldOr(L, row, "emission", 0.0);
+        entry.material = materialOf(L, row);
+        entries.push_back(entry);
+        lua_pop(L, 1);
+    }
+    if (entries.empty()) return;
+    auto range = sized<rubble_palette_range>();
+    range.shape = shape;
+    range.first = 1, range.count = uint32_t(entries.size()), range.entry_size = sizeof(rubble_palette_entry);
+    isDone(L, apiOf(L).set_palette(worldOf(L), &range, entries.data()));
+}
+
+/// Boxes {x, y, z, x1, y1, z1, entry} in cells, both corners in.
+std::vector<uint8_t> fillBoxes(lua_State* L, int table, const std::array<int, 3>& size) {
+    std::vector<uint8_t> cells(size_t(size[0]) * size_t(size[1]) * size_t(size[2]), 0);
+    Sandbox::of(L).charge(L, int64_t(cells.size() / 8));
+    const int count = int(lua_rawlen(L, table));
+    for (int i = 1; i <= count; ++i) {
+        lua_geti(L, table, i);
+        const int row = lua_gettop(L);
+        std::array<int, 6> box;
+        for (int k = 0; k < 6; ++k) box[size_t(k)] = elementAt(L, row, k + 1, "boxes");
+        const auto entry = uint8_t(std::clamp(elementAt(L, row, 7, "boxes"), 0, 255));
+        lua_pop(L, 1);
+        for (int z = std::max(box[2], 0); z <= std::min(box[5], size[2] - 1); ++z)
+            for (int y = std::max(box[1], 0); y <= std::min(box[4], size[1] - 1); ++y)
+                for (int x = std::max(box[0], 0); x <= std::min(box[3], size[0] - 1); ++x)
+                    cells[(size_t(z) * size_t(size[1]) + size_t(y)) * size_t(size[0]) + size_t(x)] = entry;
+    }
+    return cells;
+}
+
+int createModel(lua_State* L) {
+    luaL_checktype(L, 1, LUA_TTABLE);
+    const Placement place = placementAt(L, 2, "transform");
+    const double voxel = std::clamp(fieldOr(L, 1, "voxel", 0.1), 0.005, 1.0);
+    std::array<int, 3> size;
+    const int sizeAt = pushField(L, 1, "size");
+    for (int i = 0; i < 3; ++i) size[size_t(i)] = std::clamp(elementAt(L, sizeAt, i + 1, "size"), 1, 128);
+    const std::vector<uint8_t> cells = fillBoxes(L, pushField(L, 1, "boxes"), size);
+
+    auto body = sized<rubble_body_settings>();
+    body.flags = boolOr(L, 3, false) ? 0u : uint32_t(RUBBLE_BODY_STATIC);
+    copy(body.position, place.position);
+    copy(body.rotation, place.rotation);
+    rubble_body made = 0;
+    if (!isDone(L, apiOf(L).create_body(worldOf(L), &body, &made))) return 0;
+    auto shape = sized<rubble_shape_settings>();
+    shape.source = RUBBLE_SHAPE_INDICES;
+    shape.body = made;
+    shape.rotation[3] = 1.0;
+    shape.voxel_size = voxel;
+    const int origin = pushField(L, 1, "origin");  // the cell that is at the body's frame
+    for (int i = 0; i < 3; ++i) {
+        const double at = lua_isnil(L, origin) ? 0.5 * size[size_t(i)] : elementAt(L, origin, i + 1, "origin");
+        shape.position[i] = -voxel * at;
+        shape.size[i] = size[size_t(i)];
+    }
+    shape.indices = cells.data(), shape.count = cells.size();
+    rubble_shape grid = 0;
+    if (!isDone(L, apiOf(L).create_shape(worldOf(L), &shape, &grid))) return 0;
+    setPalette(L, grid, pushField(L, 1, "palette"));
+    auto& created = ScriptContext::of(L).shared.pending.created;
+    created[made] = RUBBLE_KIND_BODY;
+    created[grid] = RUBBLE_KIND_SHAPE;
+    pushHandle(L, made);
+    pushHandle(L, grid);
+    return 2;
+}
+
+int pushJoint(lua_State* L, const rubble_joint_settings& settings) {
+    rubble_joint joint = 0;
+    isDone(L, apiOf(L).create_joint(worldOf(L), &settings, &joint));
+    if (joint) ScriptContext::of(L).shared.pending.created[joint] = RUBBLE_KIND_JOINT;
+    pushHandle(L, joint);
+    return 1;
+}
+
+int createRope(lua_State* L) {
+    auto rope = sized<rubble_joint_settings>();
+    rope.kind = RUBBLE_JOINT_ROPE;
+    rope.rotation[3] = 1.0;
+    rope.shapes[0] = handleAt(L, 1, "shapeA");
+    copy(rope.position, vectorAt(L, 2, "posA"));
+    rope.shapes[1] = handleAt(L, 3, "shapeB");
+    copy(rope.rope_end, vectorAt(L, 4, "posB"));
+    rope.rope_length = numberOr(L, 5, "length", 0.0);
+    rope.rope_strength = numberOr(L, 6, "strength", 0.0);
+    return pushJoint(L, rope);
+}
+
+int createNail(lua_State* L) {
+    auto nail = sized<rubble_joint_settings>();
+    nail.kind = RUBBLE_JOINT_FIXED;
+    nail.rotation[3] = 1.0;
+    nail.shapes[0] = handleAt(L, 1, "shapeA");
+    nail.shapes[1] = handleAt(L, 2, "shapeB");
+    copy(nail.position, vectorAt(L, 3, "pos"));
+    nail.break_force = numberOr(L, 4, "strength", 0.0);
+    return pushJoint(L, nail);
+}
+
+constexpr ScriptFunction kFunctions[] = {
+    {"CreateModel(model, transform, dynamic) -> body, shape",
+     "A body of boxes: size, voxel (m), origin (cells), palette, boxes.", createModel},
+    {"CreateRope(shapeA, posA, shapeB, posB, length, strength) -> joint",
+     "A rope; length 0: as long as it is, strength 0: it never breaks.", createRope},
+    {"CreateNail(shapeA, shapeB, pos, strength) -> joint", "Holds two shapes together at a place.", createNail},
+};
+
+}  // namespace
+
+std::span<const ScriptFunction> makeFunctions() {
+    return kFunctions;
+}
+
+}  // namespace sandbox

@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <glm/trigonometric.hpp>
+
+#include "runtime/script/binding/calls.h"
+#include "samples/sandbox/shell/functions.h"
+#include "samples/sandbox/shell/game.h"
+
+namespace sandbox {
+namespace {
+
+using namespace rubble::script;
+
+Frame frameAt(lua_State* L, int index, const char* name) {
+    const Placement place = placementAt(L, index, name);
+    const Rotation& turn = place.rotation;
+    return {{place.position[0], place.position[1], place.position[2]}, {turn[3], turn[0], turn[1], turn[2]}};
+}
+
+double fovAt(lua_State* L, int index) {
+    return glm::radians(clampedAt(L, index, "fov", 10.0, 140.0));
+}
+
+int setCameraTransform(lua_State* L) {
+    gameOf(L).camera().frame = frameAt(L, 1, "transform");
+    if (!lua_isnoneornil(L, 2)) gameOf(L).camera().fov = fovAt(L, 2);
+    return 0;
+}
+int setCameraOffsetTransform(lua_State* L) {
+    gameOf(L).camera().offset = frameAt(L, 1, "transform");
+    return 0;
+}
+int setCameraFov(lua_State* L) {
+    gameOf(L).camera().fov = fovAt(L, 1);
+    return 0;
+}
+int makeInteractive(lua_State* L) {
+    gameOf(L).setInteractive();
+    return 0;
+}
+int addUndoMark(lua_State* L) {
+    isDone(L, apiOf(L).add_undo_mark(worldOf(L)));
+    return 0;
+}
+int undo(lua_State* L) {
+    lua_pushboolean(L, gameOf(L).undo());
+    return 1;
+}
+int saveGame(lua_State* L) {
+    gameOf(L).requests().save = textAt(L, 1, "name");
+    return 0;
+}
+int loadGame(lua_State* L) {
+    const std::string name = textAt(L, 1, "name");
+    const bool isThere = gameOf(L).hasSave(name);
+    if (isThere) gameOf(L).requests().load = name;
+    lua_pushboolean(L, isThere);
+    return 1;
+}
+int hasSave(lua_State* L) {
+    lua_pushboolean(L, gameOf(L).hasSave(textAt(L, 1, "name")));
+    return 1;
+}
+int restartLevel(lua_State* L) {
+    gameOf(L).requests().restarts = true;
+    return 0;
+}
+int quitGame(lua_State* L) {
+    gameOf(L).requests().quits = true;
+    return 0;
+}
+int setPreset(lua_State* L) {
+    static constexpr std::string_view kPresets[] = {"draft", "fast", "balanced", "accurate"};
+    const std::string name = textAt(L, 1, "name");
+    if (std::find(std::begin(kPresets), std::end(kPresets), name) == std::end(kPresets))
+        refuseArgument(L, 1, "name", "\"draft\", \"fast\", \"balanced\" or \"accurate\"");
+    gameOf(L).requests().preset = name;
+    return 0;
+}
+int getPreset(lua_State* L) {
+    lua_pushstring(L, gameOf(L).preset().c_str());
+    return 1;
+}
+int screenshot(lua_State* L) {
+    gameOf(L).requests().image = textAt(L, 1, "file");
+    return 0;
+}
+
+constexpr ScriptFunction kFunctions[] = {
+    {"SetCameraTransform(transform, fov)", "The camera of this frame, in place of the player's eyes; fov in degrees.",
+     setCameraTransform},
+    {"SetCameraOffsetTransform(transform)", "Moves the camera from the player's eyes.", setCameraOffsetTransform},
+    {"SetCameraFov(fov)", "The vertical field of view, in degrees.", setCameraFov},
+    {"UiMakeInteractive()", "Menus have the cursor in this frame.", makeInteractive},
+    {"AddUndoMark()", "Sets a mark to which Undo() returns.", addUndoMark},
+    {"Undo() -> boolean", "Takes back what came after the last mark.", undo},
+    {"SaveGame(name)", "Saves the game after this frame.", saveGame},
+    {"LoadGame(name) -> boolean", "Goes on with a saved game after this frame; false: there is none.", loadGame},
+    {"HasSave(name) -> boolean", "Whether there is one.", hasSave},
+    {"RestartLevel()", "Loads the level again after this frame.", restartLevel},
+    {"QuitGame()", "Ends the game after this frame.", quitGame},
+    {"SetPreset(name)", "Draws by another preset: \"draft\", \"fast\", \"balanced\" or \"accurate\".", setPreset},
+    {"GetPreset() -> name", "The one in use.", getPreset},
+    {"Screenshot(file)", "Writes this frame as PNG.", screenshot},
+};
+
+}  // namespace
+
+std::span<const ScriptFunction> sessionFunctions() {
+    return kFunctions;
+}
+
+}  // namespace sandbox

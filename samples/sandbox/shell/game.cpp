@@ -1,0 +1,202 @@
+#include "samples/sandbox/shell/game.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "samples/sandbox/shell/functions.h"
+
+namespace sandbox {
+namespace {
+
+namespace fs = std::filesystem;
+using rubble::script::ScriptHost;
+
+constexpr double kStep = 1.0 / 60.0;
+constexpr int kMaxSteps = 4;      ///< of a frame: a slower machine runs slower instead of falling behind
+constexpr int kImageFrames = 12;  ///< in which the light of an image settles
+
+std::string readText(const std::string& path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+}  // namespace
+
+Game::Game(const rubble_api& api, Display& display, GameSettings settings)
+    : m_api(api), m_display(display), m_settings(std::move(settings)) {}
+
+Game::~Game() {
+    if (m_scripts) writeOptions();
+    m_scripts.reset();
+    if (m_renderer) m_api.destroy_renderer(m_renderer);
+    if (m_world) m_api.destroy_world(m_world);
+}
+
+void Game::fail(const std::string& what) {
+    if (what.empty()) return;
+    m_hasFailed = true;
+    fmt::print(stderr, "sandbox: {}\n", what);
+}
+
+std::string Game::begin() {
+    rubble_host host = {};
+    host.struct_size = sizeof host;
+    host.gl_get_proc_address = m_display.loader();
+    if (m_api.set_host(&host) != RUBBLE_OK) return m_api.get_last_error();
+    rubble_world_settings settings = {};
+    settings.struct_size = sizeof settings;
+    settings.flags = m_settings.bot.empty() ? 0 : RUBBLE_WORLD_WAIT_FOR_SHADOW;
+    settings.physics_threads = m_settings.bot.empty() ? 2 : 1;
+    if (m_api.create_world(&settings, &m_world) != RUBBLE_OK) return m_api.get_last_error();
+    if (m_api.load_level(m_world, m_settings.level.c_str(), m_settings.vdbTool.c_str()) != RUBBLE_OK)
+        return m_api.get_last_error();
+    rubble_settings rules = {};
+    rules.struct_size = sizeof rules;
+    m_api.get_settings(m_world, &rules);
+    rules.flags |= RUBBLE_SETTING_PAINT_LAYER;  // soot and sprays keep their colours on full palettes
+    if (m_api.set_settings(m_world, &rules) != RUBBLE_OK) return m_api.get_last_error();
+    m_player.emplace(m_api, m_world);
+    startScripts();
+    return makeRenderer();
+}
+
+std::string Game::makeRenderer() {
+    if (m_renderer) m_api.destroy_renderer(std::exchange(m_renderer, 0));
+    rubble_renderer_settings settings = {};
+    settings.struct_size = sizeof settings;
+    settings.flags = RUBBLE_RENDERER_RESET_STATE;
+    if (!m_drawsAlways) settings.flags |= RUBBLE_RENDERER_COMPILE_LATE;
+    settings.preset = m_settings.preset.c_str();
+    settings.program_cache = m_settings.programs.empty() ? nullptr : m_settings.programs.c_str();
+    m_isCut = true;
+    if (m_api.create_renderer(m_world, &settings, &m_renderer) != RUBBLE_OK) return m_api.get_last_error();
+    step();  // a renderer shows nothing before one
+    return "";
+}
+
+/// Ends the scripts that there are, and begins those of the game in the world as it is.
+void Game::startScripts() {
+    std::map<std::string, std::string> registry;
+    if (m_scripts) registry = m_scripts->shared().registry;
+    m_scripts.reset();
+    rubble::script::ScriptHostSettings settings;
+    settings.folder = m_settings.folder;
+    settings.limits.memory = 64 << 20;
+    settings.functions = gameFunctions();
+    settings.host = this;
+    settings.log = [](int level, const std::string& line) { fmt::print(level ? stderr : stdout, "{}\n", line); };
+    m_scripts = std::make_unique<ScriptHost>(m_api, m_world, settings);
+    m_scripts->shared().registry = registry;
+    readOptions();
+    m_api.set_undo_limit(m_world, kUndoMarks);
+    m_camera = {};
+    m_scripts->setView(view());
+    m_scripts->addLevelScripts();
+    if (!m_settings.bot.empty()) addScript(m_settings.bot);  // its input is there before the game looks
+    addScript("main.lua");
+}
+
+bool Game::addScript(const std::string& name) {
+    const std::string path = m_settings.folder + "/" + name, text = readText(path);
+    if (text.empty()) fail(path + ": expected a script");
+    return !text.empty() && m_scripts->add(name, text).error().empty();
+}
+
+bool Game::hasFailed() const {
+    const auto& all = m_scripts->scripts();
+    return m_hasFailed || std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.error().empty(); });
+}
+
+bool Game::frame(double seconds) {
+    m_input.beginFrame();
+    const bool isOpen = m_display.poll(m_input);
+    m_isInteractive = false;
+    m_camera.frame.reset();
+    m_scripts->tick(seconds);
+    m_due = std::min(m_due + seconds * m_scripts->timeScale(), kMaxSteps * kStep);
+    for (; m_due >= kStep - 1e-9; m_due -= kStep) step();
+    m_due = std::max(m_due, 0.0);
+    draw(seconds);
+    m_display.captureCursor(!m_isInteractive);
+    carryOutRequests();
+    return isOpen && !m_requests.quits;
+}
+
+void Game::step() {
+    m_player->beforeStep();
+    if (m_scripts->step() != RUBBLE_OK) return fail(m_api.get_last_error());
+    if (std::exchange(m_hasUndone, false)) m_player->adopt(true);
+    m_player->afterStep();
+}
+
+bool Game::undo() {
+    m_hasUndone = m_api.undo(m_world) == RUBBLE_OK;
+    return m_hasUndone;
+}
+
+Frame Game::cameraFrame() const {
+    if (m_camera.frame) return *m_camera.frame;
+    const Frame eye = m_player->eye(std::clamp(m_due / kStep, 0.0, 1.0));
+    return {eye.position + eye.rotation * m_camera.offset.position, eye.rotation * m_camera.offset.rotation};
+}
+
+rubble_view Game::view() const {
+    rubble_view view = {};
+    view.struct_size = sizeof view;
+    view.framebuffer = m_display.framebuffer();
+    view.width = uint32_t(std::max(1, m_display.size().x)), view.height = uint32_t(std::max(1, m_display.size().y));
+    const Frame camera = m_player ? cameraFrame() : Frame{};
+    for (int i = 0; i < 3; ++i) view.position[i] = camera.position[i];
+    const glm::dquat& turn = camera.rotation;
+    view.rotation[0] = turn.x, view.rotation[1] = turn.y, view.rotation[2] = turn.z, view.rotation[3] = turn.w;
+    view.vertical_fov = m_camera.fov;
+    view.alpha = std::clamp(m_due / kStep, 0.0, 1.0);
+    if (m_isCut) view.flags |= RUBBLE_VIEW_CUT;
+    return view;
+}
+
+void Game::draw(double seconds) {
+    const rubble_view seen = view();
+    m_scripts->draw(m_renderer, seen, seconds);
+    if (!m_drawsAlways) return;
+    m_isCut = false;
+    if (m_api.draw(m_renderer, &seen) != RUBBLE_OK) fail(m_api.get_last_error());
+    m_display.present();
+}
+
+std::string Game::writeImage(const std::string& path) {
+    std::error_code ignored;
+    fs::create_directories(fs::path(path).parent_path(), ignored);
+    rubble_view seen = view();
+    seen.flags |= RUBBLE_VIEW_CUT;
+    for (int i = 0; i < kImageFrames; ++i, seen.flags &= ~uint32_t(RUBBLE_VIEW_CUT))
+        if (m_api.draw(m_renderer, &seen) != RUBBLE_OK) return m_api.get_last_error();
+    return m_display.write(path);
+}
+
+void Game::carryOutRequests() {
+    const Requests now = std::exchange(m_requests, Requests{.quits = m_requests.quits});
+    if (!now.image.empty()) fail(writeImage(m_settings.out + "/" + now.image));
+    if (!now.save.empty()) fail(save(now.save));
+    if (!now.load.empty()) fail(load(now.load));
+    if (!now.preset.empty() && now.preset != m_settings.preset) {
+        m_settings.preset = now.preset;
+        fail(makeRenderer());
+    }
+    if (!now.restarts) return;
+    m_scripts->shared().registry["game.restarted"] = "1";
+    if (m_api.load_level(m_world, m_settings.level.c_str(), m_settings.vdbTool.c_str()) != RUBBLE_OK)
+        return fail(m_api.get_last_error());
+    m_player.emplace(m_api, m_world);
+    startScripts();
+    m_isCut = true;
+}
+
+}  // namespace sandbox

@@ -1,0 +1,114 @@
+#pragma once
+#include <rubble/rubble.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/script/script_host.h"
+#include "samples/sandbox/shell/display.h"
+#include "samples/sandbox/shell/input.h"
+#include "samples/sandbox/shell/player.h"
+
+namespace sandbox {
+
+inline constexpr uint32_t kUndoMarks = 24;  ///< that are kept
+
+/// What the game is started with.
+struct GameSettings {
+    std::string level, vdbTool;  ///< the level's file, and the program that reads .vdb
+    std::string folder;          ///< of the game's scripts: main.lua and what it requires
+    std::string bot;             ///< a file of that folder that plays in place of a player; "": nobody
+    std::string saves;           ///< folder of saved games and options
+    std::string out;             ///< folder of images
+    std::string preset = "balanced";
+    std::string programs;  ///< folder of compiled programs; "": none
+};
+
+/// What scripts ask for while they run, and gets done between two frames.
+struct Requests {
+    std::string save, load, image, preset;
+    bool restarts = false, quits = false;
+};
+
+/// A camera of the scripts for one frame, in place of the player's eyes.
+struct CameraOverride {
+    std::optional<Frame> frame;
+    Frame offset;      ///< in the frame of the eyes
+    double fov = 1.2;  ///< radians, vertical
+};
+
+/// The shell around the game's scripts: input, camera, saves, drawing. What the game is they decide: folder/main.lua.
+class Game {
+public:
+    /// The display must outlive it.
+    Game(const rubble_api& api, Display& display, GameSettings settings);
+    ~Game();
+    Game(const Game&) = delete;
+    Game& operator=(const Game&) = delete;
+
+    /// Loads the level and starts the scripts. What is wrong, or "".
+    std::string begin();
+    /// A frame of so many seconds; false: the game is over.
+    bool frame(double seconds);
+    /// Whether frames are drawn, or those alone of which scripts want an image.
+    void drawAlways(bool isAlways) { m_drawsAlways = isAlways; }
+    /// Draws some frames of the world as it is, so that light settles, and writes the last one. What is wrong, or "".
+    std::string writeImage(const std::string& path);
+    /// Whether a script has failed, or an image could not be written.
+    bool hasFailed() const;
+
+    /// The functions of the interface.
+    const rubble_api& api() const { return m_api; }
+    /// The world.
+    rubble_world world() const { return m_world; }
+    /// What the player does.
+    Input& input() { return m_input; }
+    /// The player.
+    Player& player() { return *m_player; }
+    /// What is done after this frame.
+    Requests& requests() { return m_requests; }
+    /// What scripts want of the camera.
+    CameraOverride& camera() { return m_camera; }
+    /// Returns to the last undo mark; the player stays where he is.
+    bool undo();
+    /// Whether menus have the cursor, from the next frame on.
+    void setInteractive() { m_isInteractive = true; }
+    /// What the camera sees between the last two steps.
+    Frame cameraFrame() const;
+    /// The preset that is in use.
+    const std::string& preset() const { return m_settings.preset; }
+    /// Whether there is a saved game of that name.
+    bool hasSave(const std::string& name) const;
+
+private:
+    void startScripts();
+    bool addScript(const std::string& name);
+    std::string makeRenderer();
+    void carryOutRequests();
+    std::string save(const std::string& name);
+    std::string load(const std::string& name);
+    std::string savePath(const std::string& name) const;
+    void readOptions();
+    void writeOptions();
+    void step();
+    void fail(const std::string& what);
+    rubble_view view() const;
+    void draw(double seconds);
+
+    const rubble_api& m_api;
+    Display& m_display;
+    GameSettings m_settings;
+    rubble_world m_world = 0;
+    rubble_renderer m_renderer = 0;
+    std::unique_ptr<rubble::script::ScriptHost> m_scripts;
+    std::optional<Player> m_player;
+    Input m_input;
+    Requests m_requests;
+    CameraOverride m_camera;
+    double m_due = 0.0;  ///< seconds that no step has covered yet
+    bool m_isInteractive = false, m_drawsAlways = true, m_hasUndone = false, m_hasFailed = false, m_isCut = true;
+};
+
+}  // namespace sandbox
