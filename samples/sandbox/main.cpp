@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "runtime/assets/assets.h"
+#include "samples/sandbox/game_program.h"
 #include "samples/sandbox/headless.h"
 #include "samples/sandbox/options.h"
 #include "samples/sandbox/stage.h"
@@ -49,8 +50,10 @@ int writeLevel(const SandboxOptions& options) {
 
 constexpr const char* kHelp =
     "Rubble sandbox: a town corner to take apart.\n"
-    "With a display: WASD and mouse fly, Space/Shift up and down, 1 hammer, 2 explosive, 3 spray can, left click uses "
-    "it, G held grabs (with a click on letting go: throws), F fly or walk (Space jumps, Shift crouches), T torch, R "
+    "With a display: a game whose scripts are in samples/sandbox/game; F1 in it lists the keys, Esc opens its menu.\n"
+    "With --scene, --model or --pass a plain window: WASD and mouse fly, Space/Shift up and down, 1 hammer, 2 "
+    "explosive, "
+    "3 spray can, left click uses it, G held grabs (with a click on letting go: throws), F fly or walk, T torch, R "
     "resets, P next pass, Esc leaves.";
 
 /// NaN is within every range of CLI11, whose numbers are out of range if they are below or above.
@@ -84,6 +87,7 @@ void addFrameOptions(CLI::App& app, SandboxOptions& options) {
     app.add_option("--fps", options.fps, "frames per second of game time (a divisor of 60)")
         ->capture_default_str()
         ->check(CLI::IsMember({1, 2, 3, 4, 5, 6, 10, 12, 15, 20, 30, 60}));
+    app.add_flag("--bot", options.bot, "a script plays the game with all tools, without a window: images in OUT/bot");
     app.add_flag("--headless", options.headless, "no window even where there is a display");
     app.add_flag("--no-render", options.noRender, "no frames: state hashes and figures only");
     app.add_flag("--all-passes", options.allPasses, "write every pass for the frames of the contact sheet");
@@ -133,6 +137,8 @@ int run(int argc, char** argv) {
     if (list) return listScenes();
     if (!options.write.empty()) return writeLevel(options);
     if (options.scene == "all") return runAllScenes(options);
+    const bool isGame = options.scene.empty() && options.model.empty() && options.pass == "final";
+    if (options.bot || (options.wantsWindow() && isGame)) return playGame(options);
     return options.wantsWindow() ? runWindow(options) : runHeadless(options);
 }
 

@@ -27,6 +27,7 @@ struct SandboxOptions {
     bool allPasses = false;      ///< also write every pass of every frame on the sheet
     bool map = false;            ///< without a window: the whole level from above
     std::string screenshot;      ///< window mode: write one frame here and leave
+    bool bot = false;            ///< a script plays the game, without a window
     std::string gl = "auto";     ///< without a window: auto, osmesa or egl
     std::string shaders;         ///< folder of the shaders
     std::string tools;           ///< folder of rubble-vdb

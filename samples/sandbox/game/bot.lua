@@ -4,13 +4,15 @@ local bot = require("bots/hands")
 local wall = {Vec(19.0, 0.1, 47.0), Vec(19.4, 0.75, 44.2)}      -- low, of concrete
 local house = {Vec(15.4, 0.1, 35.6), Vec(18.3, 1.5, 34.8)}      -- brick in the sun
 local shop = {Vec(40.5, 0.1, 40.5), Vec(41.2, 1.5, 36.4)}       -- glass
+local gate = {Vec(26.0, 0.1, 45.9), Vec(26.0, 0.7, 44.2)}       -- wood
+local close = {Vec(17.2, 0.1, 45.9), Vec(17.2, 0.75, 44.2)}     -- the low wall
 local car = {Vec(21.6, 0.1, 51.0), Vec(21.4, 0.6, 48.4)}
 
 -- Each tool: where, how long the button is held, and after how many frames the image of its use is taken.
 local uses = {
-    {"sledge", house, 60, 22}, {"axe", house, 60, 20}, {"pistol", shop, 20, 6}, {"shotgun", shop, 20, 8},
-    {"rocket", house, 4, 34}, {"timebomb", car, 4, 40}, {"blowtorch", car, 80, 50}, {"extinguisher", car, 80, 50},
-    {"laser", wall, 60, 40}, {"drill", wall, 70, 50}, {"vacuum", house, 90, 50},
+    {"sledge", house, 60, 22}, {"axe", gate, 60, 20}, {"pistol", shop, 20, 6}, {"shotgun", shop, 20, 8},
+    {"rocket", house, 4, 34}, {"timebomb", car, 4, 186}, {"blowtorch", car, 80, 50}, {"extinguisher", car, 80, 50},
+    {"laser", wall, 60, 40}, {"drill", close, 70, 50},
 }
 
 local function use(row)
@@ -40,6 +42,7 @@ local function menus()
     bot.image("keys")
     bot.press("f1")
     SetInput("tab", true)
+    bot.frames(3)
     AddInput("mousedx", 200)
     AddInput("mousedy", 160)
     bot.frames(4)
@@ -90,10 +93,13 @@ local function bombs()
     SetInput("rmb", false)
     bot.frames(150)
     bot.image("remotebomb-3")
+    use({"vacuum", house, 90, 30})
     SetInput("ctrl", true)
-    bot.press("z")
+    for _ = 1, 2 do  -- what was swallowed, then the blasts
+        bot.press("z")
+        bot.frames(10)
+    end
     SetInput("ctrl", false)
-    bot.frames(10)
     bot.image("undo")
 end
 
@@ -111,36 +117,43 @@ local function ties()
     end
 end
 
--- The nearest loose thing that can be carried, in front of the player.
-local function looseThing()
-    local best, nearest = 0, 1e9
-    for _, body in ipairs(FindBodies()) do
-        local mass = IsBodyDynamic(body) and GetBodyMass(body) or 0
-        if mass > 3 and mass < 200 then
-            local at = GetBodyTransform(body) * GetBodyCenterOfMass(body)
-            local far = VecLength(at - Vec(23, 1, 45))
-            if far < nearest and at.y < 1.5 then best, nearest = body, far end
+-- A crate to carry.
+local function makeCrate(pos)
+    local boxes = {{0, 0, 0, 5, 5, 5, 1}}
+    for _, i in ipairs({0, 5}) do
+        for _, k in ipairs({0, 5}) do
+            boxes[#boxes + 1] = {0, i, k, 5, i, k, 2}
+            boxes[#boxes + 1] = {i, 0, k, i, 5, k, 2}
+            boxes[#boxes + 1] = {i, k, 0, i, k, 5, 2}
         end
     end
-    return best
+    return CreateModel({voxel = 0.1, size = {6, 6, 6}, boxes = boxes,
+        palette = {{0.62, 0.45, 0.27, material = "wood"}, {0.42, 0.29, 0.17, material = "wood"}}},
+        Transform(pos, QuatEuler(0, 20, 0)), true)
 end
 
 local function carry()
-    for _, tool in ipairs({"hands", "gravitygun"}) do
-        local body = looseThing()
-        bot.expect(body ~= 0, "a loose thing")
-        local at = GetBodyTransform(body) * GetBodyCenterOfMass(body)
+    for i, tool in ipairs({"hands", "gravitygun"}) do
+        local at = Vec(30.5 - 2 * i, 0.6, 48.8)
+        makeCrate(at)
         bot.choose(tool)
-        bot.stand(Vec(at.x + 0.3, math.max(0.1, at.y - 0.6), at.z + 2), at)
+        bot.stand(at + Vec(0.4, -0.5, 2.3), at + Vec(0, -0.2, 0))
+        bot.frames(40)
         bot.image(tool .. "-1")
         SetInput("lmb", true)
-        bot.frames(30)
-        AddInput("mousedy", -120)
-        bot.frames(40)
-        bot.image(tool .. "-2")
-        bot.press("rmb")
-        SetInput("lmb", false)
         bot.frames(20)
+        bot.look(at + Vec(0.3, 1.2, 0))
+        bot.frames(50)
+        bot.image(tool .. "-2")
+        if tool == "hands" then
+            SetInput("lmb", false)
+            bot.frames(3)
+            bot.press("lmb")  -- throws
+        else
+            bot.press("rmb")
+            SetInput("lmb", false)
+        end
+        bot.frames(12)
         bot.image(tool .. "-3")
     end
 end

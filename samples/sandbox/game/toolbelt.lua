@@ -48,11 +48,16 @@ function belt.muzzle()
     return belt.frame() * VecScale(m, kVoxel)
 end
 
+-- The next query does not find the model before the eyes.
+function belt.rejectModel()
+    if body ~= 0 then QueryRejectBody(body) end
+end
+
 -- What the eyes look at.
 function belt.aim(maxDist)
     local eye = GetPlayerCameraTransform()
     local dir = eye.rot * Vec(0, 0, -1)
-    if body ~= 0 then QueryRejectBody(body) end
+    belt.rejectModel()
     local hit, dist, normal, shape = QueryRaycast(eye.pos, dir, maxDist or 120)
     local aim = {eye = eye.pos, rot = eye.rot, dir = dir, hit = hit, dist = dist, normal = normal, shape = shape or 0}
     aim.pos = hit and eye.pos + dist * dir or eye.pos + (maxDist or 120) * dir

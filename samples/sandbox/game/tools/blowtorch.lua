@@ -27,7 +27,7 @@ return {
         local muzzle = belt.muzzle()
         feel.burst(muzzle, aim.dir, {type = "flame", count = 3, speed = 2.2, spread = 0.07, life = 0.14,
             color = {0.35, 0.55, 1}, radius = {0.012, 0.03}, alpha = 0.9, emissive = 9})
-        PointLight(muzzle + 0.3 * aim.dir, 0.12, 0.2, 0.4, 1)
+        PointLight(muzzle + 0.35 * aim.dir, 0.03, 0.05, 0.1, 1)
         if not aim.hit then return end
         local material = feel.material(aim)
         if material == "metal" or material == "wire" or material == "plastic" then
@@ -40,7 +40,7 @@ return {
                 color = {0.25, 0.24, 0.23}, radius = {0.04, 0.2}, alpha = 0.25, gravity = 0.6})
         end
         Paint(aim.pos, 0.13, "explosion", 0.25)
-        PointLight(aim.pos + 0.12 * aim.normal, 3, 1.7, 0.6, 1)
+        PointLight(aim.pos + 0.12 * aim.normal, 1.5, 0.85, 0.3, 1)
     end,
     tick = function(self, aim, dt)
         burning = math.max(0, burning - dt)

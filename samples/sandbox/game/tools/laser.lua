@@ -31,7 +31,7 @@ return {
         if not aim.hit then return end
         MakeHoleLine(aim.pos - 0.03 * aim.dir, aim.pos + 0.16 * aim.dir, 0.1, 0.1, 0.1)
         Paint(aim.pos, 0.16, "explosion", 0.2)
-        PointLight(aim.pos + 0.12 * aim.normal, 9, 1.6, 0.7, 1)
+        PointLight(aim.pos + 0.12 * aim.normal, 2.4, 0.5, 0.22, 1)
         feel.burst(aim.pos, aim.normal, {type = "spark", count = 3, speed = 4, spread = 0.7, life = 0.5,
             color = {1, 0.45, 0.2}, radius = {0.012, 0.005}, gravity = -6, emissive = 16, stretch = 0.03})
     end,

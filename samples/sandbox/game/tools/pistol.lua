@@ -21,7 +21,7 @@ return {
     use = function(self, aim)
         Shoot(aim.eye, aim.dir, "bullet", 0.55, 120)
         local muzzle = belt.muzzle()
-        feel.flash(muzzle + 0.45 * aim.dir, {1, 0.75, 0.4}, 5, 0.05)
+        feel.flash(muzzle + 0.45 * aim.dir, {1, 0.75, 0.4}, 2.2, 0.05)
         feel.burst(muzzle, aim.dir, {type = "flame", count = 3, speed = 1.5, spread = 0.15, life = 0.06,
             color = {1, 0.7, 0.3}, radius = {0.012, 0.004}, alpha = 0.9, emissive = 12})
         feel.burst(muzzle, aim.dir + Vec(0, 0.3, 0), {type = "smoke", count = 2, speed = 0.6, life = 0.6,

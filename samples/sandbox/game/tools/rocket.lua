@@ -9,7 +9,8 @@ local function fly(pos, dir)
     local gone = 0
     while gone < kRange do
         local step = kSpeed / 60
-        local hit, dist = QueryRaycast(pos, dir, step + 0.2)
+        belt.rejectModel()
+        local hit, dist = QueryRaycast(pos, dir, step + 0.2, 0.1)
         if hit then
             local at = pos + dist * dir
             Explosion(at, kSize)

@@ -25,8 +25,9 @@ return {
             local dir = VecNormalize(aim.dir + (far * math.cos(angle)) * right + (far * math.sin(angle)) * up)
             Shoot(aim.eye, dir, "bullet", 0.45, 40)
         end
+        if aim.hit and aim.dist < 12 then Crack(aim.pos, 0.34, 0.2, 0) end
         local muzzle = belt.muzzle()
-        feel.flash(muzzle + 0.5 * aim.dir, {1, 0.72, 0.36}, 9, 0.06)
+        feel.flash(muzzle + 0.5 * aim.dir, {1, 0.72, 0.36}, 4, 0.06)
         feel.burst(muzzle, aim.dir, {type = "flame", count = 6, speed = 2.5, spread = 0.25, life = 0.08,
             color = {1, 0.7, 0.3}, radius = {0.02, 0.006}, alpha = 0.9, emissive = 12})
         feel.burst(muzzle, aim.dir + Vec(0, 0.2, 0), {type = "smoke", count = 4, speed = 0.9, life = 0.9,

@@ -1,0 +1,48 @@
+// Runs the game as a program, played by a bot that fails where a tool or a menu does not do what it is for.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "generated/paths.h"
+#include "samples/support/image.h"
+
+namespace rubble {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The exit code of the game, played by a script of a folder.
+int playGame(const std::string& bot, const fs::path& out, const std::string& folder) {
+    const std::string level = RUBBLE_SOURCE_DIR "/samples/lua/mods/car.vox";
+    return std::system((RUBBLE_BINARY_DIR "/bin/rubble-game --headless --preset draft --size 160x90 --level " + level +
+                        " --game " + folder + " --bot " + bot + " --saves " + out.string() + " --out " + out.string() +
+                        " >/dev/null")
+                           .c_str());
+}
+
+fs::path freshFolder(const std::string& name) {
+    const fs::path folder = fs::temp_directory_path() / ("rubble_game_test_" + name);
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    return folder;
+}
+
+TEST(Game, ABotUsesEachToolAndMenu) {
+    const fs::path out = freshFolder("bot");
+    ASSERT_EQ(playGame("bot_short.lua", out, RUBBLE_SOURCE_DIR "/samples/sandbox/game"), 0);
+    for (const char* name : {"pause.png", "end.png"}) {
+        const Result<Image> image = readPng((out / name).string());
+        ASSERT_TRUE(image) << image.error();
+        std::set<uint32_t> colors;
+        for (size_t i = 0; i < image->rgb.size(); i += 3)
+            colors.insert(uint32_t(image->rgb[i]) << 16 | uint32_t(image->rgb[i + 1]) << 8 | image->rgb[i + 2]);
+        EXPECT_GT(colors.size(), 200u) << name;
+    }
+    EXPECT_TRUE(fs::exists(out / "options.txt"));
+}
+
+}  // namespace
+}  // namespace rubble
