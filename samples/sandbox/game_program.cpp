@@ -41,7 +41,9 @@ int playGame(const SandboxOptions& options) {
     std::vector<std::string> words = {
         options.tools + "/rubble-game", "--level", *level, "--size", options.size, "--preset", options.preset};
     if (!options.screenshot.empty()) words.insert(words.end(), {"--screenshot", options.screenshot});
-    if (options.bot) words.insert(words.end(), {"--headless", "--bot", "bot.lua", "--out", options.out + "/bot"});
+    if (options.bot)
+        words.insert(words.end(), {"--headless", "--bot", "bot.lua", "--out", options.out + "/bot", "--saves",
+                                   options.out + "/bot"});
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);

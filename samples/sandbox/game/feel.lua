@@ -2,7 +2,8 @@
 local options = require("options")
 
 local feel = {}
-local shake, kick, lean = 0, 0, 0
+local shake, kick = 0, 0
+local stride, pace = 0, 0  -- of walking: where in a stride, and how fast
 local time = 0
 
 -- Shakes the camera: 1 is a rocket close by.
@@ -21,6 +22,12 @@ function feel.kick(degrees)
     kick = kick + degrees
 end
 
+-- How fast the player walks, in m/s: the head goes up and down a little.
+function feel.walk(speed)
+    pace = pace + 0.2 * (math.min(speed / 6, 1) - pace)
+    stride = stride + 0.03 * speed
+end
+
 -- The camera's offset from the eyes in this frame.
 function feel.tick(dt)
     time = time + dt
@@ -29,8 +36,9 @@ function feel.tick(dt)
     local motion = options.get("motion")
     local s = 2.2 * shake * shake * motion
     local turn = QuatEuler(kick * motion + s * math.sin(47 * time), s * math.sin(39 * time + 1),
-        0.7 * s * math.sin(53 * time + 2) + lean)
-    SetCameraOffsetTransform(Transform(Vec(0, 0, 0), turn))
+        0.7 * s * math.sin(53 * time + 2))
+    local bob = Vec(0.012 * math.sin(stride), 0.02 * math.abs(math.cos(stride)), 0)
+    SetCameraOffsetTransform(Transform(VecScale(bob, pace * motion), turn))
 end
 
 -- A light for some steps that fades. Color {r, g, b}, intensity in W/sr.

@@ -5,7 +5,7 @@ local feel = require("feel")
 local player = {isFlying = false, hasLamp = false, speed = 0}
 local kWalk, kRun, kCrouch, kFly, kFastFly = 4.0, 6.8, 2.0, 9.0, 26.0
 local kRadiansPerPixel = 0.0022
-local jumps = false
+local jumps, fall = false, 0
 
 -- Where the town begins: on the pavement, with the house before one.
 function player.spawn()
@@ -54,7 +54,13 @@ function player.update(moves)
         PointLight(eye.pos + eye.rot * Vec(0.2, -0.25, -0.5), 7, 6.2, 5, 1)
     end
     local velocity = GetPlayerVelocity()
+    if IsPlayerGrounded() and fall < -4 then
+        feel.kick(0.7 * fall)
+        feel.shake(-0.03 * fall)
+    end
+    fall = IsPlayerGrounded() and 0 or velocity.y
     player.speed = IsPlayerGrounded() and VecLength(Vec(velocity.x, 0, velocity.z)) or 0
+    feel.walk(player.speed)
 end
 
 return player
