@@ -158,8 +158,17 @@ local function carry()
     end
 end
 
+local function lamp()
+    bot.stand(Vec(26.4, 0.3, 42.0), Vec(26.55, 1.8, 40.25))
+    bot.image("lamp-1")
+    bot.press("e")
+    bot.frames(10)
+    bot.image("lamp-2")
+end
+
 bot.play(function()
     menus()
+    lamp()
     for _, row in ipairs(uses) do use(row) end
     spray()
     bombs()

@@ -2,12 +2,19 @@
 local feel = require("feel")
 
 local interact = {held = 0}
-local kReach, kMaxMass = 2.6, 120
+local kReach, kMaxMass, kLampReach = 2.6, 120, 0.7
 local localPoint, distance = Vec(0, 0, 0), 1.5
 
 local function hingeOf(shape)
     for _, joint in ipairs(GetShapeJoints(shape)) do
         if GetJointType(joint) == "hinge" then return joint end
+    end
+end
+
+-- The light of a shape that is close to where the eyes look.
+local function lampAt(aim)
+    for _, light in ipairs(GetShapeLights(aim.shape)) do
+        if VecLength(GetLightTransform(light).pos - aim.pos) < kLampReach then return light end
     end
 end
 
@@ -28,12 +35,11 @@ function interact.offer(aim)
             ApplyBodyImpulse(aim.body, aim.pos, push)
         end
     end
-    local lights = GetShapeLights(aim.shape)
-    if #lights > 0 then
-        local isOn = IsLightActive(lights[1])
-        return isOn and "Switch the lamp off" or "Switch the lamp on", function()
-            for _, light in ipairs(lights) do SetLightEnabled(light, not isOn) end
-        end
+    local lamp = lampAt(aim)
+    if lamp then
+        local isOn = IsLightActive(lamp)
+        return isOn and "Switch the lamp off" or "Switch the lamp on",
+            function() SetLightEnabled(lamp, not isOn) end
     end
     if IsBodyDynamic(aim.body) and GetBodyMass(aim.body) < kMaxMass then
         return "Take", function() interact.take(aim) end
