@@ -189,13 +189,26 @@ local function checkLoad()
     bot.expect(GetPlayerTransform().pos.z < 54, "the player where the game was saved")
     bot.expect(GetString("game.tool") == "vacuum", "the tool that was in the hand")
     bot.expect(#FindBodies("viewmodel") <= 1, "one model before the eyes")
+    bot.press("esc")
+    for _ = 1, 4 do bot.press("downarrow") end
+    bot.press("return")
+    bot.frames(3)
+    error("expected the level to begin again")
+end
+
+local function checkRestart()
+    bot.frames(5)
+    bot.expect(GetString("game.menu") == "", "no title again")
+    bot.expect(#FindBodies() == 2, "the level as it was, and the model of a tool")
 end
 
 function onLoad()
     bot.play(checkLoad)
 end
 
-if not progress.isSaved then bot.play(function()
+if GetBool("game.restarted") then
+    bot.play(checkRestart)
+elseif not progress.isSaved then bot.play(function()
     bot.frames(3)
     menus()
     build()
