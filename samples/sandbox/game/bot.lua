@@ -4,14 +4,14 @@ local bot = require("bots/hands")
 local wall = {Vec(19.0, 0.1, 47.0), Vec(19.4, 0.75, 44.2)}      -- low, of concrete
 local house = {Vec(15.4, 0.1, 35.6), Vec(18.3, 1.5, 34.8)}      -- brick in the sun
 local shop = {Vec(40.5, 0.1, 40.5), Vec(41.2, 1.5, 36.4)}       -- glass
-local gate = {Vec(26.0, 0.1, 45.9), Vec(26.0, 0.7, 44.2)}       -- wood
+local bench = {Vec(25.6, 0.5, 41.4), Vec(25.2, 1.0, 39.9)}      -- wood
 local close = {Vec(17.2, 0.1, 45.9), Vec(17.2, 0.75, 44.2)}     -- the low wall
 local car = {Vec(21.6, 0.1, 51.0), Vec(21.4, 0.6, 48.4)}
 
 -- Each tool: where, how long the button is held, and after how many frames the image of its use is taken.
 local uses = {
-    {"sledge", house, 60, 22}, {"axe", gate, 60, 20}, {"pistol", shop, 20, 6}, {"shotgun", shop, 20, 8},
-    {"rocket", house, 4, 34}, {"timebomb", car, 4, 186}, {"blowtorch", car, 80, 50}, {"extinguisher", car, 80, 50},
+    {"sledge", house, 60, 22}, {"axe", bench, 60, 20}, {"pistol", shop, 20, 6}, {"shotgun", shop, 20, 8},
+    {"rocket", house, 4, 34}, {"vacuum", house, 90, 30}, {"timebomb", car, 4, 186}, {"blowtorch", car, 80, 50}, {"extinguisher", car, 80, 50},
     {"laser", wall, 60, 40}, {"drill", close, 70, 50},
 }
 
@@ -93,13 +93,10 @@ local function bombs()
     SetInput("rmb", false)
     bot.frames(150)
     bot.image("remotebomb-3")
-    use({"vacuum", house, 90, 30})
     SetInput("ctrl", true)
-    for _ = 1, 2 do  -- what was swallowed, then the blasts
-        bot.press("z")
-        bot.frames(10)
-    end
+    bot.press("z")
     SetInput("ctrl", false)
+    bot.frames(10)
     bot.image("undo")
 end
 
@@ -159,7 +156,7 @@ local function carry()
 end
 
 local function lamp()
-    bot.stand(Vec(26.4, 0.3, 42.0), Vec(26.55, 1.8, 40.25))
+    bot.stand(Vec(26.4, 0.3, 42.0), Vec(26.55, 2.45, 40.25))
     bot.image("lamp-1")
     bot.press("e")
     bot.frames(10)

@@ -82,9 +82,9 @@ end
 
 local kinds = {
     wood = {type = "crumb", radius = {0.025, 0.02}, speed = 3.2, life = 0.9, gravity = -6},
-    glass = {type = "glint", radius = {0.02, 0.015}, speed = 3.5, life = 1.0, gravity = -6, emissive = 0.4},
+    glass = {type = "glint", radius = {0.02, 0.015}, speed = 3.5, life = 1.0, gravity = -6, emissive = 0.05},
     metal = {type = "spark", radius = {0.012, 0.006}, speed = 6, life = 0.45, gravity = -6, stretch = 0.04,
-        color = {1, 0.62, 0.22}, emissive = 14},
+        color = {1, 0.62, 0.22}, emissive = 0.3},
     stone = {type = "crumb", radius = {0.03, 0.025}, speed = 2.6, life = 0.9, gravity = -6},
 }
 local kindOf = {wood = "wood", glass = "glass", ice = "glass", metal = "metal", ["heavy metal"] = "metal",

@@ -2,7 +2,7 @@
 local feel = require("feel")
 
 local interact = {held = 0}
-local kReach, kMaxMass, kLampReach = 2.6, 120, 0.7
+local kReach, kMaxMass, kLampReach = 2.6, 120, 1.0
 local localPoint, distance = Vec(0, 0, 0), 1.5
 
 local function hingeOf(shape)

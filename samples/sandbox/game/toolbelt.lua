@@ -111,6 +111,11 @@ local function showModel()
     bodyOf = belt.current
 end
 
+-- Makes the model anew, without the soot of a blast.
+function belt.refresh()
+    bodyOf = 0
+end
+
 function belt.reset()
     removeModels()
 end

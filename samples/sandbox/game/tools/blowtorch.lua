@@ -25,22 +25,25 @@ return {
     use = function(self, aim)
         burning = 0.1
         local muzzle = belt.muzzle()
-        feel.burst(muzzle, aim.dir, {type = "flame", count = 3, speed = 2.2, spread = 0.07, life = 0.14,
-            color = {0.35, 0.55, 1}, radius = {0.012, 0.03}, alpha = 0.9, emissive = 9})
-        PointLight(muzzle + 0.35 * aim.dir, 0.03, 0.05, 0.1, 1)
+        local jitter = 0.006 * Vec(math.random() - 0.5, math.random() - 0.5, math.random() - 0.5)
+        for i = 1, 3 do
+            DrawLine(muzzle, muzzle + (0.05 + 0.03 * i) * aim.dir + i * jitter, 0.3 + 0.2 * i, 0.55 + 0.14 * i, 1, 0.8)
+        end
+        feel.burst(muzzle, aim.dir, {type = "flame", count = 2, speed = 2.2, spread = 0.07, life = 0.14,
+            color = {0.35, 0.55, 1}, radius = {0.012, 0.03}, alpha = 0.9, emissive = 0.08})
         if not aim.hit then return end
         local material = feel.material(aim)
         if material == "metal" or material == "wire" or material == "plastic" then
             MakeHole(aim.pos + 0.02 * aim.dir, 0.1, 0.1)
             feel.burst(aim.pos, aim.normal, {type = "spark", count = 3, speed = 3.5, spread = 0.8, life = 0.5,
-                color = {1, 0.6, 0.2}, radius = {0.01, 0.004}, gravity = -6, emissive = 14, stretch = 0.03})
+                color = {1, 0.6, 0.2}, radius = {0.01, 0.004}, gravity = -6, emissive = 0.3, stretch = 0.03})
         elseif aim.shape ~= 0 then
             AddHeat(aim.shape, aim.pos, 0.12)
             feel.burst(aim.pos, aim.normal, {type = "smoke", count = 1, speed = 0.5, life = 1.1,
                 color = {0.25, 0.24, 0.23}, radius = {0.04, 0.2}, alpha = 0.25, gravity = 0.6})
         end
         Paint(aim.pos, 0.13, "explosion", 0.25)
-        PointLight(aim.pos + 0.12 * aim.normal, 1.5, 0.85, 0.3, 1)
+        PointLight(aim.pos + 0.12 * aim.normal, 0.8, 0.45, 0.16, 1)
     end,
     tick = function(self, aim, dt)
         burning = math.max(0, burning - dt)

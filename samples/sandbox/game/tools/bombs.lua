@@ -34,7 +34,16 @@ end
 function bombs.explode(body, size)
     local at = bombs.center(body)
     Delete(body)
+    bombs.blast(at, size)
+end
+
+-- An explosion with its flash and its push on the camera.
+function bombs.blast(at, size)
     Explosion(at, size)
+    start(function()
+        wait(0.05)
+        belt.refresh()
+    end)
     feel.flash(at + Vec(0, 0.3, 0), {1, 0.62, 0.28}, 600, 0.28)
     feel.shakeAt(at, 1.1)
 end

@@ -23,8 +23,8 @@ return {
     },
     use = function(self, aim)
         local muzzle = belt.muzzle()
-        feel.burst(muzzle, aim.dir, {type = "smoke", count = 3, speed = 7, spread = 0.12, life = 1.3,
-            color = {0.92, 0.94, 0.96}, radius = {0.03, 0.45}, alpha = 0.3, drag = 2.2, gravity = -0.4})
+        feel.burst(muzzle, aim.dir, {type = "smoke", count = 4, speed = 8, spread = 0.2, life = 1.1,
+            color = {0.86, 0.89, 0.92}, radius = {0.02, 0.28}, alpha = 0.13, drag = 2.2, gravity = -0.4})
         local reach = aim.hit and aim.dist or self.reach
         for far = 1, math.ceil(reach) do
             Extinguish(aim.eye + math.min(far, reach) * aim.dir, 0.8 + 0.1 * far, 12)

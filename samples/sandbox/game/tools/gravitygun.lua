@@ -42,7 +42,7 @@ function gun:alt(aim)
     ApplyBodyImpulse(body, center, VecScale(aim.dir, math.min(22, 20000 / mass) * mass))
     feel.flash(belt.muzzle() + 0.4 * aim.dir, {0.4, 0.8, 1}, 8, 0.1)
     feel.burst(belt.muzzle(), aim.dir, {type = "spark", count = 12, speed = 6, spread = 0.3, life = 0.3,
-        color = {0.5, 0.8, 1}, radius = {0.012, 0.004}, emissive = 14, stretch = 0.03})
+        color = {0.5, 0.8, 1}, radius = {0.012, 0.004}, emissive = 0.3, stretch = 0.03})
     belt.recoil(1.3)
     feel.kick(1.2)
 end

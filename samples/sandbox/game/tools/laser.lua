@@ -27,13 +27,22 @@ return {
             DrawLine(muzzle + offset, aim.pos + 3 * offset, 1, 0.12, 0.06, 0.55)
         end
         DrawLine(muzzle, aim.pos, 1, 0.8, 0.7, 1)
-        PointLight(muzzle + 0.2 * aim.dir, 0.5, 0.06, 0.04, 1)
         if not aim.hit then return end
         MakeHoleLine(aim.pos - 0.03 * aim.dir, aim.pos + 0.16 * aim.dir, 0.1, 0.1, 0.1)
         Paint(aim.pos, 0.16, "explosion", 0.2)
-        PointLight(aim.pos + 0.12 * aim.normal, 2.4, 0.5, 0.22, 1)
+        PointLight(aim.pos + 0.12 * aim.normal, 0.9, 0.16, 0.08, 1)
         feel.burst(aim.pos, aim.normal, {type = "spark", count = 3, speed = 4, spread = 0.7, life = 0.5,
-            color = {1, 0.45, 0.2}, radius = {0.012, 0.005}, gravity = -6, emissive = 16, stretch = 0.03})
+            color = {1, 0.45, 0.2}, radius = {0.012, 0.005}, gravity = -6, emissive = 0.3, stretch = 0.03})
+    end,
+    -- A hot spot where the beam ends.
+    draw = function(self)
+        if not InputDown("usetool") then return end
+        UiTranslate(UiCenter(), UiMiddle())
+        UiAlign("center middle")
+        for i, size in ipairs({26, 15, 7}) do
+            UiColor(1, 0.12 + 0.28 * (i - 1), 0.08 + 0.22 * (i - 1), 0.16 + 0.25 * (i - 1))
+            UiCircle(size * (0.9 + 0.2 * math.random()))
+        end
     end,
     tick = function(self)
         if InputPressed("usetool") then AddUndoMark() end

@@ -23,7 +23,7 @@ return {
         local muzzle = belt.muzzle()
         feel.flash(muzzle + 0.45 * aim.dir, {1, 0.75, 0.4}, 2.2, 0.05)
         feel.burst(muzzle, aim.dir, {type = "flame", count = 3, speed = 1.5, spread = 0.15, life = 0.06,
-            color = {1, 0.7, 0.3}, radius = {0.012, 0.004}, alpha = 0.9, emissive = 12})
+            color = {1, 0.7, 0.3}, radius = {0.03, 0.012}, alpha = 0.95, emissive = 0.3})
         feel.burst(muzzle, aim.dir + Vec(0, 0.3, 0), {type = "smoke", count = 2, speed = 0.6, life = 0.6,
             color = {0.5, 0.5, 0.5}, radius = {0.012, 0.06}, alpha = 0.16})
         feel.debris(aim, 0.7)

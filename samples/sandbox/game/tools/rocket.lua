@@ -1,6 +1,7 @@
 -- Rocket launcher: a rocket that flies, trails smoke and explodes where it arrives.
 local feel = require("feel")
 local belt = require("toolbelt")
+local bombs = require("tools/bombs")
 
 local kSpeed, kSize, kRange = 38, 1.7, 150
 
@@ -13,15 +14,12 @@ local function fly(pos, dir)
         local hit, dist = QueryRaycast(pos, dir, step + 0.2, 0.1)
         if hit then
             local at = pos + dist * dir
-            Explosion(at, kSize)
-            feel.flash(at - 0.4 * dir, {1, 0.62, 0.28}, 700, 0.28)
-            feel.shakeAt(at, 1.3)
-            return
+            return bombs.blast(at - 0.1 * dir, kSize)
         end
         pos = pos + step * dir
         gone = gone + step
         feel.burst(pos, VecScale(dir, -1), {type = "flame", count = 2, speed = 3, spread = 0.15, life = 0.12,
-            color = {1, 0.6, 0.25}, radius = {0.06, 0.02}, alpha = 0.9, emissive = 10})
+            color = {1, 0.6, 0.25}, radius = {0.06, 0.02}, alpha = 0.9, emissive = 2})
         feel.burst(pos, VecScale(dir, -1), {type = "smoke", count = 2, speed = 0.8, spread = 0.3, life = 1.6,
             color = {0.62, 0.6, 0.58}, radius = {0.07, 0.34}, alpha = 0.3, drag = 2})
         PointLight(pos, 60, 34, 14, 1)

@@ -29,7 +29,7 @@ return {
         local muzzle = belt.muzzle()
         feel.flash(muzzle + 0.5 * aim.dir, {1, 0.72, 0.36}, 4, 0.06)
         feel.burst(muzzle, aim.dir, {type = "flame", count = 6, speed = 2.5, spread = 0.25, life = 0.08,
-            color = {1, 0.7, 0.3}, radius = {0.02, 0.006}, alpha = 0.9, emissive = 12})
+            color = {1, 0.7, 0.3}, radius = {0.045, 0.015}, alpha = 0.95, emissive = 0.5})
         feel.burst(muzzle, aim.dir + Vec(0, 0.2, 0), {type = "smoke", count = 4, speed = 0.9, life = 0.9,
             color = {0.5, 0.5, 0.5}, radius = {0.02, 0.12}, alpha = 0.18, drag = 2})
         if aim.dist and aim.dist < 40 then feel.debris(aim, 2) end

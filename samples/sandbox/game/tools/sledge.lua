@@ -26,8 +26,8 @@ return {
             wait(0.09)
             local now = belt.aim(self.reach)
             if not now.hit then return end
-            MakeHole(now.pos + 0.05 * now.dir, 0.26, 0.14, 0)
-            Crack(now.pos + 0.05 * now.dir, 0.45, 0.30, 0)  -- ragged, as the matter breaks
+            MakeHole(now.pos + 0.05 * now.dir, 0.30, 0.18, 0)
+            Crack(now.pos + 0.08 * now.dir, 0.62, 0.42, 0)  -- ragged, as the matter breaks
             if now.body ~= 0 and IsBodyDynamic(now.body) then
                 ApplyBodyImpulse(now.body, now.pos, VecScale(now.dir, math.min(420, 6 * GetBodyMass(now.body))))
             end

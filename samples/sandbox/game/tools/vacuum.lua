@@ -6,8 +6,8 @@ local kReach, kMaxMass = 6, 90
 
 local function swallow(body, at)
     Delete(body)
-    feel.burst(at, Vec(0, 0, 0), {type = "dust", count = 3, speed = 0.4, spread = 1, life = 0.4,
-        color = {0.5, 0.47, 0.42}, radius = {0.04, 0.1}, alpha = 0.3})
+    feel.burst(at, Vec(0, 0, 0), {type = "dust", count = 1, speed = 0.4, spread = 1, life = 0.25,
+        color = {0.5, 0.47, 0.42}, radius = {0.03, 0.06}, alpha = 0.12})
 end
 
 return {
