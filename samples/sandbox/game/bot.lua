@@ -11,7 +11,8 @@ local car = {Vec(21.6, 0.1, 51.0), Vec(21.4, 0.6, 48.4)}
 -- Each tool: where, how long the button is held, and after how many frames the image of its use is taken.
 local uses = {
     {"sledge", house, 60, 22}, {"axe", bench, 60, 20}, {"pistol", shop, 20, 6}, {"shotgun", shop, 20, 8},
-    {"rocket", house, 4, 34}, {"vacuum", house, 90, 30}, {"timebomb", car, 4, 186}, {"blowtorch", car, 80, 50}, {"extinguisher", car, 80, 50},
+    {"rocket", house, 4, 34}, {"vacuum", house, 90, 30}, {"timebomb", car, 4, 186},
+    {"blowtorch", car, 80, 50}, {"extinguisher", car, 80, 50},
     {"laser", wall, 60, 40}, {"drill", close, 70, 50},
 }
 

@@ -46,8 +46,9 @@ function draw.icon(tool, size, alpha)
     for _, box in ipairs(order) do
         local c = model.palette[box[7]]
         local lift = 1.35 + 0.25 * box[4] / model.size[1]
+        local function light(share) return math.min(1, share * lift + 0.13) end
         UiPush()
-        UiColor(math.min(1, c[1] * lift + 0.13), math.min(1, c[2] * lift + 0.13), math.min(1, c[3] * lift + 0.13), alpha or 1)
+        UiColor(light(c[1]), light(c[2]), light(c[3]), alpha or 1)
         -- The muzzle, at the low end of z, points to the left.
         UiTranslate((box[3] - wide / 2) * unit, (high / 2 - box[5] - 1) * unit)
         UiRect((box[6] - box[3] + 1) * unit, (box[5] - box[2] + 1) * unit)

@@ -10,7 +10,8 @@ local sinceStart, nameTime, lastTool = 0, 0, 0
 local kFirst = {"Walk: W A S D    Look: mouse", "Left button: use the tool", "Tab: all tools    1 to 9, wheel: change",
     "V: fly    Ctrl+Z: take back    F1: all keys"}
 local kKeys = {{"W A S D", "walk"}, {"Shift", "run"}, {"Space", "jump"}, {"Ctrl", "crouch"}, {"V", "fly or walk"},
-    {"Left button", "use the tool"}, {"Right button", "its second use"}, {"R", "reload"}, {"E", "doors, lamps, things"}, {"F", "a lamp"},
+    {"Left button", "use the tool"}, {"Right button", "its second use"}, {"R", "reload"},
+    {"E", "doors, lamps, things"}, {"F", "a lamp"},
     {"Tab", "wheel of tools"}, {"1 to 9, wheel", "change the tool"}, {"Ctrl+Z", "take back"},
     {"F5, F9", "save, load"}, {"H", "hide all this"}, {"Esc", "menu"}}
 

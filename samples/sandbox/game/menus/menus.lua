@@ -29,7 +29,8 @@ end
 local function hasNoSave() return not HasSave("quick") end
 
 local lists = {
-    title = list("Rubble", {{name = "Play", run = close}, {name = "Continue the saved game", run = menus.load, isOff = hasNoSave},
+    title = list("Rubble", {{name = "Play", run = close},
+        {name = "Continue the saved game", run = menus.load, isOff = hasNoSave},
         {name = "Settings", run = settings}, {name = "Leave", run = QuitGame}}),
     pause = list("Paused", {{name = "Go on", run = close}, {name = "Save", run = menus.save},
         {name = "Load", run = menus.load, isOff = hasNoSave}, {name = "Settings", run = settings},
