@@ -4,17 +4,33 @@ local bot = require("bots/hands")
 local wall = {Vec(19.0, 0.1, 47.0), Vec(19.4, 0.75, 44.2)}      -- low, of concrete
 local house = {Vec(15.4, 0.1, 35.6), Vec(18.3, 1.5, 34.8)}      -- brick in the sun
 local shop = {Vec(40.5, 0.1, 40.5), Vec(41.2, 1.5, 36.4)}       -- glass
-local bench = {Vec(25.6, 0.5, 41.4), Vec(25.2, 1.0, 39.9)}      -- wood
+local intact = {Vec(15.4, 0.1, 31.4), Vec(18.3, 1.5, 31.2)}     -- another place of that wall
+local wood = {Vec(33.2, 0.1, 49.6), Vec(33.2, 0.45, 48)}        -- a crate
 local close = {Vec(17.2, 0.1, 45.9), Vec(17.2, 0.75, 44.2)}     -- the low wall
 local car = {Vec(21.6, 0.1, 51.0), Vec(21.4, 0.6, 48.4)}
 
 -- Each tool: where, how long the button is held, and after how many frames the image of its use is taken.
 local uses = {
-    {"sledge", house, 60, 22}, {"axe", bench, 60, 20}, {"pistol", shop, 20, 6}, {"shotgun", shop, 20, 8},
+    {"sledge", house, 60, 22}, {"axe", wood, 60, 20}, {"pistol", shop, 20, 6}, {"shotgun", shop, 20, 8},
     {"rocket", house, 4, 34}, {"vacuum", house, 90, 30}, {"timebomb", car, 4, 186},
     {"blowtorch", car, 80, 50}, {"extinguisher", car, 80, 50},
     {"laser", wall, 60, 40}, {"drill", close, 70, 50},
 }
+
+-- A crate to carry.
+local function makeCrate(pos)
+    local boxes = {{0, 0, 0, 5, 5, 5, 1}}
+    for _, i in ipairs({0, 5}) do
+        for _, k in ipairs({0, 5}) do
+            boxes[#boxes + 1] = {0, i, k, 5, i, k, 2}
+            boxes[#boxes + 1] = {i, 0, k, i, 5, k, 2}
+            boxes[#boxes + 1] = {i, k, 0, i, k, 5, 2}
+        end
+    end
+    return CreateModel({voxel = 0.1, size = {6, 6, 6}, boxes = boxes,
+        palette = {{0.62, 0.45, 0.27, material = "wood"}, {0.42, 0.29, 0.17, material = "wood"}}},
+        Transform(pos, QuatEuler(0, 20, 0)), true)
+end
 
 local function use(row)
     local tool, place, frames, at = row[1], row[2], row[3], row[4]
@@ -81,9 +97,9 @@ end
 
 local function bombs()
     bot.choose("remotebomb")
-    bot.stand(house[1], house[2])
+    bot.stand(intact[1], intact[2])
     for i = -1, 1 do
-        bot.look(house[2] + Vec(0, 0.2, 0.9 * i))
+        bot.look(intact[2] + Vec(0, 0.2, 0.9 * i))
         bot.press("lmb")
     end
     bot.frames(10)
@@ -104,30 +120,15 @@ end
 local function ties()
     for _, tool in ipairs({"plank", "rope"}) do
         bot.choose(tool)
-        bot.stand(house[1], house[2])
-        bot.look(house[2] + Vec(0, 0.9, -0.8))
+        bot.stand(intact[1], intact[2])
+        bot.look(intact[2] + Vec(0, 0.9, -0.8))
         bot.press("lmb")
-        bot.look(house[2] + Vec(0, -0.5, 1.4))
+        bot.look(intact[2] + Vec(0, -0.5, 0.8))
         bot.image(tool .. "-1")
         bot.press("lmb")
         bot.frames(30)
         bot.image(tool .. "-2")
     end
-end
-
--- A crate to carry.
-local function makeCrate(pos)
-    local boxes = {{0, 0, 0, 5, 5, 5, 1}}
-    for _, i in ipairs({0, 5}) do
-        for _, k in ipairs({0, 5}) do
-            boxes[#boxes + 1] = {0, i, k, 5, i, k, 2}
-            boxes[#boxes + 1] = {i, 0, k, i, 5, k, 2}
-            boxes[#boxes + 1] = {i, k, 0, i, k, 5, 2}
-        end
-    end
-    return CreateModel({voxel = 0.1, size = {6, 6, 6}, boxes = boxes,
-        palette = {{0.62, 0.45, 0.27, material = "wood"}, {0.42, 0.29, 0.17, material = "wood"}}},
-        Transform(pos, QuatEuler(0, 20, 0)), true)
 end
 
 local function carry()
@@ -167,6 +168,7 @@ end
 bot.play(function()
     menus()
     lamp()
+    makeCrate(wood[2])
     for _, row in ipairs(uses) do use(row) end
     spray()
     bombs()

@@ -64,6 +64,7 @@ std::string Game::begin() {
     if (m_api.set_settings(m_world, &rules) != RUBBLE_OK) return m_api.get_last_error();
     m_player.emplace(m_api, m_world);
     startScripts();
+    if (m_hasFailed) return m_settings.folder + ": expected the scripts of a game";
     return makeRenderer();
 }
 

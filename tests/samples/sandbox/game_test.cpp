@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <string>
 
@@ -19,7 +20,7 @@ int playGame(const std::string& bot, const fs::path& out, const std::string& fol
     const std::string level = RUBBLE_SOURCE_DIR "/samples/lua/mods/car.vox";
     return std::system((RUBBLE_BINARY_DIR "/bin/rubble-game --headless --preset draft --size 160x90 --level " + level +
                         " --game " + folder + " --bot " + bot + " --saves " + out.string() + " --out " + out.string() +
-                        " >/dev/null")
+                        " >/dev/null 2>&1")
                            .c_str());
 }
 
@@ -42,6 +43,16 @@ TEST(Game, ABotUsesEachToolAndMenu) {
         EXPECT_GT(colors.size(), 200u) << name;
     }
     EXPECT_TRUE(fs::exists(out / "options.txt"));
+}
+
+TEST(Game, FailsWithoutScriptsAndWithABotThatFails) {
+    const fs::path out = freshFolder("wrong");
+    EXPECT_NE(playGame("bot.lua", out, out.string()), 0) << "there is no script";
+    std::ofstream(out / "main.lua") << "function tick() end";
+    std::ofstream(out / "good.lua") << "function tick() QuitGame() end";
+    std::ofstream(out / "bad.lua") << "function tick() QuitGame() error('no') end";
+    EXPECT_EQ(playGame("good.lua", out, out.string()), 0);
+    EXPECT_NE(playGame("bad.lua", out, out.string()), 0);
 }
 
 }  // namespace
