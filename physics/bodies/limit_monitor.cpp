@@ -28,7 +28,7 @@ void LimitMonitor::warn(const LimitCounts& before) const {
         "a body is more than 1,000 km from the middle of the level; it is frozen there"};
     for (size_t i = 0; i < m_counts.size(); ++i)
         if (before[i] == 0 && m_counts[i] > 0)
-            logWarning(fmt::format("physics: {}. More are not reported; PhysicsStats::clamped counts them", kWhat[i]));
+            logWarning(fmt::format("physics: {}. More are not reported", kWhat[i]));
 }
 
 }  // namespace rubble

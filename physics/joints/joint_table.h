@@ -19,7 +19,8 @@ struct JointProxy {
     std::array<BodyHandle, 2> bodies;                     ///< dynamic ones; empty: something static
     std::array<Pose, 2> frames;                           ///< in the bodies' frames, or in the world
     std::array<uint32_t, 2> objects{kNothing, kNothing};  ///< numbers of the collision objects that it joins
-    int restSteps = 0;                                    ///< steps in which a rope has hardly moved
+    int restSteps = 0;                                    ///< steps in which a rope went nowhere
+    std::vector<glm::dvec3> restPoints, restSums;         ///< where its points were then, and sums of where they are
     std::vector<RopeBend> bends;                          ///< of a rope between its bodies, as of its last motion
     /// Where a rope leaves the body at its end, in the frame of that body's centre of mass; none: at the end.
     std::array<std::optional<glm::dvec3>, 2> leaves;

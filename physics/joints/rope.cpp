@@ -46,6 +46,8 @@ public:
           m_last(points.size() - 1),
           m_spacing(step.length / double(m_last)) {
         for (const RopePoint& point : points) m_before.push_back(point.position);
+        m_pulled = m_before;
+        m_carrying.resize(points.size());
         double sampling = kMaxSampling;
         for (const CollisionObject* object : step.nearby) {
             for (const auto& part : object->collider.parts)
@@ -58,8 +60,7 @@ public:
         m_samples = size_t(std::clamp(std::ceil(m_spacing / sampling), 1.0, kMaxSamples));
     }
 
-    /// Returns the largest speed of a point, m/s.
-    double run() {
+    void run() {
         const double h = m_step.seconds / kSubsteps;
         const std::array<glm::dvec3, 2> from = {m_points.front().position, m_points.back().position};
         for (int substep = 1; substep <= kSubsteps; ++substep) {
@@ -69,13 +70,11 @@ public:
                 if (m_step.ends[end])
                     m_points[end ? m_last : 0].position = from[end] + (*m_step.ends[end] - from[end]) * share;
             for (int pass = 0; pass < kPasses; ++pass) limitLengths(pass % 2 == 0, pass + 2 >= kPasses);
+            for (size_t i = 0; i <= m_last; ++i) m_pulled[i] = m_points[i].position;
             collide(substep == 1 ? m_step.seconds : 0.0);
             updateVelocities(h);
         }
         findBends();
-        double fastest = 0.0;
-        for (const RopePoint& point : m_points) fastest = std::max(fastest, glm::length(point.velocity));
-        return fastest;
     }
 
     /// Pushes the points out of what is nearby, and notes where. seconds: for which what moves has moved since the
@@ -113,9 +112,19 @@ private:
         }
     }
 
+    /// What pushes a point out stops it, and gives it no speed: that would be as large as the depth is by chance.
+    glm::dvec3 velocityOf(size_t i, double h) const {
+        const glm::dvec3 velocity = (m_pulled[i] - m_before[i]) / h, push = m_points[i].position - m_pulled[i];
+        const double depth = glm::length(push);
+        if (depth == 0.0) return velocity;
+        const glm::dvec3 out = push / depth;
+        const double inward = glm::dot(m_carrying[i] - velocity, out);
+        return velocity + out * std::clamp(inward, 0.0, depth / h);
+    }
+
     void updateVelocities(double h) {
         for (size_t i = 0; i <= m_last; ++i) {
-            glm::dvec3 velocity = (m_points[i].position - m_before[i]) / h;
+            glm::dvec3 velocity = velocityOf(i, h);
             const double speed = glm::length(velocity);
             if (!(speed < kMaxSpeed)) velocity = glm::dvec3(0.0);
             m_points[i].velocity = velocity;
@@ -200,6 +209,7 @@ private:
         if (slide > 0.0) out -= slid * std::min(1.0, kFriction * depth / slide);
         a.position += out * (wa / sum);
         b.position += out * (wb / sum);
+        m_carrying[i] = m_carrying[i + 1] = velocityAt(*touched, before);
         return depth > kTouchDistance;
     }
 
@@ -217,14 +227,16 @@ private:
     std::array<double, 2> m_depth{};                   ///< metres that an end is deep in what holds it
     std::array<const CollisionObject*, 2> m_holder{};  ///< that; null: the end is in nothing
     std::vector<glm::dvec3> m_before;                  ///< positions before the substep
+    std::vector<glm::dvec3> m_pulled;                  ///< those before anything was pushed out, in this substep
+    std::vector<glm::dvec3> m_carrying;                ///< velocities of what last pushed each point, m/s
     std::vector<const CollisionObject*> m_near;
     std::vector<std::pair<size_t, const CollisionObject*>> m_touched;  ///< places and what they touch, ascending
 };
 
 }  // namespace
 
-double moveRope(std::span<RopePoint> points, const RopeStep& step, std::vector<RopeBend>& bends) {
-    return RopeSolver(points, step, bends).run();
+void moveRope(std::span<RopePoint> points, const RopeStep& step, std::vector<RopeBend>& bends) {
+    RopeSolver(points, step, bends).run();
 }
 
 void findBends(std::span<const RopePoint> points, const RopeStep& step, std::vector<RopeBend>& bends) {

@@ -21,9 +21,8 @@ struct RopeStep {
 
 /// Moves the points of a rope through a step; see rope.cpp for the method. The points follow the bodies at the rope's
 /// ends and do not pull them: that is JointSolver's, with one constraint along the path from end to end. bends:
-/// replaced by the places at which the rope lies on something, from end 0 to end 1. Returns the largest speed of a
-/// point, m/s.
-double moveRope(std::span<RopePoint> points, const RopeStep& step, std::vector<RopeBend>& bends);
+/// replaced by the places at which the rope lies on something, from end 0 to end 1.
+void moveRope(std::span<RopePoint> points, const RopeStep& step, std::vector<RopeBend>& bends);
 /// The places at which a rope that does not move lies on something; `step` needs no time.
 void findBends(std::span<const RopePoint> points, const RopeStep& step, std::vector<RopeBend>& bends);
 

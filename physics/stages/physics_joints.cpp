@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "physics/joints/rope.h"
 #include "runtime/core/union_find.h"
@@ -9,8 +10,9 @@
 namespace rubble {
 namespace {
 
-constexpr int kRopeRestSteps = 60;        ///< of hardly moving, after which a rope is not simulated
-constexpr double kRopeSlow = 0.05;        ///< m/s that count as hardly moving
+constexpr int kRopeRestSteps = 60;        ///< without going anywhere, after which a rope is not simulated
+constexpr int kRopeMeanSteps = 8;         ///< of the mean places that are compared
+constexpr double kRopeRest = 0.02;        ///< metres around where it was, within which a point goes nowhere
 constexpr double kRopeMargin = 0.25;      ///< metres around a rope in which it may touch something
 constexpr double kShorteningSpeed = 0.2;  ///< m/s at which a rope that was made too short pulls its ends together
 
@@ -98,6 +100,33 @@ void takeOver(JointProxy& joint, const JointProxy& old) {
     if (joint.bodies == old.bodies) joint.leaves = old.leaves;
     joint.excess = old.excess;
     joint.wound = old.wound + joint.joint.rope.length - old.joint.rope.length;
+}
+
+/// Counts the steps in which a rope went nowhere. Its points are compared by means over some steps: one that is caught
+/// between bodies may go to and fro for ever, by more than it would within kRopeRest.
+void countRest(JointProxy& rope) {
+    const std::vector<RopePoint>& points = rope.joint.points;
+    std::vector<glm::dvec3>& sums = rope.restSums;
+    if (rope.restSteps == 0) rope.restPoints.clear();
+    if (rope.restSteps % kRopeMeanSteps == 0) sums.assign(points.size(), glm::dvec3(0.0));
+    for (size_t i = 0; i < points.size(); ++i) sums[i] += points[i].position;
+    if (++rope.restSteps % kRopeMeanSteps != 0) return;
+    bool isThere = rope.restPoints.size() == points.size();
+    for (size_t i = 0; i < points.size(); ++i) {
+        sums[i] /= double(kRopeMeanSteps);
+        isThere = isThere && glm::distance(sums[i], rope.restPoints[i]) < kRopeRest;
+    }
+    if (isThere) return;
+    rope.restPoints.swap(sums);
+    rope.restSteps = kRopeMeanSteps;
+}
+
+/// Takes the speed of a rope that rests. Returns whether it had any.
+bool stop(JointProxy& rope) {
+    bool had = false;
+    for (RopePoint& point : rope.joint.points)
+        had = std::exchange(point.velocity, glm::dvec3(0.0)) != glm::dvec3(0.0) || had;
+    return had;
 }
 
 /// Forgets what the last steps have left, impulses and the path of a rope: undo or a host has put a body elsewhere.
@@ -314,7 +343,10 @@ void PhysicsJoints::moveRopes(PhysicsBodies& bodies, glm::dvec3 gravity, double 
             const DynamicBody* body = handle ? bodies.dynamicAt(handle.slot()) : nullptr;
             isCarried = isCarried || (body && !body->asleep());
         }
-        if (!isCarried && rope.restSteps >= kRopeRestSteps) continue;
+        if (!isCarried && rope.restSteps > kRopeRestSteps) {
+            if (stop(rope)) m_ropeMotions.push_back({rope.handle, rope.joint.points});
+            continue;
+        }
         RopeStep step = ropeStep(rope, bodies, seconds);
         step.gravity = gravity;
         carryBends(rope.bends, bodies);
@@ -322,9 +354,9 @@ void PhysicsJoints::moveRopes(PhysicsBodies& bodies, glm::dvec3 gravity, double 
         const std::array<glm::dvec3, 2> ends = {step.ends[0].value_or(glm::dvec3(0.0)),
                                                 step.ends[1].value_or(glm::dvec3(0.0))};
         const double slack = rope.constraint.ropeLength - pathLength(leavesOf(rope, ends, bodies), rope.bends);
-        const double fastest = moveRope(rope.joint.points, step, rope.bends);
+        moveRope(rope.joint.points, step, rope.bends);
         if (isHeld) setPath(rope, ends, slack, step.length + rope.excess, seconds, bodies);
-        rope.restSteps = fastest < kRopeSlow ? rope.restSteps + 1 : 0;
+        countRest(rope);
         m_ropeMotions.push_back({rope.handle, rope.joint.points});
     }
 }

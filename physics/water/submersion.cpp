@@ -4,6 +4,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 // The volume of voxels in a water, and its centroid.
 //
@@ -20,7 +22,9 @@
 // surface's. A voxel that the outline may cut is divided into 4x4x4 cubes, each in or out by its middle.
 //
 // Where waters overlap, a place belongs to the first of them: of the others it is left out. So the height that a water
-// has for itself is what the intervals of those before it leave of its own, and their outlines cut voxels too.
+// has for itself is what the intervals of those before it leave of its own. Where these have all of a part within their
+// outlines, it is one interval or several for the whole part, and they cost no more. Else their outlines cut voxels
+// too.
 
 namespace rubble {
 namespace {
@@ -68,12 +72,18 @@ double distanceToSegment(double x, double z, const GroundPoint& a, const GroundP
     return std::hypot(a.x + dx * t - x, a.z + dz * t - z);
 }
 
-/// Sums up what of one part is in one water.
+/// Heights of a water, metres.
+struct Interval {
+    double top = 0.0, depth = 0.0;
+};
+
+/// Sums up what of one part is in one water, or in an interval of its height.
 class PartSubmersion {
 public:
-    PartSubmersion(const CellTransform& cells, glm::dvec3 origin, const Water& water, Waters before)
+    PartSubmersion(const CellTransform& cells, glm::dvec3 origin, const Water& water, Interval height, Waters before)
         : m_cells(cells),
           m_water(water),
+          m_height(height),
           m_before(before),
           m_corner(origin + cells.corner),
           m_rise(cells.axes[0].y, cells.axes[1].y, cells.axes[2].y),
@@ -81,12 +91,12 @@ public:
 
     /// Where a box of cells is.
     Place placeOf(glm::dvec3 low, glm::dvec3 size) const {
-        Place place = heightPlace(m_water, low, size);
+        Place place = heightPlace(m_height, low, size);
         if (place == Place::Out) return place;
         if (!m_isWithin)
             if (const Place sideways = outlinePlace(m_water, low, size); sideways != Place::In) place = sideways;
         for (const Water* other : m_before) {
-            const Place vertical = heightPlace(*other, low, size),
+            const Place vertical = heightPlace({other->surface, other->depth}, low, size),
                         sideways = vertical == Place::Out ? vertical : outlinePlace(*other, low, size);
             if (vertical == Place::In && sideways == Place::In) return Place::Out;
             if (sideways != Place::Out && place == Place::In) place = Place::Cut;
@@ -119,15 +129,16 @@ public:
         sum.moment += (m_cells.axes * cells + m_cells.corner * (n + m_cut)) * voxelVolume;
     }
 
-private:
-    Place heightPlace(const Water& water, glm::dvec3 low, glm::dvec3 size) const {
-        const double base = m_corner.y - water.surface + glm::dot(m_rise, low);
+    /// Where it is beside an interval of heights.
+    Place heightPlace(Interval height, glm::dvec3 low, glm::dvec3 size) const {
+        const double base = m_corner.y - height.top + glm::dot(m_rise, low);
         const glm::dvec3 span = m_rise * size;
         const double lowest = base + std::min(span.x, 0.0) + std::min(span.y, 0.0) + std::min(span.z, 0.0),
                      highest = base + std::max(span.x, 0.0) + std::max(span.y, 0.0) + std::max(span.z, 0.0);
-        if (lowest >= 0.0 || highest <= -water.depth) return Place::Out;
-        return highest <= 0.0 && lowest >= -water.depth ? Place::In : Place::Cut;
+        if (lowest >= 0.0 || highest <= -height.depth) return Place::Out;
+        return highest <= 0.0 && lowest >= -height.depth ? Place::In : Place::Cut;
     }
+    /// Where it is beside an outline.
     Place outlinePlace(const Water& water, glm::dvec3 low, glm::dvec3 size) const {
         const glm::dvec3 middle = m_corner + m_cells.axes * (low + 0.5 * size), half = m_cells.axes * (0.5 * size);
         const double radius = glm::length(half);
@@ -136,6 +147,8 @@ private:
             if (distanceToSegment(middle.x, middle.z, outline[j], outline[i]) < radius) return Place::Cut;
         return contains(outline, middle.x, middle.z) ? Place::In : Place::Out;
     }
+
+private:
     void addLayer(glm::ivec3 base, uint64_t layer) {
         const Place place = placeOf(glm::dvec3(base), glm::dvec3(8.0, 8.0, 1.0));
         if (place == Place::Out) return;
@@ -170,15 +183,15 @@ private:
                 const glm::dvec3 middle = m_corner + m_cells.axes * (corner + 0.5 * size);
                 if (contains(m_water.outline, middle.x, middle.z)) addCube(corner, size);
             }
-        m_cutVoxels += m_cut > before && heightPlace(m_water, low, one) == Place::Cut ? 1.0 : 0.0;
+        m_cutVoxels += m_cut > before && heightPlace(m_height, low, one) == Place::Cut ? 1.0 : 0.0;
     }
     /// Adds the part of a cube between bottom and surface that is in no water before; low, size: in cells.
     void addCube(glm::dvec3 low, double size) {
-        double bottom = m_water.surface - m_water.depth;
-        if (m_before.empty()) return addCube(low, size, bottom, m_water.surface);
+        double bottom = m_height.top - m_height.depth;
+        if (m_before.empty()) return addCube(low, size, bottom, m_height.top);
         const glm::dvec3 middle = m_corner + m_cells.axes * (low + 0.5 * size);
-        while (bottom < m_water.surface) {  // up through those before, from one to the next
-            double top = m_water.surface, end = bottom;
+        while (bottom < m_height.top) {  // up through those before, from one to the next
+            double top = m_height.top, end = bottom;
             for (const Water* other : m_before) {
                 const double from = other->surface - other->depth;
                 if (other->surface <= bottom || !contains(other->outline, middle.x, middle.z)) continue;
@@ -202,6 +215,7 @@ private:
 
     const CellTransform& m_cells;
     const Water& m_water;
+    Interval m_height;  ///< of the water, or a part of it
     Waters m_before;
     bool m_isWithin = false;      ///< what is added now is within the outline
     glm::dvec3 m_corner;          ///< of cell (0, 0, 0), world
@@ -212,6 +226,41 @@ private:
     double m_cutVoxels = 0.0;     ///< the number of those that the surface cuts
     glm::dvec3 m_cutMoment{0.0};  ///< moment of that volume, in cells
 };
+
+/// What the heights of other waters leave of an interval, from below.
+std::vector<Interval> freeIntervals(Interval height, std::vector<const Water*> others) {
+    std::sort(others.begin(), others.end(),
+              [](const Water* a, const Water* b) { return a->surface - a->depth < b->surface - b->depth; });
+    std::vector<Interval> free;
+    double bottom = height.top - height.depth;
+    for (const Water* other : others) {
+        const double end = std::min(other->surface - other->depth, height.top);
+        if (end > bottom) free.push_back({end, end - bottom});
+        bottom = std::max(bottom, other->surface);
+    }
+    if (others.empty()) return {height};
+    if (height.top > bottom) free.push_back({height.top, height.top - bottom});
+    return free;
+}
+
+/// Adds what of a part is in an interval of a water's height, and in no water before.
+void addInterval(const ColliderPart& part, const CellTransform& cells, glm::dvec3 origin, const Water& water,
+                 Interval height, Waters before, Submersion& sum) {
+    PartSubmersion submersion(cells, origin, water, height, before);
+    const double size = part.voxelSize();
+    const glm::dvec3 low(part.bounds().low), high(part.bounds().high);
+    const Place all = submersion.placeOf(low, high - low);
+    if (all == Place::Out) return;
+    const bool isWithin = submersion.noteOutline(low, high - low);
+    part.grid().forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+        const glm::ivec3 base = position * kBrickSize;
+        const glm::dvec3 corner(base), extent{double(kBrickSize)};
+        if (!isWithin) submersion.noteOutline(corner, extent);
+        const Place place = all == Place::In ? Place::In : submersion.placeOf(corner, extent);
+        if (place != Place::Out) submersion.addBrick(base, *brick, place);
+    });
+    submersion.addTo(size * size * size, sum);
+}
 
 }  // namespace
 
@@ -251,20 +300,23 @@ CubeBelowPlane cubeBelowPlane(glm::dvec3 n, double d) {
 
 void addSubmersion(const ColliderPart& part, const CellTransform& cells, glm::dvec3 origin, const Water& water,
                    Submersion& sum, Waters before) {
-    PartSubmersion submersion(cells, origin, water, before);
-    const double size = part.voxelSize();
-    const glm::dvec3 low(part.bounds().low), high(part.bounds().high);
-    const Place all = submersion.placeOf(low, high - low);
-    if (all == Place::Out) return;
-    const bool isWithin = submersion.noteOutline(low, high - low);
-    part.grid().forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
-        const glm::ivec3 base = position * kBrickSize;
-        const glm::dvec3 corner(base), extent{double(kBrickSize)};
-        if (!isWithin) submersion.noteOutline(corner, extent);
-        const Place place = all == Place::In ? Place::In : submersion.placeOf(corner, extent);
-        if (place != Place::Out) submersion.addBrick(base, *brick, place);
-    });
-    submersion.addTo(size * size * size, sum);
+    const Interval height{water.surface, water.depth};
+    if (before.empty()) return addInterval(part, cells, origin, water, height, {}, sum);
+    const glm::dvec3 low(part.bounds().low), extent(part.bounds().high - part.bounds().low);
+    const PartSubmersion own(cells, origin, water, height, {});
+    if (own.placeOf(low, extent) == Place::Out) return;
+    std::vector<const Water*> near;
+    bool isAround = true;  // each of them has all of the part within its outline
+    for (const Water* other : before) {
+        if (own.heightPlace({other->surface, other->depth}, low, extent) == Place::Out) continue;
+        const Place sideways = own.outlinePlace(*other, low, extent);
+        if (sideways == Place::Out) continue;
+        near.push_back(other);
+        isAround = isAround && sideways == Place::In;
+    }
+    if (!isAround) return addInterval(part, cells, origin, water, height, near, sum);
+    for (const Interval& free : freeIntervals(height, std::move(near)))
+        addInterval(part, cells, origin, water, free, {}, sum);
 }
 
 }  // namespace rubble

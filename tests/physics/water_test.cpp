@@ -73,13 +73,13 @@ TEST(Water, TheBuoyancyOfARotatedCubeUnderWaterIsThatOfItsVolume) {
     }
 }
 
+Water poolBetween(double low, double high, double surface, double depth) {
+    return {.outline = {{low, -3}, {high, -3}, {high, 3}, {low, 3}}, .surface = surface, .depth = depth};
+}
+
 /// By samples: a place in several waters counts once, for the first of them.
-TEST(Water, WhereWatersOverlapTheirUnionBears) {
+void expectUnionBears(const std::vector<Water>& waters) {
     Lake scene(500);
-    const auto pool = [](double low, double high, double surface, double depth) {
-        return Water{.outline = {{low, -3}, {high, -3}, {high, 3}, {low, 3}}, .surface = surface, .depth = depth};
-    };
-    const std::vector<Water> waters = {pool(-3.0, 0.33, 0.0, 2.0), pool(0.1, 3.0, 0.2, 0.5), pool(-1.0, 1.0, 0.4, 0.2)};
     std::vector<const Water*> all;
     for (const Water& water : waters) all.push_back(&water);
     const glm::ivec3 size(7, 9, 5);
@@ -91,8 +91,8 @@ TEST(Water, WhereWatersOverlapTheirUnionBears) {
         const double a = random.unit(), b = random.unit(), c = random.unit(), h = random.unit();
         const glm::dmat3 axes = glm::mat3_cast(glm::normalize(glm::dquat(a, b - 0.5, c - 0.5, 0.3)));
         const CellTransform lattice{axes * 0.1, {-0.1, -0.7 + h, 0.1}};
-        std::vector<double> expected(3), found;
-        for (size_t k = 0; k < 3; ++k) {
+        std::vector<double> expected(waters.size()), found;
+        for (size_t k = 0; k < waters.size(); ++k) {
             Submersion sum;
             addSubmersion(part, lattice, {}, waters[k], sum, std::span(all).first(k));
             found.push_back(sum.volume);
@@ -105,8 +105,17 @@ TEST(Water, WhereWatersOverlapTheirUnionBears) {
                     const auto in = std::ranges::find_if(waters, [&](const Water& water) { return water.contains(p); });
                     if (in != waters.end()) expected[size_t(in - waters.begin())] += 1e-3 / (n * n * n);
                 }
-        for (size_t k = 0; k < 3; ++k) EXPECT_NEAR(found[k], expected[k], 0.006) << i << ", water " << k;
+        for (size_t k = 0; k < waters.size(); ++k) EXPECT_NEAR(found[k], expected[k], 0.006) << i << ", water " << k;
     }
+}
+
+TEST(Water, WhereWatersOverlapTheirUnionBears) {
+    expectUnionBears(
+        {poolBetween(-3.0, 0.33, 0.0, 2.0), poolBetween(0.1, 3.0, 0.2, 0.5), poolBetween(-1.0, 1.0, 0.4, 0.2)});
+    // All around the body: heights alone tell them apart.
+    expectUnionBears({poolBetween(-3.0, 3.0, -0.2, 0.1), poolBetween(-3.0, 3.0, 0.1, 0.1),
+                      poolBetween(-3.0, 3.0, 0.3, 0.9), poolBetween(-3.0, 3.0, 0.4, 2.0),
+                      poolBetween(5.0, 8.0, 0.4, 2.0), poolBetween(-3.0, 3.0, 0.0, 0.3)});
 }
 
 TEST(Water, WhatFloatsInTwoWatersFloatsAsInOne) {

@@ -83,7 +83,7 @@ HotBrick* FireStage::depositHeat(const Deposit& deposit) {
         ++m_context.changes.heatLost;
         if (!std::exchange(m_context.world.fire.hasLoggedFull, true))
             logWarning("fire: " + std::to_string(settings.maxHot) +
-                       " bricks are hot, the heat of others is lost; to keep more, raise maxHot of the fire settings");
+                       " bricks are hot, the heat of others is lost; to keep more, raise max_hot of the settings");
         return nullptr;
     }
     if (hot->wet == 0) hot->heat = std::min(hot->heat + deposit.heat, kMaxHeat);
@@ -99,7 +99,7 @@ void FireStage::igniteBrick(ShapeHandle handle, HotBrick& hot) {
         ++m_context.changes.firesRefused;
         if (!std::exchange(fire.hasLoggedFull, true))
             logWarning("fire: " + std::to_string(limit) +
-                       " bricks burn and no more will; to allow more, raise maxFires of the fire settings");
+                       " bricks burn and no more will; to allow more, raise max_fires of the settings");
         return;
     }
     ignite(hot);
