@@ -27,6 +27,7 @@
 #include "render/passes/overlay_pass.h"
 #include "render/passes/particles_pass.h"
 #include "render/passes/reflections_pass.h"
+#include "render/passes/relight_pass.h"
 #include "render/passes/ropes_pass.h"
 #include "render/passes/sampler_reset.h"
 #include "render/passes/show_pass.h"
@@ -77,8 +78,8 @@ struct Renderer::Impl {
     void compileAhead();
     template <class F>
     void forEachLazyPass(F&& f) {
-        f(localLights), f(glassShadow), f(wetness), f(water), f(fog), f(glare), f(particles), f(ropes), f(exact),
-            f(hostLayers);
+        f(localLights), f(relight), f(glassShadow), f(wetness), f(water), f(fog), f(glare), f(particles), f(ropes),
+            f(exact), f(hostLayers);
     }
     GlStateGuard guardHostState() const {
         return GlStateGuard(settings.hostState,
@@ -127,7 +128,6 @@ struct Renderer::Impl {
     glm::vec4 statusDot() const;
     void fillBlock(const View& view, glm::ivec2 renderSize);
     const LightGrid* updateLightGrid();
-
     RenderSettings settings;
     GlLimits limits =
         settings.limits ? GlLimits::least(*settings.limits, GlLimits::ofContext()) : GlLimits::ofContext();
@@ -142,6 +142,7 @@ struct Renderer::Impl {
     ViewCheck check;
     uint64_t moment = 1;       ///< of the scene: grows when what is drawn has changed
     bool isMomentOver = true;  ///< a snapshot was applied since the last draw
+    bool isOtherView = false;  ///< it shows what another view showed last
     FrameBlock block{};
     GlName<BufferKind> blockBuffer = GlName<BufferKind>::make();
     VertexArray emptyVertexArray = VertexArray::make();
@@ -161,6 +162,7 @@ struct Renderer::Impl {
     SkyPass sky{shaders};
     std::optional<LightGrid> lightGrid;
     std::optional<LocalLightsPass> localLights;
+    std::optional<RelightPass> relight;
     AccumulatePass accumulate{shaders};
     FilterPass filter{shaders};
     ReflectionsPass reflections{shaders};
@@ -214,7 +216,10 @@ void Renderer::Impl::drawLight(const FrameContext& frame) {
     if (LocalLightsPass::needed(frame))
         run("local lights", kGBuffer | kLightHistory | previous(Specular), NoisyLight | Specular,
             [&] { drawLazily(localLights, frame); });
-    run("accumulate", kGBuffer | NoisyLight | HitProximity | kLightHistory | previous(FastHistory),
+    if (RelightPass::needed(frame))
+        run("relight", kGBuffer | NoisyLight | kLightHistory, kRelighting | NoisyLightOffset,
+            [&] { drawLazily(relight, frame); });
+    run("accumulate", kGBuffer | NoisyLight | HitProximity | kRelighting | kLightHistory | previous(FastHistory),
         AccumulatedLight | Surface | FastHistory | HistoryConfidence, [&] { accumulate.draw(frame); });
     run("filter", DepthBuffer | AccumulatedLight | Surface, DenoisedLight | DenoisedLightScratch,
         [&] { filter.draw(frame); });
@@ -297,9 +302,9 @@ void Renderer::Impl::fillBlock(const View& view, glm::ivec2 renderSize) {
 
 const LightGrid* Renderer::Impl::updateLightGrid() {
     if (!lightGrid && scene.lights().empty()) return nullptr;
-    if (!lightGrid) lightGrid.emplace();
-    stats.uploadBytes += lightGrid->update(scene.lights(), block, scene.origin());
-    return &*lightGrid;
+    LightGrid& grid = lightGrid ? *lightGrid : lightGrid.emplace();
+    stats.uploadBytes += grid.update(scene.lights(), block, scene.origin(), isOtherView);
+    return &grid;
 }
 
 /// Builds the programs of all passes and draws steps of a scene that needs them all into a small image that is thrown
@@ -348,11 +353,11 @@ void Renderer::Impl::draw(const View& view, float alpha) {
 
 void Renderer::Impl::drawFrames(const View& view, float alpha) {
     // Another view of what was drawn last shows the same motion; the same view again, that it has ended.
-    const bool isSameMoment = !isMomentOver && alpha == stepAlpha && history->moment != moment;
-    moment += !isSameMoment;
+    isOtherView = !isMomentOver && alpha == stepAlpha && history->moment != moment;
+    moment += !isOtherView;
     isMomentOver = false;
     stepAlpha = alpha;
-    stats.uploadBytes = scene.beginFrame(alpha, view.position, isSameMoment);
+    stats.uploadBytes = scene.beginFrame(alpha, view.position, isOtherView);
     shaders.setRareFeatures(scene.shadow().directory().paged().bricks > 0 ||
                             std::any_of(scene.lights().begin(), scene.lights().end(),
                                         [](const SnapshotLight& light) { return light.isRectangle(); }));
@@ -439,15 +444,13 @@ Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader, const std::s
 bool Renderer::hasContext() {
     return glGetString(GL_VERSION);
 }
-
 Renderer::Renderer(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 Renderer::~Renderer() {
     const WithoutGlContext gone(!m_impl->check.isItsContext());
     m_impl.reset();
 }
 void Renderer::apply(FrameSnapshot&& snapshot) {
-    m_impl->scene.apply(std::move(snapshot));
-    m_impl->isMomentOver = true;
+    m_impl->scene.apply(std::move(snapshot)), m_impl->isMomentOver = true;
 }
 void Renderer::draw(const View& view, float alpha) {
     m_impl->draw(view, alpha);
@@ -467,23 +470,20 @@ Overlay& Renderer::overlay() {
 bool Renderer::reloadShaders() {
     if (m_impl->check.isLost()) return false;
     const GlStateGuard hostState = m_impl->guardHostState();
-    const bool any = m_impl->shaders.reloadChanged();
-    if (any) m_impl->greenUntil = m_impl->settings.seconds() + kGreenSeconds;
-    return any;
+    if (!m_impl->shaders.reloadChanged()) return false;
+    m_impl->greenUntil = m_impl->settings.seconds() + kGreenSeconds;
+    return true;
 }
-
 bool Renderer::showPass(std::string_view name) {
     for (const ShowPass::TargetView& view : ShowPass::views())
         if (view.name == name) return m_impl->shown = &view, true;
     return false;
 }
-
 std::vector<std::string> Renderer::passNames() const {
     std::vector<std::string> names;
-    for (const ShowPass::TargetView& view : ShowPass::views()) names.emplace_back(view.name);
+    for (const auto& view : ShowPass::views()) names.emplace_back(view.name);
     return names;
 }
-
 Result<FloatImage> Renderer::readTarget(std::string_view name) const {
     const auto declared = std::find_if(kTargets.begin(), kTargets.end(), [&](auto& each) { return each.name == name; });
     const std::string text = "target \"" + std::string(name) + "\": ";

@@ -24,7 +24,10 @@ enum class Target {
     NoisyLight,
     HitProximity,
     Specular,
+    ChangedLight,
     HistoryLeft,
+    NoisyLightOffset,
+    LightOffset,
     FastHistory,
     HistoryConfidence,
     AccumulatedLight,
@@ -102,7 +105,10 @@ inline constexpr std::array<TargetDeclaration, kTargetCount> kTargets = [] {
         {Specular, "specular", GL_RGBA16F, Render, 1, kLinear, kHistory},
 
         // Denoising.
-        {HistoryLeft, "historyLeft", GL_RGBA8},  // passes/history_left.frag; after changes
+        {ChangedLight, "changedLight", GL_RGBA16F},  // passes/changed_lights.frag; after changes of lights
+        {HistoryLeft, "historyLeft", GL_RGBA8},      // passes/history_left.frag; after changes
+        {NoisyLightOffset, "noisyLightOffset", GL_RGBA16F, Render, 4},  // passes/light_offset.frag; the same
+        {LightOffset, "lightOffset", GL_RGBA16F, Render, 4, kLinear},
         {FastHistory, "fastHistory", GL_RGBA16F, Render, 4, kLinear, kHistory},  // passes/light_change.frag
         {HistoryConfidence, "historyConfidence", GL_RGBA8, Render, 4, kLinear, kHistory},
         {AccumulatedLight, "accumulatedLight", GL_RGBA16F, Render, 1, kLinear, kHistory},
@@ -189,5 +195,7 @@ inline constexpr TargetSet kLightHistory =
 /// The same for indirect light (lib/bounce.glsl).
 inline constexpr TargetSet kBounceHistory =
     Target::HistoryLeft | previous(Target::Radiance | Target::DiffuseFraction | Target::Surface);
+/// What makes the history of light that of the lights of now.
+inline constexpr TargetSet kRelighting = Target::ChangedLight | Target::LightOffset;
 
 }  // namespace rubble

@@ -5,6 +5,7 @@
 #include "render/passes/gbuffer_pass.h"
 #include "render/passes/history_left_pass.h"
 #include "render/passes/known_changes.h"
+#include "render/passes/relight_pass.h"
 #include "render/scene/scene.h"
 
 namespace rubble {
@@ -32,6 +33,7 @@ void AccumulatePass::findChanges(const FrameContext& frame, const History& light
         program.set("uDepth", frame.targets.at(Target::Depth));
         program.set("uHasGlass", int(frame.scene.hasGlass()));
         setKnownChanges(program, frame, kOldestLightChange);
+        RelightPass::bind(program, frame);
     });
 }
 
@@ -57,6 +59,7 @@ void AccumulatePass::draw(const FrameContext& frame) const {
         program.set("uHistoryValid", int(hasHistory));
         program.set("uNewSunShare", frame.settings.rejectStaleHistory ? frame.scene.lookChanges().newSunShare() : 0.0f);
         HistoryLeftPass::bind(program, frame);
+        RelightPass::bind(program, frame);
     });
 }
 

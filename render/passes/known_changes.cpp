@@ -1,6 +1,7 @@
 #include "render/passes/known_changes.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <vector>
@@ -13,13 +14,18 @@ namespace {
 
 constexpr float kKeptChange = 0.04f;  ///< relative: the longest history survives it (lib/known_changes.glsl)
 
+/// The share of a light's change that is not known where passes/changed_lights.frag has sampled its direct light and
+/// passes/light_offset.frag has found the mean of what came by bounces. By the errors of
+/// tests/reference/ghost_test.cpp.
+constexpr float kUnknown = 0.04f;
+
 glm::vec3 cornerMetres(glm::ivec3 brick, const Scene& scene) {
     return glm::vec3(glm::dvec3(brick) * DirtyRegions::kBrickMetres - scene.origin());
 }
 
 void addTexels(std::vector<glm::vec4>& texels, const LightGrid::Sent& sent, const Scene& scene) {
-    texels.emplace_back(glm::vec3(sent.position - scene.origin()), sent.reach);
-    texels.emplace_back(sent.color, sent.extent);
+    texels.emplace_back(glm::vec3(sent.light.position - scene.origin()), sent.light.reach);
+    texels.emplace_back(sent.light.color, sent.extent);
     texels.push_back(sent.falloff);
 }
 
@@ -39,13 +45,13 @@ void setShadowedLights(const Program& program, const FrameContext& frame) {
     if (!frame.lightGrid || boxes.empty()) return;
     std::vector<std::pair<float, const LightGrid::Sent*>> reaching;
     for (const LightGrid::Sent& sent : frame.lightGrid->sent()) {
-        const glm::vec3 position(sent.position - frame.scene.origin());
-        float nearest = sent.reach;
+        const glm::vec3 position(sent.light.position - frame.scene.origin());
+        float nearest = sent.light.reach;
         for (const DirtyRegions::Box& box : boxes)
             nearest = std::min(nearest, glm::distance(position, glm::clamp(position, cornerMetres(box.low, frame.scene),
                                                                            cornerMetres(box.high, frame.scene))));
-        const float brightest = std::max({sent.color.r, sent.color.g, sent.color.b});
-        if (nearest < sent.reach && brightest > 0.0f)
+        const float brightest = std::max({sent.light.color.r, sent.light.color.g, sent.light.color.b});
+        if (nearest < sent.light.reach && brightest > 0.0f)
             reaching.emplace_back(brightest / std::max(nearest * nearest, 0.01f), &sent);
     }
     std::stable_sort(reaching.begin(), reaching.end(), [](auto& a, auto& b) { return a.first > b.first; });
@@ -59,15 +65,18 @@ void setShadowedLights(const Program& program, const FrameContext& frame) {
 void setChangedLights(const Program& program, const FrameContext& frame, int oldest) {
     std::vector<glm::vec4> lights;
     int newTexels = 0;
+    std::array<float, 2> unknown{kUnknown, kUnknown};
     for (int frames = 0; frame.lightGrid && frames <= oldest; ++frames) {
         for (const LightGrid::Change& change : frame.lightGrid->changes()) {
             if (change.frames != frames) continue;
+            if (!change.isRelit) unknown[size_t(frames)] = 1.0f;
             addTexels(lights, change.before, frame.scene);
             addTexels(lights, change.after, frame.scene);
         }
         if (frames == 0) newTexels = int(lights.size());
     }
     program.set("uNewLightTexels", newTexels);
+    program.set("uUnknown", glm::vec2(unknown[0], unknown[1]));
     program.set("uChangedLightTexels", int(lights.size()));
     if (!lights.empty()) program.set("uChangedLights[0]", std::span<const glm::vec4>(lights));
 }

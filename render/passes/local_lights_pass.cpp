@@ -19,7 +19,7 @@ constexpr int kMaxHistory = LightGrid::kMaxChangeFrames;  ///< frames over which
 void setChanges(const Program& program, const FrameContext& frame) {
     std::vector<glm::vec4> changes;
     for (const LightGrid::Change& change : frame.lightGrid->changes()) {
-        changes.emplace_back(glm::vec3(change.after.position - frame.scene.origin()), change.range());
+        changes.emplace_back(glm::vec3(change.after.light.position - frame.scene.origin()), change.range());
         changes.emplace_back(float(change.frames + 1));
     }
     program.set("uLightChangeCount", int(changes.size()));

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "render/frame/frame_block.h"
@@ -32,9 +33,9 @@ float extentOf(const SnapshotLight& light) {
     return light.radius;
 }
 
-/// Luminance of its radiant intensity.
+/// Luminance of its radiant intensity. What is sent less counts as much as what is sent more.
 float brightness(const SnapshotLight& light) {
-    return glm::dot(light.color, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+    return glm::dot(glm::abs(light.color), glm::vec3(0.2126f, 0.7152f, 0.0722f));
 }
 
 /// Approximate angular falloff: clamp(dot(direction from the light, xyz) + w, 0, 1).
@@ -60,12 +61,23 @@ glm::vec3 meanColor(const LightImage& image) {
 }
 
 LightGrid::Sent sentBy(const SnapshotLight& light) {
-    return {light.light,     light.position,       light.reach, light.color * meanColor(light.image),
-            extentOf(light), angularFalloff(light)};
+    LightGrid::Sent sent{light, extentOf(light), angularFalloff(light)};
+    sent.light.color *= meanColor(light.image);
+    sent.light.image = {};
+    return sent;
 }
 
 bool isFire(const LightGrid::Sent& sent) {
-    return sent.light == LightHandle();
+    return sent.light.light == LightHandle();
+}
+
+/// Whether two lights differ in nothing but their colour.
+bool isSameShape(const SnapshotLight& a, const SnapshotLight& b) {
+    const auto shape = [](const SnapshotLight& light) {
+        return std::tie(light.kind, light.position, light.direction, light.radius, light.reach, light.coneInner,
+                        light.coneOuter, light.right, light.width, light.height, light.twoSided);
+    };
+    return shape(a) == shape(b);
 }
 
 /// Whether what a light sends is different enough for histories to be dropped. Flames flicker all the time, and their
@@ -73,18 +85,19 @@ bool isFire(const LightGrid::Sent& sent) {
 bool differs(const LightGrid::Sent& a, const LightGrid::Sent& b) {
     constexpr float kColorChange = 0.1f, kTurn = 0.1f, kScale = 0.1f;  // relative
     constexpr double kMetres = 0.25;
-    const glm::vec3 brightest = glm::max(a.color, b.color), change = glm::abs(a.color - b.color);
+    const glm::vec3 brightest = glm::max(a.light.color, b.light.color),
+                    change = glm::abs(a.light.color - b.light.color);
     const auto isScaled = [](float x, float y) { return std::abs(x - y) > kScale * std::max(x, y); };
     return std::max({change.x, change.y, change.z}) >
                kColorChange * std::max({brightest.x, brightest.y, brightest.z}) ||
-           glm::distance(a.position, b.position) > kMetres || isScaled(a.reach, b.reach) ||
+           glm::distance(a.light.position, b.light.position) > kMetres || isScaled(a.light.reach, b.light.reach) ||
            isScaled(a.extent, b.extent) ||
            glm::distance(a.falloff, b.falloff) > kTurn * std::max(glm::length(a.falloff), glm::length(b.falloff));
 }
 
 /// The same light while it is out.
 LightGrid::Sent outAt(LightGrid::Sent sent) {
-    sent.color = glm::vec3(0.0f);
+    sent.light.color = glm::vec3(0.0f);
     return sent;
 }
 
@@ -223,34 +236,29 @@ void LightGrid::moveStrongestFirst(const FrameBlock& block) {
     }
 }
 
-void LightGrid::fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 origin) {
-    m_texels.clear();
-    m_imageTexels.clear();
-    for (const VisibleLight& reach : m_visible) {
-        const SnapshotLight& light = lights[size_t(reach.light)];
-        const bool cone = light.kind == LightKind::Cone;
-        // A light without a cone has an edge that lies beyond all directions.
-        const float outer = cone ? std::cos(light.coneOuter) : -3.0f, inner = cone ? std::cos(light.coneInner) : -2.0f;
-        const int shape = light.kind == LightKind::Screen    ? shared::kScreen
-                          : light.kind == LightKind::Area    ? shared::kArea
-                          : light.kind == LightKind::Capsule ? shared::kCapsule
-                                                             : shared::kSphere;
-        const bool hasImage = shape == shared::kScreen && light.image.height() > 0;
-        const float scale = 1.0f / std::max(inner - outer, 1e-3f);
-        m_texels.emplace_back(glm::vec3(light.position - origin), extentOf(light));
-        m_texels.push_back(angularFalloff(light));
-        m_texels.emplace_back(brightness(light), light.reach, std::max(light.radius, 0.005f), 0.5f * light.height);
-        m_texels.emplace_back(light.color, float(shape));
-        m_texels.emplace_back(light.direction, outer);
-        m_texels.emplace_back(light.right, 0.5f * light.width);
-        m_texels.emplace_back(scale, float(m_imageTexels.size()),
-                              hasImage ? float(light.image.width + (light.image.height() << 8)) : 0.0f,
-                              float(light.twoSided));
-        if (!hasImage) continue;
-        for (const uint32_t texel : light.image.texels)
-            m_imageTexels.emplace_back(srgbToLinear(uint8_t(texel >> 16)), srgbToLinear(uint8_t(texel >> 8)),
-                                       srgbToLinear(uint8_t(texel)), 1.0f);
-    }
+void LightGrid::addTexels(const SnapshotLight& light, glm::dvec3 origin) {
+    const bool cone = light.kind == LightKind::Cone;
+    // A light without a cone has an edge that lies beyond all directions.
+    const float outer = cone ? std::cos(light.coneOuter) : -3.0f, inner = cone ? std::cos(light.coneInner) : -2.0f;
+    const int shape = light.kind == LightKind::Screen    ? shared::kScreen
+                      : light.kind == LightKind::Area    ? shared::kArea
+                      : light.kind == LightKind::Capsule ? shared::kCapsule
+                                                         : shared::kSphere;
+    const bool hasImage = shape == shared::kScreen && light.image.height() > 0;
+    const float scale = 1.0f / std::max(inner - outer, 1e-3f);
+    m_texels.emplace_back(glm::vec3(light.position - origin), extentOf(light));
+    m_texels.push_back(angularFalloff(light));
+    m_texels.emplace_back(brightness(light), light.reach, std::max(light.radius, 0.005f), 0.5f * light.height);
+    m_texels.emplace_back(light.color, float(shape));
+    m_texels.emplace_back(light.direction, outer);
+    m_texels.emplace_back(light.right, 0.5f * light.width);
+    m_texels.emplace_back(scale, float(m_imageTexels.size()),
+                          hasImage ? float(light.image.width + (light.image.height() << 8)) : 0.0f,
+                          float(light.twoSided));
+    if (!hasImage) return;
+    for (const uint32_t texel : light.image.texels)
+        m_imageTexels.emplace_back(srgbToLinear(uint8_t(texel >> 16)), srgbToLinear(uint8_t(texel >> 8)),
+                                   srgbToLinear(uint8_t(texel)), 1.0f);
 }
 
 uint64_t LightGrid::upload() {
@@ -270,17 +278,51 @@ uint64_t LightGrid::upload() {
 }
 
 float LightGrid::Change::range() const {
-    return std::max(after.reach, before.reach + float(glm::distance(before.position, after.position)));
+    return std::max(after.light.reach,
+                    before.light.reach + float(glm::distance(before.light.position, after.light.position)));
 }
 
+/// A light's new change takes the place of its last one.
 void LightGrid::addChange(const Sent& before, const Sent& after) {
+    if (!isFire(after))
+        std::erase_if(m_changes, [&](const Change& old) { return old.after.light.light == after.light.light; });
     if (m_changes.size() < kMaxChanges) {
-        m_changes.push_back({before, after, 0});
+        m_changes.push_back({before, after, 0, !isFire(after) && !m_differences.empty()});
         return;
     }
-    constexpr float kEverywhere = std::numeric_limits<float>::infinity();
     constexpr float kBright = 1e9f;  // brighter than any light's share of what a place has
-    m_changes.back() = {outAt(before), {{}, after.position, kEverywhere, glm::vec3(kBright), 0.0f, {0, 0, 0, 1}}, 0};
+    Sent everywhere{after.light, 0.0f, {0, 0, 0, 1}};
+    everywhere.light.reach = std::numeric_limits<float>::infinity();
+    everywhere.light.color = glm::vec3(kBright);
+    m_changes.back() = {outAt(before), everywhere, 0, false};
+}
+
+void LightGrid::addDifference(SnapshotLight light) {
+    if (brightness(light) > 0.0f) m_differences.push_back(std::move(light));
+}
+
+/// Compares all lights but fires, which flicker all the time and have no handles, with those of the last update().
+void LightGrid::findDifferences(std::vector<Sent> now) {
+    const auto bits = [](const Sent& sent) { return sent.light.light.bits; };
+    const auto negative = [](SnapshotLight light) { return light.color = -light.color, light; };
+    std::erase_if(now, isFire);
+    std::sort(now.begin(), now.end(), [&](const Sent& a, const Sent& b) { return bits(a) < bits(b); });
+    m_differences.clear();
+    auto before = m_drawn.begin();
+    for (const Sent& after : now) {
+        for (; before != m_drawn.end() && bits(*before) < bits(after); ++before) addDifference(negative(before->light));
+        const bool isKnown = before != m_drawn.end() && bits(*before) == bits(after);
+        SnapshotLight more = after.light;
+        if (isKnown && isSameShape(before->light, more))
+            more.color -= before->light.color;
+        else if (isKnown)
+            addDifference(negative(before->light));
+        addDifference(std::move(more));
+        before += isKnown;
+    }
+    for (; before != m_drawn.end(); ++before) addDifference(negative(before->light));
+    if (m_differences.size() > kMaxDifferences) m_differences.clear();  // more than pixels can afford: see Change
+    m_drawn = std::move(now);
 }
 
 /// Lights are compared with what they were when their last change counted, so that slow changes count in the end. Fires
@@ -292,16 +334,18 @@ void LightGrid::recordChanges(std::span<const SnapshotLight> lights) {
     std::vector<Sent> now;
     now.reserve(lights.size());
     std::transform(lights.begin(), lights.end(), std::back_inserter(now), sentBy);
+    findDifferences(now);
     const bool firesChanged = std::count_if(m_lastLights.begin(), m_lastLights.end(), isFire) !=
                               std::count_if(now.begin(), now.end(), isFire);
     std::vector<std::pair<uint64_t, const Sent*>> gone;
     for (const Sent& each : m_lastLights)
-        if (!isFire(each)) gone.emplace_back(each.light.bits, &each);
+        if (!isFire(each)) gone.emplace_back(each.light.light.bits, &each);
     std::sort(gone.begin(), gone.end());
     std::vector<std::pair<Sent, Sent>> changed;
     for (Sent& each : now) {
-        const auto last = std::lower_bound(gone.begin(), gone.end(), std::pair(each.light.bits, (const Sent*)nullptr));
-        if (isFire(each) || last == gone.end() || last->first != each.light.bits) {
+        const auto last =
+            std::lower_bound(gone.begin(), gone.end(), std::pair(each.light.light.bits, (const Sent*)nullptr));
+        if (isFire(each) || last == gone.end() || last->first != each.light.light.bits) {
             if (!isFire(each) || firesChanged) changed.emplace_back(outAt(each), each);
             continue;
         }
@@ -320,15 +364,19 @@ void LightGrid::recordChanges(std::span<const SnapshotLight> lights) {
     m_lastLights = std::move(now);
 }
 
-uint64_t LightGrid::update(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin) {
+uint64_t LightGrid::update(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin,
+                           bool isSameMoment) {
     m_size = glm::ivec3(glm::ivec2(glm::ceil(glm::vec2(block.targetSize) / float(kTilePixels))), kSlices);
-    recordChanges(lights);
-    const bool isCut = block.counters.y == 0;
-    if (isCut) m_changes.clear();  // no history is left that would have to be dropped
+    m_isCut = block.counters.y == 0;
+    if (!isSameMoment) recordChanges(lights);
+    if (m_isCut && !isSameMoment) m_changes.clear(), m_differences.clear();
     listVisibleLights(lights, block, origin);
     m_list.clear();
-    if (m_visible.empty()) return 0;
-    fillTexels(lights, origin);
+    if (m_visible.empty() && differences().empty()) return 0;
+    m_texels.clear();
+    m_imageTexels.clear();
+    for (const VisibleLight& each : m_visible) addTexels(lights[size_t(each.light)], origin);
+    for (const SnapshotLight& each : differences()) addTexels(each, origin);
     fillCells(block);
     moveStrongestFirst(block);
     return upload();

@@ -15,9 +15,10 @@ struct FrameBlock;
 /// only these. Rebuilt for each frame; free without lights. Read by lib/local_lights.glsl. [render-thread]
 class LightGrid {
 public:
-    /// Rebuilds it for a camera. origin: the point of the world that GPU coordinates are relative to. Returns the bytes
-    /// sent.
-    uint64_t update(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin);
+    /// Rebuilds it for a camera. origin: the point of the world that GPU coordinates are relative to. isSameMoment: it
+    /// is another view of the lights of the last update(). Returns the bytes sent.
+    uint64_t update(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin,
+                    bool isSameMoment = false);
     /// Sets the uniforms of lib/local_lights.glsl. grid: null if the scene has none. The program must be in use.
     static void bind(const Program& program, const LightGrid* grid);
     /// Whether there is a light, in view or not.
@@ -32,17 +33,15 @@ public:
     int framesSinceChange() const { return m_framesSinceChange; }
     /// What a light sends to a place, as far as changes of it are concerned.
     struct Sent {
-        LightHandle light;    ///< null: of a fire
-        glm::dvec3 position;  ///< world
-        float reach;          ///< metres
-        glm::vec3 color;      ///< linear radiant intensity; of a screen times its image's mean colour; 0: it is out
+        SnapshotLight light;  ///< without an image: its colour is times the image's mean; 0: it is out
         float extent;         ///< radius around the position that holds all of it, metres
         glm::vec4 falloff;    ///< angular: see angularFalloff() in the source
     };
     /// A light that appeared, went out, moved or became another colour.
     struct Change {
         Sent before, after;
-        int frames;  ///< since then
+        int frames;    ///< since then
+        bool isRelit;  ///< the light's differences were, or are, in differences()
         /// Metres around `after` that it reached or reaches; infinite: everywhere.
         float range() const;
     };
@@ -51,8 +50,16 @@ public:
     /// If there are more changes, the last one counts as reaching everywhere.
     static constexpr size_t kMaxChanges = shared::kMaxLightChanges;
     static constexpr int kMaxChangeFrames = 32;  ///< frames after which a change is dropped
-    /// The changes of the last frames.
-    const std::vector<Change>& changes() const { return m_changes; }
+    /// The changes of the last frames. After a cut there are none, as no history is left.
+    std::span<const Change> changes() const { return m_isCut ? std::span<const Change>() : m_changes; }
+    /// The most lights of differences().
+    static constexpr size_t kMaxDifferences = 8;
+    using Differences = std::span<const SnapshotLight>;
+    /// How what lights send differs from the frame before, as lights whose colour is what is sent more or, below 0,
+    /// less: a light of another colour is one, one that moved is two. Fires are none.
+    Differences differences() const { return m_isCut ? Differences() : m_differences; }
+    /// The number of the first of them among the lights that shaders read.
+    int firstDifference() const { return int(m_visible.size()); }
     /// Number of tiles of the view.
     int tiles() const { return m_size.x * m_size.y; }
     /// GPU memory.
@@ -69,17 +76,22 @@ private:
         glm::ivec3 low, high;
     };
     void recordChanges(std::span<const SnapshotLight> lights);
+    void findDifferences(std::vector<Sent> now);
+    void addDifference(SnapshotLight light);
     void listVisibleLights(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin);
     bool reaches(const VisibleLight& light, glm::ivec3 cell, const FrameBlock& block) const;
     void fillCells(const FrameBlock& block);
     void moveStrongestFirst(const FrameBlock& block);
-    void fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 origin);
+    void addTexels(const SnapshotLight& light, glm::dvec3 origin);
     uint64_t upload();
 
     void addChange(const Sent& before, const Sent& after);
 
     std::vector<Sent> m_lastLights;  ///< of the last update(): see sent()
+    std::vector<Sent> m_drawn;       ///< of the last update(): all but fires, by handle, each as it was then
+    std::vector<SnapshotLight> m_differences;
     std::vector<Change> m_changes;
+    bool m_isCut = false;  ///< the last update() was for a view without history
     int m_framesSinceChange = 0;
     glm::ivec3 m_size{0};                 ///< tiles across and up, slices
     std::vector<VisibleLight> m_visible;  ///< strongest first

@@ -1,9 +1,10 @@
 // Rays where something is known to have changed. History is dropped there (lib/known_changes.glsl), and one ray a pixel
 // would be too noisy. So such a pixel gets kRaysAfterChange rays in the frame of the change and in the next one. A
 // frame of n rays counts as n frames of history. That also tells how far a pixel is:
-//   long history, now dropped                             the first such frame
+//   long history, now dropped and not in the last frame   the first such frame
 //   kRaysAfterChange frames or more, dropped last frame   the second one
-// What changes in each frame has neither, so that an explosion does not pay for rays which the next frame drops.
+// What changes in each frame has neither, so that an explosion does not pay for rays which the next frame drops. A
+// history that was made that of the lights of now (passes/changed_lights.frag) stays long, but counts as dropped here.
 // passes/history_left.frag decides it, for all passes alike. Needs lib/constants.glsl.
 uniform sampler2D uLastConfidence;  // the previous frame's history confidence
 uniform bool uLastConfidenceValid;
@@ -20,10 +21,12 @@ bool wasDropped(vec2 lastUv) { return uLastConfidenceValid && texture(uLastConfi
 /// full.
 float countsOfPreviousFrame(float framesLeft) { return min(framesLeft * 0.1, 1.0); }
 
-/// Rays of a pixel in this frame. lastFrames: of history in the previous frame; left: the share of the longest history
-/// that is left.
-int raysAt(float lastFrames, float left, vec2 lastUv) {
-    bool isFirst = left < kDropped && lastFrames >= kSettledFrames;
-    bool isSecond = lastFrames >= float(kRaysAfterChange) && lastFrames < kSettledFrames && wasDropped(lastUv);
+/// Rays of a pixel in this frame. lastFrames: of history in the previous frame; left, leftLately: the share of the longest
+/// history that is left after the changes since the previous frame, and after those and the ones before, as if no
+/// history were made that of the lights of now.
+int raysAt(float lastFrames, float left, float leftLately, vec2 lastUv) {
+    bool isLong = lastFrames >= kSettledFrames, was = wasDropped(lastUv);
+    bool isFirst = isLong && left < kDropped && !was;
+    bool isSecond = was && (isLong ? left >= kDropped && leftLately < kDropped : lastFrames >= float(kRaysAfterChange));
     return isFirst || isSecond ? kRaysAfterChange : 1;
 }

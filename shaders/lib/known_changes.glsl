@@ -11,6 +11,9 @@ uniform int uDirtyCornerCount;
 uniform vec4 uDirtyCorners[2 * kMaxDirtyRegions];  // low and high corners of changed boxes by turns, world
 uniform int uChangedLightTexels;
 uniform int uNewLightTexels;  // the first of them: changes since the previous frame; behind them older ones
+// The share of a change of lights that stays in a history which was made that of the lights of now
+// (passes/accumulate.frag): x of those since the previous frame, y in the frame before.
+uniform vec2 uUnknown;
 // Before and after by turns, each in three: xyz position, w reach; rgb intensity, w extent; angular falloff.
 uniform vec4 uChangedLights[6 * kMaxLightChanges];
 uniform int uShadowedLightTexels;

@@ -27,6 +27,10 @@ uniform sampler2D uSurfaceHistory;
 uniform sampler2D uHistoryConfidence;
 uniform bool uHasConfidence;
 uniform bool uHistoryValid;
+uniform sampler2D uChangedLight;  // passes/changed_lights.frag
+uniform bool uHasChangedLight;
+uniform sampler2D uLightOffset;  // passes/light_offset.frag
+uniform bool uHasLightOffset;
 uniform float uNewSunShare;  // of this frame in the mean of the sun's visibility, at the least: the sun has turned
 
 in vec2 uv;
@@ -90,6 +94,17 @@ float clampToNeighbours(float sun, ivec2 pixel, int neighbours) {
     return clamp(sun, least, most);
 }
 
+/// Makes the history of a pixel that of the lights of this frame. Its variance stays: that of a light which has gone is
+/// little beside that of the sky.
+void relight(inout History history, ivec2 pixel) {
+    float before = luminance(history.light.rgb);
+    if (uHasChangedLight)
+        history.light.rgb = max(history.light.rgb + texelFetch(uChangedLight, pixel, 0).rgb, vec3(0.0));
+    if (uHasLightOffset) history.light.rgb = max(history.light.rgb + texture(uLightOffset, uv).rgb, vec3(0.0));
+    float now = luminance(history.light.rgb);
+    history.secondMoment = max(history.secondMoment - before * before, 0.0) + now * now;
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Surface s = readSurface(pixel);
@@ -100,6 +115,7 @@ void main() {
     surface = vec4(s.depth, packNormal(s.normal), 1.0 + hitProximity, s.emission > 0.0 ? -1.0 : lum * lum);
     History history = reprojectHistory(s, surface.y, worldFromDepth(uv, s.depth));
     if (history.weight == 0.0) return;
+    if (uHasChangedLight || uHasLightOffset) relight(history, pixel);
     HistoryLeft left = historyLeftOf(ivec2((uv - texelFetch(uMotion, pixel, 0).rg) * frame.targetSize.xy));
     history.light.a = clampToNeighbours(history.light.a, pixel, left.sunChanged ? 9 : 0);  // a loop costs no lookups
     float confidence = uHasConfidence ? min(texture(uHistoryConfidence, uv).x, left.lately) : 1.0;

@@ -13,9 +13,10 @@ uniform sampler2D uRadianceHistory;         // the previous frame before post-pr
 uniform sampler2D uDiffuseFractionHistory;  // passes/composite.frag
 
 in vec2 uv;
-/// x after the changes since the previous frame; y after those and after lights that changed in the frame before; z
-/// share by which the radiance counts as radiance of this frame; w flags / 3: 1 the sun may be seen through changed
-/// voxels, 2 kRaysAfterChange rays are to be sent.
+/// x after the changes since the previous frame, for the history as it is; y after those and after lights that changed in
+/// the frame before, for the history that passes/accumulate.frag makes that of the lights of now; z share by which the
+/// radiance counts as radiance of this frame; w flags / 3: 1 the sun may be seen through changed voxels, 2
+/// kRaysAfterChange rays are to be sent.
 out vec4 historyLeft;
 
 void main() {
@@ -29,11 +30,12 @@ void main() {
     float knownLately = min(voxels, min(historyNearLooks(position, 1), historyLeftAfter(uLateSkylightChange)));
     float radiance = luminance(halfRange(texelFetch(uRadianceHistory, pixel, 0).rgb)) *
                      texelFetch(uDiffuseFractionHistory, pixel, 0).x;
-    vec3 now = changeByLights(position, 0, uNewLightTexels) + changeByShadows(position);
-    vec3 lately = now + changeByLights(position, uNewLightTexels, uChangedLightTexels);
-    historyLeft.x = min(known, historyLeftAfter(now, light));
-    historyLeft.y = min(knownLately, historyLeftAfter(lately, light));
-    historyLeft.z = countsOfPreviousFrame(min(known, historyLeftAfter(now, radiance)) * uMaxHistory);
-    bool hasMoreRays = raysAt(floor(surface.z), historyLeft.x, uv) > 1;
+    vec3 shadows = changeByShadows(position), now = changeByLights(position, 0, uNewLightTexels),
+         before = changeByLights(position, uNewLightTexels, uChangedLightTexels);
+    historyLeft.x = min(known, historyLeftAfter(shadows + now, light));
+    historyLeft.y = min(knownLately, historyLeftAfter(shadows + uUnknown.x * now + uUnknown.y * before, light));
+    historyLeft.z = countsOfPreviousFrame(min(known, historyLeftAfter(shadows + now, radiance)) * uMaxHistory);
+    float leftLately = min(knownLately, historyLeftAfter(shadows + now + before, light));
+    bool hasMoreRays = raysAt(floor(surface.z), historyLeft.x, leftLately, uv) > 1;
     historyLeft.w = (hasMoreRays ? 2.0 / 3.0 : 0.0) + (isSunSeenThroughChange(position) ? 1.0 / 3.0 : 0.0);
 }

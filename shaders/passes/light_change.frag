@@ -20,6 +20,10 @@ uniform sampler2D uFastHistory;
 uniform bool uHistoryValid;
 uniform sampler2D uDepth;
 uniform bool uHasGlass;
+uniform sampler2D uChangedLight;  // passes/changed_lights.frag
+uniform bool uHasChangedLight;
+uniform sampler2D uLightOffset;  // passes/light_offset.frag
+uniform bool uHasLightOffset;
 
 const float kFastHistoryFrames = 4.0;
 const float kOneFrameScale = 0.3;   // of one frame's difference: it must be many deviations, as 16 samples are few
@@ -79,6 +83,17 @@ float colorsLeftIn(ivec2 tile, ivec2 high) {
     return 1.0 - share;
 }
 
+/// Mean luminance that is known to have been added to a tile's light.
+float changedLuminance(ivec2 tile, ivec2 high) {
+    float sum = uHasLightOffset ? luminance(texelFetch(uLightOffset, ivec2(gl_FragCoord.xy), 0).rgb) : 0.0;
+    int i = loopBegin();
+    do {
+        if (!uHasChangedLight) break;
+        sum += luminance(texelFetch(uChangedLight, min(tile + ivec2(i & 3, i >> 2), high), 0).rgb) / 16.0;
+    } while (++i < 16);
+    return sum;
+}
+
 void main() {
     ivec2 tile = ivec2(gl_FragCoord.xy) * kConfidenceTile, high = ivec2(frame.targetSize.xy) - 1;
     vec3 now = vec3(0.0);
@@ -98,6 +113,8 @@ void main() {
     confidence.z = colorsLeftIn(tile, high);
     if (any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return;
     vec4 lastFastHistory = texture(uFastHistory, lastUv);
+    float changed = changedLuminance(tile, high);
+    lastFastHistory.x = max(lastFastHistory.x + changed, 0.0);
     float fastFrames = min(lastFastHistory.w + 1.0, kFastHistoryFrames);
     fastHistory = vec4(mix(lastFastHistory.xyz, now, 1.0 / fastFrames), fastFrames);
 
@@ -106,7 +123,7 @@ void main() {
         history += texture(uLightHistory, lastUv + vec2((i & 1) * 2 - 1, (i >> 1) * 2 - 1) * frame.targetSize.zw);
     history *= 0.25;
     vec2 surface = texture(uSurfaceHistory, lastUv).zw;
-    float historyLum = luminance(history.rgb), frames = max(surface.x, 1.0);
+    float historyLum = max(luminance(history.rgb) + changed, 0.0), frames = max(surface.x, 1.0);
     float share = (1.0 / fastFrames + 1.0 / frames) / 16.0;
     float sunVariance = max(history.a * (1.0 - history.a), fastHistory.z * (1.0 - fastHistory.z)) + 0.02;
     float variance = max(now.y, surface.y - historyLum * historyLum);

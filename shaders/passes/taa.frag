@@ -218,8 +218,7 @@ void main() {
     // Details finer than a pixel change their surface with each jitter: the number of frames drawn counts for them.
     if (deviation > kSubpixelDetail * history.x) frames = max(frames, float(min(frame.counters.x, 64)));
     // A frame of many rays counts as many frames of light, but as one of edges.
-    if (frames < 3.0 * float(kRaysAfterChange))
-        frames = confidence.y < 0.5 ? 1.0 : wasDropped(before) ? min(frames, 2.0) : frames;
+    frames = confidence.y < 0.5 ? 1.0 : wasDropped(before) ? min(frames, 2.0) : frames;
     float blend = clamp(kBlendRamp / (frames + kBlendRamp - 1.0), kMinBlend, kMaxBlend);
     if (confidence.y < 0.5) blend = mix(blend, 1.0, smoothstep(kOutdated.x, kOutdated.y, outside));
     blend = mix(kParticleBlend, blend, n.surfaceShare);

@@ -16,11 +16,11 @@ namespace {
 constexpr glm::ivec2 kSize(96, 64);
 
 /// In drawing order: the first that differs names the pass.
-constexpr const char* kTargets[] = {"albedo",        "material",          "noisyLight",       "specular",
-                                    "fastHistory",   "historyConfidence", "accumulatedLight", "surface",
-                                    "denoisedLight", "reflection",        "radiance",         "fogLight",
-                                    "fog",           "resolved",          "bloom0",           "exposure",
-                                    "final"};
+constexpr const char* kTargets[] = {"albedo",           "material",    "noisyLight",    "specular",
+                                    "changedLight",     "lightOffset", "fastHistory",   "historyConfidence",
+                                    "accumulatedLight", "surface",     "denoisedLight", "reflection",
+                                    "radiance",         "fogLight",    "fog",           "resolved",
+                                    "bloom0",           "exposure",    "final"};
 const std::vector<std::string> kPasses = {"wetness", "sun",         "sky",       "local lights", "accumulate",
                                           "filter",  "reflections", "composite", "fog",          "taa",
                                           "bloom",   "exposure",    "tonemap"};
@@ -30,7 +30,9 @@ LitScene fullScene() {
     LitScene scene = streetScene();
     scene.environment.wetness = 0.8f;
     scene.environment.fogDensity = 0.02f;
-    scene.addLight({LightKind::Sphere, {-1.0, 2.0, -3.0}, {0, -1, 0}, {4.0f, 9.0f, 14.0f}, 0.1f, 6.0f, 0.0f, 0.0f});
+    SnapshotLight light{LightKind::Sphere, {-1.0, 2.0, -3.0}, {0, -1, 0}, {4.0f, 9.0f, 14.0f}, 0.1f, 6.0f, 0.0f, 0.0f};
+    light.light = LightHandle::make(1, 1, 0);
+    scene.addLight(light);
     return scene;
 }
 
@@ -147,6 +149,21 @@ TEST_F(FullscreenTest, ComputeDrawsWhatFragmentsDrawInAnySize) {
     for (const glm::ivec2 size : {kSize, glm::ivec2(61, 37), glm::ivec2(1, 3), glm::ivec2(128, 40)})
         expectSame(*fragment, *compute, size, 4);
     EXPECT_EQ(byCompute(*compute), kPasses);
+}
+
+TEST_F(FullscreenTest, ComputeRelightsAsFragmentsDo) {
+    LitScene scene = fullScene();
+    const auto fragment = make(Fullscreen::Fragment, scene.snapshot()),
+               compute = make(Fullscreen::Compute, scene.snapshot());
+    expectSame(*fragment, *compute, kSize, 2);
+    for (Renderer* each : {fragment.get(), compute.get()}) {
+        FrameSnapshot now = LitScene(scene).step();
+        for (SnapshotLight& light : now.lights) light.color *= 0.3f;
+        now.lightsChanged = true;
+        each->apply(std::move(now));
+    }
+    expectSame(*fragment, *compute, kSize, 1);
+    ASSERT_TRUE(compute->readTarget("changedLight"));
 }
 
 TEST_F(FullscreenTest, ComputeDrawsWhatFragmentsDrawWhereLessIsTracedThanShown) {

@@ -3,6 +3,7 @@
 // RUBBLE_IMAGES=FOLDER writes for each case: the drawn image, the expected one and their FLIP map, side by side, and
 // below them the frames after the change.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -274,7 +275,19 @@ TEST_P(Ghosts, ACameraThatStrafedLeavesNoTrace) {
 TEST_P(Ghosts, ARecolouredLightHasItsNewColour) {
     m_stage.lights[0].color = glm::vec3(0.2f, 0.5f, 1.0f) * m_stage.lights[0].color.r;
     apply();
-    expectNoGhost("recolour", 0.045);
+    expectNoGhost("recolour", 0.04);
+}
+
+TEST_P(Ghosts, AFlickeringLightHasLittleNoise) {
+    const glm::vec3 color = m_stage.lights[0].color;
+    for (int i = 0; i < 24; ++i) {
+        m_stage.lights[0].color = color * (0.7f + 0.3f * float(std::sin(2.1 * i)));
+        apply();
+        draw(m_stage.camera);
+    }
+    m_stage.lights[0].color = color * 0.6f;
+    apply();
+    expectNoGhost("flicker", m_stage.name == "hall" ? 0.049 : 0.04);
 }
 
 TEST_P(Ghosts, ARemovedRoofLetsTheLightIn) {
@@ -290,7 +303,7 @@ TEST_P(Ghosts, ALightThatGoesOutLeavesNoGlow) {
     now.palettes.push_back({m_stage.bulb, palette(false), nullptr});
     renderer->apply(std::move(now));
     m_isLightOut = true;
-    expectNoGhost("out", m_stage.name == "night" ? 0.03 : 0.043);
+    expectNoGhost("out", m_stage.name == "night" ? 0.03 : 0.04);
 }
 
 TEST_P(Ghosts, AStillImageStaysStill) {
@@ -318,20 +331,17 @@ TEST_P(Ghosts, AStillImageStaysStill) {
     EXPECT_LE(std::sqrt(all / pixels), 0.006) << "of 1: it flickers";
 }
 
-/// Rays after a change (shaders/lib/change_rays.glsl), seen in the frames of history that they count as.
+/// Rays after a change (shaders/lib/change_rays.glsl).
 class ChangeRays : public StageTest {
 protected:
-    /// The share of pixels whose history has grown by more than one frame, or begun with more than one.
+    bool asks() const { return std::ranges::count(renderer->stats().passes, std::string_view("history left")) == 1; }
+    /// The share of pixels that are sent more rays than one.
     double shareWithMore() {
-        const FloatImage before = read("surface");
         draw(m_stage.camera);
-        const FloatImage after = read("surface");
-        int more = 0;
-        for (size_t i = 0; i < after.pixels.size(); ++i) {
-            const float was = std::floor(before.pixels[i].z), is = std::floor(after.pixels[i].z);
-            more += is > was + 1.0f || (is < was && is >= 2.0f);
-        }
-        return more / double(after.pixels.size());
+        if (!asks()) return 0.0;
+        const FloatImage left = read("historyLeft");
+        return double(std::ranges::count_if(left.pixels, [](glm::vec4 pixel) { return pixel.w > 0.5f; })) /
+               double(left.pixels.size());
     }
     void recolour(glm::vec3 color) {
         m_stage.lights[0].color = color;
@@ -354,25 +364,26 @@ TEST_F(ChangeRays, DoNotComeWhereEachFrameChanges) {
         recolour(i % 2 ? glm::vec3(10, 5, 2) : glm::vec3(2, 5, 10));
         const double share = shareWithMore();
         if (i >= 2) {
-            EXPECT_LT(share, 0.01) << "change " << i;
+            // At the rim of what has changed much, tiles say otherwise than pixels.
+            EXPECT_LT(share, 0.05) << "change " << i;
         }
     }
 }
 
 TEST_F(ChangeRays, HistoryIsAskedForOnlyAfterAChange) {
-    const auto asks = [&] {
+    const auto nextAsks = [&] {
         draw(m_stage.camera);
-        return std::ranges::count(renderer->stats().passes, std::string_view("history left")) == 1;
+        return asks();
     };
     begin(night());
-    EXPECT_FALSE(asks()) << "nothing has changed";
+    EXPECT_FALSE(nextAsks()) << "nothing has changed";
     recolour({2, 5, 10});
-    EXPECT_TRUE(asks() && asks());
-    EXPECT_FALSE(asks()) << "two frames after a light's change";
+    EXPECT_TRUE(nextAsks() && nextAsks());
+    EXPECT_FALSE(nextAsks()) << "two frames after a light's change";
     m_stage.scene.edit(m_stage.roof, all(0));
     apply();
-    EXPECT_TRUE(asks() && asks());
-    EXPECT_FALSE(asks()) << "two frames after the roof has gone";
+    EXPECT_TRUE(nextAsks() && nextAsks());
+    EXPECT_FALSE(nextAsks()) << "two frames after the roof has gone";
 }
 
 /// What anti-aliasing keeps of the sky after a bulb has other colours, with and without a pane in the level.
