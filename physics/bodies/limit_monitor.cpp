@@ -27,8 +27,7 @@ void LimitMonitor::warn(const LimitCounts& before) const {
         "the mass of a body is below 1e-9 or above 1e12 kg; it is clamped to that range",
         "a body is more than 1,000 km from the middle of the level; it is frozen there"};
     for (size_t i = 0; i < m_counts.size(); ++i)
-        if (before[i] == 0 && m_counts[i] > 0)
-            logWarning(fmt::format("physics: {}. More are not reported", kWhat[i]));
+        if (before[i] == 0 && m_counts[i] > 0) logWarning(fmt::format("physics: {}. More are not reported", kWhat[i]));
 }
 
 }  // namespace rubble

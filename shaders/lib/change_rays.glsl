@@ -21,9 +21,9 @@ bool wasDropped(vec2 lastUv) { return uLastConfidenceValid && texture(uLastConfi
 /// full.
 float countsOfPreviousFrame(float framesLeft) { return min(framesLeft * 0.1, 1.0); }
 
-/// Rays of a pixel in this frame. lastFrames: of history in the previous frame; left, leftLately: the share of the longest
-/// history that is left after the changes since the previous frame, and after those and the ones before, as if no
-/// history were made that of the lights of now.
+/// Rays of a pixel in this frame. lastFrames: of history in the previous frame; left, leftLately: the share of the
+/// longest history that is left after the changes since the previous frame, and after those and the ones before, as if
+/// no history were made that of the lights of now.
 int raysAt(float lastFrames, float left, float leftLately, vec2 lastUv) {
     bool isLong = lastFrames >= kSettledFrames, was = wasDropped(lastUv);
     bool isFirst = isLong && left < kDropped && !was;

@@ -13,9 +13,9 @@ uniform sampler2D uRadianceHistory;         // the previous frame before post-pr
 uniform sampler2D uDiffuseFractionHistory;  // passes/composite.frag
 
 in vec2 uv;
-/// x after the changes since the previous frame, for the history as it is; y after those and after lights that changed in
-/// the frame before, for the history that passes/accumulate.frag makes that of the lights of now; z share by which the
-/// radiance counts as radiance of this frame; w flags / 3: 1 the sun may be seen through changed voxels, 2
+/// x after the changes since the previous frame, for the history as it is; y after those and after lights that changed
+/// in the frame before, for the history that passes/accumulate.frag makes that of the lights of now; z share by which
+/// the radiance counts as radiance of this frame; w flags / 3: 1 the sun may be seen through changed voxels, 2
 /// kRaysAfterChange rays are to be sent.
 out vec4 historyLeft;
 
