@@ -22,20 +22,22 @@ F next(const char* name) {
 }  // namespace
 
 // The library calls these before those of the C library.
-extern "C" __attribute__((visibility("default"))) FILE* fdopen(int file, const char* mode) noexcept {
+extern "C" {
+[[gnu::visibility("default")]] FILE* fdopen(int file, const char* mode) noexcept {
     if (!g_streamsFail) return next<FILE* (*)(int, const char*)>("fdopen")(file, mode);
     errno = ENOMEM;
     return nullptr;
 }
-extern "C" __attribute__((visibility("default"))) FILE* fopen(const char* path, const char* mode) {
+[[gnu::visibility("default")]] FILE* fopen(const char* path, const char* mode) {
     if (!g_streamsFail) return next<FILE* (*)(const char*, const char*)>("fopen")(path, mode);
     errno = ENOMEM;
     return nullptr;
 }
-extern "C" __attribute__((visibility("default"))) char* realpath(const char* path, char* out) noexcept {
+[[gnu::visibility("default")]] char* realpath(const char* path, char* out) noexcept {
     if (!g_pathsFail) return next<char* (*)(const char*, char*)>("realpath")(path, out);
     errno = ENOMEM;
     return nullptr;
+}
 }
 
 namespace rubble {

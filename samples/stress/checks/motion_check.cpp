@@ -53,7 +53,7 @@ private:
         const double error = length(vectorOf(now->state.velocity) - expected);
         const double turned = length(spin) * length(arm);
         if (error <= kMaxVelocityError * (1.0 + turned)) return {};
-        return fmt::format("a piece of body {:x} moves {:.3f} m/s faster than it moved there", parent.body, error);
+        return fmt::format("a piece of body {:x} moves {:.3g} m/s otherwise than it moved there", parent.body, error);
     }
 };
 
