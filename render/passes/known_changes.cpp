@@ -17,7 +17,7 @@ constexpr float kKeptChange = 0.04f;  ///< relative: the longest history survive
 /// The share of a light's change that is not known where passes/changed_lights.frag has sampled its direct light and
 /// passes/light_offset.frag has found the mean of what came by bounces. By the errors of
 /// tests/reference/ghost_test.cpp.
-constexpr float kUnknown = 0.04f;
+constexpr float kUnknownShare = 0.04f;
 
 glm::vec3 cornerMetres(glm::ivec3 brick, const Scene& scene) {
     return glm::vec3(glm::dvec3(brick) * DirtyRegions::kBrickMetres - scene.origin());
@@ -65,7 +65,7 @@ void setShadowedLights(const Program& program, const FrameContext& frame) {
 void setChangedLights(const Program& program, const FrameContext& frame, int oldest) {
     std::vector<glm::vec4> lights;
     int newTexels = 0;
-    std::array<float, 2> unknown{kUnknown, kUnknown};
+    std::array<float, 2> unknown{kUnknownShare, kUnknownShare};
     for (int frames = 0; frame.lightGrid && frames <= oldest; ++frames) {
         for (const LightGrid::Change& change : frame.lightGrid->changes()) {
             if (change.frames != frames) continue;
@@ -76,7 +76,7 @@ void setChangedLights(const Program& program, const FrameContext& frame, int old
         if (frames == 0) newTexels = int(lights.size());
     }
     program.set("uNewLightTexels", newTexels);
-    program.set("uUnknown", glm::vec2(unknown[0], unknown[1]));
+    program.set("uUnknownShare", glm::vec2(unknown[0], unknown[1]));
     program.set("uChangedLightTexels", int(lights.size()));
     if (!lights.empty()) program.set("uChangedLights[0]", std::span<const glm::vec4>(lights));
 }

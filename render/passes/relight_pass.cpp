@@ -13,6 +13,12 @@ constexpr float kMinRadiance = 0.001f;  ///< of a white surface at exposure 1: f
 
 static_assert(kTargets[size_t(Target::LightOffset)].divisor == shared::kConfidenceTile);
 
+void bindChangedLight(const Program& program, const FrameContext& frame) {
+    const Texture& changed = frame.targets.orNone(Target::ChangedLight);
+    program.set("uChangedLight", changed);
+    program.set("uHasChangedLight", int(bool(changed)));
+}
+
 bool hasDifferences(const FrameContext& frame) {
     return frame.settings.localLights && frame.lightGrid && !frame.lightGrid->differences().empty();
 }
@@ -58,9 +64,7 @@ void RelightPass::findOffset(const FrameContext& frame) const {
         program.set("uLight", frame.targets.at(Target::NoisyLight));
         program.set("uLightHistory", frame.targets.previousOrNone(Target::AccumulatedLight));
         program.set("uSurfaceHistory", frame.targets.previousOrNone(Target::Surface));
-        const Texture& changed = frame.targets.orNone(Target::ChangedLight);
-        program.set("uChangedLight", changed);
-        program.set("uHasChangedLight", int(bool(changed)));
+        bindChangedLight(program, frame);
     });
     drawFullscreen(frame, m_offsetFilter, {{&frame.targets.target(Target::LightOffset)}}, [&](const Program& program) {
         GBufferPass::bind(program, frame.targets);
@@ -69,10 +73,8 @@ void RelightPass::findOffset(const FrameContext& frame) const {
 }
 
 void RelightPass::bind(const Program& program, const FrameContext& frame) {
-    const Texture &changed = frame.targets.orNone(Target::ChangedLight),
-                  &offset = frame.targets.orNone(Target::LightOffset);
-    program.set("uChangedLight", changed);
-    program.set("uHasChangedLight", int(bool(changed)));
+    bindChangedLight(program, frame);
+    const Texture& offset = frame.targets.orNone(Target::LightOffset);
     program.set("uLightOffset", offset);
     program.set("uHasLightOffset", int(bool(offset)));
 }

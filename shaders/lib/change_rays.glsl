@@ -25,8 +25,9 @@ float countsOfPreviousFrame(float framesLeft) { return min(framesLeft * 0.1, 1.0
 /// longest history that is left after the changes since the previous frame, and after those and the ones before, as if
 /// no history were made that of the lights of now.
 int raysAt(float lastFrames, float left, float leftLately, vec2 lastUv) {
-    bool isLong = lastFrames >= kSettledFrames, was = wasDropped(lastUv);
-    bool isFirst = isLong && left < kDropped && !was;
-    bool isSecond = was && (isLong ? left >= kDropped && leftLately < kDropped : lastFrames >= float(kRaysAfterChange));
+    bool isLong = lastFrames >= kSettledFrames, isRepeated = wasDropped(lastUv);
+    bool isFirst = isLong && left < kDropped && !isRepeated;
+    bool hasBegun = isLong ? left >= kDropped && leftLately < kDropped : lastFrames >= float(kRaysAfterChange);
+    bool isSecond = isRepeated && hasBegun;
     return isFirst || isSecond ? kRaysAfterChange : 1;
 }

@@ -13,7 +13,7 @@ uniform int uChangedLightTexels;
 uniform int uNewLightTexels;  // the first of them: changes since the previous frame; behind them older ones
 // The share of a change of lights that stays in a history which was made that of the lights of now
 // (passes/accumulate.frag): x of those since the previous frame, y in the frame before.
-uniform vec2 uUnknown;
+uniform vec2 uUnknownShare;
 // Before and after by turns, each in three: xyz position, w reach; rgb intensity, w extent; angular falloff.
 uniform vec4 uChangedLights[6 * kMaxLightChanges];
 uniform int uShadowedLightTexels;

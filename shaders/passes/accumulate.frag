@@ -94,8 +94,8 @@ float clampToNeighbours(float sun, ivec2 pixel, int neighbours) {
     return clamp(sun, least, most);
 }
 
-/// Makes the history of a pixel that of the lights of this frame. Its variance stays: that of a light which has gone is
-/// little beside that of the sky.
+/// Makes the history of a pixel that of the lights of this frame. Its variance stays, as nothing says how much of it
+/// came from the lights that changed: where one has gone, the filter takes the light for noisier than it is.
 void relight(inout History history, ivec2 pixel) {
     float before = luminance(history.light.rgb);
     if (uHasChangedLight)

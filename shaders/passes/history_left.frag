@@ -33,7 +33,8 @@ void main() {
     vec3 shadows = changeByShadows(position), now = changeByLights(position, 0, uNewLightTexels),
          before = changeByLights(position, uNewLightTexels, uChangedLightTexels);
     historyLeft.x = min(known, historyLeftAfter(shadows + now, light));
-    historyLeft.y = min(knownLately, historyLeftAfter(shadows + uUnknown.x * now + uUnknown.y * before, light));
+    vec3 unknown = uUnknownShare.x * now + uUnknownShare.y * before;
+    historyLeft.y = min(knownLately, historyLeftAfter(shadows + unknown, light));
     historyLeft.z = countsOfPreviousFrame(min(known, historyLeftAfter(shadows + now, radiance)) * uMaxHistory);
     float leftLately = min(knownLately, historyLeftAfter(shadows + now + before, light));
     bool hasMoreRays = raysAt(floor(surface.z), historyLeft.x, leftLately, uv) > 1;

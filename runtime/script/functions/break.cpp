@@ -5,12 +5,17 @@
 namespace rubble::script {
 namespace {
 
+/// Radii for soft, medium and hard materials, from an argument on; none is larger than the one before.
+void readRadii(lua_State* L, int first, double (&radii)[3]) {
+    radii[0] = numberAt(L, first, "r0");
+    radii[1] = std::min(numberOr(L, first + 1, "r1", 0.0), radii[0]);
+    radii[2] = std::min(numberOr(L, first + 2, "r2", 0.0), radii[1]);
+}
+
 int makeHole(lua_State* L) {
     auto carve = sized<rubble_carve>();
     copy(carve.position, vectorAt(L, 1, "pos"));
-    carve.radii[0] = numberAt(L, 2, "r0");
-    carve.radii[1] = std::min(numberOr(L, 3, "r1", 0.0), carve.radii[0]);
-    carve.radii[2] = std::min(numberOr(L, 4, "r2", 0.0), carve.radii[1]);
+    readRadii(L, 2, carve.radii);
     uint64_t count = 0;
     isDone(L, apiOf(L).count_carve(worldOf(L), &carve, &count));
     isDone(L, apiOf(L).carve(worldOf(L), &carve));
@@ -23,9 +28,7 @@ int makeHoleLine(lua_State* L) {
     carve.brush = RUBBLE_BRUSH_CAPSULE;
     copy(carve.position, vectorAt(L, 1, "p0"));
     copy(carve.end, vectorAt(L, 2, "p1"));
-    carve.radii[0] = numberAt(L, 3, "r0");
-    carve.radii[1] = std::min(numberOr(L, 4, "r1", 0.0), carve.radii[0]);
-    carve.radii[2] = std::min(numberOr(L, 5, "r2", 0.0), carve.radii[1]);
+    readRadii(L, 3, carve.radii);
     isDone(L, apiOf(L).carve(worldOf(L), &carve));
     return 0;
 }
@@ -33,9 +36,7 @@ int makeHoleLine(lua_State* L) {
 int crack(lua_State* L) {
     auto edit = sized<rubble_break>();
     copy(edit.position, vectorAt(L, 1, "pos"));
-    edit.radii[0] = numberAt(L, 2, "r0");
-    edit.radii[1] = std::min(numberOr(L, 3, "r1", 0.0), edit.radii[0]);
-    edit.radii[2] = std::min(numberOr(L, 4, "r2", 0.0), edit.radii[1]);
+    readRadii(L, 2, edit.radii);
     edit.seed = uint32_t(ScriptContext::of(L).shared.step);
     isDone(L, apiOf(L).break_voxels(worldOf(L), &edit));
     return 0;
