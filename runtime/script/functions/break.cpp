@@ -8,9 +8,12 @@ namespace {
 int makeHole(lua_State* L) {
     auto carve = sized<rubble_carve>();
     copy(carve.position, vectorAt(L, 1, "pos"));
-    carve.radii[0] = numberAt(L, 2, "r0");
-    carve.radii[1] = std::min(numberOr(L, 3, "r1", 0.0), carve.radii[0]);
-    carve.radii[2] = std::min(numberOr(L, 4, "r2", 0.0), carve.radii[1]);
+    constexpr const char* kNames[] = {"r0", "r1", "r2"};
+    for (int i = 0; i < 3; ++i) {
+        carve.radii[i] = i ? numberOr(L, 2 + i, kNames[i], 0.0) : numberAt(L, 2, kNames[0]);
+        if (!(carve.radii[i] >= 0.0)) refuseArgument(L, 2 + i, kNames[i], "a radius of 0 or more");
+        if (i) carve.radii[i] = std::min(carve.radii[i], carve.radii[i - 1]);
+    }
     uint64_t count = 0;
     isDone(L, apiOf(L).count_carve(worldOf(L), &carve, &count));
     isDone(L, apiOf(L).carve(worldOf(L), &carve));
@@ -21,7 +24,7 @@ int makeHole(lua_State* L) {
 int explosion(lua_State* L) {
     auto blast = sized<rubble_explosion>();
     copy(blast.position, vectorAt(L, 1, "pos"));
-    blast.size = std::clamp(numberOr(L, 2, "size", 1.0), 0.5, 4.0);
+    blast.size = lua_isnoneornil(L, 2) ? 1.0 : limitedAt(L, 2, "size", 0.5, 4.0);
     isDone(L, apiOf(L).explode(worldOf(L), &blast));
     return 0;
 }
