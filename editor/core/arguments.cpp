@@ -79,6 +79,8 @@ std::string expectedText(const Parameter& parameter) {
             return rangeText(parameter, "three whole numbers x,y,z, each");
         case Type::Color:
             return "a colour #rrggbb";
+        case Type::Pairs:
+            return "NAME=VALUE, with spaces between several";
         case Type::Objects:
             return "names, #HANDLE, tag:NAME, selected or all, separated by commas";
     }
@@ -115,6 +117,10 @@ Arguments::Arguments(const Command& command, const std::vector<Given>& given)
         const size_t index = indexOf(each, place);
         const Parameter& parameter = command.parameters[index];
         if (each.name.empty()) place = index + 1;
+        if (parameter.type == Type::Pairs) {
+            addPairs(index, each);
+            continue;
+        }
         if (m_values[index]) refuse(parameter.name, fmt::format("one value, found another: '{}'", each.value));
         m_values[index] = read(parameter, each.value);
     }
@@ -135,10 +141,35 @@ size_t Arguments::indexOf(const Given& given, size_t place) const {
     std::string all;
     for (size_t i = 0; i < m_values.size(); ++i) {
         if (m_command.parameters[i].name == given.name) return i;
+        if (i + 1 == m_values.size() && pairsIndex() < m_values.size()) return pairsIndex();
         all += fmt::format("{}{}", i ? " " : "", m_command.parameters[i].name);
     }
     throw Refused(fmt::format("{}: expected one of the parameters {}, found '{}'", m_command.name,
                               all.empty() ? "(none)" : all, given.name));
+}
+
+/// The parameter of Type::Pairs; past the last one: there is none.
+size_t Arguments::pairsIndex() const {
+    const auto& all = m_command.parameters;
+    return size_t(std::find_if(all.begin(), all.end(), [](auto& each) { return each.type == Type::Pairs; }) -
+                  all.begin());
+}
+
+/// Adds a pair under its own name, or those of the parameter's value.
+void Arguments::addPairs(size_t index, const Given& given) {
+    const Parameter& parameter = m_command.parameters[index];
+    std::string& lines = (m_values[index] ? *m_values[index] : m_values[index].emplace()).text;
+    if (given.value.find('\n') != given.value.npos) refuse(parameter.name, "values without a line break, found one");
+    if (!given.name.empty() && given.name != parameter.name) {
+        lines += given.name + "=" + given.value + "\n";
+        return;
+    }
+    for (const std::string_view pair : split(given.value, ' ')) {
+        if (pair.empty()) continue;
+        if (pair.find('=') == pair.npos || pair.front() == '=')
+            refuse(parameter.name, fmt::format("{}, found '{}'", expectedText(parameter), pair));
+        lines += std::string(pair) + "\n";
+    }
 }
 
 Arguments::Value Arguments::read(const Parameter& parameter, const std::string& text) const {
@@ -177,6 +208,7 @@ Arguments::Value Arguments::read(const Parameter& parameter, const std::string& 
             break;
         case Type::Text:
         case Type::Objects:
+        case Type::Pairs:
             break;
     }
     if (!good) refuse(parameter.name, fmt::format("{}, found '{}'", expectedText(parameter), text));

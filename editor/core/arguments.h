@@ -22,11 +22,12 @@ enum class Type : uint8_t {
     Whole,  ///< a number without a fraction
     Flag,   ///< yes or no
     Text,
-    Choice,  ///< one of Parameter::choices
-    Point,   ///< three numbers: x,y,z
-    Cell,    ///< three whole numbers
-    Color,   ///< #rrggbb, sRGB
-    Objects  ///< names, #HANDLE, tag:NAME, selected, all; separated by commas
+    Choice,   ///< one of Parameter::choices
+    Point,    ///< three numbers: x,y,z
+    Cell,     ///< three whole numbers
+    Color,    ///< #rrggbb, sRGB
+    Objects,  ///< names, #HANDLE, tag:NAME, selected, all; separated by commas
+    Pairs     ///< NAME=VALUE with spaces between; also each name=value of the line whose name is no parameter's
 };
 
 /// One parameter of a command.
@@ -74,7 +75,7 @@ public:
     int whole(std::string_view name) const;
     /// Of Type::Flag.
     bool flag(std::string_view name) const;
-    /// Of Type::Text, Type::Choice and Type::Objects.
+    /// Of Type::Text, Type::Choice and Type::Objects; of Type::Pairs a line for each.
     const std::string& text(std::string_view name) const;
     /// Of Type::Choice: which of its choices.
     int choice(std::string_view name) const;
@@ -97,6 +98,8 @@ private:
     };
     const Value& at(std::string_view name, Type type) const;
     size_t indexOf(const Given& given, size_t place) const;
+    size_t pairsIndex() const;
+    void addPairs(size_t index, const Given& given);
     Value read(const Parameter& parameter, const std::string& text) const;
 
     const Command& m_command;

@@ -67,6 +67,8 @@ std::vector<Command> environmentCommands();
 std::vector<Command> regionCommands();
 /// Names and tags.
 std::vector<Command> nameCommands();
+/// Scripts that the level names.
+std::vector<Command> scriptCommands();
 /// What breaks things.
 std::vector<Command> toolCommands();
 /// Files, undo and redo, play and stop.

@@ -68,6 +68,8 @@ std::string readCall(lua_State* L, Line& line) {
         }
         line.given.push_back(std::move(given));
     }
+    std::stable_sort(line.given.begin(), line.given.end(),
+                     [](const Given& a, const Given& b) { return a.name < b.name; });
     return "";
 }
 

@@ -377,6 +377,12 @@ inline constexpr auto kFields<SetUserValueEdit> = std::tuple{
 };
 
 template <>
+inline constexpr auto kFields<SetScriptsEdit> = std::tuple{
+    Field{"scripts", &SetScriptsEdit::scripts},
+    Field{"adds", &SetScriptsEdit::adds},
+};
+
+template <>
 inline constexpr auto kFields<SetPaletteEdit> = std::tuple{
     Field{"shape", &SetPaletteEdit::shape},
     Field{"all", &SetPaletteEdit::all},

@@ -138,6 +138,7 @@ public:
              i-- > 0 && m_reader.takeMemory(listMemory(1, sizeof(Shape)));)
             readShape(delta);
         forEachKind([&](auto&, auto& free) { m_in.get(free); }, delta, delta.freeSlots);
+        if (m_reader.remaining()) m_in.get(delta.scripts.emplace());
         return delta;
     }
 
@@ -446,6 +447,7 @@ std::vector<uint8_t> stepDeltaToBytes(const WorldDelta& before, const FrameChang
     out.put(uint32_t(before.shapes.size()));
     for (const auto& [slot, was] : before.shapes) putShape(out, delta, slot, before, changes, after);
     forEachKind([&](const auto&, const auto& now) { out.put(now.freeSlots()); }, before, after.data());
+    if (before.scripts) out.put(after.data().scripts);
     std::vector<uint8_t> bytes =
         palettesToBytes({palettes.palettes().begin() + std::ptrdiff_t(known), palettes.palettes().end()});
     bytes.insert(bytes.end(), delta.begin(), delta.end());

@@ -18,7 +18,9 @@ inline constexpr NumberRange kDamping{0.0, 1e3};              ///< 1/s, of a bod
 inline constexpr double kMaxCharacterSpeed = 1e3;             ///< m/s, the length of a wish or a velocity
 
 // Names
-inline constexpr NumberRange kNameBytes{0, 4'096};  ///< of names, of tags and of their values
+inline constexpr NumberRange kNameBytes{0, 4'096};  ///< of names, of tags, of their values and of paths of scripts
+inline constexpr NumberRange kScripts{0, 10'000};   ///< of a level, by an edit
+inline constexpr NumberRange kParameterBytes{0, 65'536};  ///< of a script of a level
 
 // Shapes and materials
 inline constexpr NumberRange kVoxelSize{1e-3, 1e3};         ///< m

@@ -1,5 +1,6 @@
 #include "runtime/script/script.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "runtime/script/binding/directives.h"
@@ -12,7 +13,9 @@ namespace {
 constexpr const char* kNames[kCallbacks] = {
     "init",       "tick",   "update",  "destroy",   "onSplit", "onBreak", "onBodyBreak", "onContact",
     "onLightOut", "onFire", "onJoint", "onTrigger", "draw",    "onLoad",  "(text)",      "(after wait)"};
+constexpr size_t kFunctions = size_t(Callback::Text);  ///< callbacks that have a function
 constexpr size_t kMaxIdle = 4;
+constexpr int kMaxErrors = 20;  ///< of one line that are logged
 
 double seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -33,6 +36,17 @@ int makeThread(lua_State* L) {
     auto& made = *static_cast<NewThread*>(lua_touserdata(L, 1));
     made.thread = lua_newthread(L);
     made.reference = luaL_ref(L, LUA_REGISTRYINDEX);
+    Sandbox::of(L).protectThread(made.thread);
+    return 0;
+}
+
+/// The thread of Script::m_names.
+int makeNames(lua_State* L) {
+    lua_State* thread = lua_newthread(L);
+    luaL_ref(L, LUA_REGISTRYINDEX);
+    lua_rawgeti(thread, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
+    for (size_t i = 0; i < kFunctions; ++i) lua_pushstring(thread, kNames[i]);
+    *static_cast<lua_State**>(lua_touserdata(L, 1)) = thread;
     return 0;
 }
 
@@ -65,10 +79,11 @@ int writeAnswer(lua_State* L) {
     luaL_checkstack(L, answer.results + 8, nullptr);
     lua_xmove(answer.thread, L, answer.results);
     for (int i = 2; i < 2 + answer.results; ++i) {
-        if (lua_isnil(L, i)) continue;
-        if (!answer.text.empty()) answer.text += "\t";
+        if (i > 2) answer.text += "\t";
         pushText(L, i);
-        answer.text += lua_tostring(L, -1);
+        size_t length = 0;
+        const char* bytes = lua_tolstring(L, -1, &length);
+        answer.text.append(bytes, length);
         lua_pop(L, 1);
     }
     return 0;
@@ -82,10 +97,25 @@ const char* nameOf(Callback callback) {
 
 Script::Script(ScriptWorld& shared, const std::string& name, const SandboxLimits& limits)
     : m_context{.shared = shared, .name = name}, m_sandbox(limits, &m_context) {
-    m_sandbox.output = [this](std::string_view line) {
-        if (m_context.shared.log) m_context.shared.log(RUBBLE_LOG_INFO, m_context.name + ": " + std::string(line));
-    };
-    if (!m_sandbox.prepare(openScript, nullptr)) report(m_sandbox.refusal());
+    m_sandbox.output = [this](std::string_view line) { print(line); };
+    if (!m_sandbox.prepare(openScript, nullptr) || !m_sandbox.prepare(makeNames, &m_names)) report(m_sandbox.refusal());
+}
+
+void Script::beginFrame() {
+    m_sandbox.beginFrame();
+    m_printable = std::min(m_printable + kPrintPerFrame, kPrintBurst);
+}
+
+void Script::print(std::string_view line) {
+    const auto& log = m_context.shared.log;
+    if (!log) return;
+    if (int64_t(line.size()) <= m_printable) {
+        m_printable -= int64_t(line.size()) + 1;
+        log(RUBBLE_LOG_INFO, m_context.name + ": " + std::string(line));
+    } else if (!std::exchange(m_isPrintTold, true)) {
+        log(RUBBLE_LOG_WARNING, m_context.name + ": print: expected at most " + std::to_string(kPrintPerFrame) +
+                                    " bytes a frame, found more: lines are left out");
+    }
 }
 
 void Script::report(const std::string& error) {
@@ -94,10 +124,13 @@ void Script::report(const std::string& error) {
         return;
     }
     const auto& log = m_context.shared.log;
-    if (log && m_repeats) log(RUBBLE_LOG_ERROR, m_error + " (" + std::to_string(m_repeats) + " times more)");
+    if (log && m_repeats && m_told[m_error.substr(0, m_error.find(": "))] < kMaxErrors)
+        log(RUBBLE_LOG_ERROR, m_error + " (" + std::to_string(m_repeats) + " times more)");
     m_error = error;
     m_repeats = 0;
-    if (log) log(RUBBLE_LOG_ERROR, error);
+    const int told = ++m_told[error.substr(0, error.find(": "))];
+    if (!log || told > kMaxErrors) return;
+    log(RUBBLE_LOG_ERROR, error + (told == kMaxErrors ? " (what else goes wrong there is not logged)" : ""));
 }
 
 lua_State* Script::takeThread(int& reference) {
@@ -119,6 +152,7 @@ RunResult Script::run(Callback callback, lua_State* thread, int arguments) {
     const uint64_t allocations = m_sandbox.allocations();
     m_context.callback = thread;
     RunResult result = m_sandbox.run(thread, arguments);
+    ++m_runs;
     ++profile.calls;
     profile.seconds += seconds() - startedAt;
     profile.allocations += m_sandbox.allocations() - allocations;
@@ -136,9 +170,10 @@ void Script::settle(lua_State* thread, int reference, const RunResult& result) {
     if (isStopped()) return;  // nothing of it runs again
     if (thread == m_textThread && result.state != RunResult::Waits) {
         m_textThread = nullptr;
-        findCallbacks();
         m_isReady = result.state == RunResult::Done;
     }
+    if (result.state != RunResult::Waits && m_evaluated.erase(thread) && result.state == RunResult::Done)
+        keepAnswer(thread, result.results);
     if (result.state == RunResult::Waits) {
         double until = 0.0;
         isWait(thread, result.results, until);
@@ -148,8 +183,19 @@ void Script::settle(lua_State* thread, int reference, const RunResult& result) {
         lua_settop(thread, 0);
         m_idle.emplace_back(thread, reference);
     } else {
-        luaL_unref(m_sandbox.state(), LUA_REGISTRYINDEX, reference);
+        dropThread(thread, reference);
     }
+}
+
+void Script::dropThread(lua_State* thread, int reference) {
+    m_sandbox.unprotectThread(thread);
+    luaL_unref(m_sandbox.state(), LUA_REGISTRYINDEX, reference);
+}
+
+void Script::keepAnswer(lua_State* thread, int results) {
+    Answer given{thread, results, m_answer};
+    if (!m_sandbox.prepare(writeAnswer, &given)) report(isStopped() ? m_sandbox.stopReason() : m_sandbox.refusal());
+    ++m_runs;  // of __tostring
 }
 
 bool Script::load(const std::string& text, bool isAgain) {
@@ -157,11 +203,11 @@ bool Script::load(const std::string& text, bool isAgain) {
     m_text = text;
     m_isAgain = isAgain;
     const bool isGood = evaluate(text, answer);
+    m_evaluated.clear();
     if (!m_waiting.empty()) {
         m_textThread = m_waiting.back().thread;
         return true;
     }
-    if (!isStopped()) findCallbacks();
     m_isReady = isGood;
     return isGood;
 }
@@ -169,6 +215,7 @@ bool Script::load(const std::string& text, bool isAgain) {
 bool Script::evaluate(const std::string& text, std::string& answer) {
     int reference = 0;
     beginFrame();
+    m_told.clear();
     lua_State* thread = takeThread(reference);
     Chunk chunk{thread, text, m_context.name};
     if (!thread || !m_sandbox.prepare(compile, &chunk)) {
@@ -176,12 +223,10 @@ bool Script::evaluate(const std::string& text, std::string& answer) {
         if (thread) m_idle.emplace_back(thread, reference);
         return false;
     }
+    m_evaluated.insert(thread);
     const RunResult result = run(Callback::Text, thread, 0);
-    if (result.state == RunResult::Done) {
-        Answer given{thread, result.results, answer};
-        if (!m_sandbox.prepare(writeAnswer, &given)) report(isStopped() ? m_sandbox.stopReason() : m_sandbox.refusal());
-    }
     settle(thread, reference, result);
+    answer = takeAnswer();
     return result.state != RunResult::Failed;
 }
 
@@ -200,32 +245,33 @@ bool Script::isBegin(const std::string& text) {
     return !compiles(text) && !isStopped() && m_sandbox.refusal().ends_with("<eof>");
 }
 
-void Script::findCallbacks() {
-    const Sandbox::HostAccess access(m_sandbox);
-    lua_State* L = m_sandbox.state();
-    lua_rawgeti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
-    for (size_t i = 0; i < kCallbacks; ++i) {
-        lua_pushstring(L, kNames[i]);
-        m_has[i] = lua_rawget(L, -2) == LUA_TFUNCTION;
-        lua_pop(L, 1);
-    }
-    lua_pop(L, 1);
+/// Pushes what has the name of a callback onto the thread of the names; returns its type. Takes no memory.
+int Script::pushCallback(Callback callback) {
+    lua_pushvalue(m_names, int(callback) + 2);
+    return lua_rawget(m_names, 1);
+}
+
+void Script::lookFor(Callback callback) {
+    Known& known = m_known[size_t(callback)];
+    known.runs = m_runs;
+    known.isThere = false;
+    if (!m_names || m_textThread || isStopped() || size_t(callback) >= kFunctions) return;
+    const int type = pushCallback(callback);
+    lua_pop(m_names, 1);
+    known.isThere = type == LUA_TFUNCTION;
+    if (known.isThere || type == LUA_TNIL || std::exchange(known.isTold, true) || !m_context.shared.log) return;
+    m_context.shared.log(RUBBLE_LOG_WARNING, m_context.name + ": " + nameOf(callback) +
+                                                 ": expected a function, which is called, found a " +
+                                                 lua_typename(m_names, type));
 }
 
 lua_State* Script::begin(Callback callback, int& reference) {
     if (!has(callback) || isStopped()) return nullptr;
     lua_State* thread = takeThread(reference);
     if (!thread) return nullptr;
-    const Sandbox::HostAccess access(m_sandbox);
-    lua_rawgeti(thread, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
-    lua_pushstring(thread, nameOf(callback));
-    const bool isThere = lua_rawget(thread, -2) == LUA_TFUNCTION;
-    lua_remove(thread, -2);
-    if (isThere) return thread;
-    m_has[size_t(callback)] = false;  // the script has taken it away
-    lua_settop(thread, 0);
-    m_idle.emplace_back(thread, reference);
-    return nullptr;
+    pushCallback(callback);
+    lua_xmove(m_names, thread, 1);
+    return thread;
 }
 
 void Script::startAll() {

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -34,6 +36,9 @@ inline constexpr size_t kCallbacks = size_t(Callback::Resume) + 1;
 /// The name of the function, or of what is none in brackets.
 const char* nameOf(Callback callback);
 
+/// A script as a level names it: its path, and its parameters, "name=value", a line each.
+using LevelScriptName = std::pair<std::string, std::string>;
+
 /// What calls into a script have cost.
 struct CallbackProfile {
     uint64_t calls = 0;
@@ -55,9 +60,12 @@ public:
     /// Whether the text has come to its end and nobody was told of it yet.
     bool takeReadiness() { return std::exchange(m_isReady, false); }
     /// What is called first: init(), or onLoad() of one that has run before.
-    Callback first() const { return m_isAgain && has(Callback::Load) ? Callback::Load : Callback::Init; }
-    /// Compiles a text and runs it as a callback would run; false: it has failed. What it returns is in `answer`.
+    Callback first() { return m_isAgain && has(Callback::Load) ? Callback::Load : Callback::Init; }
+    /// Compiles a text and runs it as a callback would run; false: it has failed. What it returns is in `answer`; of a
+    /// text that waits takeAnswer() gives it.
     bool evaluate(const std::string& text, std::string& answer);
+    /// What texts that have waited have returned since the last call.
+    std::string takeAnswer() { return std::exchange(m_answer, {}); }
 
     /// Whether a text is whole: without running it.
     bool compiles(const std::string& text);
@@ -67,12 +75,15 @@ public:
     /// with their bracket. Runs nothing of the script.
     std::vector<std::string> completions(std::string_view line);
 
-    /// Whether the script has such a function.
-    bool has(Callback callback) const { return m_has[size_t(callback)]; }
-    /// Looks which callbacks there are.
-    void findCallbacks();
+    /// Whether the script has such a function now. It is looked for again only where the script has run since: it may
+    /// have defined one, or taken one away.
+    bool has(Callback callback) {
+        Known& known = m_known[size_t(callback)];
+        if (known.runs != m_runs) lookFor(callback);
+        return known.isThere;
+    }
     /// From here on all calls together have the work of a frame.
-    void beginFrame() { m_sandbox.beginFrame(); }
+    void beginFrame();
     /// Calls a callback. `push` puts its arguments onto the stack and returns how many.
     template <class Push>
     void call(Callback callback, Push&& push) {
@@ -90,10 +101,10 @@ public:
     std::map<std::string, std::string> savedTables();
     /// The text that load() was given.
     const std::string& text() const { return m_text; }
-    /// Whether the level names it, so that it ends with the level.
-    bool isOfLevel() const { return m_isOfLevel; }
+    /// As the level names it, so that it ends with the level; none: the level does not.
+    const std::optional<LevelScriptName>& ofLevel() const { return m_ofLevel; }
     /// Says so.
-    void setOfLevel() { m_isOfLevel = true; }
+    void setOfLevel(LevelScriptName name) { m_ofLevel = std::move(name); }
     /// As the constructor was given it.
     const std::string& name() const { return m_context.name; }
     /// What its functions work on: parameters, calls of each function.
@@ -109,7 +120,15 @@ public:
     /// What a callback has cost so far.
     const CallbackProfile& profile(Callback callback) const { return m_profile[size_t(callback)]; }
 
+    /// Bytes that print() may write at once, and from one frame or step to the next.
+    static constexpr int64_t kPrintBurst = 1 << 20, kPrintPerFrame = 16 << 10;
+
 private:
+    /// Whether there is a callback, after how many runs that was looked for, and whether something else has its name.
+    struct Known {
+        uint64_t runs = 0;
+        bool isThere = false, isTold = false;
+    };
     /// A coroutine that waits.
     struct Waiting {
         lua_State* thread;
@@ -122,25 +141,37 @@ private:
         const Sandbox::HostAccess access(m_sandbox);
         return push(thread);
     }
+    void lookFor(Callback callback);
+    int pushCallback(Callback callback);
     lua_State* takeThread(int& reference);
+    void dropThread(lua_State* thread, int reference);
+    void keepAnswer(lua_State* thread, int results);
     lua_State* begin(Callback callback, int& reference);
     RunResult run(Callback callback, lua_State* thread, int arguments);
     void settle(lua_State* thread, int reference, const RunResult& result);
     void startAll();
     void report(const std::string& error);
+    void print(std::string_view line);
 
     ScriptContext m_context;
     Sandbox m_sandbox;
-    bool m_has[kCallbacks] = {};
+    lua_State* m_names = nullptr;  ///< a thread with the globals and the names of all callbacks on its stack
+    Known m_known[kCallbacks];
+    uint64_t m_runs = 1;  ///< of anything in the script
     CallbackProfile m_profile[kCallbacks];
     std::vector<Waiting> m_waiting;
     std::vector<std::pair<lua_State*, int>> m_idle;  ///< threads for calls, with their references
     std::string m_text;
     lua_State* m_textThread = nullptr;  ///< that runs the text, while it waits
+    std::set<lua_State*> m_evaluated;   ///< threads of texts that shall give an answer
+    std::string m_answer;
     bool m_isReady = false, m_isAgain = false;
-    bool m_isOfLevel = false;
+    std::optional<LevelScriptName> m_ofLevel;
     std::string m_error;
-    uint64_t m_repeats = 0;  ///< of the same error
+    uint64_t m_repeats = 0;             ///< of the same error
+    std::map<std::string, int> m_told;  ///< how many errors of a place were logged
+    int64_t m_printable = kPrintBurst;  ///< bytes that print() may write now
+    bool m_isPrintTold = false;         ///< that it wanted more
 };
 
 }  // namespace rubble::script

@@ -45,19 +45,15 @@ void ScriptHost::begin(Script& script, const std::string& text, bool isAgain) {
     if (m_settings.measuresFunctions || m_profile) script.context().costs.resize(script.context().calls.size());
     script.load(text, isAgain);
     callFirst(script);
-    setReports();
 }
 
 /// Calls init() or onLoad() if the text of the script is done.
-bool ScriptHost::callFirst(Script& script) {
-    if (!script.takeReadiness()) return false;
-    script.call(script.first(), [](lua_State*) { return 0; });
-    if (!script.isStopped()) script.findCallbacks();
-    return true;
+void ScriptHost::callFirst(Script& script) {
+    if (script.takeReadiness()) script.call(script.first(), [](lua_State*) { return 0; });
 }
 
-bool ScriptHost::anyHas(Callback callback) const {
-    return std::any_of(m_scripts.begin(), m_scripts.end(), [&](const Script& script) { return script.has(callback); });
+bool ScriptHost::anyHas(Callback callback) {
+    return std::any_of(m_scripts.begin(), m_scripts.end(), [&](Script& script) { return script.has(callback); });
 }
 
 void ScriptHost::setReports() {
@@ -105,6 +101,7 @@ void ScriptHost::removePlaceholders() {
 }
 
 void ScriptHost::beforeEdits() {
+    setReports();
     if (!m_shared.grids.empty()) removePlaceholders();
 }
 
@@ -126,7 +123,7 @@ rubble_result ScriptHost::step() {
     if (!m_shared.pointLights.empty()) dropPointLights();
     readEvents();
     resumeAll();
-    if (std::exchange(m_shared.mayHaveScripts, false)) addLevelScripts({}, false);
+    if (m_shared.followsLevel) followLevel({}, false);
     return result;
 }
 
@@ -136,12 +133,10 @@ void ScriptHost::resumeWaiting() {
 }
 
 void ScriptHost::resumeAll() {
-    bool hasBegun = false;
     for (Script& script : m_scripts) {
         if (script.isWaiting()) script.resumeWaiting();
-        hasBegun = callFirst(script) || hasBegun;
+        callFirst(script);
     }
-    if (hasBegun) setReports();
 }
 
 void ScriptHost::dropPointLights() {
@@ -162,19 +157,19 @@ void ScriptHost::readEvents() {
     for (uint32_t i = 0; i < events.shapes_destroyed_count; ++i)
         m_shared.brokenShapes.erase(events.shapes_destroyed[i]);
     for (Script& script : m_scripts) {
-        for (uint32_t i = 0; script.has(Callback::Break) && i < events.removed_count; ++i)
+        for (uint32_t i = 0; i < events.removed_count && script.has(Callback::Break); ++i)
             script.call(Callback::Break, [&](lua_State* L) {
                 const rubble_removed_voxels& row = events.removed[i];
                 return pushAll(L, {row.shape, row.count, row.palette_index});
             });
-        for (uint32_t i = 0; script.has(Callback::BodyBreak) && i < events.bodies_broken_count; ++i)
+        for (uint32_t i = 0; i < events.bodies_broken_count && script.has(Callback::BodyBreak); ++i)
             script.call(Callback::BodyBreak, [&](lua_State* L) { return pushAll(L, {events.bodies_broken[i]}); });
-        for (uint32_t i = 0; script.has(Callback::LightOut) && i < events.light_groups_out_count; ++i)
+        for (uint32_t i = 0; i < events.light_groups_out_count && script.has(Callback::LightOut); ++i)
             script.call(Callback::LightOut, [&](lua_State* L) { return pushAll(L, {events.light_groups_out[i]}); });
     }
     if (events.split_count && anyHas(Callback::Split)) tellSplits(events);
     if (m_reports) tellReports();
-    if (anyHas(Callback::Trigger)) tellTriggers();
+    tellTriggers();
 }
 
 void ScriptHost::tellSplits(const rubble_events& events) {
@@ -195,7 +190,7 @@ void ScriptHost::tellReports() {
     auto reports = sized<rubble_reports>();
     if (m_shared.api->get_reports(m_shared.world, &reports) != RUBBLE_OK) return;
     for (Script& script : m_scripts) {
-        for (uint32_t i = 0; script.has(Callback::Contact) && i < reports.contact_count; ++i)
+        for (uint32_t i = 0; i < reports.contact_count && script.has(Callback::Contact); ++i)
             script.call(Callback::Contact, [&](lua_State* L) {
                 const rubble_contact& contact = reports.contacts[i];
                 pushAll(L, {contact.bodies[0], contact.bodies[1]});
@@ -204,14 +199,14 @@ void ScriptHost::tellReports() {
                 lua_pushnumber(L, contact.impulse);
                 return 5;
             });
-        for (uint32_t i = 0; script.has(Callback::Fire) && i < reports.fire_count; ++i)
+        for (uint32_t i = 0; i < reports.fire_count && script.has(Callback::Fire); ++i)
             script.call(Callback::Fire, [&](lua_State* L) {
                 pushHandle(L, reports.fires[i].shape);
                 pushVector(L, reports.fires[i].position);
                 lua_pushboolean(L, reports.fires[i].lit);
                 return 3;
             });
-        for (uint32_t i = 0; script.has(Callback::Joint) && i < reports.joint_count; ++i)
+        for (uint32_t i = 0; i < reports.joint_count && script.has(Callback::Joint); ++i)
             script.call(Callback::Joint, [&](lua_State* L) {
                 const rubble_joint_report& row = reports.joints[i];
                 pushHandle(L, row.joint);
@@ -224,7 +219,7 @@ void ScriptHost::tellReports() {
 void ScriptHost::tellTriggers() {
     uint32_t count = 0;
     m_shared.api->get_trigger_events(m_shared.world, nullptr, 0, &count);
-    if (!count) return;
+    if (!count || !anyHas(Callback::Trigger)) return;
     std::vector<rubble_trigger_event> rows(count);
     if (m_shared.api->get_trigger_events(m_shared.world, rows.data(), count, &count) != RUBBLE_OK) return;
     for (Script& script : m_scripts)

@@ -8,6 +8,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "runtime/script/profile_table.h"
 #include "runtime/script/script.h"
@@ -56,9 +57,10 @@ public:
     /// is what GetIntParam() and its like read.
     Script& add(const std::string& name, const std::string& text, std::map<std::string, std::string> parameters = {});
 
-    /// Runs the scripts that the level names, which lie in the scripts' folder: after load_level(). Those of prefabs
-    /// that Spawn() places begin by themselves. One that cannot be read is logged.
-    void addLevelScripts() { addLevelScripts({}, false); }
+    /// Runs the scripts that the level names, which lie in the scripts' folder: after load_level(). From here on, and
+    /// from the first Spawn() on, step() follows their list: what it names begins, and what it names no longer ends,
+    /// after destroy(). One that cannot be read is logged.
+    void addLevelScripts();
     /// Keeps the registry and the tables of saved() with the game: before save_game().
     rubble_result save();
     /// After load_game(): gives the registry and the tables of saved() back, and runs all scripts again, those of the
@@ -103,18 +105,20 @@ public:
 private:
     /// By script and name of saved().
     using SavedTables = std::map<std::string, std::map<std::string, std::string>>;
-    void addLevelScripts(SavedTables restored, bool isAgain);
-    void addLevelScript(const std::string& path, const std::string& parameters, SavedTables& restored, bool isAgain);
+    std::vector<LevelScriptName> namedScripts() const;
+    void followLevel(SavedTables restored, bool isAgain);
+    void addLevelScript(const LevelScriptName& name, SavedTables& restored, bool isAgain);
+    void endLevelScript(const LevelScriptName& name);
     std::list<Script>::iterator restart(std::list<Script>::iterator old, std::string text,
                                         std::map<std::string, std::string> restored);
     void begin(Script& script, const std::string& text, bool isAgain);
-    bool callFirst(Script& script);
+    void callFirst(Script& script);
     void forgetWorld();
     void removePlaceholders();
     void beginFrame();
     void resumeAll();
     void callAll(Callback callback, double dt);
-    bool anyHas(Callback callback) const;
+    bool anyHas(Callback callback);
     void setReports();
     void readEvents();
     void tellSplits(const rubble_events& events);
@@ -129,7 +133,7 @@ private:
     ScriptHostSettings m_settings;
     ScriptWorld m_shared;
     std::list<Script> m_scripts;
-    uint32_t m_levelScripts = 0;            ///< of those that the world names, how many have begun
+    std::vector<LevelScriptName> m_named;   ///< scripts of the level that were begun
     std::set<rubble_renderer> m_overlaid;   ///< that have an overlay of the scripts
     std::optional<ProfileTable> m_profile;  ///< while it is shown
     uint32_t m_reports = 0;                 ///< kinds that the world lists for the scripts

@@ -30,19 +30,17 @@ bool takeText(const std::string& bytes, size_t& at, std::string& out) {
     return true;
 }
 
-/// What writeSaved() is given.
+/// What writeSaved() is given, and gives.
 struct Saving {
-    const ScriptContext& context;
-    std::map<std::string, std::string>& out;
+    int reference;
+    std::string text = {};
+    DataLosses losses = {};
 };
 
 int writeSaved(lua_State* L) {
-    const Saving& saving = *static_cast<Saving*>(lua_touserdata(L, 1));
-    for (const auto& [name, reference] : saving.context.saved) {
-        lua_rawgeti(L, LUA_REGISTRYINDEX, reference);
-        saving.out[name] = dataText(L, -1, saving.context.name + ": saved \"" + name + "\"");
-        lua_pop(L, 1);
-    }
+    Saving& saving = *static_cast<Saving*>(lua_touserdata(L, 1));
+    lua_rawgeti(L, LUA_REGISTRYINDEX, saving.reference);
+    saving.text = dataText(L, -1, saving.losses);
     return 0;
 }
 
@@ -58,8 +56,21 @@ std::map<std::string, std::string> parametersOf(const std::string& lines) {
 
 std::map<std::string, std::string> Script::savedTables() {
     std::map<std::string, std::string> out = m_context.restored;  // also what this run has not asked for yet
-    Saving saving{m_context, out};
-    if (!isStopped() && !m_sandbox.prepare(writeSaved, &saving)) report(m_sandbox.refusal());
+    for (const auto& [name, table] : m_context.saved) {
+        const std::string place = table.place + ": saved \"" + name + "\"";
+        Saving saving{table.reference};
+        if (isStopped()) break;
+        if (!m_sandbox.prepare(writeSaved, &saving))
+            report(place + ": " + m_sandbox.refusal());
+        else if (saving.text != "nil")  // else it stays as it was saved before
+            out[name] = saving.text;
+        for (const std::string& loss : saving.losses)
+            if (m_context.warned.insert(place + loss).second && m_context.shared.log)
+                m_context.shared.log(RUBBLE_LOG_WARNING,
+                                     place +
+                                         ": expected numbers, texts, booleans, vectors and tables of these, found " +
+                                         name + loss + ": it is not kept");
+    }
     return out;
 }
 
@@ -96,11 +107,12 @@ void ScriptHost::load() {
         if (key.starts_with("table ") && end != key.npos) tables[key.substr(6, end - 6)][key.substr(end + 1)] = value;
     }
     forgetWorld();
-    std::erase_if(m_scripts, [](const Script& script) { return script.isOfLevel(); });
+    std::erase_if(m_scripts, [](const Script& script) { return script.ofLevel().has_value(); });
     for (auto script = m_scripts.begin(); script != m_scripts.end(); ++script)
         script = restart(script, script->text(), std::move(tables[script->name()]));
-    m_levelScripts = 0;
-    addLevelScripts(std::move(tables), true);
+    m_named.clear();
+    m_shared.followsLevel = true;
+    followLevel(std::move(tables), true);
 }
 
 void ScriptHost::forgetWorld() {
@@ -133,24 +145,53 @@ bool ScriptHost::reload(const std::string& name, const std::string& text) {
     return false;
 }
 
-void ScriptHost::addLevelScripts(SavedTables restored, bool isAgain) {
+std::vector<LevelScriptName> ScriptHost::namedScripts() const {
     uint32_t count = 0;
     const rubble_api& api = *m_shared.api;
-    if (api.get_level_scripts(m_shared.world, nullptr, 0, &count) != RUBBLE_OK || count <= m_levelScripts) return;
+    if (api.get_level_scripts(m_shared.world, nullptr, 0, &count) != RUBBLE_OK || !count) return {};
     std::vector<rubble_level_script> rows(count);
-    if (api.get_level_scripts(m_shared.world, rows.data(), count, &count) != RUBBLE_OK) return;
-    // Copies: a script that begins may place a prefab, whose own scripts move the list that the rows point into.
-    std::vector<std::pair<std::string, std::string>> scripts;
-    for (; m_levelScripts < count; ++m_levelScripts)
-        scripts.emplace_back(rows[m_levelScripts].path, rows[m_levelScripts].parameters);
-    for (const auto& [path, parameters] : scripts) addLevelScript(path, parameters, restored, isAgain);
+    if (api.get_level_scripts(m_shared.world, rows.data(), count, &count) != RUBBLE_OK) return {};
+    std::vector<LevelScriptName> names;
+    for (const rubble_level_script& row : rows) names.emplace_back(row.path, row.parameters);
+    return names;
 }
 
-void ScriptHost::addLevelScript(const std::string& path, const std::string& parameters, SavedTables& restored,
-                                bool isAgain) {
+void ScriptHost::addLevelScripts() {
+    m_shared.followsLevel = true;
+    followLevel({}, false);
+}
+
+/// Several scripts may have one name, as those of two prefabs: each of the list stands for one that runs.
+void ScriptHost::followLevel(SavedTables restored, bool isAgain) {
+    std::vector<LevelScriptName> ended = m_named, begun;
+    m_named = namedScripts();
+    if (ended == m_named) return;
+    for (const LevelScriptName& name : m_named) {
+        const auto running = std::find(ended.begin(), ended.end(), name);
+        if (running == ended.end())
+            begun.push_back(name);
+        else
+            ended.erase(running);
+    }
+    for (const LevelScriptName& name : ended) endLevelScript(name);
+    for (const LevelScriptName& name : begun) addLevelScript(name, restored, isAgain);
+}
+
+/// Of several the one that began last, as an undo would take it.
+void ScriptHost::endLevelScript(const LevelScriptName& name) {
+    const auto last = std::find_if(m_scripts.rbegin(), m_scripts.rend(),
+                                   [&](const Script& script) { return script.ofLevel() == name; });
+    if (last == m_scripts.rend()) return;  // it could not be read
+    last->call(Callback::Destroy, [](lua_State*) { return 0; });
+    m_scripts.erase(std::prev(last.base()));
+}
+
+void ScriptHost::addLevelScript(const LevelScriptName& named, SavedTables& restored, bool isAgain) {
+    const auto& [path, parameters] = named;
     std::ifstream file;
-    if (!m_settings.folder.empty() && staysInside(path) && !leadsOutside(m_settings.folder, path))
-        file.open(m_settings.folder + "/" + path, std::ios::binary);
+    const std::string full = m_settings.folder + "/" + path;
+    if (!m_settings.folder.empty() && staysInside(path) && !leadsOutside(m_settings.folder, path) && isFile(full))
+        file.open(full, std::ios::binary);
     if (!file.is_open()) {
         if (m_shared.log)
             m_shared.log(RUBBLE_LOG_ERROR, "the level names the script \"" + path +
@@ -166,7 +207,7 @@ void ScriptHost::addLevelScript(const std::string& path, const std::string& para
     Script& script = m_scripts.emplace_back(m_shared, name, m_settings.limits);
     script.context().parameters = parametersOf(parameters);
     script.context().restored = std::move(restored[name]);
-    script.setOfLevel();
+    script.setOfLevel(named);
     begin(script, text.str(), isAgain);
 }
 

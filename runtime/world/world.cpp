@@ -47,10 +47,6 @@ void setHostData(World& world, const std::string& name, std::string bytes) {
     if (!bytes.empty()) all.push_back({name, std::move(bytes)});
 }
 
-void addScript(World& world, LevelScript script) {
-    world.m_data.scripts.push_back(std::move(script));
-}
-
 void World::setState(WorldState state) {
     m_undo.clear();
     m_data.clear();

@@ -112,7 +112,6 @@ private:
     friend WorldObjects& objectsToReserve(World& world);
     friend void setHostData(World& world, const std::string& name, std::string bytes);
     friend std::optional<bool> differsFromMark(const World& world);
-    friend void addScript(World& world, LevelScript script);
     bool runHistory(const Edits& edits, FrameChanges& changes, bool wasUndoOrRedo);
     void resetSearches(const FrameChanges& changes);
     FrameChanges beginStep();
@@ -123,8 +122,6 @@ private:
 
 /// Keeps bytes under a name with the game; none: forgets them. Nothing in the world follows from them.
 void setHostData(World& world, const std::string& name, std::string bytes);
-/// Adds a script, as of a prefab, to those of the level.
-void addScript(World& world, LevelScript script);
 
 /// Whether resolvedHash() is another one than at the last undo mark, undo or redo; none: no marks are kept.
 std::optional<bool> differsFromMark(const World& world);

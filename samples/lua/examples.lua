@@ -201,6 +201,10 @@ wait(0.1)
 assert(not HasTag(crate, "crate"))
 --- IsHandleValid
 assert(IsHandleValid(FindBody("crate")) and not IsHandleValid(0))
+--- GetEntityType
+assert(GetEntityType(FindBody("crate")) == "body" and GetEntityType(FindTrigger("gate")) == "trigger")
+local made = Spawn("post.vox", Transform({5, 1, 5}))
+assert(GetEntityType(made[1]) == "body" and GetEntityType(made[2]) == "shape" and GetEntityType(0) == "")
 --- Delete
 local crate = FindBody("crate")
 Delete(crate)
@@ -551,6 +555,12 @@ ParticleRotation(3)
 ParticleStretch(0.1)
 --- ParticleCollide
 ParticleCollide(0)  -- goes through walls
+--- ParticleTile
+ParticleTile(5)
+--- ParticleFlags
+ParticleFlags(0)
+--- ParticleSticky
+ParticleSticky(0.5)
 --- SpawnParticle
 for i = 1, 10 do SpawnParticle({0, 2, 0}, {math.random(), 2, math.random()}, 1) end
 
@@ -757,6 +767,10 @@ assert(GetStringParam("title", "none") == "none")
 --- GetPlayerTransform
 local ahead = TransformToParentVec(GetPlayerTransform(), {0, 0, -1})
 assert(VecLength(ahead) > 0.99)
+--- GetPlayerPos
+assert(GetPlayerPos() == GetPlayerTransform().pos)
+--- DriveVehicle
+DriveVehicle(FindVehicle("car"), 1, 0, false)
 --- GetPlayerCameraTransform
 local eye = GetPlayerCameraTransform().pos
 --- SetPlayerTransform

@@ -79,19 +79,24 @@ std::optional<std::string> readStatements(LineInput& input, Script& script) {
 
 /// Lua from standard input, each statement in a step of its own.
 int readLines(ScriptHost& host, const Options& options) {
-    Script& script = host.add("line", "", parametersOf(options));
+    Script* script = &host.add("line", "", parametersOf(options));
     const char* home = std::getenv("HOME");
-    LineInput input([&](std::string_view line) { return script.completions(line); },
+    LineInput input([&](std::string_view line) { return script->completions(line); },
                     std::string(home ? home : ".") + "/.rubble_lua_history");
-    while (const std::optional<std::string> text = readStatements(input, script)) {
+    while (const std::optional<std::string> text = readStatements(input, *script)) {
         std::string answer;
-        const bool isExpression = script.compiles("return " + *text);
-        script.evaluate(isExpression ? "return " + *text : *text, answer);
+        const bool isExpression = script->compiles("return " + *text);
+        script->evaluate(isExpression ? "return " + *text : *text, answer);
         if (!answer.empty()) fmt::print("{}\n", answer);
-        if (script.isStopped()) return 1;
-        script.findCallbacks();  // a line may have defined tick()
         host.tick(1.0 / 60.0);
         host.step();
+        const std::string late = script->takeAnswer();
+        if (!late.empty()) fmt::print("{}\n", late);
+        if (script->isStopped()) {
+            fmt::print(stderr, "lua: the lines begin again: what they have defined is gone, what they did is not\n");
+            host.scripts().remove_if([&](const Script& each) { return &each == script; });
+            script = &host.add("line", "", parametersOf(options));
+        }
         if (interrupted) break;
     }
     fmt::print("\n");
@@ -104,6 +109,7 @@ int evaluate(ScriptHost& host, const Options& options) {
         std::string answer;
         if (!script.evaluate(script.compiles("return " + text) ? "return " + text : text, answer)) return 1;
         for (int i = 0; script.isWaiting() && i < options.steps && !interrupted; ++i) host.step();
+        answer += script.takeAnswer();
         if (!answer.empty()) fmt::print("{}\n", answer);
         host.step();
     }
@@ -136,25 +142,29 @@ void printProfile(const ScriptHost& host) {
     for (const Script& script : host.scripts()) printFunctions(script);
 }
 
-/// Gives a script its file's text again when that has changed.
+/// Gives a script its file's text again when that has changed, or a file that it requires.
 class FileWatch {
 public:
-    explicit FileWatch(std::string path) : m_path(std::move(path)), m_changed(timeOf()) {}
+    explicit FileWatch(std::string path) : m_path(std::move(path)) { isChanged(m_path); }
     void look(ScriptHost& host) {
-        const fs::file_time_type now = timeOf();
-        if (now == m_changed) return;
-        m_changed = now;
         const std::string name = fs::path(m_path).filename().string();
-        if (host.reload(name, readFile(m_path))) fmt::print("{}: reloaded\n", name);
+        bool isDue = isChanged(m_path);
+        for (const Script& script : host.scripts())
+            if (script.name() == name)
+                for (const std::string& path : script.context().required) isDue = isChanged(path) || isDue;
+        if (isDue && host.reload(name, readFile(m_path))) fmt::print("{}: reloaded\n", name);
     }
 
 private:
-    fs::file_time_type timeOf() const {
+    /// Since the last look at it, of which the first one says no.
+    bool isChanged(const std::string& path) {
         std::error_code missing;
-        return fs::last_write_time(m_path, missing);
+        const fs::file_time_type now = fs::last_write_time(path, missing);
+        const auto [known, isNew] = m_times.try_emplace(path, now);
+        return std::exchange(known->second, now) != now && !isNew;
     }
     std::string m_path;
-    fs::file_time_type m_changed;
+    std::map<std::string, fs::file_time_type> m_times;
 };
 
 /// A frame: scripts see it as hosts show it, after its steps.
@@ -261,7 +271,12 @@ int run(const Options& options) {
 int main(int argc, char** argv) {
     lua_sample::Options options;
     CLI::App app{"Runs a script in a level, without a window. Without a script: lines of Lua from standard input."};
-    app.add_option("script", options.script, "a file of Lua")->check(CLI::ExistingFile);
+    const auto fileError = [](const std::string& path) {
+        std::error_code wrong;
+        const bool isFile = std::filesystem::is_regular_file(path, wrong);
+        return isFile ? std::string() : "expected a file, found " + path;
+    };
+    app.add_option("script", options.script, "a file of Lua")->check(CLI::Validator(fileError, "FILE"));
     app.add_option("--level", options.level, "a .rubble, .vox or .vdb file; without it a small yard");
     app.add_option("--vdb-tool", options.vdbTool, "the program rubble-vdb, for .vdb levels");
     const CLI::Option* steps =

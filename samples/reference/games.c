@@ -66,6 +66,18 @@ EXAMPLE(get_locations) {
     require(count == 0, "and no script");
 }
 
+EXAMPLE(set_level_scripts) {
+    const rubble_level_script lift = {"lift.lua", "speed=2\nheight=6"};
+    rubble_level_script scripts[8];
+    uint32_t count;
+    OK(api->set_level_scripts(world, &lift, 1));
+    OK(api->apply_edits(world));
+    OK(api->save_level(world, "with_lift.rubble", NULL));
+    OK(api->load_level(world, "with_lift.rubble", NULL));
+    OK(api->get_level_scripts(world, scripts, 8, &count));
+    require(count == 1 && !strcmp(scripts[0].path, "lift.lua"), "the level names the script");
+}
+
 EXAMPLE(set_host_data) {
     const uint8_t score[2] = {7, 1};
     uint8_t read[2];

@@ -54,6 +54,7 @@ public:
         if (!m_result.failure && m_isLoaded) stepAlone();
         if (!m_result.failure) endRecording();
         if (!m_result.failure) checkAll();
+        if (m_world && m_result.failure) keepLastGame();
         if (m_world) m_api.get_state_hash(m_world, &m_result.hash);
         m_result.seconds = m_time.seconds();
         return std::move(m_result);
@@ -198,6 +199,14 @@ private:
     void keepGame() {
         const uint64_t due = m_view.step * uint64_t(m_settings.images) / uint64_t(m_settings.steps);
         if (due > m_result.games.size()) m_result.games.push_back(m_view.game);
+    }
+
+    /// Of a run that has failed the last image shows where.
+    void keepLastGame() {
+        std::vector<uint8_t> game = m_settings.images > 0 ? savedGame(m_api, m_world) : std::vector<uint8_t>();
+        if (game.empty()) return;  // none are wanted, or the world cannot be saved
+        if (m_result.games.size() >= size_t(m_settings.images)) m_result.games.pop_back();
+        m_result.games.push_back(std::move(game));
     }
 
     /// Loads the game into another world, and steps both: they must stay equal.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tests/abi/create_fixture.h"
+#include "tests/support/allocation_count.h"
 #include "tests/support/temp_folder.h"
 
 namespace rubble {
@@ -240,6 +241,67 @@ TEST_F(AbiPrefab, IsRecorded) {
     ASSERT_EQ(api()->play_recording(m_world, log.c_str(), &steps), RUBBLE_OK) << api()->get_last_error();
     EXPECT_EQ(steps, 3u);
     EXPECT_EQ(hash(), end);
+}
+
+TEST_F(AbiPrefab, IsReadOnceAndAgainWhereItsFileHasChanged) {
+    const TempFolder folder;
+    const std::string path = folder / "model.rubble";
+    const std::vector<char> bytes = levelBytes();
+    const auto write = [&](const std::vector<char>& content) {
+        std::ofstream(path, std::ios::binary).write(content.data(), std::streamsize(content.size()));
+    };
+    auto prefab = sized<rubble_prefab>();
+    prefab.path = path.c_str();
+    rubble_result result = RUBBLE_OK;
+    const auto ask = [&] {
+        uint32_t count = 0;
+        const size_t before = allocationCount();
+        result = api()->create_prefab(m_world, &prefab, nullptr, 0, &count);
+        return allocationCount() - before;
+    };
+    write(bytes);
+    const size_t first = ask(), again = ask();
+    EXPECT_EQ(result, RUBBLE_OK) << api()->get_last_error();
+    EXPECT_LT(4 * again, first) << "allocations";
+    write({'n', 'o'});
+    ask();
+    EXPECT_EQ(result, RUBBLE_ERROR_FILE) << "another content is read";
+    prefab.path = nullptr, prefab.data = bytes.data(), prefab.size = bytes.size();
+    EXPECT_LT(4 * ask(), first) << "from memory it is the same one";
+    EXPECT_EQ(place(prefab).size(), 3u);
+    step();
+    EXPECT_EQ(shapes().size(), 2u);
+}
+
+TEST_F(AbiPrefab, BringsItsScriptsInItsStep) {
+    const TempFolder folder;
+    const std::string path = folder / "scripted.rubble", log = folder / "game.rubblelog";
+    const rubble_level_script lift = {"lift.lua", "speed=2"};
+    const auto names = [&] {
+        rubble_level_script rows[4] = {};
+        uint32_t count = 0;
+        EXPECT_EQ(api()->get_level_scripts(m_world, rows, 4, &count), RUBBLE_OK);
+        std::string all;
+        for (uint32_t i = 0; i < count; ++i) all += std::string(rows[i].path) + " " + rows[i].parameters + ";";
+        return all;
+    };
+    ASSERT_EQ(api()->set_level_scripts(m_world, &lift, 1), RUBBLE_OK);
+    step();
+    ASSERT_EQ(api()->save_level(m_world, path.c_str(), nullptr), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->start_recording(m_world, log.c_str()), RUBBLE_OK);
+    auto prefab = sized<rubble_prefab>();
+    prefab.path = path.c_str(), prefab.position[1] = 4.0;
+    place(prefab);
+    EXPECT_EQ(names(), "lift.lua speed=2;");
+    step(3);
+    EXPECT_EQ(names(), "lift.lua speed=2;lift.lua speed=2;");
+    ASSERT_EQ(api()->stop_recording(m_world), RUBBLE_OK);
+    const uint64_t end = hash();
+    ASSERT_EQ(api()->load_level(m_world, s_level.c_str(), nullptr), RUBBLE_OK);
+    uint64_t steps = 0;
+    ASSERT_EQ(api()->play_recording(m_world, log.c_str(), &steps), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(hash(), end);
+    EXPECT_EQ(names(), "lift.lua speed=2;lift.lua speed=2;") << "a replay has them too";
 }
 
 TEST_F(AbiPrefab, SaysWhatIsWrong) {

@@ -302,5 +302,44 @@ TEST_F(AbiObjects, DataOfTheHostStaysWithTheGame) {
     EXPECT_EQ(get("8"), -1);
 }
 
+TEST_F(AbiObjects, ScriptsOfALevelAreCheckedSavedAndUndone) {
+    const auto set = [&](std::vector<rubble_level_script> scripts) {
+        return api()->set_level_scripts(m_world, scripts.data(), uint32_t(scripts.size()));
+    };
+    const auto names = [&] {
+        rubble_level_script rows[4] = {};
+        uint32_t count = 0;
+        EXPECT_EQ(api()->get_level_scripts(m_world, rows, 4, &count), RUBBLE_OK);
+        std::string all;
+        for (uint32_t i = 0; i < count; ++i) all += std::string(rows[i].path) + "(" + rows[i].parameters + ")";
+        return all;
+    };
+    expectRefused(set({{nullptr, ""}}), RUBBLE_ERROR_NULL, "path is null");
+    expectRefused(set({{"", ""}}), RUBBLE_ERROR_ARGUMENT, "path has 0 bytes, expected 1 to 4096");
+    expectRefused(set({{"a\xff", ""}}), RUBBLE_ERROR_ARGUMENT, "path");
+    expectRefused(set({{"a", "x=1\nfast"}}), RUBBLE_ERROR_ARGUMENT, "expected lines of \"name=value\"");
+    expectRefused(api()->set_level_scripts(m_world, nullptr, 1), RUBBLE_ERROR_NULL, "scripts is null");
+    ASSERT_EQ(api()->set_undo_limit(m_world, 4), RUBBLE_OK);
+    ASSERT_EQ(set({{"lift.lua", "speed=2\nheight=6"}, {"door.lua", nullptr}}), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(names(), "") << "a command for the next step";
+    step();
+    EXPECT_EQ(names(), "lift.lua(speed=2\nheight=6)door.lua()");
+    ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
+    step();
+    ASSERT_EQ(set({}), RUBBLE_OK);
+    step();
+    EXPECT_EQ(names(), "");
+    ASSERT_EQ(api()->undo(m_world), RUBBLE_OK);
+    step();
+    EXPECT_EQ(names(), "lift.lua(speed=2\nheight=6)door.lua()");
+    const TempFolder folder;
+    const std::string path = folder / "scripted.rubble";
+    ASSERT_EQ(api()->save_level(m_world, path.c_str(), nullptr), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->load_level(m_world, s_level.c_str(), nullptr), RUBBLE_OK);
+    EXPECT_EQ(names(), "");
+    ASSERT_EQ(api()->load_level(m_world, path.c_str(), nullptr), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(names(), "lift.lua(speed=2\nheight=6)door.lua()");
+}
+
 }  // namespace
 }  // namespace rubble

@@ -154,6 +154,13 @@ void setHostData(const Objects& o) {
     EXPECT_EQ(sameCount, 3u);
     EXPECT_EQ(again, bytes) << "no hash is of it";
 }
+void setLevelScripts(const Objects& o) {
+    rubble_level_script rows[2] = {};
+    uint32_t count = 0;
+    expectOk(api()->get_level_scripts(o.world, rows, 2, &count));
+    EXPECT_EQ(count, 2u);
+    expectOk(api()->set_level_scripts(o.world, rows, count));
+}
 void writeVoxels(const Objects& o) {
     auto box = sized<rubble_voxel_box>();
     box.shape = o.shape;
@@ -181,6 +188,7 @@ const std::map<std::string, std::function<void(const Objects&)>> kPairs = {
     {"set_user_value", setUserValue},
     {"set_joint_motor", setJointMotor},
     {"set_host_data", setHostData},
+    {"set_level_scripts", setLevelScripts},
     {"write_voxels", writeVoxels},
 };
 /// Other functions that set something, and why they are in no pair.
@@ -242,6 +250,8 @@ Objects makeObjects(rubble_world world) {
     o.character = makeCharacter(world);
     const uint8_t data[3] = {1, 2, 3};
     expectOk(api()->set_host_data(world, "data", data, sizeof data));
+    const rubble_level_script scripts[2] = {{"lift.lua", "speed=2"}, {"door.lua", ""}};
+    expectOk(api()->set_level_scripts(world, scripts, 2));
     auto group = sized<rubble_light_group_settings>();
     group.threshold = 0.3;
     expectOk(api()->create_light_group(world, &group, &o.group));

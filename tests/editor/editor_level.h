@@ -42,6 +42,7 @@ inline void makeTestLevel(Editor& editor) {
                     "light sphere 0,3,-2 name=glow",
                     "light_group street",
                     "tag old x wall",
+                    "script_add door.lua",
                     "create 4,4,4 -9,0,0 name=locked",
                     "lock locked",
                     "create 4,4,4 -9,0,3 index=30 name=striped",

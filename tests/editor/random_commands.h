@@ -100,6 +100,8 @@ private:
                 static constexpr const char* kWords[] = {"crate", "wall", "block", "more", "wood", "glass", "glow"};
                 return kWords[below(std::size(kWords))];
             }
+            case Type::Pairs:
+                return fmt::format("speed={}", below(4));
             case Type::Choice:
                 return choiceOf(parameter.choices);
             case Type::Point:

@@ -333,6 +333,8 @@ void RandomHost::callObjects() {
     if (m_decisions.oneIn(3) && api().remove_tag(m_world, object, other) == RUBBLE_OK) mirror.removeTag(object, other);
     const uint64_t userValue = m_decisions.bits();
     if (api().set_user_value(m_world, object, userValue) == RUBBLE_OK) mirror.setUserValue(object, userValue);
+    const rubble_level_script script = {name, value};
+    if (userValue % 4 == 0) api().set_level_scripts(m_world, &script, uint32_t(userValue >> 2 & 1));
     api().get_name(m_world, object, bytes, m_decisions.below(17), &count);
     api().get_tag(m_world, object, text(), bytes, 16, &count);
     api().get_tags(m_world, object, bytes, 16, &count);

@@ -249,6 +249,7 @@ Edit usualEdit(Decisions& decisions, const World& world) {
         case 47:
             return RemoveTagEdit{shape, "door"};
         case 48:
+            if (seed % 4 == 0) return SetScriptsEdit{{{"lift.lua", seed % 8 ? "speed=2" : ""}}, seed % 3 == 0};
             return SetUserValueEdit{body, seed};
         case 55:
             return ConstrainEdit{{.body = body,

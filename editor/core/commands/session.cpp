@@ -122,7 +122,7 @@ std::vector<Command> sessionCommands() {
         {"script",
          "session",
          Kind::Session,
-         "Runs a file: lines of commands, or Lua if its name ends in .lua.",
+         "Runs a file now: lines of commands, or Lua if its name ends in .lua.",
          {{"file", Type::Text, "its path", kRequired}},
          runScript,
          "script commands.txt"},

@@ -2,6 +2,7 @@
 
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
+#include "runtime/world/edits/edit_error.h"
 
 namespace rubble::abi {
 namespace {
@@ -30,6 +31,36 @@ rubble_result getLevelScripts(rubble_world world, rubble_level_script* out, uint
             for (const LevelScript& script : hosted.loop.world().data().scripts)
                 rows.add([&] { return rubble_level_script{script.path.c_str(), script.parameters.c_str()}; });
         });
+}
+
+/// Whether each line has a name before a "=".
+bool areParameters(std::string_view lines) {
+    for (size_t begin = 0; begin < lines.size();) {
+        const std::string_view line = lines.substr(begin, lines.find('\n', begin) - begin);
+        if (!line.empty() && (line.find('=') == line.npos || line.front() == '=')) return false;
+        begin += line.size() + 1;
+    }
+    return true;
+}
+
+rubble_result setLevelScripts(rubble_world world, const rubble_level_script* scripts, uint32_t count) {
+    return inWorld("set_level_scripts", world, [&](HostedWorld& hosted) {
+        readInRange(double(count), ranges::kScripts, "count");
+        if (!isRefused() && count) isGiven(scripts, "scripts");
+        SetScriptsEdit edit;
+        for (uint32_t i = 0; i < count && !isRefused(); ++i) {
+            LevelScript& script = edit.scripts.emplace_back();
+            script.path = readText(scripts[i].path, 1, size_t(ranges::kNameBytes.high), "path");
+            if (scripts[i].parameters && !isRefused())
+                script.parameters =
+                    readText(scripts[i].parameters, 0, size_t(ranges::kParameterBytes.high), "parameters");
+            if (!areParameters(script.parameters))
+                refuse(RUBBLE_ERROR_ARGUMENT, "parameters are \"{}\", expected lines of \"name=value\"",
+                       script.parameters);
+        }
+        if (!isRefused()) requireNoError(editError(edit));
+        push(hosted, std::move(edit));
+    });
 }
 
 std::string readName(const char* name) {
@@ -70,6 +101,7 @@ rubble_result getHostData(rubble_world world, const char* name, uint8_t* out, ui
 void setHostDataFunctions(rubble_api& api) {
     api.get_locations = getLocations;
     api.get_level_scripts = getLevelScripts;
+    api.set_level_scripts = setLevelScripts;
     api.set_host_data = setHostData;
     api.get_host_data = getHostData;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "runtime/assets/assets.h"
+#include "runtime/assets/file_bytes.h"
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
 #include "runtime/world/level/references.h"
@@ -13,9 +14,19 @@
 namespace rubble::abi {
 namespace {
 
-Result<Level> readGiven(const rubble_prefab& given) {
-    if (given.path) return readLevel(given.path, given.vdb_tool ? given.vdb_tool : "");
-    return levelFromBytes({static_cast<const uint8_t*>(given.data), size_t(given.size)}, "data");
+/// A .vdb file may change with the program that reads it: it is read each time.
+Result<std::shared_ptr<const Level>> readGiven(const rubble_prefab& given, PrefabCache& known) {
+    if (!given.path) {
+        const std::span<const uint8_t> bytes(static_cast<const uint8_t*>(given.data), size_t(given.size));
+        return known.get(bytes, [&] { return levelFromBytes(bytes, "data"); });
+    }
+    const std::string path = given.path;
+    const auto read = [&] { return readLevel(path, given.vdb_tool ? given.vdb_tool : ""); };
+    if (path.ends_with(".vox") || path.ends_with(".rubble"))
+        if (const auto bytes = readFileBytes(path, PrefabCache::kMaxMemory)) return known.get(*bytes, read);
+    Result<Level> level = read();
+    if (!level) return Error{level.error()};
+    return std::make_shared<const Level>(std::move(*level));
 }
 
 /// Palettes of a level as those of a world that has other materials, each made once.
@@ -170,17 +181,17 @@ rubble_result createPrefab(rubble_world world, const rubble_prefab* prefab, rubb
         const Pose pose{readVector(given.position, "position"), readRotation(given.rotation, "rotation")};
         if (!given.path) isGiven(given.data, "data");
         if (isRefused()) return;
-        const Result<Level> level = readGiven(given);
-        if (!level) return refuse(RUBBLE_ERROR_FILE, "{}", level.error());
-        Placement placement(*level, pose, hosted.loop.world());
+        const Result<std::shared_ptr<const Level>> read = readGiven(given, hosted.prefabs);
+        if (!read) return refuse(RUBBLE_ERROR_FILE, "{}", read.error());
+        const Level& level = **read;
+        Placement placement(level, pose, hosted.loop.world());
         if (isRefused()) return;
         *count = uint32_t(placement.size());
         if (!capacity) return;
         if (capacity < placement.size())
             return refuse(RUBBLE_ERROR_CAPACITY, "there are {} rows, the array holds {}", placement.size(), capacity);
         const std::vector<rubble_prefab_row> rows = placement.queue(hosted);
-        for (const LevelScript& script : level->scripts)
-            if (!isRefused()) addScript(hosted.loop.world(), script);
+        if (!level.scripts.empty()) push(hosted, SetScriptsEdit{level.scripts, true});
         if (!isRefused()) std::copy(rows.begin(), rows.end(), out);
     });
 }

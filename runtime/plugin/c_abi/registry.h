@@ -11,6 +11,7 @@
 #include "runtime/core/slot_map.h"
 #include "runtime/plugin/c_abi/event_rows.h"
 #include "runtime/plugin/c_abi/host.h"
+#include "runtime/plugin/c_abi/prefab_cache.h"
 #include "runtime/plugin/c_abi/report_rows.h"
 #include "runtime/plugin/c_abi/waiting_objects.h"
 #include "runtime/plugin/frame_loop.h"
@@ -59,6 +60,7 @@ struct HostedWorld {
     ReportRows reports;
     BrickVersions bricks;
     WaitingObjects waiting;
+    PrefabCache prefabs;
     std::vector<FaceQuad> quads;             ///< scratch of mesh_brick()
     std::unique_ptr<LevelLoading> loading;   ///< of a level that is not in the world yet
     std::atomic<bool> isInCall = false;      ///< of a [main-thread] function

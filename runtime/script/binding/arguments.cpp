@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 
 #include "runtime/script/binding/script_context.h"
@@ -57,6 +58,15 @@ void pushNumbers(lua_State* L, const double* numbers, int count, ValueKind kind)
     lua_setmetatable(L, -2);
 }
 
+/// A message of the interface without the name of its function: scripts know another one.
+std::string withoutFunction(const std::string& message) {
+    const size_t end = message.find(": ");
+    const auto isOfName = [](char letter) { return (letter >= 'a' && letter <= 'z') || letter == '_'; };
+    const bool isName =
+        end != message.npos && std::all_of(message.begin(), message.begin() + std::ptrdiff_t(end), isOfName);
+    return isName ? message.substr(end + 2) : message;
+}
+
 }  // namespace
 
 void refuseArgument(lua_State* L, int index, const char* name, const char* expected) {
@@ -80,6 +90,16 @@ double clampedAt(lua_State* L, int index, const char* name, double low, double h
     const double number = numberAt(L, index, name);
     if (std::isnan(number)) refuseArgument(L, index, name, "a number");
     return std::clamp(number, low, high);
+}
+
+double limitedAt(lua_State* L, int index, const char* name, double low, double high) {
+    const double number = numberAt(L, index, name), limited = clampedAt(L, index, name, low, high);
+    if (limited == number) return number;
+    char text[100];
+    std::snprintf(text, sizeof text, "%s: expected %g to %g, found %g: it counts as %g", name, low, high, number,
+                  limited);
+    warnOnce(L, text);
+    return limited;
 }
 
 bool boolOr(lua_State* L, int index, bool otherwise) {
@@ -170,9 +190,9 @@ int pushHandles(lua_State* L, const uint64_t* handles, size_t count) {
 
 bool isDone(lua_State* L, rubble_result result) {
     if (result == RUBBLE_OK) return true;
-    const std::string text = runningFunction(L).name() + ": " + ScriptContext::of(L).shared.api->get_last_error();
-    if (result != RUBBLE_ERROR_STALE) luaL_error(L, "%s", text.c_str());
-    warnOnce(L, ScriptContext::of(L).shared.api->get_last_error());
+    const std::string text = withoutFunction(ScriptContext::of(L).shared.api->get_last_error());
+    if (result != RUBBLE_ERROR_STALE) luaL_error(L, "%s: %s", runningFunction(L).name().c_str(), text.c_str());
+    warnOnce(L, text);
     return false;
 }
 

@@ -21,6 +21,8 @@ double numberAt(lua_State* L, int index, const char* name);
 double numberOr(lua_State* L, int index, const char* name, double otherwise);
 /// A number, brought into a range; not a number is an error.
 double clampedAt(lua_State* L, int index, const char* name, double low, double high);
+/// The same; the log says once for each line that a number was brought into it.
+double limitedAt(lua_State* L, int index, const char* name, double low, double high);
 /// Any value counts as true but false; what is left out or nil is `otherwise`.
 bool boolOr(lua_State* L, int index, bool otherwise);
 /// A table {x, y, z}.

@@ -1,17 +1,17 @@
 #include "runtime/script/binding/data_text.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <vector>
+#include <optional>
 
 #include "runtime/script/binding/arguments.h"
 
 namespace rubble::script {
 namespace {
 
-constexpr int kMaxDepth = 32;
-constexpr size_t kMaxBytes = 1 << 20;
+constexpr size_t kMaxDepth = 32, kMaxBytes = 1 << 20, kMaxLosses = 10, kMaxPath = 200;
 
 std::string numberText(lua_State* L, int index) {
     char text[40];
@@ -44,11 +44,11 @@ std::string quoted(const char* bytes, size_t length) {
 /// Writes one value.
 class DataWriter {
 public:
-    DataWriter(lua_State* L, const std::string& what) : m_state(L), m_what(what) {}
+    DataWriter(lua_State* L, DataLosses& losses) : m_state(L), m_losses(losses) {}
 
-    std::string write(int index, int depth) {
+    /// None: it cannot be kept. `path`: where it is.
+    std::optional<std::string> write(int index, const std::string& path) {
         const int at = lua_absindex(m_state, index);
-        std::string text;
         switch (lua_type(m_state, at)) {
             case LUA_TNIL:
                 return "nil";
@@ -59,21 +59,30 @@ public:
             case LUA_TSTRING: {
                 size_t length = 0;
                 const char* bytes = lua_tolstring(m_state, at, &length);
-                return counted(quoted(bytes, length));
+                return counted(quoted(bytes, length), path);
             }
             case LUA_TTABLE:
-                return counted(writeTable(at, depth));
+                return writeTable(at, path);
         }
-        luaL_error(m_state, "%s: expected data, found a %s in it", m_what.c_str(), luaL_typename(m_state, at));
-        return text;
+        return lose(path, std::string("a ") + luaL_typename(m_state, at));
     }
 
 private:
-    std::string counted(std::string text) {
+    std::optional<std::string> counted(std::string text, const std::string& path) {
         Sandbox::of(m_state).charge(m_state, int64_t(text.size()) / 8);
-        if (text.size() > kMaxBytes)
-            luaL_error(m_state, "%s: expected at most %d bytes", m_what.c_str(), int(kMaxBytes));
+        if (text.size() > kMaxBytes) return lose(path, "more than " + std::to_string(kMaxBytes) + " bytes as a text");
         return text;
+    }
+    std::nullopt_t lose(const std::string& path, const std::string& found) {
+        if (m_losses.size() < kMaxLosses) m_losses.push_back(path + ": " + found);
+        return std::nullopt;
+    }
+    /// The path of a field, whose key is at `index` and written as `text`.
+    std::string fieldPath(const std::string& path, int index, const std::string& text) const {
+        const std::string plain = lua_type(m_state, index) == LUA_TSTRING ? lua_tostring(m_state, index) : "";
+        const auto isLetter = [](unsigned char letter) { return std::isalnum(letter) || letter == '_'; };
+        const bool isName = !plain.empty() && std::all_of(plain.begin(), plain.end(), isLetter);
+        return (isName ? path + "." + plain : path + "[" + text + "]").substr(0, kMaxPath);
     }
 
     /// "Vec", "Quat" or "Transform" of a table that one of these has made, else "".
@@ -91,36 +100,50 @@ private:
         return name;
     }
 
-    std::string field(int at, int key, const char* name, int depth) {
+    std::string field(int at, int key, const char* name, const std::string& path) {
         if (name)
             lua_pushstring(m_state, name);
         else
             lua_pushinteger(m_state, key);
         lua_rawget(m_state, at);
-        const std::string text = write(-1, depth + 1);
+        const std::optional<std::string> text = write(-1, path + "." + (name ? name : std::to_string(key)));
         lua_pop(m_state, 1);
-        return text;
+        return text.value_or("nil");
     }
 
-    std::string writeTable(int at, int depth) {
-        if (depth >= kMaxDepth)
-            luaL_error(m_state, "%s: expected at most %d tables in each other", m_what.c_str(), kMaxDepth);
+    std::string writeVector(int at, const std::string& constructor, const std::string& path) {
+        if (constructor == "Transform")
+            return "Transform(" + field(at, 0, "pos", path) + "," + field(at, 0, "rot", path) + ")";
+        std::string text = constructor + "(";
+        for (int i = 1; i <= (constructor == "Vec" ? 3 : 4); ++i)
+            text += (i > 1 ? "," : "") + field(at, i, nullptr, path);
+        return text + ")";
+    }
+
+    std::optional<std::string> writeTable(int at, const std::string& path) {
+        const void* table = lua_topointer(m_state, at);
+        if (std::find(m_open.begin(), m_open.end(), table) != m_open.end())
+            return lose(path, "a table that is in itself");
+        if (m_open.size() >= kMaxDepth) return lose(path, "a table within " + std::to_string(kMaxDepth) + " others");
         luaL_checkstack(m_state, 8, nullptr);
-        if (const std::string constructor = constructorOf(at); !constructor.empty()) {
-            if (constructor == "Transform")
-                return "Transform(" + field(at, 0, "pos", depth) + "," + field(at, 0, "rot", depth) + ")";
-            std::string text = constructor + "(";
-            for (int i = 1; i <= (constructor == "Vec" ? 3 : 4); ++i)
-                text += (i > 1 ? "," : "") + field(at, i, nullptr, depth);
-            return text + ")";
-        }
+        m_open.push_back(table);
+        const std::string constructor = constructorOf(at);
+        std::string text = constructor.empty() ? writeFields(at, path) : writeVector(at, constructor, path);
+        m_open.pop_back();
+        return counted(std::move(text), path);
+    }
+
+    std::string writeFields(int at, const std::string& path) {
         std::vector<std::pair<std::string, std::string>> rows;
-        lua_pushnil(m_state);
-        while (lua_next(m_state, at)) {
-            if (lua_type(m_state, -2) == LUA_TTABLE)
-                luaL_error(m_state, "%s: expected data, found a table as a key", m_what.c_str());
-            rows.emplace_back(write(-2, depth + 1), write(-1, depth + 1));
-            lua_pop(m_state, 1);
+        for (lua_pushnil(m_state); lua_next(m_state, at); lua_pop(m_state, 1)) {
+            const int kind = lua_type(m_state, -2);
+            if (kind != LUA_TNUMBER && kind != LUA_TSTRING && kind != LUA_TBOOLEAN) {
+                lose(path, std::string("a key that is a ") + lua_typename(m_state, kind));
+                continue;
+            }
+            const std::optional<std::string> key = write(-2, path);
+            std::optional<std::string> value = key ? write(-1, fieldPath(path, -2, *key)) : std::nullopt;
+            if (value) rows.emplace_back(*key, std::move(*value));
         }
         std::sort(rows.begin(), rows.end());
         std::string text = "{";
@@ -129,13 +152,14 @@ private:
     }
 
     lua_State* m_state;
-    const std::string& m_what;
+    DataLosses& m_losses;
+    std::vector<const void*> m_open;  ///< tables that are being written, each in the one before
 };
 
 }  // namespace
 
-std::string dataText(lua_State* L, int index, const std::string& what) {
-    return DataWriter(L, what).write(index, 0);
+std::string dataText(lua_State* L, int index, DataLosses& losses) {
+    return DataWriter(L, losses).write(index, "").value_or("nil");
 }
 
 }  // namespace rubble::script

@@ -28,13 +28,23 @@ bool leadsOutside(const std::string& folder, const std::string& path) {
     return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first != outer.end();
 }
 
+bool isFile(const std::string& path) {
+    std::error_code wrong;
+    return std::filesystem::is_regular_file(path, wrong);
+}
+
 std::string fileAt(lua_State* L, int index, const char* name) {
     const std::string given = textAt(L, index, name), &folder = ScriptContext::of(L).shared.folder;
     const std::string file = given.starts_with(kModFolder) ? given.substr(kModFolder.size()) : given;
     if (folder.empty() || !staysInside(file) || leadsOutside(folder, file))
         luaL_error(L, "%s: %s: expected a file inside of the folder that the host gives to scripts, found \"%s\"",
                    runningFunction(L).name().c_str(), name, given.c_str());
-    return folder + "/" + file;
+    std::string path = folder + "/" + file;
+    std::error_code wrong;
+    if (std::filesystem::exists(path, wrong) && !isFile(path))
+        luaL_error(L, "%s: %s: expected a file, found something else under \"%s\"", runningFunction(L).name().c_str(),
+                   name, given.c_str());
+    return path;
 }
 
 }  // namespace rubble::script

@@ -77,7 +77,7 @@ struct ScriptWorld {
     std::set<rubble_shape> brokenShapes;
     std::map<uint64_t, rubble_light> pointLights;  ///< of PointLight() in this step and in the last, by its number
     std::map<std::string, std::string> registry;   ///< "a.b.c": its value as a text
-    bool mayHaveScripts = false;                   ///< a prefab was placed: the world may name more scripts
+    bool followsLevel = false;                     ///< the scripts that the world names run, or a prefab was placed
     std::vector<WorldLine> lines;                  ///< for frames until the next tick()
     UiFrame ui;
     std::map<std::string, std::string> watches;              ///< of DebugWatch(), by name
@@ -109,6 +109,12 @@ struct FunctionCost {
     uint64_t allocations = 0;
 };
 
+/// A table of saved().
+struct SavedTable {
+    int reference;      ///< to it
+    std::string place;  ///< "SCRIPT:LINE" of the call
+};
+
 /// One script, as its functions see it.
 struct ScriptContext {
     ScriptWorld& shared;
@@ -120,9 +126,11 @@ struct ScriptContext {
     std::vector<UiState> ui;   ///< of UiPush(), the last one in use
     std::vector<int> started;  ///< of start(): references to lists of a function and its arguments
     std::map<std::string, std::string> parameters;
-    std::map<std::string, int> saved;             ///< of saved(): references to tables
+    std::map<std::string, SavedTable> saved;      ///< of saved()
     std::map<std::string, std::string> restored;  ///< what saved() gives: dataText() of each table
     std::vector<FunctionCost> costs;  ///< of each function of the vocabulary, where the host asks for them; else empty
+    std::set<std::string> required;   ///< files that require() has read
+    std::set<std::string> spawned;    ///< files that Spawn() has read
     std::set<std::string> warned;     ///< places that have been told of once
     std::vector<uint64_t> calls;      ///< of each function of the vocabulary
     std::vector<uint64_t> rows;       ///< for lists, so that calls do not allocate

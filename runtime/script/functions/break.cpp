@@ -7,9 +7,12 @@ namespace {
 
 /// Radii for soft, medium and hard materials, from an argument on; none is larger than the one before.
 void readRadii(lua_State* L, int first, double (&radii)[3]) {
-    radii[0] = numberAt(L, first, "r0");
-    radii[1] = std::min(numberOr(L, first + 1, "r1", 0.0), radii[0]);
-    radii[2] = std::min(numberOr(L, first + 2, "r2", 0.0), radii[1]);
+    constexpr const char* kNames[] = {"r0", "r1", "r2"};
+    for (int i = 0; i < 3; ++i) {
+        radii[i] = i ? numberOr(L, first + i, kNames[i], 0.0) : numberAt(L, first, kNames[0]);
+        if (!(radii[i] >= 0.0)) refuseArgument(L, first + i, kNames[i], "a radius of 0 or more");
+        if (i) radii[i] = std::min(radii[i], radii[i - 1]);
+    }
 }
 
 int makeHole(lua_State* L) {
@@ -45,7 +48,7 @@ int crack(lua_State* L) {
 int explosion(lua_State* L) {
     auto blast = sized<rubble_explosion>();
     copy(blast.position, vectorAt(L, 1, "pos"));
-    blast.size = std::clamp(numberOr(L, 2, "size", 1.0), 0.5, 4.0);
+    blast.size = lua_isnoneornil(L, 2) ? 1.0 : limitedAt(L, 2, "size", 0.5, 4.0);
     isDone(L, apiOf(L).explode(worldOf(L), &blast));
     return 0;
 }

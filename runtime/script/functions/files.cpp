@@ -53,6 +53,7 @@ int requireFile(lua_State* L) {
         return luaL_error(L, "require: name: expected a file that does not require itself, found %s", name.c_str());
     if (!lua_isnil(L, -1)) return 1;
     Sandbox::of(L).charge(L, 10'000);  // reading a file
+    ScriptContext::of(L).required.insert(path);
     compile(L, readText(L, path, name), name);
     lua_pushvalue(L, 1);
     lua_pushlightuserdata(L, const_cast<char*>(&kLoading));
@@ -78,10 +79,11 @@ int saved(lua_State* L) {
     const std::string name = textAt(L, 1, "name");
     ScriptContext& context = ScriptContext::of(L);
     if (const auto known = context.saved.find(name); known != context.saved.end()) {
-        lua_rawgeti(L, LUA_REGISTRYINDEX, known->second);
+        lua_rawgeti(L, LUA_REGISTRYINDEX, known->second.reference);
         return 1;
     }
-    if (context.saved.size() >= kMaxSaved) return luaL_error(L, "saved: expected at most %d tables", int(kMaxSaved));
+    if (context.saved.size() >= kMaxSaved)
+        return luaL_error(L, "saved: expected at most %d tables, found one more", int(kMaxSaved));
     const auto restored = context.restored.find(name);
     if (restored != context.restored.end()) {
         compile(L, "return " + restored->second, "saved " + name);
@@ -93,7 +95,8 @@ int saved(lua_State* L) {
     }
     if (lua_type(L, -1) != LUA_TTABLE) refuseArgument(L, 2, "table", "a table");
     lua_pushvalue(L, -1);
-    context.saved[name] = luaL_ref(L, LUA_REGISTRYINDEX);
+    const int reference = luaL_ref(L, LUA_REGISTRYINDEX);
+    context.saved[name] = {reference, placeOf(L)};
     return 1;
 }
 
@@ -103,7 +106,9 @@ constexpr ScriptFunction kFunctions[] = {
      requireFile},
     {"saved(name, table) -> table",
      "A table that saves keep and that outlives a reload: at first the one given, later what was saved of it. It holds "
-     "numbers, texts, booleans, vectors and tables of these.",
+     "numbers, texts, booleans, vectors and tables of these, 32 deep and 1 MiB as a text at most; the log names what "
+     "is "
+     "not kept. A script has 100 of them.",
      saved},
 };
 

@@ -174,6 +174,19 @@ int isHandleValid(lua_State* L) {
     return 1;
 }
 
+int getEntityType(lua_State* L) {
+    static constexpr std::pair<uint32_t, const char*> kNames[] = {{RUBBLE_KIND_BODY, "body"},
+                                                                  {RUBBLE_KIND_SHAPE, "shape"},
+                                                                  {RUBBLE_KIND_LIGHT, "light"},
+                                                                  {RUBBLE_KIND_JOINT, "joint"},
+                                                                  {RUBBLE_KIND_TRIGGER, "trigger"}};
+    const uint64_t object = handleAt(L, 1, "handle");
+    const auto found = std::find_if(std::begin(kNames), std::end(kNames),
+                                    [&](const auto& row) { return object && isOfKind(L, object, row.first); });
+    lua_pushstring(L, found == std::end(kNames) ? "" : found->second);
+    return 1;
+}
+
 int isBodyInTrigger(lua_State* L) {
     const uint64_t trigger = handleAt(L, 1, "trigger"), body = handleAt(L, 2, "body");
     const std::vector<uint64_t>& bodies = readHandles(L, [&](uint64_t* out, uint32_t capacity, uint32_t* count) {
@@ -193,7 +206,8 @@ int deleteObject(lua_State* L) {
         if (result == RUBBLE_OK) return 0;
         if (result != RUBBLE_ERROR_STALE) isDone(L, result);
     }
-    isDone(L, api.remove_character(worldOf(L), object));
+    if (api.remove_character(worldOf(L), object) != RUBBLE_OK)
+        warnOnce(L, "handle: nothing has the handle " + std::to_string(object) + " any more, or ever had");
     return 0;
 }
 
@@ -225,6 +239,8 @@ constexpr ScriptFunction kFunctions[] = {
     {"GetTagValue(handle, tag) -> text", "The value of a tag; \"\" if there is none.", getTagValue},
     {"RemoveTag(handle, tag)", "Takes a tag away.", removeTag},
     {"IsHandleValid(handle) -> boolean", "Whether the object is there.", isHandleValid},
+    {"GetEntityType(handle) -> text", "\"body\", \"shape\", \"light\", \"joint\" or \"trigger\"; \"\" of what is gone.",
+     getEntityType},
     {"Delete(handle)", "Removes an object in the next step, without dust or pieces.", deleteObject},
 };
 

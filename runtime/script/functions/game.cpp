@@ -48,9 +48,15 @@ int giveCamera(lua_State* L) {
     return 1;
 }
 
+int givePlace(lua_State* L) {
+    pushVector(L, cameraOf(L).position.data());
+    return 1;
+}
+
 constexpr ScriptFunction kFunctions[] = {
     {"GetPlayerTransform() -> transform", "The camera of the last frame.", giveCamera},
     {"GetPlayerCameraTransform() -> transform", "The camera of the last frame.", giveCamera},
+    {"GetPlayerPos() -> v", "The place of the camera of the last frame.", givePlace},
     {"SetPlayerTransform(transform)", "No effect.", giveNothing},
     {"GetPlayerVelocity() -> v", "(0, 0, 0).", giveNoVector},
     {"SetPlayerVelocity(velocity)", "No effect.", giveNothing},
@@ -62,6 +68,7 @@ constexpr ScriptFunction kFunctions[] = {
     {"GetPlayerInteractBody() -> handle", "0.", giveZero},
     {"GetPlayerInteractShape() -> handle", "0.", giveZero},
     {"FindVehicle(tag, global) -> handle", "0.", giveZero},
+    {"DriveVehicle(vehicle, drive, steering, handbrake)", "No effect.", giveNothing},
     {"InputPressed(input) -> boolean", "false.", giveFalse},
     {"InputDown(input) -> boolean", "false.", giveFalse},
     {"InputReleased(input) -> boolean", "false.", giveFalse},

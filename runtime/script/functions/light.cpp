@@ -44,6 +44,10 @@ double brightness(const rubble_light_settings& light) {
 
 int setColor(lua_State* L) {
     const Vector color{numberAt(L, 2, "r"), numberAt(L, 3, "g"), numberAt(L, 4, "b")};
+    for (int i = 0; i < 3; ++i) {
+        static constexpr const char* kNames[] = {"r", "g", "b"};
+        if (!(color[size_t(i)] >= 0.0)) refuseArgument(L, 2 + i, kNames[i], "0 or more");
+    }
     rubble_light_settings light;
     if (!readChanged(L, light)) return 0;
     const double largest = std::max({color[0], color[1], color[2], 1e-9});

@@ -106,6 +106,11 @@ int spawn(lua_State* L) {
     return 0;
 }
 
+/// What particles of Teardown have and these do not.
+int leaveOut(lua_State*) {
+    return 0;
+}
+
 constexpr ScriptFunction kFunctions[] = {
     {"ParticleReset()", "Begins a particle of white smoke; what follows changes it.", reset},
     {"ParticleType(type)",
@@ -121,6 +126,9 @@ constexpr ScriptFunction kFunctions[] = {
     {"ParticleRotation(r0)", "How fast its image turns, in rad/s.", setRotation},
     {"ParticleStretch(s0)", "Seconds of its motion by which its image is longer, 0 to 1.", setStretch},
     {"ParticleCollide(c0)", "Whether voxels stop it: 0 not.", setCollide},
+    {"ParticleTile(tile)", "No effect: its type says how it looks.", leaveOut},
+    {"ParticleFlags(mask)", "No effect.", leaveOut},
+    {"ParticleSticky(s0)", "No effect: what voxels stop lies there.", leaveOut},
     {"SpawnParticle(pos, vel, life)",
      "Throws one into the air for life seconds. Where nothing is drawn there are none.", spawn},
 };

@@ -70,29 +70,41 @@ int reject(lua_State* L, std::vector<uint64_t>& list, uint64_t handle) {
     return 0;
 }
 
+/// What is gone is passed over. A handle of something else is an error here, not at the query.
+uint64_t rejectedAt(lua_State* L, int index, const char* name, uint32_t kind) {
+    const uint64_t handle = handleAt(L, index, name);
+    rubble_body_state body = {};
+    rubble_shape_state shape = {};
+    if (!handle) return 0;
+    const rubble_result result = kind == RUBBLE_KIND_BODY ? apiOf(L).get_body_state(worldOf(L), handle, &body)
+                                                          : apiOf(L).get_shape_state(worldOf(L), handle, &shape);
+    if (result == RUBBLE_OK || ScriptContext::of(L).shared.pending.created.contains(handle)) return handle;
+    return isDone(L, result) ? handle : 0;
+}
+
 int queryRejectBody(lua_State* L) {
-    return reject(L, ScriptContext::of(L).query.bodies, handleAt(L, 1, "body"));
+    return reject(L, ScriptContext::of(L).query.bodies, rejectedAt(L, 1, "body", RUBBLE_KIND_BODY));
 }
 
 int queryRejectShape(lua_State* L) {
-    return reject(L, ScriptContext::of(L).query.shapes, handleAt(L, 1, "shape"));
+    return reject(L, ScriptContext::of(L).query.shapes, rejectedAt(L, 1, "shape", RUBBLE_KIND_SHAPE));
 }
 
-int rejectAll(lua_State* L, std::vector<uint64_t>& list) {
+int rejectAll(lua_State* L, std::vector<uint64_t>& list, uint32_t kind) {
     if (lua_type(L, 1) != LUA_TTABLE) refuseArgument(L, 1, "list", "a list of handles");
     for (lua_Integer i = 1; lua_rawgeti(L, 1, i) != LUA_TNIL; ++i) {
-        reject(L, list, handleAt(L, -1, "list"));
+        reject(L, list, rejectedAt(L, -1, "list", kind));
         lua_pop(L, 1);
     }
     return 0;
 }
 
 int queryRejectBodies(lua_State* L) {
-    return rejectAll(L, ScriptContext::of(L).query.bodies);
+    return rejectAll(L, ScriptContext::of(L).query.bodies, RUBBLE_KIND_BODY);
 }
 
 int queryRejectShapes(lua_State* L) {
-    return rejectAll(L, ScriptContext::of(L).query.shapes);
+    return rejectAll(L, ScriptContext::of(L).query.shapes, RUBBLE_KIND_SHAPE);
 }
 
 int pushHit(lua_State* L, const rubble_hit& hit) {

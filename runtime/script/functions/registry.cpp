@@ -1,3 +1,4 @@
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 
@@ -83,8 +84,18 @@ int pushFloat(lua_State* L, const std::string* value) {
     return 1;
 }
 
+/// False are "", "0" and all zeros, "false", "no" and "off", in any case and with spaces around.
+bool boolOf(const std::string& value) {
+    std::string word;
+    for (const unsigned char letter : value)
+        if (!std::isspace(letter)) word += char(std::tolower(letter));
+    char* end = nullptr;
+    const bool isZero = std::strtod(word.c_str(), &end) == 0.0 && *end == '\0';  // as is ""
+    return !isZero && word != "false" && word != "no" && word != "off";
+}
+
 int pushBool(lua_State* L, const std::string* value) {
-    lua_pushboolean(L, value && !value->empty() && *value != "0" && *value != "false");
+    lua_pushboolean(L, value && boolOf(*value));
     return 1;
 }
 

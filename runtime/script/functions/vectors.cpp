@@ -93,7 +93,11 @@ int getField(lua_State* L) {
 }
 
 int setField(lua_State* L) {
-    if (const int place = placeOfField(L))
+    const int place = placeOfField(L);
+    if (place && lua_type(L, 3) != LUA_TNUMBER)
+        return luaL_error(L, "%s of a vector: expected a number, found a value of type %s", lua_tostring(L, 2),
+                          luaL_typename(L, 3));
+    if (place)
         lua_rawseti(L, 1, place);
     else
         lua_rawset(L, 1);

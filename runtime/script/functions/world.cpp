@@ -7,10 +7,12 @@
 namespace rubble::script {
 namespace {
 
-constexpr size_t kMaxLines = 10'000;
+constexpr size_t kMaxLines = 10'000, kMaxKnown = 1000;
+/// Of Spawn(): for a file that the script has not placed before, for another one, and for each object.
+constexpr int64_t kReadWork = 100'000, kSpawnWork = 5'000, kObjectWork = 500;
 
 int setTimeScale(lua_State* L) {
-    ScriptContext::of(L).shared.timeScale = clampedAt(L, 1, "scale", 0.0, 10.0);
+    ScriptContext::of(L).shared.timeScale = limitedAt(L, 1, "scale", 0.0, 10.0);
     return 0;
 }
 
@@ -41,12 +43,15 @@ int spawn(lua_State* L) {
     copy(prefab.position, placement.position);
     copy(prefab.rotation, placement.rotation);
     uint32_t count = 0;
+    std::set<std::string>& known = ScriptContext::of(L).spawned;
+    Sandbox::of(L).charge(L, known.contains(path) ? kSpawnWork : kReadWork);
     isDone(L, apiOf(L).create_prefab(worldOf(L), &prefab, nullptr, 0, &count));
-    Sandbox::of(L).charge(L, 100'000);  // reading a file
+    if (known.size() < kMaxKnown) known.insert(path);  // the library reads it once
+    Sandbox::of(L).charge(L, kObjectWork * count);
     std::vector<rubble_prefab_row> rows(count);
     isDone(L, apiOf(L).create_prefab(worldOf(L), &prefab, rows.data(), count, &count));
     std::vector<uint64_t> handles;
-    ScriptContext::of(L).shared.mayHaveScripts = true;
+    ScriptContext::of(L).shared.followsLevel = true;
     static constexpr uint32_t kKinds[] = {RUBBLE_KIND_BODY, RUBBLE_KIND_SHAPE, RUBBLE_KIND_JOINT, RUBBLE_KIND_LIGHT};
     for (const rubble_prefab_row& row : rows) {
         ScriptContext::of(L).shared.pending.created[row.handle] = kKinds[row.kind];
@@ -92,6 +97,7 @@ int debugProfile(lua_State* L) {
 }
 
 int debugPrint(lua_State* L) {
+    lua_settop(L, 1);  // nothing is written as nil
     pushText(L, 1);
     Sandbox& box = Sandbox::of(L);
     box.charge(L, 100 + int64_t(lua_rawlen(L, -1)));
@@ -101,6 +107,7 @@ int debugPrint(lua_State* L) {
 
 int debugWatch(lua_State* L) {
     const std::string name = textAt(L, 1, "name");
+    lua_settop(L, 2);
     pushText(L, 2);
     auto& watches = ScriptContext::of(L).shared.watches;
     if (watches.size() < 1000 || watches.count(name)) watches[name] = std::string(lua_tostring(L, -1)).substr(0, 1000);

@@ -122,9 +122,27 @@ int collectGarbage(lua_State* L) {
     return 1;
 }
 
+/// Replaces a function that gives a text in pieces, up to nil or "", by the text.
+void joinPieces(lua_State* L) {
+    lua_pushliteral(L, "");
+    for (;;) {
+        lua_pushvalue(L, 1);
+        lua_call(L, 0, 1);
+        if (lua_isnil(L, -1) || (lua_type(L, -1) == LUA_TSTRING && lua_rawlen(L, -1) == 0)) break;
+        if (lua_type(L, -1) != LUA_TSTRING)
+            luaL_error(L, "load: expected pieces of a text, found a %s", luaL_typename(L, -1));
+        Sandbox::of(L).charge(L, 10 + int64_t((lua_rawlen(L, -1) + lua_rawlen(L, -2)) >> 5));
+        lua_concat(L, 2);
+    }
+    lua_pop(L, 1);
+    lua_replace(L, 1);
+}
+
 int load(lua_State* L) {
+    if (lua_isfunction(L, 1)) joinPieces(L);
     if (lua_type(L, 1) != LUA_TSTRING)
-        return luaL_error(L, "load: expected the text of a chunk, found a %s", luaL_typename(L, 1));
+        return luaL_error(L, "load: expected the text of a chunk or a function that gives it, found a %s",
+                          luaL_typename(L, 1));
     size_t length = 0;
     const char* text = lua_tolstring(L, 1, &length);
     Sandbox& box = Sandbox::of(L);

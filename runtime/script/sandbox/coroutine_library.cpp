@@ -10,6 +10,8 @@ constexpr int64_t kResumeWork = 100;  ///< a thread counts from the start each t
 int resumeWatched(lua_State* L, lua_State* thread) {
     Sandbox& box = Sandbox::of(L);
     box.charge(L, kResumeWork);
+    if (thread && box.isProtected(thread))
+        luaL_error(L, "coroutine: expected one that the script has made, found that of a callback or of start()");
     if (thread && thread != L) box.watch(thread);
     const int results = lua_tocfunction(L, lua_upvalueindex(1))(L);
     if (box.isStopped()) Sandbox::raiseStop(L);

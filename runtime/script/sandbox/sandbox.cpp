@@ -47,6 +47,15 @@ int openAll(lua_State* L) {
     return 0;
 }
 
+/// Whether a message has ":LINE:" in it, as those that Lua gives a place have.
+bool namesPlace(std::string_view message) {
+    for (size_t at = message.find(':'); at != message.npos; at = message.find(':', at + 1)) {
+        const size_t end = message.find_first_not_of("0123456789", at + 1);
+        if (end != message.npos && end > at + 1 && message[end] == ':') return true;
+    }
+    return false;
+}
+
 /// The text of an error value, which may be anything.
 int textOf(lua_State* L) {
     pushText(L, 1);
@@ -231,7 +240,8 @@ std::string Sandbox::errorOf(lua_State* thread, int status) {
     if (status == LUA_ERRMEM) return m_refusal;
     if (isStopped()) return m_stopReason;
     const bool hasText = lua_type(thread, -1) == LUA_TSTRING;
-    const std::string place = hasText || thread == m_state ? "" : placeOf(thread);
+    const bool hasPlace = hasText && namesPlace(lua_tostring(thread, -1));
+    const std::string place = hasPlace || thread == m_state ? "" : placeOf(thread);
     if (thread != m_state) lua_xmove(thread, m_state, 1);  // a failed thread runs nothing
     m_reserve = kReserve;
     if (!hasText) {

@@ -5,6 +5,7 @@
 #include <lua.hpp>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 
 namespace rubble::script {
 
@@ -85,6 +86,12 @@ public:
     const std::string& stopReason() const { return m_stopReason; }
     /// Gives a thread the hook that counts; every thread has it before it runs.
     void watch(lua_State* thread) const;
+    /// Keeps a thread from coroutine.resume and coroutine.close, as one that the host runs, until it is done with it.
+    void protectThread(const lua_State* thread) { m_protected.insert(thread); }
+    /// Ends that.
+    void unprotectThread(const lua_State* thread) { m_protected.erase(thread); }
+    /// Whether it is kept from them.
+    bool isProtected(const lua_State* thread) const { return m_protected.contains(thread); }
     /// Why memory was refused, or prepare() failed, last.
     const std::string& refusal() const { return m_refusal; }
 
@@ -139,6 +146,7 @@ private:
     double m_startedAt = -1.0;  ///< processor time when the present call was first slow; negative: it never was
     int64_t m_lastLookAt = 0;   ///< nanoseconds of the steady clock
     std::string m_stopReason, m_refusal;
+    std::unordered_set<const lua_State*> m_protected;
     lua_State* m_state = nullptr;
 };
 

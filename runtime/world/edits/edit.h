@@ -191,7 +191,7 @@ using AnyEdit =
                  SetEnvironmentEdit, SetLightEdit, AddLightEdit, RemoveLightEdit, SetBoundsEdit, SetCollisionShapeEdit,
                  SetBodyEdit, DestroyBodyEdit, WriteVoxelsEdit, DestroyShapeEdit, CreateBodyEdit, CreateShapeEdit,
                  SetNameEdit, SetTagEdit, RemoveTagEdit, SetUserValueEdit, SetPaletteEdit, SetMaterialsEdit,
-                 SetShapeEdit, SetLightGroupEdit, CreateLightGroupEdit, ConstrainEdit>;
+                 SetShapeEdit, SetLightGroupEdit, CreateLightGroupEdit, ConstrainEdit, SetScriptsEdit>;
 /// One command for the World: any of the kinds above. It is a class of its own so that its copies, moves and
 /// destructor, which are long over so many kinds, are compiled once (edit.cpp) and not wherever a list of edits is
 /// held.

@@ -65,7 +65,8 @@ constexpr const char* kNames[] = {"carve",
                                   "set_shape",
                                   "set_light_group",
                                   "create_light_group",
-                                  "constrain_bodies"};
+                                  "constrain_bodies",
+                                  "set_level_scripts"};
 static_assert(std::size(kNames) == std::variant_size_v<AnyEdit>);
 
 /// About a number of an enum whose last is `last`.
@@ -293,6 +294,16 @@ std::string errorOf(const SetTagEdit& edit) {
 }
 std::string errorOf(const RemoveTagEdit& edit) {
     return tagError(edit.tag);
+}
+std::string errorOf(const SetScriptsEdit& edit) {
+    RangeCheck check;
+    check.number("count", double(edit.scripts.size()), ranges::kScripts);
+    for (const LevelScript& script : edit.scripts)
+        check.include(nameError("path", script.path))
+            .require(!script.path.empty(), "path: expected one of at least one byte")
+            .text("parameters", script.parameters)
+            .number("bytes of parameters", double(script.parameters.size()), ranges::kParameterBytes);
+    return check.error();
 }
 std::string errorOf(const SetPaletteEdit& edit) {
     RangeCheck check;

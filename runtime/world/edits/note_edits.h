@@ -1,7 +1,9 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <vector>
 
+#include "runtime/world/objects/named_data.h"
 #include "runtime/world/objects/note.h"
 
 namespace rubble {
@@ -29,6 +31,12 @@ struct RemoveTagEdit {
 struct SetUserValueEdit {
     AnyObject object;
     uint64_t value = 0;
+};
+
+/// Names the scripts of the level.
+struct SetScriptsEdit {
+    std::vector<LevelScript> scripts;
+    bool adds = false;  ///< to those that it names, as a prefab does; else in their place
 };
 
 }  // namespace rubble

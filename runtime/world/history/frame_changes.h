@@ -158,6 +158,7 @@ struct FrameChanges {
     std::vector<NoteHandle> notes;           ///< made, changed or gone; some more than once
     std::vector<LightHandle> lightsAdded;    ///< one for each AddLightEdit; an empty handle: refused
     bool environmentChanged = false;         ///< read it from the World
+    bool scriptsChanged = false;             ///< the same
     bool materialsChanged = false;           ///< read them from the World; shapes that are of them are in `carved`
     bool settingsChanged = false;            ///< read them from the World; not for the limit of undo marks alone
     bool isRestored = false;                 ///< by an undo or redo: what is known of the motion before is of no use
@@ -170,12 +171,12 @@ struct FrameChanges {
                splits.size() + palettes.size() + unanchored.size() + removed.size() + lights.size() + groupsOut.size() +
                woken.size() + impulses.size() + constraints.size() + paintedVoxels + firesLit.size() + filters.size() +
                waters.size() + triggers.size() + characters.size() + jointsCreated.size() + jointsMoved.size() +
-               jointsBroken.size() + jointsChanged.size() + notes.size() + environmentChanged + materialsChanged +
-               settingsChanged;
+               jointsBroken.size() + jointsChanged.size() + notes.size() + environmentChanged + scriptsChanged +
+               materialsChanged + settingsChanged;
     }
     /// Whether nothing changed that physics, renderer, undo or recordings have to follow.
     bool empty() const {
-        return !levelReplaced && !environmentChanged && !materialsChanged && !settingsChanged &&
+        return !levelReplaced && !environmentChanged && !scriptsChanged && !materialsChanged && !settingsChanged &&
                bodiesCreated.empty() && bodiesDestroyed.empty() && shapesCreated.empty() && shapesDestroyed.empty() &&
                bricks.empty() && palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty() &&
                constraints.empty() && settled.empty() && unsettled.empty() && woken.empty() && groups.empty() &&

@@ -31,6 +31,14 @@ SlotValues<Handle, T> selectSlots(const SlotValues<Handle, T>& slots, const Slot
     return out;
 }
 
+template <class T>
+uint64_t hashOf(const T& value) {
+    return value.hash();
+}
+uint64_t hashOf(const std::vector<LevelScript>& scripts) {
+    return hashScripts(scripts);
+}
+
 /// Whether a slot holds another object than it did, or one in another state.
 template <class Map, class Handle, class T>
 bool isOther(const std::pair<const uint32_t, std::pair<Handle, std::optional<T>>>& slot, const Map& now) {
@@ -51,7 +59,7 @@ bool UndoHistory::hasChanged() const {
 bool UndoHistory::differs(const WorldData& world) const {
     bool differs = m_current.made.low != world.made.low || m_current.made.high != world.made.high;
     const auto compareValues = [&](const auto& was, const auto& is) {
-        differs = differs || (was && was->hash() != is.hash());
+        differs = differs || (was && hashOf(*was) != hashOf(is));
     };
     forEachWorldValue(compareValues, m_current, world);
     const auto compareObjects = [&](const auto& was, const auto& now) {

@@ -97,6 +97,7 @@ WorldDelta WorldBaseline::update(const WorldData& world, const FrameChanges& cha
     if (changes.environmentChanged) before.environment = std::exchange(m_last.environment, world.environment);
     if (changes.materialsChanged) before.materials = std::exchange(m_last.materials, world.materials);
     if (changes.settingsChanged) before.settings = std::exchange(m_last.settings, world.settings);
+    if (changes.scriptsChanged) before.scripts = std::exchange(m_last.scripts, world.scripts);
     m_freeSlots = freeSlotsOf(world);
     return before;
 }

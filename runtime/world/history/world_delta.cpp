@@ -231,6 +231,10 @@ WorldDelta swapObjects(WorldData& world, WorldDelta target, FrameChanges& change
         before.settings = std::exchange(world.settings, *target.settings);
         changes.settingsChanged = true;
     }
+    if (target.scripts) {
+        before.scripts = std::exchange(world.scripts, std::move(*target.scripts));
+        changes.scriptsChanged = true;
+    }
     before.freeSlots = freeSlotsOf(world);
     forEachKind([](auto& map, auto& wanted, auto& was) { was = swapSlots(map, std::move(wanted)); }, world, target,
                 before);

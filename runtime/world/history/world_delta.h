@@ -22,12 +22,13 @@ struct WorldDelta : ObjectKinds<SlotValues> {
     WorldBox made;
     bool numbersChanged = false;  ///< imported, removed or made: also by shapes that were made and gone in one step
     FireState fire;
-    std::vector<ShapeHandle> waiting;        ///< for their split, see WorldState::pendingSplits
-    std::optional<Environment> environment;  ///< none: it has not changed
-    std::optional<MaterialTable> materials;  ///< the same
-    std::optional<WorldSettings> settings;   ///< the same; their limit of undo marks is of no account
+    std::vector<ShapeHandle> waiting;                 ///< for their split, see WorldState::pendingSplits
+    std::optional<Environment> environment;           ///< none: it has not changed
+    std::optional<MaterialTable> materials;           ///< the same
+    std::optional<std::vector<LevelScript>> scripts;  ///< the same
+    std::optional<WorldSettings> settings;            ///< the same; their limit of undo marks is of no account
 
-    /// Whether it holds no object, no other numbers, no environment, no materials and no settings.
+    /// Whether it holds no object, no other numbers, no environment, no materials, no settings and no scripts.
     bool empty() const;
 };
 
@@ -37,6 +38,7 @@ void forEachWorldValue(F&& f, Sets&&... sets) {
     f(sets.environment...);
     f(sets.materials...);
     f(sets.settings...);
+    f(sets.scripts...);
 }
 
 /// Puts the delta's objects in their slots, adds that to the journal, and returns what was there before. Shapes that

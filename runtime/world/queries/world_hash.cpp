@@ -78,7 +78,7 @@ uint64_t resolvedHash(const WorldState& world) {
         hasher.add(box->high);
     }
     addAll(world.joints);
-    return hasher.state;
+    return hashScripts(world.scripts, hasher.state);
 }
 
 }  // namespace rubble

@@ -67,6 +67,14 @@ void apply(EditContext& context, const SetUserValueEdit& edit) {
     if (Note* note = openNote(context, edit.object, "set_user_value")) note->userValue = edit.value;
 }
 
+void apply(EditContext& context, const SetScriptsEdit& edit) {
+    std::vector<LevelScript>& scripts = context.world.scripts;
+    std::vector<LevelScript> wanted = edit.adds ? scripts : std::vector<LevelScript>();
+    wanted.insert(wanted.end(), edit.scripts.begin(), edit.scripts.end());
+    context.changes.scriptsChanged |= wanted != scripts;
+    scripts = std::move(wanted);
+}
+
 void inheritNote(EditContext& context, ShapeHandle from, ShapeHandle piece) {
     const Note* known = context.world.findNote(from.bits);
     if (!known && !context.world.settings.keepOrigins) return;

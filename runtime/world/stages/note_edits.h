@@ -11,6 +11,8 @@ void apply(EditContext& context, const SetTagEdit& edit);
 void apply(EditContext& context, const RemoveTagEdit& edit);
 /// See the edit.
 void apply(EditContext& context, const SetUserValueEdit& edit);
+/// See the edit.
+void apply(EditContext& context, const SetScriptsEdit& edit);
 
 /// Gives a shape that came off another one a copy of its note, with where it came from; also without a note if
 /// WorldSettings::keepOrigins.

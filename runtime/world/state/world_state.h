@@ -34,9 +34,8 @@ struct WorldState : WorldObjects {
     WorldBox footprint;  ///< around all static shapes that the level brought; low == high: it brought none
     WorldBox made;       ///< without `bounds`: around all shapes that edits have created, where they were then
     std::vector<std::pair<std::string, Pose>> locations;  ///< named places of the level
-    std::vector<LevelScript>
-        scripts;  ///< of the level and of prefabs; as the next not in the hash: nothing follows from it
-    std::vector<HostData> hostData;
+    std::vector<LevelScript> scripts;                     ///< of the level and of prefabs
+    std::vector<HostData> hostData;                       ///< not in the hash: nothing follows from it
     FireState fire;
     std::vector<PendingSplit> pendingSplits;
 

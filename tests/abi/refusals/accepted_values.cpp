@@ -96,6 +96,7 @@ const std::map<std::string, std::string> kAccepted = {
     {"read_bricks bricks.z: negative", "no brick is there: all are 0"},
     {"read_rows list.body: 0", kAll},
     {"read_voxels box.mask: null", kOptional},
+    {"set_level_scripts scripts.parameters: null", kOptional},
     {"write_voxels box.mask: null", kOptional},
     {"report_impacts impacts.other: 0", kNone},
     {"set_overlay items.font: null", kOptional},

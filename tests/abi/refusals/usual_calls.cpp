@@ -248,6 +248,9 @@ const std::map<std::string, std::vector<Prepare>> kCalls = {
     {"get_shadow_bricks", {[](HostCall& c) { c.set("capacity", 100u); }}},
     {"create_renderer", {prepareRenderer}},
     {"draw", {prepareView<nullptr>, prepareView<kPerspective>, prepareView<kOrthographic>}},
+    {"set_level_scripts", {[](HostCall& c) {
+         c.at<rubble_level_script>("scripts") = {"lift.lua", "speed=2\nheight=6"}, c.set("count", 1u);
+     }}},
     {"set_host_data", {[](HostCall& c) { c.point("name", "n"), c.set("size", uint64_t(1)); }}},
     {"get_host_data", {[](HostCall& c) { c.point("name", "n"), c.set("capacity", uint64_t(100)); }}},
     {"set_overlay", {prepareItem<RUBBLE_OVERLAY_TEXT, RUBBLE_OVERLAY_IN_WORLD>, prepareItem<RUBBLE_OVERLAY_IMAGE, 0>}},

@@ -22,8 +22,7 @@ namespace {
 std::string output(const std::string& before, const std::string& arguments) {
     FILE* pipe = popen((before + " " RUBBLE_LUA_PROGRAM " " + arguments + " 2>&1").c_str(), "r");
     std::string text;
-    std::array<char, 256> buffer;
-    while (pipe && std::fgets(buffer.data(), buffer.size(), pipe)) text += buffer.data();
+    for (int byte = pipe ? std::fgetc(pipe) : EOF; byte != EOF; byte = std::fgetc(pipe)) text += char(byte);
     if (pipe) pclose(pipe);
     return text;
 }
@@ -36,6 +35,22 @@ TEST(LuaProgram, CallsWhatALineHasDefined) {
 
 TEST(LuaProgram, PrintsVectors) {
     EXPECT_EQ(output("", "--eval 'Vec(1, 2, 3) + Vec(0, 0, 1)'"), "(1.0, 2.0, 4.0)\n");
+}
+
+TEST(LuaProgram, PrintsAllThatATextGives) {
+    EXPECT_EQ(output("", "--eval 'nil, 1, nil'"), "nil\t1\tnil\n");
+    EXPECT_EQ(output("", "--eval 'local x = 1'"), "");
+    EXPECT_EQ(output("", "--eval '\"a\\0b\"'"), std::string("a\0b\n", 4));
+    EXPECT_EQ(output("", "--eval 'wait(0.1) return 7, GetTime() > 0.09'"), "7\ttrue\n");
+    EXPECT_EQ(output("", "--eval '#SplitShape(FindShape(\"crate\"))'"), "1\n");
+    EXPECT_NE(output("printf 'wait(0.02) return 5\\n1\\n2\\n' |", "").find("5\n"), std::string::npos);
+}
+
+TEST(LuaProgram, LinesGoOnAfterOneThatWasStopped) {
+    const std::string text = output("printf 'x = 3\\nwhile true do end\\n40 + 2\\nx\\n' |", "");
+    EXPECT_NE(text.find("the lines begin again"), std::string::npos) << text;
+    EXPECT_NE(text.find("> 42\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("> nil\n"), std::string::npos) << text;
 }
 
 TEST(LuaProgram, SaysWhatEachFunctionHasCost) {
@@ -67,6 +82,7 @@ TEST(LuaProgram, ReadsStatementsOfSeveralLines) {
 
 TEST(LuaProgram, RefusesValuesThatItCannotUse) {
     EXPECT_NE(output("", "--eval 1 --steps -5").find("--steps"), std::string::npos);
+    EXPECT_NE(output("", "/dev/zero --steps 1").find("expected a file"), std::string::npos);
     EXPECT_NE(output("", "--eval 1 --camera 1 1 1 1 1 1").find("two places"), std::string::npos);
     EXPECT_EQ(output("", "--eval 1 --camera 1 9 1 1 1 1"), "1\n") << "straight down";
     EXPECT_NE(output("", "--reference /dev/null/x").find("expected a folder that can be written"), std::string::npos);
@@ -113,6 +129,18 @@ private:
     pid_t m_process = 0;
     FILE* m_output = nullptr;
 };
+
+TEST(LuaProgram, WatchesWhatAScriptRequires) {
+    const TempFolder folder;
+    const std::string script = (folder.path() / "mod.lua").string(), tools = (folder.path() / "tools.lua").string();
+    std::ofstream(tools) << "return 'old' .. ' tools'";
+    std::ofstream(script) << "print(require('tools')) function destroy() print('bye') end";
+    Watched program(script);
+    EXPECT_TRUE(program.says("old tools"));
+    std::ofstream(tools) << "return 'new' .. ' tools'";
+    EXPECT_TRUE(program.says("new tools"));
+    EXPECT_EQ(program.interrupt(), 0);
+}
 
 TEST(LuaProgram, WatchesAScriptThatWasStopped) {
     const TempFolder folder;

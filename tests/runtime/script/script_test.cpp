@@ -71,7 +71,7 @@ TEST(Script, WhatIsGoneIsToldOnceForEachLine) {
               "");
     const std::string log = yard.logged(RUBBLE_LOG_WARNING);
     EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 1) << log;
-    EXPECT_NE(log.find("test:2: GetBodyVelocity: get_body_state"), std::string::npos) << log;
+    EXPECT_NE(log.find("test:2: GetBodyVelocity: body is stale"), std::string::npos) << log;
 }
 
 TEST(Script, BothVelocitiesAreSetInOneStep) {

@@ -1,6 +1,8 @@
 // What scripts may be like and ask for, and what they are told where that is wrong.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -94,7 +96,7 @@ TEST(ScriptText, MayTakeACallbackAway) {
         yard.host().tick(1.0 / 60.0);
         ASSERT_EQ(yard.host().step(), RUBBLE_OK);
     }
-    EXPECT_EQ(yard.logged(0), "once: once\n");
+    EXPECT_EQ(yard.logged(0), "once: once\nonce: tick: expected a function, which is called, found a number\n");
     EXPECT_EQ(yard.host().scripts().back().error(), "");
     EXPECT_FALSE(yard.host().scripts().back().has(Callback::Update));
 }
@@ -157,12 +159,106 @@ TEST(ScriptFiles, LinksDoNotLeadOutOfTheFolder) {
     EXPECT_EQ(yard.run("assert(require('same').double(2) == 4)"), "") << "a link within the folder";
 }
 
+TEST(ScriptFiles, AreNoPipes) {
+    Yard yard;
+    ASSERT_EQ(mkfifo((yard.folder() / "pipe.lua").c_str(), 0600), 0);
+    for (const char* call : {"require('pipe')", "UiGetImageSize('pipe.lua')", "Spawn('pipe.lua')"})
+        EXPECT_NE(yard.run(call).find(": expected a file, found something else under \"pipe"), std::string::npos)
+            << call;
+    const rubble_level_script script = {"pipe.lua", nullptr};
+    yard.host().addLevelScripts();
+    ASSERT_EQ(yard.api().set_level_scripts(yard.world(), &script, 1), RUBBLE_OK);
+    yard.host().step();
+    EXPECT_NE(yard.logged(RUBBLE_LOG_ERROR).find("the level names the script \"pipe.lua\""), std::string::npos);
+}
+
 TEST(ScriptCamera, IsKnownBeforeTheFirstFrame) {
     Yard yard;
     rubble_view view = viewOf(960, 540);
     view.position[1] = 3.0;
     yard.host().setView(view);
     EXPECT_EQ(yard.run("assert(GetCameraTransform().pos.y == 3 and GetPlayerCameraTransform().pos.y == 3)"), "");
+}
+
+TEST(ScriptErrors, NameTheFunctionOfTheScript) {
+    Yard yard;
+    EXPECT_EQ(yard.run("MakeHole({0, 1, 0}, -1)"), "test:2: MakeHole: r0: expected a radius of 0 or more, found -1");
+    EXPECT_EQ(yard.run("MakeHole({0, 1, 0}, 1, 0 / 0)").substr(0, 49),
+              "test:2: MakeHole: r1: expected a radius of 0 or m");
+    EXPECT_EQ(yard.run("MakeHole({0, 1e12, 0}, 1)").find("count_carve"), std::string::npos);
+    EXPECT_EQ(yard.run("local v = Vec(1, 2, 3) v.x = nil"),
+              "test:2: x of a vector: expected a number, found a value of type nil");
+    EXPECT_EQ(yard.run("SetLightColor(FindLight('bulb'), 1, -2, 0)"),
+              "test:2: SetLightColor: g: expected 0 or more, found -2");
+    EXPECT_EQ(yard.run("local t = {1} for k in next, t do t = {} next(t, 'none') end").substr(0, 7), "test:2:")
+        << "what Lua gives no place";
+    EXPECT_EQ(yard.run("\nerror('plain', 0)"), "test:3: plain");
+    EXPECT_EQ(yard.run("QueryRejectBody(999) QueryRejectShape(FindBody('crate')) "
+                       "assert(QueryRaycast({0, 1, -5}, {0, 0, 1}, 10))"),
+              "");
+    EXPECT_EQ(yard.run("Delete(0)"), "");
+    EXPECT_NE(yard.logged(0).find("test:2: Delete: handle: nothing has the handle 0"), std::string::npos);
+}
+
+TEST(ScriptErrors, NumbersThatAreBroughtIntoTheirRangeAreTold) {
+    Yard yard;
+    EXPECT_EQ(yard.run("for i = 1, 3 do Explosion({0, 50, 0}, -1) SetTimeScale(100) end"), "");
+    EXPECT_EQ(yard.logged(RUBBLE_LOG_WARNING),
+              "test:2: Explosion: size: expected 0.5 to 4, found -1: it counts as 0.5\n")
+        << "once for a line";
+    EXPECT_EQ(yard.host().timeScale(), 10.0);
+    EXPECT_EQ(yard.run("\nExplosion({0, 50, 0}) Explosion({0, 50, 0}, 4)"), "");
+}
+
+TEST(ScriptErrors, OfOneLineDoNotFillTheLog) {
+    Yard yard;
+    yard.host().add("flood.lua", "n = 0\nfunction update() n = n + 1 error('bad ' .. n) end");
+    for (int i = 0; i < 100; ++i) yard.host().step();
+    const std::string log = yard.logged(0);
+    EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 20) << log;
+    EXPECT_TRUE(log.ends_with("flood.lua:2: bad 20 (what else goes wrong there is not logged)\n")) << log;
+    EXPECT_EQ(yard.host().scripts().front().error(), "flood.lua:2: bad 100");
+}
+
+TEST(ScriptErrors, PrintDoesNotFillTheLog) {
+    Yard yard;
+    size_t bytes = 0;
+    std::string told;
+    ScriptHostSettings settings;
+    settings.log = [&](int level, const std::string& line) {
+        bytes += line.size();
+        if (level) told += line + "\n";
+    };
+    ScriptHost host(yard.api(), yard.world(), settings);
+    host.add("print.lua", "local line = ('x'):rep(999) function update() for i = 1, 500 do print(line) end end");
+    for (int i = 0; i < 20; ++i) ASSERT_EQ(host.step(), RUBBLE_OK);
+    EXPECT_LT(bytes, size_t(Script::kPrintBurst + 21 * Script::kPrintPerFrame + 50'000));
+    EXPECT_GT(bytes, size_t(Script::kPrintBurst));
+    EXPECT_EQ(told, "print.lua: print: expected at most 16384 bytes a frame, found more: lines are left out\n");
+}
+
+TEST(ScriptText, ReadsBooleansOfAnyForm) {
+    Yard yard;
+    EXPECT_EQ(yard.run("for _, word in ipairs{'', ' ', '0', '0.0', '-0', 'false', 'False', ' no ', 'OFF'} do "
+                       "SetString('b', word) assert(not GetBool('b'), word) end "
+                       "for _, word in ipairs{'1', 'true', 'yes', 'on', '0.5', 'x'} do "
+                       "SetString('b', word) assert(GetBool('b'), word) end"),
+              "");
+}
+
+TEST(ScriptText, MayBeLoadedInPieces) {
+    Yard yard;
+    EXPECT_EQ(yard.run("local parts, i = {'return ', '4', '2'}, 0 "
+                       "assert(load(function() i = i + 1 return parts[i] end)() == 42) "
+                       "assert(not pcall(load, function() return 5 end) and not pcall(load, 5))"),
+              "");
+    EXPECT_NE(yard.run("load(function() return 'x' end)").find("instructions in one"), std::string::npos);
+}
+
+TEST(ScriptBudget, ManyModelsOfOneFileFitIntoACall) {
+    Yard yard;
+    EXPECT_EQ(yard.run("for i = 1, 60 do assert(#Spawn('post.vox', Transform({i, 5, 0})) == 2) end"), "");
+    EXPECT_LT(yard.host().scripts().back().profile(Callback::Init).work, 1'000'000);
 }
 
 TEST(ScriptReload, CallsDestroyAndRevivesAStoppedScript) {

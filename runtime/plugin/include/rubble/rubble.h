@@ -399,7 +399,8 @@ typedef struct rubble_prefab {
     uint32_t reserved;
     const char* path;     /* .rubble, .vox or .vdb; null: `data` */
     const char* vdb_tool; /* for .vdb: as in load_level() */
-    const void* data;     /* a .rubble or .vox file in memory; not read after the call */
+    const void* data;     /* a .rubble or .vox file in memory; not read after the call. The world keeps what it has read
+                           * of such files, here and from `path`, up to 64 MiB: placed again, they are not read again */
     uint64_t size;        /* bytes of `data` */
     double position[3];   /* of the level's origin, world */
     double rotation[4];   /* of the level's axes */
@@ -1625,8 +1626,7 @@ typedef struct rubble_draw_stats {
     double draw_ms;         /* of the calling thread; the GPU may take longer */
 } rubble_draw_stats;
 
-/* A named place of the level. Its texts live until the next level or save is loaded or a prefab is made, as those of
- * what follows. */
+/* A named place of the level. Its texts live until the next step, level or save, as those of what follows. */
 typedef struct rubble_location {
     const char* name;
     double position[3]; /* world */
@@ -2331,7 +2331,8 @@ typedef struct rubble_api {
 
     /* [main-thread] The named places of the level. Saves keep them. */
     rubble_result (*get_locations)(rubble_world world, rubble_location* out, uint32_t capacity, uint32_t* count);
-    /* [main-thread] The scripts of the level, then those of the prefabs that were placed. Saves keep them. */
+    /* [main-thread] The scripts of the level, then those of the prefabs that were placed, as the last step left them.
+     * Saves keep them. */
     rubble_result (*get_level_scripts)(rubble_world world, rubble_level_script* out, uint32_t capacity,
                                        uint32_t* count);
     /* [main-thread] Keeps bytes under a name with the game, at once: saves have them, and the start of a recording.
@@ -2375,6 +2376,10 @@ typedef struct rubble_api {
      * get_resolved_hash() is another one than it was then, else 0. Costs the objects that changed since.
      * RUBBLE_ERROR_ARGUMENT: no marks are kept; see set_undo_limit(). */
     rubble_result (*has_changed)(rubble_world world, uint32_t* out);
+    /* [main-thread] Names the scripts of the level, in place of those that get_level_scripts() lists: a command for the
+     * next step, as edits are. Levels, saves, deltas and undo have them. Texts are copied; `parameters` may be null.
+     * count: at most 10,000; 0: the level names none. A path has 1 to 4096 bytes, parameters at most 65,536. */
+    rubble_result (*set_level_scripts)(rubble_world world, const rubble_level_script* scripts, uint32_t count);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

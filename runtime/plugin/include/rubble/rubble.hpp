@@ -1063,7 +1063,8 @@ public:
             return api().get_locations(m_handle, out, capacity, count);
         });
     }
-    /** The scripts of the level, then those of the prefabs that were placed. Saves keep them. */
+    /** The scripts of the level, then those of the prefabs that were placed, as the last step left them. Saves keep
+     * them. */
     std::vector<rubble_level_script> get_level_scripts() const {
         return rows<rubble_level_script, uint32_t>([&](rubble_level_script* out, uint32_t capacity, uint32_t* count) {
             return api().get_level_scripts(m_handle, out, capacity, count);
@@ -1105,6 +1106,12 @@ public:
         uint32_t out{};
         check(api().has_changed(m_handle, &out));
         return out;
+    }
+    /** Names the scripts of the level, in place of those that get_level_scripts() lists: a command for the next step,
+     * as edits are. Levels, saves, deltas and undo have them. Texts are copied; `parameters` may be null. count: at
+     * most 10,000; 0: the level names none. A path has 1 to 4096 bytes, parameters at most 65,536. */
+    void set_level_scripts(const rubble_level_script* scripts, uint32_t count) {
+        check(api().set_level_scripts(m_handle, scripts, count));
     }
 private:
     void release() noexcept {
