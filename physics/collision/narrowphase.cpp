@@ -18,8 +18,9 @@ namespace {
 
 constexpr size_t kPairsPerBatch = 32;
 constexpr float kUnlimited = 1e9f;  ///< metres
-/// Relative motion of two bodies, as a fraction of the contact margin, up to which their cached contacts are used.
-constexpr double kMaxCachedMotion = 0.05;
+/// Relative motion of two bodies, as a fraction of the contact margin, up to which their cached contacts are used, and
+/// of their voxels where these are small: a ball that rolls on as if it stood on its last contact falls off it.
+constexpr double kMaxCachedMotion = 0.05, kMaxCachedVoxels = 0.02;
 constexpr double kMaxStraightError = 1.0;  ///< voxels by which a point may leave the line along which it is searched
 
 /// Begins to load what is asked of the second objects of pairs to come, which lie anywhere in memory: first the object,
@@ -122,7 +123,9 @@ void Narrowphase::collidePair(std::span<const ObjectPair> pairs, size_t number, 
     };
     if (isKnown) {
         const double moved = maxPointDisplacement(before->pose, pose, first->radius);
-        const bool isKept = isSlow && before->isCacheable && moved < kMaxCachedMotion * settings.margin;
+        const double voxel = std::min(first->smallestVoxel, second->smallestVoxel),
+                     kept = std::min(kMaxCachedMotion * settings.margin, kMaxCachedVoxels * voxel);
+        const bool isKept = isSlow && before->isCacheable && moved < kept;
         if (isKept || (moved + displacement < double(before->search.clearance) && !areCrowded(*first, *second))) {
             pair = *before;
             if (!before->manifold) return;

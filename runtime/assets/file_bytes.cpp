@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <set>
 #include <utility>
 
@@ -100,6 +101,10 @@ const FileHooks& fileHooks() {
     return g_hooks;
 }
 
+void requireMemory(int code) {
+    if (code == ENOMEM) throw std::bad_alloc();
+}
+
 Error fileError(const std::string& path, const char* what, int code) {
     return {path + ": " + what + (code ? std::string(": ") + std::strerror(code) : "")};
 }
@@ -111,7 +116,12 @@ Result<std::vector<uint8_t>> readFileBytes(const std::string& path, uint64_t lim
     const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     const File file(descriptor < 0 ? nullptr : fdopen(descriptor, "rb"));
     struct stat status {};
-    if (!file || fstat(descriptor, &status) != 0) return fileError(path, "cannot open", errno);
+    if (!file || fstat(descriptor, &status) != 0) {
+        const int reason = errno;
+        if (!file && descriptor >= 0) ::close(descriptor);
+        requireMemory(reason);
+        return fileError(path, "cannot open", reason);
+    }
     if (!S_ISREG(status.st_mode)) return Error{path + ": expected a file, found something else"};
     if (uint64_t(status.st_size) > limit)
         return Error{fmt::format("{}: expected at most {} bytes, found {}", path, limit, status.st_size)};
@@ -137,7 +147,9 @@ Result<std::string> fileToWrite(const std::string& path) {
     const bool isFree = kind == std::filesystem::file_type::not_found || kind == std::filesystem::file_type::none;
     if (!isFree && kind != std::filesystem::file_type::regular)
         return Error{path + ": cannot write: expected a file, found something else"};
-    const std::filesystem::path folder = std::filesystem::weakly_canonical(file.parent_path(), ignored);
+    std::error_code failure;
+    const std::filesystem::path folder = std::filesystem::weakly_canonical(file.parent_path(), failure);
+    requireMemory(failure.value());  // its path is empty then
     return (folder / file.filename()).string();
 }
 
@@ -153,7 +165,10 @@ Result<Done> writeFileAtomically(const std::string& path, std::span<const uint8_
     if (claimedFiles().contains(*target)) return Error{path + kIsClaimed};
     const std::string temporaryPath = temporaryFile(*target);
     File file(std::fopen(temporaryPath.c_str(), "wb"));
-    if (!file) return fileError(temporaryPath, "cannot write", errno);
+    if (!file) {
+        requireMemory(errno);
+        return fileError(temporaryPath, "cannot write", errno);
+    }
     errno = 0;
     bool good = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
     good = good && std::fflush(file.get()) == 0 && fsync(fileno(file.get())) == 0;

@@ -40,6 +40,8 @@ private:
 /// whole new one, even after a power failure. Or hands it to the host (file_hooks.h). An error if there are more than
 /// `limit` bytes, or if the file is claimed.
 Result<Done> writeFileAtomically(const std::string& path, std::span<const uint8_t> bytes, uint64_t limit);
+/// Throws std::bad_alloc if an errno says that there was no memory.
+void requireMemory(int code);
 /// "PATH: WHAT: why errno says that it failed"; without a reason if it says none. `code`: the errno of the failure.
 Error fileError(const std::string& path, const char* what, int code);
 

@@ -106,7 +106,12 @@ Result<Done> RecordingWriter::openPart() {
     m_file.reset(openAlone(*part));
     if (!m_file && errno == EWOULDBLOCK)
         return Error{path + ": expected a file of its own, found one that a recording is being written to"};
-    if (!m_file) return fileError(*part, "cannot write", errno);
+    if (!m_file) {
+        const int reason = errno;
+        if (reason == ENOMEM) std::remove(part->c_str());
+        requireMemory(reason);
+        return fileError(*part, "cannot write", reason);
+    }
     std::setvbuf(m_file.get(), nullptr, _IONBF, 0);  // a step is one write, so that it is in the file or it is not
     return Done{};
 }
@@ -257,12 +262,14 @@ Result<Recording> recordingFromBytes(std::span<const uint8_t> bytes, const std::
     return recording;
 }
 
-Result<Recording> readRecording(const std::string& path, uint8_t world) try {
+Result<Recording> readRecording(const std::string& path, uint8_t world) {
     const Result<std::vector<uint8_t>> bytes = readFileBytes(path, kMaxFileBytes);
     if (!bytes) return Error{bytes.error()};
-    return recordingFromBytes(*bytes, path, world);
-} catch (const std::bad_alloc&) {
-    return Error{path + ": not enough memory for what it describes"};
+    try {
+        return recordingFromBytes(*bytes, path, world);
+    } catch (const std::bad_alloc&) {
+        return Error{path + ": not enough memory for what it describes"};
+    }
 }
 
 }  // namespace rubble

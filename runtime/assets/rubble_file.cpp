@@ -98,12 +98,14 @@ Result<Level> levelFromRubble(std::span<const uint8_t> bytes, const std::string&
     return std::move(parsed.level);
 }
 
-Result<Level> readRubble(const std::string& path) try {
+Result<Level> readRubble(const std::string& path) {
     const Result<std::vector<uint8_t>> bytes = readFileBytes(path, kMaxFileBytes);
     if (!bytes) return Error{bytes.error()};
-    return levelFromRubble(*bytes, path);
-} catch (const std::bad_alloc&) {
-    return Error{path + ": not enough memory for what it describes"};
+    try {
+        return levelFromRubble(*bytes, path);
+    } catch (const std::bad_alloc&) {
+        return Error{path + ": not enough memory for what it describes"};
+    }
 }
 
 Result<Done> writeRubble(const std::string& path, const Level& level) {

@@ -364,12 +364,14 @@ Result<Done> writeSave(const std::string& path, const SavedGame& game) {
     return writeFileAtomically(path, gameToBytes(game), kMaxFileBytes);
 }
 
-Result<SavedGame> readSave(const std::string& path, uint8_t world) try {
+Result<SavedGame> readSave(const std::string& path, uint8_t world) {
     const Result<std::vector<uint8_t>> bytes = readFileBytes(path, kMaxFileBytes);
     if (!bytes) return Error{bytes.error()};
-    return gameFromBytes(*bytes, path, world);
-} catch (const std::bad_alloc&) {
-    return Error{path + ": not enough memory for what it describes"};
+    try {
+        return gameFromBytes(*bytes, path, world);
+    } catch (const std::bad_alloc&) {
+        return Error{path + ": not enough memory for what it describes"};
+    }
 }
 
 }  // namespace rubble

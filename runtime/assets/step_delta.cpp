@@ -257,8 +257,9 @@ public:
         bool isKnown = true;
         forEachKind(
             [&](const auto& values, const auto& free, const auto& map) {
-                isKnown = isKnown &&
-                          (values.empty() || values.rbegin()->first < map.slotCount() + values.size() + free.size());
+                const size_t end = map.slotCount() + values.size() + free.size();
+                isKnown = isKnown && (values.empty() || values.rbegin()->first < end) &&
+                          std::all_of(free.begin(), free.end(), [&](uint32_t slot) { return slot < end; });
             },
             m_delta, m_delta.freeSlots, m_world.data());
         return isKnown;

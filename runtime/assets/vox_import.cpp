@@ -332,12 +332,14 @@ Result<Level> importVoxBytes(std::span<const uint8_t> bytes, const std::string& 
     return level;
 }
 
-Result<Level> importVox(const std::string& path, const VoxImportSettings& settings, ImportReport* report) try {
+Result<Level> importVox(const std::string& path, const VoxImportSettings& settings, ImportReport* report) {
     const Result<std::vector<uint8_t>> bytes = readFileBytes(path, kMaxVoxFileBytes);
     if (!bytes) return Error{bytes.error()};
-    return importVoxBytes(*bytes, path, settings, report);
-} catch (const std::bad_alloc&) {
-    return Error{path + ": not enough memory for what it describes"};
+    try {
+        return importVoxBytes(*bytes, path, settings, report);
+    } catch (const std::bad_alloc&) {
+        return Error{path + ": not enough memory for what it describes"};
+    }
 }
 
 }  // namespace rubble

@@ -28,9 +28,10 @@ public:
     explicit SlotMap(uint8_t world = 0, uint32_t firstGeneration = 1)
         : m_firstGeneration(firstGeneration), m_world(world) {}
     /// From slots() and freeSlots() of another map, as a saved game stores them.
-    SlotMap(uint8_t world, std::vector<Slot> slots, const std::vector<uint32_t>& free)
+    SlotMap(uint8_t world, std::vector<Slot> slots, std::vector<uint32_t> free)
         : m_slots(std::move(slots)), m_world(world) {
         for (const Slot& slot : m_slots) m_size += slot.value.has_value();
+        std::erase_if(free, [&](uint32_t slot) { return slot >= m_slots.size(); });
         setFreeSlots(free);
     }
 
@@ -185,8 +186,11 @@ public:
     const std::vector<Slot>& slots() const { return m_slots; }
     /// Empty slots that are not reserved, in the order of their use: the last one is used next.
     const std::vector<uint32_t>& freeSlots() const { return m_free; }
-    /// Makes these slots the next to be used, the last of them first. Other empty slots follow, lowest first.
+    /// Makes these slots the next to be used, the last of them first; those that are not there are made. Other empty
+    /// slots follow, lowest first.
     void setFreeSlots(const std::vector<uint32_t>& slots) {
+        const size_t count = slots.empty() ? 0 : *std::max_element(slots.begin(), slots.end()) + size_t(1);
+        if (count > m_slots.size()) m_slots.resize(count, {{}, m_firstGeneration, m_firstGeneration});
         std::vector<bool> isOther(m_slots.size());
         for (size_t i = 0; i < m_slots.size(); ++i) isOther[i] = !m_slots[i].value && !m_slots[i].reserved;
         std::vector<uint32_t> next;

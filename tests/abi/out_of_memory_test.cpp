@@ -1,12 +1,42 @@
+#include <dlfcn.h>
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <functional>
 
 #include "tests/abi/create_fixture.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/temp_folder.h"
+
+namespace {
+bool g_streamsFail = false, g_pathsFail = false;
+
+template <class F>
+F next(const char* name) {
+    return reinterpret_cast<F>(dlsym(RTLD_NEXT, name));
+}
+}  // namespace
+
+// The library calls these before those of the C library.
+extern "C" __attribute__((visibility("default"))) FILE* fdopen(int file, const char* mode) noexcept {
+    if (!g_streamsFail) return next<FILE* (*)(int, const char*)>("fdopen")(file, mode);
+    errno = ENOMEM;
+    return nullptr;
+}
+extern "C" __attribute__((visibility("default"))) FILE* fopen(const char* path, const char* mode) {
+    if (!g_streamsFail) return next<FILE* (*)(const char*, const char*)>("fopen")(path, mode);
+    errno = ENOMEM;
+    return nullptr;
+}
+extern "C" __attribute__((visibility("default"))) char* realpath(const char* path, char* out) noexcept {
+    if (!g_pathsFail) return next<char* (*)(const char*, char*)>("realpath")(path, out);
+    errno = ENOMEM;
+    return nullptr;
+}
 
 namespace rubble {
 namespace {
@@ -90,6 +120,35 @@ TEST_F(AbiMemory, SavesRecordingsAndDeltasBeginWhenThereIsEnough) {
         EXPECT_EQ(access(part.c_str(), F_OK) == 0, result == RUBBLE_OK);
         return result == RUBBLE_OK ? api()->stop_recording(m_world) : result;
     });
+}
+
+TEST_F(AbiMemory, FilesThatCannotBeOpenedForLackOfItAreNotBlamed) {
+    const TempFolder folder;
+    const std::string level = folder / "level.rubble", game = folder / "game.rubble", log = folder / "game.rubblelog";
+    ASSERT_EQ(api()->save_level(m_world, level.c_str(), nullptr), RUBBLE_OK);
+    ASSERT_EQ(api()->save_game(m_world, game.c_str()), RUBBLE_OK);
+    const uint64_t before = hash();
+    auto prefab = sized<rubble_prefab>();
+    prefab.path = level.c_str();
+    uint32_t count = 0;
+    const auto expectNoMemory = [&](rubble_result result) { expectRefused(result, RUBBLE_ERROR_MEMORY, "memory"); };
+    g_streamsFail = true;
+    expectNoMemory(api()->load_level(m_world, level.c_str(), nullptr));
+    expectNoMemory(api()->create_prefab(m_world, &prefab, nullptr, 0, &count));
+    expectNoMemory(api()->load_game(m_world, game.c_str()));
+    expectNoMemory(api()->play_recording(m_world, game.c_str(), nullptr));
+    for (bool* fails : {&g_streamsFail, &g_pathsFail}) {
+        g_streamsFail = g_pathsFail = false;
+        *fails = true;
+        expectNoMemory(api()->save_level(m_world, level.c_str(), nullptr));
+        expectNoMemory(api()->save_game(m_world, game.c_str()));
+        expectNoMemory(api()->start_recording(m_world, log.c_str()));
+    }
+    g_streamsFail = g_pathsFail = false;
+    EXPECT_EQ(hash(), before);
+    std::error_code none;
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path(), none), {}), 2) << "files are left";
+    EXPECT_EQ(api()->load_level(m_world, level.c_str(), nullptr), RUBBLE_OK) << api()->get_last_error();
 }
 
 TEST_F(AbiMemory, AStepWithoutItBreaksItsWorldAlone) {

@@ -53,6 +53,32 @@ TEST(Rolling, ABallRollsDownASlopeByItsInertia) {
     EXPECT_NEAR((glm::length(scene.body(1).velocity) - before) / theory, 1.0, 0.01);
 }
 
+/// A ball whose contact is carried along with it, and not found again below it, falls off that and rolls away.
+TEST(Rolling, ASmallBallThatIsPutDownStaysThereAndSleeps) {
+    for (const double voxel : {0.001, 0.002, 0.01, 0.1})
+        for (const double offset : {0.0, 0.3}) {
+            PhysicsScene scene;
+            scene.add(solidGrid({100, 10, 100}, 7), glm::dvec3(-50, -10, -50) * voxel, true).shapes[0].voxelSize =
+                float(voxel);
+            LevelShape& ball = scene
+                                   .add(gridOf(glm::ivec3(9),
+                                               [&](glm::ivec3 c) {
+                                                   const glm::ivec3 d = 2 * c - 8;
+                                                   return uint8_t(d.x * d.x + d.y * d.y + d.z * d.z <= 81 ? 7 : 0);
+                                               }),
+                                        glm::dvec3(offset - 4.5, 1.0, offset - 4.5) * voxel, false)
+                                   .shapes[0];
+            ball.voxelSize = float(voxel);
+            ball.collisionShape = CollisionShape::Sphere;
+            scene.load();
+            const glm::dvec3 start = scene.center(1);
+            scene.seconds(4.0);
+            const glm::dvec3 way = (scene.center(1) - start) / voxel;
+            EXPECT_LT(std::hypot(way.x, way.z), 0.5) << voxel << ", " << offset;
+            EXPECT_TRUE(scene.body(1).asleep) << voxel << ", " << offset;
+        }
+}
+
 TEST(Rolling, AWheelPassesAStepOfOneVoxelAndNoWall) {
     for (const bool isWall : {false, true}) {
         PhysicsScene scene(sleepless({}));
