@@ -48,8 +48,8 @@ public:
     rubble::World& world() { return m_world; }
     /// The same, to read.
     const rubble::World& world() const { return m_world; }
-    /// Equal levels have equal hashes: objects, voxels, environment, materials, settings. Costs all objects.
-    uint64_t hash() const { return m_world.get_resolved_hash(); }
+    /// Equal levels have equal hashes, also after saving and opening. Costs all objects.
+    uint64_t hash() const { return m_world.get_level_hash(); }
 
     /// Runs work(), which queues edits, and carries them out as one step of the history. One that changes nothing is
     /// none. What work() throws, and edits that the world refuses, leave the level as it was; redo ends either way,

@@ -29,7 +29,9 @@ bool hasOtherEdits(const Edits& edits) {
 
 }  // namespace
 
-World::World(uint8_t id, uint32_t firstGeneration) : m_data(id, firstGeneration) {}
+World::World(uint8_t id, uint32_t firstGeneration) : m_data(id, firstGeneration) {
+    m_data.setEnvironment({});  // with a unit vector to the sun, as after loading
+}
 World::~World() = default;
 World::World(const World&) = default;
 World::World(World&&) noexcept = default;

@@ -56,6 +56,15 @@ EXAMPLE(has_changed) {
     require(changed, "the crate is elsewhere");
 }
 
+EXAMPLE(get_level_hash) {
+    uint64_t written, loaded;
+    OK(api->get_level_hash(world, &written));
+    OK(api->save_level(world, "hashed.rubble", NULL));
+    OK(api->load_level(world, "hashed.rubble", NULL));
+    OK(api->get_level_hash(world, &loaded));
+    require(written == loaded, "the same level");
+}
+
 EXAMPLE(get_locations) {
     rubble_location places[8];
     rubble_level_script scripts[8];

@@ -148,7 +148,7 @@ std::vector<Command> sessionCommands() {
         {"hash",
          "session",
          Kind::View,
-         "Tells the hash of the level's state, to which undo, redo and stop return.",
+         "Tells the hash of the level, to which undo, redo and stop return, and which saving and opening keep.",
          {},
          printHash,
          "hash"},

@@ -97,6 +97,12 @@ rubble_result hasChanged(rubble_world world, uint32_t* out) {
     });
 }
 
+rubble_result getLevelHash(rubble_world world, uint64_t* out) {
+    return inWorld("get_level_hash", world, [&](const HostedWorld& hosted) {
+        if (isGiven(out, "out")) *out = hashLevel(toLevel(hosted.loop.world().data()));
+    });
+}
+
 rubble_result step(rubble_world world) {
     return inWorld("step", world, [&](HostedWorld& hosted) {
         change(hosted, [&] {
@@ -173,6 +179,7 @@ void setWorldFunctions(rubble_api& api) {
     api.step = step;
     api.apply_edits = applyEdits;
     api.has_changed = hasChanged;
+    api.get_level_hash = getLevelHash;
     api.set_physics_threads = setPhysicsThreads;
     api.set_bounds = setBounds;
     api.get_bounds = getBounds;

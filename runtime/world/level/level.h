@@ -20,6 +20,9 @@
 
 namespace rubble {
 
+/// The anchors of a static shape that nothing holds.
+inline const std::vector<CellBox> kNoAnchors = {CellBox{}};
+
 /// A voxel shape as data: what files hold and scenes make.
 struct LevelShape {
     std::string name;
@@ -27,7 +30,9 @@ struct LevelShape {
     float voxelSize = 0.1f;  ///< metres
     VoxelGrid grid;
     PaletteRef palette;
-    std::vector<CellBox> anchors;  ///< cells that hold a static shape to the world; empty: its lowest layer of voxels
+    /// Cells that hold a static shape to the world; no boxes: its lowest layer of voxels. One box without cells
+    /// (kNoAnchors): none hold it.
+    std::vector<CellBox> anchors;
     std::vector<std::string> tags;
     bool hidden = false;         ///< kept in files, not part of a World
     PaintColorsRef paintColors;  ///< null: no voxel has a paint layer

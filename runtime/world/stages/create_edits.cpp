@@ -16,13 +16,14 @@ namespace rubble {
 namespace {
 
 /// A copy of `from` that is placed and named as the edit says.
-Shape copyShape(const Shape& from, const CreateShapeEdit& edit, bool isStatic) {
+Shape copyShape(const WorldData& world, const Shape& from, const CreateShapeEdit& edit, bool isStatic) {
     Shape out = from;
     if (!edit.shape.name.empty()) out.name = edit.shape.name;
     if (edit.shape.voxelSize > 0.0f) out.voxelSize = edit.shape.voxelSize;
     out.local = edit.shape.local;
     out.isPiece = false;
-    if (isStatic && out.anchors.empty()) out.anchors = {bottomLayer(out.grid)};
+    const bool wasStatic = world.bodies.at(from.body).isStatic;
+    if (isStatic && !wasStatic && out.anchors.empty()) out.anchors = {bottomLayer(out.grid)};
     return out;
 }
 
@@ -58,7 +59,8 @@ void apply(EditContext& context, const CreateShapeEdit& edit) {
     if (const std::string error = palette ? paletteError(context.world, std::span(*palette).subspan(1)) : "";
         !error.empty())
         return context.refuse(error);
-    Shape shape = isCopy ? copyShape(*copied, edit, body->isStatic) : makeNew(context.world, edit, body->isStatic);
+    Shape shape =
+        isCopy ? copyShape(context.world, *copied, edit, body->isStatic) : makeNew(context.world, edit, body->isStatic);
     if (painted) {
         shape.palette = painted->palette;
         shape.moments = gridMoments(shape.grid, *shape.palette, context.world.materials);

@@ -1,16 +1,13 @@
 #include "runtime/world/state/load_level.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
 #include <optional>
 #include <string>
 
 #include "runtime/core/log.h"
-#include "runtime/core/ranges.h"
 #include "runtime/world/level/fit_lights.h"
 #include "runtime/world/level/references.h"
 #include "runtime/world/objects/joint_attachment.h"
-#include "runtime/world/objects/object_errors.h"
 #include "runtime/world/objects/transforms.h"
 #include "runtime/world/state/power_supply.h"
 
@@ -115,13 +112,6 @@ void loadJoints(WorldData& world, const Level& level, const ShapeReferences& sha
     }
 }
 
-/// Cuts off what is beyond the range of places; none if nothing is left.
-WorldBox withinRange(const WorldBox& box) {
-    const WorldBox out{glm::max(box.low, glm::dvec3(ranges::kPlace.low)),
-                       glm::min(box.high, glm::dvec3(ranges::kPlace.high))};
-    return objectError(out).empty() ? out : WorldBox{};
-}
-
 /// The box around all shapes, or all static ones, within the range of places; none without any.
 WorldBox boxOfShapes(const WorldData& world, bool onlyStatic) {
     std::optional<WorldBox> all;
@@ -210,8 +200,8 @@ void loadLevel(WorldData& world, const Level& level) {
     }
     loadJoints(world, level, shapes);
     world.footprint = boxOfShapes(world, true);
-    world.bounds =
-        level.bounds.low == level.bounds.high ? withinRange(boundsAround(boxOfShapes(world, false))) : level.bounds;
+    world.bounds = level.bounds;
+    if (level.bounds.low == level.bounds.high) world.made = boxOfShapes(world, false);
     world.rebuildIndexes();
 }
 

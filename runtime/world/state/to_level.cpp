@@ -115,10 +115,11 @@ private:
                       body.angularDamping};
         for (const ShapeHandle each : body.shapes) {
             const Shape& shape = m_world.shapes.at(each);
+            const bool isUnanchored = body.isStatic && shape.anchors.empty();
             out.shapes.push_back({m_shapeNames[each.slot()], shape.local, shape.voxelSize, shape.grid, shape.palette,
-                                  shape.anchors, tagsOf(each, shape.tags), false, shape.paintColors, shape.strength,
-                                  shape.loadBearing, shape.collisionLayer, shape.collisionMask, shape.collisionShape,
-                                  shape.density, shape.emission});
+                                  isUnanchored ? kNoAnchors : shape.anchors, tagsOf(each, shape.tags), false,
+                                  shape.paintColors, shape.strength, shape.loadBearing, shape.collisionLayer,
+                                  shape.collisionMask, shape.collisionShape, shape.density, shape.emission});
         }
         m_level.bodies.push_back(std::move(out));
     }

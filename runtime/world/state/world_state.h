@@ -15,8 +15,10 @@
 
 namespace rubble {
 
+/// A box without what is beyond the range of places; none if nothing is left.
+WorldBox withinRange(const WorldBox& box);
 /// The box around shapes, and around it half of its longest side, but at least 128 m, where what is thrown from them
-/// comes down again, and at most 512 m. None if there is no box.
+/// comes down again, and at most 512 m, withinRange(). None if there is no box.
 WorldBox boundsAround(const WorldBox& shapes);
 
 /// Everything of a World that decides what happens next, as a value, with slots and generations: what a save file
@@ -30,17 +32,17 @@ struct WorldState : WorldObjects {
     MaterialTable materials;
     Environment environment;
     WorldSettings settings;
-    WorldBox bounds;     ///< where the world ends, if BoundsSettings say nothing else; low == high: nowhere
+    WorldBox bounds;     ///< of the level: where the world ends, if BoundsSettings say nothing else; low == high: none
     WorldBox footprint;  ///< around all static shapes that the level brought; low == high: it brought none
-    WorldBox made;       ///< without `bounds`: around all shapes that edits have created, where they were then
+    WorldBox made;       ///< without `bounds`: around all shapes that there have been, where they came to be
     std::vector<std::pair<std::string, Pose>> locations;  ///< named places of the level
     std::vector<LevelScript> scripts;                     ///< of the level and of prefabs
     std::vector<HostData> hostData;                       ///< not in the hash: nothing follows from it
     FireState fire;
     std::vector<PendingSplit> pendingSplits;
 
-    /// The box outside of which BoundsRule applies: of the settings, or else the level's, or else boundsAround() what
-    /// edits have created; low == high: there is none.
+    /// The box outside of which BoundsRule applies: of the settings, or else the level's, or else boundsAround()
+    /// `made`; low == high: there is none.
     WorldBox boundsInUse() const;
 };
 

@@ -82,6 +82,7 @@ inline LevelShape sampleLantern() {
         writer.set({2, 0, 1}, 1);
     }
     lantern.palette = sampleGlowingPalette();
+    lantern.anchors = kNoAnchors;
     lantern.tags = {"light"};
     lantern.strength = 0.75f;
     lantern.loadBearing = false;

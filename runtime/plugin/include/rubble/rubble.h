@@ -214,8 +214,8 @@ enum { RUBBLE_BOUNDS_DUST = 0, RUBBLE_BOUNDS_KEEP = 1, RUBBLE_BOUNDS_GROUND = 2 
 typedef struct rubble_bounds {
     uint32_t struct_size;
     uint32_t rule;          /* RUBBLE_BOUNDS_... */
-    double low[3], high[3]; /* metres; all equal: the box of the level, or around all its shapes with a margin; without
-                               a level around all shapes that were created, where they were then, with that margin */
+    double low[3], high[3]; /* metres; all equal: the box of the level; if it has none, around all shapes that it
+                               brought or that were created since, where they were then, with a margin */
 } rubble_bounds;
 
 /* ---- edits of voxels ---- */
@@ -334,7 +334,7 @@ typedef struct rubble_body_change {
 typedef struct rubble_body_properties {
     uint32_t struct_size;
     uint32_t reserved;
-    double mass;       /* kg */
+    double mass;       /* kg; physics moves it as one of 1e-9 to 1e12 kg */
     double center[3];  /* of mass, in the body's frame */
     double inertia[6]; /* kg m2 about the centre, in the axes of the body's frame: xx, yy, zz, xy, yz, xz */
     double gravity_scale, linear_damping, angular_damping; /* as in rubble_body_change */
@@ -1966,7 +1966,8 @@ typedef struct rubble_api {
     /* ---- edits and reads of whole shapes ---- */
 
     /* [main-thread] Makes shapes of the parts of a shape that do not touch: what is held to the world, or else the
-     * largest part, stays. For shapes that come in parts from a level; what an edit cuts off comes off by itself. */
+     * largest part, stays. For shapes that come in parts from a level; what an edit cuts off comes off by itself. All
+     * parts come off in one step, whose cost grows with their number. */
     rubble_result (*split_shape)(rubble_world world, rubble_shape shape);
     /* [main-thread] Adds a shape to another one of the same body and voxel size that it touches face to face; 0: to the
      * first that fits. Where both have a voxel, `into` keeps its own. Joints and lights go with it, and its voxels'
@@ -2380,6 +2381,9 @@ typedef struct rubble_api {
      * next step, as edits are. Levels, saves, deltas and undo have them. Texts are copied; `parameters` may be null.
      * count: at most 10,000; 0: the level names none. A path has 1 to 4096 bytes, parameters at most 65,536. */
     rubble_result (*set_level_scripts)(rubble_world world, const rubble_level_script* scripts, uint32_t count);
+    /* [main-thread] A hash of what save_level() writes of the world: one that is written and loaded has the same. Costs
+     * a pass over the objects of the world. */
+    rubble_result (*get_level_hash)(rubble_world world, uint64_t* out);
 } rubble_api;
 
 /* [any-thread] The one exported function: stores the table of this version of the interface. Any other version:

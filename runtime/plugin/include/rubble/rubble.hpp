@@ -485,7 +485,8 @@ public:
         });
     }
     /** Makes shapes of the parts of a shape that do not touch: what is held to the world, or else the largest part,
-     * stays. For shapes that come in parts from a level; what an edit cuts off comes off by itself. */
+     * stays. For shapes that come in parts from a level; what an edit cuts off comes off by itself. All parts come off
+     * in one step, whose cost grows with their number. */
     void split_shape(rubble_shape shape) {
         check(api().split_shape(m_handle, shape));
     }
@@ -1112,6 +1113,13 @@ public:
      * most 10,000; 0: the level names none. A path has 1 to 4096 bytes, parameters at most 65,536. */
     void set_level_scripts(const rubble_level_script* scripts, uint32_t count) {
         check(api().set_level_scripts(m_handle, scripts, count));
+    }
+    /** A hash of what save_level() writes of the world: one that is written and loaded has the same. Costs a pass over
+     * the objects of the world. */
+    uint64_t get_level_hash() const {
+        uint64_t out{};
+        check(api().get_level_hash(m_handle, &out));
+        return out;
     }
 private:
     void release() noexcept {

@@ -85,6 +85,7 @@ TEST_F(VdbFile, StrengthAndLoadBearingAreKeptAndHaveDefaults) {
     removeField(path("a.vdb"), "bears_load");
     EXPECT_TRUE(lantern().loadBearing);
     EXPECT_EQ(lantern().voxelSize, 0.05f);
+    EXPECT_EQ(lantern().anchors, kNoAnchors);
 }
 
 TEST_F(VdbFile, RoundTripOfARealScene) {

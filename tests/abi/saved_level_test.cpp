@@ -1,0 +1,152 @@
+#include <string>
+#include <vector>
+
+#include "tests/abi/create_fixture.h"
+#include "tests/support/temp_folder.h"
+
+namespace rubble {
+namespace {
+
+/// A world with a static block that no anchor holds, apart from the table of the level.
+class AbiSavedLevel : public AbiCreate {
+protected:
+    void SetUp() override {
+        AbiCreate::SetUp();
+        m_path = m_folder / "level.rubble";
+        auto body = bodyAt(0.0, 3.0, RUBBLE_BODY_STATIC);
+        auto shape = shapeOn(make(body), RUBBLE_SHAPE_BOX, 6);
+        m_block = make(shape);
+        name(m_block, "block");
+        applyEdits();
+        auto change = sized<rubble_shape_change>();
+        change.shape = m_block, change.fields = RUBBLE_SHAPE_ANCHORS;
+        ASSERT_EQ(api()->set_undo_limit(m_world, 4), RUBBLE_OK);
+        ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
+        ASSERT_EQ(api()->set_shape(m_world, &change), RUBBLE_OK) << api()->get_last_error();
+        applyEdits();
+        ASSERT_EQ(anchors("block"), 0u);
+    }
+    void applyEdits() { ASSERT_EQ(api()->apply_edits(m_world), RUBBLE_OK) << api()->get_last_error(); }
+    void save() {
+        ASSERT_EQ(api()->save_level(m_world, m_path.c_str(), nullptr), RUBBLE_OK) << api()->get_last_error();
+    }
+    void load() {
+        ASSERT_EQ(api()->load_level(m_world, m_path.c_str(), nullptr), RUBBLE_OK) << api()->get_last_error();
+    }
+    void name(rubble_shape shape, const char* name) {
+        ASSERT_EQ(api()->set_name(m_world, shape, name), RUBBLE_OK) << api()->get_last_error();
+    }
+    uint64_t named(const char* name) {
+        uint64_t found = 0;
+        uint32_t count = 0;
+        EXPECT_EQ(api()->find_by_name(m_world, RUBBLE_KIND_SHAPE, name, &found, 1, &count), RUBBLE_OK);
+        return found;
+    }
+    uint32_t anchors(const char* name) {
+        auto out = sized<rubble_shape_properties>();
+        EXPECT_EQ(api()->get_shape_properties(m_world, named(name), &out), RUBBLE_OK) << api()->get_last_error();
+        return out.anchor_count;
+    }
+    uint64_t levelHash() {
+        uint64_t out = 0;
+        EXPECT_EQ(api()->get_level_hash(m_world, &out), RUBBLE_OK) << api()->get_last_error();
+        return out;
+    }
+    /// Carves a voxel: what nothing holds comes off.
+    bool standsAfterACut() {
+        auto cut = sized<rubble_carve>();
+        cut.brush = RUBBLE_BRUSH_BOX;
+        cut.position[0] = cut.position[2] = 0.05, cut.position[1] = 3.55;
+        for (double& each : cut.half_size) each = 0.04;
+        EXPECT_EQ(api()->carve(m_world, &cut), RUBBLE_OK) << api()->get_last_error();
+        step(2);
+        return named("block") && bodyState(state(named("block")).body).flags & RUBBLE_BODY_STATIC;
+    }
+
+    TempFolder m_folder;
+    std::string m_path;
+    rubble_shape m_block = 0;
+};
+
+TEST_F(AbiSavedLevel, AShapeWithoutAnchorsComesBackWithoutAny) {
+    save();
+    load();
+    EXPECT_EQ(anchors("block"), 0u);
+    save();
+    load();
+    EXPECT_EQ(anchors("block"), 0u) << "written a second time";
+    EXPECT_FALSE(standsAfterACut());
+}
+
+TEST_F(AbiSavedLevel, UndoAndRedoOfAnchorsAreWritten) {
+    for (const uint32_t count : {1u, 0u}) {
+        ASSERT_EQ(count ? api()->undo(m_world) : api()->redo(m_world), RUBBLE_OK);
+        applyEdits();
+        ASSERT_EQ(anchors("block"), count);
+        save();
+        const rubble_world other = makeWorld(), first = m_world;
+        m_world = other;
+        load();
+        EXPECT_EQ(anchors("block"), count);
+        EXPECT_EQ(standsAfterACut(), count == 1);
+        m_world = first;
+        ASSERT_EQ(api()->destroy_world(other), RUBBLE_OK);
+    }
+}
+
+TEST_F(AbiSavedLevel, CopiesAndPrefabsOfAShapeWithoutAnchorsHaveNone) {
+    auto copy = sized<rubble_shape_settings>();
+    copy.body = make(bodyAt(5.0, 3.0, RUBBLE_BODY_STATIC)), copy.source = RUBBLE_SHAPE_COPY, copy.copied = m_block;
+    name(make(copy), "copy");
+    applyEdits();
+    EXPECT_EQ(anchors("copy"), 0u);
+    ASSERT_EQ(api()->destroy_shape(m_world, named("copy")), RUBBLE_OK);
+    applyEdits();
+    save();
+    ASSERT_EQ(api()->destroy_shape(m_world, m_block), RUBBLE_OK);
+    applyEdits();
+    auto prefab = sized<rubble_prefab>();
+    prefab.path = m_path.c_str();
+    prefab.position[0] = 10.0, prefab.rotation[3] = 1.0;
+    uint32_t count = 0;
+    ASSERT_EQ(api()->create_prefab(m_world, &prefab, nullptr, 0, &count), RUBBLE_OK) << api()->get_last_error();
+    std::vector<rubble_prefab_row> rows(count);
+    ASSERT_EQ(api()->create_prefab(m_world, &prefab, rows.data(), count, &count), RUBBLE_OK);
+    applyEdits();
+    EXPECT_EQ(anchors("block"), 0u);
+}
+
+TEST_F(AbiSavedLevel, ABodyThatIsMadeStaticStillGetsAnchors) {
+    auto copy = sized<rubble_shape_settings>();
+    copy.body = make(bodyAt(5.0, 3.0, 0)), copy.source = RUBBLE_SHAPE_COPY, copy.copied = m_block;
+    name(make(copy), "copy");
+    applyEdits();
+    ASSERT_EQ(anchors("copy"), 0u);
+    copy.body = make(bodyAt(8.0, 3.0, RUBBLE_BODY_STATIC)), copy.copied = named("copy");
+    name(make(copy), "third");
+    applyEdits();
+    EXPECT_EQ(anchors("third"), 1u);
+}
+
+TEST_F(AbiSavedLevel, ItsHashAndItsBoundsAreThoseOfTheWorld) {
+    auto bounds = sized<rubble_bounds>(), loaded = sized<rubble_bounds>();
+    const uint64_t written = levelHash();
+    save();
+    load();
+    EXPECT_EQ(levelHash(), written);
+    auto shape = shapeOn(make(bodyAt(1000.0, 0.0, RUBBLE_BODY_STATIC)), RUBBLE_SHAPE_BOX, 4);
+    make(shape);
+    applyEdits();
+    ASSERT_EQ(api()->get_bounds(m_world, &bounds), RUBBLE_OK);
+    EXPECT_GT(bounds.high[0], 1100.0) << "what is created after loading widens the bounds of a level without any";
+    const uint64_t wide = levelHash();
+    EXPECT_NE(wide, written);
+    save();
+    load();
+    EXPECT_EQ(levelHash(), wide);
+    ASSERT_EQ(api()->get_bounds(m_world, &loaded), RUBBLE_OK);
+    EXPECT_EQ(loaded.high[0], bounds.high[0]);
+}
+
+}  // namespace
+}  // namespace rubble
