@@ -153,7 +153,7 @@ Result<Done> writeFileAtomically(const std::string& path, std::span<const uint8_
     if (claimedFiles().contains(*target)) return Error{path + kIsClaimed};
     const std::string temporaryPath = temporaryFile(*target);
     File file(std::fopen(temporaryPath.c_str(), "wb"));
-    if (!file) return fileError(temporaryPath, "cannot write", errno);
+    if (!file) return fileError(path, "cannot write", errno);
     errno = 0;
     bool good = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
     good = good && std::fflush(file.get()) == 0 && fsync(fileno(file.get())) == 0;
