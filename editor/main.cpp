@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -46,6 +47,7 @@ int listCommands() {
 
 /// Prints what a step has to say; false: it has failed.
 bool tell(const Outcome& outcome) {
+    if (!outcome.isDone) std::fflush(stdout);  // what went before stands before
     if (!outcome.text.empty()) fmt::print(outcome.isDone ? stdout : stderr, "{}\n", outcome.text);
     return outcome.isDone;
 }
@@ -66,6 +68,8 @@ int drawImages(const Options& options) {
         std::ostringstream read;
         read << std::ifstream(options.uiScript, std::ios::binary).rdbuf();
         text = read.str();
+        if (text.find_first_not_of(" \t\r\n") == text.npos)
+            return fail(options.uiScript + ": expected lines, found none");
     }
     try {
         ScriptedUi ui({.vdbTool = options.vdbTool,
@@ -110,6 +114,14 @@ std::string journalsOf(const Options& options) {
     return options.journals.empty() && isAsked ? userJournals() : options.journals;
 }
 
+/// The first argument is a level, or the first command on an empty one.
+void takeFirstCommand(Options& options) {
+    const std::string word = options.level.substr(0, options.level.find(' '));
+    if (!findCommand(word) || std::filesystem::exists(options.level)) return;
+    options.commands.insert(options.commands.begin(), options.level);
+    options.level.clear();
+}
+
 int run(const Options& options) {
     if (options.lists) return listCommands();
     if (!options.screenshots.empty() || !options.uiScript.empty()) return drawImages(options);
@@ -138,7 +150,9 @@ int main(int argc, char** argv) {
     CLI::App app{
         "Makes and changes levels by commands. Opens its window unless there are commands to run or images to draw."};
     app.add_option("level", options.level, "a .rubble, .vox or .vdb file; without it an empty level");
-    app.add_option("commands", options.commands, "commands, each as one argument, as 'create 8,8,8 0,1,0'");
+    app.add_option(
+        "commands", options.commands,
+        "commands, each as one argument, as 'create 8,8,8 0,1,0'; the first may stand in place of the level");
     app.add_option("--script", options.script,
                    "a file of commands, a line each, or of Lua; -: lines of standard input");
     app.add_option("-o,--output", options.output, "writes the level here: .rubble, .vdb or .vox");
@@ -158,5 +172,6 @@ int main(int argc, char** argv) {
     app.add_option("--preset", options.preset, "of the renderer: draft fast balanced accurate");
     app.add_flag("--list", options.lists, "lists all commands with their parameters");
     CLI11_PARSE(app, argc, argv);
+    editor::takeFirstCommand(options);
     return editor::run(options);
 }

@@ -209,6 +209,7 @@ Arguments::Value Arguments::read(const Parameter& parameter, const std::string& 
         case Type::Text:
         case Type::Objects:
         case Type::Pairs:
+            good = !text.empty() || parameter.otherwise != kRequired;
             break;
     }
     if (!good) refuse(parameter.name, fmt::format("{}, found '{}'", expectedText(parameter), text));
@@ -217,6 +218,13 @@ Arguments::Value Arguments::read(const Parameter& parameter, const std::string& 
 
 void Arguments::refuse(std::string_view parameter, const std::string& expected) const {
     throw Refused(fmt::format("{}: {}: expected {}", m_command.name, parameter, expected));
+}
+
+void Arguments::requireNear(std::string_view parameter, glm::dvec3 place) const {
+    for (int a = 0; a < 3; ++a)
+        if (!(std::abs(place[a]) <= 1e6))
+            refuse(parameter, fmt::format("what stays within 1000000 m of the origin, found {:g},{:g},{:g}", place.x,
+                                          place.y, place.z));
 }
 
 const Arguments::Value& Arguments::at(std::string_view name, Type type) const {

@@ -88,6 +88,8 @@ public:
 
     /// Throws Refused of a parameter: "sphere: radius: expected a number, found 'x'".
     [[noreturn]] void refuse(std::string_view parameter, const std::string& expected) const;
+    /// Refuses a parameter that leads to a place farther from the origin than commands take.
+    void requireNear(std::string_view parameter, glm::dvec3 place) const;
     /// The command that is called.
     const Command& command() const { return m_command; }
 

@@ -40,8 +40,8 @@ std::string describe(const Recovery& found) {
 
 }  // namespace
 
-Document::Document(uint32_t worldFlags, std::string journals)
-    : m_world(worldSettings(worldFlags, m_messages)), m_journals(std::move(journals)) {
+Document::Document(uint32_t worldFlags, std::string journals, StepWatcher watcher)
+    : m_world(worldSettings(worldFlags, m_messages)), m_journals(std::move(journals)), m_watcher(std::move(watcher)) {
     begin("");
 }
 
@@ -109,7 +109,7 @@ void Document::edit(const std::string& name, const std::function<void()>& work) 
     requireEditing("an edit");
     requireDecision("an edit");
     makeStep(name, work);
-    keepInJournal([&](Journal& journal) { journal.add(m_world); });
+    keepChanges();
 }
 
 void Document::makeStep(const std::string& name, const std::function<void()>& work) {
@@ -160,7 +160,7 @@ void Document::carryOut(const std::string& name) {
         throw;
     }
     m_done.push_back(name);
-    keepInJournal([&](Journal& journal) { journal.add(m_world); });
+    keepChanges();
 }
 
 /// What is done next has no redo.
@@ -181,7 +181,7 @@ void Document::undo() {
     takeBack();
     m_undone.push_back(std::move(m_done.back()));
     m_done.pop_back();
-    keepInJournal([&](Journal& journal) { journal.add(m_world); });
+    keepChanges();
 }
 
 void Document::redo() {
@@ -191,7 +191,7 @@ void Document::redo() {
     m_world.apply_edits();
     m_done.push_back(std::move(m_undone.back()));
     m_undone.pop_back();
-    keepInJournal([&](Journal& journal) { journal.add(m_world); });
+    keepChanges();
 }
 
 void Document::play(bool wakes) {
@@ -203,10 +203,8 @@ void Document::play(bool wakes) {
     forgetUndone();
     m_isPlaying = true;
     m_playedSteps = 0;
-    keepInJournal([&](Journal& journal) {
-        journal.markPlay(true);
-        journal.add(m_world);
-    });
+    keepChanges([](Journal& journal) { journal.markPlay(true); });
+    keepDeltas();
 }
 
 void Document::wakeAll() {
@@ -223,15 +221,14 @@ void Document::step(const std::function<void()>& take) {
     requirePlaying("step");
     take ? take() : m_world.step();
     ++m_playedSteps;
-    keepInJournal([&](Journal& journal) { journal.add(m_world); });
+    keepChanges();
 }
 
 void Document::endPlay() {
     m_isPlaying = false;
-    keepInJournal([&](Journal& journal) {
-        journal.add(m_world);
-        journal.markPlay(false);
-    });
+    keepChanges();
+    keepInJournal([](Journal& journal) { journal.markPlay(false); });
+    keepDeltas();
 }
 
 void Document::stop() {
@@ -264,7 +261,7 @@ void Document::openJournal() {
         } catch (const Refused& error) {
             if (!m_path.empty() || i == kUntitled) m_messages.emplace_back(error.what());
         }
-    if (!m_journal) return;
+    if (!m_journal) return keepDeltas();
     if (const std::optional<Recovery> found = m_journal->found())
         m_messages.push_back(describe(*found));
     else
@@ -272,6 +269,7 @@ void Document::openJournal() {
 }
 
 void Document::beginJournal(size_t recovered) {
+    keepDeltas();
     keepInJournal([&](Journal& journal) { journal.begin(m_world, {m_path, m_fileState}, recovered); });
 }
 
@@ -283,8 +281,24 @@ void Document::keepInJournal(const std::function<void(Journal&)>& write) {
     } catch (const std::exception& error) {
         m_messages.push_back(fmt::format("{}; from now on a crash loses what is not saved", error.what()));
         m_journal.reset();
-        m_world.keep_deltas(RUBBLE_DELTAS_NONE);
+        keepDeltas();
     }
+}
+
+/// Hands on what the world has done since the last call, to the journal and in play to who watches.
+void Document::keepChanges(const std::function<void(Journal&)>& mark) {
+    if (!m_journal && !(m_watcher && m_isPlaying)) return;
+    const std::vector<uint8_t> deltas = m_world.take_deltas();
+    keepInJournal([&](Journal& journal) {
+        if (mark) mark(journal);
+        journal.add(deltas);
+    });
+    if (m_watcher && m_isPlaying && !mark) m_watcher(deltas);
+}
+
+/// The world keeps deltas while somebody takes them.
+void Document::keepDeltas() {
+    m_world.keep_deltas(m_journal || (m_watcher && m_isPlaying) ? RUBBLE_DELTAS_ALL : RUBBLE_DELTAS_NONE);
 }
 
 std::optional<Recovery> Document::recovery() const {

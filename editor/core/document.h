@@ -11,6 +11,9 @@
 
 namespace editor {
 
+/// Gets the deltas of a step.
+using StepWatcher = std::function<void(const std::vector<uint8_t>& deltas)>;
+
 /// A level that is being edited: a world in which no time passes but in play, its file, and its history.
 ///
 /// Each edit is one mark of the world's own undo: bricks are shared, so that a step of the history costs what it has
@@ -19,7 +22,8 @@ class Document {
 public:
     /// What the world is made with; see rubble_world_settings.
     /// journals: a folder in which journals of levels are kept while they are open; empty: none are.
-    explicit Document(uint32_t worldFlags, std::string journals = {});
+    /// watcher: gets the deltas of each step of play; see rubble_api::take_deltas().
+    explicit Document(uint32_t worldFlags, std::string journals = {}, StepWatcher watcher = {});
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
 
@@ -94,6 +98,8 @@ private:
     void openJournal();
     void beginJournal(size_t recovered = 0);
     void keepInJournal(const std::function<void(Journal&)>& write);
+    void keepChanges(const std::function<void(Journal&)>& mark = {});
+    void keepDeltas();
     void recover(const Recovery& found);
     void requireDecision(const char* what) const;
     void requireEditing(const char* what) const;
@@ -110,6 +116,7 @@ private:
     std::unique_ptr<Journal> m_journal;    ///< null: there is none
     std::vector<std::string> m_done, m_undone;
     std::optional<size_t> m_savedSteps = 0;  ///< with how many steps done it is as in its file; none: no longer
+    StepWatcher m_watcher;
     bool m_isPlaying = false;
     uint64_t m_playedSteps = 0;
 };

@@ -19,7 +19,7 @@ std::string titleOf(const Line& line) {
 }  // namespace
 
 Editor::Editor(EditorSettings settings)
-    : m_settings(std::move(settings)), m_document(m_settings.worldFlags, m_settings.journals) {}
+    : m_settings(std::move(settings)), m_document(m_settings.worldFlags, m_settings.journals, m_settings.watcher) {}
 
 Outcome Editor::run(const std::string& text) {
     try {
@@ -80,6 +80,7 @@ Outcome Editor::runLines(const std::string& path) {
     if (!file) return {false, fmt::format("{}: the file cannot be read", path)};
     std::ostringstream text;
     text << file.rdbuf();
+    if (text.view().starts_with("\xef\xbb\xbf")) text.str(text.str().substr(3));  // a byte order mark
     if (path.ends_with(".lua")) return runLua(path, text.str());
     std::istringstream lines(text.str());
     std::string all;

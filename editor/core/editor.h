@@ -15,6 +15,7 @@ struct EditorSettings {
     uint32_t worldFlags = RUBBLE_WORLD_NO_RENDERER;  ///< RUBBLE_WORLD_...
     std::string vdbTool;                             ///< the program rubble-vdb, for .vdb files
     std::string journals;                            ///< where journals of open levels are kept; empty: none are
+    StepWatcher watcher;                             ///< of the steps of play
 };
 
 /// What a command came to.
@@ -53,6 +54,9 @@ public:
     const EditorSettings& settings() const { return m_settings; }
     /// Adds a line to what the command that runs has to say.
     void say(const std::string& line);
+    /// Gives an object the name that the parameter "name" says, if it says one. Throws Refused of one by which commands
+    /// could not find it.
+    void giveName(const Arguments& arguments, uint64_t object);
     /// Forgets what of the selection is gone.
     void dropStale();
 

@@ -4,7 +4,9 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <map>
 
 #include "editor/core/arguments.h"
@@ -65,7 +67,10 @@ Rgb meanOf(const std::vector<Counted>& all, const Part& part) {
 Image readImage(const std::string& path) {
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
-    const auto refuse = [&] { throw Refused(fmt::format("{}: expected a PNG file, found: {}", path, png.message)); };
+    const auto refuse = [&] {
+        throw Refused(fmt::format("{}: expected a PNG file, found one that cannot be read: {}", path, png.message));
+    };
+    if (!std::ifstream(path)) throw Refused(fmt::format("{}: {}", path, std::strerror(errno)));
     if (!png_image_begin_read_from_file(&png, path.c_str())) refuse();
     Image image;
     if (png.width > kMaxSide || png.height > kMaxSide) {

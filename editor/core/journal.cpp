@@ -174,7 +174,6 @@ void Journal::recover(rubble::World& world) const {
 
 void Journal::begin(rubble::World& world, const JournalLevel& level, size_t recovered) {
     const uint64_t number = last() + 1;
-    world.keep_deltas(RUBBLE_DELTAS_ALL);
     world.save_game(file("base", number).c_str());
     closeChanges();
     m_number = number;
@@ -203,8 +202,8 @@ void Journal::markPlay(bool begins) {
     write(begins ? Kind::PlayBegins : Kind::PlayEnds, {});
 }
 
-void Journal::add(rubble::World& world) {
-    write(Kind::Change, world.take_deltas());
+void Journal::add(const std::vector<uint8_t>& deltas) {
+    write(Kind::Change, deltas);
 }
 
 void Journal::write(Kind kind, const std::vector<uint8_t>& bytes) {

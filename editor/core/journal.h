@@ -56,9 +56,9 @@ public:
     void begin(rubble::World& world, const JournalLevel& level, size_t recovered = 0);
     /// Play begins or has ended: a crash in between comes back to its beginning.
     void markPlay(bool begins);
-    /// Adds what the world's steps came to since the last call. When this returns, the system has it, so that it
-    /// outlives this process; within a second a thread brings it to the disk.
-    void add(rubble::World& world);
+    /// Adds what the world's steps came to, as its deltas. When this returns, the system has it, so that it outlives
+    /// this process; within a second a thread brings it to the disk.
+    void add(const std::vector<uint8_t>& deltas);
 
 private:
     enum class Kind : uint8_t { Change = 1, PlayBegins, PlayEnds, Recovered };

@@ -94,6 +94,16 @@ std::string nameOf(const rubble::World& world, uint64_t handle) {
     return text.empty() ? "" : text.data();
 }
 
+void Editor::giveName(const Arguments& arguments, uint64_t object) {
+    const std::string& name = arguments.text("name");
+    const bool isWord = name == "all" || name == "selected" || name == "world";
+    if (isWord || name.find(',') != name.npos || name.starts_with("#") || name.starts_with("tag:"))
+        arguments.refuse("name", fmt::format("no comma, no # or tag: at its beginning, and none of all, selected and "
+                                             "world, by which no command would find it, found '{}'",
+                                             name));
+    if (!name.empty()) world().set_name(object, name.c_str());
+}
+
 std::vector<uint64_t> Editor::objects(const Arguments& arguments, std::string_view parameter, Kinds kinds) const {
     const std::string& text = arguments.text(parameter);
     std::vector<uint64_t> all;
@@ -135,9 +145,12 @@ std::vector<uint64_t> Editor::objectsOf(const std::string& part, Kinds kinds) co
 
 uint64_t Editor::object(const Arguments& arguments, std::string_view parameter, Kinds kinds) const {
     const std::vector<uint64_t> found = objects(arguments, parameter, kinds);
-    if (found.size() > 1)
-        arguments.refuse(parameter, fmt::format("one {}, found {} by '{}'", namesOf(kinds), found.size(),
-                                                arguments.text(parameter)));
+    if (found.size() > 1) {
+        std::string all;
+        for (size_t i = 0; i < std::min<size_t>(found.size(), 4); ++i) all += fmt::format(" #{}", found[i]);
+        arguments.refuse(parameter, fmt::format("one {}, found {} by '{}':{}{}", namesOf(kinds), found.size(),
+                                                arguments.text(parameter), all, found.size() > 4 ? " ..." : ""));
+    }
     return found.front();
 }
 

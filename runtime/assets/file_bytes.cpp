@@ -167,7 +167,7 @@ Result<Done> writeFileAtomically(const std::string& path, std::span<const uint8_
     File file(std::fopen(temporaryPath.c_str(), "wb"));
     if (!file) {
         requireMemory(errno);
-        return fileError(temporaryPath, "cannot write", errno);
+        return fileError(path, "cannot write", errno);
     }
     errno = 0;
     bool good = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
+#include <set>
 #include <span>
 
 #include "runtime/assets/file_bytes.h"
@@ -113,13 +114,15 @@ private:
     /// All shapes with voxels; the size of most voxels becomes that of all.
     void gather() {
         std::map<float, uint64_t> sizes;
-        for (const LevelBody& body : m_level.bodies)
+        for (const LevelBody& body : m_level.bodies) {
+            m_tagged += !body.tags.empty();
             for (const LevelShape& shape : body.shapes) {
                 if (shape.grid.empty()) continue;
                 m_shapes.push_back(&shape);
                 m_bodies.push_back(&body);
                 sizes[shape.voxelSize] += shape.grid.voxelCount();
             }
+        }
         uint64_t most = 0;
         for (const auto& [size, voxels] : sizes)
             if (voxels > most) most = voxels, m_voxelSize = size;
@@ -133,6 +136,10 @@ private:
         const Placement placement(body.pose * shape.local, double(m_voxelSize));
         m_inexact += !placement.isExact;
         m_painted += bool(shape.paintColors);
+        m_changed += !(shape.strength == 1.0f && shape.density == 1.0f && shape.emission == 1.0f && shape.loadBearing &&
+                       shape.collisionLayer == 1 && shape.collisionMask == 255 &&
+                       shape.collisionShape == CollisionShape::Voxels);
+        m_tagged += !shape.tags.empty();
         glm::ivec3 low(INT32_MAX);
         forEachVoxelOf(shape.grid, [&](glm::ivec3 cell, uint8_t) { low = glm::min(low, placement.cell(cell)); });
         const auto before = [](glm::ivec3 a, glm::ivec3 b) {
@@ -224,12 +231,29 @@ private:
         }
     }
 
+    /// The import makes a light for each shape that glows in a light group: only such come back.
+    size_t lostLights() const {
+        std::set<std::string> glowing;
+        for (const LevelShape* shape : m_shapes)
+            if (shape->palette &&
+                std::any_of(shape->palette->begin(), shape->palette->end(),
+                            [](const PaletteEntry& e) { return e.emission > 0.0f && e.lightGroup > 0; }))
+                glowing.insert(shape->name);
+        size_t lost = 0;
+        for (const LevelLight& light : m_level.lights)
+            lost += light.groupName.empty() || glowing.erase(light.shapeName) == 0;
+        return lost;
+    }
+
     void reportLost() {
         const auto tell = [&](size_t count, const char* what) {
             if (count) m_lost.push_back(fmt::format("{} {}", count, what));
         };
         tell(m_inexact, "shapes: the nearest whole cells and right angles stand for their places");
         tell(m_painted, "shapes: their paint");
+        tell(lostLights(), "lights");
+        tell(m_tagged, "objects: their tags");
+        tell(m_changed, "shapes: their strength, density, glow or what they collide with");
         tell(m_level.joints.size(), "joints");
         tell(m_level.waters.size(), "bodies of water");
         tell(m_level.triggers.size(), "triggers");
@@ -243,12 +267,18 @@ private:
     std::vector<Object> m_objects;           ///< one for each model
     Bytes m_chunks;
     float m_voxelSize = 0.1f;
-    size_t m_inexact = 0, m_painted = 0;
+    size_t m_inexact = 0, m_painted = 0, m_tagged = 0, m_changed = 0;
 };
 
 }  // namespace
 
 Result<Done> writeVox(const std::string& path, const Level& level, std::vector<std::string>& lost) {
+    const auto hasVoxels = [](const LevelBody& body) {
+        return std::any_of(body.shapes.begin(), body.shapes.end(),
+                           [](const LevelShape& shape) { return !shape.grid.empty(); });
+    };
+    if (std::none_of(level.bodies.begin(), level.bodies.end(), hasVoxels))
+        return Error{path + ": expected a shape with voxels, found none: a .vox file holds one at least"};
     return writeFileAtomically(path, Exporter(level, lost).run(), kMaxVoxFileBytes);
 }
 

@@ -27,6 +27,7 @@ const std::vector<Library>& libraries() {
         {"OpenVDB",
          {"openvdb/", "nanovdb/", "tbb/", "OpenEXR/", "Imath/"},
          {"runtime/assets/vdb/", "tests/runtime/assets/vdb/", "tests/fuzz/vdb/", "tests/benchmark/openvdb/"}},
+        {"Assimp", {"assimp/"}, {"runtime/assets/vdb/mesh_file.cpp"}},
         {"OpenGL", {"GL/", "GLES", "glad/", "KHR/"}, {"render/", "samples/support/", "samples/hosts/", "tests/"}},
         {"a window or a GL context",
          {"GLFW/", "EGL/", "GL/osmesa", "X11/"},

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "editor/core/cells.h"
+#include "editor/core/palette.h"
 #include "tests/editor/editor_level.h"
 #include "tests/support/temp_folder.h"
 
@@ -100,6 +101,19 @@ TEST(Commands, SayWhatIsWrong) {
         {"redo", "redo: there is no undo to take back"},
         {"stop", "stop: expected play, found none: play first"},
         {"merge crate crate", "merge"},
+        {"rope world world 0,0,0 1,1,1", "rope: b: expected a shape at one side at least"},
+        {"water 0,0,0 0,0,0", "water: to: expected a corner at another x and z"},
+        {"light_group \"\"", "light_group: name: expected a text, found ''"},
+        {"trigger \"\" 0,0,0", "trigger: name: expected a text, found ''"},
+        {"joint hinge crate world 0,0,0 low=90 high=-90", "joint: high: expected low or more, which is 90, found -90"},
+        {"duplicate 1000000,0,0 5 crate", "duplicate: by: expected what stays within 1000000 m of the origin"},
+        {"rotate 0,90,0 0,0,-1000000 crate", "rotate: about: expected what stays within 1000000 m"},
+        {"save \"\"", "save: file: expected a path, found ''"},
+        {"save nofolder/c.rubble", "save: save_level: nofolder/c.rubble: cannot write: No such file or directory"},
+        {"palette_image none.png shape=crate", "palette_image: none.png: No such file or directory"},
+        {"name a,b crate", "name: name: expected no comma"},
+        {"create 4,4,4 name=selected", "create: name: expected no comma"},
+        {"light sphere 0,0,0 name=#1", "light: name: expected no comma"},
         {"open nowhere.rubble", "open: load_level: nowhere.rubble: cannot open: No such file or directory"},
     };
     for (const auto& [line, message] : cases) {
@@ -109,6 +123,70 @@ TEST(Commands, SayWhatIsWrong) {
         EXPECT_EQ(editor.document().hash(), before) << line;
     }
     EXPECT_EQ(editor.document().done().size(), 1u);
+}
+
+TEST(Commands, DeleteAllSaysNothing) {
+    Editor editor;
+    makeTestLevel(editor);
+    runAll(editor, {"unlock locked", "light point 0,4,0 shape=crate name=torch", "water 20,0,0 22,1,2 name=pool"});
+    const Outcome outcome = editor.run("delete all");
+    EXPECT_TRUE(outcome.isDone);
+    EXPECT_EQ(outcome.text, "");
+    for (const uint32_t kind : {RUBBLE_KIND_BODY, RUBBLE_KIND_SHAPE, RUBBLE_KIND_LIGHT, RUBBLE_KIND_JOINT})
+        EXPECT_TRUE(editor.world().get_objects(kind).empty()) << kind;
+}
+
+TEST(Commands, OneOfSeveralIsAskedForByItsHandle) {
+    Editor editor;
+    runAll(editor, {"create 8,8,8 name=c", "add_shape c 4,4,4 0,0.8,0 name=knob"});
+    const Outcome outcome = editor.run("voxel 0,0,0 erase shape=c");
+    EXPECT_FALSE(outcome.isDone);
+    const size_t at = outcome.text.find("found 2 by 'c': #");
+    ASSERT_NE(at, std::string::npos) << outcome.text;
+    const std::string handle = outcome.text.substr(at + 16, outcome.text.find(' ', at + 16) - at - 16);
+    EXPECT_TRUE(editor.run("voxel 0,0,0 erase shape=" + handle).isDone) << handle;
+}
+
+TEST(Commands, WhatIsMadeHasTheColourOfItsMaterial) {
+    Editor editor;
+    runAll(editor, {"create 4,4,4 index=5 name=wood", "create 4,4,4 2,0,0 index=7 name=brick"});
+    const auto redOf = [&](size_t shape, uint32_t entry) {
+        return editor.world()
+            .get_palette(paletteRange(editor.world().get_objects(RUBBLE_KIND_SHAPE).at(shape), entry, 1))
+            .at(0)
+            .color[0];
+    };
+    EXPECT_EQ(redOf(0, 5), 160);
+    EXPECT_EQ(redOf(1, 7), 164);
+    EXPECT_EQ(redOf(0, 1), 255) << "what is generic stays white";
+}
+
+TEST(Commands, AScriptMayBeginWithAByteOrderMark) {
+    rubble::TempFolder folder;
+    std::ofstream(folder / "marked.txt") << "\xef\xbb\xbf"
+                                         << "create 4,4,4 name=a\r\n";
+    Editor editor;
+    const Outcome outcome = editor.runFile(folder / "marked.txt");
+    EXPECT_TRUE(outcome.isDone) << outcome.text;
+}
+
+/// What the program prints, errors among it.
+std::string printedBy(const std::string& arguments) {
+    std::string out;
+    FILE* const pipe = popen((std::string(RUBBLE_EDITOR_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
+    char buffer[256];
+    while (fgets(buffer, sizeof buffer, pipe)) out += buffer;
+    pclose(pipe);
+    return out;
+}
+
+TEST(Commands, AnEmptyLevelNeedsNoFile) {
+    EXPECT_NE(printedBy("'create 4,4,4 name=a' list").find("a"), std::string::npos);
+    const std::string printed = printedBy("'create 4,4,4 name=block' list undo undo");
+    const size_t listed = printed.find("block"), failed = printed.find("undo: there is no step");
+    ASSERT_NE(listed, std::string::npos) << printed;
+    ASSERT_NE(failed, std::string::npos) << printed;
+    EXPECT_LT(listed, failed) << "what is said comes in its order";
 }
 
 TEST(Commands, ScriptsThatCallThemselvesEnd) {

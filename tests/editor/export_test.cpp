@@ -116,6 +116,20 @@ TEST(Export, AVoxFileIsThatOfTheImport) {
     EXPECT_FALSE(refused.isDone);
 }
 
+TEST(Export, AVoxFileTellsWhatItCannotHold) {
+    rubble::TempFolder folder;
+    Editor editor;
+    const std::string line = "export " + (folder / "l.vox");
+    const Outcome empty = editor.run(line);
+    EXPECT_FALSE(empty.isDone) << "it could not be opened";
+    EXPECT_NE(empty.text.find("expected a shape with voxels, found none"), std::string::npos) << empty.text;
+    runAll(editor, {"create 4,4,4 name=c", "light sphere 0,5,0", "tag a b c", "shape c strength=3"});
+    const Outcome outcome = editor.run(line);
+    EXPECT_TRUE(outcome.isDone);
+    for (const char* lost : {"1 lights", "1 objects: their tags", "1 shapes: their strength"})
+        EXPECT_NE(outcome.text.find(lost), std::string::npos) << lost << " in: " << outcome.text;
+}
+
 TEST(Export, TellsWhereItCannotBeWritten) {
     Editor editor;
     runAll(editor, {"create 4,4,4"});

@@ -2,12 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "editor/ui/host/scripted_ui.h"
+#include "editor/ui/state/keys.h"
 #include "editor/ui/view/load_probe.h"
 #include "editor/ui/view/overlay_marks.h"
 #include "tests/editor/editor_level.h"
@@ -105,6 +109,64 @@ TEST_F(Window, PlayLeavesNothingBehind) {
     EXPECT_EQ(document().hash(), before) << "the replay is not the level";
 }
 
+TEST_F(Window, ReplayAndJournalDoNotTakeEachOthersSteps) {
+    const rubble::TempFolder folder;
+    m_ui.reset();
+    uint64_t hash = 0;
+    {
+        ScriptedUi ui({.journals = folder / "living"}, 960, 600);
+        ASSERT_EQ(ui.runAll("create 8,8,8 0,5,0 name=crate\nplay\nstep 30\nexplode 0,4,0 1\nstep 30\nui replay 45"),
+                  "");
+        EXPECT_EQ(ui.stage().session().replay.size(), 60u) << "of the step, each";
+        EXPECT_NE(ui.run("ui replay 61").find("expected a step from 1 to 60, found 61"), std::string::npos);
+        ASSERT_EQ(ui.runAll("stop\nmove 0,1,0 crate"), "");
+        hash = ui.stage().editor().document().hash();
+        std::filesystem::copy(folder / "living", folder / "crashed", std::filesystem::copy_options::recursive);
+    }
+    Editor editor({.journals = folder / "crashed"});
+    runAll(editor, {"recover"});
+    EXPECT_EQ(editor.document().hash(), hash) << "what was done after a play is kept as well";
+}
+
+TEST_F(Window, KeysOfTheUserComeFirst) {
+    const rubble::TempFolder folder;
+    const std::string path = folder / "keys.txt";
+    std::ofstream(path) << "-- mine\nCtrl+D duplicate 3,0,0\nShift+F5 lock\nF6 tag\n";
+    const auto bodies = [&] { return m_ui->stage().editor().world().get_objects(RUBBLE_KIND_BODY).size(); };
+    ASSERT_EQ(loadKeys(path), "");
+    EXPECT_EQ(keyOf("duplicate"), "Ctrl+D");
+    EXPECT_EQ(keyOf("undo"), "Ctrl+Z") << "the others stay";
+    play("select crate\nui key Ctrl+D");
+    EXPECT_EQ(bodies(), 2u);
+    play("ui key F6");
+    EXPECT_TRUE(m_ui->stage().ui().commands().isOpen()) << "it needs a tag";
+    play("ui close");
+    for (const char* wrong : {"Ctrl+Foo lock", "F5 melt", "F5 duplicate x,y", "F5"}) {
+        std::ofstream(path) << wrong << "\n";
+        EXPECT_NE(loadKeys(path).find("keys.txt:1: "), std::string::npos) << wrong;
+    }
+    EXPECT_EQ(loadKeys(folder / "none.txt"), "");
+    EXPECT_EQ(keyOf("duplicate"), "Shift+D");
+}
+
+TEST_F(Window, AFilmHasAnImageOfEachStep) {
+    const rubble::TempFolder folder;
+    m_ui->setFolder(folder.path());
+    EXPECT_NE(m_ui->run("ui film images").find("expected steps that were played, found none"), std::string::npos);
+    play("move 0,2,0 crate\nplay\nstep 8\nstop\nui film images");
+    const auto bytesOf = [&](const char* name) {
+        std::ostringstream out;
+        out << std::ifstream(folder / "images/" + name, std::ios::binary).rdbuf();
+        return out.str();
+    };
+    EXPECT_GT(bytesOf("000001.png").size(), 1000u);
+    EXPECT_NE(bytesOf("000001.png"), bytesOf("000008.png")) << "it falls";
+    EXPECT_FALSE(std::filesystem::exists(folder / "images/000009.png"));
+    if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "without ffmpeg";
+    play("ui film fall.mp4");
+    EXPECT_GT(std::filesystem::file_size(folder / "fall.mp4"), 1000u);
+}
+
 TEST_F(Window, APaletteOfCommandsHasThemAllWithTheirForms) {
     for (const Command& command : allCommands()) {
         const std::vector<const Command*> found = CommandPalette::find(std::string(command.name));
@@ -114,9 +176,11 @@ TEST_F(Window, APaletteOfCommandsHasThemAllWithTheirForms) {
     }
     EXPECT_EQ(CommandPalette::find("").size(), allCommands().size());
     EXPECT_TRUE(CommandPalette::find("no such words").empty());
+    EXPECT_GE(CommandPalette::find("brush").size(), 6u);
 }
 
 TEST_F(Window, AWrongLineOfAScriptSaysWhatIsExpected) {
+    EXPECT_NE(m_ui->run("ui replay 5").find("expected steps that were played, found none"), std::string::npos);
     EXPECT_NE(m_ui->run("ui jump").find("expected one of these, found 'jump'"), std::string::npos);
     EXPECT_NE(m_ui->run("ui hover 0,0,1000").find("expected a point that the view shows"), std::string::npos);
     EXPECT_NE(m_ui->runAll("\nui brush cube").find("line 2: ui brush cube: expected one of: voxel box"),

@@ -1,7 +1,12 @@
 // Bodies, and shapes on them: made, placed, duplicated, deleted.
 #include <fmt/format.h>
 
+#include <set>
+
+#include "editor/core/child_process.h"
 #include "editor/core/editor.h"
+#include "editor/core/material_colors.h"
+#include "editor/core/mesh_import.h"
 #include "editor/core/rotation.h"
 
 namespace editor {
@@ -31,8 +36,8 @@ void create(Editor& editor, const Arguments& arguments) {
     put(body.rotation, rotationOf(arguments.point("turn")));
     shape.body = editor.world().create_body(body);
     put(shape.position, {-extent.x / 2, arguments.flag("on_ground") ? 0.0 : -extent.y / 2, -extent.z / 2});
-    editor.world().create_shape(shape);
-    if (!arguments.text("name").empty()) editor.world().set_name(shape.body, arguments.text("name").c_str());
+    colorByMaterial(editor, editor.world().create_shape(shape));
+    editor.giveName(arguments, shape.body);
     editor.selection() = {{shape.body}, {}};
 }
 
@@ -42,13 +47,31 @@ void addShape(Editor& editor, const Arguments& arguments) {
     put(shape.position, arguments.point("at"));
     put(shape.rotation, rotationOf(arguments.point("turn")));
     const rubble_shape made = editor.world().create_shape(shape);
-    if (!arguments.text("name").empty()) editor.world().set_name(made, arguments.text("name").c_str());
+    colorByMaterial(editor, made);
+    editor.giveName(arguments, made);
     editor.selection() = {{made}, {}};
 }
 
+/// Makes a level of a mesh in a folder, and tells what became what.
+std::string bakedMesh(Editor& editor, const Arguments& arguments, const ScratchFolder& folder) {
+    MeshOptions options;
+    options.voxels = arguments.whole("voxels");
+    options.voxel = arguments.number("voxel");
+    options.shell = arguments.whole("shell");
+    options.isZUp = arguments.text("up") == "z";
+    options.isSmooth = arguments.flag("smooth");
+    const std::string baked = folder / "mesh.rubble";
+    for (const std::string& line : bakeMesh(arguments.text("file"), baked, editor.settings().vdbTool, options))
+        editor.say(line);
+    return baked;
+}
+
 void import(Editor& editor, const Arguments& arguments) {
+    const ScratchFolder folder;
+    const std::string& file = arguments.text("file");
+    const std::string path = isMeshFile(file) ? bakedMesh(editor, arguments, folder) : file;
     rubble_prefab prefab{};
-    prefab.path = arguments.text("file").c_str();
+    prefab.path = path.c_str();
     prefab.vdb_tool = editor.settings().vdbTool.c_str();
     put(prefab.position, arguments.point("at"));
     put(prefab.rotation, rotationOf(arguments.point("turn")));
@@ -63,32 +86,38 @@ void import(Editor& editor, const Arguments& arguments) {
     editor.say(fmt::format("{} bodies with {} shapes", bodies, shapes));
 }
 
+void destroyOne(rubble::World& world, uint64_t object) {
+    switch (kindOf(world, object)) {
+        case RUBBLE_KIND_BODY:
+            return world.destroy_body(object);
+        case RUBBLE_KIND_SHAPE:
+            return world.destroy_shape(object);
+        case RUBBLE_KIND_LIGHT:
+            return world.remove_light(object);
+        case RUBBLE_KIND_WATER:
+            return world.remove_water(object);
+        case RUBBLE_KIND_TRIGGER:
+            return world.remove_trigger(object);
+        case RUBBLE_KIND_JOINT:
+            return world.remove_joint(object);
+        default:
+            return;
+    }
+}
+
+/// What is on others goes first: with a shape go its lights and joints, with a body its shapes.
 void destroy(Editor& editor, const Arguments& arguments) {
+    const std::vector<uint64_t> all = editor.objects(arguments, "what",
+                                                     {RUBBLE_KIND_BODY, RUBBLE_KIND_SHAPE, RUBBLE_KIND_LIGHT,
+                                                      RUBBLE_KIND_WATER, RUBBLE_KIND_TRIGGER, RUBBLE_KIND_JOINT});
     rubble::World& world = editor.world();
-    for (const uint64_t each : editor.objects(arguments, "what",
-                                              {RUBBLE_KIND_BODY, RUBBLE_KIND_SHAPE, RUBBLE_KIND_LIGHT,
-                                               RUBBLE_KIND_WATER, RUBBLE_KIND_TRIGGER, RUBBLE_KIND_JOINT}))
-        switch (kindOf(world, each)) {
-            case RUBBLE_KIND_BODY:
-                world.destroy_body(each);
-                break;
-            case RUBBLE_KIND_SHAPE:
-                world.destroy_shape(each);
-                break;
-            case RUBBLE_KIND_LIGHT:
-                world.remove_light(each);
-                break;
-            case RUBBLE_KIND_WATER:
-                world.remove_water(each);
-                break;
-            case RUBBLE_KIND_TRIGGER:
-                world.remove_trigger(each);
-                break;
-            case RUBBLE_KIND_JOINT:
-                world.remove_joint(each);
-                break;
-            default:
-                break;
+    const std::set<uint64_t> chosen(all.begin(), all.end());
+    for (const int kind : {RUBBLE_KIND_JOINT, RUBBLE_KIND_LIGHT, RUBBLE_KIND_WATER, RUBBLE_KIND_TRIGGER,
+                           RUBBLE_KIND_SHAPE, RUBBLE_KIND_BODY})
+        for (const uint64_t each : all) {
+            if (kindOf(world, each) != kind) continue;
+            const bool goesWithBody = kind == RUBBLE_KIND_SHAPE && chosen.contains(world.get_shape_state(each).body);
+            if (!goesWithBody) destroyOne(world, each);
         }
 }
 
@@ -119,8 +148,11 @@ void duplicate(Editor& editor, const Arguments& arguments) {
     std::vector<uint64_t> made;
     const std::vector<uint64_t> bodies = editor.objects(arguments, "what", {RUBBLE_KIND_BODY});
     for (int i = 1; i <= arguments.whole("times"); ++i)
-        for (const rubble_body each : bodies)
+        for (const rubble_body each : bodies) {
+            const glm::dvec3 from = vectorOf(editor.world().get_body_state(each).position);
+            arguments.requireNear("by", from + arguments.point("by") * double(i));
             made.push_back(copyOf(editor.world(), each, arguments.point("by") * double(i)));
+        }
     editor.selection() = {std::move(made), {}};
 }
 
@@ -151,8 +183,16 @@ std::vector<Command> bodyCommands() {
         {"import",
          "bodies",
          Kind::Edit,
-         "Places what a .vox, .vdb or .rubble file holds.",
-         {{"file", Type::Text, "its path", kRequired}, {"at", Type::Point, "where its origin comes", "0,0,0"}, kTurn},
+         "Places what a .vox, .vdb or .rubble file holds, or makes voxels of a mesh: .obj, .ply or .glb.",
+         {{"file", Type::Text, "its path", kRequired},
+          {"at", Type::Point, "where its origin comes", "0,0,0"},
+          kTurn,
+          {"voxels", Type::Whole, "of a mesh: voxels along its longest side; 0: as long as the file says", "64", 0,
+           4096},
+          {"voxel", Type::Number, "of a mesh: metres along an edge of a voxel", "0.1", 0.001, 10},
+          {"shell", Type::Whole, "of a mesh: voxels that its walls are thick; 0: solid", "0", 0, 64},
+          {"up", Type::Choice, "of a mesh: the axis that is up in the file", "y", 0, 0, "y z"},
+          {"smooth", Type::Flag, "of a mesh: mixes the pixels of textures; else the nearest one counts", "no"}},
          import,
          "import model.rubble 0,2,0"},
         {"delete",

@@ -5,6 +5,7 @@
 
 #include "editor/core/editor.h"
 #include "editor/core/image.h"
+#include "editor/core/material_colors.h"
 #include "editor/core/palette.h"
 #include "editor/core/rotation.h"
 
@@ -44,7 +45,8 @@ rubble_shape makeShape(Editor& editor, const Arguments& arguments, glm::ivec3 si
     shape.count = voxels.size();
     shape.body = editor.world().create_body(body);
     const rubble_shape made = editor.world().create_shape(shape);
-    if (!arguments.text("name").empty()) editor.world().set_name(shape.body, arguments.text("name").c_str());
+    colorByMaterial(editor, made);
+    editor.giveName(arguments, shape.body);
     editor.selection() = {{shape.body}, {}};
     return made;
 }
@@ -89,7 +91,6 @@ void extrudeImage(Editor& editor, const Arguments& arguments) {
     std::vector<uint8_t> voxels;
     for (int z = 0; z < size.z; ++z) voxels.insert(voxels.end(), layer.begin(), layer.end());
     const rubble_shape shape = makeShape(editor, arguments, size, voxels, false);
-    editor.document().applyNow();
     setColors(editor.world(), shape, colors, 1);
     editor.say(
         fmt::format("{} x {} pixels: {} voxels, {} colours", size.x, size.y, countVoxels(voxels), colors.size()));

@@ -1,4 +1,6 @@
 // Joints and ropes.
+#include <fmt/format.h>
+
 #include <glm/trigonometric.hpp>
 
 #include "editor/core/editor.h"
@@ -22,7 +24,7 @@ glm::dquat rotationToAxis(const Arguments& arguments) {
 
 void make(Editor& editor, const Arguments& arguments, const rubble_joint_settings& settings) {
     const rubble_joint made = editor.world().create_joint(settings);
-    if (!arguments.text("name").empty()) editor.world().set_name(made, arguments.text("name").c_str());
+    editor.giveName(arguments, made);
     editor.selection() = {{made}, {}};
 }
 
@@ -42,6 +44,9 @@ void addJoint(Editor& editor, const Arguments& arguments) {
     };
     if (arguments.has("low") != arguments.has("high"))
         arguments.refuse(arguments.has("low") ? "high" : "low", "both limits, found one");
+    if (arguments.has("low") && arguments.number("low") > arguments.number("high"))
+        arguments.refuse("high", fmt::format("low or more, which is {:g}, found {:g}", arguments.number("low"),
+                                             arguments.number("high")));
     if (arguments.has("low")) {
         joint.flags |= RUBBLE_JOINT_LIMITED;
         joint.lower_limit = limit("low"), joint.upper_limit = limit("high");
@@ -63,6 +68,7 @@ void addRope(Editor& editor, const Arguments& arguments) {
     rope.kind = RUBBLE_JOINT_ROPE;
     rope.shapes[0] = endOf(editor, arguments, "a");
     rope.shapes[1] = endOf(editor, arguments, "b");
+    if (!rope.shapes[0] && !rope.shapes[1]) arguments.refuse("b", "a shape at one side at least, found world at both");
     put(rope.position, arguments.point("from"));
     put(rope.rope_end, arguments.point("to"));
     rope.anchor_radius = arguments.number("search");

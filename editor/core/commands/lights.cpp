@@ -43,7 +43,7 @@ void addLight(Editor& editor, const Arguments& arguments) {
     if (arguments.has("shape")) light.shape = editor.object(arguments, "shape", {RUBBLE_KIND_SHAPE});
     readLight(editor, arguments, light);
     const rubble_light made = editor.world().create_light(light);
-    if (!arguments.text("name").empty()) editor.world().set_name(made, arguments.text("name").c_str());
+    editor.giveName(arguments, made);
     editor.selection() = {{made}, {}};
 }
 
@@ -61,7 +61,7 @@ void addGroup(Editor& editor, const Arguments& arguments) {
     settings.flicker_steps = uint32_t(arguments.whole("flicker"));
     settings.threshold = arguments.number("threshold");
     const rubble_light_group made = editor.world().create_light_group(settings);
-    editor.world().set_name(made, arguments.text("name").c_str());
+    editor.giveName(arguments, made);
 }
 
 void setGroup(Editor& editor, const Arguments& arguments) {

@@ -11,7 +11,7 @@ std::vector<uint64_t> named(Editor& editor, const Arguments& arguments) {
 }
 
 void setName(Editor& editor, const Arguments& arguments) {
-    for (const uint64_t each : named(editor, arguments)) editor.world().set_name(each, arguments.text("name").c_str());
+    for (const uint64_t each : named(editor, arguments)) editor.giveName(arguments, each);
 }
 
 void setTag(Editor& editor, const Arguments& arguments) {

@@ -24,7 +24,9 @@ void forEachBody(Editor& editor, const Arguments& arguments, F&& f) {
 
 void move(Editor& editor, const Arguments& arguments) {
     forEachBody(editor, arguments, [&](const rubble_body_state& body) {
-        setPose(editor, body.body, vectorOf(body.position) + arguments.point("by"), quaternionOf(body.rotation));
+        const glm::dvec3 to = vectorOf(body.position) + arguments.point("by");
+        arguments.requireNear("by", to);
+        setPose(editor, body.body, to, quaternionOf(body.rotation));
     });
 }
 
@@ -46,8 +48,9 @@ void rotate(Editor& editor, const Arguments& arguments) {
     if (arguments.has("about")) middle = arguments.point("about");
     const glm::dquat turn = rotationOf(arguments.point("turn"));
     forEachBody(editor, arguments, [&](const rubble_body_state& body) {
-        setPose(editor, body.body, middle + turn * (vectorOf(body.position) - middle),
-                turn * quaternionOf(body.rotation));
+        const glm::dvec3 to = middle + turn * (vectorOf(body.position) - middle);
+        arguments.requireNear("about", to);
+        setPose(editor, body.body, to, turn * quaternionOf(body.rotation));
     });
 }
 

@@ -7,6 +7,8 @@ namespace {
 
 void addWater(Editor& editor, const Arguments& arguments) {
     const glm::dvec3 from = arguments.point("from"), to = arguments.point("to");
+    if (from.x == to.x || from.z == to.z)
+        arguments.refuse("to", "a corner at another x and z than from, found the same");
     const double outline[] = {from.x, from.z, to.x, from.z, to.x, to.z, from.x, to.z};
     rubble_water_settings water{};
     water.outline = outline;
@@ -15,7 +17,7 @@ void addWater(Editor& editor, const Arguments& arguments) {
     water.depth = std::max(std::abs(to.y - from.y), 0.01);
     put(water.flow, arguments.point("flow"));
     const rubble_water made = editor.world().create_water(water);
-    if (!arguments.text("name").empty()) editor.world().set_name(made, arguments.text("name").c_str());
+    editor.giveName(arguments, made);
     editor.selection() = {{made}, {}};
 }
 
@@ -26,7 +28,7 @@ void addTrigger(Editor& editor, const Arguments& arguments) {
     put(trigger.half_size, arguments.point("size") * 0.5);
     trigger.radius = arguments.point("size").x * 0.5;
     const rubble_trigger made = editor.world().create_trigger(trigger);
-    editor.world().set_name(made, arguments.text("name").c_str());
+    editor.giveName(arguments, made);
     editor.selection() = {{made}, {}};
 }
 

@@ -18,7 +18,9 @@ void open(Editor& editor, const Arguments& arguments) {
 
 void save(Editor& editor, const Arguments& arguments) {
     const std::string path = arguments.has("file") ? arguments.text("file") : editor.document().path();
-    if (path.empty()) arguments.refuse("file", "a path, found none: the level has no file yet");
+    if (path.empty())
+        arguments.refuse("file",
+                         arguments.has("file") ? "a path, found ''" : "a path, found none: the level has no file yet");
     editor.document().save(path, editor.settings().vdbTool, arguments.flag("force"));
     editor.say("saved " + path);
 }

@@ -202,25 +202,25 @@ void drawFlood(Editor& editor, const Arguments& arguments) {
 
 std::vector<Command> voxelCommands() {
     return {
-        {"voxel", "voxels", Kind::Edit, "Draws one cell.", withBrush({cellParameter("cell", "where")}), drawVoxel,
+        {"voxel", "brushes", Kind::Edit, "Draws one cell.", withBrush({cellParameter("cell", "where")}), drawVoxel,
          "voxel 1,8,1 index=5 shape=crate"},
-        {"box", "voxels", Kind::Edit, "Draws a box of cells.",
+        {"box", "brushes", Kind::Edit, "Draws a box of cells.",
          withBrush({cellParameter("from", "one corner"), cellParameter("to", "the opposite corner")}), drawBox,
          "box -2,0,0 9,3,3 do=replace index=7 shape=crate"},
-        {"sphere", "voxels", Kind::Edit, "Draws a ball of cells.",
+        {"sphere", "brushes", Kind::Edit, "Draws a ball of cells.",
          withBrush({cellParameter("center", "its middle"), {"radius", Type::Number, "cells", "4", 0.5, 256}}),
          drawSphere, "sphere 20,12,1 5 erase shape=wall"},
-        {"line", "voxels", Kind::Edit, "Draws a line from cell to cell.",
+        {"line", "brushes", Kind::Edit, "Draws a line from cell to cell.",
          withBrush({cellParameter("from", "its first end"),
                     cellParameter("to", "its second end"),
                     {"radius", Type::Number, "cells; 0: one cell thick", "0", 0, 64}}),
          drawLine, "line 0,0,0 39,24,2 do=paint index=9 shape=wall"},
-        {"face", "voxels", Kind::Edit, "Draws on the face of one colour that a voxel belongs to: add raises it.",
+        {"face", "brushes", Kind::Edit, "Draws on the face of one colour that a voxel belongs to: add raises it.",
          withBrush({cellParameter("cell", "a voxel of the face"),
                     {"side", Type::Choice, "of the voxel", "+y", 0, 0, "-x +x -y +y -z +z"},
                     {"depth", Type::Whole, "cells", "1", 1, 256}}),
          drawFace, "face 1,7,1 +y 2 shape=crate"},
-        {"flood", "voxels", Kind::Edit, "Draws on all cells that are joined to one and hold the same.",
+        {"flood", "brushes", Kind::Edit, "Draws on all cells that are joined to one and hold the same.",
          withBrush({cellParameter("cell", "where it begins")}), drawFlood, "flood 0,0,0 paint 3 shape=crate"},
     };
 }

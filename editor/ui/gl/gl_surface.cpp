@@ -1,7 +1,9 @@
 #include "editor/ui/gl/gl_surface.h"
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "render/gl/gl.h"
 #include "render/gl/offscreen.h"
@@ -26,6 +28,7 @@ GlImage::~GlImage() {
 }
 
 void GlImage::resize(int width, int height) {
+    m_width = width, m_height = height;
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, m_texture);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
@@ -37,6 +40,19 @@ void GlImage::resize(int width, int height) {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, m_texture, 0);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw std::runtime_error("the view's framebuffer is not complete");
+}
+
+std::string GlImage::write(const std::string& path) const {
+    const size_t row = size_t(m_width) * 3;
+    std::vector<uint8_t> pixels(row * size_t(m_height));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_framebuffer);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, m_width, m_height, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
+    rubble::Image image(m_width, m_height);
+    for (int y = 0; y < m_height; ++y)  // the first row is at the bottom
+        std::copy_n(pixels.data() + size_t(m_height - 1 - y) * row, row, image.rgb.data() + size_t(y) * row);
+    const auto written = rubble::writePng(path, image);
+    return written ? "" : written.error();
 }
 
 struct OffscreenGl::Parts {

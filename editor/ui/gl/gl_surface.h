@@ -22,6 +22,8 @@ public:
 
     /// In pixels; what was drawn is lost. Throws std::runtime_error.
     void resize(int width, int height);
+    /// Writes what was drawn as PNG. An error names the file; empty: it is written.
+    std::string write(const std::string& path) const;
     /// GL name of the texture.
     uint32_t texture() const { return m_texture; }
     /// GL name of its framebuffer.
@@ -29,6 +31,7 @@ public:
 
 private:
     uint32_t m_texture = 0, m_framebuffer = 0;
+    int m_width = 0, m_height = 0;
 };
 
 /// A GL without a window, and an image to draw into.

@@ -11,6 +11,8 @@
 #include <stdexcept>
 
 #include "editor/core/arguments.h"
+#include "editor/core/child_process.h"
+#include "editor/ui/state/keys.h"
 
 namespace editor {
 namespace {
@@ -70,6 +72,7 @@ const ScriptedUi::Verb ScriptedUi::kVerbs[] = {
     {"click", "the left button goes down and up", &ScriptedUi::click},
     {"press", "the left button goes down", &ScriptedUi::press},
     {"release", "the left button goes up", &ScriptedUi::release},
+    {"key", "KEYS: presses keys, as Ctrl+D or F5", &ScriptedUi::pressKeys},
     {"tab", "NAME: a panel comes to the front", &ScriptedUi::showTab},
     {"overlay", "NAME [yes|no]", &ScriptedUi::showOverlay},
     {"pass", "NAME: an image of the renderer", &ScriptedUi::showPass},
@@ -79,6 +82,7 @@ const ScriptedUi::Verb ScriptedUi::kVerbs[] = {
     {"play", "STEPS: plays, a frame each step", &ScriptedUi::play},
     {"live", "shows the level again", &ScriptedUi::live},
     {"replay", "STEP: shows a step of the last play", &ScriptedUi::replay},
+    {"film", "FILE.mp4 or FOLDER: the view of each step of the last play, by ffmpeg or as images", &ScriptedUi::film},
     {"screenshot", "FILE: writes an image of the window", &ScriptedUi::writeImage},
 };
 
@@ -226,6 +230,16 @@ void ScriptedUi::click(const Words& words) {
     release(words);
 }
 
+void ScriptedUi::pressKeys(const Words& words) {
+    const KeyPress press = readKeys(wordAt(words, 0));
+    ImGuiIO& io = ImGui::GetIO();
+    io.KeyCtrl = press.hasCtrl, io.KeyShift = press.hasShift;
+    io.KeysDown[press.key] = true;
+    frames(1);
+    io.KeysDown[press.key] = io.KeyCtrl = io.KeyShift = false;
+    frames(1);
+}
+
 void ScriptedUi::showTab(const Words& words) {
     static constexpr const char* kRight[] = {"Properties", "Palette", "Sky", "View"};
     static constexpr const char* kBottom[] = {"History", "Messages", "Profiler", "Replay"};
@@ -292,13 +306,44 @@ void ScriptedUi::play(const Words& words) {
 
 void ScriptedUi::replay(const Words& words) {
     Session& session = m_stage->session();
-    session.replay.seek(size_t(std::max(numberOf(wordAt(words, 0)), 1)));
-    session.showsReplay = session.replay.size() > 0;
+    const int step = numberOf(wordAt(words, 0)), size = int(session.replay.size());
+    if (step < 1 || step > size)
+        throw Refused(size ? fmt::format("expected a step from 1 to {}, found {}", size, step)
+                           : std::string("expected steps that were played, found none"));
+    session.replay.seek(size_t(step));
+    session.showsReplay = true;
     frames(1);
 }
 
 void ScriptedUi::live(const Words&) {
     m_stage->session().showsReplay = false;
+}
+
+void ScriptedUi::film(const Words& words) {
+    namespace fs = std::filesystem;
+    Session& session = m_stage->session();
+    const std::string path = (fs::path(m_folder) / wordAt(words, 0)).string();
+    const bool isFilm = path.ends_with(".mp4");
+    const ScratchFolder scratch;
+    const fs::path folder = isFilm ? fs::path(scratch / "") : fs::path(path);
+    if (session.replay.size() == 0) throw Refused("expected steps that were played, found none");
+    fs::create_directories(folder);
+    session.showsReplay = true;
+    for (size_t step = 1; step <= session.replay.size(); ++step) {
+        session.replay.seek(step);
+        frame(1.0);
+        const std::string image = (folder / fmt::format("{:06}.png", step)).string();
+        if (const std::string error = m_stage->viewport().write(image); !error.empty()) throw Refused(error);
+    }
+    if (!isFilm) return;
+    constexpr int kSeconds = 600;
+    const ChildResult made =
+        runChild({"ffmpeg", "-loglevel", "error", "-y", "-framerate", "60", "-i", scratch / "%06d.png", "-vf",
+                  "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", path},
+                 kSeconds);
+    if (!made.isDone)
+        throw Refused(
+            fmt::format("{}: expected ffmpeg (Debian package ffmpeg) to write it: {} {}", path, made.end, made.output));
 }
 
 void ScriptedUi::writeImage(const Words& words) {

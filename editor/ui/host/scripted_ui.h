@@ -45,6 +45,7 @@ private:
     void click(const Words& words);
     void press(const Words& words);
     void release(const Words& words);
+    void pressKeys(const Words& words);
     void showTab(const Words& words);
     void showOverlay(const Words& words);
     void showPass(const Words& words);
@@ -55,6 +56,7 @@ private:
     void play(const Words& words);
     void replay(const Words& words);
     void live(const Words& words);
+    void film(const Words& words);
     void writeImage(const Words& words);
 
     OffscreenGl m_gl;

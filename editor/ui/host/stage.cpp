@@ -20,7 +20,10 @@ Stage::Stage(const StageSettings& settings, GlLoader loader) {
     rubble_host host{};
     host.gl_get_proc_address = loader;
     rubble::set_host(host);
-    m_editor.emplace(EditorSettings{RUBBLE_WORLD_WAIT_FOR_SHADOW, settings.vdbTool, settings.journals});
+    m_editor.emplace(EditorSettings{RUBBLE_WORLD_WAIT_FOR_SHADOW, settings.vdbTool, settings.journals,
+                                    [this](const std::vector<uint8_t>& deltas) {
+                                        if (m_session) m_session->replay.add(deltas);
+                                    }});
     m_context = std::make_unique<Context>();
     applyTheme(settings.scale);
     m_painter.emplace();

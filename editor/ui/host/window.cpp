@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "editor/ui/state/keys.h"
+
 namespace editor {
 namespace {
 
@@ -46,6 +48,18 @@ void watchEvents(GLFWwindow* window) {
     glfwSetDropCallback(window, dropFiles);
 }
 
+/// The window's frame needs room as well. Sizes are in pixels of a display that is not scaled.
+void limitToScreen(int& width, int& height) {
+    GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+    int x = 0, y = 0, areaWidth = 0, areaHeight = 0;
+    float scale = 1.0f;
+    if (monitor) glfwGetMonitorWorkarea(monitor, &x, &y, &areaWidth, &areaHeight);
+    if (monitor) glfwGetMonitorContentScale(monitor, &scale, nullptr);
+    if (areaWidth <= 0 || areaHeight <= 0 || !(scale > 0.0f)) return;
+    width = std::min(width, int(float(areaWidth) / scale));
+    height = std::min(height, int(float(areaHeight) / scale) - 40);
+}
+
 GLFWwindow* openWindow(std::string& error) {
     if (!glfwInit()) {
         const char* reason = nullptr;
@@ -55,10 +69,12 @@ GLFWwindow* openWindow(std::string& error) {
     }
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    int width = kWidth, height = kHeight;
+    limitToScreen(width, height);
     for (const auto& [major, minor] : {std::pair(4, 3), std::pair(3, 3)}) {
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
-        if (GLFWwindow* window = glfwCreateWindow(kWidth, kHeight, "Rubble", nullptr, nullptr)) return window;
+        if (GLFWwindow* window = glfwCreateWindow(width, height, "Rubble", nullptr, nullptr)) return window;
     }
     error = "cannot open a window with OpenGL 3.3 core";
     glfwTerminate();
@@ -166,6 +182,8 @@ std::string runWindow(StageSettings settings, const std::string& level) {
     settings.scale = std::max(scale, 1.0f);
     try {
         WindowLoop loop(window, settings);
+        if (const std::string wrong = loadKeys(userKeys()); !wrong.empty())
+            loop.session().say(Message::Kind::Error, wrong);
         const bool isOpen = level.empty() || loop.session().run("open", {{"file", level}});
         if (!isOpen) loop.session().tabs.bottom = "Messages";
         if (!level.empty()) loop.session().frameSelection();

@@ -122,11 +122,16 @@ void drawModeSettings(Session& session) {
     tooltip("Moves go by steps of this; 0: freely");
 }
 
+/// Where the buttons of play begin, at the right end.
+float playBegin() {
+    const float side = ImGui::GetFrameHeight() + 4 * uiScale();
+    return ImGui::GetWindowWidth() - 5 * side - 88 * uiScale();
+}
+
 void drawPlay(Session& session) {
     const bool isPlaying = session.editor().document().isPlaying();
     const bool runs = isPlaying && !session.isPaused;
-    const float side = ImGui::GetFrameHeight() + 4 * uiScale();
-    ImGui::SameLine(ImGui::GetWindowWidth() - 5 * side - 88 * uiScale());
+    ImGui::SameLine(playBegin());
     ImGui::SetCursorPosY(ImGui::GetStyle().WindowPadding.y);
     if (iconButton("play", runs ? Icon::Pause : Icon::Play, runs, runs ? "Pause  (Space)" : "Play from here  (Space)"))
         session.togglePlay();
@@ -155,14 +160,16 @@ void drawPlay(Session& session) {
 void drawToolbar(Session& session) {
     drawFiles(session);
     drawModes(session);
+    // In a narrow window they end where the buttons of play begin.
+    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    ImGui::PushClipRect(at, {at.x + playBegin() - 6 * uiScale(), at.y + size.y}, true);
     drawModeSettings(session);
+    ImGui::PopClipRect();
     drawPlay(session);
 }
 
 void drawStatus(Session& session, const Viewport& viewport) {
     const Document& document = session.editor().document();
-    ImGui::TextUnformatted(session.status.empty() ? "Right button: orbit    Shift+right: pan    wheel: zoom    F: frame"
-                                                  : session.status.c_str());
     const rubble_draw_stats& stats = viewport.stats();
     std::string right = fmt::format("{} bricks    {:.0f} ms a frame", stats.bricks, stats.apply_ms + stats.draw_ms);
     if (document.isPlaying())
@@ -170,7 +177,13 @@ void drawStatus(Session& session, const Viewport& viewport) {
                 right;
     const std::string path = document.path().empty() ? "a new level" : document.path();
     right = path.substr(path.find_last_of('/') + 1) + "    " + right;
-    ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(right.c_str()).x - 12 * uiScale());
+    const float begin = ImGui::GetWindowWidth() - ImGui::CalcTextSize(right.c_str()).x - 12 * uiScale();
+    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    ImGui::PushClipRect(at, {at.x + begin - 12 * uiScale(), at.y + size.y}, true);
+    ImGui::TextUnformatted(session.status.empty() ? "Right button: orbit    Shift+right: pan    wheel: zoom    F: frame"
+                                                  : session.status.c_str());
+    ImGui::PopClipRect();
+    ImGui::SameLine(begin);
     ImGui::TextDisabled("%s", right.c_str());
 }
 

@@ -1,9 +1,15 @@
 #include "editor/ui/state/keys.h"
 
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdlib>
+#include <fstream>
 #include <glm/trigonometric.hpp>
+#include <vector>
 
 namespace editor {
 namespace {
@@ -89,18 +95,94 @@ const Key kKeys[] = {
     {GLFW_KEY_KP_7, 0, "Num 7", nullptr, [](Session& s) { look(s, 0, -88); }},
 };
 
+/// A key of the user's own, and what it runs.
+struct OwnKey {
+    KeyPress press;
+    std::string shown;
+    Line line;
+};
+std::vector<OwnKey> g_ownKeys;
+
+/// Runs a command, or opens its form where it needs more than is given.
+void runOwn(Session& session, const Line& line) {
+    const Command& command = *findCommand(line.command);
+    const bool needsMore =
+        line.given.empty() && std::any_of(command.parameters.begin(), command.parameters.end(),
+                                          [](const Parameter& each) { return each.otherwise == kRequired; });
+    if (needsMore) return openForm(session, command.name.data());
+    session.run(line);
+}
+
+OwnKey readOwn(const std::string& text) {
+    const size_t space = text.find(' ');
+    OwnKey own{readKeys(text.substr(0, space)), text.substr(0, space), {}};
+    if (space != text.npos) own.line = readLine(std::string_view(text).substr(space));
+    if (!findCommand(own.line.command)) throw Refused(fmt::format("expected a command, found '{}'", own.line.command));
+    if (!own.line.given.empty()) Arguments(*findCommand(own.line.command), own.line.given);  // throws of wrong ones
+    return own;
+}
+
 }  // namespace
+
+KeyPress readKeys(std::string_view shown) {
+    KeyPress press;
+    std::string_view rest = shown;
+    for (bool isHeld = true; isHeld;) {
+        isHeld = rest.starts_with("Ctrl+") || rest.starts_with("Shift+");
+        (rest.starts_with("Ctrl+") ? press.hasCtrl : press.hasShift) |= isHeld;
+        if (isHeld) rest.remove_prefix(rest.find('+') + 1);
+    }
+    int number = 0;
+    const bool isLetter = rest.size() == 1 && (std::isupper(uint8_t(rest[0])) || std::isdigit(uint8_t(rest[0])));
+    if (isLetter) press.key = rest[0];  // GLFW has them by their ASCII codes
+    if (rest.size() > 1 && rest[0] == 'F' &&
+        std::from_chars(rest.data() + 1, rest.data() + rest.size(), number).ptr == rest.data() + rest.size() &&
+        number >= 1 && number <= 12)
+        press.key = GLFW_KEY_F1 + number - 1;
+    for (const Key& key : kKeys)
+        if (key.modifiers == 0 && rest == key.shown) press.key = key.key;
+    if (!press.key) throw Refused(fmt::format("expected keys as Ctrl+K, Shift+F5, Del, Space or A, found '{}'", shown));
+    return press;
+}
+
+std::string loadKeys(const std::string& path) {
+    g_ownKeys.clear();
+    std::ifstream file(path);
+    int number = 0;
+    for (std::string line; std::getline(file, line);) {
+        ++number;
+        if (line.find_first_not_of(" \t\r") == line.npos || line.starts_with("--")) continue;
+        try {
+            g_ownKeys.push_back(readOwn(line));
+        } catch (const Refused& error) {
+            return fmt::format("{}:{}: {}", path, number, error.what());
+        }
+    }
+    return "";
+}
+
+std::string userKeys() {
+    const char *config = std::getenv("XDG_CONFIG_HOME"), *home = std::getenv("HOME");
+    if (config && *config) return std::string(config) + "/rubble/keys.txt";
+    return home && *home ? std::string(home) + "/.config/rubble/keys.txt" : "";
+}
 
 void handleKeys(Session& session, bool isTyping) {
     const ImGuiIO& io = ImGui::GetIO();
     const int held = (io.KeyCtrl ? kCtrl : 0) | (io.KeyShift ? kShift : 0);
     if (isTyping && !(held & kCtrl && ImGui::IsKeyPressed(GLFW_KEY_P, false))) return;
     if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) return;  // the camera flies
+    for (const OwnKey& own : g_ownKeys)
+        if (own.press.hasCtrl == io.KeyCtrl && own.press.hasShift == io.KeyShift &&
+            ImGui::IsKeyPressed(own.press.key, false))
+            return runOwn(session, own.line);
     for (const Key& key : kKeys)
         if (key.modifiers == held && ImGui::IsKeyPressed(key.key, false)) return key.act(session);
 }
 
 std::string keyOf(std::string_view command) {
+    for (const OwnKey& own : g_ownKeys)
+        if (own.line.command == command) return own.shown;
     for (const Key& key : kKeys)
         if (key.command && key.command == command) return key.shown;
     return "";

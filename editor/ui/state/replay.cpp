@@ -12,7 +12,6 @@ constexpr size_t kMaxBytes = size_t(512) << 20;  ///< of all steps
 
 void Replay::begin(rubble::World& world) {
     m_steps.clear();
-    world.keep_deltas(RUBBLE_DELTAS_ALL);
     m_start = world.save_game_data();
     m_bytes = m_start.size();
     m_isLoaded = false;
@@ -21,18 +20,11 @@ void Replay::begin(rubble::World& world) {
     ++m_version;
 }
 
-void Replay::add(rubble::World& world) {
+void Replay::add(const std::vector<uint8_t>& step) {
     if (!m_isRunning) return;
-    std::vector<uint8_t> step = world.take_deltas();
-    if (step.empty()) return;
     m_bytes += step.size();
-    m_steps.push_back(std::move(step));
-    if (m_steps.size() >= kMaxSteps || m_bytes >= kMaxBytes) end(world);
-}
-
-void Replay::end(rubble::World& world) {
-    if (m_isRunning) world.keep_deltas(RUBBLE_DELTAS_NONE);
-    m_isRunning = false;
+    m_steps.push_back(step);
+    if (m_steps.size() >= kMaxSteps || m_bytes >= kMaxBytes) end();
 }
 
 void Replay::seek(size_t place) {

@@ -13,10 +13,10 @@ class Replay {
 public:
     /// Forgets what it has, and begins with a world that begins to play.
     void begin(rubble::World& world);
-    /// Adds the steps that the world has taken since.
-    void add(rubble::World& world);
+    /// Adds a step that the world has taken since, as its deltas; of more than a minute the first.
+    void add(const std::vector<uint8_t>& step);
     /// Ends it; what was added stays.
-    void end(rubble::World& world);
+    void end() { m_isRunning = false; }
     /// Whether it goes on.
     bool isRunning() const { return m_isRunning; }
 

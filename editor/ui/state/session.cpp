@@ -85,9 +85,7 @@ void Session::follow(const Line& line) {
         m_due = 0.0;
         replay.begin(world());
     } else if (!m_editor.document().isPlaying()) {
-        replay.end(world());
-    } else if (line.command == "step") {
-        replay.add(world());
+        replay.end();
     }
 }
 

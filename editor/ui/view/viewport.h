@@ -25,6 +25,8 @@ public:
     bool isSettled() const { return m_framesLeft == 0; }
     /// The image, its first row at the bottom.
     ImTextureID texture() const;
+    /// Writes the image as PNG. An error names the file; empty: it is written.
+    std::string write(const std::string& path) const { return m_image.write(path); }
     /// Of the last frame that was drawn.
     const rubble_draw_stats& stats() const { return m_stats; }
     /// How many frames were drawn.

@@ -13,8 +13,16 @@ namespace rubble {
 PaletteRef grayFallbackPalette();
 /// MagicaVoxel's default colours, with guessed materials, for the entries that the grid uses.
 PaletteRef voxFallbackPalette(const VoxelGrid& grid);
-/// Gives each solid voxel the entry of its colour, colorAt(cell) in linear RGB, and returns the palette. With more than
-/// 255 different colours each channel loses low bits until 255 are left.
-PaletteRef quantiseColors(VoxelGrid& grid, const std::function<glm::vec3(glm::ivec3)>& colorAt);
+/// What became of the colours of voxels.
+struct ColorCounts {
+    size_t found = 0, entries = 0;
+    int error = 0;  ///< the largest difference of a channel, in 1/255
+};
+/// Gives each solid voxel the entry of its colour, colorAt(cell) as sRGB bytes 0xrrggbb, and returns the palette. More
+/// than 255 different colours are parted into 255 groups with small differences, each with the mean of its colours.
+PaletteRef quantiseColors(VoxelGrid& grid, const std::function<uint32_t(glm::ivec3)>& colorAt,
+                          ColorCounts* counts = nullptr);
+/// A linear colour as sRGB bytes 0xrrggbb.
+uint32_t packSrgb(glm::vec3 linear);
 
 }  // namespace rubble

@@ -1,6 +1,6 @@
 #include "runtime/assets/vdb/vdb_file.h"
 
-// The only file that includes OpenVDB, which takes long and half a gigabyte of memory to compile.
+// This file and mesh_voxels.cpp include OpenVDB, which takes long and half a gigabyte of memory to compile.
 #include <fmt/format.h>
 #include <openvdb/openvdb.h>
 #include <tbb/global_control.h>
@@ -407,7 +407,7 @@ private:
             const auto values = color->getConstAccessor();
             shape.palette = quantiseColors(shape.grid, [&](glm::ivec3 cell) {
                 const openvdb::Vec3f value = values.getValue(toCoord(cell) + solid.box.min());
-                return glm::vec3(value.x(), value.y(), value.z());
+                return packSrgb({value.x(), value.y(), value.z()});
             });
         } else {
             shape.palette = grayFallbackPalette();

@@ -1,0 +1,210 @@
+#include "runtime/assets/vdb/mesh_file.h"
+
+// The only file that includes Assimp, which reads the formats.
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+#include <png.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <filesystem>
+#include <glm/common.hpp>
+#include <map>
+
+#include "runtime/assets/file_bytes.h"
+#include "runtime/voxel/palette.h"
+
+namespace rubble {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr uint64_t kMaxFileBytes = uint64_t(1) << 30;
+constexpr size_t kMaxTriangles = 20'000'000;
+constexpr uint32_t kMaxTextureSide = 16384;
+constexpr double kMaxCoordinate = 1e9;  // metres
+
+glm::vec3 toLinear(glm::vec3 srgb) {
+    const auto one = [](float value) { return srgbToLinear(uint8_t(glm::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f)); };
+    return {one(srgb.x), one(srgb.y), one(srgb.z)};
+}
+
+bool isFinite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// A colour of the file; white where it is no number.
+glm::vec3 colorOf(const aiColor4D& color, bool isLinear) {
+    const glm::vec3 value(color.r, color.g, color.b);
+    if (!isFinite(value)) return glm::vec3(1.0f);
+    return isLinear ? glm::clamp(value, 0.0f, 1.0f) : toLinear(value);
+}
+
+/// A PNG file in memory; false: it is none.
+bool readPng(const void* bytes, size_t size, MeshTexture& out) {
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    if (!png_image_begin_read_from_memory(&png, bytes, size)) return false;
+    if (png.width > kMaxTextureSide || png.height > kMaxTextureSide) return png_image_free(&png), false;
+    png.format = PNG_FORMAT_RGBA;
+    out.size = {int(png.width), int(png.height)};
+    out.pixels.resize(size_t(png.width) * png.height);
+    return png_image_finish_read(&png, nullptr, out.pixels.data(), 0, nullptr) != 0;
+}
+
+/// Takes over what Assimp has read.
+class MeshReader {
+public:
+    MeshReader(const aiScene& scene, const std::string& path)
+        : m_scene(scene), m_folder(fs::path(path).parent_path()), m_isGltf(path.ends_with(".glb")) {}
+
+    Result<Mesh> read() {
+        for (unsigned i = 0; i < m_scene.mNumMaterials; ++i) addMaterial(*m_scene.mMaterials[i]);
+        if (m_mesh.materials.empty()) m_mesh.materials.emplace_back();
+        addNode(*m_scene.mRootNode, aiMatrix4x4());
+        if (m_error.empty() && m_mesh.triangles.empty()) m_error = "expected triangles, found none";
+        if (!m_error.empty()) return Error{m_error};
+        if (m_flat > 0) m_mesh.notes.push_back(fmt::format("{} triangles without an area were left out", m_flat));
+        return std::move(m_mesh);
+    }
+
+private:
+    void addMaterial(const aiMaterial& from) {
+        MeshMaterial material;
+        if (aiString name; from.Get(AI_MATKEY_NAME, name) == AI_SUCCESS) material.name = name.C_Str();
+        aiColor4D color(1.0f, 1.0f, 1.0f, 1.0f);
+        if (from.Get(AI_MATKEY_BASE_COLOR, color) == AI_SUCCESS ||
+            from.Get(AI_MATKEY_COLOR_DIFFUSE, color) == AI_SUCCESS)
+            material.color = colorOf(color, m_isGltf);
+        aiString texture;
+        const aiTextureType type =
+            from.GetTextureCount(aiTextureType_BASE_COLOR) ? aiTextureType_BASE_COLOR : aiTextureType_DIFFUSE;
+        unsigned channel = 0;
+        if (from.GetTexture(type, 0, &texture, nullptr, &channel) == AI_SUCCESS) {
+            material.texture = textureOf(texture.C_Str());
+            if (material.texture >= 0 && !m_isGltf) material.color = glm::vec3(1.0f);  // as most programs have it
+        }
+        m_mesh.materials.push_back(std::move(material));
+        m_channels.push_back(channel);
+    }
+
+    /// The index of a texture, which is read once; -1: it is left out, which is noted.
+    int textureOf(const std::string& name) {
+        if (const auto found = m_textures.find(name); found != m_textures.end()) return found->second;
+        MeshTexture texture;
+        int index = -1;
+        if (readTexture(name, texture)) {
+            index = int(m_mesh.textures.size());
+            m_mesh.textures.push_back(std::move(texture));
+        } else {
+            m_mesh.notes.push_back(fmt::format("texture '{}': expected a PNG image, found none: it is left out", name));
+        }
+        return m_textures[name] = index;
+    }
+
+    bool readTexture(std::string name, MeshTexture& out) const {
+        if (const aiTexture* inside = m_scene.GetEmbeddedTexture(name.c_str()))
+            return inside->mHeight == 0 && readPng(inside->pcData, inside->mWidth, out);
+        std::replace(name.begin(), name.end(), '\\', '/');
+        const Result<std::vector<uint8_t>> bytes = readFileBytes((m_folder / name).string(), kMaxFileBytes);
+        return bytes && readPng(bytes->data(), bytes->size(), out);
+    }
+
+    void addNode(const aiNode& node, const aiMatrix4x4& parent) {
+        const aiMatrix4x4 pose = parent * node.mTransformation;
+        for (unsigned i = 0; i < node.mNumMeshes && m_error.empty(); ++i)
+            addMesh(*m_scene.mMeshes[node.mMeshes[i]], pose);
+        for (unsigned i = 0; i < node.mNumChildren && m_error.empty(); ++i) addNode(*node.mChildren[i], pose);
+    }
+
+    void addMesh(const aiMesh& from, const aiMatrix4x4& pose) {
+        std::vector<uint32_t> points;
+        for (unsigned i = 0; i < from.mNumVertices; ++i) {
+            const aiVector3D at = pose * from.mVertices[i];
+            const glm::dvec3 point(at.x, at.y, at.z);
+            if (!(glm::max(glm::abs(point.x), glm::max(glm::abs(point.y), glm::abs(point.z))) <= kMaxCoordinate)) {
+                m_error = fmt::format("vertex {}: expected numbers within {:g} m, found {}, {}, {}", i, kMaxCoordinate,
+                                      at.x, at.y, at.z);
+                return;
+            }
+            points.push_back(indexOf(point));
+        }
+        for (unsigned i = 0; i < from.mNumFaces && m_error.empty(); ++i) addTriangle(from, from.mFaces[i], points);
+    }
+
+    /// The point at a place, which is made if it is new.
+    uint32_t indexOf(glm::dvec3 at) {
+        at += 0.0;  // -0 is 0
+        const auto [found, isNew] = m_places.try_emplace({at.x, at.y, at.z}, uint32_t(m_mesh.points.size()));
+        if (isNew) m_mesh.points.push_back(at);
+        return found->second;
+    }
+
+    void addTriangle(const aiMesh& from, const aiFace& face, const std::vector<uint32_t>& points) {
+        if (face.mNumIndices != 3) return;
+        MeshTriangle triangle;
+        triangle.material = from.mMaterialIndex < m_mesh.materials.size() ? from.mMaterialIndex : 0;
+        const unsigned channel = triangle.material < m_channels.size() ? m_channels[triangle.material] : 0;
+        const bool hasPlaces = channel < AI_MAX_NUMBER_OF_TEXTURECOORDS && from.HasTextureCoords(channel);
+        const bool hasColors = from.HasVertexColors(0);
+        for (size_t c = 0; c < 3; ++c) {
+            const unsigned vertex = face.mIndices[c];
+            if (vertex >= points.size()) {
+                m_error = fmt::format("expected a vertex below {}, found {}", points.size(), vertex);
+                return;
+            }
+            triangle.points[c] = points[vertex];
+            triangle.places[c] = hasPlaces ? placeOf(from.mTextureCoords[channel][vertex]) : glm::vec2(0.0f);
+            triangle.colors[c] = hasColors ? colorOf(from.mColors[0][vertex], m_isGltf) : glm::vec3(1.0f);
+        }
+        const auto& p = triangle.points;
+        if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) return void(++m_flat);
+        if (hasColors && !m_isGltf) useOnlyCorners(triangle);
+        m_mesh.triangles.push_back(triangle);
+        if (m_mesh.triangles.size() > kMaxTriangles)
+            m_error = fmt::format("expected at most {} triangles, found more", kMaxTriangles);
+    }
+
+    /// In formats that do not say, colours of corners take the place of that of the material, and a texture of both.
+    void useOnlyCorners(MeshTriangle& triangle) {
+        MeshMaterial& material = m_mesh.materials[triangle.material];
+        if (material.texture >= 0)
+            triangle.colors = {glm::vec3(1.0f), glm::vec3(1.0f), glm::vec3(1.0f)};
+        else
+            material.color = glm::vec3(1.0f);
+    }
+
+    static glm::vec2 placeOf(const aiVector3D& at) {
+        return std::abs(at.x) <= 1e6f && std::abs(at.y) <= 1e6f ? glm::vec2(at.x, at.y) : glm::vec2(0.0f);
+    }
+
+    const aiScene& m_scene;
+    fs::path m_folder;
+    bool m_isGltf;
+    Mesh m_mesh;
+    std::vector<unsigned> m_channels;  ///< of places, by material
+    std::map<std::string, int> m_textures;
+    std::map<std::array<double, 3>, uint32_t> m_places;
+    size_t m_flat = 0;
+    std::string m_error;
+};
+
+}  // namespace
+
+Result<Mesh> readMesh(const std::string& path) {
+    const std::string ending = fs::path(path).extension().string();
+    if (ending != ".obj" && ending != ".ply" && ending != ".glb")
+        return Error{fmt::format("{}: expected a name ending in .obj, .ply or .glb, found '{}'", path, ending)};
+    if (const auto bytes = readFileBytes(path, kMaxFileBytes); !bytes) return Error{bytes.error()};
+    Assimp::Importer importer;
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    // Validation comes first: the other steps trust what they are given.
+    const aiScene* const scene = importer.ReadFile(
+        path, aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_FlipUVs);
+    if (!scene || !scene->mRootNode) return Error{fmt::format("{}: {}", path, importer.GetErrorString())};
+    Result<Mesh> mesh = MeshReader(*scene, path).read();
+    return mesh ? std::move(mesh) : Error{path + ": " + mesh.error()};
+}
+
+}  // namespace rubble
