@@ -2,6 +2,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "editor/ui/panels/panels.h"
 #include "editor/ui/state/session.h"

@@ -39,7 +39,7 @@ TEST_P(EveryCommand, RunsAsItsExampleSaysAndIsUndoneAndRedone) {
     prepare(editor, GetParam().name);
     Document& document = editor.document();
     const auto hash = [&] { return editor.world().get_resolved_hash(); };  // with motion and settings
-    const uint64_t before = hash();
+    const uint64_t before = hash(), level = document.hash();
     const size_t steps = document.done().size();
     const Outcome outcome = editor.run(std::string(GetParam().example));
     ASSERT_TRUE(outcome.isDone) << GetParam().example << "\n" << outcome.text;
@@ -52,6 +52,7 @@ TEST_P(EveryCommand, RunsAsItsExampleSaysAndIsUndoneAndRedone) {
     ASSERT_EQ(document.done().size(), steps + 1);
     runAll(editor, {"undo"});
     EXPECT_EQ(hash(), before);
+    EXPECT_EQ(document.hash(), level);
     EXPECT_EQ(document.done().size(), steps);
     runAll(editor, {"redo"});
     EXPECT_EQ(hash(), after);
