@@ -3,6 +3,7 @@
 #include "samples/sandbox/shell/allocations.h"
 
 #include <atomic>
+#include <cstddef>
 #include <cstdlib>
 #include <new>
 

@@ -33,7 +33,7 @@ bool isInstalled(const std::string& program) {
 }
 
 /// A path as a word of a shell's command line.
-std::string quoted(const std::string& path) {
+std::string inQuotes(const std::string& path) {
     std::string out = "'";
     for (const char c : path) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return out + "'";
@@ -82,13 +82,13 @@ void Film::makeVideo() const {
     std::string video = m_folder + "/film.mp4", command;
     if (isInstalled("ffmpeg")) {
         const std::string sound =
-            fs::exists(soundFile()) ? fmt::format("-i {} -c:a aac -shortest ", quoted(soundFile())) : "";
+            fs::exists(soundFile()) ? fmt::format("-i {} -c:a aac -shortest ", inQuotes(soundFile())) : "";
         command = fmt::format("ffmpeg -loglevel error -y -framerate {} -i {} {}-pix_fmt yuv420p -crf 16 {}", m_fps,
-                              quoted(frames + "%04d.png"), sound, quoted(video));
+                              inQuotes(frames + "%04d.png"), sound, inQuotes(video));
     } else if (isInstalled("img2webp")) {
         video = m_folder + "/film.webp";
         command = fmt::format("img2webp -loop 0 -lossy -q 60 -d {} {}*.png -o {} >/dev/null", 1000 / m_fps,
-                              quoted(frames), quoted(video));
+                              inQuotes(frames), inQuotes(video));
     } else {
         fmt::print("no video: neither ffmpeg (Debian package ffmpeg) nor img2webp (webp) is installed\n");
         return;

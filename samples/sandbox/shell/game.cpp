@@ -20,6 +20,7 @@ using rubble::script::ScriptHost;
 
 constexpr double kStep = 1.0 / 60.0;
 constexpr int kMaxSteps = 4;      ///< of a frame: a slower machine runs slower instead of falling behind
+constexpr int kStepsOfSecond = 60;
 constexpr int kImageFrames = 12;  ///< in which the light of an image settles
 constexpr int kCutFrames = 6;     ///< in which it does after a cut of a film
 
@@ -35,7 +36,7 @@ Game::Game(const rubble_api& api, Display& display, GameSettings settings)
     : m_api(api), m_display(display), m_settings(std::move(settings)) {}
 
 Game::~Game() {
-    if (m_scripts) writeOptions();
+    if (m_scripts && m_settings.film.script.empty()) writeOptions();
     m_scripts.reset();
     if (m_renderer) m_api.destroy_renderer(m_renderer);
     if (m_world) m_api.destroy_world(m_world);
@@ -97,7 +98,7 @@ void Game::startScripts() {
     settings.log = [](int level, const std::string& line) { fmt::print(level ? stderr : stdout, "{}\n", line); };
     m_scripts = std::make_unique<ScriptHost>(m_api, m_world, settings);
     m_scripts->shared().registry = registry;
-    readOptions();
+    if (m_settings.film.script.empty()) readOptions();
     m_api.set_undo_limit(m_world, kUndoMarks);
     m_camera = {};
     m_scripts->setView(view());
@@ -129,7 +130,8 @@ bool Game::frame(double seconds) {
     m_camera.frame.reset();
     m_scripts->tick(seconds);
     cutToShot();
-    m_due = std::min(m_due + seconds * m_scripts->timeScale(), kMaxSteps * kStep);
+    const int most = isPlayed() ? kMaxSteps : kStepsOfSecond;
+    m_due = std::min(m_due + seconds * m_scripts->timeScale(), most * kStep);
     for (; m_due >= kStep - 1e-9; m_due -= kStep) step();
     m_due = std::max(m_due, 0.0);
     draw(seconds);
@@ -206,7 +208,7 @@ void Game::draw(double seconds) {
     m_isCut = false;
     if (m_api.draw(m_renderer, &seen) != RUBBLE_OK) return fail(m_api.get_last_error());
     m_display.present();
-    if (!m_film) return;
+    if (!m_film || m_requests.quits) return;
     rubble_draw_stats stats = {};
     stats.struct_size = sizeof stats;
     m_api.get_draw_stats(m_renderer, &stats);
