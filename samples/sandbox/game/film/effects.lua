@@ -118,7 +118,7 @@ function effects.blast(pos, size, o)
     fireball(pos, (o.fire or 1) * size)
     trails(pos, (o.trails or 1) * size, o.way)
     if o.ground then effects.ring(Vec(pos.x, o.ground + 0.15, pos.z), 0.8 * size, o.dust or {0.36, 0.32, 0.27}) end
-    effects.haze(pos, Vec(1.2, 0.9, 1.2), math.floor(9 * size), o.dust or {0.36, 0.32, 0.27}, 1.6)
+    effects.haze(pos, Vec(1.2, 0.9, 1.2), math.floor((o.haze or 9) * size), o.dust or {0.36, 0.32, 0.27}, 1.6)
 end
 
 return effects

@@ -10,6 +10,7 @@ local shots = {require("film/town"), require("film/hands"), require("film/room")
     require("film/dusk")}
 local only, fps, wanted = GetString("film.shot"), GetFloat("film.fps"), GetFloat("film.seconds")
 local current, frame, cue = 0, 0, 1
+local time = 0             -- seconds after the cut, in steps too
 local share, total = 1, 0  -- of the shots' lengths that is shown; frames of the film
 
 local function isFilmed(shot) return only == "" or shot.name == only end
@@ -33,7 +34,7 @@ local function cut()
     repeat current = current + 1 until current > #shots or isFilmed(shots[current])
     local shot = shots[current]
     if not shot then return QuitGame() end
-    frame, cue = 0, 1
+    frame, cue, time = 0, 1, -1
     SetTimeScale(1)
     if shot.begin then shot.begin() end
     BeginShot(shot.name, (shot.unseen or 0) * share, total)
@@ -44,6 +45,7 @@ function tick()
     local shot = shots[current]
     if not shot then return end
     local t = frame / fps
+    time = t
     SetTimeScale(shot.speed and shot.speed(t) or 1)
     SetCameraTransform(shot.camera(t))
     while shot.cues and shot.cues[cue] and shot.cues[cue][1] <= t do
@@ -55,5 +57,7 @@ end
 
 function update()
     local shot = shots[current]
-    if shot and shot.update then shot.update(frame / fps) end
+    if not shot then return end
+    if shot.update then shot.update(time) end
+    time = time + 1 / (60 * (shot.speed and shot.speed(time) or 1))
 end

@@ -2,14 +2,15 @@
 local camera = require("film/camera")
 local effects = require("film/effects")
 
-local face = Vec(18.0, 1.55, 31.3)  -- of the wall, which looks to -x
+local face = Vec(18.0, 1.55, 30.52)  -- of the wall, which looks to -x
 local tools = {spray = require("tools/spray").model, sledge = require("tools/sledge").model}
+tools.spray.palette[2] = {0.98, 0.78, 0.1, roughness = 0.4}  -- the can shows its colour
 local bodies = {}
 local paint = {0.98, 0.80, 0.12}
 local hits = {2.05, 2.75, 3.4}
 local holes = {Vec(0, 0.02, 0.03), Vec(0, 0.24, -0.22), Vec(0, -0.2, 0.12)}
-local keys = {{0, Vec(15.9, 1.75, 32.9), Vec(18, 1.55, 31.15), 46}, {1.8, Vec(15.75, 1.65, 32.3), Vec(18, 1.55, 31.3), 46},
-    {3.8, Vec(15.2, 1.7, 33.1), Vec(18, 1.5, 31.3), 50}}
+local keys = {{0, Vec(16.2, 1.5, 31.9), Vec(18, 1.56, 30.5), 42}, {1.8, Vec(15.9, 1.6, 31.3), Vec(18, 1.52, 30.55), 44},
+    {3.8, Vec(15.2, 1.7, 32.0), Vec(18, 1.45, 30.7), 48}}
 
 -- Where the can points: two strokes of a cross, one after the other. nil: between strokes.
 local function mark(t)
@@ -17,13 +18,13 @@ local function mark(t)
     if s > 1.25 then s, sign = s - 1.3, -1 end
     local isOn = s >= 0 and s <= 1
     s = camera.ease(s, 0, 1)
-    return face + Vec(0, 0.42 - 0.84 * s, sign * (0.42 - 0.84 * s)), isOn
+    return face + Vec(0, 0.36 - 0.72 * s, sign * (0.36 - 0.72 * s)), isOn
 end
 
 local function place(name, transform)
     local body = bodies[name]
     if not body or not IsHandleValid(body) then
-        tools[name].voxel = 0.016
+        tools[name].voxel = name == "spray" and 0.014 or 0.026
         bodies[name] = CreateModel(tools[name], transform, false)
     else
         SetBodyTransform(body, transform)
@@ -43,7 +44,7 @@ local function strike(at)
             2.4 * math.random() - 1.2), {type = "crumb", color = {0.27, 0.12, 0.08}, radius = {0.008, 0.03}, alpha = 1,
             life = 1.4})
     end
-    effects.haze(at - Vec(0.15, 0, 0), Vec(0.3, 0.3, 0.4), 9, {0.42, 0.3, 0.25}, 1.2)
+    effects.haze(at - Vec(0.15, 0, 0), Vec(0.3, 0.3, 0.4), 7, {0.42, 0.3, 0.25}, 1.2)
 end
 
 return {
@@ -86,7 +87,7 @@ return {
             if t > hit and t < hit + 0.42 then turn = -20 + 75 * camera.ease(t, hit, hit + 0.4) end
         end
         local enter = 1 - camera.ease(t, 1.75, 2.0)
-        local grip = face + at + Vec(-0.62, -0.3 - 0.9 * enter, 0.34)
+        local grip = face + at + Vec(-0.62, -0.42 - 0.9 * enter, 0.1)
         place("sledge", Transform(grip, QuatEuler(0, -90, 0) * QuatEuler(turn - 90 + 55, 0, 0)))
     end,
 }

@@ -3,41 +3,43 @@ local camera = require("film/camera")
 local effects = require("film/effects")
 
 local corner = Vec(28.4, 0, 15.2)  -- low corner on the ground; a side has 6.4 m
-local keys = {{0, Vec(24.2, 1.5, 47.2), Vec(31, 12.5, 18), 62}, {2.4, Vec(23.8, 1.6, 48.6), Vec(31, 9.5, 24), 62},
-    {5.0, Vec(22.8, 2.4, 51.0), Vec(30.6, 4.0, 36), 60}}
+local keys = {{0, Vec(34.6, 1.3, 51.5), Vec(31.4, 12.0, 20), 64}, {2.2, Vec(35.4, 1.2, 52.2), Vec(31.6, 9.5, 26), 62},
+    {5.0, Vec(37.2, 1.7, 53.5), Vec(31.4, 4.0, 36), 60}}
 local dust = {0.44, 0.41, 0.37}
 
--- Cuts the ground floor from z0 to z1, between two heights.
-local function notch(z0, z1, low, high)
-    for z = z0 + 0.25, z1, 0.5 do
-        for y = low + 0.25, high, 0.5 do
-            MakeHoleLine(corner + Vec(-0.2, y, z), corner + Vec(6.6, y, z), 0.42, 0.42, 0.42)
+-- Cuts through the ground floor from z0 to z1, between two heights, with holes of a radius.
+local function notch(z0, z1, low, high, radius)
+    for z = z0 + radius, z1, 1.2 * radius do
+        for y = low + radius, math.max(high, low + radius), 1.2 * radius do
+            MakeHoleLine(corner + Vec(-0.3, y, z), corner + Vec(6.7, y, z), radius, radius, radius)
         end
     end
 end
 
+-- First the columns on the side that it shall fall to, then those in the middle; a thin cut through the others makes
+-- the hinge.
 local function fell()
     for _, x in ipairs({0.25, 3.2, 6.15}) do
         effects.blast(corner + Vec(x, 0.9, 6.15), 1.7, {ground = 0, dust = dust})
         wait(0.08)
     end
-    notch(4.4, 6.6, 0.2, 2.2)
+    notch(4.6, 6.6, 0.4, 2.5, 0.4)
     wait(0.1)
     for _, x in ipairs({0.25, 3.2, 6.15}) do effects.blast(corner + Vec(x, 0.8, 3.2), 1.6, {dust = dust}) end
-    notch(1.4, 4.4, 0.3, 1.3)
+    notch(1.2, 4.6, 0.5, 1.4, 0.4)
     wait(0.2)
-    notch(-0.2, 1.4, 0.5, 0.7)
+    notch(-0.2, 1.4, 0.6, 0.6, 0.11)
 end
 
 return {
     name = "tower",
     seconds = 5.0,
-    unseen = 1.0,
+    unseen = 1.9,
     begin = function()
         SetEnvironment({clouds = 0.4, sun = Vec(-0.80, 0.30, 0.52), exposure = 0.9, fogDensity = 0.002, fogHeight = 12})
         SetRules({stress = true, contactTime = 0.0015})
         start(fell)
     end,
     camera = function(t) return camera.held(keys, t, 0.8 + camera.jolt(t, 2.9, 8)) end,
-    speed = function(t) return 1 - 0.6 * camera.ease(t, 1.6, 2.4) end,
+    speed = function(t) return 1 - 0.6 * camera.ease(t, 1.3, 2.2) end,
 }
