@@ -62,7 +62,11 @@ return {
     cues = {
         {hits[1], function() strike(face + holes[1]) end},
         {hits[2], function() strike(face + holes[2]) end},
-        {hits[3], function() strike(face + holes[3]) strike(face + Vec(0, 0.1, 0.35)) end},
+        {hits[3], function()
+            for _, aside in ipairs({holes[3], Vec(0, 0.15, 0.35), Vec(0, 0.3, -0.1), Vec(0, -0.25, -0.3)}) do
+                strike(face + aside)
+            end
+        end},
     },
     update = function(t)
         if t < 1.75 then

@@ -2,8 +2,8 @@
 local camera = require("film/camera")
 local effects = require("film/effects")
 
-local keys = {{0, Vec(5.2, 0.75, 55.6), Vec(19, 3.4, 38), 50}, {1.6, Vec(6.6, 3.2, 56.4), Vec(22, 4.6, 35), 50},
-    {3.6, Vec(10.5, 8.6, 57.5), Vec(26.5, 6.0, 31), 52}}
+local keys = {{0, Vec(25.4, 0.85, 51.6), Vec(19.5, 2.4, 41), 54}, {1.5, Vec(21.5, 2.8, 55.4), Vec(21.5, 4.4, 38), 52},
+    {3.6, Vec(13.0, 8.4, 58.6), Vec(26.6, 8.0, 31), 56}}
 
 return {
     name = "town",
