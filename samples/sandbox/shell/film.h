@@ -30,6 +30,7 @@ public:
     /// Writes sheets, video and figures, and prints the figures. What is wrong, or "".
     std::string finish(uint64_t stateHash);
 
+    /// What its steps and frames have cost.
     FilmFigures& figures() { return m_figures; }
     /// A WAV file that is the video's sound if it is there at the end.
     std::string soundFile() const { return m_folder + "/sound.wav"; }

@@ -9,6 +9,7 @@ namespace sandbox {
 /// What the steps and frames of a film have cost, as a table for people.
 class FilmFigures {
 public:
+    /// What follows belongs to this shot.
     void beginShot(const std::string& name) { m_shots.push_back(name); }
     /// A step of the world, and how often it has allocated.
     void addStep(const rubble_step_stats& stats, uint64_t allocations);

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using rubble::script::ScriptHost;
 
 constexpr double kStep = 1.0 / 60.0;
-constexpr int kMaxSteps = 4;      ///< of a frame: a slower machine runs slower instead of falling behind
+constexpr int kMaxSteps = 4;  ///< of a frame: a slower machine runs slower instead of falling behind
 constexpr int kStepsOfSecond = 60;
 constexpr int kImageFrames = 12;  ///< in which the light of an image settles
 constexpr int kCutFrames = 6;     ///< in which it does after a cut of a film

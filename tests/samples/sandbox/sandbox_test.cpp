@@ -61,7 +61,8 @@ TEST(Sandbox, WithoutADisplayMakesAFilm) {
 
 TEST(Sandbox, RefusesAShotThatIsNotThere) {
     const fs::path out = outFolder("shot");
-    EXPECT_NE(runSandbox("--shot nonsense --fps 1 --size 64x36 --preset draft --out " + out.string() + " 2>/dev/null"), 0);
+    EXPECT_NE(runSandbox("--shot nonsense --fps 1 --size 64x36 --preset draft --out " + out.string() + " 2>/dev/null"),
+              0);
 }
 
 TEST(Sandbox, ASceneWritesFramesAndFigures) {

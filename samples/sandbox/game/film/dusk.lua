@@ -1,4 +1,4 @@
--- Dusk: the house burns in the rain, and the lamps die.
+-- Dusk: the house burns in the rain, and the lights die.
 local camera = require("film/camera")
 local effects = require("film/effects")
 
@@ -8,7 +8,7 @@ local function light(pos)
     for i = 0, 5 do SpawnFire(pos + Vec(0.5 * (i % 3), 0.1, 0.6 * math.floor(i / 3))) end
 end
 
--- Switches all lamps of a shape, and what glows on it.
+-- Switches all lights of a shape, and what glows on it.
 local function switch(name, isOn)
     local shape = FindShape(name)
     if shape == 0 then return end

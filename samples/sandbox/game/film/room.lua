@@ -13,7 +13,7 @@ local function isWithin(p)
     return p.x > low.x and p.y > low.y and p.z > low.z and p.x < high.x and p.y < high.y and p.z < high.z
 end
 
--- The lamps of the room are off: the light shall come from outside.
+-- The lights of the room are off: the light shall come from outside.
 local function darken()
     for _, light in ipairs(FindLights()) do
         if isWithin(GetLightTransform(light).pos) then SetLightEnabled(light, false) end

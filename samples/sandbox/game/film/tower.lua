@@ -34,7 +34,7 @@ end
 return {
     name = "tower",
     seconds = 5.0,
-    unseen = 1.9,
+    unseen = 2.7,
     begin = function()
         SetEnvironment({clouds = 0.4, sun = Vec(-0.80, 0.30, 0.52), exposure = 0.9, fogDensity = 0.002, fogHeight = 12})
         SetRules({stress = true, contactTime = 0.0015})
