@@ -9,7 +9,7 @@ local function direction(up)
     return up and Vec(v.x, math.abs(v.y), v.z) or v
 end
 
--- Throws one particle. Fields of p: type, color, radius {from, to}, life; alpha, drag, gravity, emissive, stretch, spin.
+-- Throws one particle. Fields of p: type, color, radius {from, to}, life; alpha, drag, gravity, emissive, ...
 function effects.particle(pos, velocity, p)
     ParticleReset()
     ParticleType(p.type)
@@ -102,7 +102,8 @@ function effects.haze(pos, spread, count, color, speed)
     for _ = 1, count do
         local v = direction(true)
         local shade = random(0.8, 1.15)
-        local aside = Vec(v.x * spread.x * math.random(), v.y * spread.y * math.random(), v.z * spread.z * math.random())
+        local aside = Vec(v.x * spread.x * math.random(), v.y * spread.y * math.random(),
+            v.z * spread.z * math.random())
         particle(pos + aside, VecScale(Vec(v.x, 0.3 * v.y, v.z), (speed or 0.6) * math.random()),
             {type = "dust", color = {color[1] * shade, color[2] * shade, color[3] * shade},
                 radius = {random(0.12, 0.3), random(0.7, 1.4)}, alpha = random(0.06, 0.2), drag = 0.8, gravity = -0.12,
