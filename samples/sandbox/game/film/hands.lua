@@ -7,10 +7,11 @@ local tools = {spray = require("tools/spray").model, sledge = require("tools/sle
 tools.spray.palette[2] = {0.98, 0.78, 0.1, roughness = 0.4}  -- the can shows its colour
 local bodies = {}
 local paint = {0.98, 0.80, 0.12}
-local hits = {2.05, 2.75, 3.4}
+local hits = {1.95, 2.5, 3.05}
 local holes = {Vec(0, 0.02, 0.03), Vec(0, 0.24, -0.22), Vec(0, -0.2, 0.12)}
 local keys = {{0, Vec(16.2, 1.5, 31.9), Vec(18, 1.56, 30.5), 42}, {1.8, Vec(15.9, 1.6, 31.3), Vec(18, 1.52, 30.55), 44},
-    {3.8, Vec(15.2, 1.7, 32.0), Vec(18, 1.45, 30.7), 48}}
+    {2.9, Vec(15.7, 1.65, 31.6), Vec(18, 1.45, 30.6), 45},
+    {3.8, Vec(16.2, 1.55, 31.2), Vec(18, 1.5, 30.5), 44}}
 
 -- Where the can points: two strokes of a cross, one after the other. nil: between strokes.
 local function mark(t)
@@ -44,7 +45,7 @@ local function strike(at)
             2.4 * math.random() - 1.2), {type = "crumb", color = {0.27, 0.12, 0.08}, radius = {0.008, 0.03}, alpha = 1,
             life = 1.4})
     end
-    effects.haze(at - Vec(0.15, 0, 0), Vec(0.3, 0.3, 0.4), 7, {0.42, 0.3, 0.25}, 1.2)
+    effects.haze(at - Vec(0.15, 0, 0), Vec(0.3, 0.3, 0.4), 4, {0.42, 0.3, 0.25}, 1.2)
 end
 
 return {
@@ -86,12 +87,12 @@ return {
         -- The hammer swings back before each hit, and through it.
         local turn, at = 55, holes[1]
         for i, hit in ipairs(hits) do
-            if t > hit - 0.45 then at = holes[i] end
+            if t > hit - 0.3 then at = holes[i] end
             if t > hit - 0.22 and t <= hit then turn = 55 - 75 * ((t - hit + 0.22) / 0.22) ^ 2 end
-            if t > hit and t < hit + 0.42 then turn = -20 + 75 * camera.ease(t, hit, hit + 0.4) end
+            if t > hit and t < hit + 0.34 then turn = -20 + 75 * camera.ease(t, hit, hit + 0.33) end
         end
-        local enter = 1 - camera.ease(t, 1.75, 2.0)
-        local grip = face + at + Vec(-0.62, -0.42 - 0.9 * enter, 0.1)
+        local enter = 1 - camera.ease(t, 1.7, 1.9) + camera.ease(t, 3.3, 3.7)
+        local grip = face + at + Vec(-0.62, -0.42 - 0.9 * enter, 0.3)
         place("sledge", Transform(grip, QuatEuler(0, -90, 0) * QuatEuler(turn - 90 + 55, 0, 0)))
     end,
 }
