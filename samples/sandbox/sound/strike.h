@@ -19,6 +19,8 @@ struct Strike {
     double openness = 1.0;  ///< share of it that comes straight to the ear, not around or through walls
 };
 
+inline constexpr double kLoudnessPower = 0.35;  ///< of the energy
+
 /// How loud so many joules are: a tenfold energy is 2.2 times as loud, where 3.2 would be true, so that a falling tower
 /// and a falling cup are heard in one mix.
 double loudness(double joules);
