@@ -22,7 +22,10 @@ Sound::Sound(const rubble_api& api, const std::string& wav, const std::function<
     m_output = wav.empty() ? Output::openDevice(why) : Output::openMemory(why);
     if (!wav.empty() && m_output) m_wav = WavFile::create(wav, 2, m_error);
     if (!m_error.empty()) m_output.reset(), why = m_error;
-    if (!m_output) return log("no sound: " + why);
+    if (!m_output) {
+        log("no sound: " + why);
+        return;
+    }
     if (wav.empty()) m_thread = std::jthread([this](std::stop_token stop) { playCard(std::move(stop)); });
 }
 
