@@ -18,6 +18,9 @@ std::span<const rubble::script::ScriptFunction> sessionFunctions();
 /// Bodies of boxes, ropes, nails.
 std::span<const rubble::script::ScriptFunction> makeFunctions();
 
+/// Sounds.
+std::span<const rubble::script::ScriptFunction> soundFunctions();
+
 /// The game whose script runs.
 Game& gameOf(lua_State* L);
 

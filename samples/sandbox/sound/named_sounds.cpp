@@ -27,8 +27,16 @@ constexpr Layer kLayers[] = {
 
 }  // namespace
 
-bool hasSound(std::string_view name) {
-    return std::any_of(std::begin(kLayers), std::end(kLayers), [&](const Layer& layer) { return layer.name == name; });
+std::span<const std::string_view> soundNames() {
+    static constexpr std::string_view kNames[] = {"explosion", "shot",  "blast",  "launch",
+                                                  "click",     "crack", "splash", "thud"};
+    return kNames;
+}
+
+std::span<const std::string_view> loopNames() {
+    static constexpr std::string_view kNames[] = {"fire",  "water", "wind",   "rain", "engine",
+                                                  "motor", "jet",   "rocket", "alarm"};
+    return kNames;
 }
 
 std::vector<Strike> soundStrikes(std::string_view name, glm::dvec3 position, double volume) {

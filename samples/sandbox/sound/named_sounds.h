@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -6,9 +7,10 @@
 
 namespace sandbox::sound {
 
-/// Whether there is a sound of that name that scripts play once: "explosion", "shot", "blast", "launch", "click",
-/// "crack", "splash", "thud".
-bool hasSound(std::string_view name);
+/// The names of sounds that scripts play once.
+std::span<const std::string_view> soundNames();
+/// The names of those that go on.
+std::span<const std::string_view> loopNames();
 
 /// What it is made of, at a place. Volume 1 is as it is; an explosion of volume 2 is twice as loud.
 std::vector<Strike> soundStrikes(std::string_view name, glm::dvec3 position, double volume);

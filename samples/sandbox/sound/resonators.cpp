@@ -71,7 +71,7 @@ void Resonators::strike(float amplitude, double seconds, Random& random) {
         m_im[i / kLanes][i % kLanes] += amplitude * m_gain[i] * place / (1.0f + softness * softness);
     }
     if (!m_isSparse) {
-        const double frequency = std::clamp(0.5 / seconds, 40.0, 4000.0);
+        const double frequency = std::clamp(0.35 / seconds, 40.0, 1500.0) * (1.0 + 0.25 * double(random.sign()));
         setMode(kModes, frequency, std::min(3.0 * frequency, 2300.0));
         m_im[kRows - 1][0] += amplitude * kPush * (1.0f - m_noiseShare * 0.5f);
     }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <glm/gtc/quaternion.hpp>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "samples/sandbox/sound/named_sounds.h"
@@ -10,14 +10,18 @@
 namespace sandbox::sound {
 namespace {
 
-constexpr size_t kStrikes = 12;  ///< of a step, after those near each other were joined
-constexpr int kRoomBlocks = 15;  ///< from one room to the next: reverberation changes slowly
+constexpr size_t kStrikes = 12;        ///< of a step, after those near each other were joined
+constexpr int kRoomBlocks = 15;        ///< from one room to the next: reverberation changes slowly
+constexpr double kLoopSeconds = 0.1;  ///< that a loop goes on without another call
+constexpr double kSameLoop = 2.0;      ///< metres that one moves from call to call
 constexpr double kBlockSeconds = double(kBlock) / kSampleRate;
 
 }  // namespace
 
-Sound::Sound(const rubble_api& api, const std::string& wav, const std::function<void(const std::string&)>& log)
+Sound::Sound(const rubble_api& api, const std::string& wav, bool wantsCard,
+             const std::function<void(const std::string&)>& log)
     : m_api(api) {
+    if (wav.empty() && !wantsCard) return;
     std::string why;
     m_output = wav.empty() ? Output::openDevice(why) : Output::openMemory(why);
     if (!wav.empty() && m_output) m_wav = WavFile::create(wav, 2, m_error);
@@ -51,10 +55,18 @@ void Sound::play(const std::string& name, std::optional<glm::dvec3> position, do
 void Sound::loop(const std::string& name, std::optional<glm::dvec3> position, double volume, double pitch) {
     const LoopKind* kind = findLoopKind(name);
     if (!isOn() || !kind) return;
-    uint64_t id = 1;  // the first, second, ... of its kind in this frame
-    for (const Loop& other : m_loops) id += other.kind == kind;
-    m_loops.push_back({id, kind, position.value_or(m_ear), std::clamp(volume, 0.0, 4.0), std::clamp(pitch, 0.1, 8.0),
-                       1.0, !position});
+    const auto same = std::find_if(m_played.begin(), m_played.end(), [&](const Played& other) {
+        if (other.loop.kind != kind || other.loop.isAtEar == position.has_value()) return false;
+        return !position || glm::distance(other.loop.position, *position) < kSameLoop;
+    });
+    Played& played = same != m_played.end() ? *same : m_played.emplace_back();
+    if (same == m_played.end()) played.loop.id = ++m_loopCount;
+    played.left = kLoopSeconds;
+    played.loop.kind = kind;
+    played.loop.position = position.value_or(m_ear);
+    played.loop.gain = std::clamp(volume, 0.0, 4.0);
+    played.loop.pitch = std::clamp(pitch, 0.1, 8.0);
+    played.loop.isAtEar = !position;
 }
 
 void Sound::step() {
@@ -75,6 +87,9 @@ void Sound::openness() {
 void Sound::frame(double seconds, glm::dvec3 ear, const std::array<double, 4>& rotation) {
     if (!m_output) return;
     m_ear = ear;
+    m_loops.clear();
+    for (Played& played : m_played) m_loops.push_back(played.loop), played.left -= seconds;
+    std::erase_if(m_played, [](const Played& played) { return played.left <= 0.0; });
     if (isOn() && m_world) {
         m_world->readFires(ear, m_loops);
         m_acoustics->listen(ear);
@@ -90,7 +105,6 @@ void Sound::frame(double seconds, glm::dvec3 ear, const std::array<double, 4>& r
         if (m_acoustics) m_inbox.room = m_acoustics->room();
     }
     m_strikes.clear();
-    m_loops.clear();
     if (!m_wav) return;
     for (m_due += seconds; m_due >= kBlockSeconds - 1e-9; m_due -= kBlockSeconds) {
         nextBlock();

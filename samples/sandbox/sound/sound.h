@@ -28,8 +28,9 @@ namespace sandbox::sound {
 ///     }
 class Sound {
 public:
-    /// `wav`: a file in place of a card; "": none. The line says why there is no sound.
-    Sound(const rubble_api& api, const std::string& wav, const std::function<void(const std::string&)>& log);
+    /// `wav`: a file in place of a card; "": a card, if one is wanted. The line says why there is no sound.
+    Sound(const rubble_api& api, const std::string& wav, bool wantsCard,
+          const std::function<void(const std::string&)>& log);
     ~Sound();
     Sound(const Sound&) = delete;
     Sound& operator=(const Sound&) = delete;
@@ -45,7 +46,7 @@ public:
 
     /// A sound by its name, see named_sounds.h; at a place, or without one before the eyes.
     void play(const std::string& name, std::optional<glm::dvec3> position, double volume);
-    /// A sound that goes on until the next frame, see loop_voice.cpp. Who calls it in each frame hears it all the time.
+    /// A sound that goes on, see loop_voice.cpp, for as long as this is called in each frame or step.
     void loop(const std::string& name, std::optional<glm::dvec3> position, double volume, double pitch);
 
     /// After each step of the world.
@@ -65,6 +66,10 @@ private:
         Room room;
         double volume = 1.0;
     };
+    struct Played {
+        Loop loop;
+        double left = 0.0;  ///< seconds
+    };
     void openness();
     void nextBlock();
     void playCard(std::stop_token stop);
@@ -76,6 +81,8 @@ private:
     std::optional<Acoustics> m_acoustics;
     std::vector<Strike> m_strikes;
     std::vector<Loop> m_loops;
+    std::vector<Played> m_played;  ///< loops of scripts
+    uint64_t m_loopCount = 0;
     std::vector<glm::dvec3> m_places;
     std::vector<double> m_openness;
     std::vector<float> m_samples;

@@ -78,7 +78,7 @@ void crash(Recorder& recorder) {
     recorder.run(1.5);
 }
 
-void loop(Recorder& recorder, const char* name) {
+void loop(Recorder& recorder, std::string_view name) {
     Loop loop;
     loop.kind = findLoopKind(name);
     loop.position = {0, 0, -2};
@@ -88,7 +88,7 @@ void loop(Recorder& recorder, const char* name) {
     recorder.run(0.5);
 }
 
-void named(Recorder& recorder, const char* name) {
+void named(Recorder& recorder, std::string_view name) {
     for (const Strike& strike : soundStrikes(name, {0, 0, -4}, 1.0)) recorder.mixer().add(strike);
     recorder.run(3.0);
 }
@@ -107,10 +107,10 @@ int run(const std::string& folder) {
     };
     record("hits", hits);
     record("crash", crash);
-    for (const char* name : {"fire", "water", "wind", "rain", "engine", "motor", "jet", "rocket", "alarm"})
-        record(name, [&](Recorder& recorder) { loop(recorder, name); });
-    for (const char* name : {"explosion", "shot", "blast", "launch", "click", "crack", "splash", "thud"})
-        record(name, [&](Recorder& recorder) { named(recorder, name); });
+    for (const std::string_view name : loopNames())
+        record(std::string(name), [&](Recorder& recorder) { loop(recorder, name); });
+    for (const std::string_view name : soundNames())
+        record(std::string(name), [&](Recorder& recorder) { named(recorder, name); });
     if (!error.empty()) fmt::print(stderr, "sounds: {}\n", error);
     return error.empty() ? 0 : 1;
 }
