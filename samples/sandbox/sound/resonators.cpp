@@ -11,7 +11,7 @@ using std::numbers::pi;
 
 constexpr float kAttack = 1.0f / 48.0f;  ///< share of the way to its level that noise takes in a sample
 constexpr float kSilence = 1e-7f;
-constexpr float kPush = 0.5f;  ///< how loud the push is beside the modes
+constexpr float kPush = 0.12f;  ///< how loud the push is beside the modes
 
 }  // namespace
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kMaterials[] = {"glass",      "ice",  "wood",    "plastic",  "rubber", "metal",
                                       "hard metal", "rock", "plaster", "concrete", "brick",  "dirt"};
-constexpr double kSizes[] = {0.25, 0.5, 1.0};
+constexpr double kSizes[] = {0.2, 0.35, 0.5};
 
 /// A mixer that is heard at the origin, and written to a file.
 class Recorder {
