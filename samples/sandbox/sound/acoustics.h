@@ -16,6 +16,7 @@ public:
     Acoustics(const rubble_api& api, rubble_world world) : m_api(api), m_world(world) { m_distances.fill(1e9); }
     /// Looks around from the ear in a few of its directions; after twelve steps it knows the room.
     void listen(glm::dvec3 ear);
+    /// What stands around, as far as it has looked.
     const Room& room() const { return m_room; }
     /// What share of sound from each place comes straight to the ear.
     void findOpenness(std::span<const glm::dvec3> places, std::vector<double>& openness);

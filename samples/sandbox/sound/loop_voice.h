@@ -26,6 +26,7 @@ const LoopKind* findLoopKind(std::string_view name);
 /// One such sound that plays.
 class LoopVoice {
 public:
+    /// Silent; two of a kind with other seeds differ as two fires do.
     LoopVoice(const LoopKind& kind, uint32_t seed);
     /// Adds a block whose gain goes from that of the last one to `gain`, at `pitch` times the kind's rate of hits.
     void render(float* out, float gain, double pitch);

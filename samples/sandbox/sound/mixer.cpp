@@ -88,8 +88,8 @@ bool Mixer::begin(const Strike& strike) {
     return body;
 }
 
-/// Its hits, at random times of the step and with random shares of its energy: what comes at once in a step did not in
-/// truth, and would sound as a tone of 60 Hz.
+/// Its hits, at random times of the step and with random shares of its energy: what a step reports
+/// happened within it, and all at its begin would be a tone of 60 Hz.
 void Mixer::scatter(Body& body, const Strike& strike) {
     const double delay = std::min(glm::length(strike.position - m_ear) / 343.0, 1.0);
     const int count = int(std::clamp(strike.count, 1.0, kMaxHits));

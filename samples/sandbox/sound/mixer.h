@@ -47,6 +47,7 @@ public:
     void setLoops(const std::vector<Loop>& loops) { m_wanted = loops; }
     /// The next kBlock samples of each place.
     void render();
+    /// What render() gave.
     const std::array<Emitter, kEmitters>& emitters() const { return m_emitters; }
     /// How many bodies sound.
     size_t bodies() const;

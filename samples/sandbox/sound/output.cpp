@@ -4,6 +4,8 @@
 #include <AL/alc.h>
 #include <AL/alext.h>
 #include <AL/efx.h>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +39,16 @@ struct Extensions {
 template <class Function>
 void load(Function& function, const char* name) {
     function = reinterpret_cast<Function>(alGetProcAddress(name));
+}
+
+/// Opens a card without what ALSA writes to standard error where there is none: not having one is no error.
+ALCdevice* openCard() {
+    const int kept = dup(STDERR_FILENO), nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (nowhere >= 0) dup2(nowhere, STDERR_FILENO);
+    ALCdevice* device = alcOpenDevice(nullptr);
+    if (kept >= 0) dup2(kept, STDERR_FILENO), close(kept);
+    if (nowhere >= 0) close(nowhere);
+    return device;
 }
 
 /// A source with the buffers that go round through it.
@@ -158,7 +170,7 @@ Output::~Output() = default;
 
 std::unique_ptr<Output> Output::openDevice(std::string& why) {
     auto al = std::make_unique<Al>();
-    al->device = alcOpenDevice(nullptr);
+    al->device = openCard();
     const char* name = al->device ? alcGetString(al->device, ALC_ALL_DEVICES_SPECIFIER) : "No Output";
     if (!name || std::strcmp(name, "No Output") == 0) return why = "there is no sound card", nullptr;
     why = al->makeContext();

@@ -7,7 +7,9 @@ namespace sandbox::sound {
 /// Random numbers that are the same in each run: xorshift32.
 class Random {
 public:
+    /// Of a seed, which may be 0.
     explicit Random(uint32_t seed) : m_state(seed * 2654435761u | 1u) {}
+    /// 32 of them.
     uint32_t bits() {
         m_state ^= m_state << 13;
         m_state ^= m_state >> 17;

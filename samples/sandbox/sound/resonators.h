@@ -12,12 +12,15 @@ inline constexpr int kBlock = 800;  ///< samples of a step of 1/60 s
 /// Noise through a band-pass filter, whose level falls: what does not ring of a hit.
 class NoiseBand {
 public:
+    /// Hz, s until its level has fallen to 1/e, and width: 0.1 whistles, 1.4 is noise.
     void set(double center, double decay, double width = 1.4);
     /// Adds to its level, in the sense of energy.
     void add(float amplitude);
     /// Moves its level towards one that stays.
     void hold(float level) { m_held = level; }
+    /// Adds sound to a part of a block.
     void render(float* out, int count, Random& random);
+    /// Its level.
     float level() const { return m_goal + m_held; }
 
 private:

@@ -10,10 +10,10 @@
 namespace sandbox::sound {
 namespace {
 
-constexpr size_t kStrikes = 12;        ///< of a step, after those near each other were joined
-constexpr int kRoomBlocks = 15;        ///< from one room to the next: reverberation changes slowly
+constexpr size_t kStrikes = 12;       ///< of a step, after those near each other were joined
+constexpr int kRoomBlocks = 15;       ///< from one room to the next: reverberation changes slowly
 constexpr double kLoopSeconds = 0.1;  ///< that a loop goes on without another call
-constexpr double kSameLoop = 2.0;      ///< metres that one moves from call to call
+constexpr double kSameLoop = 2.0;     ///< metres that one moves from call to call
 constexpr double kBlockSeconds = double(kBlock) / kSampleRate;
 
 }  // namespace

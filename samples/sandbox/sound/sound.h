@@ -1,7 +1,7 @@
 #pragma once
 #include <rubble/rubble.h>
 
-#include <atomic>
+#include <array>
 #include <functional>
 #include <memory>
 #include <mutex>

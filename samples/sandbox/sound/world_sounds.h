@@ -1,6 +1,7 @@
 #pragma once
 #include <rubble/rubble.h>
 
+#include <array>
 #include <optional>
 #include <vector>
 
