@@ -77,6 +77,10 @@ public:
     /// Calls update(1/60 s), steps the world, and tells scripts what happened. The result is that of step().
     rubble_result step();
 
+    /// What the host wants to be reported from the next step on, beside what scripts ask for: see
+    /// ScriptHostSettings::reports.
+    void setHostReports(const rubble_report_filter& reports);
+
     /// Around a step of the world, or apply_edits(), that the host takes itself: step() does both. After it nothing of
     /// what scripts have queued waits any more.
     void beforeEdits();
@@ -138,6 +142,7 @@ private:
     std::set<rubble_renderer> m_overlaid;   ///< that have an overlay of the scripts
     std::optional<ProfileTable> m_profile;  ///< while it is shown
     uint32_t m_reports = 0;                 ///< kinds that the world lists for the scripts
+    bool m_hasReports = true;               ///< the world has the host's filter
 };
 
 }  // namespace rubble::script
