@@ -21,6 +21,12 @@ uint64_t memoryOf(const Level& level) {
 
 Result<std::shared_ptr<const Level>> PrefabCache::get(std::span<const uint8_t> bytes,
                                                       const std::function<Result<Level>()>& read) {
+    const auto readNew = [&]() -> Result<std::shared_ptr<const Level>> {
+        Result<Level> level = read();
+        if (!level) return Error{level.error()};
+        return std::make_shared<const Level>(std::move(*level));
+    };
+    if (bytes.size() > kMaxMemory) return readNew();  // also of a host's data that are shorter than it says
     const uint64_t hash = hashBytes(bytes.data(), bytes.size());
     const auto known = std::find_if(m_known.begin(), m_known.end(), [&](const Known& each) {
         return each.hash == hash && std::equal(bytes.begin(), bytes.end(), each.bytes.begin(), each.bytes.end());
@@ -29,14 +35,12 @@ Result<std::shared_ptr<const Level>> PrefabCache::get(std::span<const uint8_t> b
         m_known.splice(m_known.begin(), m_known, known);
         return known->level;
     }
-    Result<Level> level = read();
-    if (!level) return Error{level.error()};
-    auto shared = std::make_shared<const Level>(std::move(*level));
-    const uint64_t memory = bytes.size() + memoryOf(*shared);
-    if (memory > kMaxMemory) return shared;
-    m_known.push_front({hash, {bytes.begin(), bytes.end()}, shared, memory});
+    const auto level = readNew();
+    const uint64_t memory = level ? bytes.size() + memoryOf(**level) : 0;
+    if (!level || memory > kMaxMemory) return level;
+    m_known.push_front({hash, {bytes.begin(), bytes.end()}, *level, memory});
     for (m_memory += memory; m_memory > kMaxMemory; m_known.pop_back()) m_memory -= m_known.back().memory;
-    return shared;
+    return level;
 }
 
 }  // namespace rubble::abi
