@@ -109,7 +109,7 @@ void WorldSounds::readOthers(const rubble_reports& reports, std::vector<Strike>&
         const rubble_water_report& row = reports.waters[i];
         const double joules = 0.5 * row.mass * row.speed * row.speed;
         const glm::dvec3 at = pointOf(row.position);
-        strikes.push_back({at, findAcousticMaterial("bubbles"), {1, 1, 1}, 0.3 * joules, 1e-3, 24, 0.6});
+        strikes.push_back({at, findAcousticMaterial("bubbles"), {1, 1, 1}, 2.0 * joules, 1e-3, 24, 0.6});
         strikes.push_back({at, findAcousticMaterial("burst"), {1, 1, 1}, 0.02 * joules, 3e-3, 2, 0.05});
     }
     for (uint32_t i = 0; i < reports.footstep_count; ++i) {
