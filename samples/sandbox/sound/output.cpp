@@ -18,7 +18,7 @@ namespace {
 
 constexpr size_t kAhead = 3;          ///< blocks that a card has in hand: 50 ms
 constexpr size_t kBuffers = 8;        ///< of a source
-constexpr float kReference = 3.0f;    ///< metres at which a sound is as loud as it was made; beyond, 1 / distance
+constexpr float kReference = 4.0f;    ///< metres at which a sound is as loud as it was made; beyond, 1 / distance
 constexpr double kAbsorption = 0.12;  ///< of walls, and of what stands in rooms
 
 /// The functions of OpenAL's extensions, which are asked for by name.
