@@ -10,8 +10,8 @@ return {
     seconds = 3.6,
     unseen = 1.5,
     begin = function()
-        SetEnvironment({clouds = 0.36, sun = Vec(-0.82, 0.25, 0.36), exposure = 0.95, fogDistance = 170,
-            fogDensity = 0.0025, fogHeight = 12, fogForward = 0.6})
+        SetEnvironment({clouds = 0.36, sun = Vec(-0.82, 0.25, 0.36), exposure = 0.95, fogDistance = 220,
+            fogDensity = 0.0015, fogHeight = 12, fogForward = 0.6})
     end,
     camera = function(t) return camera.held(keys, t, 0.5) end,
     -- Somebody is at home: the chimney smokes.
