@@ -52,11 +52,11 @@ end
 return {
     name = "dusk",
     seconds = 3.6,
-    unseen = 7,
+    unseen = 6.5,
     begin = function()
         SetEnvironment({clouds = 0.7, sun = Vec(-0.75, 0.03, -0.5), exposure = 1.7, wetness = 1, fogDensity = 0.008,
             fogHeight = 9, fogDistance = 110})
-        SetRules({fireSpread = 5, fireTime = 0.14})
+        SetRules({fireSpread = 4, fireTime = 0.16})
         for _, pos in ipairs({Vec(20, 0.3, 36.5), Vec(22, 3.0, 36.5), Vec(20, 3.0, 35), Vec(25, 5.8, 35)}) do
             light(pos)
         end
