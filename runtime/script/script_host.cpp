@@ -27,6 +27,7 @@ ScriptHost::ScriptHost(const rubble_api& api, rubble_world world, ScriptHostSett
     m_shared.hostFunctions = m_settings.functions;
     m_shared.host = m_settings.host;
     m_shared.observer = m_settings.observer;
+    m_hasReports = m_settings.reports.kinds == 0;
 }
 
 ScriptHost::~ScriptHost() {
@@ -60,11 +61,16 @@ void ScriptHost::setReports() {
     const uint32_t kinds = (anyHas(Callback::Contact) ? RUBBLE_REPORT_CONTACT_HIT : 0) |
                            (anyHas(Callback::Fire) ? RUBBLE_REPORT_FIRE : 0) |
                            (anyHas(Callback::Joint) ? RUBBLE_REPORT_JOINT : 0);
-    if (kinds == m_reports) return;
+    if (kinds == m_reports && m_hasReports) return;
     rubble_report_filter filter = m_settings.reports;
     filter.struct_size = sizeof filter;
     filter.kinds |= kinds;
-    if (m_shared.api->set_report_filter(m_shared.world, &filter) == RUBBLE_OK) m_reports = kinds;
+    if (m_shared.api->set_report_filter(m_shared.world, &filter) == RUBBLE_OK) m_reports = kinds, m_hasReports = true;
+}
+
+void ScriptHost::setHostReports(const rubble_report_filter& reports) {
+    m_settings.reports = reports;
+    m_hasReports = false;
 }
 
 void ScriptHost::callAll(Callback callback, double dt) {

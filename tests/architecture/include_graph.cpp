@@ -32,6 +32,8 @@ const std::vector<Library>& libraries() {
         {"a window or a GL context",
          {"GLFW/", "EGL/", "GL/osmesa", "X11/"},
          {"samples/support/", "samples/sandbox/window.cpp", "samples/sandbox/shell/display.cpp", "editor/"}},
+        {"OpenAL", {"AL/"}, {"samples/sandbox/sound/output.cpp"}},
+        {"libsndfile", {"sndfile.h"}, {"samples/sandbox/sound/wav_file.cpp"}},
         {"SDL", {"SDL"}, {"samples/hosts/sdl/", "samples/hosts/ogre/main.cpp"}},
         {"Ogre", {"Ogre"}, {"samples/hosts/ogre/"}},
         {"emscripten", {"emscripten"}, {"samples/hosts/web/"}},

@@ -8,6 +8,7 @@ local menus = require("menus/menus")
 local options = require("options")
 local player = require("player")
 local radial = require("menus/radial")
+local sounds = require("sounds")
 
 local titleTime = 0
 local play = saved("play", {tool = 1, yaw = 0, pitch = 0, flies = false})
@@ -56,6 +57,7 @@ function tick(dt)
     publish()
     feel.tick(dt)
     hud.tick(dt)
+    sounds.loop("wind", nil, 0.06 + 0.01 * math.min(VecLength(GetPlayerVelocity()), 30))
     SetTimeScale(menus.open and not menus.isTitle() and 0 or options.get("timescale"))
     if menus.open then
         titleTime = titleTime + dt

@@ -8,6 +8,7 @@ options.rows = {
     {id = "textsize", name = "Text size", default = 1.0, low = 0.8, high = 1.8, step = 0.1, format = "%.1fx"},
     {id = "motion", name = "Camera motion", default = 1.0, low = 0.0, high = 1.0, step = 0.1, format = "%.1f"},
     {id = "flashes", name = "Flashes of light", default = 1.0, low = 0.0, high = 1.0, step = 0.1, format = "%.1f"},
+    {id = "volume", name = "Sound", default = 0.8, low = 0.0, high = 1.0, step = 0.1, format = "%.1f"},
     {id = "preset", name = "Picture", default = "balanced", choices = {"draft", "fast", "balanced", "accurate"}},
 }
 -- Rules of this world, which are saved with the game and not with the options.
@@ -73,6 +74,7 @@ function options.apply(id)
     if not id or id == "fov" then SetCameraFov(options.get("fov")) end
     if id == "gravity" or not id and HasKey("world.gravity") then SetGravity({0, -options.get("gravity"), 0}) end
     if not id or id == "timescale" then SetTimeScale(options.get("timescale")) end
+    if not id or id == "volume" then SetSoundVolume(options.get("volume")) end
     if id == "preset" or not id and HasKey("options.preset") then SetPreset(options.get("preset")) end
 end
 

@@ -21,6 +21,9 @@ std::span<const rubble::script::ScriptFunction> makeFunctions();
 /// Shots, sky and rules, for films.
 std::span<const rubble::script::ScriptFunction> filmFunctions();
 
+/// Sounds.
+std::span<const rubble::script::ScriptFunction> soundFunctions();
+
 /// The game whose script runs.
 Game& gameOf(lua_State* L);
 

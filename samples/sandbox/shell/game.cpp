@@ -33,7 +33,10 @@ std::string readText(const std::string& path) {
 }  // namespace
 
 Game::Game(const rubble_api& api, Display& display, GameSettings settings)
-    : m_api(api), m_display(display), m_settings(std::move(settings)) {}
+    : m_api(api),
+      m_display(display),
+      m_settings(std::move(settings)),
+      m_sound(api, m_settings.wav, !m_settings.isSilent, [](const std::string& line) { fmt::print("{}\n", line); }) {}
 
 Game::~Game() {
     if (m_scripts && m_settings.film.script.empty()) writeOptions();
@@ -95,6 +98,8 @@ void Game::startScripts() {
     settings.limits.memory = 64 << 20;
     settings.functions = gameFunctions();
     settings.host = this;
+    m_sound.enter(m_world);
+    settings.reports = m_sound.filter();
     settings.log = [](int level, const std::string& line) { fmt::print(level ? stderr : stdout, "{}\n", line); };
     m_scripts = std::make_unique<ScriptHost>(m_api, m_world, settings);
     m_scripts->shared().registry = registry;
@@ -120,7 +125,8 @@ bool Game::addScript(const std::string& name) {
 
 bool Game::hasFailed() const {
     const auto& all = m_scripts->scripts();
-    return m_hasFailed || std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.error().empty(); });
+    return m_hasFailed || !m_sound.error().empty() ||
+           std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.error().empty(); });
 }
 
 bool Game::frame(double seconds) {
@@ -134,6 +140,7 @@ bool Game::frame(double seconds) {
     m_due = std::min(m_due + seconds * m_scripts->timeScale(), most * kStep);
     for (; m_due >= kStep - 1e-9; m_due -= kStep) step();
     m_due = std::max(m_due, 0.0);
+    hear(seconds);
     draw(seconds);
     m_display.captureCursor(!m_isInteractive);
     carryOutRequests();
@@ -150,6 +157,7 @@ void Game::step() {
         m_api.get_step_stats(m_world, &stats);
         m_film->figures().addStep(stats, rubble::allocationCount() - before);
     }
+    m_sound.step();
     if (std::exchange(m_hasUndone, false)) m_player->adopt(true);
     m_player->afterStep();
 }
@@ -197,6 +205,19 @@ rubble_view Game::view() const {
     view.alpha = std::clamp(m_due / kStep, 0.0, 1.0);
     if (m_isCut) view.flags |= RUBBLE_VIEW_CUT;
     return view;
+}
+
+void Game::hear(double seconds) {
+    const Frame ear = cameraFrame();
+    const glm::dquat& turn = ear.rotation;
+    m_sound.frame(seconds, ear.position, {turn.x, turn.y, turn.z, turn.w});
+}
+
+/// The world reports what it sounds like only to who hears it.
+void Game::setVolume(double volume) {
+    const bool wasOn = m_sound.isOn();
+    m_sound.setVolume(volume);
+    if (m_scripts && wasOn != m_sound.isOn()) m_scripts->setHostReports(m_sound.filter());
 }
 
 void Game::draw(double seconds) {

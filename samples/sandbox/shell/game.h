@@ -11,6 +11,7 @@
 #include "samples/sandbox/shell/film.h"
 #include "samples/sandbox/shell/input.h"
 #include "samples/sandbox/shell/player.h"
+#include "samples/sandbox/sound/sound.h"
 
 namespace sandbox {
 
@@ -25,7 +26,9 @@ struct GameSettings {
     std::string out;             ///< folder of images
     FilmSettings film;           ///< a film in place of the game
     std::string preset = "balanced";
-    std::string programs;  ///< folder of compiled programs; "": none
+    std::string programs;   ///< folder of compiled programs; "": none
+    bool isSilent = false;  ///< no sound card is asked for
+    std::string wav;        ///< file of the sound, in place of a sound card; "": none
 };
 
 /// What scripts ask for while they run, and gets done between two frames.
@@ -76,6 +79,10 @@ public:
     Player& player() { return *m_player; }
     /// What is done after this frame.
     Requests& requests() { return m_requests; }
+    /// What is heard.
+    sound::Sound& sound() { return m_sound; }
+    /// How loud; 0: no sound.
+    void setVolume(double volume);
     /// What scripts want of the camera.
     CameraOverride& camera() { return m_camera; }
     /// Returns to the last undo mark; the player stays where he is.
@@ -105,10 +112,12 @@ private:
     void fail(const std::string& what);
     rubble_view view() const;
     void draw(double seconds);
+    void hear(double seconds);
 
     const rubble_api& m_api;
     Display& m_display;
     GameSettings m_settings;
+    sound::Sound m_sound;
     rubble_world m_world = 0;
     rubble_renderer m_renderer = 0;
     std::unique_ptr<rubble::script::ScriptHost> m_scripts;

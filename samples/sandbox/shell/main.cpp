@@ -88,8 +88,10 @@ int main(int argc, char** argv) {
     app.add_option("--saves", game.saves, "folder of saved games and options")->capture_default_str();
     app.add_option("--out", game.out, "folder of images")->capture_default_str();
     app.add_option("--screenshot", options.screenshot, "write this PNG after a few frames and leave");
+    app.add_option("--wav", game.wav, "write what is heard into this file, in place of a sound card");
     app.add_flag("--headless", options.isHeadless, "draw in memory: for bots, and for images without a display");
     CLI11_PARSE(app, argc, argv);
+    game.isSilent = options.isHeadless;
     return run(options);
 }
 

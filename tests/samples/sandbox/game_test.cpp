@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
 
@@ -20,7 +21,7 @@ int playGame(const std::string& bot, const fs::path& out, const std::string& fol
     const std::string level = RUBBLE_SOURCE_DIR "/samples/lua/mods/car.vox";
     return std::system((RUBBLE_BINARY_DIR "/bin/rubble-game --headless --preset draft --size 160x90 --level " + level +
                         " --game " + folder + " --bot " + bot + " --saves " + out.string() + " --out " + out.string() +
-                        " >/dev/null 2>&1")
+                        " --wav " + (out / "sound.wav").string() + " >/dev/null 2>&1")
                            .c_str());
 }
 
@@ -43,6 +44,11 @@ TEST(Game, ABotUsesEachToolAndMenu) {
         EXPECT_GT(colors.size(), 200u) << name;
     }
     EXPECT_TRUE(fs::exists(out / "options.txt"));
+    std::ifstream file(out / "sound.wav", std::ios::binary);
+    const std::string sound((std::istreambuf_iterator<char>(file)), {});
+    size_t loud = 0;  // samples of 24 bits beyond -42 dB
+    for (size_t i = 80; i + 3 <= sound.size(); i += 3) loud += std::abs(int(int8_t(sound[i + 2]))) > 1;
+    EXPECT_GT(loud, 4800u) << "a tenth of a second of it at least is heard";
 }
 
 TEST(Game, FailsWithoutScriptsAndWithABotThatFails) {

@@ -1,6 +1,7 @@
 -- A column of rows that the mouse or the arrow keys choose from: buttons, and options that left and right change.
 local draw = require("draw")
 local options = require("options")
+local sounds = require("sounds")
 
 local kRow = 62
 
@@ -36,6 +37,7 @@ function List:tick()
             self:change(row, InputValue("mousex") > self.x + self.width - 190 and 1 or -1)
         end
     elseif InputPressed("return") or isOver and InputPressed("lmb") then
+        sounds.play("click")
         row.run()
     end
 end

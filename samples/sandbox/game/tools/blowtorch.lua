@@ -1,5 +1,6 @@
 -- Blowtorch: lights what burns, and melts a way through thin metal.
 local feel = require("feel")
+local sounds = require("sounds")
 local belt = require("toolbelt")
 
 local burning = 0
@@ -29,6 +30,7 @@ return {
         for i = 1, 3 do
             DrawLine(muzzle, muzzle + (0.05 + 0.03 * i) * aim.dir + i * jitter, 0.3 + 0.2 * i, 0.55 + 0.14 * i, 1, 0.8)
         end
+        sounds.loop("jet", muzzle, 0.35)
         feel.burst(muzzle, aim.dir, {type = "flame", count = 2, speed = 2.2, spread = 0.07, life = 0.14,
             color = {0.35, 0.55, 1}, radius = {0.012, 0.03}, alpha = 0.9, emissive = 0.08})
         if not aim.hit then return end

@@ -1,5 +1,6 @@
 -- What bombs of both kinds share: they are bodies with a tag, so that saves keep them and blasts throw them.
 local feel = require("feel")
+local sounds = require("sounds")
 local belt = require("toolbelt")
 
 local bombs = {}
@@ -40,6 +41,7 @@ end
 -- An explosion with its flash and its push on the camera.
 function bombs.blast(at, size)
     Explosion(at, size)
+    sounds.play("explosion", at, 0.6 * size)
     start(function()
         wait(0.05)
         belt.refresh()

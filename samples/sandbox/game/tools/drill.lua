@@ -1,5 +1,6 @@
 -- Drill: holds on, and bores a round hole that grows as deep as an arm.
 local feel = require("feel")
+local sounds = require("sounds")
 local belt = require("toolbelt")
 
 local depth, spin = 0, 0
@@ -26,6 +27,7 @@ local drill = {
 }
 
 function drill:use(aim)
+    sounds.loop("motor", belt.muzzle(), 0.8, aim.hit and 1 or 1.3)
     belt.recoil(0.12 * (math.random() - 0.3))
     feel.shake(0.03)
     spin = spin + 1

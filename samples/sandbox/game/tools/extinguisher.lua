@@ -1,5 +1,6 @@
 -- Extinguisher: a cloud that puts out fires and keeps things from burning for a while.
 local feel = require("feel")
+local sounds = require("sounds")
 local belt = require("toolbelt")
 
 return {
@@ -23,6 +24,7 @@ return {
     },
     use = function(self, aim)
         local muzzle = belt.muzzle()
+        sounds.loop("jet", muzzle, 0.7)
         feel.burst(muzzle, aim.dir, {type = "smoke", count = 4, speed = 8, spread = 0.2, life = 1.1,
             color = {0.86, 0.89, 0.92}, radius = {0.02, 0.28}, alpha = 0.13, drag = 2.2, gravity = -0.4})
         local reach = aim.hit and aim.dist or self.reach

@@ -1,5 +1,6 @@
 -- Laser: a beam that cuts through all that breaks, thin and straight.
 local feel = require("feel")
+local sounds = require("sounds")
 local belt = require("toolbelt")
 
 return {
@@ -31,6 +32,7 @@ return {
         MakeHoleLine(aim.pos - 0.03 * aim.dir, aim.pos + 0.16 * aim.dir, 0.1, 0.1, 0.1)
         Paint(aim.pos, 0.16, "explosion", 0.2)
         PointLight(aim.pos + 0.12 * aim.normal, 0.9, 0.16, 0.08, 1)
+        sounds.loop("motor", aim.pos, 0.4, 3)
         feel.burst(aim.pos, aim.normal, {type = "spark", count = 3, speed = 4, spread = 0.7, life = 0.5,
             color = {1, 0.45, 0.2}, radius = {0.012, 0.005}, gravity = -6, emissive = 0.3, stretch = 0.03})
     end,

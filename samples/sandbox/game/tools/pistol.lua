@@ -1,5 +1,6 @@
 -- Pistol: a small deep hole where it hits, and a push.
 local feel = require("feel")
+local sounds = require("sounds")
 local belt = require("toolbelt")
 
 return {
@@ -22,6 +23,7 @@ return {
     use = function(self, aim)
         Shoot(aim.eye, aim.dir, "bullet", 0.55, 120)
         local muzzle = belt.muzzle()
+        sounds.play("shot", muzzle)
         feel.flash(muzzle + 0.45 * aim.dir, {1, 0.75, 0.4}, 2.2, 0.05)
         feel.burst(muzzle, aim.dir, {type = "flame", count = 3, speed = 1.5, spread = 0.15, life = 0.06,
             color = {1, 0.7, 0.3}, radius = {0.03, 0.012}, alpha = 0.95, emissive = 0.3})

@@ -1,5 +1,6 @@
 -- Rocket launcher: a rocket that flies, trails smoke and explodes where it arrives.
 local feel = require("feel")
+local sounds = require("sounds")
 local belt = require("toolbelt")
 local bombs = require("tools/bombs")
 
@@ -22,6 +23,7 @@ local function fly(pos, dir)
             color = {1, 0.6, 0.25}, radius = {0.06, 0.02}, alpha = 0.9, emissive = 2})
         feel.burst(pos, VecScale(dir, -1), {type = "smoke", count = 2, speed = 0.8, spread = 0.3, life = 1.6,
             color = {0.62, 0.6, 0.58}, radius = {0.07, 0.34}, alpha = 0.3, drag = 2})
+        sounds.loop("rocket", pos)
         PointLight(pos, 60, 34, 14, 1)
         wait(0)
     end
@@ -48,6 +50,7 @@ return {
         local muzzle = belt.muzzle()
         local dir = VecNormalize(aim.pos - muzzle)
         start(fly, muzzle, dir)
+        sounds.play("launch", muzzle)
         feel.flash(muzzle + 0.6 * aim.dir, {1, 0.7, 0.4}, 10, 0.1)
         feel.burst(belt.frame() * Vec(0, 0, 0.2), VecScale(aim.dir, -1), {type = "smoke", count = 12, speed = 3,
             spread = 0.4, life = 0.9, color = {0.7, 0.68, 0.66}, radius = {0.05, 0.35}, alpha = 0.3, drag = 3})

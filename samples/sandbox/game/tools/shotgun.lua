@@ -1,5 +1,6 @@
 -- Shotgun: nine pellets that spread, each with a hole of its own.
 local feel = require("feel")
+local sounds = require("sounds")
 local belt = require("toolbelt")
 
 return {
@@ -27,6 +28,7 @@ return {
         end
         if aim.hit and aim.dist < 12 then Crack(aim.pos, 0.34, 0.2, 0) end
         local muzzle = belt.muzzle()
+        sounds.play("blast", muzzle)
         feel.flash(muzzle + 0.5 * aim.dir, {1, 0.72, 0.36}, 4, 0.06)
         feel.burst(muzzle, aim.dir, {type = "flame", count = 6, speed = 2.5, spread = 0.25, life = 0.08,
             color = {1, 0.7, 0.3}, radius = {0.045, 0.015}, alpha = 0.95, emissive = 0.5})
