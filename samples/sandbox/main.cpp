@@ -53,6 +53,8 @@ int writeLevel(const SandboxOptions& options) {
     return written ? 0 : 1;
 }
 
+constexpr const char* kFilmSize = "480x270";  ///< by default: some minutes on two processors without a GPU
+
 constexpr const char* kHelp =
     "Rubble sandbox: a town corner to take apart.\n"
     "With a display: a game whose scripts are in samples/sandbox/game; F1 in it lists the keys, Esc opens its menu.\n"
@@ -91,7 +93,7 @@ void addFrameOptions(CLI::App& app, SandboxOptions& options) {
     app.add_option("--frames", options.frames, "draw only this many frames, evenly over the run; no MP4")
         ->check(CLI::Range(1, 1000));
     app.add_option("--out", options.out, "folder for frames and figures")->capture_default_str();
-    app.add_option("--size", options.size, "frame size, WIDTHxHEIGHT")->capture_default_str();
+    app.add_option("--size", options.size, "frame size, WIDTHxHEIGHT; of the film 480x270")->capture_default_str();
     app.add_option("--fps", options.fps,
                    "frames per second of game time, a divisor of 60 (default: 30; of the film 20)")
         ->check(CLI::IsMember({1, 2, 3, 4, 5, 6, 10, 12, 15, 20, 30, 60}));
@@ -139,6 +141,7 @@ int run(int argc, char** argv) {
     addRenderOptions(app, options);
     try {
         app.parse(argc, argv);
+        if (options.wantsFilm() && !options.bot && !app.count("--size")) options.size = kFilmSize;
         parseSize(options);
     } catch (const CLI::ParseError& error) {
         return app.exit(error);

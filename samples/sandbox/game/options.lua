@@ -8,7 +8,7 @@ options.rows = {
     {id = "textsize", name = "Text size", default = 1.0, low = 0.8, high = 1.8, step = 0.1, format = "%.1fx"},
     {id = "motion", name = "Camera motion", default = 1.0, low = 0.0, high = 1.0, step = 0.1, format = "%.1f"},
     {id = "flashes", name = "Flashes of light", default = 1.0, low = 0.0, high = 1.0, step = 0.1, format = "%.1f"},
-    {id = "volume", name = "Sound", default = 0.8, low = 0.0, high = 1.0, step = 0.1, format = "%.1f"},
+    {id = "volume", name = "Sound", default = 0.8, low = 0.0, high = 1.0, step = 0.1, format = "%.1f", zero = "off"},
     {id = "preset", name = "Picture", default = "balanced", choices = {"draft", "fast", "balanced", "accurate"}},
 }
 -- Rules of this world, which are saved with the game and not with the options.
@@ -55,6 +55,7 @@ end
 function options.text(id)
     local row, value = rowOf[id], options.get(id)
     if row.choices then return value end
+    if row.zero and value < row.step / 2 then return row.zero end
     if row.format:find("%%d") then value = math.floor(value + 0.5) end
     return string.format(row.format, value)
 end

@@ -46,7 +46,7 @@ Film::Film(std::string folder, const FilmSettings& settings) : m_folder(std::mov
     fs::remove_all(m_folder + "/frames", ignored);
     for (const auto& entry : fs::directory_iterator(m_folder, ignored))
         if (entry.path().filename().string().starts_with("shot_")) fs::remove(entry.path(), ignored);
-    for (const char* name : {"film.mp4", "film.webp", "sound.wav"}) fs::remove(m_folder + "/" + name, ignored);
+    for (const char* name : {"film.mp4", "film.webp"}) fs::remove(m_folder + "/" + name, ignored);
     fs::create_directories(m_folder + "/frames", ignored);
 }
 
@@ -81,8 +81,9 @@ void Film::makeVideo() const {
     const std::string frames = m_folder + "/frames/";
     std::string video = m_folder + "/film.mp4", command;
     if (isInstalled("ffmpeg")) {
-        const std::string sound =
-            fs::exists(soundFile()) ? fmt::format("-i {} -c:a aac -shortest ", inQuotes(soundFile())) : "";
+        const std::string sound = fs::exists(soundFile(m_folder))
+                                      ? fmt::format("-i {} -c:a aac -af apad -shortest ", inQuotes(soundFile(m_folder)))
+                                      : "";
         command = fmt::format("ffmpeg -loglevel error -y -framerate {} -i {} {}-pix_fmt yuv420p -crf 16 {}", m_fps,
                               inQuotes(frames + "%04d.png"), sound, inQuotes(video));
     } else if (isInstalled("img2webp")) {

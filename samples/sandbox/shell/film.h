@@ -32,8 +32,8 @@ public:
 
     /// What its steps and frames have cost.
     FilmFigures& figures() { return m_figures; }
-    /// A WAV file that is the video's sound if it is there at the end.
-    std::string soundFile() const { return m_folder + "/sound.wav"; }
+    /// Of a folder of films: a WAV file that is the video's sound if it is there at the end.
+    static std::string soundFile(const std::string& folder) { return folder + "/sound.wav"; }
 
 private:
     std::string writeSheet();

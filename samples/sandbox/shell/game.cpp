@@ -157,7 +157,7 @@ void Game::step() {
         m_api.get_step_stats(m_world, &stats);
         m_film->figures().addStep(stats, rubble::allocationCount() - before);
     }
-    m_sound.step();
+    if (!m_isUnseen) m_sound.step();
     if (std::exchange(m_hasUndone, false)) m_player->adopt(true);
     m_player->afterStep();
 }
@@ -166,7 +166,9 @@ void Game::step() {
 void Game::cutToShot() {
     if (m_requests.shot.empty() || !m_film) return;
     fail(m_film->beginShot(std::exchange(m_requests.shot, {}), m_requests.filmFrames));
+    m_isUnseen = true;
     for (double left = m_requests.unseen; left > 0.5 * kStep; left -= kStep) step();
+    m_isUnseen = false;
     m_due = 0.0;
     m_isCut = true;
 }
@@ -176,6 +178,7 @@ std::string Game::shootFilm() {
     while (frame(1.0 / m_settings.film.fps) && !hasFailed()) {
     }
     if (hasFailed()) return "the film ends early, as the message above says";
+    m_sound.close();
     uint64_t hash = 0;
     m_api.get_state_hash(m_world, &hash);
     return m_film->finish(hash);

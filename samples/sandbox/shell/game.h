@@ -128,6 +128,7 @@ private:
     CameraOverride m_camera;
     double m_due = 0.0;  ///< seconds that no step has covered yet
     bool m_isInteractive = false, m_drawsAlways = true, m_hasUndone = false, m_hasFailed = false, m_isCut = true;
+    bool m_isUnseen = false;  ///< steps that a film leaves out
 };
 
 }  // namespace sandbox

@@ -92,6 +92,11 @@ int main(int argc, char** argv) {
     app.add_flag("--headless", options.isHeadless, "draw in memory: for bots, and for images without a display");
     CLI11_PARSE(app, argc, argv);
     game.isSilent = options.isHeadless;
+    if (!game.film.script.empty() && game.wav.empty()) {
+        std::error_code ignored;
+        fs::create_directories(game.out, ignored);
+        game.wav = Film::soundFile(game.out);
+    }
     return run(options);
 }
 

@@ -9,17 +9,16 @@ namespace {
 
 // Found by ear and by spectrogram.
 constexpr LoopKind kKinds[] = {
-    // name     band: Hz, width, level     band                swell Hz  hits/s in time  body           m    level
-    // contact
-    {"fire", {{170, 1.2, .55}, {1100, 1.6, .10}}, .45, 2.3, 16, false, "wood", .10, .22, 4e-5},
+    // bands: Hz, width, level; swell, Hz; hits/s, in time; body, m, level, contact
+    {"fire", {{170, 1.2, .55}, {1100, 1.6, .10}}, .45, 2.3, 16, false, "wood", .10, .90, 4e-5},
     {"water", {{900, 1.6, .10}, {3200, 1.6, .04}}, .25, .7, 70, false, "bubbles", .10, .30, 1e-3},
     {"wind", {{240, .35, .80}, {900, .50, .20}}, .65, .21, 0, false, "generic", .10, 0, 1e-3},
-    {"rain", {{4500, 1.6, .16}, {1500, 1.4, .05}}, .10, .3, 90, false, "plaster", .10, .03, 1e-4},
-    {"engine", {{120, 1.0, .10}, {700, 1.4, .05}}, .05, 3.0, 42, true, "rubber", .50, .65, 5e-3},
-    {"motor", {{420, .8, .10}, {2600, 1.0, .04}}, .05, 5.0, 96, true, "plastic", .30, .16, 6e-4},
+    {"rain", {{4500, 1.6, .16}, {1500, 1.4, .05}}, .10, .3, 90, false, "plaster", .10, .10, 1e-4},
+    {"engine", {{120, 1.0, .10}, {700, 1.4, .05}}, .05, 3.0, 42, true, "rubber", .50, 2.2, 5e-3},
+    {"motor", {{420, .8, .10}, {2600, 1.0, .04}}, .05, 5.0, 96, true, "plastic", .30, .45, 6e-4},
     {"jet", {{1300, 1.3, .50}, {5200, 1.5, .25}}, .12, 7.0, 0, false, "generic", .10, 0, 1e-3},
     {"rocket", {{260, 1.2, .80}, {2200, 1.5, .35}}, .20, 9.0, 0, false, "generic", .10, 0, 1e-3},
-    {"alarm", {{900, 1.0, 0}, {2000, 1.0, 0}}, 0, 1.0, 14, true, "heavy metal", .16, .60, 1e-4},
+    {"alarm", {{900, 1.0, 0}, {2000, 1.0, 0}}, 0, 1.0, 14, true, "heavy metal", .16, 2.0, 1e-4},
 };
 
 }  // namespace

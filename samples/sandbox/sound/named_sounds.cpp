@@ -16,13 +16,13 @@ struct Layer {
 // Found by ear and by spectrogram.
 constexpr Layer kLayers[] = {
     // name        material   m    J     s      hits  s
-    {"explosion", "blast", 1.00, 5e4, 3e-3, 2, .02}, {"explosion", "burst", 1.00, 6e3, 2e-4, 2, .01},
-    {"explosion", "dirt", .30, 300, 1e-3, 24, .70},  {"shot", "shot", 1.00, 900, 1e-4, 1, 0},
-    {"shot", "blast", 1.00, 40, 2e-3, 1, 0},         {"blast", "shot", 1.00, 2500, 2e-4, 2, .01},
-    {"blast", "blast", 1.00, 400, 3e-3, 1, 0},       {"launch", "burst", 1.00, 500, 1e-3, 3, .08},
-    {"launch", "blast", 1.00, 120, 4e-3, 1, 0},      {"click", "plastic", .06, .5, 8e-5, 1, 0},
-    {"crack", "wood", .40, 30, 5e-5, 8, .12},        {"splash", "bubbles", 1.00, 60, 1e-3, 24, .50},
-    {"thud", "rubber", .40, 20, 6e-3, 1, 0},
+    {"explosion", "blast", 1.00, 1e4, 3e-3, 2, .02}, {"explosion", "burst", 1.00, 1500, 2e-4, 2, .01},
+    {"explosion", "dirt", .30, 300, 1e-3, 24, .70},  {"shot", "shot", 1.00, 120, 1e-4, 1, 0},
+    {"shot", "blast", 1.00, 40, 2e-3, 1, 0},         {"blast", "shot", 1.00, 350, 2e-4, 2, .01},
+    {"blast", "blast", 1.00, 400, 3e-3, 1, 0},       {"launch", "burst", 1.00, 60, 1e-3, 3, .08},
+    {"launch", "blast", 1.00, 120, 4e-3, 1, 0},      {"click", "plastic", .06, 40, 8e-5, 1, 0},
+    {"crack", "wood", .40, 200, 5e-5, 8, .12},       {"splash", "bubbles", 1.00, 800, 1e-3, 24, .50},
+    {"thud", "rubber", .40, 500, 6e-3, 1, 0},
 };
 
 }  // namespace

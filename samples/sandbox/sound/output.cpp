@@ -18,7 +18,8 @@ namespace {
 
 constexpr size_t kAhead = 3;          ///< blocks that a card has in hand: 50 ms
 constexpr size_t kBuffers = 8;        ///< of a source
-constexpr float kReference = 3.0f;    ///< metres at which a sound is as loud as it was made; beyond, 1 / distance
+constexpr float kReference = 4.0f;    ///< metres at which a sound is as loud as it was made; beyond, 1 / distance
+constexpr float kHeadroom = 0.95f;    ///< of a file, so that it keeps away from the full scale
 constexpr double kAbsorption = 0.12;  ///< of walls, and of what stands in rooms
 
 /// The functions of OpenAL's extensions, which are asked for by name.
@@ -219,6 +220,7 @@ void Output::play(const std::array<Emitter, kEmitters>& emitters, glm::dvec3 ear
 void Output::read(std::vector<float>& samples) {
     samples.resize(2 * kBlock);
     m_al->extensions.renderSamples(m_al->device, samples.data(), kBlock);
+    for (float& sample : samples) sample *= kHeadroom;
 }
 
 void Output::setRoom(const Room& room) {

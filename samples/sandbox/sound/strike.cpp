@@ -48,7 +48,7 @@ Strike& closest(std::vector<Strike>& strikes, size_t limit, const Strike& to) {
 }  // namespace
 
 double loudness(double joules) {
-    return std::min(0.25 * std::pow(std::max(joules, 0.0), kLoudnessPower), 10.0);
+    return std::min(0.40 * std::pow(std::max(joules, 0.0), kLoudnessPower), 10.0);
 }
 
 std::vector<Strike> joinStrikes(std::span<const Strike> strikes, glm::dvec3 ear, size_t limit) {

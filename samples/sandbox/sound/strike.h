@@ -21,7 +21,7 @@ struct Strike {
 
 inline constexpr double kLoudnessPower = 0.35;  ///< of the energy
 
-/// How loud so many joules are: a tenfold energy is 2.2 times as loud, where 3.2 would be true, so that a falling tower
+/// How loud so many joules are: a tenfold energy is 2.2 times as loud, where 3.2 is physical, so that a falling tower
 /// and a falling cup are heard in one mix.
 double loudness(double joules);
 

@@ -14,6 +14,7 @@ constexpr double kFriction = 0.4;        ///< of what slides
 constexpr double kFrictionShare = 0.03;  ///< of its energy that is heard; an impact's is 1 by definition
 constexpr double kRough = 0.01;          ///< metres from one bump to the next
 constexpr double kBreakEnergy = 8.0;     ///< J for a voxel's face that parts
+constexpr double kCrumbs = 16.0;         ///< voxels below which a break is softer: what burns away crumbles
 constexpr int kFireSteps = 6;            ///< from one look at fires to the next
 constexpr size_t kFirePlaces = 4;
 constexpr double kFireCell = 4.0;  ///< metres of fires that sound as one
@@ -82,19 +83,22 @@ void WorldSounds::readContacts(const rubble_reports& reports, std::vector<Strike
     }
 }
 
-/// A crack, and then the pieces that fall: some as large as the hole, many of the size of a voxel.
+/// A crack, and then the pieces that fall: some as large as the hole, many of the size of a voxel. No two are alike.
 void WorldSounds::readBreaks(const rubble_reports& reports, std::vector<Strike>& strikes) {
     for (uint32_t i = 0; i < reports.break_count; ++i) {
         const rubble_break_report& row = reports.breaks[i];
         const size_t material = materialOf(row.material);
         const AcousticMaterial& acoustic = acousticMaterials()[material];
-        const double faces = std::pow(double(row.voxels), 2.0 / 3.0);
-        const double joules = kBreakEnergy * faces, large = std::clamp(row.radius, 0.1, 1.5);
-        const glm::dvec3 at = pointOf(row.position);
-        strikes.push_back({at, material, pieceSize(acoustic, large), joules, 6e-5, std::min(3.0, faces), 0.02});
-        if (row.voxels < 4) continue;
-        strikes.push_back({at, material, pieceSize(acoustic, 0.6 * large), 0.25 * joules, 2e-4, std::sqrt(faces), 0.5});
-        strikes.push_back({at, material, pieceSize(acoustic, 0.12), 0.15 * joules, 6e-5, faces, 0.9});
+        const double faces = std::pow(double(row.voxels), 2.0 / 3.0), large = std::clamp(row.radius, 0.1, 1.5);
+        const double joules = kBreakEnergy * faces * std::min(1.0, std::pow(double(row.voxels) / kCrumbs, 2.0));
+        const auto add = [&](double size, double share, double contact, double count, double spread) {
+            const auto sides = pieceSize(acoustic, size * std::exp2(0.8 * double(m_random.sign())));
+            strikes.push_back({pointOf(row.position), material, sides, share * joules, contact, count, spread});
+        };
+        add(large, 1.0, 6e-5, std::min(3.0, faces), 0.02);
+        if (double(row.voxels) < kCrumbs) continue;
+        add(0.6 * large, 0.25, 2e-4, std::sqrt(faces), 0.5);
+        add(0.12, 0.15, 6e-5, faces, 0.9);
     }
 }
 
@@ -109,7 +113,7 @@ void WorldSounds::readOthers(const rubble_reports& reports, std::vector<Strike>&
         const rubble_water_report& row = reports.waters[i];
         const double joules = 0.5 * row.mass * row.speed * row.speed;
         const glm::dvec3 at = pointOf(row.position);
-        strikes.push_back({at, findAcousticMaterial("bubbles"), {1, 1, 1}, 0.3 * joules, 1e-3, 24, 0.6});
+        strikes.push_back({at, findAcousticMaterial("bubbles"), {1, 1, 1}, 2.0 * joules, 1e-3, 24, 0.6});
         strikes.push_back({at, findAcousticMaterial("burst"), {1, 1, 1}, 0.02 * joules, 3e-3, 2, 0.05});
     }
     for (uint32_t i = 0; i < reports.footstep_count; ++i) {

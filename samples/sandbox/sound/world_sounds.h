@@ -36,6 +36,7 @@ private:
     const rubble_api& m_api;
     rubble_world m_world;
     std::vector<std::optional<size_t>> m_materials;  ///< acoustic rows by the world's
+    Random m_random{3};
     std::vector<rubble_fire> m_fires;
     std::vector<Loop> m_burning;
     int m_untilFires = 0;  ///< steps until fires are read again

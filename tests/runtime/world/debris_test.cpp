@@ -257,7 +257,7 @@ TEST(Debris, APieceOfSeveralShapesCountsAsOne) {
     const ShapeHandle piece = world.applyEdits({cutColumns(0, 1)}).shapesCreated[0];
     const BodyHandle body = world.shapes().at(piece).body;
     const size_t pieces = world.data().debris.count();
-    const CellBox middle{{0, 2, 0}, {2, 3, 2}};
+    const CellBox middle{{0, 7, 0}, {2, 8, 2}};
     world.applyEdits({WriteVoxelsEdit{piece, middle, std::vector<uint8_t>(4, 0)}, SplitShapeEdit{piece}});
     ASSERT_EQ(world.bodies().at(body).shapes.size(), 2u);
     EXPECT_TRUE(world.data().debris.contains(body));

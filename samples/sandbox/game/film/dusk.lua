@@ -1,6 +1,7 @@
 -- Dusk: the house burns in the rain, and the lights die.
 local camera = require("film/camera")
 local effects = require("film/effects")
+local sounds = require("sounds")
 
 local keys = {{0, Vec(9.2, 1.1, 50.2), Vec(21, 2.6, 37), 54}, {3.6, Vec(7.2, 2.6, 52.6), Vec(22, 3.6, 36), 54}}
 
@@ -29,6 +30,8 @@ end
 
 -- Drops before the camera, and what they throw up where they fall.
 local function rain(t)
+    sounds.loop("rain", nil, 0.5)
+    sounds.loop("wind", nil, 0.2)
     local eyePos, target = camera.path(keys, math.max(t, 0))
     local frame = Transform(eyePos, QuatLookAt(eyePos, target))
     for _ = 1, 10 do
@@ -52,11 +55,11 @@ end
 return {
     name = "dusk",
     seconds = 3.6,
-    unseen = 7,
+    unseen = 6.5,
     begin = function()
         SetEnvironment({clouds = 0.7, sun = Vec(-0.75, 0.03, -0.5), exposure = 1.7, wetness = 1, fogDensity = 0.008,
             fogHeight = 9, fogDistance = 110})
-        SetRules({fireSpread = 5, fireTime = 0.14})
+        SetRules({fireSpread = 4, fireTime = 0.16})
         for _, pos in ipairs({Vec(20, 0.3, 36.5), Vec(22, 3.0, 36.5), Vec(20, 3.0, 35), Vec(25, 5.8, 35)}) do
             light(pos)
         end

@@ -1,4 +1,6 @@
 -- What is seen of blasts, dust and rain, beside what the world makes by itself.
+local sounds = require("sounds")
+
 local effects = {}
 
 local function random(low, high) return low + (high - low) * math.random() end
@@ -116,6 +118,7 @@ end
 function effects.blast(pos, size, o)
     o = o or {}
     Explosion(pos, size)
+    sounds.play("explosion", pos, size)
     effects.flash(pos + Vec(0, 0.2, 0), {1, 0.72, 0.42}, (o.light or 700) * size, 0.32)
     fireball(pos, (o.fire or 1) * size)
     trails(pos, (o.trails or 1) * size, o.way)

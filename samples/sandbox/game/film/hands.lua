@@ -1,6 +1,7 @@
 -- A spray can marks a wall, a hammer goes through the mark.
 local camera = require("film/camera")
 local effects = require("film/effects")
+local sounds = require("sounds")
 
 local face = Vec(18.0, 1.55, 30.52)  -- of the wall, which looks to -x
 local tools = {spray = require("tools/spray").model, sledge = require("tools/sledge").model}
@@ -70,12 +71,14 @@ return {
         end},
     },
     update = function(t)
+        sounds.loop("wind", nil, 0.15)
         if t < 1.75 then
             local at, isOn = mark(t)
             local lift = 0.8 * camera.ease(t, 1.45, 1.75)
             local can = at + Vec(-0.45, -0.02 - lift, 0.1)
             place("spray", Transform(can, QuatEuler(0, -90, 0) * QuatEuler(8, 0, 10)))
             if not isOn then return end
+            sounds.loop("jet", can, 0.35, 1.4)
             PaintRGBA(at, 0.11, paint[1], paint[2], paint[3], 0.9, 0.8)
             for _ = 1, 3 do
                 effects.particle(can + Vec(0.06, 0.12, 0), Vec(4, (math.random() - 0.5), math.random() - 0.5),

@@ -13,10 +13,14 @@ local function isWithin(p)
     return p.x > low.x and p.y > low.y and p.z > low.z and p.x < high.x and p.y < high.y and p.z < high.z
 end
 
--- The lights of the room are off: what is seen is lit from outside.
-local function darken()
+-- The lights of the room do not glow, and stand for what floor and walls throw back of the light from outside: so much,
+-- in W/sr.
+local function fill(intensity)
     for _, light in ipairs(FindLights()) do
-        if isWithin(GetLightTransform(light).pos) then SetLightEnabled(light, false) end
+        if isWithin(GetLightTransform(light).pos) then
+            SetLightColor(light, 1, 0.84, 0.66)
+            SetLightIntensity(light, intensity)
+        end
     end
     for _, name in ipairs({"house", "floor light"}) do
         if FindShape(name) ~= 0 then SetShapeEmissiveScale(FindShape(name), 0) end
@@ -43,6 +47,7 @@ local function blow()
     end
     effects.blast(wall - Vec(2.1, 0.5, 0.6), 1.0,
         {dust = dust, way = Vec(1.5, 0.2, -0.3), fire = 0.4, trails = 0.5, light = 1600, haze = 0})
+    fill(3.5)
     throw()
     effects.haze(wall + Vec(0.2, -0.4, 0), Vec(1.0, 0.7, 1.7), 4, dust, 2.2)
 end
@@ -54,16 +59,11 @@ return {
     begin = function()
         SetEnvironment({clouds = 0.3, sun = Vec(-0.88, 0.36, 0.24), exposure = 1.5, fogDensity = 0.03, fogHeight = 6,
             fogForward = 0.5})
-        darken()
+        fill(1)
     end,
     camera = function(t) return camera.held(keys, t, 0.6 + camera.jolt(t, kBlast, 16)) end,
     speed = function(t)
         return 1 - 0.7 * camera.ease(t, kBlast + 0.08, kBlast + 0.35) + 0.45 * camera.ease(t, 2.6, 4.0)
     end,
     cues = {{kBlast, blow}},
-    -- What floor and walls throw back of the light from outside.
-    update = function(t)
-        PointLight(Vec(21.4, 2.0, 36.3), 1, 0.85, 0.68, 1.3)
-        PointLight(Vec(20.2, 0.9, 36.8), 1, 0.78, 0.55, 0.1 + 5 * camera.ease(t, kBlast, kBlast + 0.7))
-    end,
 }
