@@ -71,15 +71,15 @@ public:
                     m_points[end ? m_last : 0].position = from[end] + (*m_step.ends[end] - from[end]) * share;
             for (int pass = 0; pass < kPasses; ++pass) limitLengths(pass % 2 == 0, pass + 2 >= kPasses);
             for (size_t i = 0; i <= m_last; ++i) m_pulled[i] = m_points[i].position;
-            collide(substep == 1 ? m_step.seconds : 0.0);
+            m_ahead = {m_step.seconds - (substep - 1) * h, m_step.seconds - substep * h};
+            collide();
             updateVelocities(h);
         }
         findBends();
     }
 
-    /// Pushes the points out of what is nearby, and notes where. seconds: for which what moves has moved since the
-    /// points were where they were before.
-    void collide(double seconds) {
+    /// Pushes the points out of what is nearby, and notes where.
+    void collide() {
         m_touched.clear();
         bool isInside = !m_step.nearby.empty();
         for (int pass = 0; pass < kContactPasses && isInside; ++pass) {
@@ -88,7 +88,7 @@ public:
             for (size_t i = 0; i < m_last; ++i) {
                 findNear(i);
                 for (size_t k = i == 0 ? 0 : 1; k <= m_samples && !m_near.empty(); ++k)
-                    isInside = collideAt(i, i * m_samples + k, seconds) || isInside;
+                    isInside = collideAt(i, i * m_samples + k) || isInside;
             }
         }
     }
@@ -154,9 +154,12 @@ private:
         for (const glm::dvec3& place : {m_before[i], m_before[i + 1], m_points[i].position, m_points[i + 1].position})
             low = glm::min(low, place - margin), high = glm::max(high, place + margin);
         m_near.clear();
-        for (const CollisionObject* object : m_step.nearby)
-            if (!glm::any(glm::lessThan(high, object->low)) && !glm::any(glm::greaterThan(low, object->high)))
+        for (const CollisionObject* object : m_step.nearby) {
+            const glm::dvec3 ahead = velocityAt(*object, m_before[i]) * m_ahead[0];
+            if (!glm::any(glm::lessThan(glm::max(high, high + ahead), object->low)) &&
+                !glm::any(glm::greaterThan(glm::min(low, low + ahead), object->high)))
                 m_near.push_back(object);
+        }
     }
 
     /// Places of the chain are numbered from end 0 to end 1.
@@ -178,7 +181,7 @@ private:
 
     /// Pushes a place of segment i out of what is near, by moving the segment's two points. Returns whether it was
     /// inside anything.
-    bool collideAt(size_t i, size_t sample, double seconds) {
+    bool collideAt(size_t i, size_t sample) {
         if (isNearEnd(sample, 0, 1.0) || isNearEnd(sample, 1, 1.0)) return false;
         const double fraction = double(sample - i * m_samples) / double(m_samples);
         RopePoint &a = m_points[i], &b = m_points[i + 1];
@@ -191,9 +194,10 @@ private:
         const CollisionObject* touched = nullptr;
         for (const CollisionObject* object : m_near) {
             if (isInHole(sample, object)) continue;
-            const glm::dvec3 carried = before + velocityAt(*object, before) * seconds;
+            const glm::dvec3 velocity = velocityAt(*object, before);
             const glm::dvec3 exit =
-                exitDisplacement(*object, carried, place + out, share * (m_step.radius + kTouchDistance));
+                exitDisplacement(*object, before + velocity * m_ahead[0], place + out + velocity * m_ahead[1],
+                                 share * (m_step.radius + kTouchDistance));
             if (exit != glm::dvec3(0.0)) out += exit, touched = object;
         }
         if (!touched) return false;
@@ -221,6 +225,9 @@ private:
     std::span<RopePoint> m_points;
     const RopeStep& m_step;
     std::vector<RopeBend>& m_bends;
+    /// Seconds by which what is nearby is ahead of the points at the beginning and at the end of the substep: it is
+    /// where it will be after the step. Places are carried on with it by so much before they are tested.
+    std::array<double, 2> m_ahead{};
     size_t m_last;                                     ///< index of the last point
     double m_spacing;                                  ///< rest length of a segment, metres
     size_t m_samples = 1;                              ///< places on a segment that are kept out of voxels
@@ -242,7 +249,7 @@ void moveRope(std::span<RopePoint> points, const RopeStep& step, std::vector<Rop
 void findBends(std::span<const RopePoint> points, const RopeStep& step, std::vector<RopeBend>& bends) {
     std::vector<RopePoint> copy(points.begin(), points.end());
     RopeSolver solver(copy, step, bends);
-    solver.collide(0.0);
+    solver.collide();
     solver.findBends();
 }
 

@@ -1,3 +1,5 @@
+#include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -146,6 +148,46 @@ TEST_F(AbiSavedLevel, ItsHashAndItsBoundsAreThoseOfTheWorld) {
     EXPECT_EQ(levelHash(), wide);
     ASSERT_EQ(api()->get_bounds(m_world, &loaded), RUBBLE_OK);
     EXPECT_EQ(loaded.high[0], bounds.high[0]);
+}
+
+/// Joints at odd angles, a rope that has swung, and a light group that has begun to flicker.
+TEST_F(AbiSavedLevel, ItsHashIsThatOfAWorldThatWasPlayed) {
+    const auto makeCrate = [&](double x) { return make(shapeOn(make(bodyAt(x, 6.0, 0)), RUBBLE_SHAPE_BOX, 4)); };
+    for (int i = 0; i < 8; ++i) {
+        auto joint = sized<rubble_joint_settings>();
+        joint.kind = i ? RUBBLE_JOINT_HINGE : RUBBLE_JOINT_ROPE;
+        joint.shapes[0] = i ? makeCrate(-4.0 - i) : 0, joint.shapes[1] = i ? 0 : makeCrate(-3.0);
+        joint.position[0] = i ? -3.8 - i : -4.0, joint.position[1] = i ? 6.2 : 8.0, joint.position[2] = 0.2;
+        joint.rope_end[0] = -2.8, joint.rope_end[1] = 6.2, joint.rope_end[2] = 0.2;
+        const double axis[4] = {0.1 * i, 0.3, 0.7 - 0.05 * i, 0.2};
+        const double length = std::sqrt(std::inner_product(axis, axis + 4, axis, 0.0));
+        for (int k = 0; k < 4; ++k) joint.rotation[k] = axis[k] / length;
+        rubble_joint made = 0;
+        ASSERT_EQ(api()->create_joint(m_world, &joint, &made), RUBBLE_OK) << api()->get_last_error();
+    }
+    auto settings = sized<rubble_light_group_settings>();
+    settings.threshold = 0.5, settings.flicker_steps = 60;
+    auto change = sized<rubble_light_group_change>();
+    ASSERT_EQ(api()->create_light_group(m_world, &settings, &change.group), RUBBLE_OK) << api()->get_last_error();
+    step(100);
+    change.fields = RUBBLE_GROUP_SUPPLY, change.supply_shape = m_block;  // without wire
+    ASSERT_EQ(api()->set_light_group(m_world, &change), RUBBLE_OK) << api()->get_last_error();
+    step(2);
+    const uint64_t played = levelHash();
+    save();
+    load();
+    EXPECT_EQ(levelHash(), played);
+    rubble_light_group group = 0;
+    uint32_t count = 0;
+    ASSERT_EQ(api()->get_objects(m_world, RUBBLE_KIND_LIGHT_GROUP, &group, 1, &count), RUBBLE_OK);
+    const auto flags = [&] {
+        auto state = sized<rubble_light_group_state>();
+        EXPECT_EQ(api()->get_light_group(m_world, group, &state), RUBBLE_OK) << api()->get_last_error();
+        return state.flags & (RUBBLE_GROUP_OUT | RUBBLE_GROUP_FAILING);
+    };
+    EXPECT_EQ(flags(), uint32_t(RUBBLE_GROUP_FAILING));
+    step(62);
+    EXPECT_EQ(flags(), uint32_t(RUBBLE_GROUP_OUT));
 }
 
 }  // namespace

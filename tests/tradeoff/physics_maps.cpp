@@ -26,6 +26,11 @@ Judged judgeStack(double cubes, size_t row, bool full) {
     return tower.stands() ? judge(tower.lower, 0.02, 0.25, text) : Judged{Outcome::Failed, "falls"};
 }
 
+Judged judgeSmallStack(double cubes, double voxelSize) {
+    const double farthest = farthestInStack({}, voxelSize, int(cubes));
+    return judge(farthest, 1.0, 2.0, fmt::format("{:.2g} voxels", farthest));
+}
+
 Judged judgeRatio(const PhysicsSettings& settings, double ratio) {
     const double deep = sink(settings, ratio);
     return judge(deep, 0.01, 0.05, fmt::format("{:.1f} mm", deep * 1e3));
@@ -82,6 +87,7 @@ Judged judgeOverlap(double share, size_t row, bool) {
 
 /// Free rotation, and towers.
 std::vector<Map> spinAndStackMaps() {
+    const std::vector<double> voxelSizes{0.001, 0.002, 0.005, 0.01, 0.025, 0.1};
     return {
         {"T13-spin",
          "free rotation of rods",
@@ -103,6 +109,16 @@ std::vector<Map> spinAndStackMaps() {
          "preset",
          presetNames(),
          judgeStack},
+        {"T13-small-stack",
+         "stacks of cubes of 4x4x4 voxels, by voxel size (preset balanced)",
+         "after 10 s each cube is within a voxel of its place; degraded: two voxels",
+         "cubes",
+         "cubes",
+         {2, 3, 4, 5, 6, 7, 8, 9, 10, 15, 20, 25, 30, 35},
+         {},
+         "voxels of, m",
+         namesOf(voxelSizes),
+         [voxelSizes](double cubes, size_t row, bool) { return judgeSmallStack(cubes, voxelSizes[row]); }},
     };
 }
 

@@ -42,6 +42,11 @@ void initRopePoints(Joint& joint, glm::dvec3 from, glm::dvec3 to) {
         joint.points[i].position = from + (to - from) * (double(i) / double(rope.points - 1));
 }
 
+/// But for rounding: what was normalized once stays as it is, so that loading a level twice gives the same bits.
+bool isUnit(const glm::dquat& rotation) {
+    return std::abs(glm::dot(rotation, rotation) - 1.0) < 1e-14;
+}
+
 }  // namespace
 
 std::string jointBodiesError(JointKind kind, const Shape* first, const Shape* second) {
@@ -57,7 +62,7 @@ std::string attachJoint(const WorldObjects& objects, Joint& joint) {
         !error.empty())
         return error;
     for (JointEnd& end : joint.ends) {
-        end.frame.rotation = glm::normalize(end.frame.rotation);
+        if (!isUnit(end.frame.rotation)) end.frame.rotation = glm::normalize(end.frame.rotation);
         if (!end.shape) continue;
         const Shape* shape = objects.shapes.find(end.shape);
         if (!shape) return "the handle of a shape is stale";

@@ -76,10 +76,9 @@ void connectPowerSupplies(WorldData& world, const ShapeReferences& shapes) {
         group.supply = shapes.find(group.supplyShape);
         if (!group.supply && group.supplyShape.empty()) return;
         if (group.supply) group.supplyShape = world.shapes.at(group.supply).name;
-        if (!group.out && isPowered(world, handle, group)) return;
-        if (!group.out)
-            logWarning("light group '" + group.name +
-                       "': expected wire from its supply to its voxels, found none: it needs no supply");
+        if (group.out || group.failingSince || isPowered(world, handle, group)) return;
+        logWarning("light group '" + group.name +
+                   "': expected wire from its supply to its voxels, found none: it needs no supply");
         group.supply = {};
     });
 }

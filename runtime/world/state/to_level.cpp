@@ -149,6 +149,9 @@ private:
             out.name = nameOf(handle, group.name);
             m_groupReferences[handle.slot()] = referenceTo(out.name, used, handle.slot() + 1, all, "light group");
             if (group.supply) out.supplyShape = referenceToShape(group.supply);
+            out.supply = {};
+            out.dark = false;
+            if (group.failingSince) out.failingSince = 1;  // step 0 is the level's: it flickers from its start
         });
     }
 
@@ -190,6 +193,8 @@ private:
                 out.shapeNames[i] = referenceToShape(joint.ends[i].shape);
                 out.joint.ends[i].shape = {};
             }
+            out.joint.points.clear();  // a level begins with straight ropes, and with wheels that do not turn on
+            out.joint.steerTarget = joint.steer;
             m_level.joints.push_back(std::move(out));
         });
     }

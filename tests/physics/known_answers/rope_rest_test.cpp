@@ -115,5 +115,40 @@ TEST(RopeAtRest, APileOfThemSleeps) {
     }
 }
 
+/// How far points of a rope that lies on a plate of 2 x 2 m, held by an end in its middle, are from where they lie, at
+/// most: above its top, and beside their places of half a second before. The plate flies with a velocity, metres.
+double offOnFlyingPlate(glm::dvec3 velocity) {
+    PhysicsScene scene(known::sleepless({}));
+    LevelBody& plate = scene.add(solidGrid({20, 4, 20}, 7), {-1.0, -0.4, -1.0}, false);
+    plate.velocity = velocity;
+    plate.gravityScale = 0.0;
+    LevelJoint& rope = known::addJoint(scene, JointKind::Rope, "body 0", "", {1.0, 0.4, 1.0}, {0.8, 0.02, 0.0});
+    rope.joint.ends[1].isFree = true;
+    rope.joint.rope.length = 0.85;
+    scene.load();
+    scene.seconds(1.0);
+    const auto relative = [&] {
+        std::vector<glm::dvec3> out;
+        for (const RopePoint& point : pointsOf(scene.world))
+            out.push_back(scene.body(0).pose.inversePoint(point.position) - glm::dvec3(0.0, 0.4, 0.0));
+        return out;
+    };
+    double farthest = 0.0;
+    std::vector<glm::dvec3> before = relative();
+    for (int i = 0; i < 60; ++i) {
+        scene.step();
+        const std::vector<glm::dvec3> now = relative();
+        for (size_t k = 0; k < now.size(); ++k)
+            farthest = std::max({farthest, std::abs(now[k].y), glm::distance(now[k], before[k])});
+        if (i == 30) before = now;
+    }
+    return farthest;
+}
+
+TEST(RopeAtRest, IsCarriedByWhatFlies) {
+    for (const glm::dvec3 velocity : {glm::dvec3(0.0), {0.0, 3.0, 0.0}, {0.0, 10.0, 0.0}, {5.0, 0.0, 0.0}})
+        EXPECT_LT(offOnFlyingPlate(velocity), 0.05) << velocity.x << ", " << velocity.y << " m/s";
+}
+
 }  // namespace
 }  // namespace rubble

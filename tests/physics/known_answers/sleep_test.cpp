@@ -216,6 +216,22 @@ TEST(Sleep, SettledDebrisWakesWhenWhatBearsItLeaves) {
     EXPECT_NEAR(gap, 0.3, 0.02) << "it goes down with the lift";
 }
 
+/// A plank whose end a motor lifts by 6 mm/s, and next to its hinge a cube, which is as slow as what rests.
+TEST(Sleep, WhatLiesOnSomethingThatMovesStaysAwake) {
+    PhysicsScene scene;
+    scene.add(solidGrid({60, 2, 6}, 7), {0.0, 0.0, -0.3}, false);
+    LevelJoint& hinge = known::addJoint(scene.level, JointKind::Hinge, -1, 0,
+                                        {{0.0, 0.1, 0.0}, glm::angleAxis(-0.5 * kPi, glm::dvec3(0, 1, 0))});
+    hinge.joint.motor = {MotorMode::Speed, 1e-3, 1e6};
+    scene.add(solidGrid({4, 4, 4}, 7), {0.1, 0.2, -0.2}, false);
+    scene.load();
+    scene.seconds(1.0);
+    int asleep = 0;
+    for (int i = 0; i < 120; ++i) scene.step(), asleep += scene.body(1).asleep;
+    EXPECT_EQ(asleep, 0) << "steps";
+    EXPECT_NEAR(double(glm::length(scene.body(0).angularVelocity)), 1e-3, 1e-4) << "the plank turns";
+}
+
 /// What wakes by a hit has contacts in that step, with what it lies on too.
 TEST(Sleep, AThinPlateThatIsHitInItsSleepIsNotPressedIntoTheFloor) {
     PhysicsScene scene;

@@ -157,6 +157,23 @@ Tower stack(const PhysicsSettings& settings, int cubes, double seconds) {
     return tower;
 }
 
+double farthestInStack(const PhysicsSettings& settings, double voxelSize, int cubes) {
+    PhysicsScene scene(settings);
+    const auto add = [&](glm::ivec3 size, glm::dvec3 corner, bool isStatic) {
+        scene.add(solidGrid(size, 7), corner * voxelSize, isStatic).shapes[0].voxelSize = float(voxelSize);
+    };
+    add({100, 3, 100}, {-50, -3, -50}, true);
+    for (int i = 0; i < cubes; ++i) add({4, 4, 4}, {0, 4 * i, 0}, false);
+    scene.load();
+    scene.seconds(10.0);
+    double farthest = 0.0;
+    for (int i = 0; i < cubes; ++i) {
+        const glm::dvec3 place = voxelSize * glm::dvec3(2.0, 4.0 * i + 2.0, 2.0);
+        farthest = std::max(farthest, glm::length(scene.center(i + 1) - place) / voxelSize);
+    }
+    return farthest;
+}
+
 double sink(const PhysicsSettings& settings, double ratio) {
     PhysicsScene scene(sleepless(settings));
     const uint8_t light = setMaterial(scene, 7, 0.6f, 0.0f, 10),

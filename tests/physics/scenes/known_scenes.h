@@ -51,6 +51,9 @@ struct Tower {
 };
 /// A tower of cubes of half a metre, after a time.
 Tower stack(const PhysicsSettings& settings, int cubes, double seconds);
+/// How far a cube of a stack is from its place after 10 s, at most, in voxels. Each has 4x4x4 voxels of `voxelSize`
+/// metres; they may sleep.
+double farthestInStack(const PhysicsSettings& settings, double voxelSize, int cubes);
 
 /// How far a cube sinks in 10 s into one under it that is `ratio` times as light, metres.
 double sink(const PhysicsSettings& settings, double ratio);

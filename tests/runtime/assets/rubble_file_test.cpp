@@ -10,11 +10,15 @@
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "runtime/assets/chunk_file.h"
 #include "runtime/core/hash.h"
 #include "runtime/core/ranges.h"
+#include "runtime/world/world.h"
 #include "tests/runtime/assets/sample_level.h"
+#include "tests/support/grids.h"
 #include "tests/support/temp_folder.h"
 
 namespace rubble {
@@ -31,6 +35,27 @@ TEST(RubbleFile, RoundTripKeepsTheHash) {
     EXPECT_EQ(levelToRubble(*back), bytes);
     EXPECT_EQ(back->bodies[0].shapes[0].palette, back->bodies[1].shapes[0].palette) << "shared palettes stay shared";
     EXPECT_EQ(back->bodies[0].shapes[0].grid.voxelCount(), level.bodies[0].shapes[0].grid.voxelCount());
+}
+
+/// As files have always had it: no boxes, or boxes with cells. Only a box without cells means that none hold the shape.
+TEST(RubbleFile, AStaticShapeWithoutBoxesOfAnchorsIsHeldByItsLowestLayer) {
+    const CellBox top{{0, 5, 0}, {6, 6, 6}}, lowest{{0, 0, 0}, {6, 1, 6}};
+    using Boxes = std::vector<CellBox>;
+    for (const auto& [written, loaded] :
+         {std::pair<Boxes, Boxes>{{}, {lowest}}, {{top}, {top}}, {kNoAnchors, {}}, {{top, CellBox{}}, {top}}}) {
+        Level level;
+        LevelBody& body = level.bodies.emplace_back();
+        body.isStatic = true;
+        LevelShape& shape = body.shapes.emplace_back();
+        shape.grid = solidGrid({6, 6, 6}, 1);
+        shape.anchors = written;
+        const Result<Level> back = levelFromRubble(levelToRubble(level), "level");
+        ASSERT_TRUE(back) << back.error();
+        EXPECT_EQ(back->bodies[0].shapes[0].anchors, written);
+        World world;
+        world.load(*back);
+        EXPECT_EQ(world.shapes().at(world.shapes().handleAt(0)).anchors, loaded);
+    }
 }
 
 TEST(RubbleFile, TheHashSeesEveryField) {
