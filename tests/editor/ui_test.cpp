@@ -189,6 +189,20 @@ TEST_F(Window, AMiddleIsDraggedOntoWhatIsUnderTheMouse) {
     EXPECT_NEAR(body.position[2], 0.5, 0.11);
 }
 
+TEST_F(Window, AnArrowScalesAShape) {
+    play(
+        "place 0,0,0 0,90,0 crate\nselect crate\nui mode scale\nui hover 0,0.8,-0.3\nui press\nui by 30 -10\nui by 20 "
+        "-8");
+    const size_t steps = document().done().size();
+    play("ui release");
+    ASSERT_EQ(document().done().size(), steps + 1);
+    ASSERT_TRUE(document().done().back().starts_with("scale size=")) << document().done().back();
+    const rubble_shape_state shape = m_ui->stage().editor().world().get_shape_state(crate());
+    EXPECT_GT(shape.size[0], 16) << "x of its grid points to -z";
+    EXPECT_EQ(shape.size[1], 16);
+    EXPECT_EQ(shape.size[2], 16);
+}
+
 TEST_F(Window, ALightHasHandles) {
     play("light sphere 0,2.4,0 name=torch\nui mode move\nui camera 3,3,6 0,1.5,0");
     const rubble_light torch = m_ui->stage().editor().world().get_lights().at(0);
