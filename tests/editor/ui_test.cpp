@@ -170,6 +170,16 @@ TEST_F(Window, AFilmHasAnImageOfEachStep) {
     EXPECT_GT(std::filesystem::file_size(folder / "fall.mp4"), 1000u);
 }
 
+TEST_F(Window, TheTourHasFiveSteps) {
+    const std::vector<uint64_t> selected = m_ui->stage().editor().selection().objects;
+    play("ui mode select\nui tour 1");
+    for (const int next : {2, 3, 4, 5, 0}) {
+        play("ui at 275 369\nui click");
+        EXPECT_EQ(m_ui->stage().session().tour, next);
+    }
+    EXPECT_EQ(m_ui->stage().editor().selection().objects, selected) << "its clicks are its own";
+}
+
 TEST_F(Window, TheViewIsExportedAsAnImage) {
     const rubble::TempFolder folder;
     play("export " + (folder / "view.png"));
