@@ -173,7 +173,8 @@ void Ui::useBrush(Wires& wires, const std::optional<Hover>& hover, bool isFree) 
 
 void Ui::useMouse(Wires& wires, bool isFree) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const bool hasGizmo = m_session.mode == Mode::Move || m_session.mode == Mode::Rotate;
+    const Mode mode = m_session.mode;
+    const bool hasGizmo = mode == Mode::Move || mode == Mode::Rotate || mode == Mode::Scale;
     const bool isOnGizmo = hasGizmo && m_gizmo.update(m_session, m_frame, list, isFree);
     const bool isPointing = (isFree || m_stroke) && !isOnGizmo && !m_isCameraHeld;
     const std::optional<Hover> hover =

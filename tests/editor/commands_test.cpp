@@ -10,6 +10,7 @@
 #include "editor/core/cells.h"
 #include "editor/core/palette.h"
 #include "editor/core/places.h"
+#include "editor/core/rotation.h"
 #include "tests/editor/editor_level.h"
 #include "tests/support/temp_folder.h"
 
@@ -153,6 +154,26 @@ TEST(Commands, DropRestsOnWhatIsBelow) {
     runAll(editor, {"move 0,1,0 box,alone", "drop box,alone"});
     EXPECT_NEAR(heightOf(editor, "box"), 0.4, 1e-6);
     EXPECT_NEAR(heightOf(editor, "alone"), 0.0, 1e-6) << "both went as far as the first can";
+}
+
+TEST(Commands, ScaleRepeatsAndLeavesOutCells) {
+    Editor editor;
+    runAll(editor,
+           {"create 4,4,2 0,0,0 index=5 name=a", "box 2,0,0 3,3,1 paint 7 shape=a", "voxel 0,3,0 erase shape=a"});
+    const rubble_shape shape = editor.world().get_objects(RUBBLE_KIND_SHAPE).at(0);
+    const glm::dvec3 corner = vectorOf(editor.world().get_shape_state(shape).position);
+    const auto at = [&](int x, int y, int z) {
+        return int(readCells(editor.world(), shape, {{x, y, z}, glm::ivec3(1)})[0]);
+    };
+    runAll(editor, {"scale 8,2,6 a"});
+    const rubble_shape_state larger = editor.world().get_shape_state(shape);
+    EXPECT_EQ(glm::ivec3(larger.size[0], larger.size[1], larger.size[2]), glm::ivec3(8, 2, 6));
+    EXPECT_EQ(vectorOf(larger.position), corner);
+    for (int z = 0; z < 6; ++z)
+        for (int x = 0; x < 8; ++x) EXPECT_EQ(at(x, 1, z), x < 2 && z < 3 ? 0 : x < 4 ? 5 : 7) << x << " " << z;
+    runAll(editor, {"scale 4,2,2 a"});
+    EXPECT_EQ(editor.world().get_shape_state(shape).voxel_count, 4u * 2 * 2 - 1);
+    EXPECT_NE(editor.run("scale 4096,4096,4096 a").text.find("fewer cells"), std::string::npos);
 }
 
 TEST(Commands, LightsMoveAsBodiesDo) {

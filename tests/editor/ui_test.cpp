@@ -170,6 +170,16 @@ TEST_F(Window, AFilmHasAnImageOfEachStep) {
     EXPECT_GT(std::filesystem::file_size(folder / "fall.mp4"), 1000u);
 }
 
+TEST_F(Window, TheTourHasFiveSteps) {
+    const std::vector<uint64_t> selected = m_ui->stage().editor().selection().objects;
+    play("ui mode select\nui tour 1");
+    for (const int next : {2, 3, 4, 5, 0}) {
+        play("ui at 275 369\nui click");
+        EXPECT_EQ(m_ui->stage().session().tour, next);
+    }
+    EXPECT_EQ(m_ui->stage().editor().selection().objects, selected) << "its clicks are its own";
+}
+
 TEST_F(Window, TheViewIsExportedAsAnImage) {
     const rubble::TempFolder folder;
     play("export " + (folder / "view.png"));
@@ -187,6 +197,20 @@ TEST_F(Window, AMiddleIsDraggedOntoWhatIsUnderTheMouse) {
     EXPECT_NEAR(body.position[0], 3.0, 0.11);
     EXPECT_NEAR(body.position[1], 0.2, 1e-4) << "it lies on the table";
     EXPECT_NEAR(body.position[2], 0.5, 0.11);
+}
+
+TEST_F(Window, AnArrowScalesAShape) {
+    play(
+        "place 0,0,0 0,90,0 crate\nselect crate\nui mode scale\nui hover 0,0.8,-0.3\nui press\nui by 30 -10\nui by 20 "
+        "-8");
+    const size_t steps = document().done().size();
+    play("ui release");
+    ASSERT_EQ(document().done().size(), steps + 1);
+    ASSERT_TRUE(document().done().back().starts_with("scale size=")) << document().done().back();
+    const rubble_shape_state shape = m_ui->stage().editor().world().get_shape_state(crate());
+    EXPECT_GT(shape.size[0], 16) << "x of its grid points to -z";
+    EXPECT_EQ(shape.size[1], 16);
+    EXPECT_EQ(shape.size[2], 16);
 }
 
 TEST_F(Window, ALightHasHandles) {

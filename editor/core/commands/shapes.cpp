@@ -28,6 +28,28 @@ void resize(Editor& editor, const Arguments& arguments) {
     editor.world().resize_shape(change);
 }
 
+/// Repeats or leaves out cells until the grid has a size.
+void scale(Editor& editor, const Arguments& arguments) {
+    const rubble_shape shape = editor.object(arguments, "shape", {RUBBLE_KIND_SHAPE});
+    const Cells grid = gridOf(editor.world(), shape), to{grid.low, arguments.cell("size")};
+    if (to.count() > kMaxCells) arguments.refuse("size", "fewer cells in all");
+    const std::vector<uint8_t> voxels = readCells(editor.world(), shape, grid);
+    const CellSet places{shape, grid.low, grid.size, {}};
+    CellWriter writer(editor.world(), shape);
+    writer.makeRoom(to);
+    writer.write(joined(grid, to), [&](glm::ivec3 cell, uint8_t) {
+        if (!to.contains(cell)) return uint8_t(0);
+        for (int a = 0; a < 3; ++a)
+            cell[a] = grid.low[a] + (2 * (cell[a] - grid.low[a]) + 1) * grid.size[a] / (2 * to.size[a]);
+        return voxels[places.at(cell)];
+    });
+    editor.document().applyNow();
+    rubble_resize change{};
+    change.shape = shape;
+    for (int a = 0; a < 3; ++a) change.low[a] = to.low[a], change.size[a] = to.size[a];
+    editor.world().resize_shape(change);
+}
+
 /// Erases the voxels of which all that is within `thickness` cells along the axes is full.
 void hollow(Editor& editor, const Arguments& arguments) {
     const rubble_shape shape = editor.object(arguments, "shape", {RUBBLE_KIND_SHAPE});
@@ -88,6 +110,13 @@ std::vector<Command> shapeCommands() {
          {cells("low", "its first cell, in present cells", -4096), cells("size", "cells along each axis", 1), kShape},
          resize,
          "resize -1,0,-1 10,9,10 crate"},
+        {"scale",
+         "shapes",
+         Kind::Edit,
+         "Makes a shape larger or smaller: cells are repeated or left out until there are so many.",
+         {cells("size", "cells along each axis", 1), kShape},
+         scale,
+         "scale 16,8,4 crate"},
         {"hollow",
          "shapes",
          Kind::Edit,

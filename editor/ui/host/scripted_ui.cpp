@@ -62,7 +62,7 @@ struct ScriptedUi::Verb {
 const ScriptedUi::Verb ScriptedUi::kVerbs[] = {
     {"camera", "FROM AT: looks from a point at another one", &ScriptedUi::look},
     {"frame", "shows what is selected, or all", &ScriptedUi::frameSelection},
-    {"mode", "select, move, rotate, brush or break", &ScriptedUi::setMode},
+    {"mode", "select, move, rotate, scale, brush or break", &ScriptedUi::setMode},
     {"brush", "FORM [OPERATION] [size=N] [index=N] [mirror=AXES]", &ScriptedUi::setBrush},
     {"breaker", "COMMAND [METRES]: what a click breaks", &ScriptedUi::setBreaker},
     {"hover", "POINT: the mouse goes to where a point of the world is seen", &ScriptedUi::hover},
@@ -163,7 +163,7 @@ void ScriptedUi::frameSelection(const Words&) {
 }
 
 void ScriptedUi::setMode(const Words& words) {
-    static constexpr const char* kModes[] = {"select", "move", "rotate", "brush", "break"};
+    static constexpr const char* kModes[] = {"select", "move", "rotate", "scale", "brush", "break"};
     m_stage->session().mode = Mode(choiceOf(wordAt(words, 0), kModes));
 }
 

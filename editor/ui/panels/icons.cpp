@@ -51,6 +51,10 @@ void drawTool(const Pen& pen, Icon icon) {
         case Icon::Rotate:
             pen.arc(0.5f, 0.52f, 0.34f, -1.0f, 3.9f);
             return pen.area({{0.56f, 0.06f}, {0.86f, 0.22f}, {0.58f, 0.38f}});
+        case Icon::Scale:
+            pen.path({{0.14f, 0.52f}, {0.48f, 0.52f}, {0.48f, 0.86f}, {0.14f, 0.86f}}, true);
+            pen.path({{0.52f, 0.48f}, {0.86f, 0.14f}});
+            return pen.path({{0.58f, 0.14f}, {0.86f, 0.14f}, {0.86f, 0.42f}});
         case Icon::Brush:
             pen.path({{0.86f, 0.12f}, {0.46f, 0.54f}});
             pen.path({{0.9f, 0.2f}, {0.54f, 0.6f}});

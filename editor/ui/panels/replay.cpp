@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "editor/ui/panels/panels.h"
@@ -32,8 +30,7 @@ void drawReplay(Session& session) {
     const bool plays = session.editor().document().isPlaying() && !session.isPaused;
     int step = session.showsReplay ? int(replay.place()) : size;
     ImGui::SetNextItemWidth(-1);
-    const std::string shown = fmt::format("step %d of {}", size);
-    if (ImGui::SliderInt("##step", &step, 1, size, shown.c_str())) runs = false, show(session, step);
+    if (ImGui::SliderInt("##step", &step, 1, size, "")) runs = false, show(session, step);
     tooltip("Drags the view to any step of the last play");
     if (iconButton("run", runs ? Icon::Pause : Icon::Play, runs, "Runs the replay", !plays)) {
         runs = !runs;
@@ -58,6 +55,8 @@ void drawReplay(Session& session) {
     }
     ImGui::SameLine(0, 12 * uiScale());
     ImGui::AlignTextToFramePadding();
+    ImGui::Text("step %d of %d", step, size);
+    ImGui::SameLine(0, 12 * uiScale());
     ImGui::TextDisabled("%.2f s of %.2f s, %.1f MB", step / 60.0, size / 60.0, double(replay.bytes()) / 1e6);
     if (runs && session.showsReplay && step < size) show(session, step + 1);
     if (step >= size) runs = false;

@@ -54,6 +54,7 @@ void drawModes(Session& session) {
         {Mode::Select, Icon::Select, "Select bodies and shapes  (V)\nShift adds, Alt takes the shape of a body"},
         {Mode::Move, Icon::Move, "Move what is selected  (G)"},
         {Mode::Rotate, Icon::Rotate, "Turn what is selected  (R)"},
+        {Mode::Scale, Icon::Scale, "Make the selected shape larger or smaller  (S)"},
         {Mode::Brush, Icon::Brush, "Draw voxels  (B)\nAlt picks the entry under the mouse"},
         {Mode::Break, Icon::Break, "Break things  (X)\nin play, or as a step of the history"},
     };
@@ -110,6 +111,7 @@ void drawModeSettings(Session& session) {
         session.breakSize = std::clamp(session.breakSize, 0.05, 10.0);
         return tooltip("Radius");
     }
+    if (session.mode == Mode::Scale) return ImGui::TextDisabled("whole cells");
     ImGui::TextDisabled("snap");
     ImGui::SameLine();
     centerField();

@@ -14,6 +14,7 @@ enum class Icon : uint8_t {
     Select,
     Move,
     Rotate,
+    Scale,
     Brush,
     Break,
     Play,

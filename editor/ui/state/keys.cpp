@@ -79,6 +79,7 @@ const Key kKeys[] = {
     {GLFW_KEY_V, 0, "V", "select", [](Session& s) { s.mode = Mode::Select; }},
     {GLFW_KEY_G, 0, "G", "move", [](Session& s) { s.mode = Mode::Move; }},
     {GLFW_KEY_R, 0, "R", "rotate", [](Session& s) { s.mode = Mode::Rotate; }},
+    {GLFW_KEY_S, 0, "S", "scale", [](Session& s) { s.mode = Mode::Scale; }},
     {GLFW_KEY_B, 0, "B", nullptr, [](Session& s) { s.mode = Mode::Brush; }},
     {GLFW_KEY_X, 0, "X", "explode", [](Session& s) { s.mode = Mode::Break; }},
     {GLFW_KEY_1, 0, "1", "voxel", [](Session& s) { setForm(s, Form::Voxel); }},

@@ -12,7 +12,7 @@
 namespace editor {
 
 /// What the mouse does in the view.
-enum class Mode : uint8_t { Select, Move, Rotate, Brush, Break };
+enum class Mode : uint8_t { Select, Move, Rotate, Scale, Brush, Break };
 
 /// Forms of brushes, as their commands are called.
 inline constexpr const char* kForms[] = {"voxel", "box", "sphere", "line", "face", "flood"};

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <utility>
 
 #include "editor/core/places.h"
 #include "editor/core/rotation.h"
@@ -66,8 +67,8 @@ int Gizmo::handleUnder(const Session& session, const ViewFrame& frame, ImVec2 mo
     const auto middle = frame.project(m_center);
     if (session.mode == Mode::Move && middle && distanceTo(mouse, *middle, *middle) < least) return kMiddle;
     for (int a = 0; a < 3; ++a) {
-        if (session.mode == Mode::Move) {
-            const auto p = frame.project(m_center), q = frame.project(m_center + axisOf(a) * m_length);
+        if (session.mode != Mode::Rotate) {
+            const auto p = frame.project(m_center), q = frame.project(tipOf(a));
             if (!p || !q) continue;
             if (const float d = distanceTo(mouse, *p, *q); d < least) best = a, least = d;
             continue;
@@ -86,8 +87,21 @@ int Gizmo::handleUnder(const Session& session, const ViewFrame& frame, ImVec2 mo
     return best;
 }
 
-/// The box around all that is selected; false: nothing is.
+glm::dvec3 Gizmo::tipOf(int axis) const {
+    return m_center + m_turn * axisOf(axis) * m_length;
+}
+
+/// The box around all that is selected; false: nothing is. Scaled is one shape, along the axes of its grid.
 bool Gizmo::fit(Session& session) {
+    m_turn = glm::dquat(1, 0, 0, 0);
+    if (session.mode == Mode::Scale) {
+        const rubble_shape handle = session.selectedShape();
+        if (!handle) return false;
+        const rubble_shape_state shape = session.world().get_shape_state(handle);
+        m_turn = quaternionOf(shape.rotation);
+        m_center = worldOf(shape, glm::dvec3(shape.size[0], shape.size[1], shape.size[2]) * 0.5);
+        return true;
+    }
     glm::dvec3 low(1e30), high(-1e30);
     const auto add = [&](glm::dvec3 at) { low = glm::min(low, at), high = glm::max(high, at); };
     for (const rubble_shape_state& shape : selectedShapes(session)) {
@@ -109,11 +123,18 @@ void Gizmo::drag(Session& session, const ViewFrame& frame, ImVec2 mouse) {
         m_by = axisOf(m_held) * snapped((dx - dy) * kDegrees * -towards, session.snapAngle);
         return;
     }
-    const auto p = frame.project(m_center), q = frame.project(m_center + axisOf(m_held) * m_length);
+    const auto p = frame.project(m_center), q = frame.project(tipOf(m_held));
     if (!p || !q) return;
     const double ax = double(q->x - p->x), ay = double(q->y - p->y);
     const double length2 = std::max(ax * ax + ay * ay, 1.0);
-    m_by = axisOf(m_held) * snapped((dx * ax + dy * ay) / length2 * m_length, session.snap);
+    const double amount = (dx * ax + dy * ay) / length2 * m_length;
+    m_by = axisOf(m_held) * (session.mode == Mode::Move ? snapped(amount, session.snap) : amount);
+}
+
+/// The cells that the shape comes to have.
+glm::ivec3 Gizmo::scaledSize(const rubble_shape_state& shape) const {
+    const glm::dvec3 size(shape.size[0], shape.size[1], shape.size[2]);
+    return glm::clamp(glm::ivec3(glm::round(size + m_by / shape.voxel_size)), 1, 4096);
 }
 
 /// The box comes to lie on what is under the mouse, else on height 0.
@@ -142,14 +163,22 @@ void Gizmo::dragOnSurface(Session& session, const ViewFrame& frame, ImVec2 mouse
 void Gizmo::release(Session& session) {
     m_held = -1;
     if (m_by == glm::dvec3(0.0)) return;
-    if (session.mode == Mode::Move)
-        session.run("move", {{"by", pointText(m_by)}});
-    else
-        session.run("rotate", {{"turn", pointText(m_by)}});
+    if (session.mode == Mode::Move) return void(session.run("move", {{"by", pointText(m_by)}}));
+    if (session.mode == Mode::Rotate) return void(session.run("rotate", {{"turn", pointText(m_by)}}));
+    const rubble_shape_state shape = session.world().get_shape_state(session.selectedShape());
+    const glm::ivec3 size = scaledSize(shape);
+    if (size == glm::ivec3(shape.size[0], shape.size[1], shape.size[2])) return;
+    session.run("scale", {{"size", cellText(size)}, {"shape", referenceTo(session.world(), shape.shape)}});
 }
 
 /// Where all would come.
 void Gizmo::drawDrag(Session& session, Wires& wires) const {
+    if (session.mode == Mode::Scale) {
+        const rubble_shape_state shape = session.world().get_shape_state(session.selectedShape());
+        const glm::ivec3 size = scaledSize(shape);
+        wires.cells(shape, glm::dvec3(0.0), size, theme::kAccent, theme::kAccentFaint & 0x28ffffffu);
+        return wires.label(tipOf(m_held), theme::kText, (cellText(size) + " cells").c_str());
+    }
     const bool moves = session.mode == Mode::Move;
     const glm::dquat turn = moves ? glm::dquat(1, 0, 0, 0) : rotationOf(m_by);
     const glm::dvec3 by = moves ? m_by : glm::dvec3(0.0);
@@ -178,15 +207,18 @@ void Gizmo::draw(Session& session, const ViewFrame& frame, ImDrawList& list, int
             wires.ring(m_center, axisOf((a + 1) % 3) * m_length, axisOf((a + 2) % 3) * m_length, color, width);
             continue;
         }
-        const glm::dvec3 tip = m_center + axisOf(a) * m_length;
+        const glm::dvec3 tip = tipOf(a);
         wires.line(m_center, tip, color, width);
         wires.dot(tip, color, 6.0f);
+        if (session.mode == Mode::Scale) wires.dot(tip, theme::kPanel, 3.0f);
     }
     wires.dot(m_center, colorOf(kMiddle, IM_COL32(240, 240, 240, 255)), session.mode == Mode::Move ? 6.0f : 4.0f);
     if (m_held >= 0) drawDrag(session, wires);
 }
 
 bool Gizmo::update(Session& session, const ViewFrame& frame, ImDrawList& list, bool isMouseFree) {
+    const bool isOther = std::exchange(m_mode, session.mode) != session.mode;
+    if (isOther || (session.mode == Mode::Scale && !session.selectedShape())) m_held = -1;  // by keys, during a drag
     if (session.editor().document().isPlaying() || (m_held < 0 && !fit(session))) return m_held = -1, false;
     m_length = frame.metersPerPixel(m_center) * kPixels * double(uiScale());
     const ImVec2 mouse = ImGui::GetIO().MousePos;

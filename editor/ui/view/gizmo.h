@@ -1,4 +1,5 @@
 #pragma once
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
@@ -8,8 +9,9 @@
 
 namespace editor {
 
-/// Handles in the view that move or turn the bodies and lights that are selected: along an axis, or by the middle on
-/// the surfaces under the mouse. The drag shows where they would come; its end is one command.
+/// Handles in the view that move or turn the bodies and lights that are selected, or scale a shape: along an axis;
+/// moves also by the middle, on the surfaces under the mouse. The drag shows where they would come; its end is one
+/// command.
 class Gizmo {
 public:
     /// Draws it and reacts to the mouse. isMouseFree: no panel wants the mouse. True: the mouse is on it.
@@ -21,6 +23,8 @@ private:
     static constexpr int kMiddle = 3;
     int handleUnder(const Session& session, const ViewFrame& frame, ImVec2 mouse) const;
     bool fit(Session& session);
+    glm::dvec3 tipOf(int axis) const;
+    glm::ivec3 scaledSize(const rubble_shape_state& shape) const;
     void drag(Session& session, const ViewFrame& frame, ImVec2 mouse);
     void dragOnSurface(Session& session, const ViewFrame& frame, ImVec2 mouse);
     void release(Session& session);
@@ -28,8 +32,10 @@ private:
     void draw(Session& session, const ViewFrame& frame, ImDrawList& list, int hovered) const;
 
     glm::dvec3 m_center{0.0}, m_half{0.0};  ///< of the box around all
+    glm::dquat m_turn{1.0, 0.0, 0.0, 0.0};  ///< of the axes
     double m_length = 1.0;                  ///< metres of an arrow
-    int m_held = -1;                        ///< axis, or kMiddle
+    Mode m_mode = Mode::Select;
+    int m_held = -1;  ///< axis, or kMiddle
     ImVec2 m_start{0, 0};
     glm::dvec3 m_by{0.0};  ///< metres, or degrees
 };

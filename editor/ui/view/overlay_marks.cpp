@@ -222,7 +222,7 @@ void OverlayMarks::drawBricks(Session& session, Wires& wires) {
     if (m_bricks.size() > kMaxMarks) m_bricks.erase(m_bricks.begin(), m_bricks.end() - kMaxMarks);
     for (const ChangedBrick& each : m_bricks) {
         const auto alpha = ImU32(200 - 170 * (now - each.step) / (kShownSteps + 1));
-        const ImU32 color = theme::kAccent & 0x00ffffffu;
+        const ImU32 color = kLink & 0x00ffffffu;
         wires.cells(session.world().get_shape_state(each.shape), glm::dvec3(each.brick) * 8.0, glm::dvec3(8.0),
                     color | alpha << 24, color | alpha / 5 << 24);
     }
