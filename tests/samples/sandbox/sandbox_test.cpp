@@ -54,6 +54,7 @@ TEST(Sandbox, WithoutADisplayMakesAFilm) {
     EXPECT_TRUE(readPng((out / "contact_sheet.png").string()));
     const bool hasVideo = std::system("command -v ffmpeg >/dev/null 2>&1") != 0 || fs::exists(out / "film.mp4");
     EXPECT_TRUE(hasVideo);
+    EXPECT_GT(fs::file_size(out / "sound.wav"), 100000u) << "expected half a second in two channels";
     std::ifstream file(out / "figures.txt");
     const std::string figures{std::istreambuf_iterator<char>(file), {}};
     for (const char* row : {"step, ms", "allocations a step", "shadow age", "longest steps", "state hash"})

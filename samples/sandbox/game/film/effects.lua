@@ -90,8 +90,8 @@ local function trails(pos, size, way)
                     particle(p, VecScale(v, 0.2), {type = "flame", color = {1, 1, 1}, radius = {0.07, 0.02},
                         alpha = 0.8, emissive = 0.2, life = 0.14})
                 end
-                particle(p, VecScale(v, 0.08), {type = "smoke", color = {0.24, 0.21, 0.18},
-                    radius = {0.03, random(0.1, 0.2)}, alpha = 0.30 * (1 - step / 70), drag = 3,
+                particle(p, VecScale(v, 0.35), {type = "smoke", color = {0.24, 0.21, 0.18},
+                    radius = {0.06, random(0.1, 0.2)}, alpha = 0.16 * (1 - step / 70), drag = 7, stretch = 0.08,
                     life = random(0.6, 1.3)})
                 wait(0)
             end

@@ -31,41 +31,23 @@ local function fell()
     notch(-0.2, 1.4, 0.6, 0.6, 0.11)
 end
 
--- Its parts break to rubble where they strike.
-local function shatter()
-    QueryRequire("dynamic")
-    for _, body in ipairs(QueryAabbBodies(Vec(22, 0, 20), Vec(44, 14, 58))) do
-        if GetBodyMass(body) > 8000 then
-            local center = GetBodyTransform(body) * GetBodyCenterOfMass(body)
-            for _, shape in ipairs(GetBodyShapes(body)) do
-                for _, aside in ipairs({Vec(0, 0, 0), Vec(-2.5, 0, 1.5), Vec(2.5, 0, -1.5)}) do
-                    local isThere, at = GetShapeClosestPoint(shape, Vec(center.x, 0, center.z) + aside)
-                    if isThere then Crack(at, 1.3, 1.3, 0.6) end
-                end
-            end
-        end
-    end
-end
-
 -- The air that it drives away rolls along the street and takes the dust with it.
 local function wave()
-    shatter()
-    for i = 1, 10 do
+    for _ = 1, 10 do
         for _ = 1, 9 do
             local side = 2 * math.random() - 1
             local shade = 0.85 + 0.3 * math.random()
-            effects.particle(Vec(31.8 + 4.5 * side, 0.3 + 0.5 * math.random(), 34 + 10 * math.random()),
+            effects.particle(Vec(31.8 + 5 * side, 0.4 + 0.8 * math.random(), 38 + 9 * math.random()),
                 Vec(4 * side, 0.5, 3 + 6 * math.random()), {type = "smoke", gravity = -1.45,
                     color = {dust[1] * shade, dust[2] * shade, dust[3] * shade},
                     radius = {0.25 + 0.3 * math.random(), 1.2 + 0.9 * math.random()},
                     alpha = 0.16 + 0.2 * math.random(), life = 2.5 + 2 * math.random(), spin = 0.5})
         end
-        if i == 4 then shatter() end
         wait(0.06)
     end
 end
 
-local kLands = 3.5  -- seconds after the cut
+local kLands = 3.3  -- seconds after the cut
 
 return {
     name = "tower",
