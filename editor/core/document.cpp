@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "editor/core/arguments.h"
@@ -11,6 +12,7 @@ namespace editor {
 namespace {
 
 constexpr uint32_t kMarks = 1'000'000;  ///< of undo: bricks are shared, so that their number is no measure of memory
+constexpr uint64_t kStepsOfMark = 30;   ///< of play, from mark to mark
 
 rubble_world_settings worldSettings(uint32_t flags, std::vector<std::string>& messages) {
     rubble_world_settings settings{};
@@ -54,8 +56,8 @@ void Document::begin(const std::string& path) {
 }
 
 void Document::beginHistory() {
-    m_done.clear();
-    m_undone.clear();
+    m_done.clear(), m_doneMarks.clear();
+    m_undone.clear(), m_undoneMarks.clear();
     m_isPlaying = false;
     m_world.set_undo_limit(kMarks);
     m_world.apply_edits();
@@ -125,7 +127,7 @@ void Document::makeStep(const std::string& name, const std::function<void()>& wo
         throw;
     }
     forgetUndone();
-    if (m_world.has_changed()) return m_done.push_back(name);
+    if (m_world.has_changed()) return m_done.push_back(name), m_doneMarks.push_back(1);
     takeBack();
     if (m_messages.size() == messages) return;
     const std::vector<std::string> reasons(m_messages.begin() + ptrdiff_t(messages), m_messages.end());
@@ -159,38 +161,48 @@ void Document::carryOut(const std::string& name) {
         takeBack();
         throw;
     }
-    m_done.push_back(name);
+    m_done.push_back(name), m_doneMarks.push_back(1);
     keepChanges();
 }
 
 /// What is done next has no redo.
 void Document::forgetUndone() {
-    m_undone.clear();
+    m_undone.clear(), m_undoneMarks.clear();
     if (m_savedSteps > m_done.size()) m_savedSteps.reset();
 }
 
-/// To the last mark.
-void Document::takeBack() {
-    m_world.undo();
-    m_world.apply_edits();
+/// To the last mark, or one of those before it.
+void Document::takeBack(size_t marks) {
+    for (; marks > 0; --marks) {
+        m_world.undo();
+        m_world.apply_edits();
+    }
+}
+
+/// The last one of a list of steps becomes the last one of the other.
+void Document::moveStep(bool isUndone) {
+    auto &from = isUndone ? m_done : m_undone, &to = isUndone ? m_undone : m_done;
+    auto &fromMarks = isUndone ? m_doneMarks : m_undoneMarks, &toMarks = isUndone ? m_undoneMarks : m_doneMarks;
+    to.push_back(std::move(from.back())), from.pop_back();
+    toMarks.push_back(fromMarks.back()), fromMarks.pop_back();
 }
 
 void Document::undo() {
     requireEditing("undo");
     if (m_done.empty()) throw Refused("undo: there is no step to take back");
-    takeBack();
-    m_undone.push_back(std::move(m_done.back()));
-    m_done.pop_back();
+    takeBack(m_doneMarks.back());
+    moveStep(true);
     keepChanges();
 }
 
 void Document::redo() {
     requireEditing("redo");
     if (m_undone.empty()) throw Refused("redo: there is no undo to take back");
-    m_world.redo();
-    m_world.apply_edits();
-    m_done.push_back(std::move(m_undone.back()));
-    m_undone.pop_back();
+    for (size_t marks = m_undoneMarks.back(); marks > 0; --marks) {
+        m_world.redo();
+        m_world.apply_edits();
+    }
+    moveStep(false);
     keepChanges();
 }
 
@@ -201,9 +213,11 @@ void Document::play(bool wakes) {
     if (wakes) wakeAll();
     m_world.apply_edits();
     forgetUndone();
+    keepInJournal([](Journal& journal) { journal.markPlay(true); });
+    keepChanges();
     m_isPlaying = true;
     m_playedSteps = 0;
-    keepChanges([](Journal& journal) { journal.markPlay(true); });
+    m_playMarks = {0};
     keepDeltas();
 }
 
@@ -221,7 +235,24 @@ void Document::step(const std::function<void()>& take) {
     requirePlaying("step");
     take ? take() : m_world.step();
     ++m_playedSteps;
+    keepChanges(true);
+    if (m_playedSteps % kStepsOfMark != 0 || !m_world.has_changed()) return;
+    m_world.add_undo_mark();
+    m_playMarks.push_back(m_playedSteps);
+}
+
+void Document::rewind(uint64_t steps) {
+    requirePlaying("rewind");
+    const uint64_t to = m_playedSteps - std::min(steps, m_playedSteps);
+    const auto kept = std::upper_bound(m_playMarks.begin(), m_playMarks.end(), to) - m_playMarks.begin();
+    m_world.apply_edits();  // an undo would come before them
+    takeBack(m_playMarks.size() - size_t(kept) + 1);
+    m_world.add_undo_mark();  // so that stop() finds it, also where all that comes is motion
+    m_world.apply_edits();
+    m_playMarks.resize(size_t(kept));
+    m_playedSteps = m_playMarks.back();
     keepChanges();
+    keepDeltas();
 }
 
 void Document::endPlay() {
@@ -231,23 +262,18 @@ void Document::endPlay() {
     keepDeltas();
 }
 
-void Document::stop() {
-    requirePlaying("stop");
+void Document::stop(bool keeps) {
+    requirePlaying(keeps ? "keep" : "stop");
     m_world.apply_edits();  // an undo would come before them
-    takeBack();
-    endPlay();
-    m_undone = {fmt::format("play {} steps", m_playedSteps)};
-}
-
-void Document::keep() {
-    requirePlaying("keep");
-    m_world.apply_edits();
-    const bool isChanged = m_world.has_changed();
-    if (isChanged)
-        m_done.push_back(fmt::format("play {} steps", m_playedSteps));
-    else
+    if (!keeps) takeBack(m_playMarks.size());
+    if (keeps && !m_world.has_changed()) {  // the mark of what comes next would take the place of the last one
         takeBack();
+        m_playMarks.pop_back();
+    }
     endPlay();
+    if (m_playMarks.empty()) return;
+    (keeps ? m_done : m_undone).push_back(fmt::format("play {} steps", m_playedSteps));
+    (keeps ? m_doneMarks : m_undoneMarks).push_back(m_playMarks.size());
 }
 
 /// That of the level's file; of a level without one the first that no other editor has.
@@ -285,20 +311,22 @@ void Document::keepInJournal(const std::function<void(Journal&)>& write) {
     }
 }
 
-/// Hands on what the world has done since the last call, to the journal and in play to who watches.
-void Document::keepChanges(const std::function<void(Journal&)>& mark) {
-    if (!m_journal && !(m_watcher && m_isPlaying)) return;
+/// Hands on what the world has done since the last call: to the journal, and a step of play to who watches.
+void Document::keepChanges(bool isStep) {
+    if (!needsDeltas()) return;
     const std::vector<uint8_t> deltas = m_world.take_deltas();
-    keepInJournal([&](Journal& journal) {
-        if (mark) mark(journal);
-        journal.add(deltas);
-    });
-    if (m_watcher && m_isPlaying && !mark) m_watcher(deltas);
+    if (m_watcher && isStep) m_watcher(deltas);
+    keepInJournal([&](Journal& journal) { journal.add(deltas); });
 }
 
-/// The world keeps deltas while somebody takes them.
+bool Document::needsDeltas() const {
+    return m_journal || (m_watcher && m_isPlaying);
+}
+
+/// The world keeps deltas while somebody takes them; where nobody ever does, they are the host's own.
 void Document::keepDeltas() {
-    m_world.keep_deltas(m_journal || (m_watcher && m_isPlaying) ? RUBBLE_DELTAS_ALL : RUBBLE_DELTAS_NONE);
+    if (m_journals.empty() && !m_watcher) return;
+    m_world.keep_deltas(needsDeltas() ? RUBBLE_DELTAS_ALL : RUBBLE_DELTAS_NONE);
 }
 
 std::optional<Recovery> Document::recovery() const {

@@ -81,10 +81,12 @@ public:
     void play(bool wakes);
     /// Advances by a step of 1/60 s, with the edits that wait. take() takes the step; without it the world does.
     void step(const std::function<void()>& take = {});
-    /// Ends play: the level is as before it. What was queued in it goes with it.
-    void stop();
-    /// Ends play and keeps what became of the level, as a step of the history.
-    void keep();
+    /// Goes back in play by at least so many steps, to one of the marks that step() sets each half second, and on from
+    /// there; all, if there are not so many.
+    void rewind(uint64_t steps);
+    /// Ends play: the level is as before it, and redo() brings the ruin. keeps: what became of the level stays, as a
+    /// step of the history. What was queued in play goes with it.
+    void stop(bool keeps = false);
 
     /// What the world has said since the last call: warnings and errors, a line each.
     std::vector<std::string> takeMessages();
@@ -98,13 +100,15 @@ private:
     void openJournal();
     void beginJournal(size_t recovered = 0);
     void keepInJournal(const std::function<void(Journal&)>& write);
-    void keepChanges(const std::function<void(Journal&)>& mark = {});
+    void keepChanges(bool isStep = false);
+    bool needsDeltas() const;
     void keepDeltas();
     void recover(const Recovery& found);
     void requireDecision(const char* what) const;
     void requireEditing(const char* what) const;
     void requirePlaying(const char* what) const;
-    void takeBack();
+    void takeBack(size_t marks = 1);
+    void moveStep(bool isUndone);
     void forgetUndone();
     void requireNoRefusals() const;
     void wakeAll();
@@ -115,10 +119,12 @@ private:
     std::optional<FileState> m_fileState;  ///< as it was loaded or saved
     std::unique_ptr<Journal> m_journal;    ///< null: there is none
     std::vector<std::string> m_done, m_undone;
-    std::optional<size_t> m_savedSteps = 0;  ///< with how many steps done it is as in its file; none: no longer
+    std::vector<size_t> m_doneMarks, m_undoneMarks;  ///< how many of the world's marks each of them has
+    std::optional<size_t> m_savedSteps = 0;          ///< with how many steps done it is as in its file; none: no longer
     StepWatcher m_watcher;
     bool m_isPlaying = false;
     uint64_t m_playedSteps = 0;
+    std::vector<uint64_t> m_playMarks;  ///< the steps of play at which the world has marks, its beginning first
 };
 
 }  // namespace editor

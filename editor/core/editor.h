@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <string>
@@ -16,6 +17,8 @@ struct EditorSettings {
     std::string vdbTool;                             ///< the program rubble-vdb, for .vdb files
     std::string journals;                            ///< where journals of open levels are kept; empty: none are
     StepWatcher watcher;                             ///< of the steps of play
+    /// Writes what the view shows as PNG; an error, or empty. None: there is no view.
+    std::function<std::string(const std::string& path)> writeView;
 };
 
 /// What a command came to.

@@ -70,6 +70,7 @@ void Ui::frame(double share) {
     panel("status", {0, bottom + line}, size, [&] { drawStatus(m_session, m_viewport); });
     ImGui::PopStyleVar();
     m_session.tabs.isAsked = false;
+    drawTour(m_session, m_frame);
     m_commands.draw(m_session);
     drawRecovery(m_session);
 }
@@ -193,10 +194,18 @@ void Ui::useMouse(Wires& wires, bool isFree) {
 void Ui::drawImage(double share) {
     const bool isReplay = m_session.showsReplay && m_session.replay.world();
     if (isReplay && !m_replay && makeViewport) m_replay = makeViewport(*m_session.replay.world());
-    Viewport& shown = isReplay && m_replay ? *m_replay : m_viewport;
     const uint64_t version = isReplay ? m_session.replay.version() : m_session.version();
-    if (share > 0.0) shown.draw(m_frame, version, m_session.pass, share);
-    ImGui::Image(shown.texture(), m_frame.size, {0, 1}, {1, 0});
+    if (share > 0.0) shownViewport().draw(m_frame, version, m_session.pass, share);
+    ImGui::Image(shownViewport().texture(), m_frame.size, {0, 1}, {1, 0});
+}
+
+std::string Ui::writeView(const std::string& path) {
+    Viewport& shown = shownViewport();
+    const bool isReplay = &shown != &m_viewport;
+    const uint64_t version = isReplay ? m_session.replay.version() : m_session.version();
+    do shown.draw(m_frame, version, m_session.pass, 1.0);
+    while (!shown.isSettled());
+    return shown.write(path);
 }
 
 void Ui::drawView(double share) {

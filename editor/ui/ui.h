@@ -2,6 +2,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "editor/ui/panels/panels.h"
 #include "editor/ui/state/session.h"
@@ -21,7 +22,12 @@ public:
     /// Makes the image of the replay when it is first wanted.
     std::function<std::unique_ptr<Viewport>(const rubble::World&)> makeViewport;
     /// Whether nothing would become of another frame.
-    bool isSettled() const { return shownViewport().isSettled(); }
+    bool isSettled() { return shownViewport().isSettled(); }
+
+    /// What the view shows: the level, or the replay.
+    Viewport& shownViewport() { return m_session.showsReplay && m_replay ? *m_replay : m_viewport; }
+    /// Writes it as PNG, with all the light that an image gathers; an error, or empty.
+    std::string writeView(const std::string& path);
 
     /// Makes one frame of the interface, between ImGui's NewFrame() and Render(). share: see Viewport::draw();
     /// 0: the image of the level stays.
@@ -36,7 +42,6 @@ public:
 private:
     void drawView(double share);
     void drawImage(double share);
-    const Viewport& shownViewport() const { return m_session.showsReplay && m_replay ? *m_replay : m_viewport; }
     void drawRight();
     void drawBottom();
     void moveCamera(bool isHovered);

@@ -57,9 +57,10 @@ public:
     /// is what GetIntParam() and its like read.
     Script& add(const std::string& name, const std::string& text, std::map<std::string, std::string> parameters = {});
 
-    /// Runs the scripts that the level names, which lie in the scripts' folder: after load_level(). From here on, and
-    /// from the first Spawn() on, step() follows their list: what it names begins, and what it names no longer ends,
-    /// after destroy(). One that cannot be read is logged.
+    /// Runs the scripts that the level names, which lie in the scripts' folder: after each load_level(). Those of the
+    /// level before it end, also if it is the same one. From here on, and from the first Spawn() on, step() follows
+    /// their list: what it names begins, and what it names no longer ends, after destroy(). One that cannot be read is
+    /// logged.
     void addLevelScripts();
     /// Keeps the registry and the tables of saved() with the game: before save_game().
     rubble_result save();
@@ -141,7 +142,7 @@ private:
     std::set<rubble_renderer> m_overlaid;   ///< that have an overlay of the scripts
     std::optional<ProfileTable> m_profile;  ///< while it is shown
     uint32_t m_reports = 0;                 ///< kinds that the world lists for the scripts
-    bool m_hasReports = true;              ///< the world has the host's filter
+    bool m_hasReports = true;               ///< the world has the host's filter
 };
 
 }  // namespace rubble::script

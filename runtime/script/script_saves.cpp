@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "runtime/script/binding/data_text.h"
 #include "runtime/script/binding/files.h"
@@ -157,6 +158,8 @@ std::vector<LevelScriptName> ScriptHost::namedScripts() const {
 }
 
 void ScriptHost::addLevelScripts() {
+    for (const LevelScriptName& name : std::exchange(m_named, {})) endLevelScript(name);
+    forgetWorld();
     m_shared.followsLevel = true;
     followLevel({}, false);
 }

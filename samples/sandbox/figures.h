@@ -35,7 +35,4 @@ private:
     VoxelAccounting m_accounting;
 };
 
-/// Calls of operator new in this process so far, on all threads.
-uint64_t allocationCount();
-
 }  // namespace rubble

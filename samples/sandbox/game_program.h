@@ -7,4 +7,7 @@ namespace rubble {
 /// an exit code where it cannot.
 int playGame(const SandboxOptions& options);
 
+/// Becomes the same program, which makes the film of the sandbox in the folder of the options.
+int playFilm(const SandboxOptions& options);
+
 }  // namespace rubble

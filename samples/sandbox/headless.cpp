@@ -13,6 +13,7 @@
 #include "runtime/core/log.h"
 #include "runtime/plugin/frame_loop.h"
 #include "samples/sandbox/figures.h"
+#include "samples/sandbox/shell/allocations.h"
 #include "samples/sandbox/stage.h"
 #include "samples/scenes/scene.h"
 #include "samples/support/gl_context.h"

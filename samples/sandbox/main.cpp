@@ -1,5 +1,5 @@
-// The sandbox: a town corner to take apart. With a display it opens a window; without one it runs a scripted demolition
-// and writes frames and figures.
+// The sandbox: a town corner to take apart. With a display it is a game; without one it makes a film of a demolition.
+// Scripted scenes and models are demolished here, in a window or as frames and figures.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
@@ -19,6 +19,11 @@ namespace rubble {
 
 bool SandboxOptions::wantsWindow() const {
     return !headless && !noRender && Window::hasDisplay();
+}
+
+bool SandboxOptions::wantsFilm() const {
+    const bool isTown = scene.empty() && model.empty() && level.empty() && time.empty();
+    return isTown && !wantsWindow() && !noRender && !allPasses && !map && !frames && pass == "final";
 }
 
 namespace {
@@ -48,9 +53,14 @@ int writeLevel(const SandboxOptions& options) {
     return written ? 0 : 1;
 }
 
+constexpr const char* kFilmSize = "480x270";  ///< by default: some minutes on two processors without a GPU
+
 constexpr const char* kHelp =
     "Rubble sandbox: a town corner to take apart.\n"
     "With a display: a game whose scripts are in samples/sandbox/game; F1 in it lists the keys, Esc opens its menu.\n"
+    "Without one: a film of a demolition, directed by the scripts in samples/sandbox/game/film, with contact sheets "
+    "and "
+    "figures.\n"
     "With --scene, --model or --pass a plain window: WASD and mouse fly, Space/Shift up and down, 1 hammer, 2 "
     "explosive, "
     "3 spray can, left click uses it, G held grabs (with a click on letting go: throws), F fly or walk, T torch, R "
@@ -72,7 +82,7 @@ void addSceneOptions(CLI::App& app, SandboxOptions& options) {
     app.add_option("--write", options.write, "write the level to this .rubble file, and play nothing");
     app.add_option("--time", options.time, "time of day: noon, afternoon, dusk, night or rain")
         ->check(CLI::IsMember({"noon", "afternoon", "dusk", "night", "rain"}));
-    app.add_option("--seconds", options.seconds, "game time (default: as long as the scene says, or 10)")
+    app.add_option("--seconds", options.seconds, "game time (default: as long as the scene or the film is, or 10)")
         ->check(CLI::Range(0.1, 3600.0) & kIsNumber);
     app.add_option("--seed", options.seed, "seed of everything random")
         ->capture_default_str()
@@ -83,11 +93,12 @@ void addFrameOptions(CLI::App& app, SandboxOptions& options) {
     app.add_option("--frames", options.frames, "draw only this many frames, evenly over the run; no MP4")
         ->check(CLI::Range(1, 1000));
     app.add_option("--out", options.out, "folder for frames and figures")->capture_default_str();
-    app.add_option("--size", options.size, "frame size, WIDTHxHEIGHT")->capture_default_str();
-    app.add_option("--fps", options.fps, "frames per second of game time (a divisor of 60)")
-        ->capture_default_str()
+    app.add_option("--size", options.size, "frame size, WIDTHxHEIGHT; of the film 480x270")->capture_default_str();
+    app.add_option("--fps", options.fps,
+                   "frames per second of game time, a divisor of 60 (default: 30; of the film 20)")
         ->check(CLI::IsMember({1, 2, 3, 4, 5, 6, 10, 12, 15, 20, 30, 60}));
     app.add_flag("--bot", options.bot, "a script plays the game with all tools, without a window: images in OUT/bot");
+    app.add_option("--shot", options.shot, "of the film: only the shot of this name");
     app.add_flag("--headless", options.headless, "no window even where there is a display");
     app.add_flag("--no-render", options.noRender, "no frames: state hashes and figures only");
     app.add_flag("--all-passes", options.allPasses, "write every pass for the frames of the contact sheet");
@@ -130,6 +141,7 @@ int run(int argc, char** argv) {
     addRenderOptions(app, options);
     try {
         app.parse(argc, argv);
+        if (options.wantsFilm() && !options.bot && !app.count("--size")) options.size = kFilmSize;
         parseSize(options);
     } catch (const CLI::ParseError& error) {
         return app.exit(error);
@@ -138,6 +150,8 @@ int run(int argc, char** argv) {
     if (!options.write.empty()) return writeLevel(options);
     if (options.scene == "all") return runAllScenes(options);
     const bool isGame = options.scene.empty() && options.model.empty() && options.pass == "final";
+    if (options.wantsFilm() && !options.bot) return playFilm(options);
+    if (!options.fps) options.fps = 30;
     if (options.bot || (options.wantsWindow() && isGame)) return playGame(options);
     return options.wantsWindow() ? runWindow(options) : runHeadless(options);
 }

@@ -15,7 +15,7 @@ struct SandboxOptions {
     std::string out = "out";  ///< folder for frames and figures
     std::string size = "640x360";
     int width = 640, height = 360;
-    int fps = 30;          ///< frames per second of game time; must divide 60
+    int fps = 0;           ///< frames per second of game time, which divide 60; 0: 30, of the film 20
     double seconds = 0.0;  ///< game time; 0: as long as the scene says, or ten
     std::string preset = "balanced";
     std::string fullscreen = "auto";  ///< what draws full-screen passes: auto, fragment, compute or fastest
@@ -28,10 +28,12 @@ struct SandboxOptions {
     bool map = false;            ///< without a window: the whole level from above
     std::string screenshot;      ///< window mode: write one frame here and leave
     bool bot = false;            ///< a script plays the game, without a window
+    std::string shot;            ///< of the film: the only one
     std::string gl = "auto";     ///< without a window: auto, osmesa or egl
     std::string shaders;         ///< folder of the shaders
     std::string tools;           ///< folder of rubble-vdb
     bool wantsWindow() const;    ///< there is a display, and no option asks to run without a window
+    bool wantsFilm() const;      ///< neither a window is wanted nor what the first release's demolition alone shows
 };
 
 }  // namespace rubble

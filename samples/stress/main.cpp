@@ -7,6 +7,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -23,6 +24,18 @@ namespace fs = std::filesystem;
 
 /// Bytes by which the heap may be larger after a run than before it: what libraries keep, 60 to 304 KiB.
 constexpr int64_t kMaxHeapGrowth = 1 << 20;
+
+constexpr int kInterrupted = 130;  ///< the exit code of shells for that
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// Ctrl+C ends a run after the step that it is in, and keeps its figures; the next one ends the program.
+void catchInterrupt() {
+    struct sigaction action = {};
+    action.sa_handler = [](int) { interrupted = 1; };
+    action.sa_flags = int(SA_RESETHAND | SA_RESTART);
+    sigaction(SIGINT, &action, nullptr);
+}
 
 struct Options {
     std::string scenario = "all", out = "out/stress", build;
@@ -95,6 +108,7 @@ public:
         m_settings.folder = options.out;
         m_settings.images = options.images;
         m_settings.hasThreads = options.hasThreads;
+        m_settings.isInterrupted = [] { return interrupted != 0; };
     }
 
     bool run() {
@@ -144,9 +158,10 @@ private:
         fmt::print("{:<20} seed {:<4} {:6} steps {:6} replayed {:5} bodies {:9} removed {:4} loads {:6.1f} s  {}\n",
                    m_settings.name, m_settings.seed, result.steps.size(), result.replayed, bodies, removed,
                    result.loads, seconds,
-                   result.failure ? fmt::format("FAILED at step {}: {}: {}", result.failure->step,
-                                                result.failure->check, result.failure->message)
-                                  : "all checks held");
+                   result.failure         ? fmt::format("FAILED at step {}: {}: {}", result.failure->step,
+                                                        result.failure->check, result.failure->message)
+                   : result.isInterrupted ? "interrupted; all checks held so far"
+                                          : "all checks held");
         std::fflush(stdout);
     }
 
@@ -156,6 +171,7 @@ private:
 };
 
 int run(const Options& options) {
+    catchInterrupt();
     const rubble_api* api = nullptr;
     if (rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK) return 1;
     if (std::error_code error; fs::create_directories(options.out, error), error) {
@@ -179,10 +195,10 @@ int run(const Options& options) {
                     options.scenario.ends_with(".lua") ? scenario.string() : scenario.stem().string(), seed,
                     options.minutes, options.checkEvery, options.replayEvery, options.out, options.images,
                     options.minimiseRuns, options.hasThreads ? " --threads" : "");
-            else if (!options.lists)
+            else if (!options.lists && !interrupted)
                 failed += !Job(*api, options, scenario, seed).run();
     }
-    return failed ? 1 : 0;
+    return interrupted ? kInterrupted : failed ? 1 : 0;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace stress {
 namespace {
@@ -16,6 +17,7 @@ public:
         : m_api(api), m_settings(settings), m_failure(failure), m_maxRuns(maxRuns) {
         m_settings.observer = nullptr;
         m_settings.onStep = {};
+        m_isInterrupted = std::exchange(m_settings.isInterrupted, {});  // a run that has begun ends by itself
         m_settings.images = 0;
         m_settings.replayEvery = failure.check == "replay";
     }
@@ -24,7 +26,7 @@ public:
         // What fails at a border fails at the end of a shorter run too.
         m_settings.steps = m_failure.step + 1;
         if (!fails(commands)) return {"", m_failure, m_runs};
-        for (size_t parts = 2; commands.size() > 1 && m_runs < m_maxRuns;) {
+        for (size_t parts = 2; commands.size() > 1 && goesOn();) {
             if (leaveOut(commands, parts))
                 parts = std::max<size_t>(2, parts - 1);
             else if (parts >= commands.size())
@@ -32,17 +34,19 @@ public:
             else
                 parts = std::min(commands.size(), 2 * parts);
         }
-        if (commands.size() <= kReadable) roundNumbers(commands);
+        if (commands.size() <= kReadable && goesOn()) roundNumbers(commands);
         fails(commands);
         return {scriptOf(commands), m_failure, m_runs};
     }
 
 private:
+    bool goesOn() const { return m_runs < m_maxRuns && !(m_isInterrupted && m_isInterrupted()); }
+
     /// Tries to do without each of so many parts of equal length; the first that is not needed goes.
     bool leaveOut(std::vector<Command>& commands, size_t parts) {
         const size_t count = commands.size();
         // From the end: what came last is needed least by what stays.
-        for (size_t part = parts; part-- > 0 && m_runs < m_maxRuns;) {
+        for (size_t part = parts; part-- > 0 && goesOn();) {
             const std::vector<Command> fewer = without(commands, part * count / parts, (part + 1) * count / parts);
             if (fewer.size() < count && fails(fewer)) return commands = fewer, true;
         }
@@ -112,6 +116,7 @@ private:
     const rubble_api& m_api;
     RunSettings m_settings;
     Failure m_failure;
+    std::function<bool()> m_isInterrupted;
     int m_maxRuns, m_runs = 0;
 };
 

@@ -74,6 +74,7 @@ std::string writeFigures(const std::string& folder, const std::string& build, co
     file["hash"] = fmt::format("{:016x}", result.hash);
     file["replayed_steps"] = result.replayed;
     file["loads"] = result.loads;
+    if (result.isInterrupted) file["interrupted"] = true;
     if (result.failure)
         file["failure"] = {{"check", result.failure->check},
                            {"message", result.failure->message},

@@ -113,6 +113,11 @@ def cell(value, before, larger_is_worse=True):
     return f"<td{mark}>{value:.2f} <small>({before:.2f})</small></td>"
 
 
+def held(run):
+    """What is said of a run without a failure."""
+    return "all checks held" + (" until it was interrupted" if run.get("interrupted") else "")
+
+
 def step_processor(run):
     """Processor time of a step, in ms; an old file has none."""
     seconds = run.get("processor_seconds", {}).get("steps", 0.0)
@@ -122,7 +127,7 @@ def step_processor(run):
 def row(run, before):
     """The row of a run in the table of all."""
     failure = run.get("failure")
-    state = f"step {failure['step']}: {failure['check']}: {failure['message']}" if failure else "all checks held"
+    state = f"step {failure['step']}: {failure['check']}: {failure['message']}" if failure else held(run)
     times = run["ms_p50_p95_p99_max"]["step"]
     old = before["ms_p50_p95_p99_max"]["step"] if before else [None] * 4
     peak = max(run["plots"]["heap, MiB"] or [0])
@@ -216,7 +221,7 @@ def envelope_row(run):
         return number(max(run["plots"][title] or [0]))
 
     failure = run.get("failure")
-    result = f"{failure['check']} at step {failure['step']}" if failure else "all checks held"
+    result = f"{failure['check']} at step {failure['step']}" if failure else held(run)
     return (f"| {run['scenario']} | {run['seed']} | {number(run['steps'] // 60 / 60)} | {run['replayed_steps']:,} | "
             f"{most('bodies')} | {most('contacts')} | {most('removed voxels')} | {run['loads']} | "
             f"{most('heap, MiB')} | {step_processor(run):.2f} | "

@@ -50,7 +50,7 @@ public:
 
     RunResult play() {
         if (begin())
-            for (int step = 0; step < m_settings.steps && !m_result.failure; ++step) oneStep(step);
+            for (int step = 0; step < m_settings.steps && !m_result.failure && !isInterrupted(); ++step) oneStep(step);
         if (!m_result.failure && m_isLoaded) stepAlone();
         if (!m_result.failure) endRecording();
         if (!m_result.failure) checkAll();
@@ -65,6 +65,8 @@ private:
     std::string recordingPath() const {
         return fmt::format("{}/{}_{}.rubblelog", m_settings.folder, m_settings.name, m_settings.seed);
     }
+
+    bool isInterrupted() { return m_result.isInterrupted = m_settings.isInterrupted && m_settings.isInterrupted(); }
 
     void fail(const std::string& check, const std::string& message) {
         if (!m_result.failure) m_result.failure = Failure{check, message, int(m_view.step)};

@@ -25,6 +25,7 @@ struct RunSettings {
     bool hasThreads = false;  ///< the shadow worker on its own thread, and two threads for physics
     rubble::script::CallObserver* observer = nullptr;
     std::function<void(int step)> onStep;
+    std::function<bool()> isInterrupted;  ///< whether the run shall end before its steps are done
 };
 
 /// What did not hold.
@@ -45,6 +46,7 @@ struct StepFigures {
 /// What came of a run.
 struct RunResult {
     std::optional<Failure> failure;
+    bool isInterrupted = false;  ///< it ended early, see RunSettings
     std::vector<StepFigures> steps;
     std::vector<std::vector<uint8_t>> games;  ///< saved games to be drawn
     uint64_t hash = 0;                        ///< after the last step

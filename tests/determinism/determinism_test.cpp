@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kTownHash = "a18930aebe29c8cf";
+constexpr const char* kTownHash = "483d8e74477f4135";
 
 void expectSameInEveryMode(const std::string& scene, int steps) {
     SceneRun run{.scene = scene, .steps = steps, .every = 10, .threads = 1};

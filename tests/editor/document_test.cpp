@@ -99,6 +99,35 @@ TEST(Document, PlaysTwiceTheSame) {
     EXPECT_EQ(places[0], places[1]);
 }
 
+TEST(Document, PlayGoesBackAndOnFromThere) {
+    Editor editor;
+    makeTestLevel(editor);
+    runAll(editor, {"place 0,3,1.5 10,20,30 crate"});
+    const uint64_t before = editor.document().hash();
+    runAll(editor, {"play", "step 60"});
+    const uint64_t second = editor.document().hash();
+    runAll(editor, {"explode 0,1,2 2", "step 75", "rewind 70"});
+    EXPECT_EQ(editor.document().playedSteps(), 60u) << "at the half second before";
+    EXPECT_EQ(editor.document().hash(), second);
+    runAll(editor, {"step 10", "rewind 5"});
+    EXPECT_EQ(editor.document().hash(), second) << "again, after nothing but motion";
+    runAll(editor, {"rewind 1000000"});
+    EXPECT_EQ(editor.document().playedSteps(), 0u);
+    runAll(editor, {"step 40", "stop"});
+    EXPECT_EQ(editor.document().hash(), before);
+    runAll(editor, {"play", "carve 0,1,2 0.7", "step 100", "rewind 20", "step 20"});
+    const uint64_t ruin = editor.document().hash();
+    runAll(editor, {"stop"});
+    EXPECT_EQ(editor.document().hash(), before);
+    runAll(editor, {"redo"});
+    EXPECT_EQ(editor.document().hash(), ruin) << "a step of the history, of several marks";
+    runAll(editor, {"undo", "undo", "redo", "redo"});
+    EXPECT_EQ(editor.document().hash(), ruin);
+    runAll(editor, {"undo"});
+    EXPECT_EQ(editor.document().hash(), before);
+    EXPECT_FALSE(editor.run(std::string("rewind")).isDone) << "without play";
+}
+
 TEST(Document, CanKeepTheRuin) {
     Editor editor;
     makeTestLevel(editor);

@@ -49,6 +49,7 @@ inline void makeTestLevel(Editor& editor) {
                     "box 0,0,0 3,1,3 paint 31 shape=striped",
                     "entry 30 color=#808080 material=wood shape=striped",
                     "entry 31 color=#808080 material=wood shape=striped",
+                    "create 4,4,4 -12,2,0 name=floating",
                     "select_box 0,0,0 3,3,3 crate",
                     "copy",
                     "select crate"});

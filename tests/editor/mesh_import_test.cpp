@@ -196,7 +196,8 @@ TEST_F(MeshImport, ManyColoursAreToldWithTheirError) {
     EXPECT_TRUE(got.says("1024 colours -> 255 entries of the palette, at most ")) << got.outcome.text;
     const size_t at = got.outcome.text.find("at most ");
     ASSERT_NE(at, std::string::npos);
-    EXPECT_LE(std::atoi(got.outcome.text.c_str() + at + 8), 8) << got.outcome.text;
+    // Parting them 254 times leaves 254 groups of 2 x 2 colours and one of 4 x 2, whose ends are 24 apart.
+    EXPECT_LE(std::atoi(got.outcome.text.c_str() + at + 8), 12) << got.outcome.text;
 }
 
 TEST_F(MeshImport, LeaksAreToldAndTheirSurfaceIsKept) {
@@ -253,7 +254,12 @@ TEST_F(MeshImport, BrokenAndLyingFilesAreRefused) {
     expectRefused(write("short.ply", header + "0 0 0\n"), "short.ply");
     std::string huge = header;
     huge.replace(huge.find("vertex 3"), 8, "vertex 4000000000");
-    expectRefused(write("huge.ply", huge), "huge.ply");
+    expectRefused(write("huge.ply", huge), "expected at least 24000000002 bytes after its header, found 0");
+    for (const size_t size : {size_t(3), size_t(20), header.size() - 1})
+        expectRefused(write("cut.ply", header.substr(0, size)), "expected a header that ends with 'end_header'");
+    std::string strange = header;
+    strange.replace(strange.find("float y"), 7, "floor y");
+    expectRefused(write("type.ply", strange), "expected a type of numbers in 'property floor y'");
     expectRefused(write("text.glb", "this is no such file"), "text.glb");
     writeObj(m_folder / "cube.obj", cube(2.0, {}));
     expectRefused(m_folder / "cube.obj", "at most 4096 cells", "voxels=0 voxel=0.001 turn=0,0,0 at=0,0,0 shell=1 up=z");
@@ -266,18 +272,19 @@ TEST_F(MeshImport, DamagedFilesCrashNothing) {
     writeObj(m_folder / "a.obj", mesh);
     writePly(m_folder / "a.ply", mesh, {mesh.points.size(), {200, 100, 40}});
     writeGlb(m_folder / "a.glb", mesh, contentOf(m_folder / "skin.png"));
-    const int inputs = std::getenv("RUBBLE_LONG") ? 1000 : 8;
+    const int inputs = std::getenv("RUBBLE_LONG") ? 1000 : 3;
     std::mt19937 random(24);
     for (const char* ending : {".obj", ".ply", ".glb"})
         for (int i = 0; i < inputs; ++i) {
             std::string bytes = contentOf(m_folder / "a" + ending);
             for (uint32_t n = 1 + random() % 6; n > 0; --n) bytes[random() % bytes.size()] = char(random());
-            if (i % 4 == 0) bytes.resize(random() % bytes.size());
+            if (i % 3 == 0) bytes.resize(random() % bytes.size());
             const std::string path = m_folder / "mutated" + ending;
             std::ofstream(path, std::ios::binary) << bytes;
             const Imported got(path, "voxels=8");
             EXPECT_FALSE(got.outcome.text.empty()) << ending << " " << i;
-            EXPECT_FALSE(got.says("by signal")) << ending << " " << i << ": " << got.outcome.text;
+            EXPECT_FALSE(got.says("a process of its own"))
+                << "it ended early: " << ending << " " << i << ": " << got.outcome.text;
         }
 }
 

@@ -119,7 +119,10 @@ TEST_F(Window, ReplayAndJournalDoNotTakeEachOthersSteps) {
                   "");
         EXPECT_EQ(ui.stage().session().replay.size(), 60u) << "of the step, each";
         EXPECT_NE(ui.run("ui replay 61").find("expected a step from 1 to 60, found 61"), std::string::npos);
-        ASSERT_EQ(ui.runAll("stop\nmove 0,1,0 crate"), "");
+        ASSERT_EQ(ui.runAll("rewind 20\nstep 15\nui replay 45"), "");
+        EXPECT_EQ(ui.stage().session().replay.size(), 45u) << "it knows what was played again";
+        EXPECT_EQ(ui.stage().session().replay.world()->get_level_hash(), ui.stage().editor().document().hash());
+        ASSERT_EQ(ui.runAll("ui replay 20\nui replay 45\nstop\nmove 0,1,0 crate"), "");
         hash = ui.stage().editor().document().hash();
         std::filesystem::copy(folder / "living", folder / "crashed", std::filesystem::copy_options::recursive);
     }
@@ -165,6 +168,35 @@ TEST_F(Window, AFilmHasAnImageOfEachStep) {
     if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "without ffmpeg";
     play("ui film fall.mp4");
     EXPECT_GT(std::filesystem::file_size(folder / "fall.mp4"), 1000u);
+}
+
+TEST_F(Window, TheViewIsExportedAsAnImage) {
+    const rubble::TempFolder folder;
+    play("export " + (folder / "view.png"));
+    EXPECT_GT(std::filesystem::file_size(folder / "view.png"), 5000u);
+    EXPECT_NE(m_ui->run("export " + (folder / "none/view.png")).find("view.png"), std::string::npos);
+    Editor editor;
+    EXPECT_NE(editor.run("export view.png").text.find("only the window has a view"), std::string::npos);
+}
+
+TEST_F(Window, AMiddleIsDraggedOntoWhatIsUnderTheMouse) {
+    play("create 20,2,20 3,0,0 name=table static=yes\nselect crate\nui camera 2,6,7 1.5,0.5,0\nui mode move");
+    play("ui hover 0,0.8,0\nui press\nui hover 3,0.2,0.5\nui release");
+    ASSERT_TRUE(document().done().back().starts_with("move by=")) << document().done().back();
+    const rubble_body_state body = m_ui->stage().editor().world().get_body_states().at(0);
+    EXPECT_NEAR(body.position[0], 3.0, 0.11);
+    EXPECT_NEAR(body.position[1], 0.2, 1e-4) << "it lies on the table";
+    EXPECT_NEAR(body.position[2], 0.5, 0.11);
+}
+
+TEST_F(Window, ALightHasHandles) {
+    play("light sphere 0,2.4,0 name=torch\nui mode move\nui camera 3,3,6 0,1.5,0");
+    const rubble_light torch = m_ui->stage().editor().world().get_lights().at(0);
+    play("ui hover 0.3,2.4,0\nui press\nui by 40 0\nui by 40 0\nui release");
+    ASSERT_TRUE(document().done().back().starts_with("move by=")) << document().done().back();
+    const rubble_light_settings light = m_ui->stage().editor().world().get_light_settings(torch);
+    EXPECT_GT(light.position[0], 0.15);
+    EXPECT_EQ(light.position[1], 2.4);
 }
 
 TEST_F(Window, APaletteOfCommandsHasThemAllWithTheirForms) {

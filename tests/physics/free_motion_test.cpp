@@ -94,5 +94,23 @@ TEST(FreeMotion, RodsKeepMomentumAndEnergy) {
     EXPECT_LT(plank.energy, 1e-3);
 }
 
+/// Their velocities are rounded to float, as those of bodies that may touch are. What that adds to the energy of both
+/// is much of the energy of their motion against each other, and is not taken from it.
+TEST(FreeMotion, NeighboursThatDoNotTouchKeepTheirVelocities) {
+    for (int i = 1; i <= 20; ++i) {
+        PhysicsScene scene(sleepless({}));
+        const glm::dvec3 together = glm::dvec3(3.7, -2.9, 0.89) * (0.3 + 0.037 * i), past(0.0, 0.1, 0.0);
+        scene.level.environment.gravity = {0, 0, 0};
+        scene.add(solidGrid({10, 10, 3}, 7), {0, 50, 0}, false).velocity = together - past;
+        scene.add(solidGrid({10, 10, 3}, 7), {1.001, 50, 0}, false).velocity = together + past;
+        scene.load();
+        const glm::dvec3 first = scene.body(0).velocity, second = scene.body(1).velocity;
+        scene.step(2);
+        const double rounding = glm::length(together) * 0x1p-24;  // half of the last digit of each component
+        EXPECT_LE(glm::length(scene.body(0).velocity - first), rounding) << i;
+        EXPECT_LE(glm::length(scene.body(1).velocity - second), rounding) << i;
+    }
+}
+
 }  // namespace
 }  // namespace rubble

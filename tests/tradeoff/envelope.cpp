@@ -49,7 +49,7 @@ std::string operatingEnvelope(const Options& options, const std::vector<Table>& 
         "by `./rubble tradeoff physics --publish`, which also draws these maps and those of speed against accuracy; do "
         "not edit.\n\n";
     out += stamp(options) + "\n" + failures(maps) +
-           "\n## What is clamped\n\nValues beyond these limits are clamped, counted (`PhysicsStats::clamped`) and "
+           "\n## What is clamped\n\nValues beyond these limits are clamped and "
            "logged once per kind. A body with NaN or infinity is quarantined.\n\n| what | min | max |\n| --- | --- | "
            "--- |\n";
     out += fmt::format("| speed, m/s | 0 | {:g} |\n| spin, rad/s | 0 | {:g} |\n", limits::kMaxSpeed,

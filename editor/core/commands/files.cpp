@@ -9,6 +9,11 @@ namespace {
 
 void exportLevel(Editor& editor, const Arguments& arguments) {
     const std::string& path = arguments.text("file");
+    if (path.ends_with(".png")) {
+        if (!editor.settings().writeView) arguments.refuse("file", "no image: only the window has a view");
+        if (const std::string error = editor.settings().writeView(path); !error.empty()) throw Refused(error);
+        return editor.say("wrote " + path);
+    }
     const bool isMesh = path.ends_with(".obj") || path.ends_with(".glb");
     if (!isMesh) {
         if (arguments.text("what") != "all")
@@ -30,7 +35,7 @@ std::vector<Command> fileCommands() {
         {"export",
          "session",
          Kind::View,
-         "Writes a copy for other programs: .vox, .obj or .glb, and .rubble or .vdb.",
+         "Writes a copy for other programs: .vox, .obj or .glb, .rubble or .vdb; .png: what the view shows.",
          {{"file", Type::Text, "its path, whose ending says the format", kRequired},
           {"what", Type::Objects, "the shapes, of .obj and .glb", "all"}},
          exportLevel,

@@ -1,20 +1,16 @@
 // Where bodies are, and how they move.
+#include <algorithm>
+#include <iterator>
+
 #include "editor/core/editor.h"
+#include "editor/core/places.h"
 #include "editor/core/rotation.h"
 
 namespace editor {
 namespace {
 
 const Parameter kBodies{"what", Type::Objects, "the bodies", "selected"};
-
-void setPose(Editor& editor, rubble_body body, glm::dvec3 position, const glm::dquat& rotation) {
-    rubble_body_change change{};
-    change.body = body;
-    change.fields = RUBBLE_SET_POSE;
-    put(change.position, position);
-    put(change.rotation, glm::normalize(rotation));
-    editor.world().set_body(change);
-}
+const Parameter kPlaced{"what", Type::Objects, "the bodies and lights", "selected"};
 
 template <class F>
 void forEachBody(Editor& editor, const Arguments& arguments, F&& f) {
@@ -22,36 +18,61 @@ void forEachBody(Editor& editor, const Arguments& arguments, F&& f) {
         f(editor.world().get_body_state(body));
 }
 
+/// Bodies and lights; a light on a body that is among them goes with it.
+std::vector<uint64_t> placed(Editor& editor, const Arguments& arguments) {
+    const std::vector<uint64_t> all = editor.objects(arguments, "what", {RUBBLE_KIND_BODY, RUBBLE_KIND_LIGHT});
+    const auto goesAlong = [&](uint64_t each) {
+        if (kindOf(editor.world(), each) != RUBBLE_KIND_LIGHT) return false;
+        const rubble_shape shape = editor.world().get_light_settings(each).shape;
+        return shape && std::ranges::find(all, editor.world().get_shape_state(shape).body) != all.end();
+    };
+    std::vector<uint64_t> out;
+    std::ranges::remove_copy_if(all, std::back_inserter(out), goesAlong);
+    return out;
+}
+
 void move(Editor& editor, const Arguments& arguments) {
+    const glm::dvec3 by = arguments.point("by");
+    for (const uint64_t each : placed(editor, arguments)) {
+        Place place = placeOf(editor.world(), each);
+        place.position += by;
+        arguments.requireNear("by", place.position);
+        setPlace(editor.world(), each, place);
+    }
+}
+
+void drop(Editor& editor, const Arguments& arguments) {
+    const double depth = depthBelow(editor.world(), editor.objects(arguments, "what", {RUBBLE_KIND_BODY}));
     forEachBody(editor, arguments, [&](const rubble_body_state& body) {
-        const glm::dvec3 to = vectorOf(body.position) + arguments.point("by");
-        arguments.requireNear("by", to);
-        setPose(editor, body.body, to, quaternionOf(body.rotation));
+        Place place = placeOf(editor.world(), body.body);
+        place.position.y -= depth;
+        setPlace(editor.world(), body.body, place);
     });
 }
 
 void place(Editor& editor, const Arguments& arguments) {
-    forEachBody(editor, arguments, [&](const rubble_body_state& body) {
-        setPose(editor, body.body, arguments.point("at"),
-                arguments.has("turn") ? rotationOf(arguments.point("turn")) : quaternionOf(body.rotation));
-    });
+    for (const uint64_t each : placed(editor, arguments)) {
+        Place place = placeOf(editor.world(), each);
+        place.position = arguments.point("at");
+        if (arguments.has("turn")) place.rotation = rotationOf(arguments.point("turn"));
+        setPlace(editor.world(), each, place);
+    }
 }
 
 /// About the middle of all of them, or about a point.
 void rotate(Editor& editor, const Arguments& arguments) {
-    const std::vector<uint64_t> bodies = editor.objects(arguments, "what", {RUBBLE_KIND_BODY});
+    const std::vector<uint64_t> all = placed(editor, arguments);
     glm::dvec3 middle(0.0);
-    for (const rubble_body each : bodies) {
-        const rubble_body_state state = editor.world().get_body_state(each);
-        middle += vectorOf(state.position) / double(bodies.size());
-    }
+    for (const uint64_t each : all) middle += placeOf(editor.world(), each).position / double(all.size());
     if (arguments.has("about")) middle = arguments.point("about");
     const glm::dquat turn = rotationOf(arguments.point("turn"));
-    forEachBody(editor, arguments, [&](const rubble_body_state& body) {
-        const glm::dvec3 to = middle + turn * (vectorOf(body.position) - middle);
-        arguments.requireNear("about", to);
-        setPose(editor, body.body, to, turn * quaternionOf(body.rotation));
-    });
+    for (const uint64_t each : all) {
+        Place place = placeOf(editor.world(), each);
+        place.position = middle + turn * (place.position - middle);
+        place.rotation = turn * place.rotation;
+        arguments.requireNear("about", place.position);
+        setPlace(editor.world(), each, place);
+    }
 }
 
 void hold(Editor& editor, const Arguments& arguments) {
@@ -87,23 +108,30 @@ std::vector<Command> placementCommands() {
         return Parameter{name, Type::Number, help, kOptional, low, high};
     };
     return {
-        {"move", "bodies", Kind::Edit, "Moves bodies.", {by, kBodies}, move, "move 0,1,0 crate"},
+        {"move", "bodies", Kind::Edit, "Moves bodies and lights.", {by, kPlaced}, move, "move 0,1,0 crate"},
+        {"drop",
+         "bodies",
+         Kind::Edit,
+         "Lowers bodies together until one rests on what is below; where nothing is, on height 0.",
+         {kBodies},
+         drop,
+         "drop floating"},
         {"place",
          "bodies",
          Kind::Edit,
-         "Puts bodies at a place.",
-         {{"at", Type::Point, "of the body's frame, in metres", kRequired},
+         "Puts bodies or lights at a place.",
+         {{"at", Type::Point, "of the body's frame or the light, in metres", kRequired},
           {"turn", Type::Point, "degrees about x, then y, then z", kOptional, -360, 360},
-          kBodies},
+          kPlaced},
          place,
          "place 1,2,3 0,45,0 crate"},
         {"rotate",
          "bodies",
          Kind::Edit,
-         "Turns bodies about their common middle, or about a point.",
+         "Turns bodies and lights about their common middle, or about a point.",
          {{"turn", Type::Point, "degrees about x, then y, then z", kRequired, -360, 360},
           {"about", Type::Point, "in metres", kOptional},
-          kBodies},
+          kPlaced},
          rotate,
          "rotate 0,90,0 what=crate"},
         {"hold",

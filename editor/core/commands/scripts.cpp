@@ -78,7 +78,7 @@ std::vector<Command> scriptCommands() {
          "scripts",
          Kind::Edit,
          "Lets the level name a script, which games run.",
-         {file, {"parameters", Type::Pairs, "what GetIntParam() and its like read: NAME=VALUE ...", ""}},
+         {file, {"parameters", Type::Pairs, "what GetIntParam() and its like read, as NAME=VALUE", ""}},
          addScript,
          "script_add lift.lua speed=2 height=6"},
         {"script_remove",

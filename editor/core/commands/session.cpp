@@ -74,12 +74,16 @@ void step(Editor& editor, const Arguments& arguments) {
     for (int i = 0; i < arguments.whole("count"); ++i) editor.document().step();
 }
 
+void rewind(Editor& editor, const Arguments& arguments) {
+    editor.document().rewind(uint64_t(arguments.whole("steps")));
+}
+
 void stop(Editor& editor, const Arguments&) {
     editor.document().stop();
 }
 
 void keep(Editor& editor, const Arguments&) {
-    editor.document().keep();
+    editor.document().stop(true);
 }
 
 void printHash(Editor& editor, const Arguments&) {
@@ -145,6 +149,13 @@ std::vector<Command> sessionCommands() {
          {{"count", Type::Whole, "how many", "1", 1, 1e6}},
          step,
          "step 60"},
+        {"rewind",
+         "session",
+         Kind::Session,
+         "Goes back in play, to a half second of it, and on from there.",
+         {{"steps", Type::Whole, "by how many of 1/60 s at least", "30", 1, 1e6}},
+         rewind,
+         "rewind 30"},
         {"stop", "session", Kind::Session, "Ends play: the level is as it was before.", {}, stop, "stop"},
         {"keep", "session", Kind::Session, "Ends play and keeps what became of the level.", {}, keep, "keep"},
         {"hash",

@@ -79,6 +79,7 @@ const ScriptedUi::Verb ScriptedUi::kVerbs[] = {
     {"commands", "[WORDS]: opens the palette of commands", &ScriptedUi::showCommands},
     {"close", "closes it", &ScriptedUi::closeCommands},
     {"form", "COMMAND [NAME=VALUE...]: opens its form, with values in it", &ScriptedUi::showForm},
+    {"tour", "STEP: a step of the tour; 0: none", &ScriptedUi::showTour},
     {"play", "STEPS: plays, a frame each step", &ScriptedUi::play},
     {"live", "shows the level again", &ScriptedUi::live},
     {"replay", "STEP: shows a step of the last play", &ScriptedUi::replay},
@@ -252,11 +253,11 @@ void ScriptedUi::showTab(const Words& words) {
 }
 
 void ScriptedUi::showOverlay(const Words& words) {
-    static constexpr const char* kNames[] = {"grid",     "anchors", "components", "load",
-                                             "contacts", "sleep",   "joints",     "lights"};
+    static constexpr const char* kNames[] = {"grid",  "anchors", "components", "load",   "contacts",
+                                             "sleep", "joints",  "lights",     "groups", "bricks"};
     Overlays& all = m_stage->session().overlays;
-    bool* const values[] = {&all.grid,     &all.anchors, &all.components, &all.load,
-                            &all.contacts, &all.sleep,   &all.joints,     &all.lights};
+    bool* const values[] = {&all.grid,  &all.anchors, &all.components, &all.load,   &all.contacts,
+                            &all.sleep, &all.joints,  &all.lights,     &all.groups, &all.bricks};
     *values[choiceOf(wordAt(words, 0), kNames)] = words.size() < 2 || words[1].value == "yes";
     frames(1);
 }
@@ -282,6 +283,11 @@ void ScriptedUi::showCommands(const Words& words) {
 void ScriptedUi::closeCommands(const Words&) {
     m_stage->ui().commands().close();
     frames(1);
+}
+
+void ScriptedUi::showTour(const Words& words) {
+    m_stage->session().tour = std::clamp(numberOf(wordAt(words, 0)), 0, kTourSteps);
+    frames(2);
 }
 
 void ScriptedUi::showForm(const Words& words) {
@@ -333,7 +339,7 @@ void ScriptedUi::film(const Words& words) {
         session.replay.seek(step);
         frame(1.0);
         const std::string image = (folder / fmt::format("{:06}.png", step)).string();
-        if (const std::string error = m_stage->viewport().write(image); !error.empty()) throw Refused(error);
+        if (const std::string error = m_stage->ui().shownViewport().write(image); !error.empty()) throw Refused(error);
     }
     if (!isFilm) return;
     constexpr int kSeconds = 600;

@@ -51,6 +51,7 @@ private:
     void showPass(const Words& words);
     void showCommands(const Words& words);
     void showForm(const Words& words);
+    void showTour(const Words& words);
     void closeCommands(const Words& words);
     void frameSelection(const Words& words);
     void play(const Words& words);

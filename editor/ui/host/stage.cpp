@@ -20,10 +20,12 @@ Stage::Stage(const StageSettings& settings, GlLoader loader) {
     rubble_host host{};
     host.gl_get_proc_address = loader;
     rubble::set_host(host);
-    m_editor.emplace(EditorSettings{RUBBLE_WORLD_WAIT_FOR_SHADOW, settings.vdbTool, settings.journals,
-                                    [this](const std::vector<uint8_t>& deltas) {
-                                        if (m_session) m_session->replay.add(deltas);
-                                    }});
+    const auto watcher = [this](const std::vector<uint8_t>& deltas) {
+        if (m_session) m_session->replay.add(deltas);
+    };
+    const auto writer = [this](const std::string& path) { return m_ui->writeView(path); };
+    m_editor.emplace(
+        EditorSettings{RUBBLE_WORLD_WAIT_FOR_SHADOW, settings.vdbTool, settings.journals, watcher, writer});
     m_context = std::make_unique<Context>();
     applyTheme(settings.scale);
     m_painter.emplace();

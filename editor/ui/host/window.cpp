@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <utility>
 
 #include "editor/ui/state/keys.h"
@@ -164,6 +166,15 @@ private:
     bool m_isWarned = false;
 };
 
+/// To each user once.
+void showTourOnce(Session& session) {
+    const std::string folder = userJournals(), mark = folder + "/tour";
+    if (folder.empty() || std::filesystem::exists(mark)) return;
+    std::error_code ignored;
+    std::filesystem::create_directories(folder, ignored);
+    session.tour = std::ofstream(mark) ? 1 : 0;
+}
+
 }  // namespace
 
 bool hasDisplay() {
@@ -187,6 +198,7 @@ std::string runWindow(StageSettings settings, const std::string& level) {
         const bool isOpen = level.empty() || loop.session().run("open", {{"file", level}});
         if (!isOpen) loop.session().tabs.bottom = "Messages";
         if (!level.empty()) loop.session().frameSelection();
+        showTourOnce(loop.session());
         loop.run();
     } catch (const std::exception& failure) {
         error = failure.what();

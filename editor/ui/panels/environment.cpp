@@ -99,6 +99,9 @@ void drawViewSettings(Session& session, const Viewport& viewport) {
     row("sleep", session.overlays.sleep, "Free bodies: awake ones in the accent, sleeping ones grey");
     row("joints", session.overlays.joints, "Ends of joints and ropes");
     row("lights", session.overlays.lights, "Where lights are");
+    row("light groups", session.overlays.groups, "What goes out together, and where its wire begins; grey: it is out");
+    row("bricks", session.overlays.bricks,
+        "In play: cubes of 8 x 8 x 8 cells in which voxels changed in the last half second");
     heading("Image of the renderer");
     ImGui::SetNextItemWidth(-1);
     if (ImGui::BeginCombo("##pass", session.pass.c_str(), ImGuiComboFlags_HeightLarge)) {
@@ -107,6 +110,15 @@ void drawViewSettings(Session& session, const Viewport& viewport) {
         ImGui::EndCombo();
     }
     tooltip("final: the finished frame; the others are its intermediate images");
+    if (ImGui::Button("Save image...")) {
+        session.wantsCommands = true;
+        session.wantedCommand = "export";
+        session.wantedValues = {{"file", "view.png"}};
+    }
+    tooltip("Writes what the view shows as PNG");
+    ImGui::SameLine();
+    if (ImGui::Button("Tour")) session.tour = 1;
+    tooltip("Five steps through the window");
     heading("Camera");
     double pivot[3], fov = glm::degrees(session.camera.fov);
     put(pivot, session.camera.pivot);

@@ -96,6 +96,9 @@ void drawPlay(const Pen& pen, Icon icon) {
             return pen.area({{0.68f, 0.16f}, {0.82f, 0.16f}, {0.82f, 0.84f}, {0.68f, 0.84f}});
         case Icon::Stop:
             return pen.area({{0.2f, 0.2f}, {0.8f, 0.2f}, {0.8f, 0.8f}, {0.2f, 0.8f}});
+        case Icon::Rewind:
+            pen.area({{0.5f, 0.18f}, {0.5f, 0.82f}, {0.08f, 0.5f}});
+            return pen.area({{0.9f, 0.18f}, {0.9f, 0.82f}, {0.48f, 0.5f}});
         case Icon::Keep:
             pen.path({{0.5f, 0.1f}, {0.5f, 0.56f}});
             pen.path({{0.3f, 0.38f}, {0.5f, 0.58f}, {0.7f, 0.38f}});

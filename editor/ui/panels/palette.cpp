@@ -97,6 +97,20 @@ void drawPalette(Session& session) {
     static bool showsAll = false;
     ImGui::Checkbox("all 255", &showsAll);
     tooltip("Also entries that nobody has set");
+    const std::string what = referenceTo(session.world(), shape);
+    const auto button = [&](const char* label, const char* command) {
+        ImGui::SameLine();
+        const bool isPressed = ImGui::SmallButton(label);
+        commandTooltip(command);
+        return isPressed;
+    };
+    if (button("sort", "sort_entries")) session.run("sort_entries", {{"shape", what}});
+    if (button("merge", "merge_entries")) session.run("merge_entries", {{"shape", what}});
+    if (button("reduce...", "reduce_entries")) {
+        session.wantsCommands = true;
+        session.wantedCommand = "reduce_entries";
+        session.wantedValues = {{"shape", what}};
+    }
     const float spacing = 4 * uiScale();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(spacing, spacing));
     ImGui::BeginChild("swatches", {0, std::min(ImGui::GetContentRegionAvail().y * 0.42f, 200 * uiScale())});

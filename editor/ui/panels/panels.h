@@ -21,6 +21,10 @@ void drawReplay(Session& session);
 void drawProperties(Session& session);
 /// Asks what becomes of changes that an editor left that ended early; nothing where there are none.
 void drawRecovery(Session& session);
+/// How many steps the tour has.
+inline constexpr int kTourSteps = 5;
+/// A step of the tour that the first start shows, over the view.
+void drawTour(Session& session, const ViewFrame& view);
 /// The entries of the palette of the shape that is selected.
 void drawPalette(Session& session);
 /// Time of day, fog, gravity and what else is of the whole level.

@@ -47,6 +47,15 @@ void drawReplay(Session& session) {
     if (iconButton("live", Icon::Stop, false, "Back to the level itself", session.showsReplay)) {
         session.showsReplay = runs = false;
     }
+    const Document& document = session.editor().document();
+    ImGui::SameLine(0, 2);
+    if (iconButton("from here", Icon::Rewind, false,
+                   "Play goes back to the half second that is shown, and on from there",
+                   session.showsReplay && document.isPlaying())) {
+        runs = false;
+        session.isPaused = true;
+        return void(session.run("rewind", {{"steps", std::to_string(document.playedSteps() - uint64_t(step))}}));
+    }
     ImGui::SameLine(0, 12 * uiScale());
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%.2f s of %.2f s, %.1f MB", step / 60.0, size / 60.0, double(replay.bytes()) / 1e6);

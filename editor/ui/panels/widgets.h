@@ -20,6 +20,7 @@ enum class Icon : uint8_t {
     Pause,
     Step,
     Stop,
+    Rewind,
     Keep,
     Undo,
     Redo,

@@ -15,6 +15,8 @@ public:
     void begin(rubble::World& world);
     /// Adds a step that the world has taken since, as its deltas; of more than a minute the first.
     void add(const std::vector<uint8_t>& step);
+    /// Forgets all but the first steps: the world has gone back to them, and goes on from there.
+    void rewind(rubble::World& world, size_t steps);
     /// Ends it; what was added stays.
     void end() { m_isRunning = false; }
     /// Whether it goes on.
@@ -35,7 +37,12 @@ public:
     size_t bytes() const { return m_bytes; }
 
 private:
-    std::vector<uint8_t> m_start;
+    /// A saved game, and after how many steps it was saved.
+    struct Start {
+        size_t step;
+        std::vector<uint8_t> game;
+    };
+    std::vector<Start> m_starts;
     std::vector<std::vector<uint8_t>> m_steps;
     std::unique_ptr<rubble::World> m_world;
     size_t m_place = 0, m_bytes = 0;

@@ -84,6 +84,9 @@ void Session::follow(const Line& line) {
         isPaused = showsReplay = false;
         m_due = 0.0;
         replay.begin(world());
+    } else if (line.command == "rewind") {
+        showsReplay = false;
+        replay.rewind(world(), m_editor.document().playedSteps());
     } else if (!m_editor.document().isPlaying()) {
         replay.end();
     }

@@ -35,7 +35,7 @@ struct Brush {
 /// What is drawn over the view.
 struct Overlays {
     bool grid = false, anchors = false, components = false, load = false, contacts = false, sleep = false,
-         joints = false, lights = false;
+         joints = false, lights = false, groups = false, bricks = false;
 };
 
 /// Which of the panels with tabs is in front.
@@ -113,6 +113,7 @@ public:
     Replay replay;                    ///< of the last play
     bool showsReplay = false;         ///< the view shows it in place of the level
     std::string status;               ///< what the mouse points at
+    int tour = 0;                     ///< which step of the tour is shown; 0: none
 
 private:
     void keep(const Line& line, const Outcome& outcome);

@@ -8,15 +8,17 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "editor/core/places.h"
 #include "editor/core/rotation.h"
 #include "editor/ui/state/theme.h"
 
 namespace editor {
 namespace {
 
-constexpr double kPixels = 90.0;  ///< of an arrow
-constexpr float kCatch = 8.0f;    ///< pixels around a handle in which the mouse holds it
-constexpr double kDegrees = 0.5;  ///< of a turn, each pixel of a drag
+constexpr double kPixels = 90.0;   ///< of an arrow
+constexpr float kCatch = 8.0f;     ///< pixels around a handle in which the mouse holds it
+constexpr double kDegrees = 0.5;   ///< of a turn, each pixel of a drag
+constexpr double kReach = 2000.0;  ///< metres in which surfaces are looked for
 
 glm::dvec3 axisOf(int axis) {
     glm::dvec3 v(0.0);
@@ -51,9 +53,18 @@ std::vector<rubble_shape_state> selectedShapes(Session& session) {
     return all;
 }
 
+std::vector<glm::dvec3> selectedLights(Session& session) {
+    std::vector<glm::dvec3> all;
+    for (const uint64_t each : session.editor().selection().objects)
+        if (kindOf(session.world(), each) == RUBBLE_KIND_LIGHT) all.push_back(placeOf(session.world(), each).position);
+    return all;
+}
+
 int Gizmo::handleUnder(const Session& session, const ViewFrame& frame, ImVec2 mouse) const {
     int best = -1;
     float least = kCatch * uiScale();
+    const auto middle = frame.project(m_center);
+    if (session.mode == Mode::Move && middle && distanceTo(mouse, *middle, *middle) < least) return kMiddle;
     for (int a = 0; a < 3; ++a) {
         if (session.mode == Mode::Move) {
             const auto p = frame.project(m_center), q = frame.project(m_center + axisOf(a) * m_length);
@@ -75,81 +86,115 @@ int Gizmo::handleUnder(const Session& session, const ViewFrame& frame, ImVec2 mo
     return best;
 }
 
-void Gizmo::drag(const Session& session, const ViewFrame& frame, ImVec2 mouse) {
+/// The box around all that is selected; false: nothing is.
+bool Gizmo::fit(Session& session) {
+    glm::dvec3 low(1e30), high(-1e30);
+    const auto add = [&](glm::dvec3 at) { low = glm::min(low, at), high = glm::max(high, at); };
+    for (const rubble_shape_state& shape : selectedShapes(session)) {
+        const glm::dvec3 size(shape.size[0], shape.size[1], shape.size[2]);
+        for (int i = 0; i < 8; ++i) add(worldOf(shape, size * glm::dvec3(i & 1, (i >> 1) & 1, (i >> 2) & 1)));
+    }
+    for (const glm::dvec3 light : selectedLights(session)) add(light);
+    if (low.x > high.x) return false;
+    m_center = (low + high) * 0.5;
+    m_half = (high - low) * 0.5;
+    return true;
+}
+
+void Gizmo::drag(Session& session, const ViewFrame& frame, ImVec2 mouse) {
+    if (m_held == kMiddle) return dragOnSurface(session, frame, mouse);
     const double dx = double(mouse.x - m_start.x), dy = double(mouse.y - m_start.y);
     if (session.mode == Mode::Rotate) {
         const double towards = glm::dot(axisOf(m_held), frame.camera.forward()) > 0.0 ? 1.0 : -1.0;
-        m_amount = snapped((dx - dy) * kDegrees * -towards, session.snapAngle);
+        m_by = axisOf(m_held) * snapped((dx - dy) * kDegrees * -towards, session.snapAngle);
         return;
     }
     const auto p = frame.project(m_center), q = frame.project(m_center + axisOf(m_held) * m_length);
     if (!p || !q) return;
     const double ax = double(q->x - p->x), ay = double(q->y - p->y);
     const double length2 = std::max(ax * ax + ay * ay, 1.0);
-    m_amount = snapped((dx * ax + dy * ay) / length2 * m_length, session.snap);
+    m_by = axisOf(m_held) * snapped((dx * ax + dy * ay) / length2 * m_length, session.snap);
+}
+
+/// The box comes to lie on what is under the mouse, else on height 0.
+void Gizmo::dragOnSurface(Session& session, const ViewFrame& frame, ImVec2 mouse) {
+    std::vector<rubble_body> own;
+    for (const rubble_shape_state& shape : selectedShapes(session)) own.push_back(shape.body);
+    rubble_query_filter filter{};
+    filter.rejected_bodies = own.data();
+    filter.rejected_body_count = uint32_t(own.size());
+    rubble_ray ray{};
+    const glm::dvec3 from = frame.camera.position(), direction = frame.direction(mouse);
+    put(ray.origin, from);
+    put(ray.direction, direction);
+    ray.max_distance = kReach;
+    const rubble_hit hit = session.world().cast_rays(&ray, 1, filter).at(0);
+    if (!hit.hit && !(from.y > 0.0 && direction.y < -1e-6 && from.y / -direction.y < kReach)) return;
+    const glm::dvec3 at = hit.hit ? vectorOf(hit.position) : from + direction * (from.y / -direction.y);
+    const glm::dvec3 normal = hit.hit ? vectorOf(hit.normal) : axisOf(1);
+    const glm::dvec3 facing = glm::abs(normal);
+    const int out = facing.y >= facing.x && facing.y >= facing.z ? 1 : facing.x >= facing.z ? 0 : 2;
+    m_by = at + normal * glm::dot(facing, m_half) - m_center;
+    for (int a = 0; a < 3; ++a)
+        if (a != out) m_by[a] = snapped(m_by[a], session.snap);
 }
 
 void Gizmo::release(Session& session) {
-    const glm::dvec3 by = axisOf(m_held) * m_amount;
     m_held = -1;
-    if (m_amount == 0.0) return;
+    if (m_by == glm::dvec3(0.0)) return;
     if (session.mode == Mode::Move)
-        session.run("move", {{"by", pointText(by)}});
+        session.run("move", {{"by", pointText(m_by)}});
     else
-        session.run("rotate", {{"turn", pointText(by)}});
+        session.run("rotate", {{"turn", pointText(m_by)}});
+}
+
+/// Where all would come.
+void Gizmo::drawDrag(Session& session, Wires& wires) const {
+    const bool moves = session.mode == Mode::Move;
+    const glm::dquat turn = moves ? glm::dquat(1, 0, 0, 0) : rotationOf(m_by);
+    const glm::dvec3 by = moves ? m_by : glm::dvec3(0.0);
+    const auto moved = [&](glm::dvec3 at) { return m_center + by + turn * (at - m_center); };
+    for (rubble_shape_state shape : selectedShapes(session)) {
+        put(shape.position, moved(vectorOf(shape.position)));
+        put(shape.rotation, turn * quaternionOf(shape.rotation));
+        wires.cells(shape, glm::dvec3(0.0), {shape.size[0], shape.size[1], shape.size[2]}, theme::kAccent,
+                    theme::kAccentFaint & 0x28ffffffu);
+    }
+    for (const glm::dvec3 light : selectedLights(session)) wires.dot(moved(light), theme::kAccent, 7.0f);
+    if (m_held == kMiddle) return wires.label(m_center + m_by, theme::kText, ("by " + pointText(m_by)).c_str());
+    wires.label(m_center + axisOf(m_held) * m_length, theme::kText,
+                fmt::format("{} {} {}", "xyz"[m_held], numberText(m_by[m_held]), moves ? "m" : "\u00b0").c_str());
 }
 
 void Gizmo::draw(Session& session, const ViewFrame& frame, ImDrawList& list, int hovered) const {
     Wires wires(frame, list);
-    const auto colorOf = [&](int a) { return a == m_held || a == hovered ? theme::kAccent : theme::kAxes[a]; };
+    const auto colorOf = [&](int a, ImU32 otherwise) {
+        return a == m_held || a == hovered ? theme::kAccent : otherwise;
+    };
     for (int a = 0; a < 3; ++a) {
         const float width = a == m_held || a == hovered ? 4.0f : 3.0f;
+        const ImU32 color = colorOf(a, theme::kAxes[a]);
         if (session.mode == Mode::Rotate) {
-            wires.ring(m_center, axisOf((a + 1) % 3) * m_length, axisOf((a + 2) % 3) * m_length, colorOf(a), width);
+            wires.ring(m_center, axisOf((a + 1) % 3) * m_length, axisOf((a + 2) % 3) * m_length, color, width);
             continue;
         }
         const glm::dvec3 tip = m_center + axisOf(a) * m_length;
-        wires.line(m_center, tip, colorOf(a), width);
-        wires.dot(tip, colorOf(a), 6.0f);
+        wires.line(m_center, tip, color, width);
+        wires.dot(tip, color, 6.0f);
     }
-    wires.dot(m_center, IM_COL32(240, 240, 240, 255), 4.0f);
-    if (m_held < 0) return;
-    const glm::dvec3 by = axisOf(m_held) * m_amount;
-    for (rubble_shape_state shape : selectedShapes(session)) {
-        if (session.mode == Mode::Move) {
-            put(shape.position, vectorOf(shape.position) + by);
-        } else {
-            const glm::dquat turn = rotationOf(by);
-            put(shape.position, m_center + turn * (vectorOf(shape.position) - m_center));
-            put(shape.rotation, turn * quaternionOf(shape.rotation));
-        }
-        wires.cells(shape, glm::dvec3(0.0), {shape.size[0], shape.size[1], shape.size[2]}, theme::kAccent,
-                    theme::kAccentFaint & 0x28ffffffu);
-    }
-    const char* unit = session.mode == Mode::Move ? "m" : "\u00b0";
-    wires.label(m_center + axisOf(m_held) * m_length, theme::kText,
-                fmt::format("{} {} {}", "xyz"[m_held], numberText(m_amount), unit).c_str());
+    wires.dot(m_center, colorOf(kMiddle, IM_COL32(240, 240, 240, 255)), session.mode == Mode::Move ? 6.0f : 4.0f);
+    if (m_held >= 0) drawDrag(session, wires);
 }
 
 bool Gizmo::update(Session& session, const ViewFrame& frame, ImDrawList& list, bool isMouseFree) {
-    const std::vector<rubble_shape_state> shapes = selectedShapes(session);
-    if (shapes.empty() || session.editor().document().isPlaying()) return m_held = -1, false;
-    if (m_held < 0) {
-        glm::dvec3 low(1e30), high(-1e30);
-        for (const rubble_shape_state& shape : shapes) {
-            const glm::dvec3 size(shape.size[0], shape.size[1], shape.size[2]);
-            for (int i = 0; i < 8; ++i) {
-                const glm::dvec3 at = worldOf(shape, size * glm::dvec3(i & 1, (i >> 1) & 1, (i >> 2) & 1));
-                low = glm::min(low, at), high = glm::max(high, at);
-            }
-        }
-        m_center = (low + high) * 0.5;
-    }
+    if (session.editor().document().isPlaying() || (m_held < 0 && !fit(session))) return m_held = -1, false;
     m_length = frame.metersPerPixel(m_center) * kPixels * double(uiScale());
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const int hovered = isMouseFree && m_held < 0 ? handleUnder(session, frame, mouse) : -1;
-    if (hovered >= 0 && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) m_held = hovered, m_start = mouse, m_amount = 0.0;
-    if (m_held >= 0) drag(session, frame, mouse);
+    if (hovered >= 0 && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+        m_held = hovered, m_start = mouse, m_by = glm::dvec3(0.0);
+    const bool isDragged = mouse.x != m_start.x || mouse.y != m_start.y;
+    if (m_held >= 0 && isDragged) drag(session, frame, mouse);
     draw(session, frame, list, hovered);
     const bool wasHeld = m_held >= 0;
     if (wasHeld && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) release(session);

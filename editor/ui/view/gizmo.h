@@ -8,8 +8,8 @@
 
 namespace editor {
 
-/// Handles in the view that move or turn the bodies that are selected. The drag shows where they would come; its end is
-/// one command.
+/// Handles in the view that move or turn the bodies and lights that are selected: along an axis, or by the middle on
+/// the surfaces under the mouse. The drag shows where they would come; its end is one command.
 class Gizmo {
 public:
     /// Draws it and reacts to the mouse. isMouseFree: no panel wants the mouse. True: the mouse is on it.
@@ -18,19 +18,25 @@ public:
     bool isDragging() const { return m_held >= 0; }
 
 private:
+    static constexpr int kMiddle = 3;
     int handleUnder(const Session& session, const ViewFrame& frame, ImVec2 mouse) const;
-    void drag(const Session& session, const ViewFrame& frame, ImVec2 mouse);
+    bool fit(Session& session);
+    void drag(Session& session, const ViewFrame& frame, ImVec2 mouse);
+    void dragOnSurface(Session& session, const ViewFrame& frame, ImVec2 mouse);
     void release(Session& session);
+    void drawDrag(Session& session, Wires& wires) const;
     void draw(Session& session, const ViewFrame& frame, ImDrawList& list, int hovered) const;
 
-    glm::dvec3 m_center{0.0};
-    double m_length = 1.0;  ///< metres of an arrow
-    int m_held = -1;        ///< axis
+    glm::dvec3 m_center{0.0}, m_half{0.0};  ///< of the box around all
+    double m_length = 1.0;                  ///< metres of an arrow
+    int m_held = -1;                        ///< axis, or kMiddle
     ImVec2 m_start{0, 0};
-    double m_amount = 0.0;  ///< metres or degrees
+    glm::dvec3 m_by{0.0};  ///< metres, or degrees
 };
 
 /// The shapes of all bodies that are selected.
 std::vector<rubble_shape_state> selectedShapes(Session& session);
+/// Where the lights are that are selected.
+std::vector<glm::dvec3> selectedLights(Session& session);
 
 }  // namespace editor

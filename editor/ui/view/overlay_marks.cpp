@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "editor/core/cells.h"
+#include "editor/core/places.h"
 #include "editor/core/rotation.h"
 #include "editor/ui/state/theme.h"
 
@@ -14,7 +15,7 @@ namespace editor {
 namespace {
 
 constexpr int64_t kMaxComponentCells = int64_t(1) << 24;  ///< of a shape whose components are looked for
-constexpr uint64_t kContactSteps = 30;                    ///< for which a contact is shown
+constexpr uint64_t kShownSteps = 30;                      ///< for which a contact or a changed brick is shown
 constexpr size_t kMaxMarks = 2000;                        ///< of one kind: more could not be told apart
 constexpr ImU32 kAwake = theme::kAccent, kAsleep = IM_COL32(150, 158, 170, 150), kLoose = IM_COL32(238, 120, 108, 255);
 constexpr ImU32 kLink = IM_COL32(120, 190, 240, 255), kGlow = IM_COL32(255, 232, 150, 255);
@@ -94,14 +95,32 @@ void drawJoints(Session& session, Wires& wires) {
 void drawLights(Session& session, Wires& wires) {
     for (const rubble_light each : session.world().get_lights()) {
         const rubble_light_settings light = session.world().get_light_settings(each);
-        glm::dvec3 at = vectorOf(light.position);
-        if (light.shape) {
-            const rubble_shape_state shape = session.world().get_shape_state(light.shape);
-            at = vectorOf(shape.position) + quaternionOf(shape.rotation) * at;
-        }
+        const glm::dvec3 at = placeOf(session.world(), each).position;
         wires.dot(at, light.flags & RUBBLE_LIGHT_ENABLED ? kGlow : kAsleep, 5.0f);
         const double radius = std::max(light.radius, 0.15);
         wires.ring(at, {radius, 0, 0}, {0, 0, radius}, kGlow, 1.0f);
+    }
+}
+
+/// From where the wire of a group begins to its lights.
+void drawGroups(Session& session, Wires& wires) {
+    const rubble::World& world = session.world();
+    for (const rubble_light_group group : world.get_objects(RUBBLE_KIND_LIGHT_GROUP)) {
+        const rubble_light_group_state state = world.get_light_group(group);
+        const ImU32 color = state.flags & RUBBLE_GROUP_ON ? kGlow : kAsleep;
+        std::vector<glm::dvec3> ends;
+        glm::dvec3 begin(0.0);
+        for (const rubble_light light : world.get_lights())
+            if (world.get_light_settings(light).group == group) ends.push_back(placeOf(world, light).position);
+        for (const glm::dvec3& end : ends) begin += end / double(ends.size());
+        if (state.supply_shape)
+            begin = worldOf(world.get_shape_state(state.supply_shape),
+                            glm::dvec3(state.supply_cell[0], state.supply_cell[1], state.supply_cell[2]) + 0.5);
+        if (ends.empty() && !state.supply_shape) continue;
+        for (const glm::dvec3& end : ends) wires.line(begin, end, color, 2.0f), wires.dot(end, color, 5.0f);
+        if (state.supply_shape) wires.dot(begin, kLink, 6.0f);
+        const std::string name = nameOf(world, group);
+        wires.label(begin, theme::kText, (name.empty() ? handleText(group) : name).c_str());
     }
 }
 
@@ -163,14 +182,49 @@ void OverlayMarks::drawContacts(Session& session, Wires& wires) {
                                   reports.contacts[i].impulse, now});
     }
     m_contactVersion = session.version();
-    std::erase_if(m_contacts, [&](const Contact& each) { return each.step + kContactSteps < now; });
+    std::erase_if(m_contacts, [&](const Contact& each) { return each.step + kShownSteps < now; });
     if (m_contacts.size() > kMaxMarks) m_contacts.erase(m_contacts.begin(), m_contacts.end() - kMaxMarks);
     for (const Contact& contact : m_contacts) {
         const double length = std::clamp(std::log10(1.0 + contact.impulse) * 0.3, 0.05, 1.5);
-        const auto alpha = ImU32(255 - 215 * (now - contact.step) / (kContactSteps + 1));
+        const auto alpha = ImU32(255 - 215 * (now - contact.step) / (kShownSteps + 1));
         const ImU32 color = (theme::kAccent & 0x00ffffffu) | alpha << 24;
         wires.line(contact.at, contact.at + contact.normal * length, color, 2.0f);
         wires.dot(contact.at, color, 3.0f);
+    }
+}
+
+void OverlayMarks::gatherBricks(Session& session, uint64_t now) {
+    std::map<rubble_shape, uint64_t> versions;
+    for (const rubble_shape_state& shape : session.world().get_shape_states(0)) {
+        const auto known = m_brickVersions.find(shape.shape);
+        rubble_brick_changes changes{};
+        changes.shape = shape.shape;
+        changes.since = known == m_brickVersions.end() ? 0 : known->second;
+        uint64_t version = 0;
+        try {
+            for (const rubble_brick& each : session.world().get_changed_bricks(changes, &version))
+                if (changes.since) m_bricks.push_back({shape.shape, {each.x, each.y, each.z}, now});
+        } catch (const rubble::Error&) {  // it has another grid: from the next step on again
+        }
+        versions[shape.shape] = version;
+    }
+    m_brickVersions = std::move(versions);
+}
+
+void OverlayMarks::drawBricks(Session& session, Wires& wires) {
+    const uint64_t now = session.editor().document().playedSteps();
+    if (!session.editor().document().isPlaying()) return m_bricks.clear(), m_brickVersions.clear();
+    if (m_brickVersions.empty() || now != m_brickStep) gatherBricks(session, now);
+    m_brickStep = now;
+    std::erase_if(m_bricks, [&](const ChangedBrick& each) {
+        return each.step > now || each.step + kShownSteps < now || kindOf(session.world(), each.shape) < 0;
+    });
+    if (m_bricks.size() > kMaxMarks) m_bricks.erase(m_bricks.begin(), m_bricks.end() - kMaxMarks);
+    for (const ChangedBrick& each : m_bricks) {
+        const auto alpha = ImU32(200 - 170 * (now - each.step) / (kShownSteps + 1));
+        const ImU32 color = theme::kAccent & 0x00ffffffu;
+        wires.cells(session.world().get_shape_state(each.shape), glm::dvec3(each.brick) * 8.0, glm::dvec3(8.0),
+                    color | alpha << 24, color | alpha / 5 << 24);
     }
 }
 
@@ -220,6 +274,8 @@ void OverlayMarks::draw(Session& session, Wires& wires) {
     if (shown.contacts) drawContacts(session, wires);
     if (shown.joints) drawJoints(session, wires);
     if (shown.lights) drawLights(session, wires);
+    if (shown.groups) drawGroups(session, wires);
+    if (shown.bricks) drawBricks(session, wires);
 }
 
 }  // namespace editor

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <vector>
 
 #include "editor/ui/state/session.h"
@@ -29,6 +30,13 @@ private:
         double impulse;
         uint64_t step;
     };
+    struct ChangedBrick {
+        rubble_shape shape;
+        glm::ivec3 brick;
+        uint64_t step;
+    };
+    void gatherBricks(Session& session, uint64_t now);
+    void drawBricks(Session& session, Wires& wires);
     void drawComponents(Session& session, Wires& wires);
     void drawContacts(Session& session, Wires& wires);
     void drawLoad(Session& session, Wires& wires);
@@ -37,6 +45,9 @@ private:
     rubble_shape m_shape = 0;
     uint64_t m_version = 0, m_contactVersion = 0;
     std::vector<Contact> m_contacts;
+    std::vector<ChangedBrick> m_bricks;
+    std::map<rubble_shape, uint64_t> m_brickVersions;
+    uint64_t m_brickStep = 0;
     LoadProbe m_load;
     uint64_t m_loadVersion = 0;
     bool m_asksForContacts = false;

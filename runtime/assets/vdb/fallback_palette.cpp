@@ -76,15 +76,21 @@ std::vector<Group> groupColors(std::vector<Counted>& all) {
     return groups;
 }
 
-uint32_t meanOf(std::span<const Counted> colors) {
-    uint64_t voxels = 0;
-    std::array<uint64_t, 3> sums{};
-    for (const Counted& each : colors) {
-        voxels += each.voxels;
-        for (int axis = 0; axis < 3; ++axis) sums[size_t(axis)] += uint64_t(channel(each.color, axis)) * each.voxels;
-    }
+/// The mean of colours by their voxels; where one of them were farther from it than `limit`, the nearest colour to it
+/// from which none is.
+uint32_t meanOf(std::span<const Counted> colors, int limit) {
     uint32_t mean = 0;
-    for (const uint64_t sum : sums) mean = mean << 8 | uint32_t((sum + voxels / 2) / voxels);
+    for (int axis = 0; axis < 3; ++axis) {
+        uint64_t voxels = 0, sum = 0;
+        int low = 255, high = 0;
+        for (const Counted& each : colors) {
+            const int value = channel(each.color, axis);
+            voxels += each.voxels;
+            sum += uint64_t(value) * each.voxels;
+            low = std::min(low, value), high = std::max(high, value);
+        }
+        mean = mean << 8 | uint32_t(std::clamp(int((sum + voxels / 2) / voxels), high - limit, low + limit));
+    }
     return mean;
 }
 
@@ -119,11 +125,12 @@ PaletteRef quantiseColors(VoxelGrid& grid, const std::function<uint32_t(glm::ive
     const std::vector<Group> groups = groupColors(all);
     auto palette = std::make_shared<Palette>();
     std::map<uint32_t, uint8_t> entries;
-    int error = 0;
+    int widest = 0, error = 0;
+    for (const Group& group : groups) widest = std::max(widest, group.high - group.low);
     for (size_t i = 0; i < groups.size(); ++i) {
         const std::span<const Counted> group(all.begin() + ptrdiff_t(groups[i].begin),
                                              all.begin() + ptrdiff_t(groups[i].end));
-        const uint32_t mean = meanOf(group);
+        const uint32_t mean = meanOf(group, (widest + 1) / 2);
         (*palette)[i + 1] = entryOf(uint8_t(mean >> 16), uint8_t(mean >> 8), uint8_t(mean));
         for (const Counted& each : group) {
             entries[each.color] = uint8_t(i + 1);

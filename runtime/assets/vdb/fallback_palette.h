@@ -19,7 +19,8 @@ struct ColorCounts {
     int error = 0;  ///< the largest difference of a channel, in 1/255
 };
 /// Gives each solid voxel the entry of its colour, colorAt(cell) as sRGB bytes 0xrrggbb, and returns the palette. More
-/// than 255 different colours are parted into 255 groups with small differences, each with the mean of its colours.
+/// than 255 different colours are parted into 255 groups with small differences, each with the mean of its colours, or
+/// near it: no error is larger than half of the largest difference within a group.
 PaletteRef quantiseColors(VoxelGrid& grid, const std::function<uint32_t(glm::ivec3)>& colorAt,
                           ColorCounts* counts = nullptr);
 /// A linear colour as sRGB bytes 0xrrggbb.

@@ -14,6 +14,7 @@
 #include <map>
 
 #include "runtime/assets/file_bytes.h"
+#include "runtime/assets/vdb/ply_header.h"
 #include "runtime/voxel/palette.h"
 
 namespace rubble {
@@ -196,7 +197,10 @@ Result<Mesh> readMesh(const std::string& path) {
     const std::string ending = fs::path(path).extension().string();
     if (ending != ".obj" && ending != ".ply" && ending != ".glb")
         return Error{fmt::format("{}: expected a name ending in .obj, .ply or .glb, found '{}'", path, ending)};
-    if (const auto bytes = readFileBytes(path, kMaxFileBytes); !bytes) return Error{bytes.error()};
+    const Result<std::vector<uint8_t>> bytes = readFileBytes(path, kMaxFileBytes);
+    if (!bytes) return Error{bytes.error()};
+    if (const std::string error = ending == ".ply" ? plyHeaderError(*bytes) : ""; !error.empty())
+        return Error{path + ": " + error};
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     // Validation comes first: the other steps trust what they are given.

@@ -25,7 +25,6 @@ public:
 
 private:
     struct Known {
-        uint64_t hash;
         std::vector<uint8_t> bytes;
         std::shared_ptr<const Level> level;
         uint64_t memory;

@@ -107,6 +107,7 @@ void detachToNewBody(EditContext& context, ShapeHandle handle) {
     shape.local = {};
     shape.anchors.clear();
     shape.isPiece = true;
+    context.world.updateDebris(oldBody);
     context.world.updateDebris(newBody);
     context.changes.bodiesCreated.push_back(newBody);
     context.changes.unanchored.push_back(handle);

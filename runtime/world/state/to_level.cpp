@@ -1,5 +1,6 @@
 #include "runtime/world/state/to_level.h"
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -124,12 +125,25 @@ private:
         m_level.bodies.push_back(std::move(out));
     }
 
+    /// One more than the last slot of a group that is there, or that a palette names.
+    size_t groupSlots() const {
+        size_t count = 0;
+        m_world.groups.forEach(
+            [&](LightGroupHandle handle, const LightGroup&) { count = std::max<size_t>(count, handle.slot() + 1); });
+        const Palette* last = nullptr;  // shapes that share one follow each other
+        m_world.shapes.forEach([&](ShapeHandle, const Shape& shape) {
+            if (std::exchange(last, shape.palette.get()) == shape.palette.get()) return;
+            for (const PaletteEntry& entry : *last) count = std::max<size_t>(count, entry.lightGroup);
+        });
+        return count;
+    }
+
     /// Palettes name slots: an empty one has a group without voxels.
     void addGroups() {
         std::set<std::string> all, used;
         m_world.groups.forEach(
             [&](LightGroupHandle handle, const LightGroup& group) { all.insert(nameOf(handle, group.name)); });
-        m_level.lightGroups.resize(m_world.groups.slotCount());
+        m_level.lightGroups.resize(groupSlots());
         m_world.groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {
             LightGroup& out = m_level.lightGroups[handle.slot()] = group;
             out.name = nameOf(handle, group.name);

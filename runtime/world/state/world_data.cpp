@@ -81,11 +81,16 @@ void WorldData::updateShapeBounds(ShapeHandle handle) {
 void WorldData::updateDebris(BodyHandle handle) {
     checkBounds(handle);
     const Body* body = bodies.find(handle);
-    const Shape* shape = body && !body->isStatic && body->shapes.size() == 1 ? shapes.find(body->shapes[0]) : nullptr;
-    if (!shape || !shape->isPiece || shape->grid.voxelCount() > settings.debris.largestPiece)
-        return debris.remove(handle);
+    uint64_t voxels = 0;
+    bool isPiece = body && !body->isStatic && !body->shapes.empty();
+    for (size_t i = 0; isPiece && i < body->shapes.size(); ++i) {  // several: a SplitShapeEdit has divided it
+        const Shape* shape = shapes.find(body->shapes[i]);
+        isPiece = shape && shape->isPiece;
+        if (isPiece) voxels += shape->grid.voxelCount();
+    }
+    if (!isPiece || voxels > settings.debris.largestPiece) return debris.remove(handle);
     const RestState rest = body->settled ? RestState::Settled : body->asleep ? RestState::Asleep : RestState::Awake;
-    debris.set({handle, rest, shape->grid.voxelCount(), body->createdStep, body->restingSince});
+    debris.set({handle, rest, voxels, body->createdStep, body->restingSince});
 }
 
 void WorldData::setBounds(const BoundsSettings& to) {

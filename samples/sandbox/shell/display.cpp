@@ -57,10 +57,7 @@ public:
     }
     void captureCursor(bool isCaptured) override { m_window->captureCursor(isCaptured); }
     void present() override { m_window->present(); }
-    std::string write(const std::string& path) const override {
-        const auto written = rubble::writePng(path, m_window->readPixels());
-        return written ? "" : written.error();
-    }
+    rubble::Image read() const override { return m_window->readPixels(); }
 
 private:
     std::unique_ptr<rubble::Window> m_window;
@@ -77,11 +74,10 @@ public:
     bool poll(Input&) override { return true; }
     void captureCursor(bool) override {}
     void present() override {}
-    std::string write(const std::string& path) const override {
+    rubble::Image read() const override {
         rubble::Image image(m_target->size().x, m_target->size().y);
         image.rgb = m_target->readRgb();
-        const auto written = rubble::writePng(path, image);
-        return written ? "" : written.error();
+        return image;
     }
 
 private:

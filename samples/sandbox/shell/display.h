@@ -4,6 +4,7 @@
 #include <string>
 
 #include "samples/sandbox/shell/input.h"
+#include "samples/support/image.h"
 
 namespace sandbox {
 
@@ -30,8 +31,8 @@ public:
     virtual void captureCursor(bool isCaptured) = 0;
     /// Shows what was drawn.
     virtual void present() = 0;
-    /// Writes what was drawn as PNG. What is wrong, or "".
-    virtual std::string write(const std::string& path) const = 0;
+    /// What was drawn.
+    virtual rubble::Image read() const = 0;
 };
 
 }  // namespace sandbox

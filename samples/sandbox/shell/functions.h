@@ -18,6 +18,9 @@ std::span<const rubble::script::ScriptFunction> sessionFunctions();
 /// Bodies of boxes, ropes, nails.
 std::span<const rubble::script::ScriptFunction> makeFunctions();
 
+/// Shots, sky and rules, for films.
+std::span<const rubble::script::ScriptFunction> filmFunctions();
+
 /// Sounds.
 std::span<const rubble::script::ScriptFunction> soundFunctions();
 

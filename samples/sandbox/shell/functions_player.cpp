@@ -147,7 +147,8 @@ std::span<const ScriptFunction> playerFunctions() {
 std::span<const ScriptFunction> gameFunctions() {
     static const std::vector<ScriptFunction> all = [] {
         std::vector<ScriptFunction> rows;
-        for (const auto& some : {playerFunctions(), sessionFunctions(), makeFunctions(), soundFunctions()})
+        for (const auto& some :
+             {playerFunctions(), sessionFunctions(), makeFunctions(), filmFunctions(), soundFunctions()})
             rows.insert(rows.end(), some.begin(), some.end());
         return rows;
     }();

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "samples/sandbox/shell/allocations.h"
 #include "samples/sandbox/shell/functions.h"
 
 namespace sandbox {
@@ -18,8 +19,10 @@ namespace fs = std::filesystem;
 using rubble::script::ScriptHost;
 
 constexpr double kStep = 1.0 / 60.0;
-constexpr int kMaxSteps = 4;      ///< of a frame: a slower machine runs slower instead of falling behind
+constexpr int kMaxSteps = 4;  ///< of a frame: a slower machine runs slower instead of falling behind
+constexpr int kStepsOfSecond = 60;
 constexpr int kImageFrames = 12;  ///< in which the light of an image settles
+constexpr int kCutFrames = 6;     ///< in which it does after a cut of a film
 
 std::string readText(const std::string& path) {
     std::ostringstream text;
@@ -36,7 +39,7 @@ Game::Game(const rubble_api& api, Display& display, GameSettings settings)
       m_sound(api, m_settings.wav, !m_settings.isSilent, [](const std::string& line) { fmt::print("{}\n", line); }) {}
 
 Game::~Game() {
-    if (m_scripts) writeOptions();
+    if (m_scripts && m_settings.film.script.empty()) writeOptions();
     m_scripts.reset();
     if (m_renderer) m_api.destroy_renderer(m_renderer);
     if (m_world) m_api.destroy_world(m_world);
@@ -55,8 +58,8 @@ std::string Game::begin() {
     if (m_api.set_host(&host) != RUBBLE_OK) return m_api.get_last_error();
     rubble_world_settings settings = {};
     settings.struct_size = sizeof settings;
-    settings.flags = m_settings.bot.empty() ? 0 : RUBBLE_WORLD_WAIT_FOR_SHADOW;
-    settings.physics_threads = m_settings.bot.empty() ? 2 : 1;
+    settings.flags = isPlayed() ? 0 : RUBBLE_WORLD_WAIT_FOR_SHADOW;
+    settings.physics_threads = isPlayed() ? 2 : 1;
     if (m_api.create_world(&settings, &m_world) != RUBBLE_OK) return m_api.get_last_error();
     if (m_api.load_level(m_world, m_settings.level.c_str(), m_settings.vdbTool.c_str()) != RUBBLE_OK)
         return m_api.get_last_error();
@@ -100,13 +103,18 @@ void Game::startScripts() {
     settings.log = [](int level, const std::string& line) { fmt::print(level ? stderr : stdout, "{}\n", line); };
     m_scripts = std::make_unique<ScriptHost>(m_api, m_world, settings);
     m_scripts->shared().registry = registry;
-    readOptions();
+    if (m_settings.film.script.empty()) readOptions();
     m_api.set_undo_limit(m_world, kUndoMarks);
     m_camera = {};
     m_scripts->setView(view());
     m_scripts->addLevelScripts();
     if (!m_settings.bot.empty()) addScript(m_settings.bot);  // its input is there before the game looks
-    addScript("main.lua");
+    const FilmSettings& film = m_settings.film;
+    if (film.script.empty()) return (void)addScript("main.lua");
+    m_scripts->shared().registry["film.shot"] = film.shot;
+    m_scripts->shared().registry["film.seconds"] = fmt::format("{}", film.seconds);
+    m_scripts->shared().registry["film.fps"] = fmt::format("{}", film.fps);
+    addScript(film.script);
 }
 
 bool Game::addScript(const std::string& name) {
@@ -127,7 +135,9 @@ bool Game::frame(double seconds) {
     m_isInteractive = false;
     m_camera.frame.reset();
     m_scripts->tick(seconds);
-    m_due = std::min(m_due + seconds * m_scripts->timeScale(), kMaxSteps * kStep);
+    cutToShot();
+    const int most = isPlayed() ? kMaxSteps : kStepsOfSecond;
+    m_due = std::min(m_due + seconds * m_scripts->timeScale(), most * kStep);
     for (; m_due >= kStep - 1e-9; m_due -= kStep) step();
     m_due = std::max(m_due, 0.0);
     hear(seconds);
@@ -139,10 +149,39 @@ bool Game::frame(double seconds) {
 
 void Game::step() {
     m_player->beforeStep();
+    const uint64_t before = rubble::allocationCount();
     if (m_scripts->step() != RUBBLE_OK) return fail(m_api.get_last_error());
-    m_sound.step();
+    if (m_film) {
+        rubble_step_stats stats = {};
+        stats.struct_size = sizeof stats;
+        m_api.get_step_stats(m_world, &stats);
+        m_film->figures().addStep(stats, rubble::allocationCount() - before);
+    }
+    if (!m_isUnseen) m_sound.step();
     if (std::exchange(m_hasUndone, false)) m_player->adopt(true);
     m_player->afterStep();
+}
+
+/// Begins the shot that a script has asked for, after the time that nobody sees.
+void Game::cutToShot() {
+    if (m_requests.shot.empty() || !m_film) return;
+    fail(m_film->beginShot(std::exchange(m_requests.shot, {}), m_requests.filmFrames));
+    m_isUnseen = true;
+    for (double left = m_requests.unseen; left > 0.5 * kStep; left -= kStep) step();
+    m_isUnseen = false;
+    m_due = 0.0;
+    m_isCut = true;
+}
+
+std::string Game::shootFilm() {
+    m_film.emplace(m_settings.out, m_settings.film);
+    while (frame(1.0 / m_settings.film.fps) && !hasFailed()) {
+    }
+    if (hasFailed()) return "the film ends early, as the message above says";
+    m_sound.close();
+    uint64_t hash = 0;
+    m_api.get_state_hash(m_world, &hash);
+    return m_film->finish(hash);
 }
 
 bool Game::undo() {
@@ -185,12 +224,19 @@ void Game::setVolume(double volume) {
 }
 
 void Game::draw(double seconds) {
-    const rubble_view seen = view();
+    rubble_view seen = view();
     m_scripts->draw(m_renderer, seen, seconds);
     if (!m_drawsAlways) return;
+    for (int i = 0; m_isCut && m_film && i < kCutFrames; ++i, seen.flags &= ~uint32_t(RUBBLE_VIEW_CUT))
+        if (m_api.draw(m_renderer, &seen) != RUBBLE_OK) return fail(m_api.get_last_error());
     m_isCut = false;
-    if (m_api.draw(m_renderer, &seen) != RUBBLE_OK) fail(m_api.get_last_error());
+    if (m_api.draw(m_renderer, &seen) != RUBBLE_OK) return fail(m_api.get_last_error());
     m_display.present();
+    if (!m_film || m_requests.quits) return;
+    rubble_draw_stats stats = {};
+    stats.struct_size = sizeof stats;
+    m_api.get_draw_stats(m_renderer, &stats);
+    fail(m_film->add(m_display.read(), stats.draw_ms));
 }
 
 std::string Game::writeImage(const std::string& path) {
@@ -200,7 +246,8 @@ std::string Game::writeImage(const std::string& path) {
     seen.flags |= RUBBLE_VIEW_CUT;
     for (int i = 0; i < kImageFrames; ++i, seen.flags &= ~uint32_t(RUBBLE_VIEW_CUT))
         if (m_api.draw(m_renderer, &seen) != RUBBLE_OK) return m_api.get_last_error();
-    return m_display.write(path);
+    const auto written = rubble::writePng(path, m_display.read());
+    return written ? "" : written.error();
 }
 
 void Game::carryOutRequests() {

@@ -8,6 +8,7 @@
 
 #include "runtime/script/script_host.h"
 #include "samples/sandbox/shell/display.h"
+#include "samples/sandbox/shell/film.h"
 #include "samples/sandbox/shell/input.h"
 #include "samples/sandbox/shell/player.h"
 #include "samples/sandbox/sound/sound.h"
@@ -23,6 +24,7 @@ struct GameSettings {
     std::string bot;             ///< a file of that folder that plays in place of a player; "": nobody
     std::string saves;           ///< folder of saved games and options
     std::string out;             ///< folder of images
+    FilmSettings film;           ///< a film in place of the game
     std::string preset = "balanced";
     std::string programs;   ///< folder of compiled programs; "": none
     bool isSilent = false;  ///< no sound card is asked for
@@ -32,6 +34,9 @@ struct GameSettings {
 /// What scripts ask for while they run, and gets done between two frames.
 struct Requests {
     std::string save, load, image, preset;
+    std::string shot;     ///< of the film: its name
+    double unseen = 0.0;  ///< seconds of the world that pass before it
+    int filmFrames = 0;   ///< of the whole film
     bool restarts = false, quits = false;
 };
 
@@ -55,6 +60,8 @@ public:
     std::string begin();
     /// A frame of so many seconds; false: the game is over.
     bool frame(double seconds);
+    /// Makes the film of the settings, to its end. What is wrong, or "".
+    std::string shootFilm();
     /// Whether frames are drawn, or those alone of which scripts want an image.
     void drawAlways(bool isAlways) { m_drawsAlways = isAlways; }
     /// Draws some frames of the world as it is, so that light settles, and writes the last one. What is wrong, or "".
@@ -100,6 +107,8 @@ private:
     void readOptions();
     void writeOptions();
     void step();
+    void cutToShot();
+    bool isPlayed() const { return m_settings.bot.empty() && m_settings.film.script.empty(); }
     void fail(const std::string& what);
     rubble_view view() const;
     void draw(double seconds);
@@ -113,11 +122,13 @@ private:
     rubble_renderer m_renderer = 0;
     std::unique_ptr<rubble::script::ScriptHost> m_scripts;
     std::optional<Player> m_player;
+    std::optional<Film> m_film;
     Input m_input;
     Requests m_requests;
     CameraOverride m_camera;
     double m_due = 0.0;  ///< seconds that no step has covered yet
     bool m_isInteractive = false, m_drawsAlways = true, m_hasUndone = false, m_hasFailed = false, m_isCut = true;
+    bool m_isUnseen = false;  ///< steps that a film leaves out
 };
 
 }  // namespace sandbox

@@ -46,11 +46,13 @@ int run(const Options& options) {
     if (error.empty()) display = options.isHeadless ? Display::inMemory(size, error) : Display::openWindow(size, error);
     if (error.empty() && display) {
         Game game(*api, *display, options.game);
-        game.drawAlways(!options.isHeadless);
+        game.drawAlways(!options.isHeadless || !options.game.film.script.empty());
         error = game.begin();
         const bool wantsImage = !options.screenshot.empty();
+        const bool isFilm = !options.game.film.script.empty();
+        if (error.empty() && isFilm) error = game.shootFilm();
         if (error.empty() && !options.game.bot.empty()) playBot(game);
-        if (error.empty() && options.game.bot.empty()) playWindow(game, wantsImage ? kScreenshotFrames : 0);
+        if (error.empty() && options.game.bot.empty() && !isFilm) playWindow(game, wantsImage ? kScreenshotFrames : 0);
         if (error.empty() && wantsImage) error = game.writeImage(fs::absolute(options.screenshot).string());
         if (error.empty()) return game.hasFailed() ? 1 : 0;
     }
@@ -71,6 +73,14 @@ int main(int argc, char** argv) {
     app.add_option("--level", game.level, "a .rubble, .vox or .vdb file")->check(CLI::ExistingFile)->required();
     app.add_option("--game", game.folder, "folder of the scripts: main.lua")->check(CLI::ExistingDirectory);
     app.add_option("--bot", game.bot, "a script of that folder that plays; ends when it says so");
+    app.add_option("--film", game.film.script,
+                   "a script of that folder that directs a film in place of the game: in OUT");
+    app.add_option("--shot", game.film.shot, "film only this shot");
+    app.add_option("--seconds", game.film.seconds, "of the film (default: as long as its shots are)")
+        ->check(CLI::Range(0.1, 3600.0));
+    app.add_option("--fps", game.film.fps, "frames a second of the film")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 60));
     app.add_option("--size", options.size, "of the image, WIDTHxHEIGHT")->capture_default_str();
     app.add_option("--preset", game.preset, "draft, fast, balanced or accurate")
         ->capture_default_str()
@@ -82,6 +92,11 @@ int main(int argc, char** argv) {
     app.add_flag("--headless", options.isHeadless, "draw in memory: for bots, and for images without a display");
     CLI11_PARSE(app, argc, argv);
     game.isSilent = options.isHeadless;
+    if (!game.film.script.empty() && game.wav.empty()) {
+        std::error_code ignored;
+        fs::create_directories(game.out, ignored);
+        game.wav = Film::soundFile(game.out);
+    }
     return run(options);
 }
 

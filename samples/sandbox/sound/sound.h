@@ -53,6 +53,8 @@ public:
     void step();
     /// After the steps of a frame.
     void frame(double seconds, glm::dvec3 ear, const std::array<double, 4>& rotation);
+    /// Completes the WAV file; there is no sound from then on.
+    void close() { m_wav.reset(), m_output.reset(); }
     /// What could not be written, or "".
     const std::string& error() const { return m_error; }
 

@@ -28,11 +28,11 @@ const std::map<std::string, std::string> kNotRedone = {
 };
 /// Functions that are called on the main thread of a world and change nothing in its state.
 const std::set<std::string> kNoState = {
-    "apply_edits",        "has_changed",        "save_level",        "cast_ray",        "cast_rays",
-    "cast_shapes",        "count_carve",        "count_fires",       "create_renderer", "find_by_name",
-    "find_by_tag",        "find_closest_point", "find_closest_fire", "find_material",   "mesh_brick",
-    "overlap_bodies",     "overlap_shapes",     "set_report_filter", "spawn_particles", "translate_handle",
-    "set_physics_threads"};
+    "apply_edits",         "has_changed",        "save_level",        "cast_ray",        "cast_rays",
+    "cast_shapes",         "count_carve",        "count_fires",       "create_renderer", "find_by_name",
+    "find_by_tag",         "find_closest_point", "find_closest_fire", "find_material",   "mesh_brick",
+    "overlap_bodies",      "overlap_shapes",     "set_report_filter", "spawn_particles", "translate_handle",
+    "set_physics_threads", "get_level_hash"};
 
 /// A field of a struct that a call reads, which gets another value; no field: the call as it is.
 struct Variation {

@@ -157,5 +157,19 @@ TEST(StepDelta, AFollowerWithStressAnalysisGoesOnAsIfLoaded) {
     }
 }
 
+TEST(StepDelta, TellsOfTheScriptsOfTheLevel) {
+    World host = brokenWorld();
+    World follower = host;
+    WorldBaseline baseline(host);
+    std::vector<PaletteRef> palettes;
+    for (const std::vector<LevelScript>& scripts : {std::vector<LevelScript>{{"lift.lua", "speed=2"}}, {}}) {
+        const auto bytes = deltaOf(host, baseline, host.applyEdits({SetScriptsEdit{scripts}}));
+        const Result<FrameChanges> applied = applyStepDelta(bytes, "t", follower, palettes);
+        ASSERT_TRUE(applied) << applied.error();
+        EXPECT_EQ(follower.data().scripts, scripts);
+        EXPECT_EQ(follower.data().scripts, host.data().scripts);
+    }
+}
+
 }  // namespace
 }  // namespace rubble

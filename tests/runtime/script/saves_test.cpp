@@ -148,8 +148,11 @@ TEST(ScriptSaves, LevelsNameTheirScripts) {
     EXPECT_EQ(yard.host().shared().registry["speed"], "3");
     EXPECT_EQ(yard.host().shared().registry["name"], "lift");
     EXPECT_EQ(yard.host().shared().registry["at"], "(1.0, 2.0, 3.0)");
+    ASSERT_EQ(yard.api().load_level(yard.world(), level.c_str(), nullptr), RUBBLE_OK);
+    yard.host().shared().registry.clear();
     yard.host().addLevelScripts();
-    EXPECT_EQ(yard.host().scripts().size(), 1u) << "each begins once";
+    EXPECT_EQ(yard.host().scripts().size(), 1u) << "that of the level before has ended";
+    EXPECT_EQ(yard.host().shared().registry["speed"], "3") << "it has begun again";
 }
 
 TEST(ScriptSaves, PrefabsBringTheirScripts) {

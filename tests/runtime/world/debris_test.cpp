@@ -252,6 +252,19 @@ TEST(Debris, TheListIsTheOneThatALoadMakes) {
     }
 }
 
+TEST(Debris, APieceOfSeveralShapesCountsAsOne) {
+    DebrisWorld world(withBudgets(1000, 1000, 1000000));
+    const ShapeHandle piece = world.applyEdits({cutColumns(0, 1)}).shapesCreated[0];
+    const BodyHandle body = world.shapes().at(piece).body;
+    const size_t pieces = world.data().debris.count();
+    const CellBox middle{{0, 7, 0}, {2, 8, 2}};
+    world.applyEdits({WriteVoxelsEdit{piece, middle, std::vector<uint8_t>(4, 0)}, SplitShapeEdit{piece}});
+    ASSERT_EQ(world.bodies().at(body).shapes.size(), 2u);
+    EXPECT_TRUE(world.data().debris.contains(body));
+    EXPECT_EQ(world.data().debris.count(), pieces);
+    expectDebrisAsLoaded(world);
+}
+
 TEST(Debris, APieceThatIsResizedAndDespawnsInOneStepIsGoneForAll) {
     for (const bool trims : {true, false}) {
         DebrisWorld world(withBudgets(1000, 1000, 1000000));

@@ -37,9 +37,38 @@ size_t colorsIn(const Image& image) {
     return colors.size();
 }
 
-TEST(Sandbox, WithoutADisplayWritesFramesAndFigures) {
+/// Each shot of the film with two frames of it.
+TEST(Sandbox, WithoutADisplayMakesAFilm) {
+    const fs::path out = outFolder("film");
+    ASSERT_EQ(runSandbox("--seconds 0.5 --fps 20 --size 96x54 --preset draft --out " + out.string()), 0);
+    size_t sheets = 0;
+    for (const auto& entry : fs::directory_iterator(out))
+        if (entry.path().filename().string().starts_with("shot_")) {
+            ++sheets;
+            const Result<Image> sheet = readPng(entry.path().string());
+            ASSERT_TRUE(sheet) << sheet.error();
+            EXPECT_GT(colorsIn(*sheet), 200u) << entry.path();
+        }
+    EXPECT_EQ(sheets, 5u);
+    EXPECT_TRUE(readPng((out / "frames" / "0009.png").string())) << "expected two frames of each shot";
+    EXPECT_TRUE(readPng((out / "contact_sheet.png").string()));
+    const bool hasVideo = std::system("command -v ffmpeg >/dev/null 2>&1") != 0 || fs::exists(out / "film.mp4");
+    EXPECT_TRUE(hasVideo);
+    std::ifstream file(out / "figures.txt");
+    const std::string figures{std::istreambuf_iterator<char>(file), {}};
+    for (const char* row : {"step, ms", "allocations a step", "shadow age", "longest steps", "state hash"})
+        EXPECT_NE(figures.find(row), std::string::npos) << row;
+}
+
+TEST(Sandbox, RefusesAShotThatIsNotThere) {
+    const fs::path out = outFolder("shot");
+    EXPECT_NE(runSandbox("--shot nonsense --fps 1 --size 64x36 --preset draft --out " + out.string() + " 2>/dev/null"),
+              0);
+}
+
+TEST(Sandbox, ASceneWritesFramesAndFigures) {
     const fs::path out = outFolder("headless");
-    ASSERT_EQ(runSandbox("--seconds 0.2 --fps 10 --size 160x90 --preset fast --out " + out.string()), 0);
+    ASSERT_EQ(runSandbox("--scene pane --seconds 0.2 --fps 10 --size 160x90 --preset fast --out " + out.string()), 0);
     const Result<Image> frame = readPng((out / "frames" / "0001.png").string());
     ASSERT_TRUE(frame) << frame.error();
     EXPECT_EQ(frame->width, 160);
@@ -94,7 +123,7 @@ TEST(Sandbox, HelpNamesEveryOption) {
     std::ifstream file(text);
     const std::string help{std::istreambuf_iterator<char>(file), {}};
     for (const char* option : {"--model", "--level", "--out", "--size", "--fps", "--frames", "--seconds", "--preset",
-                               "--seed", "--pass", "--headless", "--no-render"})
+                               "--seed", "--pass", "--headless", "--no-render", "--shot"})
         EXPECT_NE(help.find(option), std::string::npos) << option;
 }
 

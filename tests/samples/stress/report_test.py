@@ -45,6 +45,11 @@ class Report(unittest.TestCase):
         self.assertIn('<td class="bad">9.00 <small>(1.00)</small></td>', page)
         self.assertIn("all checks held; same hash", page)
 
+    def test_page_and_envelope_say_that_a_run_was_interrupted(self):
+        runs = runs_of(run_of("flood", 1) | {"interrupted": True})
+        self.assertIn("all checks held until it was interrupted", report.page("nowhere", runs, {}))
+        self.assertIn("all checks held until it was interrupted", report.envelope(runs))
+
     def test_envelope_has_a_row_for_each_run(self):
         rest = "| 36,000 | {} | 0 | 0 | 2 | 0 | 4.16 | 1a2b | X1, 2 processors | {} |"
         rows = report.envelope(runs_of(run_of("flood", 1), run_of("flood", 2, bodies=4321),

@@ -2179,7 +2179,7 @@ typedef struct rubble_api {
      * velocities and sleep of free bodies that were there before and of characters are left out too: see
      * get_voxel_hash(). A world with RUBBLE_WORLD_HOST_PHYSICS gets them by set_body_states(), before this call.
      * RUBBLE_ERROR_FILE: the bytes are wrong or steps are missing, and this world is as after the step before; or a
-     * step has shown that it was another one. */
+     * step has shown that it was another one. What it makes in steps of its own may get other handles than there. */
     rubble_result (*apply_deltas)(rubble_world world, const void* data, uint64_t size);
     /* [main-thread] A hash of what RUBBLE_DELTAS_ALL keep equal: all objects, voxels, environment, materials, settings
      * and bounds. How many undo marks are kept is not among them. */

@@ -825,7 +825,7 @@ public:
      * bodies that were there before and of characters are left out too: see get_voxel_hash(). A world with
      * RUBBLE_WORLD_HOST_PHYSICS gets them by set_body_states(), before this call. RUBBLE_ERROR_FILE: the bytes are
      * wrong or steps are missing, and this world is as after the step before; or a step has shown that it was another
-     * one. */
+     * one. What it makes in steps of its own may get other handles than there. */
     void apply_deltas(const void* data, uint64_t size) {
         check(api().apply_deltas(m_handle, data, size));
     }

@@ -1,10 +1,11 @@
 // Replaces operator new and delete to count allocations, so that the figures can say how many a step makes. Sanitizers
 // have their own, and nothing is counted.
+#include "samples/sandbox/shell/allocations.h"
+
 #include <atomic>
+#include <cstddef>
 #include <cstdlib>
 #include <new>
-
-#include "samples/sandbox/figures.h"
 
 #ifdef RUBBLE_COUNTS_NO_ALLOCATIONS
 
