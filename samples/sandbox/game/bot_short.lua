@@ -161,7 +161,13 @@ local function menus()
     for _ = 1, 3 do bot.press("downarrow") end
     bot.press("return")
     bot.expect(GetString("game.menu") == "settings", "the settings")
-    for _ = 1, 6 do bot.press("downarrow") end
+    for _ = 1, 5 do bot.press("downarrow") end
+    for _ = 1, 9 do bot.press("leftarrow") end
+    bot.expect(GetFloat("options.volume") == 0, "no sound")
+    bot.frames(10)
+    for _ = 1, 8 do bot.press("rightarrow") end
+    bot.expect(math.abs(GetFloat("options.volume") - 0.8) < 1e-6, "sound again")
+    for _ = 1, 2 do bot.press("downarrow") end
     bot.press("leftarrow")
     bot.expect(GetFloat("world.gravity") == 9, "less gravity")
     bot.press("rightarrow")

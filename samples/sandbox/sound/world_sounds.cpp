@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kLargest = 2.4;         ///< metres of a body that sounds: walls and floors are divided
 constexpr double kFriction = 0.4;        ///< of what slides
-constexpr double kFrictionShare = 0.03;  ///< of its energy that is heard; an impact's is 1 by definition
+constexpr double kImpactShare = 0.25;    ///< of an impact's energy that counts, beside that of tools
+constexpr double kFrictionShare = 0.01;  ///< of what friction takes
 constexpr double kRough = 0.01;          ///< metres from one bump to the next
 constexpr double kBreakEnergy = 8.0;     ///< J for a voxel's face that parts
 constexpr double kCrumbs = 16.0;         ///< voxels below which a break is softer: what burns away crumbles
@@ -74,7 +75,7 @@ void WorldSounds::readContacts(const rubble_reports& reports, std::vector<Strike
         const auto rows = acousticMaterials();
         const double mass = contact.impulse / speed;
         const double touch = contactTime(rows[sides[0].material], rows[sides[1].material], hits ? mass : 0.01, speed);
-        const double joules = contact.impulse * speed * (hits ? 0.5 : kFriction * kFrictionShare);
+        const double joules = contact.impulse * speed * (hits ? 0.5 * kImpactShare : kFriction * kFrictionShare);
         for (const Side& side : sides) {
             Strike strike{pointOf(contact.position), side.material, side.size, 0.5 * joules, touch};
             strike.count = hits ? 1.0 : std::max(1.0, speed / 60.0 / kRough);
