@@ -1,5 +1,6 @@
 -- Vacuum: draws in small loose pieces and swallows them.
 local feel = require("feel")
+local sounds = require("sounds")
 local belt = require("toolbelt")
 
 local kReach, kMaxMass = 6, 90
@@ -44,6 +45,7 @@ return {
                 end
             end
         end
+        sounds.loop("motor", muzzle, 0.8, 1.6)
         feel.burst(muzzle + 1.4 * aim.dir, VecScale(aim.dir, -1), {type = "dust", count = 1, speed = 5, spread = 0.3,
             life = 0.24, color = {0.6, 0.58, 0.55}, radius = {0.05, 0.01}, alpha = 0.2})
         belt.recoil(0.02 * math.random())
