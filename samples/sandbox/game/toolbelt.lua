@@ -50,7 +50,7 @@ end
 
 -- The next query does not find the model before the eyes.
 function belt.rejectModel()
-    if body ~= 0 then QueryRejectBody(body) end
+    if body ~= 0 and IsHandleValid(body) then QueryRejectBody(body) end
 end
 
 -- What the eyes look at.
