@@ -262,7 +262,9 @@ TEST_F(HostView, ScopesAndPanoramasAreDrawn) {
         EXPECT_LT(hit, 10.0) << "the table is in the middle";
         for (const float value : colors) ASSERT_TRUE(std::isfinite(value)) << scale;
         const size_t middle = 3 * size_t(kHeight / 2 * kWidth + kWidth / 2);
-        if (scale > 1.0) EXPECT_GT(colors[middle], 1.1f * colors[middle + 2]) << scale << ": the table is red";
+        if (scale > 1.0) {
+            EXPECT_GT(colors[middle], 1.1f * colors[middle + 2]) << scale << ": the table is red";
+        }
     }
 }
 

@@ -297,7 +297,8 @@ class ReadBack : public Abi, public testing::WithParamInterface<std::string> {};
 
 TEST_P(ReadBack, ChangesNothing) {
     const rubble_world other = makeWorld();
-    const Objects set = makeObjects(m_world), left = makeObjects(other);
+    const Objects set = makeObjects(m_world);
+    makeObjects(other);
     ASSERT_EQ(stateOf(m_world), stateOf(other));
     int stale = 0;
     uint32_t bricks = 0;
@@ -321,7 +322,7 @@ std::vector<std::string> names() {
     return out;
 }
 INSTANTIATE_TEST_SUITE_P(Pairs, ReadBack, testing::ValuesIn(names()),
-                         [](const testing::TestParamInfo<std::string>& info) { return info.param; });
+                         [](const testing::TestParamInfo<std::string>& pair) { return pair.param; });
 
 TEST(ReadBackTable, HasAllFunctionsThatSet) {
     std::ifstream file(RUBBLE_SOURCE_DIR "/runtime/plugin/include/rubble/rubble.h");

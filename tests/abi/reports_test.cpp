@@ -166,8 +166,8 @@ TEST_F(AbiReports, FiresAddUpToWhatBurns) {
             ASSERT_EQ(api()->explode(m_world, &explosion), RUBBLE_OK);
             ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
         }
-        if (i == 200) ASSERT_EQ(api()->undo(m_world), RUBBLE_OK);
-        if (i == 300) ASSERT_EQ(api()->redo(m_world), RUBBLE_OK);
+        ASSERT_EQ(i == 200 ? api()->undo(m_world) : RUBBLE_OK, RUBBLE_OK);
+        ASSERT_EQ(i == 300 ? api()->redo(m_world) : RUBBLE_OK, RUBBLE_OK);
         if (i == 900) {
             ASSERT_TRUE(burning.contains(shape));
             ASSERT_EQ(api()->destroy_body(m_world, body), RUBBLE_OK);

@@ -30,7 +30,9 @@ void play(Yard& yard, const std::string& name, int seconds, const std::string& f
     EXPECT_EQ(script.error(), "");
     EXPECT_EQ(yard.logged(RUBBLE_LOG_WARNING), "");
     const std::string lines = text.str();
-    if (folder == kSamples) EXPECT_LT(std::count(lines.begin(), lines.end(), '\n'), 100) << "a sample is short";
+    if (folder == kSamples) {
+        EXPECT_LT(std::count(lines.begin(), lines.end(), '\n'), 100) << "a sample is short";
+    }
 }
 
 /// A number of the registry.
