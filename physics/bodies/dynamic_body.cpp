@@ -101,7 +101,7 @@ bool DynamicBody::update(const World& world, const FrameChanges& changes) {
     }
     object.isNew = true;
     touching = isAsLoaded = false;
-    held = 0;
+    held = stuckSteps = 0;
     sleepLoad = {};
     setAsleep(false);
     return true;

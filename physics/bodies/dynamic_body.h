@@ -95,6 +95,7 @@ public:
     SolverBody stepStart;                   ///< its motion before the last solve
     std::vector<Pose> stepPath;             ///< its poses in the last solve: at equal times, two or more
     int held = 0;                           ///< steps in which continuous collision holds it, then lets it pass
+    int stuckSteps = 0;                     ///< steps in a row in which it made no progress
     bool isPenetrating = false;             ///< the last solve left one of its contacts deep
     std::vector<uint32_t> sleepersTouched;  ///< slots of bodies that it must wake when it moves
     bool touching = false;                  ///< had a contact in the last step

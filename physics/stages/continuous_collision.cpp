@@ -30,6 +30,9 @@ constexpr double kNoProgress = 0.1;       ///< share of its step up to which a b
 /// Steps in a row for which a body may be held. After them it is in a jam of things that move and cannot give way: it
 /// goes on for some steps, and they overlap, or a crumb under a wheel would stop a car.
 constexpr int kMaxHeld = 2, kFreeSteps = 30;
+/// Steps in a row without progress after which a body passes what may be in it, as a crumb between chassis and ground.
+/// What is in a box does not leave it by that: it is swept against the box as well, and passes only if it is stuck too.
+constexpr int kMaxStuckSteps = 4;
 /// Voxels by which a body that is stopped overlaps what it met: the next step sees the overlap as a contact, and does
 /// not stop the body there again.
 constexpr double kOverlap = 0.02;
@@ -186,6 +189,11 @@ bool isFree(const DynamicBody& body) {
     return body.held >= kMaxHeld && body.held < kMaxHeld + kFreeSteps;
 }
 
+/// Whether what moves does not hold the body now; isInside: what may be in it, or it in that.
+bool passes(const DynamicBody& body, bool isInside) {
+    return isInside ? body.stuckSteps >= kMaxStuckSteps : isFree(body);
+}
+
 /// An upper bound of how far a point of one has moved relative to the other in the step, metres.
 double relativeDisplacement(const DynamicBody& body, const CollisionObject& other) {
     const Pose &from = body.stepPath.front(), &to = body.stepPath.back();
@@ -222,7 +230,8 @@ double ContinuousCollision::fractionOf(const Swept& swept, PhysicsBodies& bodies
     for (const auto& [first, second] : m_pairs) {
         const CollisionObject& other = first == &body.object ? *second : *first;
         if (swept.innerOnly && !isMoving(other)) continue;
-        if ((swept.innerOnly || (isFree(body) && isMoving(other))) && !mayBeInside(body.object, other)) continue;
+        const bool isInside = mayBeInside(body.object, other);
+        if ((swept.innerOnly && !isInside) || (isMoving(other) && passes(body, isInside))) continue;
         // A body that is put back is in the way of what follows it, which would then be deep in it.
         if (!mayPass(body.object, other, relativeDisplacement(body, other))) continue;
         fraction = std::min(fraction, timeOfImpact(body.object.collider, path, other.collider, pathOf(other, still)));
@@ -255,7 +264,7 @@ void ContinuousCollision::stopFollowers(const DynamicBody& body, PhysicsBodies& 
     for (const auto& [first, second] : m_pairs) {
         const CollisionObject& other = first == &body.object ? *second : *first;
         if (!isMoving(other) || !other.dynamic->finite()) continue;
-        if (isFree(*other.dynamic) && !mayBeInside(other, body.object)) continue;
+        if (passes(*other.dynamic, mayBeInside(other, body.object))) continue;
         const double to = std::min(m_fractions[size_t(other.dynamic->solverIndex)], 1.0);
         if (to <= from) continue;
         std::array<Pose, 2> ends;
@@ -291,7 +300,7 @@ void ContinuousCollision::findSwept(PhysicsBodies& bodies, double seconds) {
         if (isSwept || (body.finite() && needsInnerSweep(body, anyGaps, seconds)))
             m_swept.push_back({slot, !isSwept});
         else
-            body.held = 0;
+            body.held = body.stuckSteps = 0;
     }
     for (const Swept& swept : m_swept) {
         std::array<Pose, 2> ends;
@@ -322,6 +331,7 @@ bool ContinuousCollision::stop(PhysicsBodies& bodies, const JointTable& joints, 
     for (const uint32_t slot : bodies.awake()) {
         DynamicBody& body = bodies.at(slot);
         const double hit = m_fractions[size_t(body.solverIndex)];
+        body.stuckSteps = hit < kNoProgress ? body.stuckSteps + 1 : 0;
         if (hit > 1.0 && body.held == 0) continue;
         body.held = isFree(body) || (body.held < kMaxHeld && hit < kNoProgress) ? body.held + 1 : 0;
         const double fraction = hit + kOverlap * body.object.smallestVoxel / displacementOf(body);
