@@ -40,6 +40,8 @@ Result<std::unique_ptr<Window>> Window::create(glm::ivec2 size, const std::strin
 
 Window::Window(GLFWwindow* window) : m_window(window), m_down(GLFW_KEY_LAST + 1, 0), m_wasDown(m_down) {
     glfwGetCursorPos(m_window, &m_mouse.x, &m_mouse.y);
+    // What is pressed for less than a frame counts.
+    for (const int mode : {GLFW_STICKY_KEYS, GLFW_STICKY_MOUSE_BUTTONS}) glfwSetInputMode(m_window, mode, GLFW_TRUE);
     glfwSetWindowUserPointer(m_window, this);
     glfwSetScrollCallback(m_window, [](GLFWwindow* w, double, double turned) {
         static_cast<Window*>(glfwGetWindowUserPointer(w))->m_wheel += turned;

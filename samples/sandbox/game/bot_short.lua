@@ -176,6 +176,33 @@ local function menus()
     bot.expect(GetString("game.menu") == "", "to play again")
 end
 
+-- Names that would be files elsewhere, or of others, are refused.
+local function names()
+    for _, name in ipairs({"", "../a", "a/b", "a b", "\u{4e00}"}) do
+        bot.expect(not pcall(SaveGame, name) and not pcall(HasSave, name), "no save called " .. name)
+        bot.expect(not pcall(Screenshot, name .. ".png"), "no image called " .. name)
+    end
+    bot.expect(not pcall(Screenshot, "options.txt"), "images alone")
+end
+
+-- What nobody can have chosen counts as not chosen; who falls out of the level comes back.
+local function mishaps()
+    local options = require("options")
+    for id, default in pairs({fov = 68, volume = 0.8, textsize = 1}) do
+        local was = GetString("options." .. id)
+        for _, wrong in ipairs({"nan", "inf", "-1e30", "text"}) do
+            SetString("options." .. id, wrong)
+            local value = options.get(id)
+            bot.expect(value == value and value >= 0 and value <= 100, id .. " of a damaged file")
+            bot.expect(wrong == "-1e30" or value == default, "the first " .. id)
+        end
+        if was == "" then ClearKey("options." .. id) else SetString("options." .. id, was) end
+    end
+    SetPlayerTransform(Transform(Vec(45, -500, 55)))
+    bot.frames(10)
+    bot.expect(GetPlayerTransform().pos.y > -1, "to be back in the level")
+end
+
 -- After a load the scripts begin again, this one too: onLoad() goes on.
 local progress = saved("progress", {isSaved = false})
 
@@ -224,6 +251,8 @@ elseif not progress.isSaved then bot.play(function()
     ties()
     blasts()
     bot.image("end")
+    names()
+    mishaps()
     saves()
 end) end
 

@@ -21,11 +21,21 @@ local rowOf = {}
 for _, row in ipairs(options.rows) do rowOf[row.id], row.key = row, "options." .. row.id end
 for _, row in ipairs(options.world) do rowOf[row.id], row.key = row, "world." .. row.id end
 
+local function isChoice(row, value)
+    for _, choice in ipairs(row.choices) do
+        if choice == value then return true end
+    end
+end
+
+-- What a file or a script has made of an option may be anything: what it cannot be counts as not chosen.
 function options.get(id)
     local row = rowOf[id]
-    if not HasKey(row.key) then return id == "preset" and GetPreset() or row.default end
-    if row.choices then return GetString(row.key) end
-    return GetFloat(row.key)
+    local default = id == "preset" and GetPreset() or row.default
+    if not HasKey(row.key) then return default end
+    local text = GetString(row.key)
+    if row.choices then return isChoice(row, text) and text or default end
+    local value = tonumber(text)
+    return value and value == value and math.max(row.low, math.min(row.high, value)) or default
 end
 
 function options.set(id, value)

@@ -5,13 +5,45 @@ local feel = require("feel")
 local player = {isFlying = false, hasLamp = false, speed = 0}
 local kWalk, kRun, kCrouch, kFly, kFastFly = 4.0, 6.8, 2.0, 9.0, 26.0
 local kRadiansPerPixel = 0.0022
+local kFall = 30                -- metres below all there is from which one is put back
 local jumps, fall = false, 0
+local bottom = -math.huge
 
--- Where the town begins: on the pavement, with the house before one.
+-- The box around all that stands, or around all where nothing does.
+local function levelBounds(all)
+    local low, high = Vec(math.huge, math.huge, math.huge), Vec(-math.huge, -math.huge, -math.huge)
+    for _, shape in ipairs(FindShapes()) do
+        if all or not IsBodyDynamic(GetShapeBody(shape)) then
+            local from, to = GetShapeBounds(shape)
+            for i = 1, 3 do low[i], high[i] = math.min(low[i], from[i]), math.max(high[i], to[i]) end
+        end
+    end
+    if not all and low.y > high.y then return levelBounds(true) end
+    return low, high
+end
+
+-- Where the town begins, on the pavement, with the house before one; in other levels on top of what is nearest to their
+-- middle.
 function player.spawn()
+    local low, high = levelBounds()
+    bottom = low.y - kFall
     local place = FindLocation("player")
     if place ~= 0 then return SetPlayerTransform(GetLocationTransform(place)) end
-    SetPlayerTransform(Transform(Vec(33.5, 0.3, 50.5), QuatLookAt({33.5, 1.6, 50.5}, {25.5, 2.8, 38})))
+    local town = Vec(33.5, 0.3, 50.5)
+    if QueryRaycast(town + Vec(0, 1, 0), {0, -1, 0}, 3) then
+        return SetPlayerTransform(Transform(town, QuatLookAt(town + Vec(0, 1.3, 0), {25.5, 2.8, 38})))
+    end
+    for ring = 0, 8 do
+        for turn = 0, 7 do
+            local share, angle = ring / 16, turn * math.pi / 4
+            local x = (0.5 + share * math.cos(angle)) * (high.x - low.x) + low.x
+            local z = (0.5 + share * math.sin(angle)) * (high.z - low.z) + low.z
+            local isThere, dist = QueryRaycast(Vec(x, high.y + 1, z), {0, -1, 0}, high.y - low.y + 2)
+            if isThere then return SetPlayerTransform(Transform(Vec(x, high.y + 1.1 - dist, z))) end
+        end
+    end
+    player.fly(true)  -- there is nothing to stand on
+    if low.y <= high.y then SetPlayerTransform(Transform(VecLerp(low, high, 0.5) + Vec(0, high.y - low.y, 0))) end
 end
 
 -- Each frame, where no menu is open.
@@ -53,6 +85,7 @@ function player.update(moves)
         local eye = GetPlayerCameraTransform()
         PointLight(eye.pos + eye.rot * Vec(0.2, -0.25, -0.5), 7, 6.2, 5, 1)
     end
+    if GetPlayerTransform().pos.y < bottom and not player.isFlying then player.spawn() end
     local velocity = GetPlayerVelocity()
     if IsPlayerGrounded() and fall < -4 then
         feel.kick(0.7 * fall)

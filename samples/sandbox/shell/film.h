@@ -25,6 +25,8 @@ public:
 
     /// The frames from here on are another shot. `frames`: how many frames the film has in all.
     std::string beginShot(const std::string& name, int frames);
+    /// Whether there is a shot.
+    bool hasBegun() const { return m_shots > 0; }
     /// The next frame, and the milliseconds of its drawing. What is wrong, or "".
     std::string add(rubble::Image frame, double milliseconds);
     /// Writes sheets, video and figures, and prints the figures. What is wrong, or "".

@@ -66,6 +66,10 @@ int getPlayerCameraTransform(lua_State* L) {
 }
 int setPlayerTransform(lua_State* L) {
     const Placement place = placementAt(L, 1, "transform");
+    const auto isFinite = [](double number) { return std::isfinite(number); };
+    if (!std::all_of(place.position.begin(), place.position.end(), isFinite) ||
+        !std::all_of(place.rotation.begin(), place.rotation.end(), isFinite))
+        refuseArgument(L, 1, "transform", "finite numbers");
     Player& player = gameOf(L).player();
     player.place({place.position[0], place.position[1], place.position[2]});
     const glm::dquat turn(place.rotation[3], place.rotation[0], place.rotation[1], place.rotation[2]);

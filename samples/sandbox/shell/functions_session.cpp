@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <glm/trigonometric.hpp>
 
 #include "runtime/script/binding/calls.h"
@@ -18,6 +19,19 @@ Frame frameAt(lua_State* L, int index, const char* name) {
 
 double fovAt(lua_State* L, int index) {
     return glm::radians(clampedAt(L, index, "fov", 10.0, 140.0));
+}
+
+/// Letters, digits, - and _, so that no two names are one file and none lies elsewhere.
+bool isPlain(std::string_view name) {
+    return !name.empty() && name.size() <= 100 && std::all_of(name.begin(), name.end(), [](unsigned char letter) {
+        return (letter < 128 && std::isalnum(letter)) || letter == '-' || letter == '_';
+    });
+}
+
+std::string saveNameAt(lua_State* L) {
+    const std::string name = textAt(L, 1, "name");
+    if (!isPlain(name)) refuseArgument(L, 1, "name", "1 to 100 of A-Z, a-z, 0-9, - and _");
+    return name;
 }
 
 int setCameraTransform(lua_State* L) {
@@ -46,18 +60,18 @@ int undo(lua_State* L) {
     return 1;
 }
 int saveGame(lua_State* L) {
-    gameOf(L).requests().save = textAt(L, 1, "name");
+    gameOf(L).requests().save = saveNameAt(L);
     return 0;
 }
 int loadGame(lua_State* L) {
-    const std::string name = textAt(L, 1, "name");
+    const std::string name = saveNameAt(L);
     const bool isThere = gameOf(L).hasSave(name);
     if (isThere) gameOf(L).requests().load = name;
     lua_pushboolean(L, isThere);
     return 1;
 }
 int hasSave(lua_State* L) {
-    lua_pushboolean(L, gameOf(L).hasSave(textAt(L, 1, "name")));
+    lua_pushboolean(L, gameOf(L).hasSave(saveNameAt(L)));
     return 1;
 }
 int restartLevel(lua_State* L) {
@@ -81,7 +95,10 @@ int getPreset(lua_State* L) {
     return 1;
 }
 int screenshot(lua_State* L) {
-    gameOf(L).requests().image = textAt(L, 1, "file");
+    const std::string file = textAt(L, 1, "file");
+    if (!file.ends_with(".png") || !isPlain(std::string_view(file).substr(0, file.size() - 4)))
+        refuseArgument(L, 1, "file", "a name of A-Z, a-z, 0-9, - and _ that ends in .png");
+    gameOf(L).requests().image = file;
     return 0;
 }
 

@@ -22,6 +22,7 @@ constexpr double kStep = 1.0 / 60.0;
 constexpr int kMaxSteps = 4;  ///< of a frame: a slower machine runs slower instead of falling behind
 constexpr int kStepsOfSecond = 60;
 constexpr int kImageFrames = 12;  ///< in which the light of an image settles
+constexpr int kFilmWait = 600;    ///< frames in which a film must begin
 constexpr int kCutFrames = 6;     ///< in which it does after a cut of a film
 
 std::string readText(const std::string& path) {
@@ -175,8 +176,9 @@ void Game::cutToShot() {
 
 std::string Game::shootFilm() {
     m_film.emplace(m_settings.out, m_settings.film);
-    while (frame(1.0 / m_settings.film.fps) && !hasFailed()) {
-    }
+    for (int waiting = 0; frame(1.0 / m_settings.film.fps) && !hasFailed();)
+        if (!m_film->hasBegun() && ++waiting == kFilmWait)
+            return fmt::format("{}: expected BeginShot() within {} frames", m_settings.film.script, kFilmWait);
     if (hasFailed()) return "the film ends early, as the message above says";
     m_sound.close();
     uint64_t hash = 0;

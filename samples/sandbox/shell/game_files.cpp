@@ -14,10 +14,7 @@ constexpr const char* kOptions = "options.";  ///< keys of the registry that out
 }  // namespace
 
 std::string Game::savePath(const std::string& name) const {
-    std::string file;
-    for (const char c : name)
-        if (std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_') file += c;
-    return m_settings.saves + "/" + (file.empty() ? "game" : file) + ".save";
+    return m_settings.saves + "/" + name + ".save";
 }
 
 bool Game::hasSave(const std::string& name) const {

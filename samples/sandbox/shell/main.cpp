@@ -42,6 +42,7 @@ int run(const Options& options) {
     const rubble_api* api = nullptr;
     if (error.empty() && rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK)
         error = "this library is of another version";
+    if (error.empty() && options.game.out.empty()) error = "--out: expected a folder, found nothing";
     std::unique_ptr<Display> display;
     if (error.empty()) display = options.isHeadless ? Display::inMemory(size, error) : Display::openWindow(size, error);
     if (error.empty() && display) {

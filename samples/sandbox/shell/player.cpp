@@ -83,7 +83,8 @@ bool Player::readState(rubble_character_state& state) const {
 
 void Player::afterStep() {
     rubble_character_state state = {};
-    if (!m_walks || !readState(state)) return;
+    if (!m_walks || m_isPlaced || !readState(state))
+        return;  // what a script has placed in the step gets there in the next
     m_feet = vectorOf(state.position);
     m_velocity = vectorOf(state.velocity);
     m_isGrounded = state.flags & RUBBLE_CHARACTER_GROUNDED;
