@@ -176,6 +176,23 @@ local function menus()
     bot.expect(GetString("game.menu") == "", "to play again")
 end
 
+-- Each undo takes back one deed more.
+local function undoes()
+    local counts = {GetShapeVoxelCount(brick)}
+    for i = 1, 3 do
+        AddUndoMark()
+        MakeHole(Vec(50 + i, 2.5, 45.1), 0.3, 0.3)
+        bot.frames(20)
+        counts[i + 1] = GetShapeVoxelCount(brick)
+        bot.expect(counts[i + 1] < counts[i], "a hole")
+    end
+    for i = 3, 1, -1 do
+        bot.expect(Undo(), "an undo")
+        bot.frames(20)
+        bot.expect(GetShapeVoxelCount(brick) == counts[i], "the wall before hole " .. i)
+    end
+end
+
 -- Names that would be files elsewhere, or of others, are refused.
 local function names()
     for _, name in ipairs({"", "../a", "a/b", "a b", "\u{4e00}"}) do
@@ -245,6 +262,7 @@ elseif not progress.isSaved then bot.play(function()
     bot.frames(3)
     menus()
     build()
+    undoes()
     moves()
     tools()
     carriers()

@@ -52,7 +52,7 @@ int makeInteractive(lua_State* L) {
     return 0;
 }
 int addUndoMark(lua_State* L) {
-    isDone(L, apiOf(L).add_undo_mark(worldOf(L)));
+    if (!gameOf(L).addUndoMark()) isDone(L, RUBBLE_ERROR_ARGUMENT);
     return 0;
 }
 int undo(lua_State* L) {
@@ -109,7 +109,8 @@ constexpr ScriptFunction kFunctions[] = {
     {"SetCameraFov(fov)", "The vertical field of view, in degrees.", setCameraFov},
     {"UiMakeInteractive()", "Menus have the cursor in this frame.", makeInteractive},
     {"AddUndoMark()", "Sets a mark to which Undo() returns.", addUndoMark},
-    {"Undo() -> boolean", "Takes back what came after the last mark.", undo},
+    {"Undo() -> boolean",
+     "Takes back what came after the last mark, and each time again after the one before; false: there is none.", undo},
     {"SaveGame(name)", "Saves the game after this frame.", saveGame},
     {"LoadGame(name) -> boolean", "Goes on with a saved game after this frame; false: there is none.", loadGame},
     {"HasSave(name) -> boolean", "Whether there is one.", hasSave},

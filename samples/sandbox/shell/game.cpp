@@ -106,6 +106,7 @@ void Game::startScripts() {
     m_scripts->shared().registry = registry;
     if (m_settings.film.script.empty()) readOptions();
     m_api.set_undo_limit(m_world, kUndoMarks);
+    m_marks = 0;
     m_camera = {};
     m_scripts->setView(view());
     m_scripts->addLevelScripts();
@@ -149,6 +150,7 @@ bool Game::frame(double seconds) {
 }
 
 void Game::step() {
+    if (m_wantsUndo) carryOutUndo();
     m_player->beforeStep();
     const uint64_t before = rubble::allocationCount();
     if (m_scripts->step() != RUBBLE_OK) return fail(m_api.get_last_error());
@@ -186,9 +188,29 @@ std::string Game::shootFilm() {
     return m_film->finish(hash);
 }
 
+bool Game::addUndoMark() {
+    if (m_api.add_undo_mark(m_world) != RUBBLE_OK) return false;
+    m_marks = std::min(m_marks + 1, kUndoMarks);
+    m_isUndoAgain = false;
+    return true;
+}
+
 bool Game::undo() {
+    if (m_marks == 0 || m_wantsUndo) return false;
+    --m_marks;
+    return m_wantsUndo = true;
+}
+
+/// The world has gone on since the undo before: that mark is returned to first, and from there to the one before.
+/// Between the two nothing else may come.
+void Game::carryOutUndo() {
+    m_wantsUndo = false;
+    if (std::exchange(m_isUndoAgain, true)) {
+        m_api.apply_edits(m_world);
+        m_api.undo(m_world);
+        m_api.apply_edits(m_world);
+    }
     m_hasUndone = m_api.undo(m_world) == RUBBLE_OK;
-    return m_hasUndone;
 }
 
 Frame Game::cameraFrame() const {

@@ -85,7 +85,10 @@ public:
     void setVolume(double volume);
     /// What scripts want of the camera.
     CameraOverride& camera() { return m_camera; }
-    /// Returns to the last undo mark; the player stays where he is.
+    /// Sets a mark to which undo() returns.
+    bool addUndoMark();
+    /// Returns to the last mark before the next step, and each time again to the one before that, although the world
+    /// goes on between; the player stays where he is. False: there is none.
     bool undo();
     /// Whether menus have the cursor, from the next frame on.
     void setInteractive() { m_isInteractive = true; }
@@ -107,6 +110,7 @@ private:
     void readOptions();
     void writeOptions();
     void step();
+    void carryOutUndo();
     void cutToShot();
     bool isPlayed() const { return m_settings.bot.empty() && m_settings.film.script.empty(); }
     void fail(const std::string& what);
@@ -128,6 +132,8 @@ private:
     CameraOverride m_camera;
     double m_due = 0.0;  ///< seconds that no step has covered yet
     bool m_isInteractive = false, m_drawsAlways = true, m_hasUndone = false, m_hasFailed = false, m_isCut = true;
+    uint32_t m_marks = 0;  ///< that undo() may return to
+    bool m_wantsUndo = false, m_isUndoAgain = false;
     bool m_isUnseen = false;  ///< steps that a film leaves out
 };
 
