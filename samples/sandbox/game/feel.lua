@@ -1,4 +1,5 @@
 -- What makes tools felt: the camera kicks and shakes, lights flash, matter sprays in its own colour.
+local flash = require("flash")
 local options = require("options")
 
 local feel = {}
@@ -44,15 +45,7 @@ end
 -- A light for some steps that fades. Color {r, g, b}, intensity in W/sr.
 function feel.flash(pos, color, intensity, seconds)
     local strength = options.get("flashes")
-    if strength <= 0 then return end
-    start(function()
-        local steps = math.max(1, math.floor(60 * (seconds or 0.05)))
-        for i = 0, steps - 1 do
-            local share = strength * intensity * (1 - i / steps) ^ 2
-            PointLight(pos, color[1] * share, color[2] * share, color[3] * share, 1)
-            wait(0)
-        end
-    end)
+    if strength > 0 then flash(pos, color, strength * intensity, seconds or 0.05) end
 end
 
 local function spread(dir, amount)

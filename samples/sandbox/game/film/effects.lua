@@ -1,4 +1,5 @@
 -- What is seen of blasts, dust and rain, beside what the world makes by itself.
+local flash = require("flash")
 local sounds = require("sounds")
 
 local effects = {}
@@ -27,18 +28,6 @@ function effects.particle(pos, velocity, p)
     SpawnParticle(pos, velocity, p.life)
 end
 local particle = effects.particle
-
--- A light that fades. Color {r, g, b} of 1, watts per steradian.
-function effects.flash(pos, color, intensity, seconds)
-    start(function()
-        local steps = math.max(1, math.floor(60 * seconds))
-        for i = 0, steps - 1 do
-            local s = intensity * (1 - i / steps) ^ 2
-            PointLight(pos, color[1] * s, color[2] * s, color[3] * s, 1)
-            wait(0)
-        end
-    end)
-end
 
 -- Fire that rolls up and turns to smoke, which it lights from within at first.
 local function fireball(pos, size)
@@ -119,7 +108,7 @@ function effects.blast(pos, size, o)
     o = o or {}
     Explosion(pos, size)
     sounds.play("explosion", pos, size)
-    effects.flash(pos + Vec(0, 0.2, 0), {1, 0.72, 0.42}, (o.light or 700) * size, 0.32)
+    flash(pos + Vec(0, 0.2, 0), {1, 0.72, 0.42}, (o.light or 700) * size, 0.32)
     fireball(pos, (o.fire or 1) * size)
     trails(pos, (o.trails or 1) * size, o.way)
     if o.ground then effects.ring(Vec(pos.x, o.ground + 0.15, pos.z), 0.8 * size, o.dust or {0.36, 0.32, 0.27}) end
