@@ -17,7 +17,8 @@ function init()
         Settings{min_piece_voxels = 1, debris_bodies = 1800, awake_debris_bodies = 1500, impact_threshold = 1e9}
         SetGravity({0, 0, 0})
         for i = 0, round // 3 % 6 do
-            Box("plate", {10 * i - 29, 6, 0}, {63, 63, 3}, 5 + i % 3, {dynamic = true,
+            -- in two rows: pieces of neighbours would meet in flight
+            Box("plate", {10 * i - 29, 6, i % 2 * 8}, {63, 63, 3}, 5 + i % 3, {dynamic = true,
                 velocity = {0, math.random(), math.random()}, spin = {0, 0, 0.5 + math.random()}})
         end
         wait(0.1)
