@@ -69,7 +69,7 @@ Result<Done> FrameLoop::followStep(const RecordedStep& step, DeltaContent conten
         readHostMotion();
     }
     forgetHostMotion();
-    publish(m_changes, m_movedByHost, {});
+    publish(m_changes, changedPoses(m_movedByHost), {});
     const bool isEqual = content == DeltaContent::All ? resolvedHash(m_world) == step.resolvedHash
                                                       : voxelHash(m_world) == step.voxelHash;
     if (isEqual) return Done{};
@@ -85,7 +85,7 @@ Result<Done> FrameLoop::followEmptyStep() {
     m_rebuildPhysics = true;
     readHostMotion();
     forgetHostMotion();
-    publish(m_changes, m_movedByHost, {});
+    publish(m_changes, changedPoses(m_movedByHost), {});
     return Done{};
 }
 

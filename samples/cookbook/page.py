@@ -24,8 +24,9 @@ CHAPTERS = {
 HEAD = """# Cookbook
 
 {count} recipes, each a whole program of at most {longest} lines in C99, from [samples/cookbook](../../samples/cookbook). Tests
-compile and run them all. `cmake --build build/release --target cookbook` builds them as `build/release/bin/cookbook_NAME`.
-This page is written by `samples/cookbook/page.py`; the images show the recipes themselves, drawn by Rubble's renderer with
+compile and run them all. In Rubble's sources, `cmake --build build/release --target cookbook` builds them as
+`build/release/bin/cookbook_NAME`; beside an installed library, `find_package(rubble)` and a target for each do. This
+page is written by `samples/cookbook/page.py`; the images show the recipes themselves, drawn by Rubble's renderer with
 colours for the materials: `cmake --build build/release --target cookbook_images`.
 
 All of them include [cookbook.h](../../samples/cookbook/cookbook.h): the function table, a world with a floor, bodies of

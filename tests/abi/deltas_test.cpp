@@ -300,14 +300,11 @@ TEST_F(AbiDeltas, AFollowerHearsOfBodiesThatEditsWake) {
     ASSERT_EQ(api()->set_body(m_world, &sleep), RUBBLE_OK) << api()->get_last_error();
     step();
     copyTo(m_other);
-    rubble_body_state state = {};
-    ASSERT_EQ(api()->get_body_state(m_world, body, &state), RUBBLE_OK);
-    ASSERT_TRUE(state.flags & RUBBLE_BODY_ASLEEP);
+    ASSERT_TRUE(bodyState(body).flags & RUBBLE_BODY_ASLEEP);
     (void)take();
     ASSERT_EQ(api()->destroy_shape(m_world, make(shapeOn(body, RUBBLE_SHAPE_BOX, 5))), RUBBLE_OK);
     step();
-    ASSERT_EQ(api()->get_body_state(m_world, body, &state), RUBBLE_OK);
-    EXPECT_FALSE(state.flags & RUBBLE_BODY_ASLEEP);
+    EXPECT_FALSE(bodyState(body).flags & RUBBLE_BODY_ASLEEP);
     ASSERT_EQ(apply(take()), RUBBLE_OK) << api()->get_last_error();
     EXPECT_EQ(resolved(m_world), resolved(m_other));
 }
@@ -345,7 +342,8 @@ TEST_F(AbiDeltas, WithoutMotionATakeThatIsMissingIsNoticed) {
 }
 
 TEST_F(AbiDeltas, MovedBodiesAreThoseOfTheLastStep) {
-    make(shapeOn(make(bodyAt(3.0, 0.0, RUBBLE_BODY_STATIC)), RUBBLE_SHAPE_BOX, 5));
+    const rubble_body floor = make(bodyAt(3.0, 0.0, RUBBLE_BODY_STATIC));
+    make(shapeOn(floor, RUBBLE_SHAPE_BOX, 5));
     step();
     EXPECT_TRUE(movedIn(m_world).empty()) << "nothing moves yet";
     const rubble_body body = make(bodyAt(3.0, 0.55, 0));
@@ -364,11 +362,15 @@ TEST_F(AbiDeltas, MovedBodiesAreThoseOfTheLastStep) {
         EXPECT_EQ(movedIn(m_world)[0].body, body);
         step();
     }
-    rubble_body_state state = {};
-    ASSERT_EQ(api()->get_body_state(m_world, body, &state), RUBBLE_OK);
-    EXPECT_TRUE(state.flags & RUBBLE_BODY_ASLEEP);
+    EXPECT_TRUE(bodyState(body).flags & RUBBLE_BODY_ASLEEP);
     ASSERT_EQ(apply(take()), RUBBLE_OK) << api()->get_last_error();
     EXPECT_TRUE(movedIn(m_other).empty()) << "of the last step that it followed";
+    change.body = floor;
+    ASSERT_EQ(api()->set_body(m_world, &change), RUBBLE_OK) << api()->get_last_error();
+    step();
+    ASSERT_EQ(apply(take()), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(movedIn(m_other).size(), movedForOther().size());
+    EXPECT_EQ(movedIn(m_other)[0].body, movedForOther()[0].body) << "what edits place, too";
     ASSERT_EQ(api()->load_level(m_world, s_level.c_str(), nullptr), RUBBLE_OK);
     EXPECT_TRUE(movedIn(m_world).empty());
 }

@@ -53,12 +53,22 @@ bool haveOtherMaterials(const PaletteRef& a, const PaletteRef& b) {
                        [](const PaletteEntry& one, const PaletteEntry& two) { return one.material == two.material; });
 }
 
+/// Whether two bricks, null if empty, have other voxels or materials: paint alone makes no other mass and no collider.
+bool areOfOtherMaterials(const Brick* a, const Brick* b, const Palette& palette) {
+    if ((a ? a->occupancy : BrickBits{}) != (b ? b->occupancy : BrickBits{})) return true;
+    bool areOther = false;
+    if (a && b)
+        forEachVoxel(a->occupancy, [&](int voxel) {
+            areOther = areOther || palette[a->at(voxel)].material != palette[b->at(voxel)].material;
+        });
+    return areOther;
+}
+
 void journalBricks(ShapeHandle handle, const Shape& was, const Shape& is, FrameChanges& changes) {
     bool isCarved =
         changes.materialsChanged || was.density != is.density || haveOtherMaterials(was.palette, is.palette);
     is.grid.forEachUnshared(was.grid, [&](glm::ivec3 position) {
-        const Brick *before = was.grid.brickAt(position), *now = is.grid.brickAt(position);
-        isCarved = isCarved || (before ? before->occupancy : BrickBits{}) != (now ? now->occupancy : BrickBits{});
+        isCarved = isCarved || areOfOtherMaterials(was.grid.brickAt(position), is.grid.brickAt(position), *is.palette);
         changes.bricks.push_back({handle, position, is.grid.shareBrick(position)});
     });
     if (isCarved) changes.carved.push_back(handle);
@@ -189,8 +199,9 @@ void journalTriggers(const WorldDelta& before, WorldData& world, FrameChanges& c
     }
     journalSlots(before.triggers, world.triggers, changes.triggers);
     for (const auto& [slot, was] : before.triggers)
-        if (const Trigger* now = world.triggers.find(was.first))
-            journalInside(was.first, was.second->inside, now->inside, changes);
+        if (const TriggerHandle is = world.triggers.handleAt(slot))  // one that comes back is entered, as a new one is
+            journalInside(is, is == was.first ? was.second->inside : std::vector<BodyHandle>{},
+                          world.triggers.at(is).inside, changes);
 }
 
 void journalNotes(const WorldDelta& before, WorldData& world, FrameChanges& changes) {

@@ -134,6 +134,22 @@ TEST(Trigger, UndoAndRedoReportWhoLeavesAndEnters) {
     EXPECT_EQ(region.events(), "");
 }
 
+TEST(Trigger, OneThatUndoOrRedoBringsBackIsEntered) {
+    Region region;
+    region.world.load(region.level);
+    WorldSettings settings;
+    settings.undoMarks = 3;
+    region.events({SettingsEdit{settings}});
+    const Trigger around{.pose = {{2.25, 0.25, 0.25}}, .halfSize = {1.0, 1.0, 1.0}};
+    EXPECT_EQ(region.events({HistoryEdit{HistoryAction::Mark}, AddTriggerEdit{around}}), "0+1 ");
+    EXPECT_EQ(region.events({HistoryEdit{HistoryAction::Undo}}), "");
+    EXPECT_EQ(region.events({HistoryEdit{HistoryAction::Redo}}), "0+1 ");
+    const TriggerHandle trigger = region.world.triggers().handleAt(0);
+    EXPECT_EQ(region.events({HistoryEdit{HistoryAction::Mark}, RemoveTriggerEdit{trigger}}), "");
+    EXPECT_EQ(region.events({HistoryEdit{HistoryAction::Undo}}), "0+1 ");
+    EXPECT_EQ(region.events({DestroyBodyEdit{region.world.bodies().handleAt(1)}}), "0-1 ");
+}
+
 TEST(Trigger, SavesAndUndoAgree) {
     Region region;
     region.level.triggers.push_back({.pose = {{4.25, 0.25, 0.25}}, .halfSize = {1.0, 1.0, 1.0}});

@@ -397,6 +397,25 @@ TEST(UndoHistory, EditsInTheStepOfAnUndoEndTheRedo) {
     EXPECT_EQ(voxelHash(world), cut) << "a cut of the air changes nothing";
 }
 
+TEST(UndoHistory, VoxelsOfAnotherMaterialAreListedAsCarved) {
+    World world = smallWorld();
+    world.applyEdits({});
+    const ShapeHandle shape = firstShape(world);
+    const glm::ivec3 cell = glm::ivec3(0);
+    const uint8_t before = world.shapes().at(shape).grid.at(cell);
+    ASSERT_NE(before, 0);
+    const Palette& palette = *world.shapes().at(shape).palette;
+    const uint8_t other = palette[1].material == palette[before].material ? 2 : 1;
+    ASSERT_NE(palette[other].material, palette[before].material);
+    const auto isCarved = [&](const FrameChanges& changes) {
+        return std::count(changes.carved.begin(), changes.carved.end(), shape) == 1;
+    };
+    EXPECT_TRUE(isCarved(world.applyEdits({kMark, WriteVoxelsEdit{shape, {cell, cell + 1}, {other}}})));
+    EXPECT_TRUE(isCarved(world.applyEdits({kUndo}))) << "it weighs as before";
+    EXPECT_TRUE(isCarved(world.applyEdits({kRedo})));
+    expectSound(world);
+}
+
 TEST(UndoHistory, DropsTheDamageOfImpactsThatItUndoes) {
     World world = smallWorld();
     const uint64_t whole = voxelHash(world);

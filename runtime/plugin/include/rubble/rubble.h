@@ -274,7 +274,8 @@ typedef struct rubble_explosion {
     uint32_t struct_size;
     uint32_t reserved;
     double position[3]; /* centre, world */
-    /* 0.5 to 4; 0: 1. Breaks soft, medium and hard voxels within 1.0, 0.7 and 0.4 times size metres */
+    /* 0.5 to 4; 0: 1. Breaks soft, medium and hard voxels within 1.0, 0.7 and 0.4 times size metres; materials that
+     * tear, as metal does, within somewhat more than half of that, and panes beyond it; carve() takes a whole sphere */
     double size;
     double impulse; /* N s on a body at the centre, 0: follows from size. No body gets faster than 9 m/s times size */
 } rubble_explosion;
@@ -968,7 +969,7 @@ typedef struct rubble_break_report {
 
 enum {
     RUBBLE_REPORT_JOINT_VOXEL_GONE = 0, /* the voxel that held an end was removed */
-    RUBBLE_REPORT_JOINT_OVERLOADED = 1, /* its force or torque was more than it can stand */
+    RUBBLE_REPORT_JOINT_OVERLOADED = 1, /* by its force or torque; the first part of a rope keeps the handle */
     RUBBLE_REPORT_JOINT_REMOVED = 2,    /* by an edit */
     RUBBLE_REPORT_JOINT_CUT = 3,        /* a rope was cut; its first part keeps the handle */
     RUBBLE_REPORT_JOINT_MOVED = 4       /* an end of it is on another shape now */
@@ -1345,13 +1346,15 @@ enum { RUBBLE_PHYSICS_DEFAULT = 0, RUBBLE_PHYSICS_FAST = 1, RUBBLE_PHYSICS_BALAN
  * are apart (rubble_bounds), and so is gravity (rubble_environment). */
 typedef struct rubble_settings {
     uint32_t struct_size;
-    uint32_t flags;               /* RUBBLE_SETTING_... */
-    uint64_t min_piece_voxels;    /* smaller pieces are removed */
-    double impact_threshold;      /* N s below which an impact breaks nothing, 0 to 1e12 */
-    double impact_speed;          /* m/s that an impact must change the heavier body by to break it, 0 to 1e6 */
-    double impact_radius;         /* metres of a hole at the threshold, 0 to 4 */
-    double impact_radius_limit;   /* metres of the largest such hole, 0 to 4 */
-    uint64_t split_parts;         /* parts that a step tests for what came off; 0: all, in the step of the cut */
+    uint32_t flags;             /* RUBBLE_SETTING_... */
+    uint64_t min_piece_voxels;  /* smaller pieces are removed */
+    double impact_threshold;    /* N s below which an impact breaks nothing, 0 to 1e12 */
+    double impact_speed;        /* m/s that an impact must change the heavier body by to break it, 0 to 1e6 */
+    double impact_radius;       /* metres of a hole at the threshold, 0 to 4 */
+    double impact_radius_limit; /* metres of the largest such hole, 0 to 4 */
+    /* parts (of at most 32x32x32 voxels) that a step tests for what came off; 0: all, in the step of the cut. The first
+     * test of a shape looks at all of it, at once */
+    uint64_t split_parts;
     uint64_t debris_voxels;       /* of all pieces together; beyond, pieces become dust */
     uint64_t largest_debris;      /* voxels; a larger piece is no debris: not counted, never removed */
     uint32_t debris_bodies;       /* pieces in all */
@@ -1397,9 +1400,9 @@ enum {
 
 /* A row of get_rigid_bodies(). In a world with RUBBLE_WORLD_HOST_PHYSICS, a frame of the host is: step(); rigid bodies
  * of its own as get_events() lists bodies_destroyed and get_rigid_bodies() the others; get_body_impulses(); a step of
- * its physics; set_body_states() and report_impacts(). Joints, ropes and waters are data there, which the host may
- * follow: nothing in the plugin moves them. Hands, wheels and characters are RUBBLE_ERROR_UNSUPPORTED. Bodies that fall
- * asleep in the host's physics are to be set asleep: debris settles then. */
+ * its physics; set_body_states() and report_impacts(). Joints with wheels, ropes and waters are data there, which the
+ * host may follow: nothing in the plugin moves them. Hands, constrain_bodies(), drive_wheels() and characters are
+ * RUBBLE_ERROR_UNSUPPORTED. Bodies that fall asleep in the host's physics are to be set asleep: debris settles then. */
 typedef struct rubble_rigid_body {
     rubble_body body;
     uint32_t changes;           /* RUBBLE_RIGID_... */
@@ -2173,9 +2176,10 @@ typedef struct rubble_api {
     rubble_result (*take_deltas)(rubble_world world, uint8_t* out, uint64_t capacity, uint64_t* count);
     /* [main-thread] Carries out steps of another world: objects, voxels and motion become those, without edits or
      * physics. Each take of the other world is applied once, in their order, from the first after keep_deltas() on;
-     * a step() of this world in between ends that. get_events() tells of the last of the steps. It stops a recording,
-     * and keep_deltas() of this world. get_reports() is empty after it. Heat, ropes between their ends, what is
-     * still to split and data of the host are left out, see get_resolved_hash(). Of RUBBLE_DELTAS_EDITS, poses,
+     * a step() of this world in between ends that. get_events() tells which objects came and went in the last of the
+     * steps; not what was removed, painted or split, of which get_changed_bricks() tells. It stops a recording, and
+     * keep_deltas() of this world. get_reports() is empty after it. Heat, ropes between their ends, what is still to
+     * split and data of the host are left out, see get_resolved_hash(). Of RUBBLE_DELTAS_EDITS, poses,
      * velocities and sleep of free bodies that were there before and of characters are left out too: see
      * get_voxel_hash(). A world with RUBBLE_WORLD_HOST_PHYSICS gets them by set_body_states(), before this call.
      * RUBBLE_ERROR_FILE: the bytes are wrong or steps are missing, and this world is as after the step before; or a
