@@ -22,7 +22,6 @@ ScriptHost::ScriptHost(const rubble_api& api, rubble_world world, ScriptHostSett
     : m_settings(std::move(settings)) {
     m_shared.api = &api;
     m_shared.world = world;
-    m_shared.folder = m_settings.folder;
     m_shared.log = m_settings.log;
     m_shared.hostFunctions = m_settings.functions;
     m_shared.host = m_settings.host;
@@ -38,6 +37,7 @@ Script& ScriptHost::add(const std::string& name, const std::string& text,
                         std::map<std::string, std::string> parameters) {
     Script& script = m_scripts.emplace_back(m_shared, name, m_settings.limits);
     script.context().parameters = std::move(parameters);
+    script.context().folder = m_settings.folder;
     begin(script, text, false);
     return script;
 }

@@ -248,6 +248,7 @@ int run(const Options& options) {
         rubble::script::ScriptHostSettings given;
         const std::string& beside = options.script.empty() ? options.level : options.script;
         given.folder = beside.empty() ? "." : fs::absolute(beside).parent_path().string();
+        if (!options.level.empty()) given.levelFolder = fs::absolute(options.level).parent_path().string();
         given.measuresFunctions = options.prints;
         given.log = [](int level, const std::string& line) { fmt::print(level ? stderr : stdout, "{}\n", line); };
         ScriptHost host(*api, world, given);

@@ -64,7 +64,6 @@ public:
 struct ScriptWorld {
     const rubble_api* api = nullptr;
     rubble_world world = 0;
-    std::string folder;            ///< that files are read from; empty: none
     double time = 0.0;             ///< seconds of steps
     double timeScale = 1.0;        ///< as SetTimeScale() has set it; the host decides how many steps a frame has
     double timeStep = 1.0 / 60.0;  ///< of the callback that runs
@@ -119,6 +118,7 @@ struct SavedTable {
 struct ScriptContext {
     ScriptWorld& shared;
     std::string name;
+    std::string folder;             ///< that files are read from; empty: none
     lua_State* callback = nullptr;  ///< the thread of the callback that runs: only there may functions wait
     QuerySettings query;
     Brush brush;
