@@ -1,6 +1,7 @@
 #include "runtime/script/script_host.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "runtime/script/binding/arguments.h"
 
@@ -126,7 +127,10 @@ rubble_result ScriptHost::step() {
     const rubble_result result = m_shared.api->step(m_shared.world);
     if (result != RUBBLE_OK) return result;
     afterEdits(1);
-    if (!m_shared.pointLights.empty()) dropPointLights();
+    if (std::exchange(m_hasOldLights, false))
+        removePointLights();
+    else if (!m_shared.pointLights.empty())
+        dropPointLights();
     readEvents();
     resumeAll();
     if (m_shared.followsLevel) followLevel({}, false);
@@ -151,6 +155,20 @@ void ScriptHost::dropPointLights() {
         m_shared.api->remove_light(m_shared.world, row.first);
         return true;
     });
+}
+
+/// All that there are after a step: also those of a save, or of a mark that was returned to.
+void ScriptHost::removePointLights() {
+    m_shared.pointLights.clear();
+    uint32_t count = 0;
+    const rubble_api& api = *m_shared.api;
+    const auto find = [&](uint64_t* out, uint32_t capacity) {
+        return api.find_by_tag(m_shared.world, RUBBLE_KIND_LIGHT, kPointLightTag, nullptr, out, capacity, &count);
+    };
+    if (find(nullptr, 0) != RUBBLE_OK || !count) return;
+    std::vector<uint64_t> lights(count);
+    if (find(lights.data(), count) != RUBBLE_OK) return;
+    for (const uint64_t light : lights) api.remove_light(m_shared.world, light);
 }
 
 void ScriptHost::readEvents() {

@@ -69,6 +69,8 @@ public:
     /// After load_game(): gives the registry and the tables of saved() back, and runs all scripts again, those of the
     /// loaded game's level among them: their text, then onLoad(), or init() where there is no such function.
     void load();
+    /// Before a step in which the world undoes or redoes: lights of PointLight() that come back end with that step.
+    void beforeUndo() { m_hasOldLights = true; }
     /// Gives a script another text, as after a change of its file: it begins again as after load(), and keeps the
     /// tables of saved(). A text that does not compile changes nothing. False: that, or it has failed, or there is none
     /// such.
@@ -133,6 +135,7 @@ private:
     void tellReports();
     void tellTriggers();
     void dropPointLights();
+    void removePointLights();
     void beginDrawing(const rubble_view& view);
     void addLinesAndWatches();
     void addProfile();
@@ -145,6 +148,7 @@ private:
     std::set<rubble_renderer> m_overlaid;   ///< that have an overlay of the scripts
     std::optional<ProfileTable> m_profile;  ///< while it is shown
     uint32_t m_reports = 0;                 ///< kinds that the world lists for the scripts
+    bool m_hasOldLights = false;            ///< of PointLight() in a world that another run has left
     bool m_hasReports = true;               ///< the world has the host's filter
 };
 

@@ -128,6 +128,7 @@ void ScriptHost::forgetWorld() {
     m_shared.brokenBodies.clear();
     m_shared.brokenShapes.clear();
     m_shared.pointLights.clear();
+    m_hasOldLights = true;
 }
 
 std::list<Script>::iterator ScriptHost::restart(std::list<Script>::iterator old, std::string text,

@@ -48,6 +48,9 @@ struct PendingReads {
     std::map<std::pair<uint64_t, std::string>, std::optional<std::string>> tags;
 };
 
+/// The tag of lights of PointLight(), by which they are found in saves.
+inline constexpr const char* kPointLightTag = "rubble.point_light";
+
 struct ScriptFunction;
 
 /// Is told of the calls of functions with effects and without, as of a host that writes down what scripts do.

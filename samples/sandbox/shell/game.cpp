@@ -212,6 +212,7 @@ void Game::carryOutUndo() {
         m_api.apply_edits(m_world);
     }
     m_hasUndone = m_api.undo(m_world) == RUBBLE_OK;
+    m_scripts->beforeUndo();
 }
 
 Frame Game::cameraFrame() const {
