@@ -99,6 +99,8 @@ public:
     /// Whether there is a saved game of that name.
     bool hasSave(const std::string& name) const;
 
+    /// Whether that is one which loads; what is wrong with it is printed.
+    bool canLoad(const std::string& name) const;
 private:
     void startScripts();
     bool addScript(const std::string& name);
@@ -108,6 +110,7 @@ private:
     std::string load(const std::string& name);
     std::string savePath(const std::string& name) const;
     void readOptions();
+    std::string optionsPath() const;
     void writeOptions();
     void step();
     void carryOutUndo();
