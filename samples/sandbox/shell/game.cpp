@@ -96,7 +96,8 @@ void Game::startScripts() {
     m_scripts.reset();
     rubble::script::ScriptHostSettings settings;
     settings.folder = m_settings.folder;
-    settings.levelFolder = fs::absolute(m_settings.level).parent_path().string();
+    settings.levelFolder =
+        m_settings.levelFolder.empty() ? fs::absolute(m_settings.level).parent_path().string() : m_settings.levelFolder;
     settings.limits.memory = 64 << 20;
     settings.functions = gameFunctions();
     settings.host = this;

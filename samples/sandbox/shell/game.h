@@ -20,6 +20,7 @@ inline constexpr uint32_t kUndoMarks = 24;  ///< that are kept
 /// What the game is started with.
 struct GameSettings {
     std::string level, vdbTool;  ///< the level's file, and the program that reads .vdb
+    std::string levelFolder;     ///< of the scripts that the level names; "": that of its file
     std::string folder;          ///< of the game's scripts: main.lua and what it requires
     std::string bot;             ///< a file of that folder that plays in place of a player; "": nobody
     std::string saves;           ///< folder of saved games and options

@@ -79,6 +79,8 @@ int main(int argc, char** argv) {
     app.add_option("--shot", game.film.shot, "film only this shot");
     app.add_option("--seconds", game.film.seconds, "of the film (default: as long as its shots are)")
         ->check(CLI::Range(0.1, 3600.0));
+    app.add_option("--level-folder", game.levelFolder, "folder of the level's scripts (default: that of its file)")
+        ->check(CLI::ExistingDirectory);
     app.add_option("--fps", game.film.fps, "frames a second of the film")
         ->capture_default_str()
         ->check(CLI::Range(1, 60));
