@@ -47,10 +47,13 @@ int run(const Options& options) {
     if (error.empty() && !(error = rubble::makeOutFolder(options.game.out)).empty()) error = "--out: " + error;
     if (error.empty() && !options.screenshot.empty() && !(error = rubble::makeFolderOf(options.screenshot)).empty())
         error = "--screenshot: " + error;
-    std::unique_ptr<Display> display;
-    if (error.empty()) display = options.isHeadless ? Display::inMemory(size, error) : Display::openWindow(size, error);
-    if (error.empty() && display) {
-        Game game(*api, *display, options.game);
+    using rubble::Display;
+    auto display = !error.empty()       ? rubble::Error{error}
+                   : options.isHeadless ? Display::inMemory(size)
+                                        : Display::openWindow(size, "Rubble");
+    if (!display) error = display.error();
+    if (display) {
+        Game game(*api, **display, options.game);
         game.drawAlways(!options.isHeadless || !options.game.film.script.empty());
         error = game.begin();
         const bool wantsImage = !options.screenshot.empty();
