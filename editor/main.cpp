@@ -71,6 +71,8 @@ int drawImages(const Options& options) {
         if (text.find_first_not_of(" \t\r\n") == text.npos)
             return fail(options.uiScript + ": expected lines, found none");
     }
+    if (const std::string error = imageFolderError(options.screenshots); !error.empty())
+        return fail("--screenshots: " + error);
     try {
         ScriptedUi ui({.vdbTool = options.vdbTool,
                        .journals = options.journals,

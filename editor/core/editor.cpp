@@ -6,6 +6,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "runtime/script/script_name.h"
+
 namespace editor {
 namespace {
 
@@ -81,7 +83,7 @@ Outcome Editor::runLines(const std::string& path) {
     std::ostringstream text;
     text << file.rdbuf();
     if (text.view().starts_with("\xef\xbb\xbf")) text.str(text.str().substr(3));  // a byte order mark
-    if (path.ends_with(".lua")) return runLua(path, text.str());
+    if (rubble::script::hasEnding(path, ".lua")) return runLua(path, text.str());
     std::istringstream lines(text.str());
     std::string all;
     int number = 0;

@@ -15,6 +15,7 @@
 
 #include "editor/core/editor.h"
 #include "editor/core/rotation.h"
+#include "runtime/script/script_name.h"
 
 namespace editor {
 namespace {
@@ -218,7 +219,7 @@ MeshCounts writeMeshes(const rubble::World& world, const std::vector<rubble_shap
         meshes.push_back(std::move(mesh));
     }
     if (meshes.empty()) throw Refused("expected shapes with voxels, found none");
-    if (path.ends_with(".obj")) return writeFile(path, objOf(meshes)), counts;
+    if (rubble::script::hasEnding(path, ".obj")) return writeFile(path, objOf(meshes)), counts;
     GlbWriter writer;
     for (const Mesh& mesh : meshes) writer.add(mesh);
     writeFile(path, writer.bytes());

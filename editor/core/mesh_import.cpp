@@ -8,6 +8,7 @@
 
 #include "editor/core/arguments.h"
 #include "editor/core/child_process.h"
+#include "runtime/script/script_name.h"
 
 namespace editor {
 namespace {
@@ -29,8 +30,10 @@ std::vector<std::string> linesOf(const std::string& output, const std::string& w
 
 }  // namespace
 
+using rubble::script::hasEnding;
+
 bool isMeshFile(const std::string& path) {
-    return path.ends_with(".obj") || path.ends_with(".ply") || path.ends_with(".glb");
+    return hasEnding(path, ".obj") || hasEnding(path, ".ply") || hasEnding(path, ".glb");
 }
 
 std::vector<std::string> bakeMesh(const std::string& path, const std::string& output, const std::string& vdbTool,

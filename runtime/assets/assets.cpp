@@ -14,19 +14,18 @@
 namespace rubble {
 namespace {
 
-/// The ending of a path in small letters, with its dot.
-std::string endingOf(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-    return ending;
-}
-
 Error wrongEnding(const std::string& path, const char* expected) {
     return Error{(path.empty() ? "\"\"" : path) + ": expected a name ending in " + expected + ", found '" +
                  endingOf(path) + "'"};
 }
 
 }  // namespace
+
+std::string endingOf(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    return ending;
+}
 
 void ImportReport::count(const Level& level) {
     for (const LevelBody& body : level.bodies)

@@ -10,6 +10,9 @@
 // Levels from files and to files. Every error names the file, the place in it, what was expected and what was found.
 namespace rubble {
 
+/// The ending of a path in small letters, with its dot: it says which format a file has.
+std::string endingOf(const std::string& path);
+
 /// What an import made of a file, one line for each finding, ready to print.
 struct ImportReport {
     std::vector<std::string> lines;

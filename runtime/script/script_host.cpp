@@ -1,6 +1,7 @@
 #include "runtime/script/script_host.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "runtime/script/binding/arguments.h"
 
@@ -22,7 +23,6 @@ ScriptHost::ScriptHost(const rubble_api& api, rubble_world world, ScriptHostSett
     : m_settings(std::move(settings)) {
     m_shared.api = &api;
     m_shared.world = world;
-    m_shared.folder = m_settings.folder;
     m_shared.log = m_settings.log;
     m_shared.hostFunctions = m_settings.functions;
     m_shared.host = m_settings.host;
@@ -38,6 +38,7 @@ Script& ScriptHost::add(const std::string& name, const std::string& text,
                         std::map<std::string, std::string> parameters) {
     Script& script = m_scripts.emplace_back(m_shared, name, m_settings.limits);
     script.context().parameters = std::move(parameters);
+    script.context().folder = m_settings.folder;
     begin(script, text, false);
     return script;
 }
@@ -126,7 +127,10 @@ rubble_result ScriptHost::step() {
     const rubble_result result = m_shared.api->step(m_shared.world);
     if (result != RUBBLE_OK) return result;
     afterEdits(1);
-    if (!m_shared.pointLights.empty()) dropPointLights();
+    if (std::exchange(m_hasOldLights, false))
+        removePointLights();
+    else if (!m_shared.pointLights.empty())
+        dropPointLights();
     readEvents();
     resumeAll();
     if (m_shared.followsLevel) followLevel({}, false);
@@ -151,6 +155,20 @@ void ScriptHost::dropPointLights() {
         m_shared.api->remove_light(m_shared.world, row.first);
         return true;
     });
+}
+
+/// All that there are after a step: also those of a save, or of a mark that was returned to.
+void ScriptHost::removePointLights() {
+    m_shared.pointLights.clear();
+    uint32_t count = 0;
+    const rubble_api& api = *m_shared.api;
+    const auto find = [&](uint64_t* out, uint32_t capacity) {
+        return api.find_by_tag(m_shared.world, RUBBLE_KIND_LIGHT, kPointLightTag, nullptr, out, capacity, &count);
+    };
+    if (find(nullptr, 0) != RUBBLE_OK || !count) return;
+    std::vector<uint64_t> lights(count);
+    if (find(lights.data(), count) != RUBBLE_OK) return;
+    for (const uint64_t light : lights) api.remove_light(m_shared.world, light);
 }
 
 void ScriptHost::readEvents() {

@@ -18,9 +18,11 @@ namespace rubble::script {
 /// What a host gives to the scripts of a world.
 struct ScriptHostSettings {
     SandboxLimits limits;  ///< of each script
-    /// The folder of which scripts may read files: Spawn(), require(), images, fonts and the scripts of levels; empty:
-    /// none.
+    /// The folder of which scripts may read files: Spawn(), require(), images and fonts; empty: none.
     std::string folder;
+    /// The folder of the level's file, where the scripts that the level names lie and read files; empty: none. Those
+    /// that are not there, as of a prefab of another script, are looked for in `folder`.
+    std::string levelFolder;
     bool measuresFunctions = false;  ///< ScriptContext::costs: time and allocations of each function that scripts call
     /// Reports that the host wants beside those of the scripts: scripts set the filter of the world.
     rubble_report_filter reports = {};
@@ -57,16 +59,18 @@ public:
     /// is what GetIntParam() and its like read.
     Script& add(const std::string& name, const std::string& text, std::map<std::string, std::string> parameters = {});
 
-    /// Runs the scripts that the level names, which lie in the scripts' folder: after each load_level(). Those of the
-    /// level before it end, also if it is the same one. From here on, and from the first Spawn() on, step() follows
-    /// their list: what it names begins, and what it names no longer ends, after destroy(). One that cannot be read is
-    /// logged.
+    /// Runs the scripts that the level names, which lie in ScriptHostSettings::levelFolder: after each load_level().
+    /// Those of the level before it end, also if it is the same one. From here on, and from the first Spawn() on,
+    /// step() follows their list: what it names begins, and what it names no longer ends, after destroy(). One that
+    /// cannot be read is logged.
     void addLevelScripts();
     /// Keeps the registry and the tables of saved() with the game: before save_game().
     rubble_result save();
     /// After load_game(): gives the registry and the tables of saved() back, and runs all scripts again, those of the
     /// loaded game's level among them: their text, then onLoad(), or init() where there is no such function.
     void load();
+    /// Before a step in which the world undoes or redoes: lights of PointLight() that come back end with that step.
+    void beforeUndo() { m_hasOldLights = true; }
     /// Gives a script another text, as after a change of its file: it begins again as after load(), and keeps the
     /// tables of saved(). A text that does not compile changes nothing. False: that, or it has failed, or there is none
     /// such.
@@ -112,6 +116,7 @@ private:
     using SavedTables = std::map<std::string, std::map<std::string, std::string>>;
     std::vector<LevelScriptName> namedScripts() const;
     void followLevel(SavedTables restored, bool isAgain);
+    std::string folderOfScript(const std::string& path) const;
     void addLevelScript(const LevelScriptName& name, SavedTables& restored, bool isAgain);
     void endLevelScript(const LevelScriptName& name);
     std::list<Script>::iterator restart(std::list<Script>::iterator old, std::string text,
@@ -130,6 +135,7 @@ private:
     void tellReports();
     void tellTriggers();
     void dropPointLights();
+    void removePointLights();
     void beginDrawing(const rubble_view& view);
     void addLinesAndWatches();
     void addProfile();
@@ -142,6 +148,7 @@ private:
     std::set<rubble_renderer> m_overlaid;   ///< that have an overlay of the scripts
     std::optional<ProfileTable> m_profile;  ///< while it is shown
     uint32_t m_reports = 0;                 ///< kinds that the world lists for the scripts
+    bool m_hasOldLights = false;            ///< of PointLight() in a world that another run has left
     bool m_hasReports = true;               ///< the world has the host's filter
 };
 

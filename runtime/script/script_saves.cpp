@@ -8,6 +8,7 @@
 #include "runtime/script/binding/data_text.h"
 #include "runtime/script/binding/files.h"
 #include "runtime/script/script_host.h"
+#include "runtime/script/script_name.h"
 
 namespace rubble::script {
 namespace {
@@ -51,6 +52,12 @@ std::map<std::string, std::string> parametersOf(const std::string& lines) {
     for (std::string line; std::getline(in, line);)
         if (const size_t at = line.find('='); at != line.npos) parameters[line.substr(0, at)] = line.substr(at + 1);
     return parameters;
+}
+
+/// A name of a level on one line.
+std::string quoted(std::string name) {
+    std::replace_if(name.begin(), name.end(), isControl, '?');
+    return '"' + name + '"';
 }
 
 }  // namespace
@@ -121,12 +128,15 @@ void ScriptHost::forgetWorld() {
     m_shared.brokenBodies.clear();
     m_shared.brokenShapes.clear();
     m_shared.pointLights.clear();
+    m_hasOldLights = true;
 }
 
 std::list<Script>::iterator ScriptHost::restart(std::list<Script>::iterator old, std::string text,
                                                 std::map<std::string, std::string> restored) {
     const auto made = m_scripts.emplace(old, m_shared, old->name(), m_settings.limits);
     made->context().parameters = old->context().parameters;
+    made->context().folder = old->context().folder;
+    if (old->ofLevel()) made->setOfLevel(*old->ofLevel());
     made->context().restored = std::move(restored);
     m_scripts.erase(old);
     begin(*made, text, true);
@@ -189,16 +199,24 @@ void ScriptHost::endLevelScript(const LevelScriptName& name) {
     m_scripts.erase(std::prev(last.base()));
 }
 
+/// Where a script of the level lies; "": nowhere.
+std::string ScriptHost::folderOfScript(const std::string& path) const {
+    if (!isScriptName(path) || !staysInside(path)) return "";
+    for (const std::string& folder : {m_settings.levelFolder, m_settings.folder})
+        if (!folder.empty() && !leadsOutside(folder, path) && isFile(folder + "/" + path)) return folder;
+    return "";
+}
+
 void ScriptHost::addLevelScript(const LevelScriptName& named, SavedTables& restored, bool isAgain) {
     const auto& [path, parameters] = named;
     std::ifstream file;
-    const std::string full = m_settings.folder + "/" + path;
-    if (!m_settings.folder.empty() && staysInside(path) && !leadsOutside(m_settings.folder, path) && isFile(full))
-        file.open(full, std::ios::binary);
+    const std::string folder = folderOfScript(path);
+    if (!folder.empty()) file.open(folder + "/" + path, std::ios::binary);
     if (!file.is_open()) {
         if (m_shared.log)
-            m_shared.log(RUBBLE_LOG_ERROR, "the level names the script \"" + path +
-                                               "\": expected a file of the scripts' folder, found none");
+            m_shared.log(RUBBLE_LOG_ERROR, "the level names the script " + quoted(path) + ": expected " +
+                                               (isScriptName(path) ? "a file beside the level, found none"
+                                                                   : "a name of one line that ends in .lua"));
         return;
     }
     std::ostringstream text;
@@ -209,6 +227,7 @@ void ScriptHost::addLevelScript(const LevelScriptName& named, SavedTables& resto
         name = path + "#" + std::to_string(i);
     Script& script = m_scripts.emplace_back(m_shared, name, m_settings.limits);
     script.context().parameters = parametersOf(parameters);
+    script.context().folder = folder;
     script.context().restored = std::move(restored[name]);
     script.setOfLevel(named);
     begin(script, text.str(), isAgain);

@@ -17,6 +17,8 @@
 #include "samples/lua/offscreen_view.h"
 #include "samples/lua/reference.h"
 #include "samples/lua/yard.h"
+#include "samples/support/number_option.h"
+#include "samples/support/out_folder.h"
 
 namespace lua_sample {
 namespace {
@@ -232,6 +234,8 @@ int run(const Options& options) {
     if (!options.image.empty()) settings.flags = RUBBLE_WORLD_WAIT_FOR_SHADOW;
     if (error.empty() && rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK)
         error = "this library is of another version";
+    if (error.empty() && !options.image.empty() && !(error = rubble::makeFolderOf(options.image)).empty())
+        error = "--image: " + error;
     if (error.empty() && !options.image.empty()) error = view.open(*api, viewOf(camera, kWidth, kHeight));
     if (error.empty() && api->create_world(&settings, &world) != RUBBLE_OK) error = api->get_last_error();
     if (error.empty() && options.level.empty()) error = buildYard(*api, world);
@@ -248,6 +252,7 @@ int run(const Options& options) {
         rubble::script::ScriptHostSettings given;
         const std::string& beside = options.script.empty() ? options.level : options.script;
         given.folder = beside.empty() ? "." : fs::absolute(beside).parent_path().string();
+        if (!options.level.empty()) given.levelFolder = fs::absolute(options.level).parent_path().string();
         given.measuresFunctions = options.prints;
         given.log = [](int level, const std::string& line) { fmt::print(level ? stderr : stdout, "{}\n", line); };
         ScriptHost host(*api, world, given);
@@ -290,7 +295,9 @@ int main(int argc, char** argv) {
                  "prints what each callback and each function have cost; with --image: shows it too");
     app.add_flag("--watch", options.watches, "in real time; the script begins again when its file changes");
     app.add_option("--image", options.image, "writes the last frame, with what scripts draw, as PNG");
-    app.add_option("--camera", options.camera, "x y z of the camera, and of what it looks at, in metres")->expected(6);
+    app.add_option("--camera", options.camera, "x y z of the camera, and of what it looks at, in metres")
+        ->expected(6)
+        ->check(rubble::numberFrom(-1e6, 1e6));
     app.add_option("--reference", options.reference, "writes the pages of docs/scripting into this folder");
     CLI11_PARSE(app, argc, argv);
     options.hasSteps = steps->count() > 0;

@@ -2,12 +2,9 @@
 
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
-#include <optional>
 #include <utility>
 
-#include "render/gl/gl.h"
-#include "render/gl/offscreen.h"
-#include "samples/support/gl_context.h"
+#include "samples/support/display.h"
 #include "samples/support/image.h"
 
 namespace lua_sample {
@@ -16,11 +13,6 @@ namespace {
 constexpr int kFrames = 16;
 
 }  // namespace
-
-struct OffscreenView::Gl {
-    std::unique_ptr<rubble::GlContext> context;
-    std::optional<rubble::Offscreen> target;
-};
 
 rubble_view viewOf(const Camera& camera, uint32_t width, uint32_t height) {
     const glm::dvec3 eye(camera.eye[0], camera.eye[1], camera.eye[2]);
@@ -41,19 +33,16 @@ OffscreenView::OffscreenView() = default;
 OffscreenView::~OffscreenView() = default;
 
 std::string OffscreenView::open(const rubble_api& api, const rubble_view& view) {
-    auto made = rubble::GlContext::create();
+    auto made = rubble::Display::inMemory({int(view.width), int(view.height)});
     if (!made) return made.error();
     m_api = &api;
-    m_gl = std::make_unique<Gl>();
-    m_gl->context = std::move(made).value();
-    if (const auto loaded = rubble::loadGl(m_gl->context->loader()); !loaded) return loaded.error();
-    m_gl->target.emplace(glm::ivec2(int(view.width), int(view.height)));
+    m_display = std::move(*made);
     rubble_host host = {};
     host.struct_size = sizeof host;
-    host.gl_get_proc_address = m_gl->context->loader();
+    host.gl_get_proc_address = m_display->loader();
     if (api.set_host(&host) != RUBBLE_OK) return api.get_last_error();
     m_view = view;
-    m_view.framebuffer = m_gl->target->framebuffer();
+    m_view.framebuffer = m_display->framebuffer();
     return "";
 }
 
@@ -72,9 +61,7 @@ std::string OffscreenView::write(const std::string& path) {
     rubble_result result = RUBBLE_OK;
     for (int i = 0; i < kFrames && result == RUBBLE_OK; ++i) result = m_api->draw(m_renderer, &m_view);
     std::string error = result == RUBBLE_OK ? "" : m_api->get_last_error();
-    rubble::Image image(int(m_view.width), int(m_view.height));
-    image.rgb = m_gl->target->readRgb();
-    const auto written = rubble::writePng(path, image);
+    const auto written = rubble::writePng(path, m_display->read());
     if (!written) error = written.error();
     return error;
 }

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-namespace rubble::script {
-class ScriptHost;
+namespace rubble {
+class Display;
 }
 
 namespace lua_sample {
@@ -40,11 +40,10 @@ public:
     std::string write(const std::string& path);
 
 private:
-    struct Gl;
     const rubble_api* m_api = nullptr;
     rubble_view m_view = {};
     rubble_renderer m_renderer = 0;
-    std::unique_ptr<Gl> m_gl;
+    std::unique_ptr<rubble::Display> m_display;
 };
 
 }  // namespace lua_sample

@@ -67,6 +67,8 @@ int playGame(const SandboxOptions& options) {
     if (!level) return logError(level.error()), 1;
     std::vector<std::string> words = {
         options.tools + "/rubble-game", "--level", *level, "--size", options.size, "--preset", options.preset};
+    if (!options.level.empty())  // which is elsewhere with another time of day
+        words.insert(words.end(), {"--level-folder", fs::absolute(options.level).parent_path().string()});
     if (!options.screenshot.empty()) words.insert(words.end(), {"--screenshot", options.screenshot});
     if (options.bot)
         words.insert(words.end(), {"--headless", "--bot", "bot.lua", "--out", options.out + "/bot", "--saves",

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "runtime/assets/assets.h"
+#include "runtime/core/log.h"
 #include "samples/sandbox/game_program.h"
 #include "samples/sandbox/headless.h"
 #include "samples/sandbox/options.h"
@@ -13,6 +14,8 @@
 #include "samples/sandbox/window.h"
 #include "samples/scenes/scene.h"
 #include "samples/support/image_size.h"
+#include "samples/support/number_option.h"
+#include "samples/support/out_folder.h"
 #include "samples/support/window.h"
 
 namespace rubble {
@@ -66,14 +69,6 @@ constexpr const char* kHelp =
     "3 spray can, left click uses it, G held grabs (with a click on letting go: throws), F fly or walk, T torch, R "
     "resets, P next pass, Esc leaves.";
 
-/// NaN is within every range of CLI11, whose numbers are out of range if they are below or above.
-const CLI::Validator kIsNumber(
-    [](std::string& text) {
-        double value = 0.0;
-        return CLI::detail::lexical_cast(text, value) && value == value ? std::string() : text + " is no number";
-    },
-    "");
-
 void addSceneOptions(CLI::App& app, SandboxOptions& options) {
     app.add_option("--model", options.model, "put this .vox, .vdb or .rubble on the street and demolish it")
         ->check(CLI::ExistingFile);
@@ -83,7 +78,7 @@ void addSceneOptions(CLI::App& app, SandboxOptions& options) {
     app.add_option("--time", options.time, "time of day: noon, afternoon, dusk, night or rain")
         ->check(CLI::IsMember({"noon", "afternoon", "dusk", "night", "rain"}));
     app.add_option("--seconds", options.seconds, "game time (default: as long as the scene or the film is, or 10)")
-        ->check(CLI::Range(0.1, 3600.0) & kIsNumber);
+        ->check(numberFrom(0.1, 3600.0));
     app.add_option("--seed", options.seed, "seed of everything random")
         ->capture_default_str()
         ->check(CLI::NonNegativeNumber);
@@ -148,6 +143,8 @@ int run(int argc, char** argv) {
     }
     if (list) return listScenes();
     if (!options.write.empty()) return writeLevel(options);
+    if (!options.wantsWindow())
+        if (const std::string wrong = makeOutFolder(options.out); !wrong.empty()) return logError("--out: " + wrong), 1;
     if (options.scene == "all") return runAllScenes(options);
     const bool isGame = options.scene.empty() && options.model.empty() && options.pass == "final";
     if (options.wantsFilm() && !options.bot) return playFilm(options);

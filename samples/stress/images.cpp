@@ -5,12 +5,10 @@
 #include <glm/gtc/quaternion.hpp>
 #include <memory>
 
-#include "render/gl/gl.h"
-#include "render/gl/offscreen.h"
 #include "runtime/script/binding/script_context.h"
 #include "samples/stress/checks/check.h"
 #include "samples/stress/report.h"
-#include "samples/support/gl_context.h"
+#include "samples/support/display.h"
 #include "samples/support/image.h"
 
 namespace stress {
@@ -99,20 +97,16 @@ private:
 
 std::string drawGames(const rubble_api& api, const std::string& folder, const RunSettings& settings,
                       const RunResult& result) {
-    const auto context = rubble::GlContext::create();
-    if (!context) return "no images: " + context.error();
-    if (const auto loaded = rubble::loadGl(context.value()->loader()); !loaded) return "no images: " + loaded.error();
-    const rubble::Offscreen target({kWidth, kHeight});
+    const auto display = rubble::Display::inMemory({kWidth, kHeight});
+    if (!display) return "no images: " + display.error();
     auto host = sized<rubble_host>();
-    host.gl_get_proc_address = context.value()->loader();
+    host.gl_get_proc_address = (*display)->loader();
     api.set_host(&host);
     for (size_t i = 0; i < result.games.size(); ++i) {
-        Camera camera(api, target.framebuffer());
+        Camera camera(api, (*display)->framebuffer());
         if (!camera.draw(result.games[i])) return fmt::format("no image: {}", api.get_last_error());
-        rubble::Image image(kWidth, kHeight);
-        image.rgb = target.readRgb();
         const std::string path = fmt::format("{}/{}_{}_{}.png", folder, settings.name, settings.seed, i + 1);
-        if (const auto written = rubble::writePng(path, image); !written) return written.error();
+        if (const auto written = rubble::writePng(path, (*display)->read()); !written) return written.error();
     }
     return {};
 }

@@ -6,15 +6,17 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "runtime/script/script_name.h"
 #include "samples/stress/minimise.h"
 #include "samples/stress/report.h"
+#include "samples/support/number_option.h"
+#include "samples/support/out_folder.h"
 #include "samples/support/progress.h"
 
 namespace stress {
@@ -67,7 +69,7 @@ std::string descriptionOf(const std::string& script) {
 
 /// All scenarios, or the one that is named, or a file.
 std::vector<fs::path> findScenarios(const std::string& name) {
-    if (name.ends_with(".lua")) return {name};
+    if (rubble::script::hasEnding(name, ".lua")) return {name};
     if (name != "all") return {fs::path(RUBBLE_STRESS_SCENARIOS) / (name + ".lua")};
     std::vector<fs::path> found;
     for (const auto& entry : fs::directory_iterator(RUBBLE_STRESS_SCENARIOS))
@@ -174,9 +176,8 @@ int run(const Options& options) {
     catchInterrupt();
     const rubble_api* api = nullptr;
     if (rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK) return 1;
-    if (std::error_code error; fs::create_directories(options.out, error), error) {
-        fmt::print(stderr, "stress: --out: expected a folder that can be made, found {}: {}\n", options.out,
-                   error.message());
+    if (const std::string error = rubble::makeOutFolder(options.out); !error.empty()) {
+        fmt::print(stderr, "stress: --out: {}\n", error);
         return 2;
     }
     int failed = 0;
@@ -192,8 +193,8 @@ int run(const Options& options) {
                 fmt::print(
                     "./rubble stress {} --seed {} --minutes {} --check-every {} --replay-every {} --out {} --images {} "
                     "--minimise {}{}\n",
-                    options.scenario.ends_with(".lua") ? scenario.string() : scenario.stem().string(), seed,
-                    options.minutes, options.checkEvery, options.replayEvery, options.out, options.images,
+                    rubble::script::hasEnding(options.scenario, ".lua") ? scenario.string() : scenario.stem().string(),
+                    seed, options.minutes, options.checkEvery, options.replayEvery, options.out, options.images,
                     options.minimiseRuns, options.hasThreads ? " --threads" : "");
             else if (!options.lists && !interrupted)
                 failed += !Job(*api, options, scenario, seed).run();
@@ -206,9 +207,6 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
     stress::Options options;
-    const CLI::Validator finite(
-        [](std::string& text) { return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "expected a number"; },
-        "", "finite");
     CLI::App app{"Scenarios of destruction in Lua, with everything checked at every step", "stress"};
     app.add_option("scenario", options.scenario, "a name, all, or a file of Lua")->capture_default_str();
     std::vector<std::string> seeds = {"1"};
@@ -217,16 +215,17 @@ int main(int argc, char** argv) {
         ->check(CLI::Validator(stress::seedError, "UINT"));
     app.add_option("--minutes", options.minutes, "of the world, each run")
         ->capture_default_str()
-        ->check(CLI::Range(0.001, 1e5) & finite);
+        ->check(rubble::numberFrom(0.001, 1e5));
     app.add_option("--check-every", options.checkEvery, "seconds of the world between checks that take long")
         ->capture_default_str()
-        ->check(CLI::Range(0.1, 1e5) & finite);
+        ->check(rubble::numberFrom(0.1, 1e5));
     app.add_option("--out", options.out, "the folder of reports")->capture_default_str();
     app.add_option("--images", options.images, "drawn of each run at most; 0: none")
         ->capture_default_str()
         ->check(CLI::Range(0, 100));
     app.add_option("--minimise", options.minimiseRuns, "runs at most to make a failing script short")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->check(CLI::Range(0, 1'000'000));
     app.add_flag("--list", options.lists, "the scenarios, and what they do");
     app.add_flag("--list-jobs", options.listsJobs, "a command for each run, for GNU parallel");
     app.add_option("--replay-every", options.replayEvery,

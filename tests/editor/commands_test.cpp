@@ -174,6 +174,10 @@ TEST(Commands, ScaleRepeatsAndLeavesOutCells) {
     runAll(editor, {"scale 4,2,2 a"});
     EXPECT_EQ(editor.world().get_shape_state(shape).voxel_count, 4u * 2 * 2 - 1);
     EXPECT_NE(editor.run("scale 4096,4096,4096 a").text.find("fewer cells"), std::string::npos);
+    runAll(editor, {"create 9,9,9 5,0,0 name=hollow", "box 1,1,1 7,7,7 erase shape=hollow"});
+    EXPECT_EQ(editor.run("scale 1,1,1 hollow").text,
+              "scale: size: expected one that leaves a voxel, found only cells that are empty");
+    runAll(editor, {"scale 5,5,5 hollow"});
 }
 
 TEST(Commands, LightsMoveAsBodiesDo) {

@@ -143,6 +143,10 @@ void writeGlb(const std::string& path, const TestMesh& mesh, const std::string& 
 "buffers":[{{"byteLength":{8}}}]}})",
         mesh.points.size(), indices.size() / 4, placesAt, places.size(), indicesAt, indices.size(), pngAt, png.size(),
         bytes.size());
+    writeGlbParts(path, json, bytes);
+}
+
+void writeGlbParts(const std::string& path, const std::string& json, const std::string& bytes) {
     const std::string body = chunk(0x4E4F534A, padded(json, ' ')) + chunk(0x004E4942, bytes);
     std::string out;
     put(out, uint32_t(0x46546C67));

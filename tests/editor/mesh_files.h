@@ -38,5 +38,7 @@ void writeObj(const std::string& path, const TestMesh& mesh, const std::string& 
 void writePly(const std::string& path, const TestMesh& mesh, const std::vector<std::array<unsigned char, 3>>& colors);
 /// As a .glb file with a PNG texture inside, in a node that is scaled by 2.
 void writeGlb(const std::string& path, const TestMesh& mesh, const std::string& png);
+/// A .glb file of these two parts.
+void writeGlbParts(const std::string& path, const std::string& json, const std::string& bytes);
 
 }  // namespace editor

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <functional>
 #include <glm/common.hpp>
@@ -264,6 +265,90 @@ TEST_F(MeshImport, BrokenAndLyingFilesAreRefused) {
     writeObj(m_folder / "cube.obj", cube(2.0, {}));
     expectRefused(m_folder / "cube.obj", "at most 4096 cells", "voxels=0 voxel=0.001 turn=0,0,0 at=0,0,0 shell=1 up=z");
     EXPECT_FALSE(Editor().run(fmt::format("import {}", m_folder / "cube.obj")).isDone) << "without rubble-vdb";
+}
+
+/// A .glb file of one triangle with these nodes, of which the last has it, and with these indices.
+void writeNodes(const std::string& path, const std::vector<std::string>& nodes, const std::string& more = "",
+                uint16_t lastIndex = 2) {
+    std::string list, bytes(36, '\0');
+    for (const std::string& node : nodes) list += (list.empty() ? "{" : ",{") + node + "}";
+    const float points[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const uint16_t indices[4] = {0, 1, lastIndex, 0};
+    std::memcpy(bytes.data(), points, sizeof points);
+    bytes.append(reinterpret_cast<const char*>(indices), sizeof indices);
+    writeGlbParts(path,
+                  R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[)" + list + "]" + more +
+                      R"(,"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[
+{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+{"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}],"buffers":[{"byteLength":44}],"bufferViews":[
+{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6}]})",
+                  bytes);
+}
+
+TEST_F(MeshImport, NodesOfGlbFilesAreTrees) {
+    const std::string path = m_folder / "nodes.glb";
+    const auto chain = [](int count, int times) {
+        std::vector<std::string> nodes;
+        for (int i = 1; i < count; ++i)
+            nodes.push_back(times == 2 ? fmt::format(R"("children":[{0},{0}])", i)
+                                       : fmt::format(R"("children":[{0}])", i));
+        nodes.emplace_back(R"("mesh":0)");
+        return nodes;
+    };
+    writeNodes(path, chain(40, 1));
+    EXPECT_TRUE(Imported(path, "voxels=8").outcome.isDone);
+    writeNodes(path, chain(400, 1));
+    expectRefused(path, "nodes.glb: node 257: expected at most 256 nodes above it, found more");
+    writeNodes(path, chain(40, 2));
+    expectRefused(path, "nodes.glb: node 1: expected one parent, found node 0 and node 0");
+    writeNodes(path, {R"("children":[1,2])", R"("children":[3])", R"("children":[3])", R"("mesh":0)"});
+    expectRefused(path, "nodes.glb: node 3: expected one parent, found node 1 and node 2");
+    writeNodes(path, {R"("children":[1])", R"("children":[0],"mesh":0)"});
+    expectRefused(path, "nodes.glb: node 0: expected at most 256 nodes above it, found more: a cycle?");
+    writeNodes(path, {R"("children":[7])", R"("mesh":0)"});
+    expectRefused(path, "nodes.glb: node 0, children: expected a number below 2, found 7");
+}
+
+TEST_F(MeshImport, SaysWhatIsWrongInGlbFiles) {
+    const std::string path = m_folder / "wrong.glb";
+    writeNodes(path, {R"("mesh":0)"}, "", 9);
+    expectRefused(path, "mesh 0, primitive 0: expected indices below 3, its count of vertices, found 9");
+    writeNodes(path, {R"("mesh":0)"}, R"(,"extensionsRequired":["KHR_draco_mesh_compression"])");
+    expectRefused(path, "expected meshes that are not compressed, found \"KHR_draco_mesh_compression\"");
+    writeGlbParts(path, R"({"asset":{"version":"2.0"},)", "");
+    expectRefused(path, "wrong.glb: expected glTF in JSON, found other text");
+    writeGlbParts(path, R"({"nodes":[{"children":[-1]}]})", "");
+    expectRefused(path, "node 0, children: expected a whole number from 0 on, found -1");
+}
+
+TEST_F(MeshImport, EndingsMayBeOfCapitals) {
+    const TestMesh mesh = cube(2.0, {});
+    writePng(m_folder / "skin.png", 15, 15, colorfulPixels());
+    writeObj(m_folder / "A.OBJ", mesh);
+    writePly(m_folder / "A.Ply", mesh, {mesh.points.size(), {200, 100, 40}});
+    writeGlb(m_folder / "A.GLB", mesh, contentOf(m_folder / "skin.png"));
+    for (const char* name : {"A.OBJ", "A.Ply", "A.GLB"}) {
+        Imported got(m_folder / name, "voxels=10");
+        EXPECT_EQ(got.shape.voxel_count, 1000u) << got.outcome.text;
+        const std::string out = m_folder / "OUT." + name[2];
+        EXPECT_TRUE(got.editor.run("export " + out + (name[2] == 'O' ? "BJ" : "LB")).isDone || name[2] == 'P');
+    }
+    EXPECT_EQ(contentOf(m_folder / "OUT.GLB").substr(0, 4), "glTF");
+    EXPECT_NE(contentOf(m_folder / "OUT.OBJ").find("\nv "), std::string::npos);
+}
+
+TEST_F(MeshImport, SaysWhereMeshesAreTooFarAway) {
+    TestMesh mesh = cube(2.0, {});
+    for (glm::dvec3& each : mesh.points) each.x += 3e8;
+    writeObj(m_folder / "far.obj", mesh);
+    expectRefused(m_folder / "far.obj",
+                  "numbers of 32 bits, which are 32 m apart at the 3e+08 m that the mesh lies away");
+    for (glm::dvec3& each : mesh.points) each.x += 4e6 - 3e8;
+    writeObj(m_folder / "far.obj", mesh);
+    EXPECT_TRUE(Imported(m_folder / "far.obj", "voxels=20").says("which are 0.25 m apart")) << "a voxel is 0.1 m";
+    for (glm::dvec3& each : mesh.points) each.x -= 4e6;
+    writeObj(m_folder / "near.obj", mesh);
+    EXPECT_FALSE(Imported(m_folder / "near.obj", "voxels=20").says("of 32 bits"));
 }
 
 TEST_F(MeshImport, DamagedFilesCrashNothing) {

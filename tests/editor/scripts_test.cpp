@@ -35,6 +35,9 @@ TEST(EditorScripts, AreListedUndoneAndRefused) {
     EXPECT_EQ(say(editor, "script_remove door.lua number=1").find("refused: script_remove: number: expected"), 0u);
     EXPECT_EQ(say(editor, "script_add /etc/lift.lua").find("refused: script_add: file: expected a path"), 0u);
     EXPECT_EQ(say(editor, "script_add ../lift.lua").find("refused: script_add: file: expected a path"), 0u);
+    EXPECT_EQ(say(editor, "script_add lift.txt"),
+              "refused: script_add: file: expected a name of one line that ends in .lua, found 'lift.txt'");
+    EXPECT_EQ(say(editor, "script_add \"a\nb.lua\"").find("refused: script_add: file: expected a name"), 0u);
     EXPECT_EQ(say(editor, "script_add lift.lua fast"),
               "refused: script_add: parameters: expected NAME=VALUE, with spaces between several, found 'fast'");
     EXPECT_EQ(editor.document().hash(), before);

@@ -3,18 +3,21 @@
 
 #include "editor/core/editor.h"
 #include "editor/core/mesh_export.h"
+#include "runtime/script/script_name.h"
 
 namespace editor {
 namespace {
 
+using rubble::script::hasEnding;
+
 void exportLevel(Editor& editor, const Arguments& arguments) {
     const std::string& path = arguments.text("file");
-    if (path.ends_with(".png")) {
+    if (hasEnding(path, ".png")) {
         if (!editor.settings().writeView) arguments.refuse("file", "no image: only the window has a view");
         if (const std::string error = editor.settings().writeView(path); !error.empty()) throw Refused(error);
         return editor.say("wrote " + path);
     }
-    const bool isMesh = path.ends_with(".obj") || path.ends_with(".glb");
+    const bool isMesh = hasEnding(path, ".obj") || hasEnding(path, ".glb");
     if (!isMesh) {
         if (arguments.text("what") != "all")
             arguments.refuse("what", fmt::format("all, where the file is neither .obj nor .glb, found '{}'",

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "editor/core/editor.h"
+#include "runtime/script/script_name.h"
 
 namespace editor {
 namespace {
@@ -33,6 +34,8 @@ void addScript(Editor& editor, const Arguments& arguments) {
     const fs::path path(file);
     if (file.empty() || path.is_absolute() || file.find('\\') != file.npos || file.find("..") != file.npos)
         arguments.refuse("file", fmt::format("a path in the level's folder, found '{}'", file));
+    if (!rubble::script::isScriptName(file))
+        arguments.refuse("file", fmt::format("a name of one line that ends in .lua, found '{}'", file));
     std::vector<Named> scripts = scriptsOf(editor);
     scripts.push_back({file, arguments.text("parameters")});
     setScripts(editor, scripts);

@@ -28,6 +28,16 @@ void resize(Editor& editor, const Arguments& arguments) {
     editor.world().resize_shape(change);
 }
 
+/// Whether a condition holds for a cell of a box.
+template <class F>
+bool anyOf(const Cells& box, F&& condition) {
+    for (int z = 0; z < box.size.z; ++z)
+        for (int y = 0; y < box.size.y; ++y)
+            for (int x = 0; x < box.size.x; ++x)
+                if (condition(box.low + glm::ivec3(x, y, z))) return true;
+    return false;
+}
+
 /// Repeats or leaves out cells until the grid has a size.
 void scale(Editor& editor, const Arguments& arguments) {
     const rubble_shape shape = editor.object(arguments, "shape", {RUBBLE_KIND_SHAPE});
@@ -35,14 +45,17 @@ void scale(Editor& editor, const Arguments& arguments) {
     if (to.count() > kMaxCells) arguments.refuse("size", "fewer cells in all");
     const std::vector<uint8_t> voxels = readCells(editor.world(), shape, grid);
     const CellSet places{shape, grid.low, grid.size, {}};
-    CellWriter writer(editor.world(), shape);
-    writer.makeRoom(to);
-    writer.write(joined(grid, to), [&](glm::ivec3 cell, uint8_t) {
+    const auto scaled = [&](glm::ivec3 cell, uint8_t) {
         if (!to.contains(cell)) return uint8_t(0);
         for (int a = 0; a < 3; ++a)
             cell[a] = grid.low[a] + (2 * (cell[a] - grid.low[a]) + 1) * grid.size[a] / (2 * to.size[a]);
         return voxels[places.at(cell)];
-    });
+    };
+    if (!anyOf(to, [&](glm::ivec3 cell) { return scaled(cell, 0) != 0; }))
+        arguments.refuse("size", "one that leaves a voxel, found only cells that are empty");
+    CellWriter writer(editor.world(), shape);
+    writer.makeRoom(to);
+    writer.write(joined(grid, to), scaled);
     editor.document().applyNow();
     rubble_resize change{};
     change.shape = shape;

@@ -13,6 +13,7 @@
 #include "editor/core/arguments.h"
 #include "editor/core/child_process.h"
 #include "editor/ui/state/keys.h"
+#include "samples/support/out_folder.h"
 
 namespace editor {
 namespace {
@@ -86,6 +87,10 @@ const ScriptedUi::Verb ScriptedUi::kVerbs[] = {
     {"film", "FILE.mp4 or FOLDER: the view of each step of the last play, by ffmpeg or as images", &ScriptedUi::film},
     {"screenshot", "FILE: writes an image of the window", &ScriptedUi::writeImage},
 };
+
+std::string imageFolderError(const std::string& folder) {
+    return folder.empty() ? "" : rubble::makeOutFolder(folder);
+}
 
 ScriptedUi::ScriptedUi(const StageSettings& settings, int width, int height)
     : m_gl(width, height), m_width(width), m_height(height) {

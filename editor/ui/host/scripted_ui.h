@@ -7,6 +7,9 @@
 
 namespace editor {
 
+/// Makes the folder of images and tries to write there; "" names none. What is wrong, or "".
+std::string imageFolderError(const std::string& folder);
+
 /// The window without a window: its images are drawn into memory, and its mouse is moved by lines of a script. Lines
 /// that begin with `ui` drive the interface, see kVerbs in scripted_ui.cpp; all others are commands.
 class ScriptedUi {

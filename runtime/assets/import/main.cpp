@@ -43,7 +43,7 @@ private:
 };
 
 Result<Done> write(const std::string& path, const Level& level) {
-    const std::string ending = fs::path(path).extension().string();
+    const std::string ending = endingOf(path);
     if (ending == ".rubble") return writeRubble(path, level);
     if (ending == ".vdb") return writeVdb(path, level, vdbToolPath());
     return Error{path + ": expected a name ending in .vdb or .rubble, found '" + ending + "'"};
@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
     ImportReport report;
     progress.begin("reading " + in);
     const Result<Level> level =
-        fs::path(in).extension() == ".vox" ? importVox(in, settings, &report) : readLevel(in, vdbToolPath(), &report);
+        endingOf(in) == ".vox" ? importVox(in, settings, &report) : readLevel(in, vdbToolPath(), &report);
     if (!level) return fail(level.error());
     progress.begin("writing " + out);
     const Result<Done> done = write(out, *level);

@@ -35,9 +35,15 @@ int fail(const std::string& text) {
     return 1;
 }
 
+/// NaN is within every range of CLI11.
+std::string numberError(const std::string& text) {
+    double value = 0.0;
+    return CLI::detail::lexical_cast(text, value) && value == value ? "" : "expected a number, found " + text;
+}
+
 /// Whether an output has the ending of its format, so that it cannot replace the input; else says so.
 bool hasEnding(const std::string& path, const std::string& ending) {
-    const std::string found = std::filesystem::path(path).extension().string();
+    const std::string found = endingOf(path);
     if (found == ending) return true;
     fail(path + ": expected a name ending in " + ending + " to write to, found '" + found + "'");
     return false;
@@ -88,8 +94,12 @@ int main(int argc, char** argv) {
     CLI::App app("Converts OpenVDB files to baked Rubble levels and back, and meshes to such levels");
     std::string in, out;
     uint64_t memoryMib = 4096, seconds = 120;
-    app.add_option("--memory-mib", memoryMib, "Address space it may use")->capture_default_str();
-    app.add_option("--seconds", seconds, "Processor time it may use")->capture_default_str();
+    app.add_option("--memory-mib", memoryMib, "Address space it may use")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1'000'000'000));
+    app.add_option("--seconds", seconds, "Processor time it may use")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1'000'000));
     app.require_subcommand(1);
     CLI::App* toVdbCommand = app.add_subcommand("to-vdb", "IN.rubble -> OUT.vdb");
     CLI::App* toRubbleCommand = app.add_subcommand("to-rubble", "IN.vdb -> OUT.rubble");
@@ -99,7 +109,7 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(0, kMaxGridSize))
         ->capture_default_str();
     meshCommand->add_option("--voxel", mesh.voxelSize, "metres along an edge of a voxel")
-        ->check(CLI::Range(0.001, 10.0))
+        ->check(CLI::Range(0.001, 10.0) & CLI::Validator(numberError, ""))
         ->capture_default_str();
     meshCommand->add_option("--shell", mesh.shell, "voxels that walls are thick; 0: solid")
         ->check(CLI::Range(0, 64))

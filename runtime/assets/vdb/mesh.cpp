@@ -1,6 +1,11 @@
 #include "runtime/assets/vdb/mesh.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
+#include <limits>
 
 #include "runtime/voxel/palette.h"
 
@@ -30,6 +35,18 @@ glm::vec3 Mesh::colorOf(const MeshTriangle& triangle, glm::dvec3 weights, bool i
     }
     if (material.texture >= 0) color *= textures[size_t(material.texture)].at(place, isSmooth);
     return color * material.color;
+}
+
+std::string Mesh::lossNote(double length) const {
+    double distance = 0.0;
+    for (const glm::dvec3& each : points)
+        for (int a = 0; a < 3; ++a) distance = std::max(distance, std::abs(each[a]));
+    const double apart = std::nextafter(float(distance), std::numeric_limits<float>::max()) - distance;
+    if (!(apart > length)) return "";
+    return fmt::format(
+        "coordinates are read as numbers of 32 bits, which are {:g} m apart at the {:.3g} m that the mesh lies away: "
+        "move it nearer to the origin",
+        apart, distance);
 }
 
 }  // namespace rubble

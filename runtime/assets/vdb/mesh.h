@@ -8,6 +8,8 @@
 
 namespace rubble {
 
+inline constexpr size_t kMaxMeshTriangles = 20'000'000;
+
 /// An image that a mesh is coloured by: sRGB, rows from above.
 struct MeshTexture {
     glm::ivec2 size{0};
@@ -43,6 +45,8 @@ struct Mesh {
 
     /// The linear colour of a triangle at the weights of its corners, whose sum is 1.
     glm::vec3 colorOf(const MeshTriangle& triangle, glm::dvec3 weights, bool isSmooth) const;
+    /// What coordinates lose that are read as floats, if that is more than a length in metres; else "".
+    std::string lossNote(double length) const;
 };
 
 }  // namespace rubble

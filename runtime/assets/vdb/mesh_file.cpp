@@ -13,7 +13,9 @@
 #include <glm/common.hpp>
 #include <map>
 
+#include "runtime/assets/assets.h"
 #include "runtime/assets/file_bytes.h"
+#include "runtime/assets/vdb/glb_header.h"
 #include "runtime/assets/vdb/ply_header.h"
 #include "runtime/voxel/palette.h"
 
@@ -22,7 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr uint64_t kMaxFileBytes = uint64_t(1) << 30;
-constexpr size_t kMaxTriangles = 20'000'000;
 constexpr uint32_t kMaxTextureSide = 16384;
 constexpr double kMaxCoordinate = 1e9;  // metres
 
@@ -58,13 +59,18 @@ bool readPng(const void* bytes, size_t size, MeshTexture& out) {
 class MeshReader {
 public:
     MeshReader(const aiScene& scene, const std::string& path)
-        : m_scene(scene), m_folder(fs::path(path).parent_path()), m_isGltf(path.ends_with(".glb")) {}
+        : m_scene(scene), m_folder(fs::path(path).parent_path()), m_isGltf(endingOf(path) == ".glb") {}
 
     Result<Mesh> read() {
         for (unsigned i = 0; i < m_scene.mNumMaterials; ++i) addMaterial(*m_scene.mMaterials[i]);
         if (m_mesh.materials.empty()) m_mesh.materials.emplace_back();
         addNode(*m_scene.mRootNode, aiMatrix4x4());
-        if (m_error.empty() && m_mesh.triangles.empty()) m_error = "expected triangles, found none";
+        if (m_error.empty() && m_mesh.triangles.empty()) {
+            m_error = "expected triangles, found none";
+            const std::string loss = m_flat > 0 ? m_mesh.lossNote(1e-3) : "";
+            if (m_flat > 0) m_error += fmt::format(" but {} without an area", m_flat);
+            if (!loss.empty()) m_error += ": " + loss;
+        }
         if (!m_error.empty()) return Error{m_error};
         if (m_flat > 0) m_mesh.notes.push_back(fmt::format("{} triangles without an area were left out", m_flat));
         return std::move(m_mesh);
@@ -120,6 +126,9 @@ private:
     }
 
     void addMesh(const aiMesh& from, const aiMatrix4x4& pose) {
+        m_vertices += from.mNumVertices;
+        if (m_vertices > 3 * kMaxMeshTriangles)
+            return void(m_error = fmt::format("expected at most {} vertices, found more", 3 * kMaxMeshTriangles));
         std::vector<uint32_t> points;
         for (unsigned i = 0; i < from.mNumVertices; ++i) {
             const aiVector3D at = pose * from.mVertices[i];
@@ -163,8 +172,8 @@ private:
         if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) return void(++m_flat);
         if (hasColors && !m_isGltf) useOnlyCorners(triangle);
         m_mesh.triangles.push_back(triangle);
-        if (m_mesh.triangles.size() > kMaxTriangles)
-            m_error = fmt::format("expected at most {} triangles, found more", kMaxTriangles);
+        if (m_mesh.triangles.size() > kMaxMeshTriangles)
+            m_error = fmt::format("expected at most {} triangles, found more", kMaxMeshTriangles);
     }
 
     /// In formats that do not say, colours of corners take the place of that of the material, and a texture of both.
@@ -187,19 +196,22 @@ private:
     std::vector<unsigned> m_channels;  ///< of places, by material
     std::map<std::string, int> m_textures;
     std::map<std::array<double, 3>, uint32_t> m_places;
-    size_t m_flat = 0;
+    size_t m_flat = 0, m_vertices = 0;
     std::string m_error;
 };
 
 }  // namespace
 
 Result<Mesh> readMesh(const std::string& path) {
-    const std::string ending = fs::path(path).extension().string();
+    const std::string ending = endingOf(path);
     if (ending != ".obj" && ending != ".ply" && ending != ".glb")
         return Error{fmt::format("{}: expected a name ending in .obj, .ply or .glb, found '{}'", path, ending)};
     const Result<std::vector<uint8_t>> bytes = readFileBytes(path, kMaxFileBytes);
     if (!bytes) return Error{bytes.error()};
-    if (const std::string error = ending == ".ply" ? plyHeaderError(*bytes) : ""; !error.empty())
+    if (const std::string error = ending == ".ply"   ? plyHeaderError(*bytes)
+                                  : ending == ".glb" ? glbError(*bytes)
+                                                     : "";
+        !error.empty())
         return Error{path + ": " + error};
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);

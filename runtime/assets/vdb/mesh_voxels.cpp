@@ -222,7 +222,11 @@ Result<Level> voxelise(const Mesh& mesh, const std::string& name, const MeshSett
     LevelShape& shape = body.shapes.emplace_back(cells.shape(colors));
     shape.name = level.name;
     const auto voxels = shape.grid.voxelCount();
-    if (voxels == 0) return Error{"expected a part that is thicker than a voxel, found none: more voxels may hold it"};
+    const std::string loss = mesh.lossNote(0.5 * settings.voxelSize / cells.scale());
+    if (voxels == 0)
+        return Error{"expected a part that is thicker than a voxel, found none: " +
+                     (loss.empty() ? "more voxels may hold it" : loss)};
+    if (!loss.empty()) notes.push_back(loss);
     notes.push_back(
         fmt::format("{} triangles in {} parts, {} materials, {} textures -> {} voxels of {:g} m in {} x {} x {} cells",
                     mesh.triangles.size(), parts.count, mesh.materials.size(), mesh.textures.size(), voxels,

@@ -22,7 +22,7 @@ Result<std::shared_ptr<const Level>> readGiven(const rubble_prefab& given, Prefa
     }
     const std::string path = given.path;
     const auto read = [&] { return readLevel(path, given.vdb_tool ? given.vdb_tool : ""); };
-    if (path.ends_with(".vox") || path.ends_with(".rubble"))
+    if (endingOf(path) != ".vdb")
         if (const auto bytes = readFileBytes(path, PrefabCache::kMaxMemory)) return known.get(*bytes, read);
     Result<Level> level = read();
     if (!level) return Error{level.error()};

@@ -34,7 +34,7 @@ bool isFile(const std::string& path) {
 }
 
 std::string fileAt(lua_State* L, int index, const char* name) {
-    const std::string given = textAt(L, index, name), &folder = ScriptContext::of(L).shared.folder;
+    const std::string given = textAt(L, index, name), &folder = ScriptContext::of(L).folder;
     const std::string file = given.starts_with(kModFolder) ? given.substr(kModFolder.size()) : given;
     if (folder.empty() || !staysInside(file) || leadsOutside(folder, file))
         luaL_error(L, "%s: %s: expected a file inside of the folder that the host gives to scripts, found \"%s\"",

@@ -48,6 +48,9 @@ struct PendingReads {
     std::map<std::pair<uint64_t, std::string>, std::optional<std::string>> tags;
 };
 
+/// The tag of lights of PointLight(), by which they are found in saves.
+inline constexpr const char* kPointLightTag = "rubble.point_light";
+
 struct ScriptFunction;
 
 /// Is told of the calls of functions with effects and without, as of a host that writes down what scripts do.
@@ -64,7 +67,6 @@ public:
 struct ScriptWorld {
     const rubble_api* api = nullptr;
     rubble_world world = 0;
-    std::string folder;            ///< that files are read from; empty: none
     double time = 0.0;             ///< seconds of steps
     double timeScale = 1.0;        ///< as SetTimeScale() has set it; the host decides how many steps a frame has
     double timeStep = 1.0 / 60.0;  ///< of the callback that runs
@@ -119,6 +121,7 @@ struct SavedTable {
 struct ScriptContext {
     ScriptWorld& shared;
     std::string name;
+    std::string folder;             ///< that files are read from; empty: none
     lua_State* callback = nullptr;  ///< the thread of the callback that runs: only there may functions wait
     QuerySettings query;
     Brush brush;

@@ -143,7 +143,9 @@ int pointLight(lua_State* L) {
     light.reach = 20.0;
     rubble_light made = 0;
     ScriptWorld& shared = ScriptContext::of(L).shared;
-    if (isDone(L, apiOf(L).create_light(worldOf(L), &light, &made))) shared.pointLights[made] = shared.step;
+    if (!isDone(L, apiOf(L).create_light(worldOf(L), &light, &made))) return 0;
+    isDone(L, apiOf(L).set_tag(worldOf(L), made, kPointLightTag, nullptr));
+    shared.pointLights[made] = shared.step;
     return 0;
 }
 

@@ -14,13 +14,14 @@ void apply(EditContext& context, const AddCharacterEdit& edit) {
 
 void apply(EditContext& context, const RemoveCharacterEdit& edit) {
     if (!context.world.characters.erase(edit.character))
-        return logWarning("remove_character: the handle of its character is stale; nothing was removed");
+        return context.warnStale("remove_character: the handle of its character is stale; nothing was removed");
     context.changes.characters.push_back(edit.character);
 }
 
 void apply(EditContext& context, const MoveCharacterEdit& edit) {
     Character* character = context.world.characters.find(edit.character);
-    if (!character) return logWarning("move_character: the handle of its character is stale; no character was moved");
+    if (!character)
+        return context.warnStale("move_character: the handle of its character is stale; no character was moved");
     character->wish = edit.wish;
     character->wantsJump = edit.jump;
     character->wantsCrouch = edit.crouch;
@@ -30,7 +31,8 @@ void apply(EditContext& context, const MoveCharacterEdit& edit) {
 void apply(EditContext& context, const TeleportCharacterEdit& edit) {
     Character* character = context.world.characters.find(edit.character);
     if (!character)
-        return logWarning("teleport_character: the handle of its character is stale; no character was teleported");
+        return context.warnStale(
+            "teleport_character: the handle of its character is stale; no character was teleported");
     character->position = edit.position;
     character->velocity = edit.velocity;
     character->grounded = false;

@@ -94,7 +94,7 @@ Joint drivenWheel(const Joint& wheel, const DriveEdit& drive, double steer) {
 
 void apply(EditContext& context, const DriveEdit& edit) {
     const Body* body = context.world.bodies.find(edit.body);
-    if (!body) return logWarning("drive_wheels: the handle of its body is stale; nothing was driven");
+    if (!body) return context.warnStale("drive_wheels: the handle of its body is stale; nothing was driven");
     SteeringGeometry geometry;
     forEachWheel(context, *body, [&](JointHandle handle, const Pose& frame) {
         geometry.add(context.world.joints.at(handle).wheel, frame);

@@ -107,6 +107,10 @@ void EditContext::warnStale(BodyHandle body, const char* warning) const {
         logWarning(warning);
 }
 
+void EditContext::warnStale(const std::string& warning) const {
+    if (!changes.isRestored) logWarning(warning);
+}
+
 void EditContext::markBroken(BodyHandle handle) {
     Body& body = world.bodies.at(handle);
     if (!std::exchange(body.broken, true)) changes.broken.push_back(handle);

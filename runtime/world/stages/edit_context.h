@@ -107,6 +107,8 @@ struct EditContext {
     void warnStale(ShapeHandle shape, const char* warning) const;
     /// The same for a body.
     void warnStale(BodyHandle body, const char* warning) const;
+    /// The same for objects of which an undo or redo of this step alone may have destroyed some.
+    void warnStale(const std::string& warning) const;
     /// Sets Body::broken; the journal lists the first time.
     void markBroken(BodyHandle body);
 

@@ -44,7 +44,7 @@ glm::dvec3 brickMiddle(glm::ivec3 brick) {
 void FireStage::apply(const HeatEdit& edit) {
     if (!m_context.world.settings.fire.enabled) return;
     if (edit.shape && !m_context.world.shapes.find(edit.shape))
-        return logWarning("heat: the handle of its shape is stale; nothing was heated");
+        return m_context.warnStale("heat: the handle of its shape is stale; nothing was heated");
     const std::vector<ShapeHandle> shapes =
         edit.shape ? std::vector{edit.shape} : shapesNear(m_context.world, edit.position, edit.radius);
     struct Target {

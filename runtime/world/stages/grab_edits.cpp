@@ -43,7 +43,7 @@ bool setTarget(Joint& grab, const GrabEdit& edit) {
 void apply(EditContext& context, const GrabEdit& edit) {
     const Body* body = context.world.bodies.find(edit.body);
     if (!body || body->isStatic)
-        return logWarning(
+        return context.warnStale(
             "grab_body: expected the handle of a free body, found one that is stale or static; nothing was grabbed");
     glm::dvec3 point = edit.point;
     for (const JointHandle handle : copyOf(context.world.jointIndex.grabs())) {

@@ -57,7 +57,7 @@ void apply(EditContext& context, const RemoveJointEdit& edit) {
     const Joint* joint = context.world.joints.find(edit.joint);
     if (!joint) {
         if (edit.reason != JointBreak::Force)
-            logWarning("remove_joint: the handle of its joint is stale; nothing was removed");
+            context.warnStale("remove_joint: the handle of its joint is stale; nothing was removed");
         return;
     }
     if (joint->kind == JointKind::Rope && edit.reason != JointBreak::Removed) {
@@ -70,7 +70,7 @@ void apply(EditContext& context, const RemoveJointEdit& edit) {
 
 void apply(EditContext& context, const SetJointMotorEdit& edit) {
     Joint* joint = context.world.joints.find(edit.joint);
-    if (!joint) return logWarning("set_joint_motor: the handle of its joint is stale; nothing was set");
+    if (!joint) return context.warnStale("set_joint_motor: the handle of its joint is stale; nothing was set");
     if (const std::string error = jointMotorError(joint->kind, edit.motor); !error.empty())
         return logWarning("set_joint_motor: " + error + "; nothing was set");
     joint->motor = edit.motor;
@@ -82,7 +82,7 @@ void apply(EditContext& context, const SetJointMotorEdit& edit) {
 
 void apply(EditContext& context, const DetachJointEdit& edit) {
     if (!context.world.joints.find(edit.joint))
-        return logWarning("detach joint: the handle of its joint is stale; nothing was detached");
+        return context.warnStale("detach joint: the handle of its joint is stale; nothing was detached");
     for (size_t end = 0; end < 2; ++end) {
         const Joint* joint = context.world.joints.find(edit.joint);
         if (joint && joint->ends[end].shape == edit.shape && !joint->ends[end].isFree)

@@ -119,10 +119,10 @@ void apply(EditContext& context, const CreateLightGroupEdit& edit) {
 
 void apply(EditContext& context, const SetLightGroupEdit& edit) {
     LightGroup* group = context.world.groups.find(edit.group);
-    if (!group) return logWarning("set_light_group: the handle of its group is stale; nothing was changed");
+    if (!group) return context.warnStale("set_light_group: the handle of its group is stale; nothing was changed");
     const Shape* supply = edit.setsSupply ? context.world.shapes.find(edit.supply) : nullptr;
     if (edit.setsSupply && edit.supply && !supply)
-        return logWarning("set_light_group: the handle of its supply is stale; nothing was changed");
+        return context.warnStale("set_light_group: the handle of its supply is stale; nothing was changed");
     context.changes.groups.push_back(edit.group);
     if (edit.setsThreshold) group->threshold = edit.threshold;
     if (edit.setsSupply) {

@@ -44,16 +44,16 @@ void apply(EditContext& context, const AddLightEdit& edit) {
 
 void apply(EditContext& context, const SetLightEdit& edit) {
     Light* light = context.world.lights.find(edit.light);
-    if (!light) return logWarning("set_light: the handle of its light is stale; nothing was changed");
+    if (!light) return context.warnStale("set_light: the handle of its light is stale; nothing was changed");
     if (const char* stale = staleHandleOf(context.world, edit.values))
-        return logWarning(std::string("set_light: ") + stale + "; nothing was changed");
+        return context.warnStale(std::string("set_light: ") + stale + "; nothing was changed");
     *light = knownLight(context.world, edit.values);
     context.changes.lights.push_back(edit.light);
 }
 
 void apply(EditContext& context, const RemoveLightEdit& edit) {
     if (!context.world.lights.erase(edit.light))
-        return logWarning("remove_light: the handle of its light is stale; nothing was removed");
+        return context.warnStale("remove_light: the handle of its light is stale; nothing was removed");
     context.changes.lights.push_back(edit.light);
 }
 

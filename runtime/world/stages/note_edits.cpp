@@ -12,7 +12,7 @@ namespace {
 /// The note of an object, a new one if it has none; null, and logged, if there is no such object.
 Note* openNote(EditContext& context, const AnyObject& object, const char* edit) {
     if (!isAlive(context.world, object)) {
-        logWarning(std::string(edit) + ": the handle of its object is stale; nothing was changed");
+        context.warnStale(std::string(edit) + ": the handle of its object is stale; nothing was changed");
         return nullptr;
     }
     const auto known = context.world.noteOf.find(bitsOf(object));

@@ -46,7 +46,7 @@ void apply(EditContext& context, const PaintEdit& edit) {
         return logWarning("paint: a position or radius is not a number; nothing was painted");
     if (edit.shape) {
         if (!context.world.shapes.find(edit.shape))
-            return logWarning("paint: the handle of its shape is stale; nothing was painted");
+            return context.warnStale("paint: the handle of its shape is stale; nothing was painted");
         return paintShape(context, edit.shape, edit, area);
     }
     for (const ShapeHandle handle : shapesNear(context.world, bounds.center, bounds.radius))

@@ -7,7 +7,7 @@
 namespace rubble {
 void apply(EditContext& context, const SetCollisionFilterEdit& edit) {
     Shape* shape = context.world.shapes.find(edit.shape);
-    if (!shape) return logWarning("set_collision_filter: the handle of its shape is stale; nothing was changed");
+    if (!shape) return context.warnStale("set_collision_filter: the handle of its shape is stale; nothing was changed");
     shape->collisionLayer = edit.layer;
     shape->collisionMask = edit.mask;
     context.changes.filters.push_back(edit.shape);
@@ -16,7 +16,7 @@ void apply(EditContext& context, const SetCollisionFilterEdit& edit) {
 
 void apply(EditContext& context, const SetCollisionShapeEdit& edit) {
     Shape* shape = context.world.shapes.find(edit.shape);
-    if (!shape) return logWarning("set_collision_shape: the handle of its shape is stale; nothing was changed");
+    if (!shape) return context.warnStale("set_collision_shape: the handle of its shape is stale; nothing was changed");
     shape->collisionShape = edit.kind;
     context.changes.filters.push_back(edit.shape);
     context.wakeBody(shape->body);
@@ -28,7 +28,7 @@ void apply(EditContext& context, const AddWaterEdit& edit) {
 
 void apply(EditContext& context, const RemoveWaterEdit& edit) {
     if (!context.world.waters.erase(edit.water))
-        return logWarning("remove_water: the handle of its water is stale; nothing was removed");
+        return context.warnStale("remove_water: the handle of its water is stale; nothing was removed");
     context.changes.waters.push_back(edit.water);
 }
 
@@ -42,7 +42,7 @@ void apply(EditContext& context, const AddTriggerEdit& edit) {
 
 void apply(EditContext& context, const RemoveTriggerEdit& edit) {
     if (!context.world.triggers.erase(edit.trigger))
-        return logWarning("remove_trigger: the handle of its trigger is stale; nothing was removed");
+        return context.warnStale("remove_trigger: the handle of its trigger is stale; nothing was removed");
     context.world.triggerBounds.remove(edit.trigger.slot());
     context.changes.triggers.push_back(edit.trigger);
 }

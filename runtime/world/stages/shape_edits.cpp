@@ -52,7 +52,7 @@ bool sharesFace(const VoxelGrid& into, const VoxelGrid& shape, glm::ivec3 offset
 Shape* shapeToEdit(EditContext& context, ShapeHandle handle, const char* edit) {
     releaseFragments(context);  // their cells are those of the shape as it is now
     Shape* shape = context.world.shapes.find(handle);
-    if (!shape) logWarning(std::string(edit) + ": the handle of its shape is stale; nothing was done");
+    if (!shape) context.warnStale(std::string(edit) + ": the handle of its shape is stale; nothing was done");
     return shape;
 }
 

@@ -130,10 +130,7 @@ void Game::runScript() {
         const uint64_t step = m_yard.steps % SCRIPT_CYCLE;
         yard_play_script(&m_yard);
         yard_step(&m_yard);
-        if (m_yard.steps == 2) writeImage("1_start");
-        if (m_yard.steps == SCRIPT_EXPLOSION) writeImage("2_hole");
-        if (m_yard.steps == SCRIPT_EXPLOSION + 15) writeImage("3_flying");
-        if (m_yard.steps == SCRIPT_CYCLE) writeImage("4_end");
+        if (const char* image = yard_image_name(&m_yard, m_options.steps)) writeImage(image);
         if (step % 100 == 0) draw();
         if (step == SCRIPT_CYCLE - 1)
             std::printf("memory after %u steps: %u KiB\n", unsigned(m_yard.steps), unsigned(resident_kib()));

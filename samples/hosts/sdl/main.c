@@ -141,12 +141,10 @@ static void run_script(const struct options* options) {
     if (!make_folder(options->folder)) refuse("a folder to write images to", options->folder);
     while (yard.steps < options->steps) {
         const uint64_t step = yard.steps % SCRIPT_CYCLE;
+        const char* image;
         yard_play_script(&yard);
         yard_step(&yard);
-        if (yard.steps == 2) write_image(options, "1_start");
-        if (yard.steps == SCRIPT_EXPLOSION) write_image(options, "2_hole");
-        if (yard.steps == SCRIPT_EXPLOSION + 15) write_image(options, "3_flying");
-        if (yard.steps == SCRIPT_CYCLE) write_image(options, "4_end");
+        if ((image = yard_image_name(&yard, options->steps))) write_image(options, image);
         if (step % 100 == 0) draw_frame(1.0, 1);
         if (step == SCRIPT_CYCLE - 1)
             printf("memory after %u steps: %u KiB\n", (unsigned)yard.steps, (unsigned)resident_kib());

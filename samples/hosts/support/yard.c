@@ -99,6 +99,13 @@ void yard_play_script(struct yard* yard) {
     }
 }
 
+const char* yard_image_name(const struct yard* yard, uint64_t end) {
+    if (yard->steps == 2) return "1_start";
+    if (yard->steps == SCRIPT_EXPLOSION) return "2_hole";
+    if (yard->steps == SCRIPT_EXPLOSION + 15) return "3_flying";
+    return yard->steps == SCRIPT_CYCLE || (yard->steps == end && end < SCRIPT_CYCLE) ? "4_end" : NULL;
+}
+
 void yard_step(struct yard* yard) {
     rubble_events events = {.struct_size = sizeof events};
     rubble_character_state player;

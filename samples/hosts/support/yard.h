@@ -51,6 +51,8 @@ void yard_shoot(struct yard* yard);
 void yard_explode(struct yard* yard);
 /* Queues what the script does in the next step. */
 void yard_play_script(struct yard* yard);
+/* The name of the image after the last step of a script that ends after so many steps; null: there is none. */
+const char* yard_image_name(const struct yard* yard, uint64_t end);
 /* Plays a sixtieth of a second, counts what came off, and moves the eyes with the player. */
 void yard_step(struct yard* yard);
 /* Sets position, rotation and projection of a view: the player's eyes, in a frame of width by height pixels. */

@@ -11,6 +11,7 @@
 #include "samples/netplay/server.h"
 #include "samples/netplay/yard.h"
 #include "samples/support/image_size.h"
+#include "samples/support/number_option.h"
 
 namespace netplay {
 namespace {
@@ -74,7 +75,8 @@ int run(int argc, char** argv) {
     auto* host = app.add_option("--join", options.host, "join the server on this host");
     server->excludes(host);
     app.add_option("--port", options.port, "UDP port of the server; --server: 0 is any that is free")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->check(rubble::wholeFrom(0, 65535));
     app.add_option("--rows", options.rows, "rows of houses in the yard")
         ->check(CLI::Range(1, 4))
         ->capture_default_str();
@@ -88,7 +90,7 @@ int run(int argc, char** argv) {
     app.add_option("--latency", options.latency, "ms that each message from here takes longer")
         ->check(CLI::Range(0, 5000));
     app.add_option("--loss", options.loss, "percent of the datagrams from here that are lost")
-        ->check(CLI::Range(0.0, 90.0));
+        ->check(rubble::numberFrom(0.0, 90.0));
     addImageOptions(app, options);
     CLI11_PARSE(app, argc, argv);
     std::signal(SIGINT, [](int) { isInterrupted = 1; });

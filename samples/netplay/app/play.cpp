@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "samples/netplay/app/participant.h"
 #include "samples/netplay/app/player_view.h"
 #include "samples/netplay/app/step_clock.h"
 #include "samples/netplay/bot.h"
+#include "samples/support/out_folder.h"
 
 namespace netplay {
 
@@ -29,12 +28,6 @@ void report(const Participant& seat, int64_t step) {
     if (step % (5 * kStepsPerSecond) == 0 && seat.link() == Participant::Link::Playing)
         say(fmt::format("player {}: step {}, {} bodies", seat.client.player(), seat.client.appliedStep(),
                         seat.world.get_body_states().size()));
-}
-
-void makeFolder(const std::string& path) {
-    std::error_code error;
-    std::filesystem::create_directories(path, error);
-    if (error) throw std::runtime_error(fmt::format("{}: expected a folder for images: {}", path, error.message()));
 }
 
 /// Whether a bot need not go on.
@@ -87,7 +80,8 @@ int playIntoFrames(const Options& given) {
     Options options = given;
     if (options.frames == 0) options.frames = kDefaultFrames;
     if (options.seconds == 0) options.seconds = kDefaultSeconds;
-    makeFolder(options.out);
+    if (const std::string error = rubble::makeOutFolder(options.out); !error.empty())
+        throw std::runtime_error("--out: " + error);
     const auto screen = Screen::inMemory(options.size);
     Participant seat(options, drawnWorld(), 1);
     Bot bot(std::random_device{}(), options.rows, kStepsBetweenAsks);

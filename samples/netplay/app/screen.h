@@ -6,6 +6,10 @@
 
 #include "samples/support/player_input.h"
 
+namespace rubble {
+class Display;
+}
+
 namespace netplay {
 
 /// In pixels.
@@ -13,8 +17,8 @@ struct Size {
     int width = 640, height = 360;
 };
 
-/// What is drawn on: a window, or memory where there is no display. It has a GL context, current from its making on;
-/// there is one of them in a program at a time. [render-thread]
+/// A rubble::Display for files that see rubble.hpp, whose classes have the names of some that a display includes: a
+/// window, or memory where there is no display. [render-thread]
 class Screen {
 public:
     /// Whether a window can be opened.
@@ -23,29 +27,34 @@ public:
     static std::unique_ptr<Screen> openWindow(Size size, const std::string& title);
     /// Throws std::runtime_error if there is no OpenGL.
     static std::unique_ptr<Screen> inMemory(Size size);
-    virtual ~Screen() = default;
+    /// Takes a display over.
+    explicit Screen(std::unique_ptr<rubble::Display> display);
+    ~Screen();
 
     using Loader = void* (*)(const char* name);
     /// How GL functions are found by name.
-    virtual Loader loader() const = 0;
+    Loader loader() const;
     /// GL name of what to draw on, for rubble_view.framebuffer.
-    virtual unsigned framebuffer() const = 0;
+    unsigned framebuffer() const;
     /// Of the image.
-    virtual Size size() const = 0;
+    Size size() const;
     /// Its image: three bytes a pixel, rows from the top.
-    virtual std::vector<uint8_t> read() const = 0;
+    std::vector<uint8_t> read() const;
     /// Sets the text of a window's title bar.
-    virtual void setTitle(const std::string& title) = 0;
+    void setTitle(const std::string& title);
     /// Shows what was drawn.
-    virtual void present() = 0;
-    /// Reads what the player does; false: he leaves.
-    virtual bool poll() = 0;
+    void present();
+    /// Reads what the player does; false: he leaves. In memory there is none.
+    bool poll();
     /// How he wants to fly and look since the last poll().
-    virtual rubble::PlayerInput input() = 0;
+    rubble::PlayerInput input();
     /// Whether he holds the button that uses a tool.
-    virtual bool isClicking() const = 0;
+    bool isClicking() const;
     /// Whether he has pressed the key of a number, 1 to 9, since the last poll().
-    virtual bool hasPressed(int number) const = 0;
+    bool hasPressed(int number) const;
+
+private:
+    std::unique_ptr<rubble::Display> m_display;
 };
 
 /// Writes an image of Screen::read() as PNG. Throws std::runtime_error if it cannot.

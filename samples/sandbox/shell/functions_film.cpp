@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "runtime/script/binding/calls.h"
+#include "samples/sandbox/shell/fields.h"
 #include "samples/sandbox/shell/functions.h"
 #include "samples/sandbox/shell/game.h"
 
@@ -42,7 +44,13 @@ void withField(lua_State* L, const char* name, Take&& take) {
 }
 
 int setEnvironment(lua_State* L) {
-    luaL_checktype(L, 1, LUA_TTABLE);
+    static const std::vector<const char*> keys = [] {
+        std::vector<const char*> all = {"sun"};
+        for (const VectorField& field : kVectors) all.push_back(field.name);
+        for (const NumberField& field : kNumbers) all.push_back(field.name);
+        return all;
+    }();
+    requireKeys(L, 1, "air", keys);
     auto air = sized<rubble_environment>();
     if (!isDone(L, apiOf(L).get_environment(worldOf(L), &air))) return 0;
     withField(L, "clouds", [&](int at) { air.clouds = numberAt(L, at, "clouds"); });  // the model greys by them
@@ -59,10 +67,12 @@ int setEnvironment(lua_State* L) {
 }
 
 int setRules(lua_State* L) {
-    luaL_checktype(L, 1, LUA_TTABLE);
+    static constexpr const char* kKeys[] = {"stress", "strength", "contactTime", "fireSpread", "fireTime"};
+    requireKeys(L, 1, "rules", kKeys);
     auto rules = sized<rubble_settings>();
     if (!isDone(L, apiOf(L).get_settings(worldOf(L), &rules))) return 0;
     withField(L, "stress", [&](int at) {
+        if (!lua_isboolean(L, at)) refuseArgument(L, at, "stress", "true or false");
         rules.flags &= ~uint32_t(RUBBLE_SETTING_STRESS);
         if (lua_toboolean(L, at)) rules.flags |= RUBBLE_SETTING_STRESS;
     });

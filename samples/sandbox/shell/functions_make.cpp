@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "runtime/script/binding/calls.h"
+#include "samples/sandbox/shell/fields.h"
 #include "samples/sandbox/shell/functions.h"
 #include "samples/sandbox/shell/game.h"
 
@@ -17,17 +18,18 @@ int pushField(lua_State* L, int table, const char* name) {
     return lua_gettop(L);
 }
 
-double fieldOr(lua_State* L, int table, const char* name, double otherwise) {
-    const double value = numberOr(L, pushField(L, table, name), name, otherwise);
+double fieldOr(lua_State* L, int table, const char* name, double low, double high, double otherwise) {
+    const int at = pushField(L, table, name);
+    const double value = lua_isnil(L, at) ? otherwise : rangedAt(L, at, name, low, high);
     lua_pop(L, 1);
     return value;
 }
 
-int elementAt(lua_State* L, int table, int place, const char* name) {
+int elementAt(lua_State* L, int table, int place, const char* name, int low, int high) {
     lua_geti(L, table, place);
-    const double value = clampedAt(L, lua_gettop(L), name, -4096.0, 4096.0);
+    const int value = wholeAt(L, lua_gettop(L), name, low, high);
     lua_pop(L, 1);
-    return int(std::floor(value));
+    return value;
 }
 
 uint8_t byteOf(double share) {
@@ -45,43 +47,56 @@ uint8_t materialOf(lua_State* L, int row) {
     return uint8_t(index);
 }
 
-/// Colours {r, g, b} of 0 to 1 with roughness, metallic, emission, opacity and material.
-void setPalette(lua_State* L, rubble_shape shape, int table) {
+/// Refuses a value that is no list of at most so many elements; its length.
+int lengthAt(lua_State* L, int index, const char* name, int most) {
+    requireTable(L, index, name);
+    const lua_Unsigned length = lua_rawlen(L, index);
+    if (length > lua_Unsigned(most))
+        refuseArgument(L, index, name, ("a list of at most " + std::to_string(most)).c_str());
+    requireKeys(L, index, name, {}, lua_Integer(length));
+    return int(length);
+}
+
+/// Colours {r, g, b} of 0 to 1 with roughness, metallic, emission, opacity and material. There may be none.
+std::vector<rubble_palette_entry> paletteAt(lua_State* L, int table) {
+    static constexpr const char* kKeys[] = {"material", "roughness", "metallic", "emission", "opacity"};
     std::vector<rubble_palette_entry> entries;
-    const int count = int(std::min<lua_Unsigned>(lua_rawlen(L, table), 255));
+    if (lua_isnil(L, table)) return entries;
+    const int count = lengthAt(L, table, "palette", 255);
     for (int i = 1; i <= count; ++i) {
         lua_geti(L, table, i);
         const int row = lua_gettop(L);
-        const Vector color = vectorAt(L, row, "palette");
+        requireKeys(L, row, "palette", kKeys, 3);
         rubble_palette_entry entry = {};
-        for (size_t k = 0; k < 3; ++k) entry.color[k] = byteOf(color[k]);
-        entry.opacity = byteOf(fieldOr(L, row, "opacity", 1.0));
-        entry.roughness = byteOf(fieldOr(L, row, "roughness", 0.6));
-        entry.metallic = byteOf(fieldOr(L, row, "metallic", 0.0));
+        for (int k = 0; k < 3; ++k) {
+            lua_geti(L, row, k + 1);
+            entry.color[k] = byteOf(rangedAt(L, lua_gettop(L), "palette", 0.0, 1.0));
+            lua_pop(L, 1);
+        }
+        entry.opacity = byteOf(fieldOr(L, row, "opacity", 0.0, 1.0, 1.0));
+        entry.roughness = byteOf(fieldOr(L, row, "roughness", 0.0, 1.0, 0.6));
+        entry.metallic = byteOf(fieldOr(L, row, "metallic", 0.0, 1.0, 0.0));
         entry.reflectivity = 10;
-        entry.emission = fieldOr(L, row, "emission", 0.0);
+        entry.emission = fieldOr(L, row, "emission", 0.0, 1e6, 0.0);
         entry.material = materialOf(L, row);
         entries.push_back(entry);
         lua_pop(L, 1);
     }
-    if (entries.empty()) return;
-    auto range = sized<rubble_palette_range>();
-    range.shape = shape;
-    range.first = 1, range.count = uint32_t(entries.size()), range.entry_size = sizeof(rubble_palette_entry);
-    isDone(L, apiOf(L).set_palette(worldOf(L), &range, entries.data()));
+    return entries;
 }
 
-/// Boxes {x, y, z, x1, y1, z1, entry} in cells, both corners in.
+/// Boxes {x, y, z, x1, y1, z1, entry} in cells, both corners in; what is outside of the grid is left out.
 std::vector<uint8_t> fillBoxes(lua_State* L, int table, const std::array<int, 3>& size) {
     std::vector<uint8_t> cells(size_t(size[0]) * size_t(size[1]) * size_t(size[2]), 0);
     Sandbox::of(L).charge(L, int64_t(cells.size() / 8));
-    const int count = int(lua_rawlen(L, table));
+    const int count = lengthAt(L, table, "boxes", 1 << 20);
     for (int i = 1; i <= count; ++i) {
         lua_geti(L, table, i);
         const int row = lua_gettop(L);
+        requireKeys(L, row, "boxes", {}, 7);
         std::array<int, 6> box;
-        for (int k = 0; k < 6; ++k) box[size_t(k)] = elementAt(L, row, k + 1, "boxes");
-        const auto entry = uint8_t(std::clamp(elementAt(L, row, 7, "boxes"), 0, 255));
+        for (int k = 0; k < 6; ++k) box[size_t(k)] = elementAt(L, row, k + 1, "boxes", -4096, 4096);
+        const auto entry = uint8_t(elementAt(L, row, 7, "boxes", 0, 255));
         lua_pop(L, 1);
         for (int z = std::max(box[2], 0); z <= std::min(box[5], size[2] - 1); ++z)
             for (int y = std::max(box[1], 0); y <= std::min(box[4], size[1] - 1); ++y)
@@ -92,13 +107,22 @@ std::vector<uint8_t> fillBoxes(lua_State* L, int table, const std::array<int, 3>
 }
 
 int createModel(lua_State* L) {
-    luaL_checktype(L, 1, LUA_TTABLE);
+    static constexpr const char* kKeys[] = {"size", "voxel", "origin", "palette", "boxes", "muzzle"};
+    requireKeys(L, 1, "model", kKeys);
     const Placement place = placementAt(L, 2, "transform");
-    const double voxel = std::clamp(fieldOr(L, 1, "voxel", 0.1), 0.005, 1.0);
+    const double voxel = fieldOr(L, 1, "voxel", 0.005, 1.0, 0.1);
     std::array<int, 3> size;
     const int sizeAt = pushField(L, 1, "size");
-    for (int i = 0; i < 3; ++i) size[size_t(i)] = std::clamp(elementAt(L, sizeAt, i + 1, "size"), 1, 128);
+    requireKeys(L, sizeAt, "size", {}, 3);
+    for (int i = 0; i < 3; ++i) size[size_t(i)] = elementAt(L, sizeAt, i + 1, "size", 1, 128);
     const std::vector<uint8_t> cells = fillBoxes(L, pushField(L, 1, "boxes"), size);
+    const std::vector<rubble_palette_entry> palette = paletteAt(L, pushField(L, 1, "palette"));
+    const int origin = pushField(L, 1, "origin");  // the cell that is at the body's frame
+    const bool hasOrigin = !lua_isnil(L, origin);
+    if (hasOrigin) requireKeys(L, origin, "origin", {}, 3);
+    std::array<double, 3> at;
+    for (int i = 0; i < 3; ++i)
+        at[size_t(i)] = hasOrigin ? elementAt(L, origin, i + 1, "origin", -4096, 4096) : 0.5 * size[size_t(i)];
 
     auto body = sized<rubble_body_settings>();
     body.flags = boolOr(L, 3, false) ? 0u : uint32_t(RUBBLE_BODY_STATIC);
@@ -111,16 +135,19 @@ int createModel(lua_State* L) {
     shape.body = made;
     shape.rotation[3] = 1.0;
     shape.voxel_size = voxel;
-    const int origin = pushField(L, 1, "origin");  // the cell that is at the body's frame
     for (int i = 0; i < 3; ++i) {
-        const double at = lua_isnil(L, origin) ? 0.5 * size[size_t(i)] : elementAt(L, origin, i + 1, "origin");
-        shape.position[i] = -voxel * at;
+        shape.position[i] = -voxel * at[size_t(i)];
         shape.size[i] = size[size_t(i)];
     }
     shape.indices = cells.data(), shape.count = cells.size();
     rubble_shape grid = 0;
     if (!isDone(L, apiOf(L).create_shape(worldOf(L), &shape, &grid))) return 0;
-    setPalette(L, grid, pushField(L, 1, "palette"));
+    if (!palette.empty()) {
+        auto range = sized<rubble_palette_range>();
+        range.shape = grid;
+        range.first = 1, range.count = uint32_t(palette.size()), range.entry_size = sizeof(rubble_palette_entry);
+        isDone(L, apiOf(L).set_palette(worldOf(L), &range, palette.data()));
+    }
     auto& created = ScriptContext::of(L).shared.pending.created;
     created[made] = RUBBLE_KIND_BODY;
     created[grid] = RUBBLE_KIND_SHAPE;

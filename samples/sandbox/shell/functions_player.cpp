@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "runtime/script/binding/calls.h"
+#include "samples/sandbox/shell/fields.h"
 #include "samples/sandbox/shell/functions.h"
 #include "samples/sandbox/shell/game.h"
 
@@ -12,7 +13,7 @@ namespace {
 using namespace rubble::script;
 
 glm::dvec3 pointAt(lua_State* L, int index, const char* name) {
-    const Vector v = vectorAt(L, index, name);
+    const Vector v = finiteVectorAt(L, index, name);
     return {v[0], v[1], v[2]};
 }
 
@@ -49,11 +50,11 @@ int setInput(lua_State* L) {
     return 0;
 }
 int addInput(lua_State* L) {
-    gameOf(L).input().ask(textAt(L, 1, "input"), numberAt(L, 2, "amount"));
+    gameOf(L).input().ask(textAt(L, 1, "input"), rangedAt(L, 2, "amount", -1e6, 1e6));
     return 0;
 }
 int setCursor(lua_State* L) {
-    gameOf(L).input().place(numberAt(L, 1, "x"), numberAt(L, 2, "y"));
+    gameOf(L).input().place(rangedAt(L, 1, "x", -1e6, 1e6), rangedAt(L, 2, "y", -1e6, 1e6));
     return 0;
 }
 
@@ -65,11 +66,7 @@ int getPlayerCameraTransform(lua_State* L) {
     return pushFrame(L, gameOf(L).player().eye(1.0));
 }
 int setPlayerTransform(lua_State* L) {
-    const Placement place = placementAt(L, 1, "transform");
-    const auto isFinite = [](double number) { return std::isfinite(number); };
-    if (!std::all_of(place.position.begin(), place.position.end(), isFinite) ||
-        !std::all_of(place.rotation.begin(), place.rotation.end(), isFinite))
-        refuseArgument(L, 1, "transform", "finite numbers");
+    const Placement place = finitePlacementAt(L, 1, "transform");
     Player& player = gameOf(L).player();
     player.place({place.position[0], place.position[1], place.position[2]});
     const glm::dquat turn(place.rotation[3], place.rotation[0], place.rotation[1], place.rotation[2]);
@@ -90,7 +87,7 @@ int getPlayerLook(lua_State* L) {
     return 2;
 }
 int setPlayerLook(lua_State* L) {
-    gameOf(L).player().look(numberAt(L, 1, "yaw"), clampedAt(L, 2, "pitch", -1.55, 1.55));
+    gameOf(L).player().look(rangedAt(L, 1, "yaw", -1e6, 1e6), clampedAt(L, 2, "pitch", -1.55, 1.55));
     return 0;
 }
 int movePlayer(lua_State* L) {

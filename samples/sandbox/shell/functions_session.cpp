@@ -3,6 +3,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "runtime/script/binding/calls.h"
+#include "samples/sandbox/shell/fields.h"
 #include "samples/sandbox/shell/functions.h"
 #include "samples/sandbox/shell/game.h"
 
@@ -12,7 +13,7 @@ namespace {
 using namespace rubble::script;
 
 Frame frameAt(lua_State* L, int index, const char* name) {
-    const Placement place = placementAt(L, index, name);
+    const Placement place = finitePlacementAt(L, index, name);
     const Rotation& turn = place.rotation;
     return {{place.position[0], place.position[1], place.position[2]}, {turn[3], turn[0], turn[1], turn[2]}};
 }
@@ -65,9 +66,9 @@ int saveGame(lua_State* L) {
 }
 int loadGame(lua_State* L) {
     const std::string name = saveNameAt(L);
-    const bool isThere = gameOf(L).hasSave(name);
-    if (isThere) gameOf(L).requests().load = name;
-    lua_pushboolean(L, isThere);
+    const bool loads = gameOf(L).canLoad(name);
+    if (loads) gameOf(L).requests().load = name;
+    lua_pushboolean(L, loads);
     return 1;
 }
 int hasSave(lua_State* L) {
@@ -112,7 +113,8 @@ constexpr ScriptFunction kFunctions[] = {
     {"Undo() -> boolean",
      "Takes back what came after the last mark, and each time again after the one before; false: there is none.", undo},
     {"SaveGame(name)", "Saves the game after this frame.", saveGame},
-    {"LoadGame(name) -> boolean", "Goes on with a saved game after this frame; false: there is none.", loadGame},
+    {"LoadGame(name) -> boolean", "Goes on with a saved game after this frame; false: there is none that loads.",
+     loadGame},
     {"HasSave(name) -> boolean", "Whether there is one.", hasSave},
     {"RestartLevel()", "Loads the level again after this frame.", restartLevel},
     {"QuitGame()", "Ends the game after this frame.", quitGame},

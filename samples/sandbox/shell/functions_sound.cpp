@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "runtime/script/binding/calls.h"
+#include "samples/sandbox/shell/fields.h"
 #include "samples/sandbox/shell/functions.h"
 #include "samples/sandbox/shell/game.h"
 #include "samples/sandbox/sound/named_sounds.h"
@@ -28,8 +29,13 @@ std::string nameAt(lua_State* L, const char* argument, std::span<const std::stri
 
 std::optional<glm::dvec3> placeAt(lua_State* L, int index) {
     if (lua_isnoneornil(L, index)) return std::nullopt;
-    const Vector v = vectorAt(L, index, "pos");
+    const Vector v = finiteVectorAt(L, index, "pos");
     return glm::dvec3(v[0], v[1], v[2]);
+}
+
+/// A factor; what is left out or nil is `otherwise`.
+double shareOr(lua_State* L, int index, const char* name, double otherwise) {
+    return lua_isnoneornil(L, index) ? otherwise : rangedAt(L, index, name, 0.0, 1e3);
 }
 
 int loadSound(lua_State* L) {
@@ -40,18 +46,18 @@ int loadLoop(lua_State* L) {
 }
 int playSound(lua_State* L) {
     const std::string name = nameAt(L, "sound", sound::soundNames());
-    gameOf(L).sound().play(name, placeAt(L, 2), numberOr(L, 3, "volume", 1.0));
+    gameOf(L).sound().play(name, placeAt(L, 2), shareOr(L, 3, "volume", 1.0));
     return 0;
 }
 int playLoop(lua_State* L) {
     const std::string name = nameAt(L, "loop", sound::loopNames());
-    const double volume = numberOr(L, 3, "volume", 1.0), pitch = numberOr(L, 4, "pitch", 1.0);
+    const double volume = shareOr(L, 3, "volume", 1.0), pitch = shareOr(L, 4, "pitch", 1.0);
     gameOf(L).sound().loop(name, placeAt(L, 2), volume, pitch);
     return 0;
 }
 int uiSound(lua_State* L) {
     const std::string name = std::filesystem::path(textAt(L, 1, "path")).stem().string();
-    gameOf(L).sound().play(name, std::nullopt, numberOr(L, 2, "volume", 1.0));
+    gameOf(L).sound().play(name, std::nullopt, shareOr(L, 2, "volume", 1.0));
     return 0;
 }
 int setSoundVolume(lua_State* L) {

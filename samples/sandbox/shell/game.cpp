@@ -11,6 +11,8 @@
 
 #include "samples/sandbox/shell/allocations.h"
 #include "samples/sandbox/shell/functions.h"
+#include "samples/sandbox/shell/player_devices.h"
+#include "samples/support/window.h"
 
 namespace sandbox {
 namespace {
@@ -33,7 +35,7 @@ std::string readText(const std::string& path) {
 
 }  // namespace
 
-Game::Game(const rubble_api& api, Display& display, GameSettings settings)
+Game::Game(const rubble_api& api, rubble::Display& display, GameSettings settings)
     : m_api(api),
       m_display(display),
       m_settings(std::move(settings)),
@@ -96,6 +98,8 @@ void Game::startScripts() {
     m_scripts.reset();
     rubble::script::ScriptHostSettings settings;
     settings.folder = m_settings.folder;
+    settings.levelFolder =
+        m_settings.levelFolder.empty() ? fs::absolute(m_settings.level).parent_path().string() : m_settings.levelFolder;
     settings.limits.memory = 64 << 20;
     settings.functions = gameFunctions();
     settings.host = this;
@@ -133,7 +137,7 @@ bool Game::hasFailed() const {
 
 bool Game::frame(double seconds) {
     m_input.beginFrame();
-    const bool isOpen = m_display.poll(m_input);
+    const bool isOpen = readDevices(m_display, m_input);
     m_isInteractive = false;
     m_camera.frame.reset();
     m_scripts->tick(seconds);
@@ -144,7 +148,7 @@ bool Game::frame(double seconds) {
     m_due = std::max(m_due, 0.0);
     hear(seconds);
     draw(seconds);
-    m_display.captureCursor(!m_isInteractive);
+    if (rubble::Window* window = m_display.window()) window->captureCursor(!m_isInteractive);
     carryOutRequests();
     return isOpen && !m_requests.quits;
 }
@@ -211,6 +215,7 @@ void Game::carryOutUndo() {
         m_api.apply_edits(m_world);
     }
     m_hasUndone = m_api.undo(m_world) == RUBBLE_OK;
+    m_scripts->beforeUndo();
 }
 
 Frame Game::cameraFrame() const {

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "runtime/script/script_host.h"
-#include "samples/sandbox/shell/display.h"
 #include "samples/sandbox/shell/film.h"
 #include "samples/sandbox/shell/input.h"
 #include "samples/sandbox/shell/player.h"
 #include "samples/sandbox/sound/sound.h"
+#include "samples/support/display.h"
 
 namespace sandbox {
 
@@ -20,6 +20,7 @@ inline constexpr uint32_t kUndoMarks = 24;  ///< that are kept
 /// What the game is started with.
 struct GameSettings {
     std::string level, vdbTool;  ///< the level's file, and the program that reads .vdb
+    std::string levelFolder;     ///< of the scripts that the level names; "": that of its file
     std::string folder;          ///< of the game's scripts: main.lua and what it requires
     std::string bot;             ///< a file of that folder that plays in place of a player; "": nobody
     std::string saves;           ///< folder of saved games and options
@@ -51,7 +52,7 @@ struct CameraOverride {
 class Game {
 public:
     /// The display must outlive it.
-    Game(const rubble_api& api, Display& display, GameSettings settings);
+    Game(const rubble_api& api, rubble::Display& display, GameSettings settings);
     ~Game();
     Game(const Game&) = delete;
     Game& operator=(const Game&) = delete;
@@ -98,6 +99,8 @@ public:
     const std::string& preset() const { return m_settings.preset; }
     /// Whether there is a saved game of that name.
     bool hasSave(const std::string& name) const;
+    /// Whether that is one which loads; what is wrong with it is printed.
+    bool canLoad(const std::string& name) const;
 
 private:
     void startScripts();
@@ -107,6 +110,7 @@ private:
     std::string save(const std::string& name);
     std::string load(const std::string& name);
     std::string savePath(const std::string& name) const;
+    std::string optionsPath() const;
     void readOptions();
     void writeOptions();
     void step();
@@ -119,7 +123,7 @@ private:
     void hear(double seconds);
 
     const rubble_api& m_api;
-    Display& m_display;
+    rubble::Display& m_display;
     GameSettings m_settings;
     sound::Sound m_sound;
     rubble_world m_world = 0;

@@ -1,4 +1,6 @@
 // Saved games, and options that outlive the game.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -19,7 +21,21 @@ std::string Game::savePath(const std::string& name) const {
 
 bool Game::hasSave(const std::string& name) const {
     std::error_code ignored;
-    return fs::exists(savePath(name), ignored);
+    return fs::is_regular_file(savePath(name), ignored);
+}
+
+/// Loads it into a world of its own, as only that finds all damage.
+bool Game::canLoad(const std::string& name) const {
+    if (!hasSave(name)) return false;
+    rubble_world_settings settings = {};
+    settings.struct_size = sizeof settings;
+    settings.flags = RUBBLE_WORLD_NO_RENDERER;
+    rubble_world scratch = 0;
+    if (m_api.create_world(&settings, &scratch) != RUBBLE_OK) return false;
+    const bool isGood = m_api.load_game(scratch, savePath(name).c_str()) == RUBBLE_OK;
+    if (!isGood) fmt::print(stderr, "sandbox: {}\n", m_api.get_last_error());
+    m_api.destroy_world(scratch);
+    return isGood;
 }
 
 std::string Game::save(const std::string& name) {
@@ -42,8 +58,18 @@ std::string Game::load(const std::string& name) {
     return "";
 }
 
+std::string Game::optionsPath() const {
+    return m_settings.saves + "/options.txt";
+}
+
 void Game::readOptions() {
-    std::ifstream file(m_settings.saves + "/options.txt");
+    std::error_code ignored;
+    const bool isThere = fs::exists(optionsPath(), ignored);
+    std::ifstream file;
+    if (fs::is_regular_file(optionsPath(), ignored)) file.open(optionsPath());
+    if (isThere && !file.is_open())
+        fmt::print(stderr, "sandbox: {}: expected a file that can be read, found another thing: nothing is chosen\n",
+                   optionsPath());
     for (std::string line; std::getline(file, line);)
         if (const size_t at = line.find('='); line.starts_with(kOptions) && at != line.npos)
             m_scripts->shared().registry[line.substr(0, at)] = line.substr(at + 1);
@@ -53,9 +79,11 @@ void Game::writeOptions() {
     if (m_settings.saves.empty()) return;
     std::error_code ignored;
     fs::create_directories(m_settings.saves, ignored);
-    std::ofstream file(m_settings.saves + "/options.txt");
+    std::ofstream file(optionsPath());
     for (const auto& [key, value] : m_scripts->shared().registry)
         if (key.starts_with(kOptions) && value.find('\n') == value.npos) file << key << '=' << value << '\n';
+    if (!file.flush())
+        fmt::print(stderr, "sandbox: {}: expected a file that can be written: options are not kept\n", optionsPath());
 }
 
 }  // namespace sandbox

@@ -7,6 +7,8 @@
 
 #include "samples/sandbox/shell/game.h"
 #include "samples/support/image_size.h"
+#include "samples/support/number_option.h"
+#include "samples/support/out_folder.h"
 
 namespace sandbox {
 namespace {
@@ -42,11 +44,16 @@ int run(const Options& options) {
     const rubble_api* api = nullptr;
     if (error.empty() && rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK)
         error = "this library is of another version";
-    if (error.empty() && options.game.out.empty()) error = "--out: expected a folder, found nothing";
-    std::unique_ptr<Display> display;
-    if (error.empty()) display = options.isHeadless ? Display::inMemory(size, error) : Display::openWindow(size, error);
-    if (error.empty() && display) {
-        Game game(*api, *display, options.game);
+    if (error.empty() && !(error = rubble::makeOutFolder(options.game.out)).empty()) error = "--out: " + error;
+    if (error.empty() && !options.screenshot.empty() && !(error = rubble::makeFolderOf(options.screenshot)).empty())
+        error = "--screenshot: " + error;
+    using rubble::Display;
+    auto display = !error.empty()       ? rubble::Error{error}
+                   : options.isHeadless ? Display::inMemory(size)
+                                        : Display::openWindow(size, "Rubble");
+    if (!display) error = display.error();
+    if (display) {
+        Game game(*api, **display, options.game);
         game.drawAlways(!options.isHeadless || !options.game.film.script.empty());
         error = game.begin();
         const bool wantsImage = !options.screenshot.empty();
@@ -72,13 +79,15 @@ int main(int argc, char** argv) {
     game.out = "out/sandbox";
     CLI::App app{"The sandbox as a game in a window: F1 in it lists the keys."};
     app.add_option("--level", game.level, "a .rubble, .vox or .vdb file")->check(CLI::ExistingFile)->required();
+    app.add_option("--level-folder", game.levelFolder, "folder of the level's scripts (default: that of its file)")
+        ->check(CLI::ExistingDirectory);
     app.add_option("--game", game.folder, "folder of the scripts: main.lua")->check(CLI::ExistingDirectory);
     app.add_option("--bot", game.bot, "a script of that folder that plays; ends when it says so");
     app.add_option("--film", game.film.script,
                    "a script of that folder that directs a film in place of the game: in OUT");
     app.add_option("--shot", game.film.shot, "film only this shot");
     app.add_option("--seconds", game.film.seconds, "of the film (default: as long as its shots are)")
-        ->check(CLI::Range(0.1, 3600.0));
+        ->check(rubble::numberFrom(0.1, 3600.0));
     app.add_option("--fps", game.film.fps, "frames a second of the film")
         ->capture_default_str()
         ->check(CLI::Range(1, 60));
@@ -93,11 +102,7 @@ int main(int argc, char** argv) {
     app.add_flag("--headless", options.isHeadless, "draw in memory: for bots, and for images without a display");
     CLI11_PARSE(app, argc, argv);
     game.isSilent = options.isHeadless;
-    if (!game.film.script.empty() && game.wav.empty()) {
-        std::error_code ignored;
-        fs::create_directories(game.out, ignored);
-        game.wav = Film::soundFile(game.out);
-    }
+    if (!game.film.script.empty() && game.wav.empty()) game.wav = Film::soundFile(game.out);
     return run(options);
 }
 

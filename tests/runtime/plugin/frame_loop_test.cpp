@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "runtime/core/log.h"
 #include "tests/runtime/plugin/headless_loop.h"
@@ -150,6 +152,50 @@ TEST(FrameLoop, UndoRestoresTheTowerWhileItFalls) {
     for (int step = 0; step < 20; ++step) loop.step();
     EXPECT_EQ(voxelHash(loop.world()), voxels);
     EXPECT_EQ(loop.physics()->stats().bodies, 0);
+}
+
+/// How pieces move, by their handles: velocities and poses.
+std::map<uint64_t, std::array<glm::dvec3, 3>> motionOf(const World& world) {
+    std::map<uint64_t, std::array<glm::dvec3, 3>> motion;
+    world.bodies().forEach([&](BodyHandle handle, const Body& body) {
+        if (!body.isStatic) motion[handle.bits] = {body.velocity, body.angularVelocity, body.pose.position};
+    });
+    return motion;
+}
+
+TEST(FrameLoop, UndoOfAnotherThingLetsPiecesFlyOnAsTheyDidAtTheMark) {
+    FrameLoop loop(headlessSettings());
+    loop.load(tower());
+    WorldSettings settings;
+    settings.undoMarks = 2;
+    loop.edits().push(Edits{SettingsEdit{settings}, ExplodeEdit{.position = {2.0, 3.0, 2.0}, .size = 2.0}});
+    for (int step = 0; step < 20; ++step) loop.step();
+    const auto atMark = motionOf(loop.world());
+    loop.edits().push(Edits{HistoryEdit{}});
+    loop.step();
+    const auto after = motionOf(loop.world());
+    loop.edits().push(Edits{sphereCarve({3.6, 0.6, 3.6}, 0.5)});  // another thing
+    for (int step = 0; step < 8; ++step) loop.step();
+    loop.edits().push(HistoryEdit{HistoryAction::Undo});
+    loop.step();
+    const auto again = motionOf(loop.world());
+    ASSERT_EQ(again.size(), atMark.size());
+    const glm::dvec3 fall(0.0, -9.81 / 60.0, 0.0);
+    int flying = 0, moving = 0, same = 0;
+    for (const auto& [body, motion] : atMark) {
+        if (glm::length(motion[0]) < 1.0) continue;
+        ++moving;
+        ASSERT_TRUE(again.contains(body) && after.contains(body));
+        EXPECT_GT(glm::length(again.at(body)[0]), 0.1) << "it lies still: " << body;
+        if (glm::length(after.at(body)[0] - motion[0] - fall) > 1e-6) continue;  // contacts are found again
+        ++flying;
+        double apart = 0.0;
+        for (size_t i = 0; i < 3; ++i) apart = std::max(apart, glm::length(again.at(body)[i] - after.at(body)[i]));
+        same += apart < 1e-9;
+    }
+    EXPECT_GT(flying, 10);
+    EXPECT_GT(moving, flying);
+    EXPECT_GE(same, flying * 9 / 10) << "of " << flying << ": some may meet others a step sooner";
 }
 
 TEST(FrameLoop, ARecordingThatCannotBeWrittenIsAnError) {

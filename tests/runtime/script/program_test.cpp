@@ -130,6 +130,17 @@ private:
     FILE* m_output = nullptr;
 };
 
+TEST(LuaProgram, RefusesACameraThatIsNowhereAndAFolderThatIsNone) {
+    for (const char* number : {"nan", "inf", "1e9", "''"})
+        EXPECT_NE(
+            output("", std::string("--camera 0 0 0 1 1 ") + number + " --eval 1").find("--camera: expected a number"),
+            std::string::npos)
+            << number;
+    EXPECT_NE(
+        output("", "--image /dev/null/a.png --steps 1 --eval 1").find("--image: expected a folder that can be made"),
+        std::string::npos);
+}
+
 TEST(LuaProgram, WatchesWhatAScriptRequires) {
     const TempFolder folder;
     const std::string script = (folder.path() / "mod.lua").string(), tools = (folder.path() / "tools.lua").string();

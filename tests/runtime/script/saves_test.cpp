@@ -155,6 +155,25 @@ TEST(ScriptSaves, LevelsNameTheirScripts) {
     EXPECT_EQ(yard.host().shared().registry["speed"], "3") << "it has begun again";
 }
 
+TEST(ScriptSaves, ScriptsOfALevelLieBesideIt) {
+    Yard yard;
+    const TempFolder other;
+    std::ofstream(other.path() / "level.lua") << "function init() SetInt('answer', require('near').value) end";
+    std::ofstream(other.path() / "near.lua") << "return {value = 7}";
+    std::ofstream(yard.folder() / "level.lua") << "function init() SetInt('answer', 1) end";
+    const std::string level = writeLevel(other.path(), "level.rubble", "level.lua");
+    ASSERT_EQ(yard.api().load_level(yard.world(), level.c_str(), nullptr), RUBBLE_OK);
+    ScriptHost host(yard.api(), yard.world(),
+                    {.folder = yard.folder().string(), .levelFolder = other.path().string(), .log = yard.log()});
+    host.addLevelScripts();
+    EXPECT_EQ(host.shared().registry["answer"], "7") << yard.logged(RUBBLE_LOG_WARNING);
+    const std::string text = host.scripts().front().text();
+    EXPECT_TRUE(host.reload("level.lua", text)) << "it still reads beside the level";
+    EXPECT_TRUE(host.scripts().front().ofLevel()) << "and ends with it";
+    host.add("own.lua", "assert(not pcall(require, 'near')) assert(require('tools').double(2) == 4)");
+    EXPECT_EQ(host.scripts().back().error(), "") << "the host's own scripts read in the host's folder";
+}
+
 TEST(ScriptSaves, PrefabsBringTheirScripts) {
     Yard yard;
     std::ofstream(yard.folder() / "prefab.lua") << "function init() SetInt('begun', GetInt('begun') + 1) end";
@@ -163,6 +182,21 @@ TEST(ScriptSaves, PrefabsBringTheirScripts) {
     steps(yard, 2);
     EXPECT_EQ(yard.host().shared().registry["begun"], "2");
     EXPECT_EQ(yard.logged(RUBBLE_LOG_WARNING), "");
+}
+
+TEST(ScriptSaves, NamesOfScriptsEndInLuaAndAreOfOneLine) {
+    Yard yard;
+    for (const char* path : {"level.txt", "one.lua\nerror: two.lua", "level"}) {
+        std::ofstream(yard.folder() / path) << "function init() SetInt('begun', 1) end";
+        const std::string level = writeLevel(yard.folder(), "level.rubble", path);
+        ASSERT_EQ(yard.api().load_level(yard.world(), level.c_str(), nullptr), RUBBLE_OK);
+        yard.host().addLevelScripts();
+        EXPECT_TRUE(yard.host().scripts().empty()) << path;
+    }
+    EXPECT_EQ(yard.logged(RUBBLE_LOG_ERROR),
+              "the level names the script \"level.txt\": expected a name of one line that ends in .lua\n"
+              "the level names the script \"one.lua?error: two.lua\": expected a name of one line that ends in .lua\n"
+              "the level names the script \"level\": expected a name of one line that ends in .lua\n");
 }
 
 TEST(ScriptSaves, AScriptThatIsNotThereIsLogged) {

@@ -27,6 +27,15 @@ TEST(HostSdl, PlaysAmongItsOwnTriangles) {
     expectDifferent(run.images[1], run.images[2], 0.05);   // an explosion
 }
 
+TEST(HostSdl, AShortScriptEndsWithAnImage) {
+    if (const std::string missing = missingFor(kProgram, "libsdl2-dev"); !missing.empty()) GTEST_SKIP() << missing;
+    const std::string folder = hostFolder("sdl_short").string();
+    const HostRun run =
+        runHost(std::string(kProgram) + " " + kLevel + " --script " + folder + " --steps 1 --size 64x48");
+    EXPECT_EQ(run.exitCode, 0) << run.output;
+    EXPECT_TRUE(std::filesystem::exists(folder + "/4_end.png")) << run.output;
+}
+
 TEST(HostSdl, SaysWhatIsWrongWithItsArguments) {
     if (const std::string missing = missingFor(kProgram, "libsdl2-dev"); !missing.empty()) GTEST_SKIP() << missing;
     const std::string program = kProgram;

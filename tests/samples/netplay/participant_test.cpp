@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <string>
+
 #include "samples/netplay/enet_transport.h"
 #include "samples/netplay/server.h"
 #include "samples/netplay/yard.h"
@@ -85,6 +88,20 @@ TEST(Participant, SaysThatItHasLostTheServer) {
     const std::string words = testing::internal::GetCapturedStderr();
     EXPECT_NE(words.find("connection lost to 127.0.0.1"), std::string::npos) << words;
     EXPECT_NE(words.find("no answer from 127.0.0.1"), std::string::npos) << words;
+}
+
+TEST(NetplayProgram, SaysWhichNumbersItTakes) {
+    const auto said = [](const std::string& options) {
+        FILE* pipe = popen((RUBBLE_NETPLAY_PROGRAM " --server --seconds 1 " + options + " 2>&1").c_str(), "r");
+        std::string text;
+        for (int byte = std::fgetc(pipe); byte != EOF; byte = std::fgetc(pipe)) text += char(byte);
+        EXPECT_NE(pclose(pipe), 0) << options;
+        return text.substr(0, text.find('\n'));
+    };
+    EXPECT_EQ(said("--port 70000"), "--port: expected a whole number from 0 to 65535, found \"70000\"");
+    EXPECT_EQ(said("--port ''"), "--port: expected a whole number from 0 to 65535, found \"\"");
+    EXPECT_EQ(said("--port 0x"), "--port: expected a whole number from 0 to 65535, found \"0x\"");
+    EXPECT_EQ(said("--loss nan"), "--loss: expected a number from 0 to 90, found \"nan\"");
 }
 
 }  // namespace

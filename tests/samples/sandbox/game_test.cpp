@@ -16,13 +16,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The exit code of the game, played by a script of a folder.
-int playGame(const std::string& bot, const fs::path& out, const std::string& folder) {
-    const std::string level = RUBBLE_SOURCE_DIR "/samples/lua/mods/car.vox";
-    return std::system((RUBBLE_BINARY_DIR "/bin/rubble-game --headless --preset draft --size 160x90 --level " + level +
-                        " --game " + folder + " --bot " + bot + " --saves " + out.string() + " --out " + out.string() +
-                        " --wav " + (out / "sound.wav").string() + " >/dev/null 2>&1")
+/// Runs the game with options; its exit code, and what it prints in OUT/log.txt.
+int runGame(const std::string& options, const fs::path& out) {
+    return std::system((RUBBLE_BINARY_DIR "/bin/rubble-game --headless --preset draft --size 160x90 " + options + " >" +
+                        (out / "log.txt").string() + " 2>&1")
                            .c_str());
+}
+
+constexpr const char* kLevel = RUBBLE_SOURCE_DIR "/samples/lua/mods/car.vox";
+
+/// The exit code of the game, played by a script of a folder.
+int playGame(const std::string& bot, const fs::path& out, const std::string& folder,
+             const std::string& level = kLevel) {
+    return runGame("--level " + level + " --game " + folder + " --bot " + bot + " --saves " + out.string() + " --out " +
+                       out.string() + " --wav " + (out / "sound.wav").string(),
+                   out);
+}
+
+std::string logOf(const fs::path& out) {
+    std::ifstream file(out / "log.txt");
+    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 fs::path freshFolder(const std::string& name) {
@@ -59,6 +72,104 @@ TEST(Game, FailsWithoutScriptsAndWithABotThatFails) {
     std::ofstream(out / "bad.lua") << "function tick() QuitGame() error('no') end";
     EXPECT_EQ(playGame("good.lua", out, out.string()), 0);
     EXPECT_NE(playGame("bad.lua", out, out.string()), 0);
+}
+
+/// A bot that asks for what is refused.
+constexpr const char* kRefusedBot = R"(
+local at = Transform(Vec(0, 5, 0))
+local function model(change)
+    local m = {size = {2, 2, 2}, palette = {{1, 0, 0}}, boxes = {{0, 0, 0, 1, 1, 1, 1}}}
+    for key, value in pairs(change) do m[key] = value end
+    return m
+end
+local function refuses(says, call, ...)
+    local given = table.pack(...)
+    local isDone, message = pcall(function() call(table.unpack(given, 1, given.n)) end)
+    assert(not isDone, "expected " .. says)
+    assert(message:find("^bot.lua:%d+: %a+: "), message)
+    assert(message:find(says, 1, true), message .. " does not say " .. says)
+end
+local nan = 0 / 0
+function tick()
+    QuitGame()  -- also where something fails
+    assert(LoadGame("broken") == false and LoadGame("folder") == false and not HasSave("folder"))
+    refuses('model: expected a table, found 7', CreateModel, 7, at)
+    refuses('found "colour"', CreateModel, model({colour = 1}), at)
+    refuses('size: expected a whole number from 1 to 128, found', CreateModel, model({size = {nan, 2, 2}}), at)
+    refuses('size: expected a whole number from 1 to 128, found 500', CreateModel, model({size = {2, 2, 500}}), at)
+    refuses('voxel: expected a number from 0.005 to 1, found', CreateModel, model({voxel = nan}), at)
+    refuses('boxes: expected a table, found "all"', CreateModel, model({boxes = "all"}), at)
+    refuses('boxes: expected a number, found nil', CreateModel, model({boxes = {{0, 0, 0, 1}}}), at)
+    refuses('found 256', CreateModel, model({boxes = {{0, 0, 0, 1, 1, 1, 256}}}), at)
+    refuses('palette: expected a number from 0 to 1, found 7', CreateModel, model({palette = {{7, 0, 0}}}), at)
+    refuses('roughness: expected a number from 0 to 1, found', CreateModel,
+        model({palette = {{1, 0, 0, roughness = nan}}}), at)
+    refuses('found "rough"', CreateModel, model({palette = {{1, 0, 0, rough = 1}}}), at)
+    refuses('origin: expected a table, found true', CreateModel, model({origin = true}), at)
+    assert(#FindBodies() == bodies, "what was refused has made nothing")
+    refuses('air: expected a table, found nothing', SetEnvironment)
+    refuses('found "fogDensty"', SetEnvironment, {fogDensty = 1})
+    refuses('fog_density is', SetEnvironment, {fogDensity = nan})
+    refuses('sun_color', SetEnvironment, {sunColor = Vec(nan, 0, 0)})
+    refuses('sun', SetEnvironment, {sun = Vec(nan, 0, 0)})
+    refuses('clouds: expected a number, found "none"', SetEnvironment, {clouds = "none"})
+    refuses('rules: expected a table, found "x"', SetRules, "x")
+    refuses('stress: expected true or false, found 3', SetRules, {stress = 3})
+    refuses('found "strenght"', SetRules, {strenght = 3})
+    refuses('strength_scale is', SetRules, {strength = nan})
+    refuses('fire_spread is', SetRules, {fireSpread = -1})
+    refuses('finite numbers', SetPlayerVelocity, Vec(0, nan, 0))
+    refuses('yaw: expected a number from', SetPlayerLook, nan, 0)
+    refuses('finite numbers', SetCameraTransform, Transform(Vec(nan, 0, 0)))
+    refuses('volume: expected a number from 0 to 1000, found', PlaySound, LoadSound("click"), nil, nan)
+    CreateModel(model({muzzle = Vec(1, 1, 1)}), at)
+end
+function init() bodies = #FindBodies() end
+)";
+
+TEST(Game, SaysWhatIsWrongWithSavesOptionsAndTables) {
+    const fs::path out = freshFolder("damaged");
+    std::ofstream(out / "broken.save") << "RUBBLE, but nothing more";
+    fs::create_directory(out / "folder.save");
+    fs::create_directory(out / "options.txt");
+    std::ofstream(out / "main.lua") << "function tick() end";
+    std::ofstream(out / "bot.lua") << kRefusedBot;
+    EXPECT_EQ(playGame("bot.lua", out, out.string()), 0) << logOf(out);
+    const std::string log = logOf(out);
+    EXPECT_NE(log.find("broken.save: "), std::string::npos) << log;
+    EXPECT_NE(log.find("options.txt: expected a file that can be read"), std::string::npos) << log;
+    EXPECT_NE(log.find("options.txt: expected a file that can be written"), std::string::npos) << log;
+}
+
+TEST(Game, FindsTheScriptsOfALevelBesideIt) {
+    if (!fs::exists(RUBBLE_BINARY_DIR "/bin/rubble-editor")) GTEST_SKIP() << "the editor was not built";
+    const fs::path out = freshFolder("beside"), level = freshFolder("beside_level");
+    std::ofstream(out / "main.lua") << "function tick() end";
+    std::ofstream(out / "bot.lua") << "function tick() QuitGame() assert(GetInt('answer') == 7) end";
+    std::ofstream(level / "door.lua") << "function init() SetInt('answer', GetIntParam('answer', 1)) end";
+    ASSERT_EQ(std::system((RUBBLE_BINARY_DIR "/bin/rubble-editor 'create 4,4,4' 'script_add door.lua answer=7' -o " +
+                           (level / "room.rubble").string() + " >/dev/null")
+                              .c_str()),
+              0);
+    EXPECT_EQ(playGame("bot.lua", out, out.string(), (level / "room.rubble").string()), 0) << logOf(out);
+    fs::rename(level / "room.rubble", out / "room.rubble");
+    EXPECT_EQ(
+        playGame("bot.lua", out, out.string(), (out / "room.rubble").string() + " --level-folder " + level.string()), 0)
+        << logOf(out);
+}
+
+TEST(Game, RefusesNumbersAndFoldersBeforeItBegins) {
+    const fs::path out = freshFolder("refused");
+    const auto refuses = [&](const std::string& options, const std::string& why) {
+        EXPECT_NE(runGame("--level " + std::string(kLevel) + " " + options, out), 0) << options;
+        EXPECT_NE(logOf(out).find(why), std::string::npos) << options << ": " << logOf(out);
+    };
+    for (const char* number : {"nan", "inf", "-1", "''"})
+        refuses("--film film/film.lua --out " + out.string() + " --seconds " + number,
+                "--seconds: expected a number from 0.1 to 3600, found \"");
+    refuses("--out /dev/null/x", "--out: expected a folder that can be made, found /dev/null/x");
+    refuses("--out /proc", "--out: expected a folder that can be written to, found /proc");
+    refuses("--out " + out.string() + " --screenshot /proc/a.png", "--screenshot: expected a folder that can be");
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ var folder = OS.get_environment("RUBBLE_SCRIPT").percent_decode()
 var last = int(max(1, int(OS.get_environment("RUBBLE_STEPS")))) if OS.has_environment("RUBBLE_STEPS") else CYCLE
 var steps = 0
 var busy = false
+var ended = false
 
 func _init(of):
 	game = of
@@ -27,6 +28,10 @@ func step():
 	if at == 0 and steps > 0:
 		_say_memory()
 	if steps == last:
+		if last < CYCLE and not IMAGES.has(last) and not ended:
+			ended = true
+			_write_image(IMAGES[CYCLE])
+			return
 		game.get_tree().quit()
 		return
 	if at == 0 and steps > 0:

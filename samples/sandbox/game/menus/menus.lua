@@ -23,7 +23,8 @@ function menus.save()
 end
 
 function menus.load()
-    if not LoadGame("quick") then hud.say("There is no saved game yet") else close() end
+    if LoadGame("quick") then return close() end
+    hud.say(HasSave("quick") and "The saved game is damaged" or "There is no saved game yet")
 end
 
 local function hasNoSave() return not HasSave("quick") end
