@@ -139,6 +139,9 @@ public:
             readShape(delta);
         forEachKind([&](auto&, auto& free) { m_in.get(free); }, delta, delta.freeSlots);
         if (m_reader.remaining()) m_in.get(delta.scripts.emplace());
+        if (delta.scripts == m_world.data().scripts) delta.scripts.reset();
+        delta.footprint = m_world.data().footprint;
+        if (m_reader.remaining()) m_in.get(delta.footprint);
         return delta;
     }
 
@@ -298,7 +301,8 @@ private:
     bool hasValidValues() const {
         bool isValid = (!m_delta.environment || environmentError(*m_delta.environment).empty()) &&
                        (!m_delta.settings || settingsError(*m_delta.settings).empty()) &&
-                       objectError(m_delta.made).empty() && hasValidMaterials();
+                       objectError(m_delta.made).empty() && objectError(m_delta.footprint).empty() &&
+                       hasValidMaterials();
         forEachKind(
             [&](const auto& values) {
                 for (const auto& [slot, value] : values)
@@ -447,7 +451,8 @@ std::vector<uint8_t> stepDeltaToBytes(const WorldDelta& before, const FrameChang
     out.put(uint32_t(before.shapes.size()));
     for (const auto& [slot, was] : before.shapes) putShape(out, delta, slot, before, changes, after);
     forEachKind([&](const auto&, const auto& now) { out.put(now.freeSlots()); }, before, after.data());
-    if (before.scripts) out.put(after.data().scripts);
+    if (before.scripts || before.footprintChanged) out.put(after.data().scripts);  // only the last ones can be left out
+    if (before.footprintChanged) out.put(after.data().footprint);
     std::vector<uint8_t> bytes =
         palettesToBytes({palettes.palettes().begin() + std::ptrdiff_t(known), palettes.palettes().end()});
     bytes.insert(bytes.end(), delta.begin(), delta.end());

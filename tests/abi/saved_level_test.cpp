@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/abi/create_fixture.h"
@@ -188,6 +189,43 @@ TEST_F(AbiSavedLevel, ItsHashIsThatOfAWorldThatWasPlayed) {
     EXPECT_EQ(flags(), uint32_t(RUBBLE_GROUP_FAILING));
     step(62);
     EXPECT_EQ(flags(), uint32_t(RUBBLE_GROUP_OUT));
+}
+
+/// Two static blocks that reach 2 m deep, 2 m apart: the ground between them lies as deep.
+TEST_F(AbiSavedLevel, TheGroundOfAMadeWorldIsThatOfItsLevel) {
+    const auto heightBetween = [&] {
+        const double above[3] = {0.0, 5.0, 0.5}, down[3] = {0.0, -1.0, 0.0};
+        rubble_hit hit = {};
+        EXPECT_EQ(api()->cast_ray(m_world, above, down, 100.0, &hit), RUBBLE_OK) << api()->get_last_error();
+        return hit.position[1];
+    };
+    const rubble_world first = std::exchange(m_world, makeWorld());
+    auto bounds = sized<rubble_bounds>();
+    bounds.rule = RUBBLE_BOUNDS_GROUND;
+    ASSERT_EQ(api()->set_bounds(m_world, &bounds), RUBBLE_OK);
+    ASSERT_EQ(api()->set_undo_limit(m_world, 4), RUBBLE_OK);
+    make(shapeOn(make(bodyAt(-3.0, -2.0, RUBBLE_BODY_STATIC)), RUBBLE_SHAPE_BOX, 20));
+    const rubble_body second = make(bodyAt(1.0, -2.0, 0));
+    make(shapeOn(second, RUBBLE_SHAPE_BOX, 20));
+    applyEdits();
+    EXPECT_NEAR(heightBetween(), -0.05, 1e-6) << "beside the static block";
+    ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
+    auto change = sized<rubble_body_change>();
+    change.body = second, change.fields = RUBBLE_SET_STATIC;
+    ASSERT_EQ(api()->set_body(m_world, &change), RUBBLE_OK) << api()->get_last_error();
+    applyEdits();
+    EXPECT_NEAR(heightBetween(), -2.0, 1e-6);
+    for (const bool redoes : {false, true}) {
+        ASSERT_EQ(redoes ? api()->redo(m_world) : api()->undo(m_world), RUBBLE_OK);
+        applyEdits();
+        EXPECT_NEAR(heightBetween(), redoes ? -2.0 : -0.05, 1e-6);
+    }
+    const uint64_t made = levelHash();
+    save();
+    load();
+    EXPECT_NEAR(heightBetween(), -2.0, 1e-6);
+    EXPECT_EQ(levelHash(), made);
+    ASSERT_EQ(api()->destroy_world(std::exchange(m_world, first)), RUBBLE_OK);
 }
 
 }  // namespace

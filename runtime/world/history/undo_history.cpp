@@ -57,7 +57,8 @@ bool UndoHistory::hasChanged() const {
 }
 
 bool UndoHistory::differs(const WorldData& world) const {
-    bool differs = m_current.made.low != world.made.low || m_current.made.high != world.made.high;
+    bool differs = m_current.made.low != world.made.low || m_current.made.high != world.made.high ||
+                   m_current.footprint.low != world.footprint.low || m_current.footprint.high != world.footprint.high;
     const auto compareValues = [&](const auto& was, const auto& is) {
         differs = differs || (was && hashOf(*was) != hashOf(is));
     };

@@ -52,6 +52,7 @@ WorldDelta WorldBaseline::emptyDelta() const {
     delta.imported = m_last.imported;
     delta.removed = m_last.removed;
     delta.made = m_last.made;
+    delta.footprint = m_last.footprint;
     delta.fire = m_last.fire;
     for (const PendingSplit& pending : m_last.pendingSplits) delta.waiting.push_back(pending.shape);
     delta.freeSlots = m_freeSlots;
@@ -64,11 +65,15 @@ WorldDelta WorldBaseline::update(const WorldData& world, const FrameChanges& cha
     m_last.pendingSplits.clear();
     for (const PendingSplit& pending : world.pendingSplits) m_last.pendingSplits.push_back({pending.shape, {}, {}});
     WorldDelta before;
+    before.footprintChanged =
+        m_last.footprint.low != world.footprint.low || m_last.footprint.high != world.footprint.high;
     before.numbersChanged = m_last.imported != world.imported || m_last.removed != world.removed ||
-                            m_last.made.low != world.made.low || m_last.made.high != world.made.high;
+                            m_last.made.low != world.made.low || m_last.made.high != world.made.high ||
+                            before.footprintChanged;
     m_last.imported = world.imported;
     m_last.removed = world.removed;
     m_last.made = world.made;
+    m_last.footprint = world.footprint;
     if (changes.empty()) return before;
     const auto body = [&](BodyHandle handle) { updateSlot(world.bodies, m_last.bodies, handle, before.bodies); };
     forEachShapeIn(changes, [&](ShapeHandle handle) {

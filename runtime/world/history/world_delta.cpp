@@ -226,6 +226,7 @@ WorldDelta swapObjects(WorldData& world, WorldDelta target, FrameChanges& change
     before.imported = std::exchange(world.imported, target.imported);
     before.removed = std::exchange(world.removed, target.removed);
     before.made = std::exchange(world.made, target.made);
+    before.footprint = std::exchange(world.footprint, target.footprint);
     before.fire = std::exchange(world.fire, std::move(target.fire));
     changes.firesChanged = before.fire.isActive() || world.fire.isActive();
     if (target.environment) {

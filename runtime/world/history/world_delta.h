@@ -19,8 +19,9 @@ using SlotValues = std::map<uint32_t, std::pair<Handle, std::optional<T>>>;
 struct WorldDelta : ObjectKinds<SlotValues> {
     ObjectKinds<FreeSlots> freeSlots;  ///< that are used next
     uint64_t imported = 0, removed = 0;
-    WorldBox made;
-    bool numbersChanged = false;  ///< imported, removed or made: also by shapes that were made and gone in one step
+    WorldBox made, footprint;
+    bool numbersChanged = false;  ///< these four: also by shapes that were made and gone in one step
+    bool footprintChanged = false;
     FireState fire;
     std::vector<ShapeHandle> waiting;                 ///< for their split, see WorldState::pendingSplits
     std::optional<Environment> environment;           ///< none: it has not changed

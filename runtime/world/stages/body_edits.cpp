@@ -46,6 +46,7 @@ void setKind(EditContext& context, BodyHandle handle, bool isStatic) {
     for (const ShapeHandle each : body.shapes) {
         Shape& shape = context.world.shapes.at(each);
         if (isStatic && shape.anchors.empty()) shape.anchors = {bottomLayer(shape.grid)};
+        if (isStatic) includeStatic(context.world, each);
     }
     context.changes.bodiesDestroyed.push_back(handle);
     context.changes.bodiesCreated.push_back(handle);

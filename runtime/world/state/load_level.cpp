@@ -122,6 +122,12 @@ WorldBox boxOfShapes(const WorldData& world, bool onlyStatic) {
     return all ? withinRange(*all) : WorldBox{};
 }
 
+/// Widens a box, which is empty if low == high, around a shape.
+void include(WorldBox& all, const WorldData& world, ShapeHandle shape) {
+    const WorldBox box = withinRange(gridBounds(world, shape));
+    if (box.low != box.high) all = all.low == all.high ? box : all.merged(box);
+}
+
 }  // namespace
 
 CellBox bottomLayer(const VoxelGrid& grid) {
@@ -154,9 +160,12 @@ Shape makeShape(const LevelShape& from, bool isStatic, const MaterialTable& mate
 }
 
 void includeMade(WorldData& world, ShapeHandle shape) {
-    const WorldBox box = withinRange(gridBounds(world, shape));
-    if (box.low == box.high || world.bounds.low != world.bounds.high) return;
-    world.made = world.made.low == world.made.high ? box : world.made.merged(box);
+    if (world.bounds.low == world.bounds.high) include(world.made, world, shape);
+    if (world.bodies.at(world.shapes.at(shape).body).isStatic) includeStatic(world, shape);
+}
+
+void includeStatic(WorldData& world, ShapeHandle shape) {
+    include(world.footprint, world, shape);
 }
 
 PaletteRef materialPalette(const MaterialTable& materials) {
