@@ -2,7 +2,7 @@
 local sizes = {0.02, 0.05, 0.1, 0.3, 1, 2}
 
 function init()
-    Box("ground", {-100, -4, -100}, {100, 2, 100}, 6, {voxel = 2})
+    local ground = Box("ground", {-100, -4, -100}, {100, 2, 100}, 6, {voxel = 2})
     while true do
         local x = -40
         for _, voxel in ipairs(sizes) do
@@ -13,8 +13,8 @@ function init()
             x = x + 10 * voxel + 6
         end
         wait(3)
-        for _, tag in ipairs{"tower", "block"} do
-            for _, body in ipairs(FindBodies(tag)) do Delete(body) end
+        for _, shape in ipairs(FindShapes()) do -- the pieces, too: giants that move are cells by the million
+            if shape ~= ground then Delete(shape) end
         end
         wait(0.2)
     end
