@@ -1,7 +1,11 @@
 #!/usr/bin/env python3
 """The page and the table of stress runs, from figures that are made up. report_test.py FOLDER_OF_REPORT_PY"""
+import contextlib
+import io
+import json
 import pathlib
 import sys
+import tempfile
 import unittest
 
 sys.path.insert(0, sys.argv.pop())
@@ -22,16 +26,36 @@ def run_of(scenario, seed, failure=None, bodies=12):
 
 
 def runs_of(*runs):
-    """As load() gives them."""
+    """As Folder.runs has them."""
     return {(run["scenario"], run["seed"]): run for run in runs}
+
+
+def folder_of(*runs):
+    """A folder with these runs."""
+    folder = report.Folder("nowhere")
+    folder.runs = runs_of(*runs)
+    return folder
+
+
+def main_of(*arguments):
+    """The exit status of the report, and what it writes to the error output."""
+    errors = io.StringIO()
+    sys.argv[1:] = map(str, arguments)
+    with contextlib.redirect_stderr(errors), contextlib.redirect_stdout(io.StringIO()):
+        try:
+            report.main()
+            status = 0
+        except SystemExit as end:
+            status = end.code
+    return status, errors.getvalue()
 
 
 class Report(unittest.TestCase):
     FAILURE = {"check": "mass", "message": "1 < 2", "step": 7, "script": "Box(<)"}
 
     def test_page_says_what_a_scenario_does_and_what_failed(self):
-        page = report.page("nowhere", runs_of(run_of("flood", 1), run_of("scales", 2, self.FAILURE)), {})
-        self.assertIn("2 runs, 72,060 steps: 1 failed", page)
+        page = report.page("nowhere", folder_of(run_of("flood", 1), run_of("scales", 2, self.FAILURE)))
+        self.assertIn("2 runs, 72,060 steps: 1 failed; all checks held in 1.", page)
         self.assertIn("Water rises through a room", page)
         self.assertIn("Step 7: mass: 1 &lt; 2", page)
         self.assertIn("<pre>Box(&lt;)</pre>", page)
@@ -41,14 +65,52 @@ class Report(unittest.TestCase):
     def test_comparison_marks_what_is_worse(self):
         slow = run_of("flood", 1)
         slow["ms_p50_p95_p99_max"]["step"] = [9.0, 2.0, 3.0, 4.0]
-        page = report.page("nowhere", runs_of(slow), runs_of(run_of("flood", 1)))
+        page = report.page("nowhere", folder_of(slow), folder_of(run_of("flood", 1)))
         self.assertIn('<td class="bad">9.00 <small>(1.00)</small></td>', page)
         self.assertIn("all checks held; same hash", page)
 
     def test_page_and_envelope_say_that_a_run_was_interrupted(self):
-        runs = runs_of(run_of("flood", 1) | {"interrupted": True})
-        self.assertIn("all checks held until it was interrupted", report.page("nowhere", runs, {}))
-        self.assertIn("all checks held until it was interrupted", report.envelope(runs))
+        run = run_of("flood", 1) | {"interrupted": True}
+        page = report.page("nowhere", folder_of(run))
+        self.assertIn("all checks held until it was interrupted", page)
+        self.assertIn("<b>1 run, 36,030 steps: 1 interrupted, all checks held until then.</b>", page)
+        self.assertIn("all checks held until it was interrupted", report.envelope(runs_of(run)))
+
+    def test_hashes_of_runs_with_other_options_are_not_compared(self):
+        page = report.page("nowhere", folder_of(run_of("flood", 1) | {"check_every": 4.0}),
+                           folder_of(run_of("flood", 1) | {"check_every": 20.0}))
+        self.assertIn("hashes not compared: --check-every 4.0, was 20.0", page)
+
+    def test_comparison_names_runs_of_one_side(self):
+        page = report.page("nowhere", folder_of(run_of("flood", 1), run_of("flood", 2)),
+                           folder_of(run_of("flood", 1), run_of("scales", 7)))
+        self.assertIn("Only in this folder: flood 2.", page)
+        self.assertIn("Only in the other folder: scales 7.", page)
+
+    def test_damaged_files_are_named_and_the_others_are_shown(self):
+        with tempfile.TemporaryDirectory() as path:
+            good = json.dumps(run_of("flood", 1))
+            texts = {"flood_1.json": good, "a_1.json": "{", "b_1.json": "{}", "c_1.json": "[]", "d_1.json": "\xff",
+                     "e_1.json": good.replace('"seed": 1', '"seed": "1"'), "f_1.json": "[" * 100000,
+                     "flood_2.json.part": "{"}
+            for name, text in texts.items():
+                (pathlib.Path(path) / name).write_text(text, encoding="latin-1")
+            status, errors = main_of(path)
+            page = (pathlib.Path(path) / "report.html").read_text(encoding="utf-8")
+        self.assertEqual(status, 1)
+        for name in "abcdef":
+            self.assertIn(f"/{name}_1.json: ", errors)
+            self.assertIn(f"{name}_1.json</td>", page)
+        self.assertIn("8 runs, 36,030 steps: 1 ended without figures; 6 unreadable; all checks held in 1.", page)
+        self.assertIn("flood, seed 2</td>", page)
+
+    def test_images_are_those_of_the_run(self):
+        with tempfile.TemporaryDirectory() as path:
+            for name in ("x_1_10.png", "x_1_2.png", "x_1_2_1.png"):
+                (pathlib.Path(path) / name).write_bytes(name.encode())
+            images = report.images(path, {"scenario": "x", "seed": 1})
+        self.assertEqual(images.count("<img"), 2)
+        self.assertLess(images.index("eF8xXzIu"), images.index("eF8xXzEw"))  # "x_1_2.", "x_1_10"
 
     def test_envelope_has_a_row_for_each_run(self):
         rest = "| 36,000 | {} | 0 | 0 | 2 | 0 | 4.16 | 1a2b | X1, 2 processors | {} |"
