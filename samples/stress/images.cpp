@@ -10,6 +10,7 @@
 #include "runtime/script/binding/script_context.h"
 #include "samples/stress/checks/check.h"
 #include "samples/stress/report.h"
+#include "samples/stress/results.h"
 #include "samples/support/gl_context.h"
 #include "samples/support/image.h"
 
@@ -97,8 +98,7 @@ private:
 
 }  // namespace
 
-std::string drawGames(const rubble_api& api, const std::string& folder, const RunSettings& settings,
-                      const RunResult& result) {
+std::string drawGames(const rubble_api& api, const RunSettings& settings, const RunResult& result) {
     const auto context = rubble::GlContext::create();
     if (!context) return "no images: " + context.error();
     if (const auto loaded = rubble::loadGl(context.value()->loader()); !loaded) return "no images: " + loaded.error();
@@ -111,7 +111,7 @@ std::string drawGames(const rubble_api& api, const std::string& folder, const Ru
         if (!camera.draw(result.games[i])) return fmt::format("no image: {}", api.get_last_error());
         rubble::Image image(kWidth, kHeight);
         image.rgb = target.readRgb();
-        const std::string path = fmt::format("{}/{}_{}_{}.png", folder, settings.name, settings.seed, i + 1);
+        const std::string path = resultPath(settings, fmt::format("_{}.png", i + 1));
         if (const auto written = rubble::writePng(path, image); !written) return written.error();
     }
     return {};

@@ -270,7 +270,7 @@ def summary(folder):
 
 def without_figures(folder):
     """Rows of the table of all for runs that have no figures."""
-    rows = [(f"{name}, seed {seed}", "ended without figures, or goes on still") for name, seed in folder.ended]
+    rows = [(f"{name}, seed {seed}", "ended without figures, or still goes on") for name, seed in folder.ended]
     rows += [(name, f"unreadable: {reason}") for name, reason in folder.damaged.items()]
     return "".join(f'<tr><td>{html.escape(name)}</td><td colspan="9"></td>'
                    f'<td class="text bad">{html.escape(what)}</td></tr>' for name, what in rows)
