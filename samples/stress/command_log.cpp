@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -33,6 +34,43 @@ bool isCommand(const rubble::script::ScriptFunction& function, const std::string
     return isOfScene ? name != "WaitForStep" && name != "Expect" : beginsWithOneOf(name, kEffects);
 }
 
+/// A text in quotes, in one line, that Lua reads as the same bytes. "@" is escaped, as commands stand between two of
+/// it.
+std::string quoted(const std::string& bytes) {
+    std::string text = "\"";
+    for (size_t i = 0; i < bytes.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(bytes[i]);
+        if (byte == '"' || byte == '\\')
+            text += {'\\', bytes[i]};
+        else if (byte == '\n')
+            text += "\\n";
+        else if (byte < 32 || byte > 126 || byte == '@')
+            text += fmt::format("\\{:03}", byte);
+        else
+            text += bytes[i];
+    }
+    return text + "\"";
+}
+
+/// A key of a table as its constructor has it.
+std::string keyText(const std::string& key) {
+    static constexpr std::array kKeywords = {"and",      "break",  "do",   "else", "elseif", "end",  "false", "for",
+                                             "function", "goto",   "if",   "in",   "local",  "nil",  "not",   "or",
+                                             "repeat",   "return", "then", "true", "until",  "while"};
+    const auto isWord = [](char each) { return each == '_' || std::isalnum(static_cast<unsigned char>(each)); };
+    const bool isName = !key.empty() && !std::isdigit(static_cast<unsigned char>(key[0])) &&
+                        std::all_of(key.begin(), key.end(), isWord) &&
+                        std::find(kKeywords.begin(), kKeywords.end(), key) == kKeywords.end();
+    return isName ? key : "[" + quoted(key) + "]";
+}
+
+/// The bytes of a text on the stack.
+std::string textOf(lua_State* L, int index) {
+    size_t length = 0;
+    const char* bytes = lua_tolstring(L, index, &length);
+    return {bytes, length};
+}
+
 /// The shortest text of a number that gives its bits again.
 std::string numberText(double value) {
     if (std::isnan(value)) return "0/0";
@@ -47,7 +85,7 @@ std::string CommandLog::valueText(lua_State* L, int index, int depth, std::vecto
         case LUA_TBOOLEAN:
             return lua_toboolean(L, index) ? "true" : "false";
         case LUA_TSTRING:
-            return fmt::format("\"{}\"", lua_tostring(L, index));
+            return quoted(textOf(L, index));
         case LUA_TNUMBER: {
             if (!lua_isinteger(L, index)) return numberText(lua_tonumber(L, index));
             const lua_Integer value = lua_tointeger(L, index);
@@ -72,7 +110,7 @@ std::string CommandLog::valueText(lua_State* L, int index, int depth, std::vecto
             std::map<std::string, std::string> fields;  // sorted, as the order in a table is not
             for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1))
                 if (lua_type(L, -2) == LUA_TSTRING)
-                    fields[lua_tostring(L, -2)] = valueText(L, lua_gettop(L), depth - 1, needed);
+                    fields[keyText(textOf(L, -2))] = valueText(L, lua_gettop(L), depth - 1, needed);
             for (const auto& [key, value] : fields) text += (text.empty() ? "" : ", ") + key + " = " + value;
             return "{" + text + "}";
         }
@@ -82,6 +120,8 @@ std::string CommandLog::valueText(lua_State* L, int index, int depth, std::vecto
 }
 
 void CommandLog::begin(lua_State* L, const rubble::script::ScriptFunction& function) {
+    if (m_isClosed) return;
+    catchOpenCall();
     const std::string called = function.name();
     m_isCommand = isCommand(function, called);
     if (!m_isCommand && !beginsWithOneOf(called, kFinders)) return m_call.clear();
@@ -92,7 +132,24 @@ void CommandLog::begin(lua_State* L, const rubble::script::ScriptFunction& funct
     for (int i = 1; i <= count; ++i) arguments += (i > 1 ? ", " : "") + valueText(L, i, 3, needed);
     m_call = called + "(" + arguments + ")";
     const int step = int(rubble::script::ScriptContext::of(L).shared.step);
-    if (m_isCommand) m_commands.push_back({step, m_call, std::move(needed)});
+    if (!m_isCommand) return;
+    m_commands.push_back({step, m_call, std::move(needed)});
+    m_isOpen = true;
+}
+
+void CommandLog::catchOpenCall() {
+    if (!std::exchange(m_isOpen, false)) return;
+    std::string& text = m_commands.back().text;
+    const size_t open = text.find('(');
+    const std::string arguments = text.substr(open + 1);
+    text = "pcall(" + text.substr(0, open) + (arguments == ")" ? "" : ", ") + arguments;
+}
+
+void CommandLog::close(const std::string& message) {
+    m_isClosed = true;
+    if (!m_isOpen) return;
+    const std::string& text = m_commands.back().text;
+    if (message.find(": " + text.substr(0, text.find('(')) + ": ") == std::string::npos) catchOpenCall();
 }
 
 void CommandLog::name(lua_State* L, int index, const std::string& expression) {
@@ -102,6 +159,8 @@ void CommandLog::name(lua_State* L, int index, const std::string& expression) {
 }
 
 void CommandLog::end(lua_State* L, const rubble::script::ScriptFunction&, int results) {
+    if (m_isClosed) return;
+    m_isOpen = false;
     if (m_call.empty() || results == 0) return;
     const int first = lua_gettop(L) - results + 1;
     const std::string made = m_isCommand ? fmt::format("@{}@", m_commands.size() - 1) : m_call;
@@ -119,6 +178,7 @@ void CommandLog::end(lua_State* L, const rubble::script::ScriptFunction&, int re
 
 std::vector<Command> CommandLog::take() {
     m_expressions.clear();
+    m_isOpen = m_isClosed = false;
     return std::exchange(m_commands, {});
 }
 

@@ -8,6 +8,7 @@
 #include "runtime/script/binding/script_context.h"
 #include "samples/stress/checks/check.h"
 #include "samples/stress/report.h"
+#include "samples/stress/results.h"
 #include "samples/support/display.h"
 #include "samples/support/image.h"
 
@@ -95,8 +96,7 @@ private:
 
 }  // namespace
 
-std::string drawGames(const rubble_api& api, const std::string& folder, const RunSettings& settings,
-                      const RunResult& result) {
+std::string drawGames(const rubble_api& api, const RunSettings& settings, const RunResult& result) {
     const auto display = rubble::Display::inMemory({kWidth, kHeight});
     if (!display) return "no images: " + display.error();
     auto host = sized<rubble_host>();
@@ -105,7 +105,7 @@ std::string drawGames(const rubble_api& api, const std::string& folder, const Ru
     for (size_t i = 0; i < result.games.size(); ++i) {
         Camera camera(api, (*display)->framebuffer());
         if (!camera.draw(result.games[i])) return fmt::format("no image: {}", api.get_last_error());
-        const std::string path = fmt::format("{}/{}_{}_{}.png", folder, settings.name, settings.seed, i + 1);
+        const std::string path = resultPath(settings, fmt::format("_{}.png", i + 1));
         if (const auto written = rubble::writePng(path, (*display)->read()); !written) return written.error();
     }
     return {};

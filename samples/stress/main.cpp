@@ -1,6 +1,7 @@
 // ./rubble stress: scenarios of destruction, written in Lua, with everything checked at every step.
 #include <fmt/format.h>
 #include <malloc.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include "runtime/script/script_name.h"
 #include "samples/stress/minimise.h"
 #include "samples/stress/report.h"
+#include "samples/stress/results.h"
 #include "samples/support/number_option.h"
 #include "samples/support/out_folder.h"
 #include "samples/support/progress.h"
@@ -27,16 +29,37 @@ namespace fs = std::filesystem;
 /// Bytes by which the heap may be larger after a run than before it: what libraries keep, 60 to 304 KiB.
 constexpr int64_t kMaxHeapGrowth = 1 << 20;
 
-constexpr int kInterrupted = 130;  ///< the exit code of shells for that
+constexpr double kMinMinutes = 0.001;
 
-volatile std::sig_atomic_t interrupted = 0;
+constexpr int kSignalled = 128;  ///< the exit code of shells, with the number of the signal
 
-/// Ctrl+C ends a run after the step that it is in, and keeps its figures; the next one ends the program.
-void catchInterrupt() {
+volatile std::sig_atomic_t interrupted = 0;  ///< by this signal
+
+char recordings[2][4096];  ///< files of the run; names that are longer are not here
+
+/// Ctrl+C, and SIGTERM, end a run after the step that it is in, and keep its figures. The next one ends the program.
+void onSignal(int signal) {
+    if (!interrupted) return void(interrupted = signal);
+    for (const char* path : recordings) unlink(path);
+    std::signal(signal, SIG_DFL);
+    raise(signal);
+}
+
+void catchSignals() {
     struct sigaction action = {};
-    action.sa_handler = [](int) { interrupted = 1; };
-    action.sa_flags = int(SA_RESETHAND | SA_RESTART);
-    sigaction(SIGINT, &action, nullptr);
+    action.sa_handler = onSignal;
+    action.sa_flags = SA_RESTART;
+    for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+}
+
+/// Files that a signal removes.
+void setRecordings(const RunSettings& settings) {
+    const std::string paths[] = {resultPath(settings, ".rubblelog"), resultPath(settings, ".rubblelog.part")};
+    for (size_t i = 0; i < 2; ++i) {
+        const bool fits = paths[i].size() < sizeof recordings[i];
+        std::copy_n(paths[i].c_str(), fits ? paths[i].size() + 1 : 1, recordings[i]);
+        if (!fits) recordings[i][0] = 0;
+    }
 }
 
 struct Options {
@@ -67,6 +90,10 @@ std::string descriptionOf(const std::string& script) {
     return line.starts_with("-- ") ? line.substr(3) : "";
 }
 
+int stepsOf(double minutes) {
+    return std::max(1, int(minutes * 3600.0));
+}
+
 /// All scenarios, or the one that is named, or a file.
 std::vector<fs::path> findScenarios(const std::string& name) {
     if (rubble::script::hasEnding(name, ".lua")) return {name};
@@ -76,6 +103,20 @@ std::vector<fs::path> findScenarios(const std::string& name) {
         if (entry.path().extension() == ".lua") found.push_back(entry.path());
     std::sort(found.begin(), found.end());
     return found;
+}
+
+/// The command that plays a run again: all that it depends on.
+std::string commandOf(const Options& options, const fs::path& scenario, uint64_t seed) {
+    const bool isFile = rubble::script::hasEnding(options.scenario, ".lua");
+    return fmt::format("./rubble stress {} --seed {} --minutes {} --check-every {}{}",
+                       shellWord(isFile ? scenario.string() : scenario.stem().string()), seed, options.minutes,
+                       options.checkEvery, options.hasThreads ? " --threads" : "");
+}
+
+/// The least minutes, in few digits, that are so many steps.
+double minutesOf(int steps) {
+    for (double parts = 100.0;; parts *= 10.0)
+        if (const double minutes = std::ceil(steps / 3600.0 * parts) / parts; stepsOf(minutes) == steps) return minutes;
 }
 
 /// Bytes of the heap in a block, with what malloc needs for it.
@@ -99,11 +140,13 @@ uint64_t bytesOf(const RunResult& result, const std::vector<Command>& commands) 
 class Job {
 public:
     Job(const rubble_api& api, const Options& options, const fs::path& scenario, uint64_t seed)
-        : m_api(api), m_options(options) {
+        : m_api(api), m_options(options), m_command(commandOf(options, scenario, seed)) {
         m_settings.name = scenario.stem().string();
         m_settings.script = readFile(scenario);
         m_settings.seed = seed;
-        m_settings.steps = std::max(1, int(options.minutes * 3600.0));
+        if (rubble::script::hasEnding(options.scenario, ".lua"))
+            m_settings.file = fs::absolute(scenario).lexically_normal().string();
+        m_settings.steps = stepsOf(options.minutes);
         m_settings.checkInterval = std::max(1, int(options.checkEvery * 60.0));
         m_settings.replayEvery = options.replayEvery;
         m_settings.levels = RUBBLE_STRESS_LEVELS;
@@ -114,9 +157,15 @@ public:
     }
 
     bool run() {
+        if (const std::string error = beginResults(m_settings, m_options.build); !error.empty()) {
+            report(error);
+            return false;
+        }
+        setRecordings(m_settings);
         CommandLog log;
         rubble::Progress progress(m_settings.name, m_settings.steps);
         m_settings.observer = &log;
+        m_settings.onFailure = [&](const std::string& message) { log.close(message); };
         m_settings.onStep = [&](int step) {
             if (step % 60 == 0) progress.advance(step);
         };
@@ -128,11 +177,11 @@ public:
         if (!result.failure && result.heapLeft > kMaxHeapGrowth)
             result.failure = {"memory", fmt::format("{} KiB are left", result.heapLeft >> 10), m_settings.steps};
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        std::string script;
-        if (result.failure && m_options.minimiseRuns > 0) script = minimiseFailure(*result.failure, commands);
+        Minimised found;
+        if (result.failure) found = minimiseFailure(*result.failure, commands);
         print(result, seconds);
-        report(writeFigures(m_options.out, m_options.build, m_settings, result, seconds, script));
-        if (m_options.images) report(drawGames(m_api, m_options.out, m_settings, result));
+        report(writeFigures(m_options.build, m_command, m_settings, result, seconds, found));
+        if (m_options.images) report(drawGames(m_api, m_settings, result));
         return !result.failure;
     }
 
@@ -141,16 +190,29 @@ private:
         if (!error.empty()) fmt::print(stderr, "stress: {}\n", error);
     }
 
-    std::string minimiseFailure(Failure& failure, const std::vector<Command>& commands) {
-        const Minimised found = minimise(m_api, m_settings, failure, commands, m_options.minimiseRuns);
-        if (found.script.empty()) return "";
-        const std::string path = fmt::format("{}/{}_{}_failure.lua", m_options.out, m_settings.name, m_settings.seed);
-        const std::string script =
-            fmt::format("-- {}: {}. Made from {} with seed {} in {} runs.\n{}", failure.check, found.failure.message,
-                        m_settings.name, m_settings.seed, found.runs, found.script);
-        std::ofstream(path) << script;
-        fmt::print("{}\n./rubble stress {}\n", script, path);
-        return script;
+    /// Makes a short script, saves and prints it, or prints why there is none.
+    Minimised minimiseFailure(const Failure& failure, const std::vector<Command>& commands) const {
+        Minimised found;
+        if (m_options.minimiseRuns > 0)
+            found = minimise(m_api, m_settings, failure, commands, m_options.minimiseRuns);
+        else
+            found.why = "--minimise is 0";
+        if (found.script.empty()) {
+            fmt::print("no short script: {}\n", found.why);
+            return found;
+        }
+        const std::string path = resultPath(m_settings, "_failure.lua");
+        std::string origin = fmt::format("{}: {}. Made from {} with seed {} in {} runs.", failure.check,
+                                         found.failure.message, m_settings.name, m_settings.seed, found.runs);
+        std::replace_if(
+            origin.begin(), origin.end(), [](char each) { return each == '\n' || each == '\r'; }, ' ');
+        found.script = fmt::format("-- {}\n{}", origin, found.script);
+        std::ofstream(path) << found.script;
+        Options again = m_options;
+        again.scenario = path;
+        again.minutes = std::max(kMinMinutes, minutesOf(found.steps));
+        fmt::print("{}\n{}\n", found.script, commandOf(again, path, m_settings.seed));
+        return found;
     }
 
     void print(const RunResult& result, double seconds) const {
@@ -164,16 +226,18 @@ private:
                                                         result.failure->check, result.failure->message)
                    : result.isInterrupted ? "interrupted; all checks held so far"
                                           : "all checks held");
+        if (result.failure) fmt::print("again: {}\n", m_command);
         std::fflush(stdout);
     }
 
     const rubble_api& m_api;
     const Options& m_options;
+    const std::string m_command;
     RunSettings m_settings;
 };
 
 int run(const Options& options) {
-    catchInterrupt();
+    catchSignals();
     const rubble_api* api = nullptr;
     if (rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK) return 1;
     if (const std::string error = rubble::makeOutFolder(options.out); !error.empty()) {
@@ -190,16 +254,13 @@ int run(const Options& options) {
         if (options.lists) fmt::print("{:<20} {}\n", scenario.stem().string(), descriptionOf(readFile(scenario)));
         for (const uint64_t seed : options.seeds)
             if (options.listsJobs)
-                fmt::print(
-                    "./rubble stress {} --seed {} --minutes {} --check-every {} --replay-every {} --out {} --images {} "
-                    "--minimise {}{}\n",
-                    rubble::script::hasEnding(options.scenario, ".lua") ? scenario.string() : scenario.stem().string(),
-                    seed, options.minutes, options.checkEvery, options.replayEvery, options.out, options.images,
-                    options.minimiseRuns, options.hasThreads ? " --threads" : "");
+                fmt::print("{} --replay-every {} --out {} --images {} --minimise {}\n",
+                           commandOf(options, scenario, seed), options.replayEvery, shellWord(options.out),
+                           options.images, options.minimiseRuns);
             else if (!options.lists && !interrupted)
                 failed += !Job(*api, options, scenario, seed).run();
     }
-    return interrupted ? kInterrupted : failed ? 1 : 0;
+    return interrupted ? kSignalled + interrupted : failed ? 1 : 0;
 }
 
 }  // namespace
@@ -215,7 +276,7 @@ int main(int argc, char** argv) {
         ->check(CLI::Validator(stress::seedError, "UINT"));
     app.add_option("--minutes", options.minutes, "of the world, each run")
         ->capture_default_str()
-        ->check(rubble::numberFrom(0.001, 1e5));
+        ->check(rubble::numberFrom(stress::kMinMinutes, 1e5));
     app.add_option("--check-every", options.checkEvery, "seconds of the world between checks that take long")
         ->capture_default_str()
         ->check(rubble::numberFrom(0.1, 1e5));
@@ -223,9 +284,9 @@ int main(int argc, char** argv) {
     app.add_option("--images", options.images, "drawn of each run at most; 0: none")
         ->capture_default_str()
         ->check(CLI::Range(0, 100));
-    app.add_option("--minimise", options.minimiseRuns, "runs at most to make a failing script short")
+    app.add_option("--minimise", options.minimiseRuns, "runs at most to make a failing script short; 0: none is made")
         ->capture_default_str()
-        ->check(CLI::Range(0, 1'000'000));
+        ->check(CLI::Range(0, 1000000));
     app.add_flag("--list", options.lists, "the scenarios, and what they do");
     app.add_flag("--list-jobs", options.listsJobs, "a command for each run, for GNU parallel");
     app.add_option("--replay-every", options.replayEvery,

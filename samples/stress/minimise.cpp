@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <optional>
 #include <utility>
 
 namespace stress {
@@ -17,6 +19,8 @@ public:
         : m_api(api), m_settings(settings), m_failure(failure), m_maxRuns(maxRuns) {
         m_settings.observer = nullptr;
         m_settings.onStep = {};
+        m_settings.onFailure = {};
+        m_settings.isQuiet = true;
         m_isInterrupted = std::exchange(m_settings.isInterrupted, {});  // a run that has begun ends by itself
         m_settings.images = 0;
         m_settings.replayEvery = failure.check == "replay";
@@ -25,7 +29,7 @@ public:
     Minimised run(std::vector<Command> commands) {
         // What fails at a border fails at the end of a shorter run too.
         m_settings.steps = m_failure.step + 1;
-        if (!fails(commands)) return {"", m_failure, m_runs};
+        if (!fails(commands)) return {"", whyNot(), 0, m_failure, m_runs};
         for (size_t parts = 2; commands.size() > 1 && goesOn();) {
             if (leaveOut(commands, parts))
                 parts = std::max<size_t>(2, parts - 1);
@@ -36,7 +40,7 @@ public:
         }
         if (commands.size() <= kReadable && goesOn()) roundNumbers(commands);
         fails(commands);
-        return {scriptOf(commands), m_failure, m_runs};
+        return {scriptOf(commands), "", m_settings.steps, m_failure, m_runs};
     }
 
 private:
@@ -83,19 +87,27 @@ private:
         return command;
     }
 
+    /// Lua with two digits behind the points of numbers. Texts in quotes stay.
+    static std::string rounded(const std::string& lua) {
+        std::string text;
+        bool isQuoted = false;
+        int digits = 0;  // of the number, from its point on
+        for (size_t at = 0; at < lua.size(); ++at) {
+            if (isQuoted && lua[at] == '\\')
+                text += lua[at++];
+            else if (lua[at] == '"')
+                isQuoted = !isQuoted;
+            const bool isDigit = std::isdigit(static_cast<unsigned char>(lua[at]));
+            digits = isQuoted ? 0 : lua[at] == '.' ? 1 : digits && isDigit ? digits + 1 : 0;
+            if (digits <= 3) text += lua[at];
+        }
+        return text;
+    }
+
     /// Writes numbers with two digits after the point where that fails as well.
     void roundNumbers(std::vector<Command>& commands) {
         for (Command& command : commands) {
-            std::string text;
-            for (size_t at = 0; at < command.text.size();) {
-                const size_t point = command.text.find('.', at);
-                text += command.text.substr(at, point == std::string::npos ? point : point - at);
-                if (point == std::string::npos) break;
-                const size_t end =
-                    std::min(command.text.find_first_not_of("0123456789", point + 1), command.text.size());
-                text += command.text.substr(point, std::min<size_t>(end - point, 3));
-                at = end;
-            }
+            std::string text = rounded(command.text);
             std::swap(command.text, text);
             if (command.text != text && !fails(commands)) command.text = text;
         }
@@ -105,7 +117,8 @@ private:
         ++m_runs;
         m_settings.script = scriptOf(commands);
         const RunResult result = play(m_api, m_settings);
-        const bool isSame = result.failure && result.failure->check == m_failure.check;
+        m_found = result.failure;
+        const bool isSame = m_found && m_found->check == m_failure.check && reasonOf(*m_found) == reasonOf(m_failure);
         if (isSame && result.failure->step <= m_settings.steps) {
             m_settings.steps = result.failure->step + 1;
             m_failure.message = result.failure->message;
@@ -113,9 +126,31 @@ private:
         return isSame;
     }
 
+    /// Of a call that was refused its function and why, without the place in the script and without numbers, which
+    /// other commands change; of other failures "", as what they say is all numbers.
+    std::string reasonOf(const Failure& failure) const {
+        if (failure.check != "script" && failure.check != "interface") return "";
+        const std::string place = m_settings.name + ".lua:";
+        size_t at = failure.message.starts_with(place) ? failure.message.find(':', place.size()) : 0;
+        std::string reason;
+        for (at = std::min(at, failure.message.size()); at < failure.message.size(); ++at) {
+            const bool isDigit = std::isdigit(static_cast<unsigned char>(failure.message[at]));
+            if (!isDigit || !reason.ends_with('0')) reason += isDigit ? '0' : failure.message[at];
+        }
+        return reason;
+    }
+
+    /// Why the commands of the run alone make no short script.
+    std::string whyNot() const {
+        if (m_failure.check == "expect") return "Expect() is part of the scenario, not of the world";
+        if (!m_found) return "the calls with an effect alone do not fail";
+        return fmt::format("the calls with an effect alone fail otherwise: {}: {}", m_found->check, m_found->message);
+    }
+
     const rubble_api& m_api;
     RunSettings m_settings;
     Failure m_failure;
+    std::optional<Failure> m_found;  ///< of the last run
     std::function<bool()> m_isInterrupted;
     int m_maxRuns, m_runs = 0;
 };

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "runtime/script/binding/script_context.h"
+#include "samples/stress/results.h"
 
 namespace stress {
 namespace {
@@ -58,14 +60,18 @@ double stepMs(const StepFigures& step) {
 
 }  // namespace
 
-std::string writeFigures(const std::string& folder, const std::string& build, const RunSettings& settings,
-                         const RunResult& result, double seconds, const std::string& script) {
+std::string writeFigures(const std::string& build, const std::string& command, const RunSettings& settings,
+                         const RunResult& result, double seconds, const Minimised& found) {
     nlohmann::json file;
     const std::vector<StepFigures>& steps = result.steps;
     file["scenario"] = settings.name;
     file["seed"] = settings.seed;
     file["build"] = build;
     file["machine"] = machineName();
+    file["file"] = settings.file;
+    file["command"] = command;
+    file["minutes"] = settings.steps / 3600.0;
+    file["check_every"] = settings.checkInterval / 60.0;
     file["threads"] = settings.hasThreads;
     file["steps"] = steps.size();
     file["seconds"] = seconds;
@@ -79,7 +85,8 @@ std::string writeFigures(const std::string& folder, const std::string& build, co
         file["failure"] = {{"check", result.failure->check},
                            {"message", result.failure->message},
                            {"step", result.failure->step},
-                           {"script", script}};
+                           {"script", found.script},
+                           {"no_script", found.why}};
     nlohmann::json& stages = file["ms_p50_p95_p99_max"];
     stages["edits"] = percentilesOf(steps, [](const StepFigures& step) { return step.editsMs; });
     stages["physics"] = percentilesOf(steps, [](const StepFigures& step) { return step.physicsMs; });
@@ -98,10 +105,12 @@ std::string writeFigures(const std::string& folder, const std::string& build, co
     plots["shadow lag, steps"] = plotOf(steps, [](const StepFigures& step) { return step.shadowLag; });
     plots["kinetic energy, kJ"] = plotOf(steps, [](const StepFigures& step) { return step.energy / 1e3; });
     plots["heap, MiB"] = plotOf(steps, [](const StepFigures& step) { return double(step.heap) / (1 << 20); });
-    const std::string path = fmt::format("{}/{}_{}.json", folder, settings.name, settings.seed);
-    std::ofstream out(path);
-    out << file.dump(1) << "\n";
-    return out.flush() ? "" : "cannot write " + path;
+    const std::string begun = resultPath(settings, ".json.part"), path = resultPath(settings, ".json");
+    std::ofstream out(begun);
+    out << file.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
+    std::error_code error;
+    if (out.flush()) std::filesystem::rename(begun, path, error);
+    return out && !error ? "" : "cannot write " + path;
 }
 
 }  // namespace stress

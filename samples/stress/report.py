@@ -10,6 +10,7 @@ import base64
 import html
 import json
 import pathlib
+import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -43,13 +44,61 @@ COLUMNS = {
 }
 
 
-def load(folder):
-    """The runs of a folder, by name and seed."""
-    runs = {}
-    for path in sorted(pathlib.Path(folder).glob("*_*.json")):
-        run = json.loads(path.read_text())
-        runs[run["scenario"], run["seed"]] = run
-    return runs
+def is_number(value):
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def are_numbers(values):
+    return isinstance(values, list) and all(map(is_number, values))
+
+
+def fault_of(run):
+    """What the figures of a run lack, or nothing."""
+    kinds = {"scenario": str, "seed": int, "steps": int, "replayed_steps": int, "loads": int, "hash": str,
+             "ms_p50_p95_p99_max": dict, "plots": dict}
+    if not isinstance(run, dict):
+        return "expected the figures of a run"
+    for key, kind in kinds.items():
+        if not isinstance(run.get(key), kind):
+            return f"expected {key}"
+    times, seconds, failure = run["ms_p50_p95_p99_max"], run.get("processor_seconds", {}), run.get("failure")
+    if not all(are_numbers(times.get(stage)) and len(times[stage]) == 4 for stage in STAGES):
+        return "expected four times of each stage"
+    if not all(are_numbers(run["plots"].get(title)) for title in PLOTS):
+        return "expected the points of each plot"
+    if not isinstance(seconds, dict) or not are_numbers(list(seconds.values())):
+        return "expected seconds of processor time"
+    if failure is not None and not (isinstance(failure, dict) and is_number(failure.get("step")) and all(
+            isinstance(failure.get(key), str) for key in ("check", "message", "script"))):
+        return "expected check, message, step and script of the failure"
+    return None
+
+
+class Folder:
+    """What a folder has: figures of runs by name and seed, names and seeds of runs that began and have none, and files
+    that cannot be read, with the reason."""
+
+    def __init__(self, folder):
+        self.runs, self.ended, self.damaged = {}, [], {}
+        for path in sorted(pathlib.Path(folder).glob("*_*.json")):
+            run = self.read(path, fault_of)
+            if run is not None:
+                self.runs[run["scenario"], run["seed"]] = run
+        for path in sorted(pathlib.Path(folder).glob("*_*.json.part")):
+            name, _, seed = path.name.removesuffix(".json.part").rpartition("_")
+            self.ended.append((name, seed))
+
+    def read(self, path, fault):
+        """The object of a file; nothing if it is damaged."""
+        try:
+            value = json.loads(path.read_text(encoding="utf-8"))
+            reason = fault(value)
+        except (OSError, ValueError, RecursionError) as error:
+            reason = str(error)
+        if reason is None:
+            return value
+        self.damaged[path.name] = reason
+        return None
 
 
 def describe(scenario):
@@ -97,7 +146,9 @@ def plots(run, before):
 def images(folder, run):
     """The drawn games of a run."""
     found = []
-    for path in sorted(pathlib.Path(folder).glob(f"{run['scenario']}_{run['seed']}_*.png")):
+    name = re.compile(re.escape(f"{run['scenario']}_{run['seed']}_") + r"(\d+)\.png")
+    paths = [path for path in pathlib.Path(folder).glob("*.png") if name.fullmatch(path.name)]
+    for path in sorted(paths, key=lambda path: int(name.fullmatch(path.name)[1])):
         data = base64.b64encode(path.read_bytes()).decode()
         found.append(f'<figure><img width="360" src="data:image/png;base64,{data}"></figure>')
     return "".join(found)
@@ -124,6 +175,23 @@ def step_processor(run):
     return 1000 * seconds / max(1, run["steps"])
 
 
+def differences(run, before):
+    """Options on which the steps of a run depend, and which another run had otherwise; old files say none."""
+    words = {"minutes": "--minutes", "check_every": "--check-every", "threads": "--threads"}
+    return [f"{word} {run[key]}, was {before[key]}" for key, word in words.items()
+            if key in run and key in before and run[key] != before[key]]
+
+
+def comparison(run, before):
+    """What the last column says of another build."""
+    if not before:
+        return ""
+    other = differences(run, before)
+    if other:
+        return "; hashes not compared: " + html.escape(", ".join(other))
+    return "; same hash" if before["hash"] == run["hash"] else "; other hash"
+
+
 def row(run, before):
     """The row of a run in the table of all."""
     failure = run.get("failure")
@@ -132,14 +200,13 @@ def row(run, before):
     old = before["ms_p50_p95_p99_max"]["step"] if before else [None] * 4
     peak = max(run["plots"]["heap, MiB"] or [0])
     old_peak = max(before["plots"]["heap, MiB"] or [0]) if before else None
-    same = "" if not before else ("; same hash" if before["hash"] == run["hash"] else "; other hash")
-    name = f"{run['scenario']} {run['seed']}"
-    return (f'<tr><td><a href="#{name}">{run["scenario"]}, seed {run["seed"]}</a></td>'
+    scenario = html.escape(run["scenario"])
+    return (f'<tr><td><a href="#{scenario} {run["seed"]}">{scenario}, seed {run["seed"]}</a></td>'
             f'<td>{run["steps"]}</td><td>{run["replayed_steps"]}</td>'
             + "".join(cell(value, was) for value, was in zip(times, old))
             + cell(step_processor(run), step_processor(before) if before else None) + cell(peak, old_peak)
             + f'<td>{max(run["plots"]["bodies"] or [0]):g}</td>'
-            + f'<td class="text{" bad" if failure else ""}">{html.escape(state)}{same}</td></tr>')
+            + f'<td class="text{" bad" if failure else ""}">{html.escape(state)}{comparison(run, before)}</td></tr>')
 
 
 def processor(run):
@@ -168,20 +235,65 @@ def details(folder, run, before):
         script = f'<p class="bad">Step {failure["step"]}: {what}</p>'
         if failure["script"]:
             script += f"<p>This fails the same way:</p><pre>{html.escape(failure['script'])}</pre>"
-    name = f"{run['scenario']} {run['seed']}"
-    return (f'<h2 id="{name}">{run["scenario"]}, seed {run["seed"]}</h2><p>{html.escape(describe(run["scenario"]))}</p>'
+        elif failure.get("no_script"):
+            script += f"<p>There is no short script: {html.escape(failure['no_script'])}.</p>"
+    if run.get("command"):
+        script += f"<p>Again: <code>{html.escape(run['command'])}</code></p>"
+    scenario = html.escape(run["scenario"])
+    return (f'<h2 id="{scenario} {run["seed"]}">{scenario}, seed {run["seed"]}</h2>'
+            f'<p>{html.escape(describe(run["scenario"]))}</p>'
             f"{script}{images(folder, run)}{processor(run)}<div>{plots(run, before)}</div>"
             f'<table><tr><th>stage of a step, ms</th><th>p50</th><th>p95</th><th>p99</th><th>max</th>'
             f'<th class="text">what it does</th></tr>{rows}</table>')
 
 
-def headline(runs, others):
+def count(number, word):
+    return f"{number:,} {word}" + ("" if number == 1 else "s")
+
+
+def summary(folder):
+    """How many runs there are, and what came of them."""
+    runs = folder.runs.values()
+    failed = sum("failure" in run for run in runs)
+    interrupted = sum(bool(run.get("interrupted")) and "failure" not in run for run in runs)
+    counts = {"failed": failed, "interrupted, all checks held until then": interrupted,
+              "ended without figures": len(folder.ended), "unreadable": len(folder.damaged)}
+    parts = [f"{number} {what}" for what, number in counts.items() if number]
+    good = len(runs) - failed - interrupted
+    if not parts:
+        parts = ["all checks held in all of them" if good > 1 else "all checks held"]
+    elif good:
+        parts.append(f"all checks held in {good}")
+    total = len(runs) + len(folder.ended) + len(folder.damaged)
+    return f"{count(total, 'run')}, {count(sum(run['steps'] for run in runs), 'step')}: {'; '.join(parts)}"
+
+
+def without_figures(folder):
+    """Rows of the table of all for runs that have no figures."""
+    rows = [(f"{name}, seed {seed}", "ended without figures, or still goes on") for name, seed in folder.ended]
+    rows += [(name, f"unreadable: {reason}") for name, reason in folder.damaged.items()]
+    return "".join(f'<tr><td>{html.escape(name)}</td><td colspan="9"></td>'
+                   f'<td class="text bad">{html.escape(what)}</td></tr>' for name, what in rows)
+
+
+def only_one_side(folder, others):
+    """What is said of runs that only one of two folders has."""
+    def names(keys):
+        return html.escape(", ".join(f"{name} {seed}" for name, seed in sorted(keys)))
+
+    text = ""
+    for where, keys in (("this folder", folder.runs.keys() - others.runs.keys()),
+                        ("the other folder", others.runs.keys() - folder.runs.keys())):
+        text += f"<p>Only in {where}: {names(keys)}.</p>" if keys else ""
+    for name, reason in others.damaged.items():
+        text += f'<p class="bad">Unreadable in the other folder: {html.escape(name)}: {html.escape(reason)}</p>'
+    return text
+
+
+def headline(folder, others):
     """What was done and what came of it, for someone who sees such a page for the first time."""
-    failed = sum("failure" in run for run in runs.values())
-    steps = sum(run["steps"] for run in runs.values())
-    result = f"{failed} failed" if failed else "all checks held in all of them"
     words = "".join(f"<dt>{name}</dt><dd>{meaning}</dd>" for name, meaning in COLUMNS.items())
-    head = (f"<h1>Stress scenarios</h1><p><b>{len(runs)} runs, {steps:,} steps: {result}.</b></p>"
+    head = (f"<h1>Stress scenarios</h1><p><b>{summary(folder)}.</b></p>"
             "<p>Each run is a script that breaks things in a world of voxels, with a seed for everything random. After "
             "every step: no voxel is lost or appears, handles are of things that are there, motion is finite, mass is "
             "that of the voxels, no energy comes from nowhere, lights are on something. Every few seconds: the budgets "
@@ -191,17 +303,20 @@ def headline(runs, others):
             f"<details><summary>What the words mean</summary><dl>{words}</dl></details>")
     if others:
         head += "<p>In brackets and grey: the other folder. Red: worse by more than a tenth; green: better.</p>"
+        head += only_one_side(folder, others)
     return head
 
 
-def page(folder, runs, others):
-    """The whole page."""
+def page(path, folder, others=None):
+    """The whole page of a folder, whose images lie at a path."""
+    before = others.runs if others else {}
     table = ('<table><tr><th>scenario</th><th>steps</th><th>replayed</th><th>p50, ms</th><th>p95</th><th>p99</th>'
              '<th>max</th><th>processor, ms</th><th>heap, MiB</th><th>bodies</th><th class="text">result</th></tr>'
-             + "".join(row(run, others.get(key)) for key, run in runs.items()) + "</table>")
-    body = "".join(details(folder, run, others.get(key)) for key, run in runs.items())
+             + "".join(row(run, before.get(key)) for key, run in folder.runs.items())
+             + without_figures(folder) + "</table>")
+    body = "".join(details(path, run, before.get(key)) for key, run in folder.runs.items())
     return (f"<!doctype html><meta charset=utf-8><title>Stress scenarios</title><style>{STYLE}</style>"
-            f"{headline(runs, others)}{table}{body}")
+            f"{headline(folder, others)}{table}{body}")
 
 
 TITLE = "# Stress scenarios"
@@ -274,20 +389,25 @@ def main():
     parser.add_argument("--build", help="the commit of runs that do not say theirs")
     parser.add_argument("--machine", help="the machine of runs that do not say theirs")
     options = parser.parse_args()
-    runs = load(options.folder)
-    for run in runs.values():
+    folder = Folder(options.folder)
+    others = Folder(options.compare) if options.compare else None
+    for path, each in ((options.folder, folder), (options.compare, others)):
+        for name, reason in each.damaged.items() if each else ():
+            print(f"stress report: {pathlib.Path(path) / name}: {reason}", file=sys.stderr)
+    for run in folder.runs.values():
         run["build"] = run.get("build") or options.build
         run["machine"] = run.get("machine") or options.machine
-    if not runs:
+    if not (folder.runs or folder.ended or folder.damaged):
         sys.exit(f"stress report: expected NAME_SEED.json files in {options.folder}, found none")
-    others = load(options.compare) if options.compare else {}
-    if options.compare and not others.keys() & runs.keys():
+    if others and not others.runs.keys() & folder.runs.keys():
         sys.exit(f"stress report: --compare: expected runs of the same names in {options.compare}, found none")
     target = pathlib.Path(options.folder) / "report.html"
-    target.write_text(page(options.folder, runs, others))
+    target.write_text(page(options.folder, folder, others), encoding="utf-8")
     print(f"report: {target}")
     if options.publish:
-        publish(runs)
+        publish(folder.runs)
+    if folder.damaged or (others and others.damaged):
+        sys.exit(1)
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@
 #include "runtime/script/script_host.h"
 #include "samples/stress/checks/check.h"
 #include "samples/stress/processor_time.h"
+#include "samples/stress/results.h"
 #include "samples/stress/scene_functions.h"
 
 namespace stress {
@@ -62,14 +63,14 @@ public:
 
 private:
     /// With the seed: runs of several seeds may share a folder at the same time.
-    std::string recordingPath() const {
-        return fmt::format("{}/{}_{}.rubblelog", m_settings.folder, m_settings.name, m_settings.seed);
-    }
+    std::string recordingPath() const { return resultPath(m_settings, ".rubblelog"); }
 
     bool isInterrupted() { return m_result.isInterrupted = m_settings.isInterrupted && m_settings.isInterrupted(); }
 
     void fail(const std::string& check, const std::string& message) {
-        if (!m_result.failure) m_result.failure = Failure{check, message, int(m_view.step)};
+        if (m_result.failure) return;
+        m_result.failure = Failure{check, message, int(m_view.step)};
+        if (m_settings.onFailure) m_settings.onFailure(message);
     }
     /// Whether a call of the interface has done what it should; if not, the run fails.
     bool done(rubble_result result) {
@@ -81,6 +82,7 @@ private:
         auto world = sized<rubble_world_settings>();
         world.flags = m_settings.hasThreads ? kThreadedFlags : kWorldFlags;
         world.physics_threads = m_settings.hasThreads ? 2 : 1;
+        if (m_settings.isQuiet) world.log = saysNothing;
         if (!done(m_api.create_world(&world, &m_world)) || !done(m_api.step(m_world))) return false;
         m_view.world = m_world;
         rubble::script::ScriptHostSettings host;
@@ -92,6 +94,7 @@ private:
         host.host = &m_requests;
         host.observer = m_settings.observer;
         host.log = [this](int level, const std::string& line) {
+            if (!m_settings.isQuiet) fmt::print(stderr, "{}\n", line);
             if (level >= RUBBLE_LOG_ERROR) fail("script", line);
         };
         m_scripts = std::make_unique<rubble::script::ScriptHost>(m_api, m_world, host);
@@ -249,6 +252,7 @@ private:
         auto settings = sized<rubble_world_settings>();
         settings.flags = RUBBLE_WORLD_NO_RENDERER;
         settings.physics_threads = 2;
+        settings.log = saysNothing;
         rubble_world world = 0;
         uint64_t steps = 0, hash = 0;
         if (!done(m_api.create_world(&settings, &world))) return;

@@ -15,6 +15,7 @@ namespace stress {
 /// A scenario to play.
 struct RunSettings {
     std::string name, script;  ///< the name of a Lua text, and the text
+    std::string file;          ///< of the text; "": one of the scenarios of the program
     uint64_t seed = 1;
     int steps = 1200;
     int checkInterval = 240;  ///< steps between the checks that take long; no recording is longer
@@ -24,8 +25,10 @@ struct RunSettings {
     int images = 0;           ///< how many games are kept at most, to be drawn
     bool hasThreads = false;  ///< the shadow worker on its own thread, and two threads for physics
     rubble::script::CallObserver* observer = nullptr;
+    bool isQuiet = false;  ///< what scripts print and the world logs is not shown
     std::function<void(int step)> onStep;
-    std::function<bool()> isInterrupted;  ///< whether the run shall end before its steps are done
+    std::function<void(const std::string& message)> onFailure;  ///< at once, within the call that has failed
+    std::function<bool()> isInterrupted;                        ///< whether the run shall end before its steps are done
 };
 
 /// What did not hold.

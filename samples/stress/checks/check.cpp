@@ -31,6 +31,7 @@ std::vector<uint8_t> savedGame(const rubble_api& api, rubble_world world) {
 LoadedCopy::LoadedCopy(const rubble_api& api, const std::vector<uint8_t>& game, uint32_t flags) : m_api(api) {
     auto settings = sized<rubble_world_settings>();
     settings.flags = flags;
+    settings.log = saysNothing;
     if (api.create_world(&settings, &m_world) != RUBBLE_OK ||
         api.load_game_data(m_world, game.data(), game.size()) != RUBBLE_OK)
         m_error = api.get_last_error();

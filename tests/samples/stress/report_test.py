@@ -1,9 +1,17 @@
 #!/usr/bin/env python3
-"""The page and the table of stress runs, from figures that are made up. report_test.py FOLDER_OF_REPORT_PY"""
+"""The page and the table of stress runs, from figures that are made up, and what the program leaves of runs of a few
+steps. report_test.py FOLDER_OF_REPORT_PY PROGRAM"""
+import contextlib
+import io
+import json
 import pathlib
+import signal
+import subprocess
 import sys
+import tempfile
 import unittest
 
+PROGRAM = pathlib.Path(sys.argv.pop()).resolve()
 sys.path.insert(0, sys.argv.pop())
 import report  # noqa: E402
 
@@ -22,16 +30,36 @@ def run_of(scenario, seed, failure=None, bodies=12):
 
 
 def runs_of(*runs):
-    """As load() gives them."""
+    """As Folder.runs has them."""
     return {(run["scenario"], run["seed"]): run for run in runs}
+
+
+def folder_of(*runs):
+    """A folder with these runs."""
+    folder = report.Folder("nowhere")
+    folder.runs = runs_of(*runs)
+    return folder
+
+
+def main_of(*arguments):
+    """The exit status of the report, and what it writes to the error output."""
+    errors = io.StringIO()
+    sys.argv[1:] = map(str, arguments)
+    with contextlib.redirect_stderr(errors), contextlib.redirect_stdout(io.StringIO()):
+        try:
+            report.main()
+            status = 0
+        except SystemExit as end:
+            status = end.code
+    return status, errors.getvalue()
 
 
 class Report(unittest.TestCase):
     FAILURE = {"check": "mass", "message": "1 < 2", "step": 7, "script": "Box(<)"}
 
     def test_page_says_what_a_scenario_does_and_what_failed(self):
-        page = report.page("nowhere", runs_of(run_of("flood", 1), run_of("scales", 2, self.FAILURE)), {})
-        self.assertIn("2 runs, 72,060 steps: 1 failed", page)
+        page = report.page("nowhere", folder_of(run_of("flood", 1), run_of("scales", 2, self.FAILURE)))
+        self.assertIn("2 runs, 72,060 steps: 1 failed; all checks held in 1.", page)
         self.assertIn("Water rises through a room", page)
         self.assertIn("Step 7: mass: 1 &lt; 2", page)
         self.assertIn("<pre>Box(&lt;)</pre>", page)
@@ -41,14 +69,52 @@ class Report(unittest.TestCase):
     def test_comparison_marks_what_is_worse(self):
         slow = run_of("flood", 1)
         slow["ms_p50_p95_p99_max"]["step"] = [9.0, 2.0, 3.0, 4.0]
-        page = report.page("nowhere", runs_of(slow), runs_of(run_of("flood", 1)))
+        page = report.page("nowhere", folder_of(slow), folder_of(run_of("flood", 1)))
         self.assertIn('<td class="bad">9.00 <small>(1.00)</small></td>', page)
         self.assertIn("all checks held; same hash", page)
 
     def test_page_and_envelope_say_that_a_run_was_interrupted(self):
-        runs = runs_of(run_of("flood", 1) | {"interrupted": True})
-        self.assertIn("all checks held until it was interrupted", report.page("nowhere", runs, {}))
-        self.assertIn("all checks held until it was interrupted", report.envelope(runs))
+        run = run_of("flood", 1) | {"interrupted": True}
+        page = report.page("nowhere", folder_of(run))
+        self.assertIn("all checks held until it was interrupted", page)
+        self.assertIn("<b>1 run, 36,030 steps: 1 interrupted, all checks held until then.</b>", page)
+        self.assertIn("all checks held until it was interrupted", report.envelope(runs_of(run)))
+
+    def test_hashes_of_runs_with_other_options_are_not_compared(self):
+        page = report.page("nowhere", folder_of(run_of("flood", 1) | {"check_every": 4.0}),
+                           folder_of(run_of("flood", 1) | {"check_every": 20.0}))
+        self.assertIn("hashes not compared: --check-every 4.0, was 20.0", page)
+
+    def test_comparison_names_runs_of_one_side(self):
+        page = report.page("nowhere", folder_of(run_of("flood", 1), run_of("flood", 2)),
+                           folder_of(run_of("flood", 1), run_of("scales", 7)))
+        self.assertIn("Only in this folder: flood 2.", page)
+        self.assertIn("Only in the other folder: scales 7.", page)
+
+    def test_damaged_files_are_named_and_the_others_are_shown(self):
+        with tempfile.TemporaryDirectory() as path:
+            good = json.dumps(run_of("flood", 1))
+            texts = {"flood_1.json": good, "a_1.json": "{", "b_1.json": "{}", "c_1.json": "[]", "d_1.json": "\xff",
+                     "e_1.json": good.replace('"seed": 1', '"seed": "1"'), "f_1.json": "[" * 100000,
+                     "flood_2.json.part": "{"}
+            for name, text in texts.items():
+                (pathlib.Path(path) / name).write_text(text, encoding="latin-1")
+            status, errors = main_of(path)
+            page = (pathlib.Path(path) / "report.html").read_text(encoding="utf-8")
+        self.assertEqual(status, 1)
+        for name in "abcdef":
+            self.assertIn(f"/{name}_1.json: ", errors)
+            self.assertIn(f"{name}_1.json</td>", page)
+        self.assertIn("8 runs, 36,030 steps: 1 ended without figures; 6 unreadable; all checks held in 1.", page)
+        self.assertIn("flood, seed 2</td>", page)
+
+    def test_images_are_those_of_the_run(self):
+        with tempfile.TemporaryDirectory() as path:
+            for name in ("x_1_10.png", "x_1_2.png", "x_1_2_1.png"):
+                (pathlib.Path(path) / name).write_bytes(name.encode())
+            images = report.images(path, {"scenario": "x", "seed": 1})
+        self.assertEqual(images.count("<img"), 2)
+        self.assertLess(images.index("eF8xXzIu"), images.index("eF8xXzEw"))  # "x_1_2.", "x_1_10"
 
     def test_envelope_has_a_row_for_each_run(self):
         rest = "| 36,000 | {} | 0 | 0 | 2 | 0 | 4.16 | 1a2b | X1, 2 processors | {} |"
@@ -69,6 +135,124 @@ class Report(unittest.TestCase):
         before = report.envelope(runs_of(run_of("flood", 1)))
         self.assertEqual(report.envelope(runs_of(short), before), before)
         self.assertNotEqual(report.envelope(runs_of(run_of("flood", 1, bodies=9)), before), before)
+
+
+class Program(unittest.TestCase):
+    """Runs of a few steps."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = pathlib.Path(self.folder.name)
+
+    def play(self, text, *options, name="x"):
+        """Plays a scenario of three steps: the exit status, and what it prints to both outputs."""
+        scenario = self.path / f"{name}.lua"
+        scenario.write_text(text, encoding="utf-8")
+        run = subprocess.run([PROGRAM, scenario, "--minutes", "0.001", "--images", "0", "--out", self.path, *options],
+                             capture_output=True, text=True, errors="replace")
+        return run.returncode, run.stdout, run.stderr
+
+    def figures(self, name="x_1.json"):
+        return json.loads((self.path / name).read_text(encoding="utf-8"))
+
+    def test_texts_of_a_short_script_are_those_of_the_run(self):
+        text = r'"q\"b\\n\nr\rz\0a@1@b 1.2345 \u{e4}"'
+        written = r'"q\"b\\n\nr\013z\000a\0641\064b 1.2345 \195\164"'
+        self.play(f"function init() CollideAs(Box({text}, {{0, 2.12345, 0}}, {{4, 4, 4}}, 5), {text}) end")
+        failure = self.figures()["failure"]
+        self.assertIn(f"made[0] = Box({written}, {{0, 2.12, 0}}, {{4, 4, 4}}, 5)\n", failure["script"])
+        self.assertIn(f"    CollideAs(made[0], {written})\n", failure["script"])
+        for key in (written, '"end"'):
+            self.play(f"function init() Settings({{[{key}] = 1, stress = true}}) end")
+            self.assertIn(f"Settings({{[{key}] = 1, stress = true}})", self.figures()["failure"]["script"])
+
+    def test_a_short_script_fails_by_the_same_call(self):
+        self.play("""function init()
+            UndoLimit(3)
+            UndoMark()
+            pcall(MakeHole, {0, 0, 0}, 2000) pcall(Undo) pcall(Undo)
+            Walk(0, {1, 2})
+        end""")
+        failure = self.figures()["failure"]
+        self.assertIn("Walk: velocity: expected a vector", failure["script"].splitlines()[0])
+        self.assertEqual(failure["script"].splitlines()[3:], ["    Walk(0, {1, 2})", "end"])
+
+    def test_why_there_is_no_short_script(self):
+        for text, why in (("Expect(false, 'x')", "Expect() is part of the scenario, not of the world"),
+                          ("error('a\\xff')", "the calls with an effect alone do not fail"),
+                          ("pcall(MakeHole, {0, 0, 0}, 2000) error('b')",
+                           "the calls with an effect alone do not fail")):
+            printed = self.play(f"function init() {text} end")[1]
+            self.assertIn(f"no short script: {why}\n", printed)
+            self.assertEqual(self.figures()["failure"]["no_script"], why)
+        self.assertNotEqual(self.play("", "--minimise", "-5")[0], 0)
+
+    def test_a_run_replaces_what_an_earlier_one_has_left(self):
+        left = [f"x_1{ending}" for ending in (".json", "_1.png", "_failure.lua", ".rubblelog", ".rubblelog.part")]
+        others = ["x_10.json", "x_1_2.json", "x_1_2_1.png"]
+        for name in left + others:
+            (self.path / name).write_text("{")
+        self.play("")
+        files = {path.name for path in self.path.iterdir()}
+        self.assertEqual(files, {"x.lua", "x_1.json", *others})
+
+    def test_a_killed_run_has_ended_without_figures(self):
+        scenario = self.path / "x.lua"
+        scenario.write_text("function init() print('begun') end")
+        run = subprocess.Popen([PROGRAM, scenario, "--minutes", "99", "--images", "0", "--out", self.path],
+                               stderr=subprocess.PIPE, text=True)
+        with run:
+            self.assertEqual(run.stderr.readline(), "x.lua: begun\n")
+            run.kill()
+        folder = report.Folder(self.path)
+        self.assertEqual((folder.runs, folder.ended), ({}, [("x", "1")]))
+
+    def test_signals_end_a_run_orderly(self):
+        scenario = self.path / "x.lua"
+        scenario.write_text("function init() print('begun') end")
+        # Two signals that wait while the program is stopped arrive together.
+        together = (signal.SIGSTOP, signal.SIGINT, signal.SIGTERM, signal.SIGCONT)
+        for signals, statuses in (((signal.SIGTERM,), [143]), (together, [-signal.SIGINT, -signal.SIGTERM])):
+            run = subprocess.Popen([PROGRAM, scenario, "--minutes", "99", "--images", "0", "--out", self.path],
+                                   stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
+            with run:
+                run.stderr.readline()
+                for each in signals:
+                    run.send_signal(each)
+                self.assertIn(run.wait(), statuses)
+            self.assertEqual([path.name for path in self.path.glob("*.rubblelog*")], [])
+        self.assertEqual(report.Folder(self.path).ended, [("x", "1")])
+
+    def test_scenarios_of_one_name_do_not_replace_each_other(self):
+        self.play("")
+        (self.path / "b").mkdir()
+        status, _, errors = self.play("", name="b/x")
+        self.assertEqual(status, 1)
+        self.assertIn(f"x_1.json is of another scenario, {self.path}/x.lua: expected another --out", errors)
+
+    def test_jobs_are_lines_for_a_shell(self):
+        out, scenario = "\u00f6 a/'b\n$(c)", str(self.path / "t 1's.lua")
+        pathlib.Path(scenario).write_text("")
+        lines = subprocess.run([PROGRAM, scenario, "--list-jobs", "--out", out, "--threads"], cwd=self.path,
+                               capture_output=True, text=True).stdout
+        self.assertEqual(lines.count("\n"), 1)
+        words = subprocess.run(["bash", "-c", f"printf '%s\\0' {lines}"], capture_output=True, text=True).stdout
+        words = words.split("\0")
+        self.assertEqual(words[2], scenario)
+        self.assertEqual(words[words.index("--out") + 1], out)
+
+    def test_figures_say_how_to_play_the_run_again(self):
+        self.play("", "--check-every", "0.5", "--seed", "7", "--threads")
+        run = self.figures("x_7.json")
+        self.assertEqual(run["command"], f"./rubble stress {self.path}/x.lua --seed 7 --minutes 0.001 "
+                         "--check-every 0.5 --threads")
+        self.assertEqual((run["check_every"], run["threads"]), (0.5, True))
+
+    def test_the_log_has_what_a_scenario_prints_once(self):
+        errors = self.play("function init() print('here') UndoMark() wait(0.02) MakeHole({0, 0, 0}, 2000) end")[2]
+        self.assertEqual(errors.count("x.lua: here\n"), 1)
+        self.assertEqual(errors.count("no marks are kept"), 1)
 
 
 if __name__ == "__main__":
