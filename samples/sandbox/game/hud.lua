@@ -3,7 +3,7 @@ local belt = require("toolbelt")
 local draw = require("draw")
 local interact = require("interact")
 
-local hud = {isHidden = false, showsKeys = false}
+local hud = {isHidden = false, showsKeys = false, messageAt = 110}
 local message, messageTime = "", 0
 local sinceStart, nameTime, lastTool = 0, 0, 0
 
@@ -50,11 +50,11 @@ local function drawTool(tool)
     UiPush()
     UiTranslate(UiWidth() - 48, UiHeight() - 44)
     draw.text(tool.name, 30, "right", draw.ink, fade, "bold.ttf")
-    if tool.ammo then
+    local left, all = belt.left(tool)
+    if left then
         UiPush()
         UiTranslate(0, -40)
-        local left = belt.ammo[tool.id]
-        draw.text(left .. " / " .. tool.ammo, 26, "right", left == 0 and {1, 0.45, 0.35} or draw.ink, fade)
+        draw.text(left .. " / " .. all, 26, "right", left == 0 and {1, 0.45, 0.35} or draw.ink, fade)
         UiPop()
     elseif tool.tip and nameTime > 0 then
         UiPush()
@@ -130,7 +130,7 @@ function hud.draw(isBehind)
     if hud.showsKeys then drawKeys() end
     if messageTime > 0 then
         UiPush()
-        UiTranslate(UiCenter(), 110)
+        UiTranslate(UiCenter(), hud.messageAt)
         draw.text(message, 28, "center", draw.ink, math.min(1, messageTime / 0.4))
         UiPop()
     end

@@ -1,0 +1,31 @@
+local bot = require("bots/hands")
+if GetString("bot.stage") == "" then
+bot.play(function()
+    bot.frames(30)
+    bot.image("c-title")
+    bot.press("downarrow")
+    bot.press("return")
+    bot.image("c-brief1")
+    bot.press("esc")
+    bot.press("downarrow")
+    bot.press("return")
+    bot.image("c-brief2")
+    bot.press("esc")
+    bot.press("uparrow")
+    bot.press("return")
+    SetString("bot.stage", "run")
+    bot.press("return")
+    bot.frames(20)
+end)
+else
+bot.play(function()
+    for i = 1, 100 do if GetString("contract.phase") == "running" then break end bot.frames(1) end
+    bot.frames(20)
+    bot.image("c-play1")
+    print(GetString("contract.phase"), GetString("game.menu"))
+    bot.stand(Vec(26.7, 0.2, 45.5), Vec(28, 3, 36))
+    bot.frames(20)
+    bot.image("c-play2")
+end)
+end
+function tick() bot.tick() end
