@@ -1,31 +1,29 @@
 local bot = require("bots/hands")
-if GetString("bot.stage") == "" then
+local V = {
+  {"front3", {{27.3,.5,38.25},{28.2,.5,38.25},{29.1,.5,38.25}}},
+  {"front3+3", {{27.3,.5,38.25},{28.2,.5,38.25},{29.1,.5,38.25},{27.3,1.0,37.6},{28.2,.8,37.6},{29.1,1.0,37.6}}},
+  {"front3+sides", {{27.2,.5,38.25},{28.2,.5,38.25},{29.2,.5,38.25},{26.9,.5,37.4},{29.5,.5,37.4}}},
+  {"back3+sides", {{27.2,.5,35.65},{28.2,.5,35.65},{29.2,.5,35.65},{26.9,.5,36.4},{29.5,.5,36.4}}},
+  {"right", {{29.5,.5,36.2},{29.5,.5,37},{29.5,.5,37.8},{28.8,.5,38.25},{28.8,.5,35.65}}},
+}
 bot.play(function()
-    bot.frames(30)
-    bot.image("c-title")
-    bot.press("downarrow")
-    bot.press("return")
-    bot.image("c-brief1")
-    bot.press("esc")
-    bot.press("downarrow")
-    bot.press("return")
-    bot.image("c-brief2")
-    bot.press("esc")
-    bot.press("uparrow")
-    bot.press("return")
-    SetString("bot.stage", "run")
-    bot.press("return")
-    bot.frames(20)
+    local i = GetInt("bot.stage")
+    if i > 0 then
+        for k = 1, 200 do if GetString("contract.phase") == "running" then break end bot.frames(1) end
+        bot.frames(60)
+        for _, p in ipairs(V[i][2]) do Explosion(Vec(p[1],p[2],p[3]), 1.6) bot.frames(7) end
+        
+        for k = 1, 8 do bot.frames(60)
+          local c, n = Vec(0,0,0), 0
+          for _, sh in ipairs(FindShapes("target")) do local b = GetShapeBody(sh) if IsBodyDynamic(b) then local w = GetShapeVoxelCount(sh) n = n + w c = c + VecScale(GetBodyTransform(b) * GetBodyCenterOfMass(b), w) end end
+          if n > 0 then c = VecScale(c, 1/n) end
+          if k % 2 == 0 then print(V[i][1], k, string.format("%.2f m %.4f", GetFloat("contract.height"), GetFloat("contract.damage")), n, VecStr(c), GetString("contract.phase"), GetString("contract.reason")) end
+        end
+    end
+    if not V[i+1] then return end
+    SetInt("bot.stage", i+1)
+    SetString("game.contract", "demolition")
+    RestartLevel()
+    bot.frames(10)
 end)
-else
-bot.play(function()
-    for i = 1, 100 do if GetString("contract.phase") == "running" then break end bot.frames(1) end
-    bot.frames(20)
-    bot.image("c-play1")
-    print(GetString("contract.phase"), GetString("game.menu"))
-    bot.stand(Vec(26.7, 0.2, 45.5), Vec(28, 3, 36))
-    bot.frames(20)
-    bot.image("c-play2")
-end)
-end
 function tick() bot.tick() end

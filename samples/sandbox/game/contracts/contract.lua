@@ -74,6 +74,9 @@ end
 function contract.publish()
     SetString("contract.phase", state.phase)
     SetString("contract.reason", state.reason)
+    for key, value in pairs(state) do
+        if math.type(value) then SetFloat("contract." .. key, value) end
+    end
 end
 
 return contract

@@ -1,6 +1,6 @@
 -- Heist: six things hang on wires. The plan may take any time; the first wire that is cut starts an alarm, and within a
 -- minute all six must be at the exit.
-local feel = require("feel")
+local draw = require("draw")
 local level = require("levels/house")
 local sounds = require("sounds")
 
@@ -146,9 +146,9 @@ function heist.figures(state)
 end
 
 -- A ring around a thing that blinks, and how far it is.
-local function drawMark(state, at, text, isLoud)
+local function drawMark(at, text, isLoud)
     local x, y, depth = UiWorldToPixel(at)
-    if depth < 0.4 then return end
+    if depth < 2.5 then return end  -- close by the box is enough
     local beat = 0.5 + 0.5 * math.sin(5 * GetTime())
     local size = math.max(12, math.min(60, 160 / depth))
     UiPush()
@@ -159,12 +159,8 @@ local function drawMark(state, at, text, isLoud)
     UiColor(1.0, 0.72, 0.30, isLoud and 1 or 0.35 + 0.6 * beat)
     UiCircleOutline(size, 2.5)
     UiTranslate(0, size + 20)
-    heist.text(text, depth)
+    draw.text(string.format("%s  %.0f m", text, depth), 19, "center middle", nil, depth < 12 and 0.95 or 0.6)
     UiPop()
-end
-
-function heist.text(text, depth)
-    require("draw").text(string.format("%s  %.0f m", text, depth), 19, "center middle", nil, depth < 12 and 0.95 or 0.6)
 end
 
 -- The edges of a body's box, which voxels hide.
@@ -200,11 +196,11 @@ function heist.draw(state)
         local body = not state.taken[i] and heist.bodyOf(i) or 0
         if body ~= 0 then
             drawBox(body, 0.3 + 0.7 * beat)
-            drawMark(state, heist.center(body), thing.name, false)
+            drawMark(heist.center(body), thing.name, false)
         end
     end
     drawExit()
-    drawMark(state, VecLerp(level.exit[1], level.exit[2], 0.5), "Exit", true)
+    drawMark(VecLerp(level.exit[1], level.exit[2], 0.5), "Exit", true)
 end
 
 return heist
