@@ -36,8 +36,7 @@ function init()
 end
 
 function onLoad()
-    belt.reset()
-    belt.current = play.tool
+    belt.resume(play.tool)
     SetPlayerLook(play.yaw, play.pitch)
     player.fly(play.flies)
     options.apply()

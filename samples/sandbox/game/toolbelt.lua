@@ -138,7 +138,7 @@ local function showModel()
     removeModels()
     tool.model.voxel = kVoxel
     body = CreateModel(tool.model, belt.frame(), false)
-    SetTag(body, "viewmodel")
+    SetTag(body, "viewmodel", tool.id)
     bodyOf = belt.current
 end
 
@@ -147,8 +147,17 @@ function belt.refresh()
     bodyOf = 0
 end
 
-function belt.reset()
-    removeModels()
+-- After a load, with the tool that was in the hand. Its model stays the one that was saved: the world goes on with the
+-- same bits.
+function belt.resume(number)
+    belt.current, body, bodyOf = number, 0, 0
+    for _, old in ipairs(FindBodies("viewmodel")) do
+        if body == 0 and GetTagValue(old, "viewmodel") == belt.tool().id then
+            body, bodyOf = old, number
+        else
+            Delete(old)
+        end
+    end
 end
 
 -- Each frame, where no menu is open.

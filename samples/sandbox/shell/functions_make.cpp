@@ -91,29 +91,6 @@ std::vector<uint8_t> fillBoxes(lua_State* L, int table, const std::array<int, 3>
     return cells;
 }
 
-/// Boxes {x, y, z, x1, y1, z1} in cells, both corners in: what of a static shape they do not hold falls.
-void setAnchors(lua_State* L, rubble_shape shape, int table) {
-    if (lua_isnil(L, table)) return;
-    luaL_checktype(L, table, LUA_TTABLE);
-    std::vector<rubble_cell_box> anchors;
-    for (int i = 1; i <= int(std::min<lua_Unsigned>(lua_rawlen(L, table), 100)); ++i) {
-        lua_geti(L, table, i);
-        const int row = lua_gettop(L);
-        rubble_cell_box box;
-        for (int k = 0; k < 3; ++k) {
-            box.low[k] = elementAt(L, row, k + 1, "anchors");
-            box.size[k] = elementAt(L, row, k + 4, "anchors") - box.low[k] + 1;
-        }
-        anchors.push_back(box);
-        lua_pop(L, 1);
-    }
-    auto change = sized<rubble_shape_change>();
-    change.shape = shape;
-    change.fields = RUBBLE_SHAPE_ANCHORS;
-    change.anchors = anchors.data(), change.anchor_count = uint32_t(anchors.size());
-    isDone(L, apiOf(L).set_shape(worldOf(L), &change));
-}
-
 int createModel(lua_State* L) {
     luaL_checktype(L, 1, LUA_TTABLE);
     const Placement place = placementAt(L, 2, "transform");
@@ -144,7 +121,6 @@ int createModel(lua_State* L) {
     rubble_shape grid = 0;
     if (!isDone(L, apiOf(L).create_shape(worldOf(L), &shape, &grid))) return 0;
     setPalette(L, grid, pushField(L, 1, "palette"));
-    setAnchors(L, grid, pushField(L, 1, "anchors"));
     auto& created = ScriptContext::of(L).shared.pending.created;
     created[made] = RUBBLE_KIND_BODY;
     created[grid] = RUBBLE_KIND_SHAPE;
@@ -187,7 +163,7 @@ int createNail(lua_State* L) {
 
 constexpr ScriptFunction kFunctions[] = {
     {"CreateModel(model, transform, dynamic) -> body, shape",
-     "A body of boxes: size, voxel (m), origin (cells), palette, boxes, anchors.", createModel},
+     "A body of boxes: size, voxel (m), origin (cells), palette, boxes.", createModel},
     {"CreateRope(shapeA, posA, shapeB, posB, length, strength) -> joint",
      "A rope; length 0: as long as it is, strength 0: it never breaks.", createRope},
     {"CreateNail(shapeA, shapeB, pos, strength) -> joint", "Holds two shapes together at a place.", createNail},

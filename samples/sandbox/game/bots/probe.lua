@@ -1,16 +1,14 @@
 local bot = require("bots/hands")
 local V = {
   {"front3", {{27.3,.5,38.25},{28.2,.5,38.25},{29.1,.5,38.25}}},
-  {"front3+3", {{27.3,.5,38.25},{28.2,.5,38.25},{29.1,.5,38.25},{27.3,1.0,37.6},{28.2,.8,37.6},{29.1,1.0,37.6}}},
   {"front3+sides", {{27.2,.5,38.25},{28.2,.5,38.25},{29.2,.5,38.25},{26.9,.5,37.4},{29.5,.5,37.4}}},
-  {"back3+sides", {{27.2,.5,35.65},{28.2,.5,35.65},{29.2,.5,35.65},{26.9,.5,36.4},{29.5,.5,36.4}}},
   {"right", {{29.5,.5,36.2},{29.5,.5,37},{29.5,.5,37.8},{28.8,.5,38.25},{28.8,.5,35.65}}},
 }
 bot.play(function()
     local i = GetInt("bot.stage")
     if i > 0 then
         for k = 1, 200 do if GetString("contract.phase") == "running" then break end bot.frames(1) end
-        bot.frames(60)
+        bot.frames(100)
         for _, p in ipairs(V[i][2]) do Explosion(Vec(p[1],p[2],p[3]), 1.6) bot.frames(7) end
         
         for k = 1, 8 do bot.frames(60)

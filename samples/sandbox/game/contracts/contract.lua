@@ -5,7 +5,7 @@ local player = require("player")
 
 local contract = {rules = {}}
 -- Phases: "" none, "building", "planning", "running", "won", "lost".
-local state = saved("contract", {phase = "", reason = "", time = 0})
+local state = saved("contract", {id = "", phase = "", reason = "", time = 0})
 contract.state = state
 
 function contract.add(id)
@@ -13,7 +13,7 @@ function contract.add(id)
 end
 
 function contract.current()
-    return contract.rules[GetString("game.contract")]
+    return contract.rules[state.id]
 end
 
 -- Whether one is played that is neither won nor lost.
@@ -40,6 +40,7 @@ end
 
 -- Builds the level of the contract that is chosen, and puts the player where it starts.
 function contract.begin()
+    state.id = GetString("game.contract")
     local rules = contract.current()
     if not rules then return limit() end
     state.phase = "building"

@@ -3,7 +3,7 @@ local bombs = require("tools/bombs")
 local level = require("levels/mill")
 
 local kHeight = 6         -- metres that it must come below
-local kBombs = 10
+local kBombs = 8
 local kAllowed = 0.02     -- share of the neighbour's voxels that may be lost
 local kLook = 12          -- steps from one look at the world to the next
 local kRest = 1.5         -- seconds at rest that decide
@@ -18,7 +18,7 @@ local demolition = {
 
 function demolition.build(state)
     local building, neighbour = level.build()
-    SetTag(building, "target")
+    for _, shape in ipairs(building) do SetTag(shape, "target") end
     SetTag(neighbour, "neighbour")
     SetRules({stress = true, strength = level.strength})
     wait(0.1)

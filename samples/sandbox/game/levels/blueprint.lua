@@ -20,7 +20,8 @@ local function hash(x, y, z)
 end
 
 local function make(size, voxel)
-    return setmetatable({size = size, voxel = voxel or 0.1, boxes = {}, palette = {}, shades = {}}, Blueprint)
+    return setmetatable({size = size, voxel = voxel or 0.1, boxes = {}, palette = {}, shades = {},
+        from = {0, 0, 0}}, Blueprint)
 end
 
 -- The entries of a material's shades, as a list.
@@ -45,7 +46,8 @@ function Blueprint:pick(name, x, y, z)
 end
 
 function Blueprint:fill(x, y, z, x1, y1, z1, entry)
-    self.boxes[#self.boxes + 1] = {x, y, z, x1, y1, z1, entry}
+    local from = self.from
+    self.boxes[#self.boxes + 1] = {x - from[1], y - from[2], z - from[3], x1 - from[1], y1 - from[2], z1 - from[3], entry}
 end
 
 function Blueprint:clear(x, y, z, x1, y1, z1)
@@ -108,11 +110,12 @@ function Blueprint:window(x, y, z, width, height)
     self:block("ochre", x - 1, y1 + 1, z, x1 + 1, y1 + 2, z + 2, 3)
 end
 
--- Makes it, with its low corner at a place.
+-- Makes it, with cell 0, 0, 0 at a place. `from`: the cell that is the first of its grid.
 function Blueprint:build(corner, isDynamic)
-    return CreateModel({voxel = self.voxel, size = self.size, origin = {0, 0, 0}, boxes = self.boxes, palette = self.palette,
-        anchors = self.anchors},
-        Transform(corner), isDynamic or false)
+    local at = corner + VecScale(Vec(self.from[1], self.from[2], self.from[3]), self.voxel)
+    return CreateModel({voxel = self.voxel, size = self.size, origin = {0, 0, 0}, boxes = self.boxes, palette = self.palette},
+       
+        Transform(at), isDynamic or false)
 end
 
 return make

@@ -68,23 +68,27 @@ local function drawChimney(b)
     b:shaft("ochre", x + 2, kTop - 11, z + 2, x1 - 2, kTop - 8, z1 - 2, 5)
     b:shaft("brick", x + 1, kTop - 7, z + 1, x1 - 1, kTop - 3, z1 - 1, 6)
     b:shaft("soot", x + 2, kTop - 2, z + 2, x1 - 2, kTop, z1 - 2, 4)
-    -- The flue to the hall.
-    b:shaft("brick", kHall[3] + 1, kGround, z + 8, x - 1, kGround + 10, z1 - 8, 3)
-    b:block("slate", kHall[3] + 1, kGround + 11, z + 8, x - 1, kGround + 11, z1 - 8, 3)
 end
 
-local function drawMill()
-    local b = blueprint({120, 128, 126})
-    b.anchors = {{0, 0, 0, 119, 0, 125}}
-    b:block("concrete", 0, 0, 0, 119, kGround - 1, 125, 12)
-    b:block("earth", 0, kGround - 1, 0, 119, kGround - 1, 38, 3)
-    b:block("earth", 0, kGround - 1, 111, 119, kGround - 1, 125, 3)
-    drawHall(b)
+-- The hall on its floor, and the chimney: shapes of their own, so that the stress of each is known within seconds.
+local function buildMill()
+    local hall = blueprint({120, 60, 126})
+    hall:block("concrete", 0, 0, 0, 119, kGround - 1, 125, 12)
+    hall:block("earth", 0, kGround - 1, 0, 119, kGround - 1, 38, 3)
+    hall:block("earth", 0, kGround - 1, 111, 119, kGround - 1, 125, 3)
+    local x, z, x1, z1 = table.unpack(kChimney)
+    hall:clear(x - 1, 0, z - 1, x1 + 1, kGround - 1, z1 + 1)
+    drawHall(hall)
     wait(0)
-    drawRoof(b)
+    drawRoof(hall)
     wait(0)
-    drawChimney(b)
-    return b
+    local _, first = hall:build(kCorner)
+    local chimney = blueprint({x1 - x + 3, 128, z1 - z + 3})
+    chimney.from = {x - 1, 0, z - 1}
+    chimney:block("concrete", x - 1, 0, z - 1, x1 + 1, kGround - 1, z1 + 1, 6)
+    drawChimney(chimney)
+    local _, second = chimney:build(kCorner)
+    return {first, second}
 end
 
 -- Removes the house and what is in it.
@@ -101,7 +105,7 @@ end
 local function buildShed()
     local shed = blueprint({50, 34, 60})
     shed:shaft("brick", 0, 0, 0, 49, 29, 59, 3)
-    shed:block("slate", 0, 30, 0, 49, 31, 59, 6)
+    shed:block("timber", 0, 30, 0, 49, 31, 59, 6)
     local _, shape = shed:build(Vec(34.6, 0, 33))
     return shape
 end
@@ -121,7 +125,6 @@ return {
             yard()
             shop = buildShed()
         end
-        local _, mill = drawMill():build(kCorner)
-        return mill, shop
+        return buildMill(), shop
     end,
 }

@@ -30,7 +30,7 @@ function screens.lists(open, close)
     return {
         brief = list("", {{name = "Begin", run = function() screens.begin(screens.chosen) end},
             {name = "Back", run = function() open("title") end}}),
-        result = list("", {{name = "Try again", run = function() screens.begin(GetString("game.contract")) end},
+        result = list("", {{name = "Try again", run = function() screens.begin(contract.state.id) end},
             {name = "Look around", run = close}, {name = "Back to the title", run = screens.toTitle}}),
     }
 end
