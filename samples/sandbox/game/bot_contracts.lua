@@ -31,9 +31,11 @@ end
 -- The foot of the chimney on three sides, so that it falls to the street.
 local function chimneyFront()
     local places = {}
-    for _, x in ipairs({27.2, 28.2, 29.2}) do places[#places + 1] = {Vec(x, 0.1, 40.2), Vec(x, 0.5, 38.2)} end
-    places[#places + 1] = {Vec(31.2, 0.1, 37.4), Vec(29.4, 0.5, 37.4)}
-    places[#places + 1] = {Vec(26.7, 0.1, 39.6), Vec(27.05, 0.5, 37.4)}
+    for _, x in ipairs({27.2, 28.2, 29.2}) do places[#places + 1] = {Vec(x, 0.1, 40.2), Vec(x, 0.9, 38.2)} end
+    for _, z in ipairs({37.4, 36.9}) do
+        places[#places + 1] = {Vec(31.2, 0.1, z), Vec(29.4, 0.9, z)}
+        places[#places + 1] = {Vec(26.3, 0.1, z), Vec(27.05, 0.9, z)}
+    end
     return places
 end
 

@@ -100,7 +100,7 @@ end
 function update(dt)
     player.update(not menus.open)
     interact.update()
-    bombs.update(dt, blasts)
+    bombs.update(dt, blasts, contract.charge())
     contract.update(dt)
     belt.update(dt, not menus.open and interact.held == 0)
 end

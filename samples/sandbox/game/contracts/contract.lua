@@ -71,6 +71,12 @@ function contract.offer(aim)
     if contract.isOpen() and rules.offer then return rules.offer(state, aim) end
 end
 
+-- How large explosions of bombs are, against those that are played freely.
+function contract.charge()
+    local rules = contract.current()
+    return rules and rules.charge or 1
+end
+
 -- For other scripts.
 function contract.publish()
     SetString("contract.phase", state.phase)

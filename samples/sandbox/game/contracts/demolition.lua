@@ -6,6 +6,7 @@ local kHeight = 6         -- metres that it must come below
 local kBombs = 8
 local kAllowed = 0.02     -- share of the neighbour's voxels that may be lost
 local kLook = 12          -- steps from one look at the world to the next
+local kCharge = 1.4       -- of an explosion, against one that is played freely
 local kRest = 1.5         -- seconds at rest that decide
 local kPatience = 12      -- seconds after the last bomb, whatever still moves
 
@@ -15,6 +16,8 @@ local demolition = {
         "The shop next to it may lose " .. math.floor(100 * kAllowed) .. " % of what it is made of.",
         "The chimney falls to where its foot is gone."},
 }
+
+demolition.charge = kCharge
 
 function demolition.build(state)
     local building, neighbour = level.build()

@@ -5,7 +5,7 @@ local yard = require("levels/yard")
 
 local kCorner = Vec(17.6, -0.4, 29.2)  -- of its model; the ground is four cells higher
 local kGround, kEaves, kRoof = 4, 40, 54
-local kHall = {2, 40, 88, 108}         -- x, z, x1, z1 of its walls
+local kHall = {2, 40, 80, 108}         -- x, z, x1, z1 of its walls
 local kChimney = {94, 66, 117, 89}     -- of its foot
 local kTop = 127
 
@@ -15,15 +15,15 @@ local function drawHall(b)
     b:block("timber", x + 3, kGround - 1, z + 3, x1 - 3, kGround - 1, z1 - 3, 5)
     b:bricks("ochre", x, kEaves - 5, z1 - 2, x1, kEaves - 4, z1)
     b:block("concrete", x - 1, kGround, z1, x1 + 1, kGround + 1, z1 + 1, 6)
-    for _, at in ipairs({8, 24, 58, 74}) do
+    for _, at in ipairs({7, 21, 51, 65}) do
         b:window(x + at, kGround + 9, z1 - 2, 9, 17)
         b:window(x + at, kGround + 9, z, 9, 17)
     end
-    b:block("door", x + 39, kGround, z1 - 1, x + 49, kGround + 23, z1 - 1, 2)
-    b:clear(x + 39, kGround, z1 - 2, x + 49, kGround + 23, z1 - 2)
-    b:clear(x + 39, kGround, z1, x + 49, kGround + 23, z1)
-    b:block("ochre", x + 37, kGround + 24, z1 - 2, x + 51, kGround + 26, z1, 3)
-    for _, at in ipairs({22, 44, 66}) do  -- columns and benches within
+    b:block("door", x + 34, kGround, z1 - 1, x + 44, kGround + 23, z1 - 1, 2)
+    b:clear(x + 34, kGround, z1 - 2, x + 44, kGround + 23, z1 - 2)
+    b:clear(x + 34, kGround, z1, x + 44, kGround + 23, z1)
+    b:block("ochre", x + 32, kGround + 24, z1 - 2, x + 46, kGround + 26, z1, 3)
+    for _, at in ipairs({20, 40, 60}) do  -- columns and benches within
         for _, row in ipairs({18, 46}) do b:block("steel", x + at, kGround, z + row, x + at + 1, kEaves, z + row + 1, 8) end
         b:block("timber", x + at - 12, kGround + 8, z + 28, x + at + 4, kGround + 8, z + 36, 3)
         for _, leg in ipairs({-11, 3}) do
@@ -70,7 +70,7 @@ local function drawChimney(b)
     b:shaft("soot", x + 2, kTop - 2, z + 2, x1 - 2, kTop, z1 - 2, 4)
 end
 
--- The hall on its floor, and the chimney: shapes of their own, so that the stress of each is known within seconds.
+-- The hall on its floor, and the chimney: shapes of their own, of which the first is the first whose stress is found.
 local function buildMill()
     local hall = blueprint({120, 60, 126})
     hall:block("concrete", 0, 0, 0, 119, kGround - 1, 125, 12)
@@ -82,12 +82,13 @@ local function buildMill()
     wait(0)
     drawRoof(hall)
     wait(0)
-    local _, first = hall:build(kCorner)
     local chimney = blueprint({x1 - x + 3, 128, z1 - z + 3})
     chimney.from = {x - 1, 0, z - 1}
     chimney:block("concrete", x - 1, 0, z - 1, x1 + 1, kGround - 1, z1 + 1, 6)
     drawChimney(chimney)
-    local _, second = chimney:build(kCorner)
+    local _, first = chimney:build(kCorner)
+    wait(0)
+    local _, second = hall:build(kCorner)
     return {first, second}
 end
 
@@ -123,8 +124,9 @@ return {
             clearPlot()
         else
             yard()
-            shop = buildShed()
+            shop = 0
         end
-        return buildMill(), shop
+        local mill = buildMill()
+        return mill, shop ~= 0 and shop or buildShed()
     end,
 }

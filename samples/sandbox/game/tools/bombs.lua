@@ -47,8 +47,8 @@ function bombs.count()
     return clock.lit
 end
 
--- Each step. `sizes`: of explosions, by kind.
-function bombs.update(dt, sizes)
+-- Each step. `sizes`: of explosions, by kind, times `charge`.
+function bombs.update(dt, sizes, charge)
     clock.time = clock.time + dt
     if clock.lit == 0 then return end
     local list = FindBodies("fuse")
@@ -59,7 +59,7 @@ function bombs.update(dt, sizes)
             clock.lit = clock.lit + 1
         elseif left then
             for kind, size in pairs(sizes) do
-                if HasTag(body, kind) then bombs.explode(body, size) end
+                if HasTag(body, kind) then bombs.explode(body, charge * size) end
             end
         end
     end
