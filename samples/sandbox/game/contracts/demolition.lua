@@ -2,12 +2,13 @@
 local bombs = require("tools/bombs")
 local level = require("levels/mill")
 
-local kHeight = 6         -- metres that it must come below
+local kHeight = 8         -- metres that it must come below
 local kBombs = 8
 local kAllowed = 0.02     -- share of the neighbour's voxels that may be lost
 local kLook = 12          -- steps from one look at the world to the next
-local kCharge = 1.4       -- of an explosion, against one that is played freely
+local kCharge = 1.8       -- of an explosion, against one that is played freely
 local kRest = 1.5         -- seconds at rest that decide
+local kLarge = 200        -- voxels of a piece that is waited for
 local kPatience = 12      -- seconds after the last bomb, whatever still moves
 
 local demolition = {
@@ -64,10 +65,12 @@ local function damageNow(state)
     return math.max(0, 1 - left / state.whole)
 end
 
+-- Whether a piece of some size still falls.
 local function isMoving()
     for _, shape in ipairs(FindShapes("target")) do
         local body = GetShapeBody(shape)
-        if IsBodyActive(body) and VecLength(GetBodyVelocity(body)) > 0.4 then return true end
+        local isLarge = GetShapeVoxelCount(shape) >= kLarge and GetBodyTransform(body).pos.y > -5
+        if isLarge and IsBodyActive(body) and VecLength(GetBodyVelocity(body)) > 0.4 then return true end
     end
     return false
 end
