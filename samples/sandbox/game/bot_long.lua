@@ -195,6 +195,7 @@ local function restart(id)
 end
 
 local function play()
+    bot.frames(3)
     if GetString("game.menu") == "title" then title() end
     local id = GetString("game.contract")
     for _ = 1, 200 do

@@ -48,7 +48,7 @@ function onLoad()
 end
 
 local function readKeys()
-    if InputPressed("esc") then menus.open = "pause" end
+    if InputPressed("esc") then menus.show("pause") end
     if InputPressed("tab") then radial.open() end
     if InputPressed("f5") then menus.save() end
     if InputPressed("f9") then menus.load() end
@@ -78,7 +78,10 @@ function tick(dt)
     hud.tick(dt)
     sounds.loop("wind", nil, 0.06 + 0.01 * math.min(VecLength(GetPlayerVelocity()), 30))
     hud.messageAt = contract.isOpen() and panel.height() + 60 or 110
-    if contract.isOver() and not hasSeenEnd and not menus.open then menus.open, hasSeenEnd = "result", true end
+    if contract.isOver() and not hasSeenEnd and not menus.open then
+        hasSeenEnd = true
+        menus.show("result")
+    end
     SetTimeScale(menus.stopsTime() and 0 or options.get("timescale"))
     if menus.open then
         titleTime = titleTime + dt

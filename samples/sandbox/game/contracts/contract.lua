@@ -41,6 +41,7 @@ end
 -- Builds the level of the contract that is chosen, and puts the player where it starts.
 function contract.begin()
     state.id = GetString("game.contract")
+    ClearKey("contract")
     local rules = contract.current()
     if not rules then return limit() end
     state.phase = "building"

@@ -18,8 +18,8 @@ function screens.toTitle()
     screens.begin(nil)
 end
 
--- Lists of `open(name)` and `close()` of the menus.
-function screens.lists(open, close)
+-- Lists of `open(name)`, `close()` and `back()`, to the title, of the menus.
+function screens.lists(open, close, back)
     local function choose(id)
         return function()
             screens.chosen = id
@@ -29,7 +29,7 @@ function screens.lists(open, close)
     screens.rows = {{name = "Demolition contract", run = choose("demolition")}, {name = "Heist", run = choose("heist")}}
     return {
         brief = list("", {{name = "Begin", run = function() screens.begin(screens.chosen) end},
-            {name = "Back", run = function() open("title") end}}),
+            {name = "Back", run = back}}),
         result = list("", {{name = "Try again", run = function() screens.begin(contract.state.id) end},
             {name = "Look around", run = close}, {name = "Back to the title", run = screens.toTitle}}),
     }

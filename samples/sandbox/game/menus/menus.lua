@@ -8,6 +8,7 @@ local options = require("options")
 
 local menus = {open = nil}  -- "title", "pause", "settings", "brief" or "result"
 local before = nil          -- what settings return to
+local lists
 local isFirst = true
 
 local function close()
@@ -15,8 +16,15 @@ local function close()
     isFirst = false
 end
 
+-- Opens one, at its first row.
+function menus.show(name)
+    menus.open = name
+    lists[name].chosen = 1
+end
+
 local function settings()
-    before, menus.open = menus.open, "settings"
+    before = menus.open
+    menus.show("settings")
 end
 
 function menus.save()
@@ -28,10 +36,10 @@ function menus.load()
     if not LoadGame("quick") then hud.say("There is no saved game yet") else close() end
 end
 
-local more = contracts.lists(function(name) menus.open = name end, close)
+local more = contracts.lists(menus.show, close, function() menus.open = "title" end)
 local function hasNoSave() return not HasSave("quick") end
 
-local lists = {
+lists = {
     title = list("Rubble", {{name = "Play freely", run = close},
         contracts.rows[1], contracts.rows[2],
         {name = "Continue the saved game", run = menus.load, isOff = hasNoSave},
