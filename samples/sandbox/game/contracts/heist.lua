@@ -145,7 +145,7 @@ function heist.figures(state)
         {"Time of the alarm", string.format("%.1f of %d s", kSeconds - state.left, kSeconds)}}
 end
 
--- A ring around a thing that blinks, and how far it is.
+-- A ring around a thing that blinks, and what it is where it is near or looked at.
 local function drawMark(at, text, isLoud)
     local x, y, depth = UiWorldToPixel(at)
     if depth < 2.5 then return end  -- close by the box is enough
@@ -159,7 +159,10 @@ local function drawMark(at, text, isLoud)
     UiColor(1.0, 0.72, 0.30, isLoud and 1 or 0.35 + 0.6 * beat)
     UiCircleOutline(size, 2.5)
     UiTranslate(0, size + 20)
-    draw.text(string.format("%s  %.0f m", text, depth), 19, "center middle", nil, depth < 12 and 0.95 or 0.6)
+    local isAimedAt = math.abs(x - UiCenter()) < 130 and math.abs(y - UiMiddle()) < 130
+    if isLoud or isAimedAt or depth < 8 then
+        draw.text(string.format("%s  %.0f m", text, depth), 19, "center middle", nil, 0.95)
+    end
     UiPop()
 end
 
