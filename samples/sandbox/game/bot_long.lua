@@ -116,15 +116,6 @@ local function large()
     SetFloat("options.textsize", 1)
 end
 
-local function saveAndLoad()
-    bot.press("f5")
-    bot.frames(60)
-    remember()
-    bot.press("f9")
-    bot.frames(5)
-    bot.expect(false, "the saved game to be loaded")
-end
-
 -- What is played of a contract itself.
 local function playContract(id)
     if id == "demolition" then
@@ -161,6 +152,16 @@ local function result()
     bot.press("downarrow")
     bot.press("return")
     bot.expect(GetString("game.menu") == "", "to look around")
+end
+
+local function saveAndLoad()
+    bot.press("f5")
+    bot.frames(30)
+    result()
+    remember()
+    bot.press("f9")
+    bot.frames(5)
+    bot.expect(false, "the saved game to be loaded")
 end
 
 local function title()
