@@ -61,7 +61,7 @@ TEST(Game, ASavedContractGoesOnTheSame) {
 
 TEST(Game, ABotPlaysAllWaysForSomeSeconds) {
     const fs::path out = freshFolder("long");
-    std::ofstream(out / "options.txt") << "options.bot.seconds=16\n";
+    std::ofstream(out / "options.txt") << "options.bot.seconds=12\n";
     EXPECT_EQ(playGame("bot_long.lua", out, RUBBLE_SOURCE_DIR "/samples/sandbox/game"), 0);
     for (const char* name : {"long-title.png", "long-brief-heist.png", "long-end.png"})
         EXPECT_TRUE(fs::exists(out / name)) << name;
