@@ -240,6 +240,7 @@ local function checkLoad()
     bot.expect(GetString("game.tool") == "vacuum", "the tool that was in the hand")
     bot.expect(#FindBodies("viewmodel") <= 1, "one model before the eyes")
     bot.press("esc")
+    SetFloat("options.volume", 0.5)  -- the file of options has another one since the load
     for _ = 1, 4 do bot.press("downarrow") end
     bot.press("return")
     bot.frames(3)
@@ -249,6 +250,7 @@ end
 local function checkRestart()
     bot.frames(5)
     bot.expect(GetString("game.menu") == "", "no title again")
+    bot.expect(GetFloat("options.volume") == 0.5, "the options that were chosen before")
     bot.expect(#FindBodies() == 2, "the level as it was, and the model of a tool")
 end
 

@@ -2,13 +2,16 @@
 local belt = require("toolbelt")
 local draw = require("draw")
 local interact = require("interact")
+local options = require("options")
+local player = require("player")
 
-local hud = {isHidden = false, showsKeys = false}
+local hud = {isHidden = false, showsKeys = false, messageAt = 110}
 local message, messageTime = "", 0
 local sinceStart, nameTime, lastTool = 0, 0, 0
 
 local kFirst = {"Walk: W A S D    Look: mouse", "Left button: use the tool", "Tab: all tools    1 to 9, wheel: change",
     "V: fly    Ctrl+Z: take back    F1: all keys"}
+local kLastOfContract = "E: take, open    F5: save    F1: all keys"
 local kKeys = {{"W A S D", "walk"}, {"Shift", "run"}, {"Space", "jump"}, {"Ctrl", "crouch"}, {"V", "fly or walk"},
     {"Left button", "use the tool"}, {"Right button", "its second use"}, {"R", "reload"},
     {"E", "doors, lamps, things"}, {"F", "a lamp"},
@@ -50,15 +53,15 @@ local function drawTool(tool)
     UiPush()
     UiTranslate(UiWidth() - 48, UiHeight() - 44)
     draw.text(tool.name, 30, "right", draw.ink, fade, "bold.ttf")
-    if tool.ammo then
+    local left, all = belt.left(tool)
+    if left then
         UiPush()
-        UiTranslate(0, -40)
-        local left = belt.ammo[tool.id]
-        draw.text(left .. " / " .. tool.ammo, 26, "right", left == 0 and {1, 0.45, 0.35} or draw.ink, fade)
+        UiTranslate(0, -40 * options.get("textsize"))
+        draw.text(left .. " / " .. all, 26, "right", left == 0 and {1, 0.45, 0.35} or draw.ink, fade)
         UiPop()
     elseif tool.tip and nameTime > 0 then
         UiPush()
-        UiTranslate(0, -40)
+        UiTranslate(0, -40 * options.get("textsize"))
         draw.text(tool.tip, 22, "right", draw.ink, math.min(1, nameTime))
         UiPop()
     end
@@ -110,7 +113,8 @@ local function drawFirstSteps()
     local fade = math.min(1, within / 0.6, (6 - within) / 0.6)
     UiPush()
     UiTranslate(UiCenter(), UiHeight() - 120)
-    draw.text(kFirst[i], 28, "center", draw.ink, fade)
+    local text = i == #kFirst and not player.mayFly and kLastOfContract or kFirst[i]
+    draw.text(text, 28, "center", draw.ink, fade)
     UiPop()
 end
 
@@ -130,7 +134,7 @@ function hud.draw(isBehind)
     if hud.showsKeys then drawKeys() end
     if messageTime > 0 then
         UiPush()
-        UiTranslate(UiCenter(), 110)
+        UiTranslate(UiCenter(), hud.messageAt)
         draw.text(message, 28, "center", draw.ink, math.min(1, messageTime / 0.4))
         UiPop()
     end

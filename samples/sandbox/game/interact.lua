@@ -1,7 +1,7 @@
 -- What E does: pushes doors, takes small things into the hand, switches lamps.
 local feel = require("feel")
 
-local interact = {held = 0}
+local interact = {held = 0, contract = nil}  -- contract: what offers a deed before all others
 local kReach, kMaxMass, kLampReach = 2.6, 120, 1.0
 local localPoint, distance = Vec(0, 0, 0), 1.5
 
@@ -27,6 +27,10 @@ end
 -- What E would do with what the eyes look at: a text, and the deed.
 function interact.offer(aim)
     if interact.held ~= 0 then return "Let go", interact.drop end
+    if interact.contract then
+        local text, deed = interact.contract(aim)
+        if text then return text, deed end
+    end
     if not aim.hit or aim.dist > kReach or not IsHandleValid(aim.shape) then return nil end
     local hinge = hingeOf(aim.shape)
     if hinge and IsBodyDynamic(aim.body) then

@@ -1,34 +1,46 @@
 -- The game: a town to take apart. The shell (samples/sandbox/shell) gives input, a player, a camera and saves; all
 -- else is here and in the files beside, over the functions of docs/scripting.
 local belt = require("toolbelt")
+local bombs = require("tools/bombs")
+local contract = require("contracts/contract")
 local feel = require("feel")
 local hud = require("hud")
 local interact = require("interact")
 local menus = require("menus/menus")
 local options = require("options")
+local panel = require("contracts/panel")
 local player = require("player")
 local radial = require("menus/radial")
 local sounds = require("sounds")
 
 local titleTime = 0
+local hasSeenEnd = false
+local blasts = {timebomb = 1.5, remotebomb = 1.6}  -- sizes of explosions
 local play = saved("play", {tool = 1, yaw = 0, pitch = 0, flies = false})
 
 belt.load({"sledge", "axe", "pistol", "shotgun", "rocket", "timebomb", "remotebomb", "blowtorch", "extinguisher",
     "spray", "hands", "plank", "rope", "vacuum", "gravitygun", "laser", "drill"})
 
+contract.add("demolition")
+contract.add("heist")
+interact.contract = contract.offer
+
 function init()
     player.spawn()
     options.apply()
-    if GetBool("game.restarted") then return ClearKey("game.restarted") end
-    menus.open = "title"
+    contract.begin()
+    local isAgain = GetBool("game.restarted") and not GetBool("game.title")
+    ClearKey("game.restarted")
+    ClearKey("game.title")
+    if not isAgain then menus.open = "title" end
 end
 
 function onLoad()
-    belt.reset()
-    belt.current = play.tool
+    belt.resume(play.tool)
     SetPlayerLook(play.yaw, play.pitch)
     player.fly(play.flies)
     options.apply()
+    contract.resume()
     for _, tool in ipairs(belt.tools) do
         if tool.resume then tool.resume() end
     end
@@ -36,11 +48,17 @@ function onLoad()
 end
 
 local function readKeys()
-    if InputPressed("esc") then menus.open = "pause" end
+    if InputPressed("esc") then menus.show("pause") end
     if InputPressed("tab") then radial.open() end
     if InputPressed("f5") then menus.save() end
     if InputPressed("f9") then menus.load() end
-    if InputDown("ctrl") and InputPressed("z") and Undo() then hud.say("Taken back") end
+    if InputDown("ctrl") and InputPressed("z") then
+        if contract.current() then
+            hud.say("Nothing is taken back in a contract")
+        elseif Undo() then
+            hud.say("Taken back")
+        end
+    end
     if InputPressed("e") and belt.lastAim then
         local _, deed = interact.offer(belt.lastAim)
         if deed then deed() end
@@ -51,6 +69,7 @@ end
 local function publish()
     SetString("game.menu", menus.open or radial.isOpen and "radial" or "")
     SetString("game.tool", belt.tool().id)
+    contract.publish()
 end
 
 function tick(dt)
@@ -58,7 +77,12 @@ function tick(dt)
     feel.tick(dt)
     hud.tick(dt)
     sounds.loop("wind", nil, 0.06 + 0.01 * math.min(VecLength(GetPlayerVelocity()), 30))
-    SetTimeScale(menus.open and not menus.isTitle() and 0 or options.get("timescale"))
+    hud.messageAt = contract.isOpen() and panel.height() + 60 or 110
+    if contract.isOver() and not hasSeenEnd and not menus.open then
+        hasSeenEnd = true
+        menus.show("result")
+    end
+    SetTimeScale(menus.stopsTime() and 0 or options.get("timescale"))
     if menus.open then
         titleTime = titleTime + dt
         if menus.isTitle() then menus.camera(titleTime) end
@@ -79,11 +103,14 @@ end
 function update(dt)
     player.update(not menus.open)
     interact.update()
+    bombs.update(dt, blasts, contract.charge())
+    contract.update(dt)
     belt.update(dt, not menus.open and interact.held == 0)
 end
 
 function draw()
     if menus.open then return menus.draw() end
+    if not hud.isHidden and not radial.isOpen then panel.draw() end
     hud.draw(radial.isOpen)
     if radial.isOpen then radial.draw() end
 end

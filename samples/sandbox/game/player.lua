@@ -2,7 +2,7 @@
 local options = require("options")
 local feel = require("feel")
 
-local player = {isFlying = false, hasLamp = false, speed = 0}
+local player = {isFlying = false, mayFly = true, hasLamp = false, speed = 0}
 local kWalk, kRun, kCrouch, kFly, kFastFly = 4.0, 6.8, 2.0, 9.0, 26.0
 local kRadiansPerPixel = 0.0022
 local kFall = 30                -- metres below all there is from which one is put back
@@ -52,7 +52,7 @@ function player.tick(dt)
     local scale = kRadiansPerPixel * options.get("sensitivity") * options.get("fov") / 68
     SetPlayerLook(yaw - scale * InputValue("mousedx"), pitch - scale * InputValue("mousedy"))
     jumps = jumps or InputPressed("jump")
-    if InputPressed("v") then player.fly(not player.isFlying) end
+    if InputPressed("v") and player.mayFly then player.fly(not player.isFlying) end
     if InputPressed("flashlight") then player.hasLamp = not player.hasLamp end
 end
 

@@ -2,7 +2,9 @@
 local feel = require("feel")
 local player = require("player")
 
-local belt = {tools = {}, current = 1, ammo = {}, cooldown = 0, raise = 0}
+local belt = {tools = {}, current = 1, ammo = saved("ammo", {}), cooldown = 0, raise = 0}
+-- What a contract allows: `tools` by name, and a `budget` of tools that share what is left in left[key], of `all`.
+belt.limits = nil
 local kVoxel = 0.008       -- metres of a model's cell: small and near, so that it does not reach into walls
 local kHold = Vec(0.105, -0.10, -0.27)
 local body, bodyOf = 0, 0
@@ -15,7 +17,7 @@ function belt.load(names)
         local tool = require("tools/" .. name)
         tool.id, tool.number = name, i
         belt.tools[i] = tool
-        if tool.ammo then belt.ammo[name] = tool.ammo end
+        if tool.ammo then belt.ammo[name] = belt.ammo[name] or tool.ammo end
     end
 end
 
@@ -23,9 +25,38 @@ function belt.tool()
     return belt.tools[belt.current]
 end
 
-function belt.select(number)
+function belt.isAllowed(number)
+    return not belt.limits or belt.limits.tools[belt.tools[number].id] == true
+end
+
+-- Takes the tool of a name.
+function belt.choose(id)
+    for i, tool in ipairs(belt.tools) do
+        if tool.id == id then belt.select(i) end
+    end
+end
+
+-- How often a tool can be used, and of how many; nil: without end.
+function belt.left(tool)
+    local limits = belt.limits
+    if limits and limits.budget[tool.id] then return limits.left[limits.key], limits.all end
+    if tool.ammo then return belt.ammo[tool.id], tool.ammo end
+end
+
+local function spend(tool)
+    local limits = belt.limits
+    if limits and limits.budget[tool.id] then
+        limits.left[limits.key] = limits.left[limits.key] - 1
+    elseif tool.ammo then
+        belt.ammo[tool.id] = belt.ammo[tool.id] - 1
+    end
+end
+
+-- Takes a tool in the hand, or with a `direction` the next one from there on that is allowed.
+function belt.select(number, direction)
     number = (number - 1) % #belt.tools + 1
-    if number == belt.current then return end
+    while direction and not belt.isAllowed(number) do number = (number + direction - 1) % #belt.tools + 1 end
+    if number == belt.current or not belt.isAllowed(number) then return end
     local old = belt.tool()
     if old.release then old:release() end
     belt.current, belt.raise, belt.cooldown = number, 1, 0.15
@@ -107,7 +138,7 @@ local function showModel()
     removeModels()
     tool.model.voxel = kVoxel
     body = CreateModel(tool.model, belt.frame(), false)
-    SetTag(body, "viewmodel")
+    SetTag(body, "viewmodel", tool.id)
     bodyOf = belt.current
 end
 
@@ -116,8 +147,17 @@ function belt.refresh()
     bodyOf = 0
 end
 
-function belt.reset()
-    removeModels()
+-- After a load, with the tool that was in the hand. Its model stays the one that was saved: the world goes on with the
+-- same bits.
+function belt.resume(number)
+    belt.current, body, bodyOf = number, 0, 0
+    for _, old in ipairs(FindBodies("viewmodel")) do
+        if body == 0 and GetTagValue(old, "viewmodel") == belt.tool().id then
+            body, bodyOf = old, number
+        else
+            Delete(old)
+        end
+    end
 end
 
 -- Each frame, where no menu is open.
@@ -128,24 +168,28 @@ function belt.tick(dt)
         if InputPressed(tostring(i)) then belt.select(i) end
     end
     local wheel = InputValue("mousewheel")
-    if wheel ~= 0 then belt.select(belt.current + (wheel < 0 and 1 or -1)) end
+    if wheel ~= 0 then
+        local direction = wheel < 0 and 1 or -1
+        belt.select(belt.current + direction, direction)
+    end
     tool = belt.tool()
     local aim = belt.aim(tool.reach)
     belt.lastAim = aim
     if tool.tick then tool:tick(aim, dt) end
     local wants = tool.isAutomatic and InputDown("usetool") or InputPressed("usetool")
-    local isEmpty = tool.ammo and belt.ammo[tool.id] <= 0
+    local left, all = belt.left(tool)
+    local isEmpty = left and left <= 0
     if wants and belt.cooldown <= 0 then
         if isEmpty then
             belt.cooldown = 0.25
         else
             belt.cooldown = tool.cooldown or 0.3
             if tool.marksUndo ~= false then AddUndoMark() end
-            if tool:use(aim) ~= false and tool.ammo then belt.ammo[tool.id] = belt.ammo[tool.id] - 1 end
+            if tool:use(aim) ~= false then spend(tool) end
         end
     end
     if tool.alt and InputPressed("grab") then tool:alt(aim) end
-    if InputPressed("r") and tool.ammo and belt.ammo[tool.id] < tool.ammo then
+    if InputPressed("r") and left and left < all and not belt.limits then
         belt.ammo[tool.id], belt.raise, belt.cooldown = tool.ammo, 1, 0.5
     end
 end

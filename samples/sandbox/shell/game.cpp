@@ -289,6 +289,7 @@ void Game::carryOutRequests() {
         fail(makeRenderer());
     }
     if (!now.restarts) return;
+    writeOptions();
     m_scripts->shared().registry["game.restarted"] = "1";
     if (m_api.load_level(m_world, m_settings.level.c_str(), m_settings.vdbTool.c_str()) != RUBBLE_OK)
         return fail(m_api.get_last_error());

@@ -64,6 +64,22 @@ TEST(Game, ABotUsesEachToolAndMenu) {
     EXPECT_GT(loud, 4800u) << "a tenth of a second of it at least is heard";
 }
 
+TEST(Game, ContractsAreWonAndLost) {
+    EXPECT_EQ(playGame("bot_contracts.lua", freshFolder("contracts"), RUBBLE_SOURCE_DIR "/samples/sandbox/game"), 0);
+}
+
+TEST(Game, ASavedContractGoesOnTheSame) {
+    EXPECT_EQ(playGame("bot_saves.lua", freshFolder("saves"), RUBBLE_SOURCE_DIR "/samples/sandbox/game"), 0);
+}
+
+TEST(Game, ABotPlaysAllWaysForSomeSeconds) {
+    const fs::path out = freshFolder("long");
+    std::ofstream(out / "options.txt") << "options.bot.seconds=12\n";
+    EXPECT_EQ(playGame("bot_long.lua", out, RUBBLE_SOURCE_DIR "/samples/sandbox/game"), 0);
+    for (const char* name : {"long-title.png", "long-brief-heist.png", "long-end.png"})
+        EXPECT_TRUE(fs::exists(out / name)) << name;
+}
+
 TEST(Game, FailsWithoutScriptsAndWithABotThatFails) {
     const fs::path out = freshFolder("wrong");
     EXPECT_NE(playGame("bot.lua", out, out.string()), 0) << "there is no script";

@@ -54,7 +54,7 @@ function List:drawRow(row, isChosen)
     end
     UiPush()
     UiTranslate(28, 0)
-    draw.text(row.name, 31, "left middle", draw.ink, row.isOff and row.isOff() and 0.4 or isChosen and 1 or 0.82)
+    draw.text(type(row.name) == "function" and row.name() or row.name, 31, "left middle", draw.ink, row.isOff and row.isOff() and 0.4 or isChosen and 1 or 0.82)
     UiPop()
     if not row.option then return end
     UiPush()

@@ -1,11 +1,14 @@
--- Title screen, pause and settings.
+-- Title screen, pause, settings, and the screens of contracts.
+local contract = require("contracts/contract")
+local contracts = require("menus/contracts")
 local draw = require("draw")
 local hud = require("hud")
 local list = require("menus/list")
 local options = require("options")
 
-local menus = {open = nil}  -- "title", "pause" or "settings"
+local menus = {open = nil}  -- "title", "pause", "settings", "brief" or "result"
 local before = nil          -- what settings return to
+local lists
 local isFirst = true
 
 local function close()
@@ -13,8 +16,15 @@ local function close()
     isFirst = false
 end
 
+-- Opens one, at its first row.
+function menus.show(name)
+    menus.open = name
+    lists[name].chosen = 1
+end
+
 local function settings()
-    before, menus.open = menus.open, "settings"
+    before = menus.open
+    menus.show("settings")
 end
 
 function menus.save()
@@ -27,16 +37,19 @@ function menus.load()
     hud.say(HasSave("quick") and "The saved game is damaged" or "There is no saved game yet")
 end
 
+local more = contracts.lists(menus.show, close, function() menus.open = "title" end)
 local function hasNoSave() return not HasSave("quick") end
 
-local lists = {
-    title = list("Rubble", {{name = "Play", run = close},
+lists = {
+    title = list("Rubble", {{name = "Play freely", run = close},
+        contracts.rows[1], contracts.rows[2],
         {name = "Continue the saved game", run = menus.load, isOff = hasNoSave},
         {name = "Settings", run = settings}, {name = "Leave", run = QuitGame}}),
     pause = list("Paused", {{name = "Go on", run = close}, {name = "Save", run = menus.save},
         {name = "Load", run = menus.load, isOff = hasNoSave}, {name = "Settings", run = settings},
-        {name = "Build the town again", run = RestartLevel}, {name = "Leave", run = QuitGame}}),
-    settings = list("Settings", {}),
+        {name = function() return contract.current() and "Try again" or "Build the town again" end, run = RestartLevel},
+        {name = "Back to the title", run = contracts.toTitle}, {name = "Leave", run = QuitGame}}),
+    settings = list("Settings", {}), brief = more.brief, result = more.result,
 }
 do
     local rows = lists.settings.rows
@@ -51,7 +64,9 @@ function menus.tick()
     if InputPressed("esc") then
         if menus.open == "settings" then
             menus.open = before or "pause"
-        elseif menus.open == "pause" then
+        elseif menus.open == "brief" then
+            menus.open = "title"
+        elseif menus.open ~= "title" then
             close()
         end
         return
@@ -102,13 +117,22 @@ function menus.draw()
         end
         UiPop()
         drawTitle()
+    elseif menus.open == "brief" then
+        contracts.drawBrief(lists.brief)
+    elseif menus.open == "result" then
+        contracts.drawResult(lists.result)
     else
         drawPanel(lists[menus.open])
     end
 end
 
 function menus.isTitle()
-    return menus.open == "title" or menus.open == "settings" and before == "title"
+    return menus.open == "title" or menus.open == "brief" or menus.open == "settings" and before == "title"
+end
+
+-- Whether the world stands still behind it.
+function menus.stopsTime()
+    return menus.open ~= nil and not menus.isTitle() and menus.open ~= "result"
 end
 
 return menus

@@ -14,7 +14,8 @@ end
 local function pointedAt()
     if x * x + y * y < kDead * kDead then return belt.current end
     local turn = math.atan(x, -y) / (2 * math.pi)
-    return math.floor(turn * #belt.tools + 0.5) % #belt.tools + 1
+    local number = math.floor(turn * #belt.tools + 0.5) % #belt.tools + 1
+    return belt.isAllowed(number) and number or belt.current
 end
 
 function radial.tick()
@@ -52,7 +53,7 @@ function radial.draw()
             UiCircleOutline(70, 2.5)
         end
         UiPop()
-        draw.icon(tool, isChosen and 112 or 98, isChosen and 1 or 0.88)
+        draw.icon(tool, isChosen and 112 or 98, isChosen and 1 or belt.isAllowed(i) and 0.88 or 0.14)
         UiPop()
     end
     local tool = belt.tools[chosen]

@@ -1,9 +1,11 @@
--- What bombs of both kinds share: they are bodies with a tag, so that saves keep them and blasts throw them.
+-- What bombs of both kinds share: they are bodies with tags, so that saves keep them and blasts throw them. The tag
+-- "fuse" says when one goes off, by a clock that is saved with them.
 local feel = require("feel")
 local sounds = require("sounds")
 local belt = require("toolbelt")
 
 local bombs = {}
+local clock = saved("bombs", {time = 0, lit = 0})
 
 -- Throws one before the player. `tag` names its kind.
 function bombs.throw(model, aim, tag, speed)
@@ -26,6 +28,41 @@ function bombs.place(model, aim, tag)
     SetTag(body, tag)
     CreateNail(shape, aim.shape, aim.pos, 0)
     return body
+end
+
+-- It goes off after so many seconds.
+function bombs.light(body, seconds)
+    SetTag(body, "fuse", string.format("%.6f", clock.time + seconds))
+    clock.lit = clock.lit + 1
+end
+
+-- Seconds until it goes off; nil: nobody has lit it.
+function bombs.left(body)
+    local due = tonumber(GetTagValue(body, "fuse"))
+    return due and due - clock.time
+end
+
+-- How many there are that have been lit.
+function bombs.count()
+    return clock.lit
+end
+
+-- Each step. `sizes`: of explosions, by kind, times `charge`.
+function bombs.update(dt, sizes, charge)
+    clock.time = clock.time + dt
+    if clock.lit == 0 then return end
+    local list = FindBodies("fuse")
+    clock.lit = 0
+    for _, body in ipairs(list) do
+        local left = HasTag(body, "fuse") and bombs.left(body)
+        if left and left > 0 then
+            clock.lit = clock.lit + 1
+        elseif left then
+            for kind, size in pairs(sizes) do
+                if HasTag(body, kind) then bombs.explode(body, charge * size) end
+            end
+        end
+    end
 end
 
 function bombs.center(body)

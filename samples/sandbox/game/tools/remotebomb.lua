@@ -3,7 +3,6 @@ local feel = require("feel")
 local belt = require("toolbelt")
 local bombs = require("tools/bombs")
 
-local kSize = 1.6
 local prop = {
     voxel = 0.05, size = {6, 6, 2},
     palette = {{0.30, 0.33, 0.22, material = "plastic"}, {0.14, 0.14, 0.15, material = "plastic"},
@@ -49,12 +48,9 @@ return {
         table.sort(list, function(a, b)
             return VecLength(bombs.center(a) - aim.eye) < VecLength(bombs.center(b) - aim.eye)
         end)
-        start(function()
-            for _, body in ipairs(list) do
-                if IsHandleValid(body) then bombs.explode(body, kSize) end
-                wait(0.12)
-            end
-        end)
+        for i, body in ipairs(list) do
+            if not bombs.left(body) then bombs.light(body, 0.12 * (i - 1)) end
+        end
     end,
     draw = function(self)
         local count = #all()

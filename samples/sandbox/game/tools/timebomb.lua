@@ -3,7 +3,7 @@ local feel = require("feel")
 local belt = require("toolbelt")
 local bombs = require("tools/bombs")
 
-local kSeconds, kSize = 3, 1.5
+local kSeconds = 3
 local prop = {
     voxel = 0.05, size = {5, 4, 6},
     palette = {{0.55, 0.10, 0.08, material = "plastic"}, {0.14, 0.14, 0.15, material = "plastic"},
@@ -11,19 +11,15 @@ local prop = {
     boxes = {{0, 0, 0, 4, 2, 5, 1}, {1, 3, 1, 3, 3, 4, 2}, {2, 3, 2, 2, 3, 2, 3}},
 }
 
-local function burn(body)
-    local left = kSeconds
-    while left > 0 do
-        if not IsHandleValid(body) then return end
-        local beat = math.max(0.08, 0.12 * left)
+local function blink(body)
+    while IsHandleValid(body) do
+        local left = bombs.left(body) or kSeconds
         local at = bombs.center(body) + Vec(0, 0.15, 0)
         PointLight(at, 5, 0.7, 0.4, 1)
         wait(0.03)
         PointLight(at, 3, 0.4, 0.2, 1)
-        wait(beat)
-        left = left - beat - 0.03
+        wait(math.max(0.08, 0.12 * left))
     end
-    bombs.explode(body, kSize)
 end
 
 return {
@@ -43,12 +39,14 @@ return {
         muzzle = Vec(0, 0, -8),
     },
     use = function(self, aim)
-        start(burn, bombs.throw(prop, aim, "timebomb", 9))
+        local body = bombs.throw(prop, aim, "timebomb", 9)
+        bombs.light(body, kSeconds)
+        start(blink, body)
         belt.raise = 1
     end,
     resume = function()
         for _, body in ipairs(FindBodies("timebomb")) do
-            if HasTag(body, "timebomb") then start(burn, body) end
+            if HasTag(body, "timebomb") then start(blink, body) end
         end
     end,
 }
