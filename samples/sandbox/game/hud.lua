@@ -2,6 +2,7 @@
 local belt = require("toolbelt")
 local draw = require("draw")
 local interact = require("interact")
+local vehicles = require("vehicles/vehicles")
 
 local hud = {isHidden = false, showsKeys = false}
 local message, messageTime = "", 0
@@ -11,7 +12,7 @@ local kFirst = {"Walk: W A S D    Look: mouse", "Left button: use the tool", "Ta
     "V: fly    Ctrl+Z: take back    F1: all keys"}
 local kKeys = {{"W A S D", "walk"}, {"Shift", "run"}, {"Space", "jump"}, {"Ctrl", "crouch"}, {"V", "fly or walk"},
     {"Left button", "use the tool"}, {"Right button", "its second use"}, {"R", "reload"},
-    {"E", "doors, lamps, things"}, {"F", "a lamp"},
+    {"E", "doors, lamps, things, vehicles"}, {"F", "a lamp"},
     {"Tab", "wheel of tools"}, {"1 to 9, wheel", "change the tool"}, {"Ctrl+Z", "take back"},
     {"F5, F9", "save, load"}, {"H", "hide all this"}, {"Esc", "menu"}}
 
@@ -114,10 +115,7 @@ local function drawFirstSteps()
     UiPop()
 end
 
--- `isBehind`: a menu is before it.
-function hud.draw(isBehind)
-    if hud.isHidden or isBehind then return end
-    local tool = belt.tool()
+local function drawToolbelt(tool)
     drawCrosshair(tool)
     if tool.draw then
         UiPush()
@@ -126,6 +124,16 @@ function hud.draw(isBehind)
     end
     drawTool(tool)
     drawHint()
+end
+
+-- `isBehind`: a menu is before it.
+function hud.draw(isBehind)
+    if hud.isHidden or isBehind then return end
+    if vehicles.driven() then
+        vehicles.draw()
+    else
+        drawToolbelt(belt.tool())
+    end
     drawFirstSteps()
     if hud.showsKeys then drawKeys() end
     if messageTime > 0 then

@@ -1,8 +1,9 @@
--- What E does: pushes doors, takes small things into the hand, switches lamps.
+-- What E does: pushes doors, takes small things into the hand, switches lamps, drives vehicles.
 local feel = require("feel")
+local vehicles = require("vehicles/vehicles")
 
 local interact = {held = 0}
-local kReach, kMaxMass, kLampReach = 2.6, 120, 1.0
+local kReach, kMaxMass, kLampReach, kRideReach = 2.6, 120, 1.0, 3.2
 local localPoint, distance = Vec(0, 0, 0), 1.5
 
 local function hingeOf(shape)
@@ -27,6 +28,7 @@ end
 -- What E would do with what the eyes look at: a text, and the deed.
 function interact.offer(aim)
     if interact.held ~= 0 then return "Let go", interact.drop end
+    if aim.hit and aim.dist < kRideReach and vehicles.of(aim.body) then return vehicles.offer(aim.body) end
     if not aim.hit or aim.dist > kReach or not IsHandleValid(aim.shape) then return nil end
     local hinge = hingeOf(aim.shape)
     if hinge and IsBodyDynamic(aim.body) then

@@ -9,6 +9,7 @@ local options = require("options")
 local player = require("player")
 local radial = require("menus/radial")
 local sounds = require("sounds")
+local vehicles = require("vehicles/vehicles")
 
 local titleTime = 0
 local play = saved("play", {tool = 1, yaw = 0, pitch = 0, flies = false})
@@ -18,6 +19,7 @@ belt.load({"sledge", "axe", "pistol", "shotgun", "rocket", "timebomb", "remotebo
 
 function init()
     player.spawn()
+    vehicles.spawnAll()
     options.apply()
     if GetBool("game.restarted") then return ClearKey("game.restarted") end
     menus.open = "title"
@@ -41,7 +43,9 @@ local function readKeys()
     if InputPressed("f5") then menus.save() end
     if InputPressed("f9") then menus.load() end
     if InputDown("ctrl") and InputPressed("z") and Undo() then hud.say("Taken back") end
-    if InputPressed("e") and belt.lastAim then
+    if vehicles.driven() then
+        if InputPressed("e") then vehicles.leave() end
+    elseif InputPressed("e") and belt.lastAim then
         local _, deed = interact.offer(belt.lastAim)
         if deed then deed() end
     end
@@ -51,6 +55,7 @@ end
 local function publish()
     SetString("game.menu", menus.open or radial.isOpen and "radial" or "")
     SetString("game.tool", belt.tool().id)
+    vehicles.publish()
 end
 
 function tick(dt)
@@ -65,6 +70,10 @@ function tick(dt)
         return menus.tick()
     end
     if radial.isOpen then return radial.tick() end
+    if vehicles.driven() then
+        vehicles.tick(dt)
+        return readKeys()
+    end
     player.tick(dt)
     if interact.held ~= 0 and InputPressed("usetool") then
         interact.throw(GetPlayerCameraTransform().rot * Vec(0, 0, -1))
@@ -77,6 +86,10 @@ function tick(dt)
 end
 
 function update(dt)
+    if vehicles.driven() then
+        vehicles.update(menus.open)
+        return belt.update(dt, false)
+    end
     player.update(not menus.open)
     interact.update()
     belt.update(dt, not menus.open and interact.held == 0)

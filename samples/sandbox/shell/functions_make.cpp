@@ -71,7 +71,19 @@ void setPalette(lua_State* L, rubble_shape shape, int table) {
     isDone(L, apiOf(L).set_palette(worldOf(L), &range, entries.data()));
 }
 
-/// Boxes {x, y, z, x1, y1, z1, entry} in cells, both corners in.
+/// One of so many entries for a cell: the same in clumps, as paint is worn.
+int shadeOf(int x, int y, int z, int shades) {
+    const auto hash = [](uint32_t a, uint32_t b, uint32_t c) {
+        uint32_t value = a * 73856093u ^ b * 19349663u ^ c * 83492791u;
+        value = (value ^ value >> 15) * 2246822519u;
+        return value ^ value >> 13;
+    };
+    const uint32_t clump = hash(uint32_t(x) / 3, uint32_t(y) / 2, uint32_t(z) / 3);
+    return int((clump % 3 ? clump / 3 : hash(uint32_t(x), uint32_t(y), uint32_t(z))) % uint32_t(shades));
+}
+
+/// Boxes {x, y, z, x1, y1, z1, entry, shades} in cells, both corners in. Shades: how many entries from that one on vary
+/// from cell to cell; without it one.
 std::vector<uint8_t> fillBoxes(lua_State* L, int table, const std::array<int, 3>& size) {
     std::vector<uint8_t> cells(size_t(size[0]) * size_t(size[1]) * size_t(size[2]), 0);
     Sandbox::of(L).charge(L, int64_t(cells.size() / 8));
@@ -81,12 +93,14 @@ std::vector<uint8_t> fillBoxes(lua_State* L, int table, const std::array<int, 3>
         const int row = lua_gettop(L);
         std::array<int, 6> box;
         for (int k = 0; k < 6; ++k) box[size_t(k)] = elementAt(L, row, k + 1, "boxes");
-        const auto entry = uint8_t(std::clamp(elementAt(L, row, 7, "boxes"), 0, 255));
-        lua_pop(L, 1);
+        const int entry = std::clamp(elementAt(L, row, 7, "boxes"), 0, 255);
+        const int shades = lua_geti(L, row, 8) == LUA_TNIL ? 1 : std::clamp(elementAt(L, row, 8, "boxes"), 1, 16);
+        lua_pop(L, 2);
         for (int z = std::max(box[2], 0); z <= std::min(box[5], size[2] - 1); ++z)
             for (int y = std::max(box[1], 0); y <= std::min(box[4], size[1] - 1); ++y)
                 for (int x = std::max(box[0], 0); x <= std::min(box[3], size[0] - 1); ++x)
-                    cells[(size_t(z) * size_t(size[1]) + size_t(y)) * size_t(size[0]) + size_t(x)] = entry;
+                    cells[(size_t(z) * size_t(size[1]) + size_t(y)) * size_t(size[0]) + size_t(x)] =
+                        uint8_t(std::min(255, entry + shadeOf(x, y, z, shades)));
     }
     return cells;
 }
