@@ -23,11 +23,15 @@ double fieldOr(lua_State* L, int table, const char* name, double otherwise) {
     return value;
 }
 
-int elementAt(lua_State* L, int table, int place, const char* name) {
+double cellAt(lua_State* L, int table, int place, const char* name) {
     lua_geti(L, table, place);
     const double value = clampedAt(L, lua_gettop(L), name, -4096.0, 4096.0);
     lua_pop(L, 1);
-    return int(std::floor(value));
+    return value;
+}
+
+int elementAt(lua_State* L, int table, int place, const char* name) {
+    return int(std::floor(cellAt(L, table, place, name)));
 }
 
 uint8_t byteOf(double share) {
@@ -127,7 +131,7 @@ int createModel(lua_State* L) {
     shape.voxel_size = voxel;
     const int origin = pushField(L, 1, "origin");  // the cell that is at the body's frame
     for (int i = 0; i < 3; ++i) {
-        const double at = lua_isnil(L, origin) ? 0.5 * size[size_t(i)] : elementAt(L, origin, i + 1, "origin");
+        const double at = lua_isnil(L, origin) ? 0.5 * size[size_t(i)] : cellAt(L, origin, i + 1, "origin");
         shape.position[i] = -voxel * at;
         shape.size[i] = size[size_t(i)];
     }

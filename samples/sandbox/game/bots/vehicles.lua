@@ -1,6 +1,9 @@
 -- A look at all vehicles: each from before and behind.
 local bot = require("bots/hands")
 local kinds = {"car", "van", "truck", "forklift", "excavator", "crane", "boat"}
+local kBig = {truck = 1.25, excavator = 1.7, crane = 2.6, boat = 1.15}
+local eye
+
 local function look()
     bot.frames(3)
     bot.press("return")
@@ -12,23 +15,20 @@ local function look()
         bot.frames(2)
     end
     bot.frames(60)
-    local only = GetString("gallery.only")
+    bot.press("h")
     for i, kind in ipairs(kinds) do
-        local x, big = i * 12 - 48, (kind == "crane" or kind == "excavator") and 1.9 or kind == "truck" and 1.25 or 1
-        if kind == "crane" then big = 2.6 end
-        local mid = Vec(x, 0.9 * big, kind == "crane" and -2.5 or 0)
-        for name, from in pairs({front = Vec(-3.6, 2.2, -4.4), back = Vec(3.9, 2.4, 4.4)}) do
-            local eye = mid + VecScale(from, big)
-            for _ = 1, 1 do
-                SetCameraTransform(Transform(eye, QuatLookAt(eye, mid)), 50)
-                SetString("gallery.camera", "x")
-            end
-            SetPlayerWalking(false)
-            SetPlayerTransform(Transform(eye - Vec(0, 1.65, 0), QuatLookAt(eye, mid)))
-            bot.frames(3)
-            bot.image(kind .. "-" .. name)
+        local x, big = i * 12 - 48, kBig[kind] or 1
+        local mid = Vec(x, 0.9 * big, kind == "crane" and -2.5 or kind == "excavator" and -1 or 0)
+        for _, from in ipairs({Vec(-3.6, 2.2, -4.4), Vec(3.9, 2.4, 4.4)}) do
+            eye = Transform(mid + VecScale(from, big), QuatLookAt(mid + VecScale(from, big), mid))
+            bot.frames(2)
+            bot.image(kind .. (from.z < 0 and "-front" or "-back"))
         end
     end
 end
+
 bot.play(look)
-function tick() bot.tick() end
+function tick()
+    bot.tick()
+    if eye then SetCameraTransform(eye, 50) end
+end

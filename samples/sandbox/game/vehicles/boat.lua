@@ -4,14 +4,14 @@ local parts = require("vehicles/parts")
 
 local boat = {name = "boat", camera = {height = 2.0, distance = 9}, exit = Vec(0, 1.2, 0.8), pitch = 0.9,
     engine = {Vec(-0.3, 0.75, 1.5), Vec(0.3, 0.95, 1.9)}, isBoat = true}
-local kThrust, kLength, kWidth = 9000, 62, 22
+local kThrust, kLength, kWidth = 30000, 62, 22
 local kTurn = QuatEuler(0, 0, 90)
 
 -- Half the width of the hull at a cell along it and a height.
 local function halfWidth(z, y)
-    local ahead = math.min(1, z / 26)
-    local bow = math.sqrt(1 - (1 - ahead) ^ 2)
-    return math.floor((kWidth / 2) * math.max(0.12, bow) * math.min(1, 0.55 + 0.09 * y) + 0.5)
+    local ahead = math.min(1, z / 30)
+    local bow = ahead ^ 0.7
+    return math.floor((kWidth / 2) * math.max(0.1, bow) * math.min(1, 0.55 + 0.09 * y) + 0.5)
 end
 
 local function hull(m)
@@ -90,10 +90,11 @@ function boat.update(v, input)
     local mass = GetBodyMass(v.chassis.body)
     if IsHandleValid(v.screw.joint) and not v.isDead then
         local share = input.throttle > 0 and 1 or 0.5
-        ApplyBodyImpulse(v.chassis.body, frame * Vec(0, 0.45, 3.1), VecScale(ahead, share * input.throttle * kThrust / 60))
+        v.thrust = (v.thrust or 0) + 0.03 * (share * input.throttle - (v.thrust or 0))
+        ApplyBodyImpulse(v.chassis.body, frame * Vec(0, 0.45, 3.1), VecScale(ahead, v.thrust * kThrust / 60))
     end
     if IsHandleValid(v.rudder.joint) then
-        local push = input.steer * (0.55 * speed + 0.9 * input.throttle) * 0.35 * mass
+        local push = input.steer * (0.55 * speed + 0.9 * input.throttle) * 0.3 * mass
         ApplyBodyImpulse(v.chassis.body, frame * Vec(0, 0.45, 3.1), VecScale(aside, push / 60))
     end
     local center = frame * GetBodyCenterOfMass(v.chassis.body)

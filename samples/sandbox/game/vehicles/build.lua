@@ -130,14 +130,14 @@ function build.body(model, transform, density)
 end
 
 -- A tyre on a rim, its axle along x, in cells of half the size, so that it rolls.
-function build.wheelModel(radius, width, rim)
+function build.wheelModel(radius, width, rim, tyre)
     local across, wide = math.floor(radius / 0.025 + 0.5), math.floor(width / 0.05 + 0.5)
     local m, c = build.model({wide, across, across}, {wide / 2, across / 2, across / 2}, 0.05), across / 2
-    m:disc(0, wide - 1, c, c, c, "rubber")
+    m:disc(0, wide - 1, c, c, c, tyre or "rubber")
     for i = 0, 15 do  -- treads
         local a = i * math.pi / 8
         local y, z = math.floor(c + (c - 0.9) * math.sin(a)), math.floor(c + (c - 0.9) * math.cos(a))
-        m:box(i % 2 * (wide // 2), y, z, i % 2 == 0 and wide // 2 - 1 or wide - 1, y, z, "tread")
+        m:box(i % 2 * (wide // 2), y, z, i % 2 == 0 and wide // 2 - 1 or wide - 1, y, z, tyre or "tread")
     end
     m:disc(0, wide - 1, c, c, 0.62 * c, "dark")
     for _, x in ipairs({0, wide - 1}) do

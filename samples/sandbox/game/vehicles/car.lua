@@ -29,8 +29,8 @@ local function model()
     m:pair(0, 9, 16, 0, 10, 16, "red")                     -- mirrors
     m:pair(1, 9, 16, 1, 9, 16, "black")
     for _, z in ipairs({8, 33}) do                         -- arches and axles
-        m:pairDisc(1, 1, 3.5, z, 5.2, "black")
-        m:pairDisc(1, 4, 3.5, z, 4.3)
+        m:pairDisc(1, 1, 4, z, 5.4, "black")
+        m:pairDisc(1, 4, 4, z, 4.6)
         m:box(5, 3, z - 1, 14, 4, z, "dark")
         m:pair(4, 3, z - 1, 4, 4, z, "dark")
     end
@@ -50,8 +50,8 @@ end
 
 function car.build(v, frame)
     parts.add(v, "chassis", model(), frame, 0.18)
-    parts.axles(v, frame, 0.77, -1.3, 1.2, {radius = 0.375, width = 0.2, steer = 0.55, density = 0.35, drive = 1100,
-        brake = 2200, maxSpin = 62, breakForce = 9e4, height = 0.375})
+    parts.axles(v, frame, 0.77, -1.3, 1.2, {radius = 0.4, width = 0.2, steer = 0.55, density = 0.35, drive = 2000,
+        brake = 3200, maxSpin = 62, breakForce = 9e4, height = 0.4})
     for _, x in ipairs({-0.62, 0.62}) do parts.lamp(v, Vec(x, 0.68, -2.15)) end
 end
 

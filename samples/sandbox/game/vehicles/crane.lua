@@ -69,7 +69,7 @@ local function ballModel()
 end
 
 function crane.build(v, frame)
-    tracks.build(v, frame, 50, 34, "dark", 0.7, {speed = 1.2, torque = 18000, breakForce = 6e5})
+    tracks.build(v, frame, 50, 34, "dark", 0.7, {speed = 1.2, torque = 18000, turn = 3e5, breakForce = 6e5})
     parts.add(v, "house", houseModel(), frame * Transform(Vec(0, 1.4, 0)), 0.4)
     parts.joint(v, "house", "hinge", v.chassis, v.house, frame, Vec(0, 1.38, 0), kTurn, {reach = 0.5})
     local turned = frame * Transform(kFoot, QuatEuler(kSlope, 0, 0))

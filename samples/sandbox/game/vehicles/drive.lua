@@ -73,8 +73,8 @@ end
 
 local function rollWheels(v, kind, input, speed)
     local isAgainst = input.throttle * speed < -0.8
-    local steer = input.steer / (1 + (speed / 11) ^ 2)
-    local throttle = isAgainst and 0 or input.throttle * math.min(1, 0.45 + 0.12 * math.abs(speed))
+    local steer = input.steer / (1 + (speed / 15) ^ 2)
+    local throttle = isAgainst and 0 or input.throttle * math.min(1, 0.7 + 0.1 * math.abs(speed))
     DriveWheels(v.chassis.body, throttle, kind.isRearSteered and -steer or steer,
         math.max(input.brake, isAgainst and 0.7 or 0))
 end

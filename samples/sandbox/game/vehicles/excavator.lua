@@ -66,7 +66,7 @@ local function armModels()
 end
 
 function excavator.build(v, frame)
-    tracks.build(v, frame, 38, 28, "dark", 0.55, {speed = 1.6, torque = 9000, breakForce = 4e5})
+    tracks.build(v, frame, 38, 28, "dark", 0.55, {speed = 1.6, torque = 9000, turn = 1.2e5, breakForce = 4e5})
     parts.add(v, "house", houseModel(), frame * Transform(Vec(0, 1.4, 0)), 0.3)
     parts.joint(v, "house", "hinge", v.chassis, v.house, frame, Vec(0, 1.38, 0), kTurn, {reach = 0.5})
     local boom, stick, bucket = armModels()

@@ -34,7 +34,7 @@ local function bodyModel()
     m:box(4, 14, 4, 11, 14, 4, "dark")
     m:box(7, 3, 4, 8, 20, 4, "chrome")                      -- piston
     for _, z in ipairs({8, 22}) do
-        m:pairDisc(0, 2, 3, z, 4.2)
+        m:pairDisc(0, 2, 3.5, z, 4.2)
         m:pair(3, 3, z - 1, 7, 4, z, "dark")
         m:pair(2, 3, z - 1, 2, 4, z, "dark")
     end
@@ -60,7 +60,7 @@ end
 
 function forklift.build(v, frame)
     parts.add(v, "chassis", bodyModel(), frame, 0.3)
-    local wheel = {radius = 0.325, width = 0.2, density = 0.5, drive = 1800, brake = 3000, maxSpin = 18, steer = 0.9,
+    local wheel = {radius = 0.35, width = 0.2, density = 0.5, drive = 1800, brake = 3000, maxSpin = 18, steer = 0.9,
         breakForce = 1.5e5, rim = "orange", hertz = 14, isRearSteered = true}
     parts.axles(v, frame, 0.67, -0.6, 0.8, wheel)
     parts.add(v, "fork", forkModel(), frame * Transform(Vec(0, 0.08, -1.15)), 0.4)

@@ -1,7 +1,7 @@
 -- What holds a vehicle together: its record, wheels on their joints, arms on hinges, lamps.
 local build = require("vehicles/build")
 
-local parts = {}
+local parts = {wheelLayer = 2}
 local kLeft = QuatEuler(0, 180, 0)  -- a wheel's frame: x to the left, z forward
 
 -- Adds a body to a vehicle, under a name.
@@ -10,15 +10,18 @@ function parts.add(v, name, model, transform, density)
     v.bodies[#v.bodies + 1] = body
     v[name] = {body = body, shape = shape, corner = VecScale(Vec(table.unpack(model.origin)), model.voxel)}
     SetTag(body, "vehicle", v.kind)
+    SetTag(body, "part", name)
     return v[name]
 end
 
 -- A wheel at a place of the chassis. `w`: radius, width, rim, and the options of its joint.
 function parts.wheel(v, frame, place, w)
     local transform = Transform(frame * place, frame.rot)
-    local body, shape = build.body(build.wheelModel(w.radius, w.width, w.rim), transform, w.density)
+    local body, shape = build.body(build.wheelModel(w.radius, w.width, w.rim, w.tyre), transform, w.density)
     SetCollisionShape(shape, "cylinder x")
+    SetShapeCollisionFilter(shape, parts.wheelLayer, 255)
     SetTag(body, "vehicle", v.kind)
+    SetTag(body, "part", "wheel")
     v.bodies[#v.bodies + 1] = body
     local joint = CreateJoint("wheel", v.chassis.shape, shape, Transform(transform.pos, frame.rot * kLeft), {
         reach = 0.6, min = -0.12, max = 0.12, hertz = w.hertz or 8, damping = 0.7, drive = w.drive or 0,

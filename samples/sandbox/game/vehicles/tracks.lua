@@ -30,10 +30,10 @@ function tracks.build(v, frame, length, width, paint, density, w)
     for _, z in ipairs({-reach, 0, reach}) do
         for _, side in ipairs({-1, 1}) do
             parts.wheel(v, frame, Vec(side * (0.05 * width - 0.3), 0.4, z), {radius = 0.4, width = 0.4, density = 0.5,
-                hertz = 14, rim = "dark", breakForce = w.breakForce})
+                hertz = 14, rim = "dark", tyre = "steel", breakForce = w.breakForce})
         end
     end
-    v.track = {spin = w.speed / 0.4, torque = w.torque, left = 0, right = 0}
+    v.track = {spin = w.speed / 0.4, torque = w.torque, turn = w.turn, left = 0, right = 0}
 end
 
 -- Both tracks at their speeds: -1 to 1.
@@ -42,6 +42,10 @@ function tracks.drive(v, throttle, steer, isBraked)
     for side, goal in pairs({left = throttle - 0.8 * steer, right = throttle + 0.8 * steer}) do
         goal = isBraked and 0 or math.max(-1, math.min(1, goal))
         t[side] = t[side] + math.max(-0.05, math.min(0.05, goal - t[side]))
+    end
+    if steer ~= 0 and not isBraked then                     -- shoes slide where rollers would hold
+        local up = GetBodyTransform(v.chassis.body).rot * Vec(0, 1, 0)
+        ConstrainAngularVelocity(v.chassis.body, 0, up, 0.55 * steer, -t.turn / 60, t.turn / 60)
     end
     for _, wheel in ipairs(v.wheels) do
         if IsHandleValid(wheel.joint) then

@@ -34,7 +34,7 @@ local function cabModel()
     m:pair(1, 25, 8, 2, 25, 8, "amber")
     m:pair(20, 9, 22, 20, 26, 22, "chrome")                  -- exhausts
     for _, z in ipairs({12, 50}) do
-        m:pairDisc(1, 5, 5, z, 6.2)
+        m:pairDisc(1, 5, 5.5, z, 6.4)
         m:pair(6, 5, z - 1, 11, 6, z, "dark")
         m:pair(5, 5, z - 1, 5, 6, z, "dark")
     end
@@ -63,9 +63,10 @@ end
 
 function truck.build(v, frame)
     parts.add(v, "chassis", cabModel(), frame, 0.22)
-    parts.axles(v, frame, 0.95, -2.1, 1.7, {radius = 0.525, width = 0.35, steer = 0.5, density = 0.4, drive = 3200,
-        brake = 7000, maxSpin = 32, breakForce = 2.5e5, rim = "steel"})
+    parts.axles(v, frame, 0.95, -2.1, 1.7, {radius = 0.55, width = 0.4, steer = 0.5, density = 0.4, drive = 6000,
+        brake = 9000, maxSpin = 32, breakForce = 2.5e5, rim = "steel"})
     parts.add(v, "bed", bedModel(), frame * Transform(Vec(0, 1.0, 3.1)), 0.12)
+    SetShapeCollisionFilter(v.bed.shape, 1, 255 - parts.wheelLayer)
     parts.joint(v, "bed", "hinge", v.chassis, v.bed, frame, Vec(0, 1.0, 2.95), QuatEuler(0, 0, 0),
         {min = -0.02, max = 0.85, reach = 0.5})
     for _, x in ipairs({-0.85, 0.85}) do parts.lamp(v, Vec(x, 1.05, -3.3)) end

@@ -27,8 +27,8 @@ local function model()
     m:box(4, 13, 12, 8, 14, 12, "black")
     m:pair(0, 13, 9, 0, 16, 9, "black")
     for _, z in ipairs({10, 40}) do
-        m:pairDisc(1, 1, 4, z, 5.8, "black")
-        m:pairDisc(1, 4, 4, z, 4.9)
+        m:pairDisc(1, 1, 4.5, z, 6.1, "black")
+        m:pairDisc(1, 4, 4.5, z, 5.2)
         m:pair(5, 4, z - 1, 10, 5, z, "dark")
         m:pair(4, 4, z - 1, 4, 5, z, "dark")
     end
@@ -51,8 +51,8 @@ end
 
 function van.build(v, frame)
     parts.add(v, "chassis", model(), frame, 0.16)
-    parts.axles(v, frame, 0.86, -1.6, 1.4, {radius = 0.425, width = 0.25, steer = 0.55, density = 0.35, drive = 1500,
-        brake = 3200, maxSpin = 48, breakForce = 1.2e5, rim = "steel"})
+    parts.axles(v, frame, 0.86, -1.6, 1.4, {radius = 0.45, width = 0.3, steer = 0.55, density = 0.35, drive = 3000,
+        brake = 5500, maxSpin = 48, breakForce = 1.2e5, rim = "steel"})
     for _, x in ipairs({-0.75, 0.75}) do parts.lamp(v, Vec(x, 0.95, -2.65)) end
 end
 
