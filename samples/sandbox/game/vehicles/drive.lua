@@ -82,7 +82,7 @@ end
 -- Each step of one that is driven.
 function drive.update(v, kind, input)
     if not IsHandleValid(v.chassis.body) then return end
-    SetBodyActive(v.chassis.body, true)
+    if not IsBodyActive(v.chassis.body) then SetBodyActive(v.chassis.body, true) end
     checkEngine(v, kind)
     if v.isDead then
         input.throttle, input.lift, input.turn, input.boom, input.tilt = 0, 0, 0, 0, 0

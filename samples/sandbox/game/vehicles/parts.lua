@@ -56,7 +56,10 @@ end
 
 -- Moves a hinge or a slide at a speed while a key says so, and holds it where it is otherwise.
 function parts.move(part, speed, strength)
-    if part and IsHandleValid(part.joint) then SetJointMotor(part.joint, speed, strength) end
+    if part and part.speed ~= speed and IsHandleValid(part.joint) then
+        SetJointMotor(part.joint, speed, strength)
+        part.speed = speed
+    end
 end
 
 return parts

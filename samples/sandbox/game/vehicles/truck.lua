@@ -34,7 +34,7 @@ local function cabModel()
     m:pair(1, 25, 8, 2, 25, 8, "amber")
     m:pair(20, 9, 22, 20, 26, 22, "chrome")                  -- exhausts
     for _, z in ipairs({12, 50}) do
-        m:pairDisc(1, 5, 5.5, z, 6.4)
+        m:pairDisc(1, 5, 5, z, 6)
         m:pair(6, 5, z - 1, 11, 6, z, "dark")
         m:pair(5, 5, z - 1, 5, 6, z, "dark")
     end
@@ -63,7 +63,7 @@ end
 
 function truck.build(v, frame)
     parts.add(v, "chassis", cabModel(), frame, 0.22)
-    parts.axles(v, frame, 0.95, -2.1, 1.7, {radius = 0.55, width = 0.4, steer = 0.5, density = 0.4, drive = 6000,
+    parts.axles(v, frame, 0.95, -2.1, 1.7, {radius = 0.5, width = 0.4, steer = 0.5, density = 0.4, drive = 6000,
         brake = 9000, maxSpin = 32, breakForce = 2.5e5, rim = "steel"})
     parts.add(v, "bed", bedModel(), frame * Transform(Vec(0, 1.0, 3.1)), 0.12)
     SetShapeCollisionFilter(v.bed.shape, 1, 255 - parts.wheelLayer)
@@ -73,7 +73,10 @@ function truck.build(v, frame)
 end
 
 function truck.update(v, input)
-    parts.move(v.bed, 0.5 * input.lift, 4e5)
+    local tilt = math.max(0, math.min(0.84, (v.tilt or 0) + input.lift * 0.5 / 60))
+    if tilt == v.tilt or not IsHandleValid(v.bed.joint) then return end
+    v.tilt = tilt
+    SetJointMotorTarget(v.bed.joint, tilt, 0.8, 4e5)
 end
 
 return truck
