@@ -5,7 +5,7 @@ local bot = require("bots/hands")
 local lanes = {car = -50, van = -40, truck = -30, forklift = -20, excavator = -10, crane = 12, boat = 40}
 local kStart, kLake = 30, 0.75
 local view
-local figures = {}
+local figures, cost = {}, 0
 
 local function image(name, from, to)
     if not HasKey("options.images") then return end
@@ -76,9 +76,9 @@ local function drives(kind, frames, least)
     bot.expect(-way.z > least, string.format("the %s to drive %g m forward, not %.2f", kind, least, -way.z))
     bot.expect(math.abs(way.x) < 0.25 * -way.z, kind .. " to drive straight")
     SetInput("a", true)
-    bot.frames(50)
+    bot.frames(25)
     local spin, speed, radius = 0, 0, 0
-    for _ = 1, 20 do
+    for _ = 1, 10 do
         bot.frames(1)
         spin, speed = spin + GetBodyAngularVelocity(body).y, speed + VecLength(GetBodyVelocity(body))
     end
@@ -86,15 +86,15 @@ local function drives(kind, frames, least)
     radius = speed / spin
     SetInput("a", false)
     SetInput("w", false)
-    bot.hold("space", kind == "boat" and 180 or 130)
-    bot.expect(VecLength(GetBodyVelocity(body)) < 0.6, kind .. " to stand after braking")
+    bot.hold("space", 90)
+    bot.expect(VecLength(GetBodyVelocity(body)) < 0.25 * best, kind .. " to brake")
     figures[#figures + 1] = string.format("| %s | %.0f kg | %.1f m in %.1f s | %.0f km/h | %.1f m | %.2f (%.2f) |", kind,
         GetBodyMass(body), -way.z, frames / 60, 3.6 * best, radius, total / frames, worst)
 end
 
 local function plain(kind)
     enter(kind)
-    drives(kind, 120, 4)
+    drives(kind, 90, 2)
     leave(kind)
 end
 
@@ -104,16 +104,16 @@ local function lifts()
     enter("forklift")
     bot.hold("w", 45)
     bot.hold("space", 20)
-    bot.hold("r", 110)
+    bot.hold("r", 100)
     local high = placeOf(crate).y
     bot.expect(high > 1.2, string.format("the fork to lift a crate, not to %.2f m", high))
     image("forklift", Vec(lanes.forklift - 4, 2.4, kStart - 5), Vec(lanes.forklift, 1.2, kStart - 1.6))
-    bot.hold("f", 150)
+    bot.hold("f", 110)
     bot.expect(placeOf(crate).y < 0.7, "the fork to put it down")
-    bot.hold("s", 60)
-    bot.hold("space", 60)
+    bot.hold("s", 40)
+    bot.hold("space", 30)
     Delete(crate)
-    drives("forklift", 90, 2)
+    drives("forklift", 60, 1)
     leave("forklift")
 end
 
@@ -121,31 +121,31 @@ local function tips()
     enter("truck")
     local bed = part("truck", "bed")
     local before = placeOf(bed).y
-    bot.hold("r", 110)
+    bot.hold("r", 90)
     bot.expect(placeOf(bed).y > before + 0.6, string.format("the bed to tip, not %.2f m", placeOf(bed).y - before))
     image("truck", Vec(lanes.truck - 6, 3, kStart + 6), Vec(lanes.truck, 1.3, kStart))
-    bot.hold("f", 130)
-    drives("truck", 120, 4)
+    bot.hold("f", 95)
+    drives("truck", 90, 2)
     leave("truck")
 end
 
 local function digs()
-    local at = Vec(lanes.excavator, 0, kStart - 4.6)
-    local _, mound = block({50, 6, 40}, "dirt", {0.42, 0.32, 0.22}, at, false)
+    local at = Vec(lanes.excavator, 0, kStart - 4.4)
+    local _, mound = block({30, 8, 30}, "dirt", {0.42, 0.32, 0.22}, at, false)
     enter("excavator")
     local before = GetShapeVoxelCount(mound)
     bot.hold("downarrow", 60)
     bot.hold("f", 40)
     image("excavator", at + Vec(-5, 2.6, -2.4), at + Vec(0, 0.8, 1.6))
-    bot.hold("uparrow", 90)
+    bot.hold("uparrow", 75)
     local dug = before - (IsHandleValid(mound) and GetShapeVoxelCount(mound) or 0)
-    bot.expect(dug > 100, "the bucket to dig, not " .. dug .. " voxels")
+    bot.expect(dug > 80, "the bucket to dig, not " .. dug .. " voxels")
     local house = part("excavator", "house")
     local ahead = GetBodyTransform(house).rot * Vec(0, 0, -1)
-    bot.hold("leftarrow", 90)
+    bot.hold("leftarrow", 70)
     bot.expect(VecDot(ahead, GetBodyTransform(house).rot * Vec(0, 0, -1)) < 0.8, "the excavator's house to turn")
     Delete(GetShapeBody(mound))
-    drives("excavator", 120, 1.5)
+    drives("excavator", 60, 0.7)
     leave("excavator")
     return dug
 end
@@ -163,9 +163,8 @@ local function wrecks()
     SetInput("leftarrow", false)
     local broken = before - (IsHandleValid(wall) and GetShapeVoxelCount(wall) or 0)
     bot.expect(broken > 50, "the ball to break a wall, not " .. broken .. " voxels")
-    bot.hold("r", 100)
-    bot.hold("rightarrow", 150)
-    drives("crane", 120, 1)
+    bot.hold("r", 40)
+    drives("crane", 60, 0.5)
     leave("crane")
 end
 
@@ -175,7 +174,7 @@ local function sails()
     bot.frames(60)
     image("boat", placeOf(part("boat")) + Vec(-6, 2.5, -6), placeOf(part("boat")))
     SetInput("w", false)
-    drives("boat", 120, 4)
+    drives("boat", 60, 2)
     bot.expect(math.abs(placeOf(part("boat")).y - kLake - 0.5) < 0.6, "the boat to float")
     leave("boat")
 end
