@@ -83,7 +83,7 @@ function boat.update(v, input)
     local frame = GetBodyTransform(v.chassis.body)
     local ahead, aside = frame.rot * Vec(0, 0, -1), frame.rot * Vec(1, 0, 0)
     local speed = VecDot(GetBodyVelocity(v.chassis.body), ahead)
-    parts.move(v.screw, 26 * input.throttle, 500)
+    parts.spin(v.screw, 26 * input.throttle, 500)
     if v.rudder and IsHandleValid(v.rudder.joint) then SetJointMotorTarget(v.rudder.joint, 0.5 * input.steer, 2, 2000) end
     local stern = frame * Vec(0, 0.25, 3.1)
     if stern.y > v.surface then return end

@@ -85,7 +85,7 @@ end
 function crane.update(v, input)
     parts.move(v.house, 0.55 * input.turn, 1e6)
     parts.move(v.jib, 0.3 * input.boom, 2e6)
-    parts.move(v.rope, -0.9 * input.lift, 1e5)
+    parts.spin(v.rope, -0.9 * input.lift, 1e5)
 end
 
 return crane

@@ -54,12 +54,30 @@ function parts.lamp(v, place, color, angle)
         {angle = angle or 0.5, reach = 34, radius = 0.12, off = true}), place = place + Vec(0, 0, 0.06)}
 end
 
--- Moves a hinge or a slide at a speed while a key says so, and holds it where it is otherwise.
-function parts.move(part, speed, strength)
+-- Turns or slides at a speed for as long as it is called, as a winch or a screw does.
+function parts.spin(part, speed, strength)
     if part and part.speed ~= speed and IsHandleValid(part.joint) then
         SetJointMotor(part.joint, speed, strength)
         part.speed = speed
     end
+end
+
+local kLead = 0.15  -- radians or metres by which a goal is ahead of what is held up by something
+
+-- Moves a hinge or a slide at a speed while a key says so, and holds it where it is otherwise.
+function parts.move(part, speed, strength)
+    if not part or not IsHandleValid(part.joint) or speed == 0 and part.goal then return end
+    local now = GetJointMovement(part.joint)
+    local lead = ((part.goal or now) - now + math.pi) % (2 * math.pi) - math.pi
+    local goal = now + math.max(-kLead, math.min(kLead, lead + speed / 60))
+    local least, most = GetJointLimits(part.joint)
+    if least < most then
+        goal = math.max(least, math.min(most, goal))
+    else
+        goal = (goal + math.pi) % (2 * math.pi) - math.pi
+    end
+    part.goal = goal
+    SetJointMotorTarget(part.joint, goal, math.max(0.3, 1.5 * math.abs(speed)), strength)
 end
 
 return parts

@@ -73,10 +73,7 @@ function truck.build(v, frame)
 end
 
 function truck.update(v, input)
-    local tilt = math.max(0, math.min(0.84, (v.tilt or 0) + input.lift * 0.5 / 60))
-    if tilt == v.tilt or not IsHandleValid(v.bed.joint) then return end
-    v.tilt = tilt
-    SetJointMotorTarget(v.bed.joint, tilt, 0.8, 4e5)
+    parts.move(v.bed, 0.5 * input.lift, 4e5)
 end
 
 return truck
