@@ -1,33 +1,34 @@
--- A look at all vehicles: each from before and behind.
+-- A look at the yard and at all vehicles in it, each from before on its left and from behind on its right.
 local bot = require("bots/hands")
-local kinds = {"car", "van", "truck", "forklift", "excavator", "crane", "boat"}
-local kBig = {truck = 1.25, excavator = 1.7, crane = 2.6, boat = 1.15}
+local kBig = {truck = 1.25, excavator = 1.6, crane = 2.5, boat = 1.15}
 local eye
 
-local function look()
-    bot.frames(3)
-    bot.press("return")
-    CreateModel({size = {120, 2, 120}, voxel = 1, origin = {60, 2, 60}, boxes = {{0, 0, 0, 119, 1, 119, 1}},
-        palette = {{0.42, 0.43, 0.44, material = "concrete", roughness = 0.9}}}, Transform(Vec(0, 0, 0)), false)
+local function lookAt(name, from, to)
+    eye = Transform(from, QuatLookAt(from, to))
     bot.frames(2)
-    for i, kind in ipairs(kinds) do
-        SetString("game.spawn", kind .. " " .. (i * 12 - 48) .. " 0.02 0 0")
-        bot.frames(2)
-    end
-    bot.frames(60)
-    bot.press("h")
-    for i, kind in ipairs(kinds) do
-        local x, big = i * 12 - 48, kBig[kind] or 1
-        local mid = Vec(x, 0.9 * big, kind == "crane" and -2.5 or kind == "excavator" and -1 or 0)
-        for _, from in ipairs({Vec(-3.6, 2.2, -4.4), Vec(3.9, 2.4, 4.4)}) do
-            eye = Transform(mid + VecScale(from, big), QuatLookAt(mid + VecScale(from, big), mid))
-            bot.frames(2)
-            bot.image(kind .. (from.z < 0 and "-front" or "-back"))
-        end
-    end
+    bot.image(name)
 end
 
-bot.play(look)
+bot.play(function()
+    bot.frames(3)
+    bot.press("return")
+    bot.frames(60)
+    bot.image("spawn")
+    bot.press("h")
+    lookAt("yard", Vec(12, 11, 50), Vec(26, 0, 24))
+    lookAt("harbour", Vec(34, 5, 42), Vec(50, 0, 28))
+    for _, body in ipairs(FindBodies("vehicle")) do
+        local kind = GetTagValue(body, "vehicle")
+        if GetTagValue(body, "part") == "chassis" then
+            local frame, big = GetBodyTransform(body), kBig[kind] or 1
+            local mid = Vec(0, 0.9 * big, kind == "crane" and -2.5 or kind == "excavator" and -1 or 0)
+            for side, from in pairs({front = Vec(-3.6, 2.2, -4.4), back = Vec(3.9, 2.4, 4.4)}) do
+                lookAt(kind .. "-" .. side, frame * (mid + VecScale(from, big)), frame * mid)
+            end
+        end
+    end
+end)
+
 function tick()
     bot.tick()
     if eye then SetCameraTransform(eye, 50) end

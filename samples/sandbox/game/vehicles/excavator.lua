@@ -9,8 +9,11 @@ local excavator = {name = "excavator", camera = {height = 2.6, distance = 10}, e
     keys = {{"← →", "turn"}, {"↑ ↓", "boom"}, {"R  F", "stick"}, {"T  G", "bucket"}}}
 local kBoom, kStick, kBucket = Vec(0.15, 1.95, -0.75), Vec(0.15, 3.05, -3.55), Vec(0.15, 1.25, -3.95)
 local kTurn = QuatEuler(0, 0, 90)                           -- turns x to y
-local teeth = {Vec(-0.35, -0.72, 0.42), Vec(-0.12, -0.72, 0.42), Vec(0.12, -0.72, 0.42), Vec(0.35, -0.72, 0.42)}
-local kReach, kBite = 0.16, 0.28
+local kReach, kBite = 0.16, 0.3
+local teeth = {}                                            -- and the floor of the bucket, which sinks in behind them
+for _, z in ipairs({0.42, 0.1, -0.25}) do
+    for _, x in ipairs({-0.38, -0.13, 0.13, 0.38}) do teeth[#teeth + 1] = Vec(x, -0.72, z) end
+end
 
 local function houseModel()
     local m = build.model({26, 20, 32}, {13, 0, 14})
@@ -100,8 +103,8 @@ end
 
 function excavator.update(v, input)
     parts.move(v.house, 0.7 * input.turn, 2e5)
-    parts.move(v.boom, 0.5 * input.boom, 3e5)
-    parts.move(v.stick, 0.8 * input.lift, 1.5e5)
+    parts.move(v.boom, 0.5 * input.boom, 1.3e5)
+    parts.move(v.stick, 0.8 * input.lift, 8e4)
     parts.move(v.bucket, 1.2 * input.tilt, 6e4)
     if input.boom ~= 0 or input.lift ~= 0 or input.tilt ~= 0 or input.turn ~= 0 then dig(v) end
 end
