@@ -124,8 +124,8 @@ Level makeYard(uint64_t seed) {
     for (int i = 0; i < 5; ++i)
         addDynamic(level, makeBarrel("barrel " + std::to_string(i), i % 2 ? kCarRed : kCarBlue),
                    {352 + i % 3 * 9, 0, 330 + i / 3 * 9});
-    addStreetLight(level, "lamp 1", {150, 0, 388}, false);
-    addStreetLight(level, "lamp 2", {300, 0, 388}, false);
+    addStreetLight(level, "street light 1", {200, 0, 388}, false);
+    addStreetLight(level, "street light 2", {300, 0, 388}, false);
     addPlace(level, "car", {6.0, 0.02, 36.5}, 0.0);
     addPlace(level, "van", {10.5, 0.02, 36.5}, 0.0);
     addPlace(level, "truck", {15.5, 0.02, 36.0}, 0.0);

@@ -181,7 +181,8 @@ int createNail(lua_State* L) {
 
 constexpr ScriptFunction kFunctions[] = {
     {"CreateModel(model, transform, dynamic) -> body, shape",
-     "A body of boxes: size, voxel (m), origin (cells), palette, boxes.", createModel},
+     "A body of boxes {x, y, z, x1, y1, z1, entry, shades}: size, voxel (m), origin (cells), palette, boxes.",
+     createModel},
     {"CreateRope(shapeA, posA, shapeB, posB, length, strength) -> joint",
      "A rope; length 0: as long as it is, strength 0: it never breaks.", createRope},
     {"CreateNail(shapeA, shapeB, pos, strength) -> joint", "Holds two shapes together at a place.", createNail},

@@ -54,8 +54,7 @@ local function model()
     m:box(16, 18, 21, 17, 18, 21, "starboard")
     m:box(8, 19, 22, 9, 19, 23, "lamp")
     m:box(12, 19, 22, 13, 19, 23, "lamp")
-    m:pair(9, 14, 4, 9, 14, 6, "chrome")                     -- rail of the bow
-    for z = 6, 16, 5 do m:pair(kWidth / 2 - halfWidth(z, 11) + 1, 12, z, kWidth / 2 - halfWidth(z, 11) + 1, 14, z, "chrome") end
+    m:box(10, 13, 3, 11, 13, 4, "dark")                      -- bollard
     m:box(10, 1, kLength - 3, 11, 2, kLength - 1, "dark")    -- shaft
     return m
 end
