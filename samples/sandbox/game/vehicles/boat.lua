@@ -29,7 +29,8 @@ local function hull(m)
             m:box(kWidth / 2 - half, 6, z, kWidth / 2 + half - 1, 6, z, "plank")
         elseif z > 6 and z <= 24 then                       -- deck
             local half = halfWidth(z, sheer) - 1
-            if half > 0 then m:box(kWidth / 2 - half, sheer, z, kWidth / 2 + half - 1, sheer, z, z % 4 == 0 and "wood" or "plank") end
+            local name = z % 4 == 0 and "wood" or "plank"
+            if half > 0 then m:box(kWidth / 2 - half, sheer, z, kWidth / 2 + half - 1, sheer, z, name) end
         end
     end
 end
@@ -83,14 +84,15 @@ function boat.update(v, input)
     local ahead, aside = frame.rot * Vec(0, 0, -1), frame.rot * Vec(1, 0, 0)
     local speed = VecDot(GetBodyVelocity(v.chassis.body), ahead)
     parts.spin(v.screw, 26 * input.throttle, 500)
-    if v.rudder and IsHandleValid(v.rudder.joint) then SetJointMotorTarget(v.rudder.joint, 0.5 * input.steer, 2, 2000) end
+    if IsHandleValid(v.rudder.joint) then SetJointMotorTarget(v.rudder.joint, 0.5 * input.steer, 2, 2000) end
     local stern = frame * Vec(0, 0.25, 3.1)
     if stern.y > v.surface then return end
     local mass = GetBodyMass(v.chassis.body)
     if IsHandleValid(v.screw.joint) and not v.isDead then
         local share = input.throttle > 0 and 1 or 0.5
         v.thrust = (v.thrust or 0) + 0.03 * (share * input.throttle - (v.thrust or 0))
-        ApplyBodyImpulse(v.chassis.body, frame * Vec(0, 0.45, 3.1), VecScale(ahead, v.thrust * kThrust / 60))
+        local push = VecScale(ahead, v.thrust * kThrust / 60)
+        ApplyBodyImpulse(v.chassis.body, frame * Vec(0, 0.45, 3.1), push)
     end
     if IsHandleValid(v.rudder.joint) then
         local push = input.steer * (0.55 * speed + 0.9 * input.throttle) * 0.3 * mass

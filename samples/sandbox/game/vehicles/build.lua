@@ -38,7 +38,8 @@ Model.__index = Model
 
 -- An empty model of `size` cells; `origin`: the cell at the body's frame.
 function build.model(size, origin, voxel)
-    return setmetatable({size = size, origin = origin, voxel = voxel or 0.1, boxes = {}, palette = {}, firsts = {}}, Model)
+    local model = {size = size, origin = origin, voxel = voxel or 0.1, boxes = {}, palette = {}, firsts = {}}
+    return setmetatable(model, Model)
 end
 
 -- The first entry of a surface, and how many it has.
@@ -94,8 +95,8 @@ end
 function Model:bar(a, b, thick, name)
     local steps = math.max(math.abs(b[1] - a[1]), math.abs(b[2] - a[2]), math.abs(b[3] - a[3]), 1)
     for i = 0, steps do
-        local x, y, z = a[1] + (b[1] - a[1]) * i / steps, a[2] + (b[2] - a[2]) * i / steps, a[3] + (b[3] - a[3]) * i / steps
-        x, y, z = math.floor(x + 0.5), math.floor(y + 0.5), math.floor(z + 0.5)
+        local function at(k) return math.floor(a[k] + (b[k] - a[k]) * i / steps + 0.5) end
+        local x, y, z = at(1), at(2), at(3)
         self:box(x, y, z, x + thick - 1, y + thick - 1, z + thick - 1, name)
     end
 end

@@ -19,7 +19,8 @@ local function model()
     m:box(5, 4, 2, 14, 7, 2, "steel")
     m:box(1, 9, 13, 18, 9, 33, "red")
     m:clear(2, 9, 14, 17, 9, 32)
-    m:cabin({x0 = 2, x1 = 17, low = 10, top = 15, z0 = 13, z1 = 33, front = 1.0, back = 0.7, paint = "red", posts = {23}})
+    m:cabin({x0 = 2, x1 = 17, low = 10, top = 15, z0 = 13, z1 = 33, front = 1.0, back = 0.7, paint = "red",
+        posts = {23}})
     for _, z in ipairs({17, 26}) do                        -- seats
         m:pair(3, 4, z, 8, 6, z + 5, "cloth")
         m:pair(3, 7, z + 5, 8, 11, z + 5, "cloth")
