@@ -138,9 +138,9 @@ Level makeYard(uint64_t seed) {
 }
 
 void addTownVehicles(Level& level) {
-    addPlace(level, "car", {34.0, -0.18, 53.8}, -90.0);
-    addPlace(level, "truck", {6.0, -0.18, 22.0}, 180.0);
-    addPlace(level, "van", {9.4, -0.18, 36.5}, 0.0);
+    addPlace(level, "car", {40.5, -0.18, 53.8}, -90.0);
+    addPlace(level, "truck", {4.4, -0.18, 22.0}, 180.0);
+    addPlace(level, "van", {9.5, -0.18, 39.8}, 0.0);
     addPlace(level, "forklift", {33.0, 0.02, 28.0}, 0.0);
     addPlace(level, "excavator", {20.0, 0.02, 22.0}, 70.0);
 }

@@ -133,8 +133,8 @@ function hud.draw(isBehind)
         vehicles.draw()
     else
         drawToolbelt(belt.tool())
+        drawFirstSteps()
     end
-    drawFirstSteps()
     if hud.showsKeys then drawKeys() end
     if messageTime > 0 then
         UiPush()
