@@ -30,6 +30,7 @@ function onLoad()
     belt.current = play.tool
     SetPlayerLook(play.yaw, play.pitch)
     player.fly(play.flies)
+    vehicles.resume()
     options.apply()
     for _, tool in ipairs(belt.tools) do
         if tool.resume then tool.resume() end

@@ -49,7 +49,7 @@ end
 
 -- The vehicle that a body belongs to.
 function vehicles.of(body)
-    if body == 0 or not HasTag(body, "vehicle") then return nil end
+    if not IsHandleValid(body) or not HasTag(body, "vehicle") then return nil end
     for i, v in ipairs(fleet.all) do
         for _, own in ipairs(v.bodies) do
             if own == body and IsHandleValid(v.chassis.body) then return v, vehicles.kinds[v.kind], i end
@@ -63,13 +63,19 @@ function vehicles.offer(body)
     if v then return "Drive the " .. kind.name, function() vehicles.enter(index) end end
 end
 
-function vehicles.enter(index)
-    fleet.driven = index
+-- After a load one sits where one sat.
+function vehicles.resume()
     local v, kind = vehicles.driven()
+    if not v then return end
     SetPlayerWalking(false)
     MovePlayer(Vec(0, 0, 0), false, false)
     camera.begin(GetBodyTransform(v.chassis.body), kind)
-    drive.light(v, lightsOn)
+end
+
+function vehicles.enter(index)
+    fleet.driven = index
+    vehicles.resume()
+    drive.light(driven(), lightsOn)
 end
 
 -- Out at the side; on top where something is in the way.
