@@ -1,5 +1,6 @@
 -- The camera behind a vehicle: the mouse turns it, it comes back behind by itself, and it stays before walls.
 local options = require("options")
+local parts = require("vehicles/parts")
 
 local camera = {}
 local kStep, kRadius, kPitch = 1 / 60, 0.25, -0.22
@@ -42,7 +43,7 @@ function camera.frame(v, kind, dt)
     end
     local rot = QuatEuler(0, math.deg(yaw), 0) * QuatEuler(math.deg(pitch), 0, 0)
     local back = rot * Vec(0, 0, 1)
-    QueryRejectBodies(v.bodies)
+    QueryRejectBodies(parts.there(v))
     local hit, dist = QueryRaycast(pivot, back, kind.camera.distance, kRadius)
     local free = hit and math.max(0.3, dist) or kind.camera.distance
     reach = free < reach and free or reach + (free - reach) * (1 - math.exp(-4 * dt))

@@ -86,10 +86,10 @@ end
 local function dig(v)
     local bucket = v.bucket.body
     if not IsHandleValid(bucket) then return end
-    local frame = GetBodyTransform(bucket)
+    local frame, own = GetBodyTransform(bucket), parts.there(v)
     for _, tooth in ipairs(teeth) do
         local at = frame * tooth
-        QueryRejectBodies(v.bodies)
+        QueryRejectBodies(own)
         local hit, pos, _, shape = QueryClosestPoint(at, kReach)
         if hit and VecLength(GetBodyVelocityAtPos(bucket, at)) > 0.05 then
             local material, r, g, b = GetShapeMaterialAtPosition(shape, pos)

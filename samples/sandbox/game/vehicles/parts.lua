@@ -54,6 +54,15 @@ function parts.lamp(v, place, color, angle)
         {angle = angle or 0.5, reach = 34, radius = 0.12, off = true}), place = place + Vec(0, 0, 0.06)}
 end
 
+-- Its bodies that are still there.
+function parts.there(v)
+    local list = {}
+    for _, body in ipairs(v.bodies) do
+        if IsHandleValid(body) then list[#list + 1] = body end
+    end
+    return list
+end
+
 -- Turns or slides at a speed for as long as it is called, as a winch or a screw does.
 function parts.spin(part, speed, strength)
     if part and part.speed ~= speed and IsHandleValid(part.joint) then

@@ -90,7 +90,7 @@ function vehicles.leave()
     for _, side in ipairs({1, -1}) do
         local to = frame * Vec(side * kind.exit[1], kind.exit[2] + 0.3, kind.exit[3])
         local way = to - from
-        QueryRejectBodies(v.bodies)
+        QueryRejectBodies(parts.there(v))
         if not QueryRaycast(from, VecNormalize(way), VecLength(way), 0.3) then
             SetPlayerTransform(Transform(to, QuatEuler(0, math.deg(yaw), 0)))
             return SetPlayerWalking(true)
