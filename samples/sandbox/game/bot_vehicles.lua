@@ -6,6 +6,7 @@ local lanes = {car = -50, van = -40, truck = -30, forklift = -20, excavator = -1
 local kStart, kLake = 30, 0.75
 local view
 local figures = {}
+SetString("options.volume", "0")  -- nothing is computed for the ear
 
 local function image(name, from, to)
     if not HasKey("options.images") then return end
@@ -218,6 +219,7 @@ bot.play(function()
     breaks()
     print("| vehicle | chassis | way | fastest | turn radius | ms a step |\n" .. table.concat(figures, "\n"))
     print("vehicles: " .. GetStateHash())
+    ClearKey("options.volume")
 end)
 
 function tick()
