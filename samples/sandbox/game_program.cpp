@@ -10,6 +10,7 @@
 #include "runtime/core/log.h"
 #include "samples/sandbox/stage.h"
 #include "samples/scenes/film_town.h"
+#include "samples/scenes/yard.h"
 
 namespace rubble {
 namespace {
@@ -29,13 +30,15 @@ fs::path keptLevel(const SandboxOptions& options, const std::string& name, bool&
 /// The path of the level that the game plays: the town is written once, and again when this program is newer.
 Result<std::string> levelFile(const SandboxOptions& options) {
     if (!options.level.empty() && options.time.empty()) return options.level;
-    const std::string name = (options.level.empty() ? "town" : fs::path(options.level).stem().string()) + "-" +
+    const std::string own = options.yard ? "yard" : "town";
+    const std::string name = (options.level.empty() ? own : fs::path(options.level).stem().string()) + "-" +
                              std::to_string(options.seed) + "-" + (options.time.empty() ? "own" : options.time);
     bool isFresh = false;
     const fs::path path = keptLevel(options, name, isFresh);
     if (options.level.empty() && isFresh) return path.string();
     Result<SandboxStage> stage = loadStage(options);
     if (!stage) return Error{stage.error()};
+    if (options.level.empty() && !options.yard) addTownVehicles(stage->level);
     const Result<Done> written = writeRubble(path.string(), stage->level);
     if (!written) return Error{written.error()};
     return path.string();

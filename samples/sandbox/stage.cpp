@@ -10,8 +10,10 @@
 #include "runtime/core/log.h"
 #include "samples/scenes/demolition.h"
 #include "samples/scenes/environment.h"
+#include "samples/scenes/placement.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/town.h"
+#include "samples/scenes/yard.h"
 
 namespace rubble {
 namespace {
@@ -62,6 +64,14 @@ Result<SandboxStage> anyStage(const SandboxOptions& options) {
     const std::string vdbTool = options.tools + "/rubble-vdb";
     if (!options.scene.empty()) return sceneStage(options);
     if (!options.model.empty()) return modelStage(options, vdbTool);
+    if (options.yard) {
+        SandboxStage stage;
+        stage.level = makeYard(options.seed);
+        stage.script = [](int) { return Edits(); };
+        stage.camera = [](double) { return scenes::lookAt({30.0, 9.0, 50.0}, {25.0, 1.0, 26.0}); };
+        stage.verticalFov = kDemolitionFov;
+        return stage;
+    }
     std::string path = options.level;
     if (path.empty()) {
         Result<std::string> town = townFile(options, vdbTool);

@@ -4,6 +4,7 @@ local draw = require("draw")
 local interact = require("interact")
 local options = require("options")
 local player = require("player")
+local vehicles = require("vehicles/vehicles")
 
 local hud = {isHidden = false, showsKeys = false, messageAt = 110}
 local message, messageTime = "", 0
@@ -14,7 +15,7 @@ local kFirst = {"Walk: W A S D    Look: mouse", "Left button: use the tool", "Ta
 local kLastOfContract = "E: take, open    F5: save    F1: all keys"
 local kKeys = {{"W A S D", "walk"}, {"Shift", "run"}, {"Space", "jump"}, {"Ctrl", "crouch"}, {"V", "fly or walk"},
     {"Left button", "use the tool"}, {"Right button", "its second use"}, {"R", "reload"},
-    {"E", "doors, lamps, things"}, {"F", "a lamp"},
+    {"E", "doors, lamps, things, vehicles"}, {"F", "a lamp"},
     {"Tab", "wheel of tools"}, {"1 to 9, wheel", "change the tool"}, {"Ctrl+Z", "take back"},
     {"F5, F9", "save, load"}, {"H", "hide all this"}, {"Esc", "menu"}}
 
@@ -118,10 +119,7 @@ local function drawFirstSteps()
     UiPop()
 end
 
--- `isBehind`: a menu is before it.
-function hud.draw(isBehind)
-    if hud.isHidden or isBehind then return end
-    local tool = belt.tool()
+local function drawToolbelt(tool)
     drawCrosshair(tool)
     if tool.draw then
         UiPush()
@@ -130,7 +128,17 @@ function hud.draw(isBehind)
     end
     drawTool(tool)
     drawHint()
-    drawFirstSteps()
+end
+
+-- `isBehind`: a menu is before it.
+function hud.draw(isBehind)
+    if hud.isHidden or isBehind then return end
+    if vehicles.driven() then
+        vehicles.draw()
+    else
+        drawToolbelt(belt.tool())
+        drawFirstSteps()
+    end
     if hud.showsKeys then drawKeys() end
     if messageTime > 0 then
         UiPush()

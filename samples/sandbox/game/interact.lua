@@ -1,8 +1,9 @@
--- What E does: pushes doors, takes small things into the hand, switches lamps.
+-- What E does: pushes doors, takes small things into the hand, switches lamps, drives vehicles.
 local feel = require("feel")
+local vehicles = require("vehicles/vehicles")
 
 local interact = {held = 0, contract = nil}  -- contract: what offers a deed before all others
-local kReach, kMaxMass, kLampReach = 2.6, 120, 1.0
+local kReach, kMaxMass, kLampReach, kRideReach = 2.6, 120, 1.0, 3.2
 local localPoint, distance = Vec(0, 0, 0), 1.5
 
 local function hingeOf(shape)
@@ -31,6 +32,7 @@ function interact.offer(aim)
         local text, deed = interact.contract(aim)
         if text then return text, deed end
     end
+    if aim.hit and aim.dist < kRideReach and vehicles.of(aim.body) then return vehicles.offer(aim.body) end
     if not aim.hit or aim.dist > kReach or not IsHandleValid(aim.shape) then return nil end
     local hinge = hingeOf(aim.shape)
     if hinge and IsBodyDynamic(aim.body) then

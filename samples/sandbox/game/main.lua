@@ -12,6 +12,7 @@ local panel = require("contracts/panel")
 local player = require("player")
 local radial = require("menus/radial")
 local sounds = require("sounds")
+local vehicles = require("vehicles/vehicles")
 
 local titleTime = 0
 local hasSeenEnd = false
@@ -27,6 +28,7 @@ interact.contract = contract.offer
 
 function init()
     player.spawn()
+    vehicles.spawnAll()
     options.apply()
     contract.begin()
     local isAgain = GetBool("game.restarted") and not GetBool("game.title")
@@ -39,6 +41,7 @@ function onLoad()
     belt.resume(play.tool)
     SetPlayerLook(play.yaw, play.pitch)
     player.fly(play.flies)
+    vehicles.resume()
     options.apply()
     contract.resume()
     for _, tool in ipairs(belt.tools) do
@@ -59,7 +62,9 @@ local function readKeys()
             hud.say("Taken back")
         end
     end
-    if InputPressed("e") and belt.lastAim then
+    if vehicles.driven() then
+        if InputPressed("e") then vehicles.leave() end
+    elseif InputPressed("e") and belt.lastAim then
         local _, deed = interact.offer(belt.lastAim)
         if deed then deed() end
     end
@@ -70,6 +75,7 @@ local function publish()
     SetString("game.menu", menus.open or radial.isOpen and "radial" or "")
     SetString("game.tool", belt.tool().id)
     contract.publish()
+    vehicles.publish()
 end
 
 function tick(dt)
@@ -89,6 +95,10 @@ function tick(dt)
         return menus.tick()
     end
     if radial.isOpen then return radial.tick() end
+    if vehicles.driven() then
+        vehicles.tick(dt)
+        return readKeys()
+    end
     player.tick(dt)
     if interact.held ~= 0 and InputPressed("usetool") then
         interact.throw(GetPlayerCameraTransform().rot * Vec(0, 0, -1))
@@ -101,11 +111,15 @@ function tick(dt)
 end
 
 function update(dt)
-    player.update(not menus.open)
-    interact.update()
+    if vehicles.driven() then
+        vehicles.update(menus.open)
+    else
+        player.update(not menus.open)
+        interact.update()
+    end
     bombs.update(dt, blasts, contract.charge())
     contract.update(dt)
-    belt.update(dt, not menus.open and interact.held == 0)
+    belt.update(dt, not vehicles.driven() and not menus.open and interact.held == 0)
 end
 
 function draw()

@@ -17,6 +17,8 @@ std::span<const rubble::script::ScriptFunction> playerFunctions();
 std::span<const rubble::script::ScriptFunction> sessionFunctions();
 /// Bodies of boxes, ropes, nails.
 std::span<const rubble::script::ScriptFunction> makeFunctions();
+/// Joints, wheels, lights, water.
+std::span<const rubble::script::ScriptFunction> vehicleFunctions();
 
 /// Shots, sky and rules, for films.
 std::span<const rubble::script::ScriptFunction> filmFunctions();

@@ -32,6 +32,14 @@ int elementAt(lua_State* L, int table, int place, const char* name, int low, int
     return value;
 }
 
+/// The same of a place, which may lie inside of a cell.
+double placeAt(lua_State* L, int table, int place, const char* name, double low, double high) {
+    lua_geti(L, table, place);
+    const double value = rangedAt(L, lua_gettop(L), name, low, high);
+    lua_pop(L, 1);
+    return value;
+}
+
 uint8_t byteOf(double share) {
     return uint8_t(std::clamp(share * 255.0 + 0.5, 0.0, 255.0));
 }
@@ -85,7 +93,19 @@ std::vector<rubble_palette_entry> paletteAt(lua_State* L, int table) {
     return entries;
 }
 
-/// Boxes {x, y, z, x1, y1, z1, entry} in cells, both corners in; what is outside of the grid is left out.
+/// One of so many entries for a cell: the same in clumps, as paint is worn.
+int shadeOf(int x, int y, int z, int shades) {
+    const auto hash = [](uint32_t a, uint32_t b, uint32_t c) {
+        uint32_t value = a * 73856093u ^ b * 19349663u ^ c * 83492791u;
+        value = (value ^ value >> 15) * 2246822519u;
+        return value ^ value >> 13;
+    };
+    const uint32_t clump = hash(uint32_t(x) / 3, uint32_t(y) / 2, uint32_t(z) / 3);
+    return int((clump % 3 ? clump / 3 : hash(uint32_t(x), uint32_t(y), uint32_t(z))) % uint32_t(shades));
+}
+
+/// Boxes {x, y, z, x1, y1, z1, entry, shades} in cells, both corners in; what is outside of the grid is left out.
+/// Shades: how many entries from that one on vary from cell to cell; without it one.
 std::vector<uint8_t> fillBoxes(lua_State* L, int table, const std::array<int, 3>& size) {
     std::vector<uint8_t> cells(size_t(size[0]) * size_t(size[1]) * size_t(size[2]), 0);
     Sandbox::of(L).charge(L, int64_t(cells.size() / 8));
@@ -93,15 +113,17 @@ std::vector<uint8_t> fillBoxes(lua_State* L, int table, const std::array<int, 3>
     for (int i = 1; i <= count; ++i) {
         lua_geti(L, table, i);
         const int row = lua_gettop(L);
-        requireKeys(L, row, "boxes", {}, 7);
+        requireKeys(L, row, "boxes", {}, 8);
         std::array<int, 6> box;
         for (int k = 0; k < 6; ++k) box[size_t(k)] = elementAt(L, row, k + 1, "boxes", -4096, 4096);
         const auto entry = uint8_t(elementAt(L, row, 7, "boxes", 0, 255));
-        lua_pop(L, 1);
+        const int shades = lua_geti(L, row, 8) == LUA_TNIL ? 1 : elementAt(L, row, 8, "boxes", 1, 16);
+        lua_pop(L, 2);
         for (int z = std::max(box[2], 0); z <= std::min(box[5], size[2] - 1); ++z)
             for (int y = std::max(box[1], 0); y <= std::min(box[4], size[1] - 1); ++y)
                 for (int x = std::max(box[0], 0); x <= std::min(box[3], size[0] - 1); ++x)
-                    cells[(size_t(z) * size_t(size[1]) + size_t(y)) * size_t(size[0]) + size_t(x)] = entry;
+                    cells[(size_t(z) * size_t(size[1]) + size_t(y)) * size_t(size[0]) + size_t(x)] =
+                        uint8_t(std::min(255, entry + shadeOf(x, y, z, shades)));
     }
     return cells;
 }
@@ -122,7 +144,7 @@ int createModel(lua_State* L) {
     if (hasOrigin) requireKeys(L, origin, "origin", {}, 3);
     std::array<double, 3> at;
     for (int i = 0; i < 3; ++i)
-        at[size_t(i)] = hasOrigin ? elementAt(L, origin, i + 1, "origin", -4096, 4096) : 0.5 * size[size_t(i)];
+        at[size_t(i)] = hasOrigin ? placeAt(L, origin, i + 1, "origin", -4096.0, 4096.0) : 0.5 * size[size_t(i)];
 
     auto body = sized<rubble_body_settings>();
     body.flags = boolOr(L, 3, false) ? 0u : uint32_t(RUBBLE_BODY_STATIC);
@@ -190,7 +212,8 @@ int createNail(lua_State* L) {
 
 constexpr ScriptFunction kFunctions[] = {
     {"CreateModel(model, transform, dynamic) -> body, shape",
-     "A body of boxes: size, voxel (m), origin (cells), palette, boxes.", createModel},
+     "A body of boxes {x, y, z, x1, y1, z1, entry, shades}: size, voxel (m), origin (cells), palette, boxes.",
+     createModel},
     {"CreateRope(shapeA, posA, shapeB, posB, length, strength) -> joint",
      "A rope; length 0: as long as it is, strength 0: it never breaks.", createRope},
     {"CreateNail(shapeA, shapeB, pos, strength) -> joint", "Holds two shapes together at a place.", createNail},

@@ -148,8 +148,8 @@ std::span<const ScriptFunction> playerFunctions() {
 std::span<const ScriptFunction> gameFunctions() {
     static const std::vector<ScriptFunction> all = [] {
         std::vector<ScriptFunction> rows;
-        for (const auto& some :
-             {playerFunctions(), sessionFunctions(), makeFunctions(), filmFunctions(), soundFunctions()})
+        for (const auto& some : {playerFunctions(), sessionFunctions(), makeFunctions(), vehicleFunctions(),
+                                 filmFunctions(), soundFunctions()})
             rows.insert(rows.end(), some.begin(), some.end());
         return rows;
     }();

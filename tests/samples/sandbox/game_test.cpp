@@ -80,6 +80,11 @@ TEST(Game, ABotPlaysAllWaysForSomeSeconds) {
         EXPECT_TRUE(fs::exists(out / name)) << name;
 }
 
+TEST(Game, ABotDrivesEachVehicleAndUsesWhatItHas) {
+    const fs::path out = freshFolder("vehicles");
+    EXPECT_EQ(playGame("bot_vehicles.lua", out, RUBBLE_SOURCE_DIR "/samples/sandbox/game"), 0);
+}
+
 TEST(Game, FailsWithoutScriptsAndWithABotThatFails) {
     const fs::path out = freshFolder("wrong");
     EXPECT_NE(playGame("bot.lua", out, out.string()), 0) << "there is no script";
