@@ -115,6 +115,8 @@ void ScriptHost::afterEdits(uint64_t steps) {
     m_shared.step += steps;
     m_shared.time = double(m_shared.step) * kStep;
     m_shared.pending = {};
+    m_shared.stepWork = 0;
+    for (Script& script : m_scripts) script.context().stepWork = 0;
     m_shared.grids.clear();
     m_shared.reframed.clear();
 }

@@ -203,6 +203,24 @@ void warnOnce(lua_State* L, const std::string& text) {
         context.shared.log(RUBBLE_LOG_WARNING, place + ": " + runningFunction(L).name() + ": " + text);
 }
 
+void requireStep(lua_State* L, int64_t work) {
+    const ScriptContext& context = ScriptContext::of(L);
+    const SandboxLimits& limits = Sandbox::of(L).limits();
+    const int64_t most = std::max(limits.work, limits.workPerFrame);
+    const bool isOwn = context.stepWork + work > limits.work;
+    if (!isOwn && context.shared.stepWork + work <= most) return;
+    luaL_error(L, "%s: expected edits of at most %I of %s for one step, found more: wait(0) lets the step take place",
+               runningFunction(L).name().c_str(), lua_Integer(isOwn ? limits.work : most),
+               isOwn ? "a script" : "all scripts");
+}
+
+void chargeStep(lua_State* L, int64_t work) {
+    requireStep(L, work);
+    ScriptContext& context = ScriptContext::of(L);
+    context.stepWork += work;
+    context.shared.stepWork += work;
+}
+
 const ScriptFunction& runningFunction(lua_State* L) {
     return *static_cast<const ScriptFunction*>(lua_touserdata(L, lua_upvalueindex(1)));
 }

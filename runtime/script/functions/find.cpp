@@ -234,14 +234,14 @@ constexpr ScriptFunction kFunctions[] = {
     {"FindLocation(tag, global) -> handle", "The first place of the level with this name, or 0.", findLocation},
     {"FindLocations(tag, global) -> list", "All places of the level with this name.", findLocations},
     {"GetLocationTransform(location) -> transform", "Where such a place is.", getLocationTransform},
-    {"SetTag(handle, tag, value)", "Gives an object a tag, with a value or without.", setTag},
+    {"SetTag(handle, tag, value)", "Gives an object a tag, with a value or without.", setTag, 50},
     {"HasTag(handle, tag) -> boolean", "Whether an object has a tag.", hasTag},
     {"GetTagValue(handle, tag) -> text", "The value of a tag; \"\" if there is none.", getTagValue},
-    {"RemoveTag(handle, tag)", "Takes a tag away.", removeTag},
+    {"RemoveTag(handle, tag)", "Takes a tag away.", removeTag, 50},
     {"IsHandleValid(handle) -> boolean", "Whether the object is there.", isHandleValid},
     {"GetEntityType(handle) -> text", "\"body\", \"shape\", \"light\", \"joint\" or \"trigger\"; \"\" of what is gone.",
      getEntityType},
-    {"Delete(handle)", "Removes an object in the next step, without dust or pieces.", deleteObject},
+    {"Delete(handle)", "Removes an object in the next step, without dust or pieces.", deleteObject, 300},
 };
 
 }  // namespace
