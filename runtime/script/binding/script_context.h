@@ -69,6 +69,7 @@ struct ScriptWorld {
     double timeScale = 1.0;        ///< as SetTimeScale() has set it; the host decides how many steps a frame has
     double timeStep = 1.0 / 60.0;  ///< of the callback that runs
     uint64_t step = 0;
+    SharedMemory memory;   ///< of all scripts
     int64_t stepWork = 0;  ///< what all scripts have queued since the last step, by chargeStep()
     bool hasTime = true;   ///< false: nothing may wait for a time, because the host takes no steps
     PendingReads pending;
@@ -120,6 +121,7 @@ struct SavedTable {
 struct ScriptContext {
     ScriptWorld& shared;
     std::string name;
+    uint64_t number = 0;            ///< among the scripts of the world, from 0 on
     lua_State* callback = nullptr;  ///< the thread of the callback that runs: only there may functions wait
     QuerySettings query;
     Brush brush;
