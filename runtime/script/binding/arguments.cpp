@@ -86,6 +86,16 @@ double numberOr(lua_State* L, int index, const char* name, double otherwise) {
     return lua_isnoneornil(L, index) ? otherwise : numberAt(L, index, name);
 }
 
+double finiteAt(lua_State* L, int index, const char* name) {
+    const double number = numberAt(L, index, name);
+    if (!std::isfinite(number)) refuseArgument(L, index, name, "a finite number");
+    return number;
+}
+
+double finiteOr(lua_State* L, int index, const char* name, double otherwise) {
+    return lua_isnoneornil(L, index) ? otherwise : finiteAt(L, index, name);
+}
+
 double clampedAt(lua_State* L, int index, const char* name, double low, double high) {
     const double number = numberAt(L, index, name);
     if (std::isnan(number)) refuseArgument(L, index, name, "a number");
@@ -127,6 +137,17 @@ Placement placementAt(lua_State* L, int index, const char* name) {
                         readNumbers(L, lua_gettop(L), placement.rotation.data(), 4);
     lua_pop(L, 2);
     if (!isGood) refuseArgument(L, index, name, "a transform {pos =, rot =}");
+    return placement;
+}
+
+Placement poseAt(lua_State* L, int index, const char* name) {
+    constexpr double kExact = 0.002, kNear = 0.1;  // what is exact stays as it is, bit by bit
+    Placement placement = placementAt(L, index, name);
+    double squared = 0.0;
+    for (const double each : placement.rotation) squared += each * each;
+    const double length = std::sqrt(squared);
+    if (std::abs(squared - 1.0) > kExact && std::abs(length - 1.0) <= kNear)
+        for (double& each : placement.rotation) each /= length;
     return placement;
 }
 

@@ -46,7 +46,7 @@ int getTransform(lua_State* L) {
 
 int setTransform(lua_State* L) {
     rubble_body_change change = changeAt(L, RUBBLE_SET_POSE);
-    const Placement placement = placementAt(L, 2, "transform");
+    const Placement placement = poseAt(L, 2, "transform");
     copy(change.position, placement.position);
     copy(change.rotation, placement.rotation);
     return apply(L, change);

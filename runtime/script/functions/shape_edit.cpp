@@ -155,7 +155,7 @@ bool resizeShape(lua_State* L, rubble_shape shape, const Cell& low, const Cell& 
 int create(lua_State* L) {
     auto settings = sized<rubble_shape_settings>();
     settings.body = handleAt(L, 1, "body");
-    const Placement placement = placementAt(L, 2, "transform");
+    const Placement placement = poseAt(L, 2, "transform");
     copy(settings.position, placement.position);
     copy(settings.rotation, placement.rotation);
     settings.source = RUBBLE_SHAPE_EMPTY;

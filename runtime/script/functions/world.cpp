@@ -38,7 +38,7 @@ int getTimeStep(lua_State* L) {
 
 int spawn(lua_State* L) {
     const std::string path = fileAt(L, 1, "file");
-    const Placement placement = lua_isnoneornil(L, 2) ? Placement{} : placementAt(L, 2, "transform");
+    const Placement placement = lua_isnoneornil(L, 2) ? Placement{} : poseAt(L, 2, "transform");
     auto prefab = sized<rubble_prefab>();
     prefab.path = path.c_str();
     copy(prefab.position, placement.position);
