@@ -59,6 +59,10 @@ struct Chunk {
 
 int compile(lua_State* L) {
     const auto& chunk = *static_cast<const Chunk*>(lua_touserdata(L, 1));
+    const int64_t mostBytes = Sandbox::of(L).limits().work / kCompileWork;
+    if (int64_t(chunk.text.size()) > mostBytes)
+        return luaL_error(L, "%s: expected a text of at most %I bytes, found one of %I", chunk.name.c_str(),
+                          lua_Integer(mostBytes), lua_Integer(chunk.text.size()));
     Sandbox::of(L).charge(L, compileCost(chunk.text));
     const std::string name = "=" + chunk.name, text = withoutDirectives(chunk.text);
     if (luaL_loadbufferx(L, text.data(), text.size(), name.c_str(), "t") != LUA_OK) return lua_error(L);
@@ -96,7 +100,7 @@ const char* nameOf(Callback callback) {
 }
 
 Script::Script(ScriptWorld& shared, const std::string& name, const SandboxLimits& limits)
-    : m_context{.shared = shared, .name = name}, m_sandbox(limits, &m_context) {
+    : m_context{.shared = shared, .name = name}, m_sandbox(limits, &m_context, &shared.memory) {
     m_sandbox.output = [this](std::string_view line) { print(line); };
     if (!m_sandbox.prepare(openScript, nullptr) || !m_sandbox.prepare(makeNames, &m_names)) report(m_sandbox.refusal());
 }

@@ -118,6 +118,7 @@ rubble_result ScriptHost::draw(rubble_renderer renderer, const rubble_view& view
     beginFrame();
     callAll(Callback::Draw, dt);
     m_shared.ui.isOpen = false;
+    for (Script& script : m_scripts) script.context().ui.clear();  // what it has set is of this frame alone
     addLinesAndWatches();
     addProfile();
     m_shared.lines.resize(lines);

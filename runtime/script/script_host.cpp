@@ -36,11 +36,28 @@ ScriptHost::~ScriptHost() {
 
 Script& ScriptHost::add(const std::string& name, const std::string& text,
                         std::map<std::string, std::string> parameters) {
-    Script& script = m_scripts.emplace_back(m_shared, name, m_settings.limits);
+    Script& script = make(m_scripts.end(), name, freeNumber());
     script.context().parameters = std::move(parameters);
     script.context().folder = m_settings.folder;
     begin(script, text, false);
     return script;
+}
+
+/// Each has random numbers of its own, by its number among those that run.
+Script& ScriptHost::make(std::list<Script>::iterator before, const std::string& name, uint64_t number) {
+    SandboxLimits limits = m_settings.limits;
+    limits.seed += number * 0x9e3779b97f4a7c15u;
+    Script& script = *m_scripts.emplace(before, m_shared, name, limits);
+    script.context().number = number;
+    return script;
+}
+
+/// The least one that no script has.
+uint64_t ScriptHost::freeNumber() const {
+    std::vector<bool> isTaken(m_scripts.size() + 1);
+    for (const Script& script : m_scripts)
+        if (script.context().number < isTaken.size()) isTaken[script.context().number] = true;
+    return uint64_t(std::find(isTaken.begin(), isTaken.end(), false) - isTaken.begin());
 }
 
 void ScriptHost::begin(Script& script, const std::string& text, bool isAgain) {
@@ -116,6 +133,8 @@ void ScriptHost::afterEdits(uint64_t steps) {
     m_shared.step += steps;
     m_shared.time = double(m_shared.step) * kStep;
     m_shared.pending = {};
+    m_shared.stepWork = 0;
+    for (Script& script : m_scripts) script.context().stepWork = 0;
     m_shared.grids.clear();
     m_shared.reframed.clear();
 }

@@ -111,13 +111,19 @@ public:
     /// The same: erase one between steps to end it, without destroy().
     std::list<Script>& scripts() { return m_scripts; }
 
+    /// How many scripts of a level run: the others of its list wait for their place.
+    static constexpr size_t kMaxScripts = 1000;
+
 private:
     /// By script and name of saved().
     using SavedTables = std::map<std::string, std::map<std::string, std::string>>;
-    std::vector<LevelScriptName> namedScripts() const;
+    std::vector<LevelScriptName> namedScripts();
     void followLevel(SavedTables restored, bool isAgain);
     std::string folderOfScript(const std::string& path) const;
     void addLevelScript(const LevelScriptName& name, SavedTables& restored, bool isAgain);
+    bool hasRoom(const std::string& path);
+    Script& make(std::list<Script>::iterator before, const std::string& name, uint64_t number);
+    uint64_t freeNumber() const;
     void endLevelScript(const LevelScriptName& name);
     std::list<Script>::iterator restart(std::list<Script>::iterator old, std::string text,
                                         std::map<std::string, std::string> restored);
@@ -149,6 +155,7 @@ private:
     std::optional<ProfileTable> m_profile;  ///< while it is shown
     uint32_t m_reports = 0;                 ///< kinds that the world lists for the scripts
     bool m_hasOldLights = false;            ///< of PointLight() in a world that another run has left
+    bool m_isFullTold = false;              ///< that there are more scripts than may run
     bool m_hasReports = true;               ///< the world has the host's filter
 };
 

@@ -133,7 +133,8 @@ void ScriptHost::forgetWorld() {
 
 std::list<Script>::iterator ScriptHost::restart(std::list<Script>::iterator old, std::string text,
                                                 std::map<std::string, std::string> restored) {
-    const auto made = m_scripts.emplace(old, m_shared, old->name(), m_settings.limits);
+    make(old, old->name(), old->context().number);
+    const auto made = std::prev(old);
     made->context().parameters = old->context().parameters;
     made->context().folder = old->context().folder;
     if (old->ofLevel()) made->setOfLevel(*old->ofLevel());
@@ -156,13 +157,18 @@ bool ScriptHost::reload(const std::string& name, const std::string& text) {
     return false;
 }
 
-std::vector<LevelScriptName> ScriptHost::namedScripts() const {
+std::vector<LevelScriptName> ScriptHost::namedScripts() {
     uint32_t count = 0;
     const rubble_api& api = *m_shared.api;
     if (api.get_level_scripts(m_shared.world, nullptr, 0, &count) != RUBBLE_OK || !count) return {};
     std::vector<rubble_level_script> rows(count);
     if (api.get_level_scripts(m_shared.world, rows.data(), count, &count) != RUBBLE_OK) return {};
     std::vector<LevelScriptName> names;
+    if (count > kMaxScripts && !std::exchange(m_isFullTold, true) && m_shared.log)
+        m_shared.log(RUBBLE_LOG_ERROR, "the level names the script \"" + std::string(rows[kMaxScripts].path) +
+                                           "\" and others: expected at most " + std::to_string(kMaxScripts) +
+                                           " scripts, found more, which do not run");
+    rows.resize(std::min(rows.size(), kMaxScripts));
     for (const rubble_level_script& row : rows) names.emplace_back(row.path, row.parameters);
     return names;
 }
@@ -207,6 +213,18 @@ std::string ScriptHost::folderOfScript(const std::string& path) const {
     return "";
 }
 
+/// Whether the memory of all scripts is enough for another one to begin.
+bool ScriptHost::hasRoom(const std::string& path) {
+    constexpr size_t kBegin = 1 << 20;
+    const size_t most = SharedMemory::kScripts * m_settings.limits.memory;
+    if (m_shared.memory.used + kBegin <= most || m_scripts.empty()) return true;
+    if (!std::exchange(m_isFullTold, true) && m_shared.log)
+        m_shared.log(RUBBLE_LOG_ERROR, "the level names the script \"" + path +
+                                           "\": expected scripts that hold at most " + std::to_string(most) +
+                                           " bytes together, found more: it does not run");
+    return false;
+}
+
 void ScriptHost::addLevelScript(const LevelScriptName& named, SavedTables& restored, bool isAgain) {
     const auto& [path, parameters] = named;
     std::ifstream file;
@@ -219,13 +237,14 @@ void ScriptHost::addLevelScript(const LevelScriptName& named, SavedTables& resto
                                                                    : "a name of one line that ends in .lua"));
         return;
     }
+    if (!hasRoom(path)) return;
     std::ostringstream text;
     text << file.rdbuf();
+    std::set<std::string> taken;
+    for (const Script& script : m_scripts) taken.insert(script.name());
     std::string name = path;  // several prefabs may have the same one
-    for (int i = 2; std::any_of(m_scripts.begin(), m_scripts.end(), [&](auto& each) { return each.name() == name; });
-         ++i)
-        name = path + "#" + std::to_string(i);
-    Script& script = m_scripts.emplace_back(m_shared, name, m_settings.limits);
+    for (int i = 2; taken.contains(name); ++i) name = path + "#" + std::to_string(i);
+    Script& script = make(m_scripts.end(), name, freeNumber());
     script.context().parameters = parametersOf(parameters);
     script.context().folder = folder;
     script.context().restored = std::move(restored[name]);

@@ -51,8 +51,7 @@ void catchInterrupts() {
 std::map<std::string, std::string> parametersOf(const Options& options) {
     std::map<std::string, std::string> parameters;
     for (const std::string& each : options.parameters)
-        parameters[each.substr(0, each.find('='))] =
-            each.find('=') == each.npos ? "1" : each.substr(each.find('=') + 1);
+        parameters[each.substr(0, each.find('='))] = each.substr(each.find('=') + 1);
     return parameters;
 }
 
@@ -204,6 +203,13 @@ int play(ScriptHost& host, OffscreenView* view, const Options& options) {
     return error.empty() && isGood() ? 0 : 1;
 }
 
+/// Whether the level names scripts: where none of them is there, the log has said so.
+bool namesScripts(const rubble_api& api, rubble_world world) {
+    uint32_t count = 0;
+    api.get_level_scripts(world, nullptr, 0, &count);
+    return count > 0;
+}
+
 int writeReference(const Options& options) {
     const std::string examples = fs::path(options.reference) / "../../samples/lua/examples.lua";
     std::error_code wrong;
@@ -254,16 +260,21 @@ int run(const Options& options) {
         given.folder = beside.empty() ? "." : fs::absolute(beside).parent_path().string();
         if (!options.level.empty()) given.levelFolder = fs::absolute(options.level).parent_path().string();
         given.measuresFunctions = options.prints;
-        given.log = [](int level, const std::string& line) { fmt::print(level ? stderr : stdout, "{}\n", line); };
+        bool isEnding = false;
+        given.log = [&](int level, const std::string& line) {
+            fmt::print(level ? stderr : stdout, "{}\n", line);
+            if (isEnding && level >= RUBBLE_LOG_ERROR) result = 1;  // of destroy()
+        };
         ScriptHost host(*api, world, given);
         host.setView(viewOf(camera, kWidth, kHeight));
         host.addLevelScripts();
         if (!options.evaluated.empty())
             result = evaluate(host, options);
         else if (options.script.empty() && host.scripts().empty())
-            result = readLines(host, options);
+            result = namesScripts(*api, world) ? 1 : readLines(host, options);
         else
             result = play(host, options.image.empty() ? nullptr : &view, options);
+        isEnding = true;
     }
     view.end();
     api->destroy_world(world);
@@ -290,7 +301,13 @@ int main(int argc, char** argv) {
     app.add_option("--eval", options.evaluated, "runs this text instead, and prints what it gives")
         ->allow_extra_args(false);
     app.add_option("--param", options.parameters, "NAME=VALUE, for GetIntParam() and its like")
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->check(CLI::Validator(
+            [](const std::string& given) {
+                const size_t at = given.find('=');
+                return at == 0 || at == given.npos ? "expected NAME=VALUE, found " + given : std::string();
+            },
+            "NAME=VALUE"));
     app.add_flag("--profile", options.prints,
                  "prints what each callback and each function have cost; with --image: shows it too");
     app.add_flag("--watch", options.watches, "in real time; the script begins again when its file changes");

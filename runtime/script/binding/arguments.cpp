@@ -86,6 +86,16 @@ double numberOr(lua_State* L, int index, const char* name, double otherwise) {
     return lua_isnoneornil(L, index) ? otherwise : numberAt(L, index, name);
 }
 
+double finiteAt(lua_State* L, int index, const char* name) {
+    const double number = numberAt(L, index, name);
+    if (!std::isfinite(number)) refuseArgument(L, index, name, "a finite number");
+    return number;
+}
+
+double finiteOr(lua_State* L, int index, const char* name, double otherwise) {
+    return lua_isnoneornil(L, index) ? otherwise : finiteAt(L, index, name);
+}
+
 double clampedAt(lua_State* L, int index, const char* name, double low, double high) {
     const double number = numberAt(L, index, name);
     if (std::isnan(number)) refuseArgument(L, index, name, "a number");
@@ -127,6 +137,17 @@ Placement placementAt(lua_State* L, int index, const char* name) {
                         readNumbers(L, lua_gettop(L), placement.rotation.data(), 4);
     lua_pop(L, 2);
     if (!isGood) refuseArgument(L, index, name, "a transform {pos =, rot =}");
+    return placement;
+}
+
+Placement poseAt(lua_State* L, int index, const char* name) {
+    constexpr double kExact = 0.002, kNear = 0.1;  // what is exact stays as it is, bit by bit
+    Placement placement = placementAt(L, index, name);
+    double squared = 0.0;
+    for (const double each : placement.rotation) squared += each * each;
+    const double length = std::sqrt(squared);
+    if (std::abs(squared - 1.0) > kExact && std::abs(length - 1.0) <= kNear)
+        for (double& each : placement.rotation) each /= length;
     return placement;
 }
 
@@ -201,6 +222,24 @@ void warnOnce(lua_State* L, const std::string& text) {
     const std::string place = placeOf(L);
     if (context.warned.size() < 1000 && context.warned.insert(place).second && context.shared.log)
         context.shared.log(RUBBLE_LOG_WARNING, place + ": " + runningFunction(L).name() + ": " + text);
+}
+
+void requireStep(lua_State* L, int64_t work) {
+    const ScriptContext& context = ScriptContext::of(L);
+    const SandboxLimits& limits = Sandbox::of(L).limits();
+    const int64_t most = std::max(limits.work, limits.workPerFrame);
+    const bool isOwn = context.stepWork + work > limits.work;
+    if (!isOwn && context.shared.stepWork + work <= most) return;
+    luaL_error(L, "%s: expected edits of at most %I of %s for one step, found more: wait(0) lets the step take place",
+               runningFunction(L).name().c_str(), lua_Integer(isOwn ? limits.work : most),
+               isOwn ? "a script" : "all scripts");
+}
+
+void chargeStep(lua_State* L, int64_t work) {
+    requireStep(L, work);
+    ScriptContext& context = ScriptContext::of(L);
+    context.stepWork += work;
+    context.shared.stepWork += work;
 }
 
 const ScriptFunction& runningFunction(lua_State* L) {

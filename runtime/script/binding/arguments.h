@@ -19,6 +19,10 @@ struct Placement {
 double numberAt(lua_State* L, int index, const char* name);
 /// As numberAt(); what is left out or nil is `otherwise`.
 double numberOr(lua_State* L, int index, const char* name, double otherwise);
+/// As numberAt(); what is not finite is an error.
+double finiteAt(lua_State* L, int index, const char* name);
+/// As numberOr(); what is not finite is an error.
+double finiteOr(lua_State* L, int index, const char* name, double otherwise);
 /// A number, brought into a range; not a number is an error.
 double clampedAt(lua_State* L, int index, const char* name, double low, double high);
 /// The same; the log says once for each line that a number was brought into it.
@@ -31,6 +35,9 @@ Vector vectorAt(lua_State* L, int index, const char* name);
 Rotation rotationAt(lua_State* L, int index, const char* name);
 /// A table {pos =, rot =}.
 Placement placementAt(lua_State* L, int index, const char* name);
+/// The same where it becomes the pose of something: a rotation whose length is not quite 1, up to a tenth, is
+/// normalised. The interface refuses what is farther off.
+Placement poseAt(lua_State* L, int index, const char* name);
 /// A text, not a number.
 std::string textAt(lua_State* L, int index, const char* name);
 /// As textAt(); what is left out or nil is `otherwise`.

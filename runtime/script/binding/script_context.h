@@ -71,7 +71,9 @@ struct ScriptWorld {
     double timeScale = 1.0;        ///< as SetTimeScale() has set it; the host decides how many steps a frame has
     double timeStep = 1.0 / 60.0;  ///< of the callback that runs
     uint64_t step = 0;
-    bool hasTime = true;  ///< false: nothing may wait for a time, because the host takes no steps
+    SharedMemory memory;   ///< of all scripts
+    int64_t stepWork = 0;  ///< what all scripts have queued since the last step, by chargeStep()
+    bool hasTime = true;   ///< false: nothing may wait for a time, because the host takes no steps
     PendingReads pending;
     std::map<rubble_shape, GridCopy> grids;  ///< of shapes whose voxels calls since the last step have written
     std::set<rubble_shape> reframed;         ///< whose cells the next step gives other coordinates
@@ -122,6 +124,7 @@ struct ScriptContext {
     ScriptWorld& shared;
     std::string name;
     std::string folder;             ///< that files are read from; empty: none
+    uint64_t number = 0;            ///< among the scripts of the world, from 0 on
     lua_State* callback = nullptr;  ///< the thread of the callback that runs: only there may functions wait
     QuerySettings query;
     Brush brush;
@@ -135,6 +138,7 @@ struct ScriptContext {
     std::set<std::string> required;   ///< files that require() has read
     std::set<std::string> spawned;    ///< files that Spawn() has read
     std::set<std::string> warned;     ///< places that have been told of once
+    int64_t stepWork = 0;             ///< what it has queued since the last step, by chargeStep()
     std::vector<uint64_t> calls;      ///< of each function of the vocabulary
     std::vector<uint64_t> rows;       ///< for lists, so that calls do not allocate
 
@@ -161,6 +165,7 @@ struct ScriptFunction {
     const char* signature;  ///< "MakeHole(pos, r0, r1, r2, silent)"
     const char* meaning;    ///< one sentence
     lua_CFunction function;
+    int64_t stepWork = 0;  ///< of each call, for chargeStep(); what depends on the arguments it charges itself
 
     /// The name in its signature.
     std::string name() const {
@@ -168,6 +173,12 @@ struct ScriptFunction {
         return text.substr(0, text.find('('));
     }
 };
+
+/// An error where what the running function would queue is more than the script, or all of the world, may still queue
+/// for the next step: as much work as a call, or a frame, may have. A unit is some 0.15 us of the step.
+void requireStep(lua_State* L, int64_t work);
+/// The same, and counts it, before it is queued.
+void chargeStep(lua_State* L, int64_t work);
 
 /// The function that runs, for messages.
 const ScriptFunction& runningFunction(lua_State* L);

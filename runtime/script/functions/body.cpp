@@ -46,7 +46,7 @@ int getTransform(lua_State* L) {
 
 int setTransform(lua_State* L) {
     rubble_body_change change = changeAt(L, RUBBLE_SET_POSE);
-    const Placement placement = placementAt(L, 2, "transform");
+    const Placement placement = poseAt(L, 2, "transform");
     copy(change.position, placement.position);
     copy(change.rotation, placement.rotation);
     return apply(L, change);
@@ -185,12 +185,12 @@ int applyImpulse(lua_State* L) {
 
 constexpr ScriptFunction kFunctions[] = {
     {"GetBodyTransform(body) -> transform", "Where a body's frame is.", getTransform},
-    {"SetBodyTransform(body, transform)", "Puts a body elsewhere in the next step.", setTransform},
+    {"SetBodyTransform(body, transform)", "Puts a body elsewhere in the next step.", setTransform, 200},
     {"GetBodyVelocity(body) -> v", "The velocity of its centre of mass, in m/s.", getVelocity},
-    {"SetBodyVelocity(body, velocity)", "Sets that velocity in the next step.", setVelocity},
+    {"SetBodyVelocity(body, velocity)", "Sets that velocity in the next step.", setVelocity, 30},
     {"GetBodyAngularVelocity(body) -> v", "How it turns, in radians a second about the world's axes.",
      getAngularVelocity},
-    {"SetBodyAngularVelocity(body, velocity)", "Sets how it turns in the next step.", setAngularVelocity},
+    {"SetBodyAngularVelocity(body, velocity)", "Sets how it turns in the next step.", setAngularVelocity, 30},
     {"GetBodyVelocityAtPos(body, pos) -> v", "The velocity of the body's point at a place of the world.",
      getVelocityAtPos},
     {"GetBodyMass(body) -> kg", "Its mass; 0 of a static one.", getMass},
@@ -198,11 +198,11 @@ constexpr ScriptFunction kFunctions[] = {
     {"GetBodyBounds(body) -> min, max", "The box around its shapes' grids, in the world.", getBounds},
     {"GetBodyShapes(body) -> list", "Its shapes.", getShapes},
     {"IsBodyActive(body) -> boolean", "Whether it is simulated: neither static nor asleep.", isActive},
-    {"SetBodyActive(body, active)", "Wakes it, or puts it to sleep.", setActive},
+    {"SetBodyActive(body, active)", "Wakes it, or puts it to sleep.", setActive, 30},
     {"IsBodyDynamic(body) -> boolean", "Whether it moves freely.", isDynamic},
-    {"SetBodyDynamic(body, dynamic)", "Lets it move freely, or holds it where it is.", setDynamic},
+    {"SetBodyDynamic(body, dynamic)", "Lets it move freely, or holds it where it is.", setDynamic, 200},
     {"IsBodyBroken(body) -> boolean", "Whether it has lost voxels since the scripts began, or is gone.", isBroken},
-    {"ApplyBodyImpulse(body, pos, impulse)", "Pushes it at a place of the world, in N s.", applyImpulse},
+    {"ApplyBodyImpulse(body, pos, impulse)", "Pushes it at a place of the world, in N s.", applyImpulse, 30},
 };
 
 }  // namespace

@@ -15,10 +15,27 @@ void readRadii(lua_State* L, int first, double (&radii)[3]) {
     }
 }
 
+/// What edits cost the step at most, by their size in metres: see chargeStep().
+constexpr int64_t kMaxHoleWork = 200'000, kMaxCrackWork = 1'000'000;
+
+int64_t workOf(double base, double factor, double size, int64_t most) {
+    const double work = base + factor * size;
+    return work < double(most) ? int64_t(work) : most;
+}
+
+int64_t holeWork(double radius, double length = 0.0) {
+    return workOf(200.0, 1.0, 300.0 * radius * radius + 200.0 * radius * length, kMaxHoleWork);
+}
+
+int64_t explosionWork(double size) {
+    return workOf(8000.0, 8000.0, size * size, kMaxHoleWork);
+}
+
 int makeHole(lua_State* L) {
     auto carve = sized<rubble_carve>();
     copy(carve.position, vectorAt(L, 1, "pos"));
     readRadii(L, 2, carve.radii);
+    chargeStep(L, holeWork(carve.radii[0]));
     uint64_t count = 0;
     isDone(L, apiOf(L).count_carve(worldOf(L), &carve, &count));
     isDone(L, apiOf(L).carve(worldOf(L), &carve));
@@ -30,8 +47,10 @@ int makeHoleLine(lua_State* L) {
     auto carve = sized<rubble_carve>();
     carve.brush = RUBBLE_BRUSH_CAPSULE;
     copy(carve.position, vectorAt(L, 1, "p0"));
-    copy(carve.end, vectorAt(L, 2, "p1"));
+    const Vector end = vectorAt(L, 2, "p1");
+    copy(carve.end, end);
     readRadii(L, 3, carve.radii);
+    chargeStep(L, holeWork(carve.radii[0], length(end - vectorOf(carve.position))));
     isDone(L, apiOf(L).carve(worldOf(L), &carve));
     return 0;
 }
@@ -40,6 +59,7 @@ int crack(lua_State* L) {
     auto edit = sized<rubble_break>();
     copy(edit.position, vectorAt(L, 1, "pos"));
     readRadii(L, 2, edit.radii);
+    chargeStep(L, workOf(300.0, 4500.0, edit.radii[0] * edit.radii[0], kMaxCrackWork));
     edit.seed = uint32_t(ScriptContext::of(L).shared.step);
     isDone(L, apiOf(L).break_voxels(worldOf(L), &edit));
     return 0;
@@ -49,6 +69,7 @@ int explosion(lua_State* L) {
     auto blast = sized<rubble_explosion>();
     copy(blast.position, vectorAt(L, 1, "pos"));
     blast.size = lua_isnoneornil(L, 2) ? 1.0 : limitedAt(L, 2, "size", 0.5, 4.0);
+    chargeStep(L, explosionWork(blast.size));
     isDone(L, apiOf(L).explode(worldOf(L), &blast));
     return 0;
 }
@@ -77,6 +98,7 @@ void hit(lua_State* L, const rubble_hit& found, const Projectile& projectile, co
         auto blast = sized<rubble_explosion>();
         std::copy_n(found.position, 3, blast.position);
         blast.size = std::clamp(projectile.explosion * strength, 0.5, 4.0);
+        chargeStep(L, explosionWork(blast.size));
         isDone(L, apiOf(L).explode(worldOf(L), &blast));
         return;
     }
@@ -84,6 +106,7 @@ void hit(lua_State* L, const rubble_hit& found, const Projectile& projectile, co
     carve.tool = RUBBLE_TOOL_GUN;
     std::copy_n(found.position, 3, carve.position);
     for (int i = 0; i < 3; ++i) carve.radii[i] = projectile.radii[i] * strength;
+    chargeStep(L, holeWork(carve.radii[0]));
     isDone(L, apiOf(L).carve(worldOf(L), &carve));
     auto push = sized<rubble_impulse>();
     push.body = found.body;
@@ -170,6 +193,7 @@ void paintAt(lua_State* L, const Vector& position, double radius, rubble_paint p
     ScriptContext& context = ScriptContext::of(L);
     copy(paint.position, position);
     paint.radius = radius;
+    chargeStep(L, workOf(200.0, 500.0, radius * radius, kMaxHoleWork));
     paint.seed = uint32_t(context.shared.step);
     isDone(L, apiOf(L).paint(worldOf(L), &paint));
 }
@@ -221,14 +245,14 @@ constexpr ScriptFunction kFunctions[] = {
     {"Shoot(origin, dir, type, strength, maxDist)",
      "A \"bullet\", \"shotgun\" or \"rocket\" hits the first voxel on its path.", shoot},
     {"AddHeat(shape, pos, amount)", "Heats a shape around a place, by amount megajoules. What gets hot enough burns.",
-     addHeat},
-    {"SpawnFire(pos)", "Lights what can burn within 0.3 metres.", spawnFire},
+     addHeat, 100},
+    {"SpawnFire(pos)", "Lights what can burn within 0.3 metres.", spawnFire, 100},
     {"Extinguish(pos, radius, wetSeconds)",
-     "Puts out what burns around a place, and keeps it from burning for so long.", extinguish},
+     "Puts out what burns around a place, and keeps it from burning for so long.", extinguish, 200},
     {"GetFireCount() -> count", "How many parts of shapes burn.", getFireCount},
     {"QueryClosestFire(pos, maxDist) -> hit, pos", "The nearest fire.", queryClosestFire},
     {"QueryAabbFireCount(min, max) -> count", "How many fires are in a box.", queryAabbFireCount},
-    {"RemoveAabbFires(min, max)", "Puts out the fires in a box.", removeAabbFires},
+    {"RemoveAabbFires(min, max)", "Puts out the fires in a box.", removeAabbFires, 50},
     {"Paint(pos, radius, type, probability)",
      "Paints surfaces as a \"spraycan\" or an \"explosion\" does, with some share of the voxels at the rim.", paint},
     {"PaintRGBA(pos, radius, r, g, b, a, probability)",

@@ -85,15 +85,15 @@ constexpr ScriptFunction kFunctions[] = {
     {"ConstrainPosition(bodyA, bodyB, pointA, pointB, maxVel, maxImpulse)",
      "Pulls a point of body A to a place that body B bears, 0: the world, in the next step; call it in update(). "
      "Without maxVel in m/s and maxImpulse in N s nothing limits it.",
-     position},
+     position, 200},
     {"ConstrainOrientation(bodyA, bodyB, quatA, quatB, maxAngVel, maxAngImpulse)",
-     "Turns body A so that quatA becomes quatB, likewise.", orientation},
+     "Turns body A so that quatA becomes quatB, likewise.", orientation, 200},
     {"ConstrainVelocity(bodyA, bodyB, point, dir, relVel, minImpulse, maxImpulse)",
      "Holds the speed of a point of body A along a direction, against body B, in the next step. Both impulses 0: no "
      "limit.",
-     velocity},
+     velocity, 100},
     {"ConstrainAngularVelocity(bodyA, bodyB, dir, relAngVel, minAngImpulse, maxAngImpulse)",
-     "Holds how fast body A turns about a direction, in rad/s, likewise.", angularVelocity},
+     "Holds how fast body A turns about a direction, in rad/s, likewise.", angularVelocity, 100},
 };
 
 }  // namespace

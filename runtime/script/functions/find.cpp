@@ -113,9 +113,16 @@ int getLocationTransform(lua_State* L) {
     return 1;
 }
 
+constexpr uint32_t kMaxTagBytes = 16 << 10;  ///< of all tags of an object: each step looks through them
+
 int setTag(lua_State* L) {
     const uint64_t object = handleAt(L, 1, "handle");
     const std::string tag = textAt(L, 2, "tag");
+    uint32_t bytes = 0;
+    apiOf(L).get_tags(worldOf(L), object, nullptr, 0, &bytes);
+    if (bytes > kMaxTagBytes)
+        return luaL_error(L, "SetTag: expected an object whose tags have at most %d bytes, found more",
+                          int(kMaxTagBytes));
     std::string value;
     if (!lua_isnoneornil(L, 3)) {
         if (!lua_isstring(L, 3)) refuseArgument(L, 3, "value", "a text");
@@ -234,14 +241,14 @@ constexpr ScriptFunction kFunctions[] = {
     {"FindLocation(tag, global) -> handle", "The first place of the level with this name, or 0.", findLocation},
     {"FindLocations(tag, global) -> list", "All places of the level with this name.", findLocations},
     {"GetLocationTransform(location) -> transform", "Where such a place is.", getLocationTransform},
-    {"SetTag(handle, tag, value)", "Gives an object a tag, with a value or without.", setTag},
+    {"SetTag(handle, tag, value)", "Gives an object a tag, with a value or without.", setTag, 500},
     {"HasTag(handle, tag) -> boolean", "Whether an object has a tag.", hasTag},
     {"GetTagValue(handle, tag) -> text", "The value of a tag; \"\" if there is none.", getTagValue},
-    {"RemoveTag(handle, tag)", "Takes a tag away.", removeTag},
+    {"RemoveTag(handle, tag)", "Takes a tag away.", removeTag, 500},
     {"IsHandleValid(handle) -> boolean", "Whether the object is there.", isHandleValid},
     {"GetEntityType(handle) -> text", "\"body\", \"shape\", \"light\", \"joint\" or \"trigger\"; \"\" of what is gone.",
      getEntityType},
-    {"Delete(handle)", "Removes an object in the next step, without dust or pieces.", deleteObject},
+    {"Delete(handle)", "Removes an object in the next step, without dust or pieces.", deleteObject, 300},
 };
 
 }  // namespace

@@ -186,19 +186,19 @@ constexpr ScriptFunction kFunctions[] = {
     {"IsBodyJointedToStatic(body) -> boolean", "Whether joints lead from a body to a static one, or to the world.",
      isJointedToStatic},
     {"SetJointMotor(joint, velocity, strength)",
-     "Turns or slides at a speed, in rad/s or m/s, with at most strength N m or N.", setMotor},
+     "Turns or slides at a speed, in rad/s or m/s, with at most strength N m or N.", setMotor, 30},
     {"SetJointMotorTarget(joint, target, maxVel, strength)", "Goes to an angle or a place, in radians or metres.",
-     setMotorTarget},
+     setMotorTarget, 30},
     {"GetJointLimits(joint) -> min, max", "The limits of its free motion, in radians or metres; 0, 0 without limits.",
      getLimits},
     {"GetJointMovement(joint) -> number",
      "Where its free motion is, in radians or metres from where it was made; of a rope the metres between its ends.",
      getMovement},
     {"DetachJointFromShape(joint, shape)", "Frees the end of a rope that is on a shape; other joints are removed.",
-     detach},
+     detach, 200},
     {"GetRopeNumberOfPoints(joint) -> count", "How many points a rope has; 0 of other joints.", getPointCount},
     {"GetRopePointPosition(joint, index) -> v", "A point of a rope, from 1 on.", getPoint},
-    {"BreakRope(joint, pos)", "Cuts a rope where it is the closest to a place.", breakRope},
+    {"BreakRope(joint, pos)", "Cuts a rope where it is the closest to a place.", breakRope, 200},
 };
 
 }  // namespace

@@ -150,15 +150,15 @@ int pointLight(lua_State* L) {
 }
 
 constexpr ScriptFunction kFunctions[] = {
-    {"SetLightEnabled(light, enabled)", "Switches a light.", setEnabled},
-    {"SetLightColor(light, r, g, b)", "Its colour, 0 to 1; its intensity stays.", setColor},
-    {"SetLightIntensity(light, intensity)", "Its intensity in W/sr; its colour stays.", setIntensity},
+    {"SetLightEnabled(light, enabled)", "Switches a light.", setEnabled, 30},
+    {"SetLightColor(light, r, g, b)", "Its colour, 0 to 1; its intensity stays.", setColor, 30},
+    {"SetLightIntensity(light, intensity)", "Its intensity in W/sr; its colour stays.", setIntensity, 30},
     {"GetLightTransform(light) -> transform", "Where it is; cones and areas face -z.", getTransform},
     {"GetLightShape(light) -> shape", "The shape that it is on, or 0.", getShape},
     {"IsLightActive(light) -> boolean", "Whether it shines: it is enabled, and its group is on.", isActive},
     {"IsPointAffectedByLight(light, point) -> boolean",
      "Whether its light reaches a point, with nothing opaque between.", isPointAffected},
-    {"PointLight(pos, r, g, b, intensity)", "A light for one step.", pointLight},
+    {"PointLight(pos, r, g, b, intensity)", "A light for one step.", pointLight, 50},
 };
 
 }  // namespace

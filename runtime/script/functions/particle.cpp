@@ -130,7 +130,7 @@ constexpr ScriptFunction kFunctions[] = {
     {"ParticleFlags(mask)", "No effect.", leaveOut},
     {"ParticleSticky(s0)", "No effect: what voxels stop lies there.", leaveOut},
     {"SpawnParticle(pos, vel, life)",
-     "Throws one into the air for life seconds. Where nothing is drawn there are none.", spawn},
+     "Throws one into the air for life seconds. Where nothing is drawn there are none.", spawn, 30},
 };
 
 }  // namespace

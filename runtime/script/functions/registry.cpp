@@ -20,9 +20,30 @@ const std::string* valueAt(lua_State* L) {
     return found == keysOf(L).end() ? nullptr : &found->second;
 }
 
+/// Whether a text is UTF-8 without zero bytes.
+bool isPlainText(const std::string& text) {
+    for (size_t at = 0; at < text.size();) {
+        const auto first = static_cast<unsigned char>(text[at]);
+        const size_t more = first < 0x80 ? 0 : first >> 5 == 6 ? 1 : first >> 4 == 14 ? 2 : first >> 3 == 30 ? 3 : 4;
+        if (!first || more > 3 || at + more >= text.size()) return false;
+        uint32_t point = more ? first & (0x3fu >> more) : first;
+        for (size_t i = 1; i <= more; ++i) {
+            const auto next = static_cast<unsigned char>(text[at + i]);
+            if (next >> 6 != 2) return false;
+            point = point << 6 | (next & 0x3fu);
+        }
+        constexpr uint32_t kLeast[] = {0, 0x80, 0x800, 0x10000};
+        if (point < kLeast[more] || point > 0x10ffff || (point >= 0xd800 && point < 0xe000)) return false;
+        at += more + 1;
+    }
+    return true;
+}
+
 int set(lua_State* L, const std::string& value) {
     const std::string key = textAt(L, 1, "key");
     if (key.empty() || key.size() > kMaxText) refuseArgument(L, 1, "key", "1 to 4096 bytes");
+    if (!isPlainText(key)) refuseArgument(L, 1, "key", "UTF-8 without zero bytes");
+    if (!isPlainText(value)) refuseArgument(L, 2, "value", "UTF-8 without zero bytes");
     if (value.size() > kMaxText) refuseArgument(L, 2, "value", "at most 4096 bytes");
     auto& keys = keysOf(L);
     if (keys.size() >= kMaxKeys && !keys.count(key))
@@ -62,7 +83,9 @@ int setBool(lua_State* L) {
 
 int setString(lua_State* L) {
     if (!lua_isstring(L, 2)) refuseArgument(L, 2, "value", "a text");
-    return set(L, lua_tostring(L, 2));
+    size_t length = 0;
+    const char* bytes = lua_tolstring(L, 2, &length);
+    return set(L, std::string(bytes, length));
 }
 
 /// Digits are exact; what goes on with a fraction or an exponent, or begins with 0x, is read as a number.
@@ -129,12 +152,13 @@ int hasKey(lua_State* L) {
 
 int clearKey(lua_State* L) {
     const std::string key = textAt(L, 1, "key");
-    std::erase_if(keysOf(L), [&](const auto& row) { return row.first == key || row.first.starts_with(key + "."); });
+    std::erase_if(keysOf(L),
+                  [&](const auto& row) { return key.empty() || row.first == key || row.first.starts_with(key + "."); });
     return 0;
 }
 
 int listKeys(lua_State* L) {
-    const std::string parent = textAt(L, 1, "parent") + ".";
+    const std::string key = textAt(L, 1, "parent"), parent = key.empty() ? "" : key + ".";
     lua_newtable(L);
     std::string last;
     lua_Integer count = 0;
@@ -159,8 +183,9 @@ constexpr ScriptFunction kFunctions[] = {
     {"SetString(key, value)", "Writes a text.", setString},
     {"GetString(key) -> text", "A key as a text; \"\" if it is not there.", getKey<pushString>},
     {"HasKey(key) -> boolean", "Whether a key is there, or keys under it.", hasKey},
-    {"ClearKey(key)", "Removes a key and all under it.", clearKey},
-    {"ListKeys(parent) -> list", "The names of the keys right under a key, sorted.", listKeys},
+    {"ClearKey(key)", "Removes a key and all under it; \"\": all keys.", clearKey},
+    {"ListKeys(parent) -> list", "The names of the keys right under a key, sorted; \"\": the first names of all.",
+     listKeys},
     {"GetIntParam(name, default) -> number", "A parameter of the script.", getParam<pushInt>},
     {"GetFloatParam(name, default) -> number", "A parameter of the script.", getParam<pushFloat>},
     {"GetBoolParam(name, default) -> boolean", "A parameter of the script.", getParam<pushBool>},

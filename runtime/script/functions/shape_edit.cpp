@@ -43,6 +43,11 @@ GridCopy* gridOf(lua_State* L, rubble_shape shape) {
     return &(grids[shape] = std::move(grid));
 }
 
+/// What an edit of so many cells costs the step: see chargeStep().
+int64_t stepWorkOf(int64_t cells) {
+    return 30 + cells / 20;
+}
+
 /// Writes one cell in the next step.
 void writeCell(lua_State* L, rubble_shape shape, const Cell& cell, uint8_t voxel) {
     auto box = sized<rubble_voxel_box>();
@@ -68,6 +73,7 @@ void editBox(lua_State* L, rubble_shape shape, const Cell& low, const Cell& high
         cells *= size_t(box.size[i]);
     }
     Sandbox::of(L).charge(L, int64_t(cells / 8));
+    chargeStep(L, stepWorkOf(int64_t(cells)));
     std::vector<uint8_t> voxels, mask;
     voxels.reserve(cells), mask.reserve(cells);
     for (int32_t z = box.low[2]; z < box.low[2] + box.size[2]; ++z)
@@ -135,6 +141,7 @@ bool resizeShape(lua_State* L, rubble_shape shape, const Cell& low, const Cell& 
     const std::optional<Cell> kept = cellWithin(*grid, low, size);
     if (!kept && isEmptyIn(*grid, {0, 0, 0}, grid->size))
         luaL_error(L, "%s: expected a box that meets the grid of an empty shape", runningFunction(L).name().c_str());
+    chargeStep(L, stepWorkOf(cells));
     const bool isEmpty = kept && isEmptyIn(*grid, low, size);
     if (isEmpty) writeCell(L, shape, *kept, 1);
     if (grid->placeholder && (!isEmpty || *grid->placeholder != *kept)) writeCell(L, shape, *grid->placeholder, 0);
@@ -148,7 +155,7 @@ bool resizeShape(lua_State* L, rubble_shape shape, const Cell& low, const Cell& 
 int create(lua_State* L) {
     auto settings = sized<rubble_shape_settings>();
     settings.body = handleAt(L, 1, "body");
-    const Placement placement = placementAt(L, 2, "transform");
+    const Placement placement = poseAt(L, 2, "transform");
     copy(settings.position, placement.position);
     copy(settings.rotation, placement.rotation);
     settings.source = RUBBLE_SHAPE_EMPTY;
@@ -224,6 +231,7 @@ int copyContent(lua_State* L) {
     if (!source || !target) return 0;
     const GridCopy content = *source;
     Sandbox::of(L).require(L, int64_t(content.voxels.size()) / 4 + 1000);  // no stop between the two edits
+    requireStep(L, 2 * stepWorkOf(int64_t(content.voxels.size())));
     if (!resizeShape(L, to, {0, 0, 0}, content.size)) return 0;
     editBox(L, to, {0, 0, 0}, content.size, [&](const Cell& cell, uint8_t& voxel) {
         voxel = content.voxels[content.at(cell[0], cell[1], cell[2])];
@@ -323,16 +331,16 @@ constexpr ScriptFunction kFunctions[] = {
     {"CreateShape(body, transform, refShape) -> shape",
      "A shape of 8 x 8 x 8 empty cells on a body, with the palette of another one. It must get voxels before the step: "
      "DrawShapeBox() on it.",
-     create},
+     create, 200},
     {"ClearShape(shape)", "Removes all its voxels.", clear},
     {"ResizeShape(shape, xmin, ymin, zmin, xmax, ymax, zmax)", "Gives its grid other corners, in present cells.",
      resize},
-    {"TrimShape(shape)", "Shrinks its grid to its voxels.", trim},
+    {"TrimShape(shape)", "Shrinks its grid to its voxels.", trim, 5000},
     {"SplitShape(shape, removeResidual) -> list",
-     "Makes shapes of its parts that do not touch. Waits for the step that does it.", split},
-    {"MergeShape(shape, into)", "Adds it to a shape of the same body that it touches.", merge},
+     "Makes shapes of its parts that do not touch. Waits for the step that does it.", split, 5000},
+    {"MergeShape(shape, into)", "Adds it to a shape of the same body that it touches.", merge, 5000},
     {"CopyShapeContent(src, dst)", "Gives a shape the size and the voxels of another.", copyContent},
-    {"CopyShapePalette(src, dst)", "Gives a shape the palette of another.", copyPalette},
+    {"CopyShapePalette(src, dst)", "Gives a shape the palette of another.", copyPalette, 3000},
     {"SetBrush(type, size, entry)",
      "\"sphere\", \"cube\" or \"noise\", its size in cells, and the entry of the palette that it draws; 0 removes.",
      setBrush},

@@ -54,7 +54,7 @@ void add(lua_State* L, UiItem item) {
 }
 
 double sizeAt(lua_State* L, int index, const char* name) {
-    return std::clamp(numberAt(L, index, name), 0.0, kUiReach);
+    return std::clamp(finiteAt(L, index, name), 0.0, kUiReach);
 }
 
 UiItem boxOf(lua_State* L, double width, double height, double radius, double stroke) {
@@ -93,9 +93,9 @@ int circleOutline(lua_State* L) {
 
 int line(lua_State* L) {
     UiItem item = itemOf(L, RUBBLE_OVERLAY_LINE);
-    item.row.size[0] = std::clamp(numberAt(L, 1, "x"), -kUiReach, kUiReach);
-    item.row.size[1] = std::clamp(numberAt(L, 2, "y"), -kUiReach, kUiReach);
-    item.row.stroke = std::clamp(numberOr(L, 3, "width", 1.0), 0.0, kUiReach);
+    item.row.size[0] = std::clamp(finiteAt(L, 1, "x"), -kUiReach, kUiReach);
+    item.row.size[1] = std::clamp(finiteAt(L, 2, "y"), -kUiReach, kUiReach);
+    item.row.stroke = std::clamp(finiteOr(L, 3, "width", 1.0), 0.0, kUiReach);
     add(L, std::move(item));
     return 0;
 }
@@ -118,7 +118,9 @@ UiItem textOf(lua_State* L, double (&size)[2]) {
     row.shadow_offset[0] = row.shadow_offset[1] = ui.shadowDistance;
     row.text = item.text.c_str(), row.font = item.font.empty() ? nullptr : item.font.c_str();
     Sandbox::of(L).charge(L, 50 + 4 * int64_t(item.text.size()));
-    isDone(L, apiOf(L).measure_text(&row, size));
+    rubble_overlay_item measured = row;  // its size is the same wherever it is
+    copy(measured.transform, UiState().transform);
+    isDone(L, apiOf(L).measure_text(&measured, size));
     row.text = row.font = nullptr;  // the item's texts move with it
     return item;
 }
@@ -169,10 +171,10 @@ int image(lua_State* L) {
     std::string name;
     const UiImage& read = imageAt(L, name);
     const double width = read.width, height = read.height;
-    const double x0 = std::clamp(numberOr(L, 2, "x0", 0.0), 0.0, width),
-                 y0 = std::clamp(numberOr(L, 3, "y0", 0.0), 0.0, height);
-    const double x1 = std::clamp(numberOr(L, 4, "x1", width), x0, width),
-                 y1 = std::clamp(numberOr(L, 5, "y1", height), y0, height);
+    const double x0 = std::clamp(finiteOr(L, 2, "x0", 0.0), 0.0, width),
+                 y0 = std::clamp(finiteOr(L, 3, "y0", 0.0), 0.0, height);
+    const double x1 = std::clamp(finiteOr(L, 4, "x1", width), x0, width),
+                 y1 = std::clamp(finiteOr(L, 5, "y1", height), y0, height);
     UiItem item = itemOf(L, RUBBLE_OVERLAY_IMAGE);
     item.text = name;
     item.row.size[0] = x1 - x0, item.row.size[1] = y1 - y0;
@@ -192,7 +194,7 @@ int imageBox(lua_State* L) {
     std::string name;
     const UiImage& read = imageAt(L, name);
     const double size[2] = {sizeAt(L, 2, "width"), sizeAt(L, 3, "height")};
-    const double border[2] = {numberOr(L, 4, "borderWidth", 0.0), numberOr(L, 5, "borderHeight", 0.0)};
+    const double border[2] = {finiteOr(L, 4, "borderWidth", 0.0), finiteOr(L, 5, "borderHeight", 0.0)};
     const double pixels[2] = {double(read.width), double(read.height)};
     double to[2][4], from[2][4];
     for (int axis = 0; axis < 2; ++axis) {

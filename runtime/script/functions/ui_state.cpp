@@ -21,7 +21,7 @@ namespace {
 constexpr size_t kMaxDepth = 200;
 
 double lengthAt(lua_State* L, int index, const char* name) {
-    return std::clamp(numberAt(L, index, name), -kUiReach, kUiReach);
+    return std::clamp(finiteAt(L, index, name), -kUiReach, kUiReach);
 }
 
 std::array<double, 4> colorAt(lua_State* L, int first) {
@@ -29,11 +29,19 @@ std::array<double, 4> colorAt(lua_State* L, int first) {
     std::array<double, 4> color{};
     for (int i = 0; i < 4; ++i)
         color[size_t(i)] =
-            std::clamp(i < 3 ? numberAt(L, first + i, names[i]) : numberOr(L, first + i, names[i], 1.0), 0.0, 1.0);
+            std::clamp(i < 3 ? finiteAt(L, first + i, names[i]) : finiteOr(L, first + i, names[i], 1.0), 0.0, 1.0);
     return color;
 }
 
+/// Outside of draw(dt) there is nothing to keep: false, and the log says so.
+bool isDrawing(lua_State* L) {
+    const bool isOpen = ScriptContext::of(L).shared.ui.isOpen;
+    if (!isOpen) warnOnce(L, "expected a call in draw(dt), nothing is drawn by others");
+    return isOpen;
+}
+
 int push(lua_State* L) {
+    if (!isDrawing(L)) return 0;
     std::vector<UiState>& stack = ScriptContext::of(L).ui;
     if (stack.size() >= kMaxDepth) return luaL_error(L, "UiPush: expected at most %d at once", int(kMaxDepth));
     stack.push_back(UiState(uiOf(L)));
@@ -41,6 +49,7 @@ int push(lua_State* L) {
 }
 
 int pop(lua_State* L) {
+    if (!isDrawing(L)) return 0;
     std::vector<UiState>& stack = ScriptContext::of(L).ui;
     if (stack.size() < 2) return luaL_error(L, "UiPop: expected an UiPush() before it, found none");
     stack.pop_back();
@@ -56,7 +65,7 @@ int translate(lua_State* L) {
 }
 
 int rotate(lua_State* L) {
-    const double angle = -numberAt(L, 1, "angle") * std::numbers::pi / 180.0;  // y is down
+    const double angle = -finiteAt(L, 1, "angle") * std::numbers::pi / 180.0;  // y is down
     const double c = std::cos(angle), s = std::sin(angle);
     auto& t = uiOf(L).transform;
     t = {t[0] * c + t[2] * s, t[1] * c + t[3] * s, t[2] * c - t[0] * s, t[3] * c - t[1] * s, t[4], t[5]};
@@ -65,7 +74,7 @@ int rotate(lua_State* L) {
 
 int scale(lua_State* L) {
     auto& t = uiOf(L).transform;
-    const double x = numberAt(L, 1, "x"), y = numberOr(L, 2, "y", x);
+    const double x = finiteAt(L, 1, "x"), y = finiteOr(L, 2, "y", x);
     for (const size_t i : {0, 1}) t[i] = std::clamp(t[i] * x, -1e4, 1e4);
     for (const size_t i : {2, 3}) t[i] = std::clamp(t[i] * y, -1e4, 1e4);
     return 0;
@@ -92,11 +101,12 @@ std::array<double, 4> clipOf(const UiState& ui) {
 
 int window(lua_State* L) {
     UiState& ui = uiOf(L);
-    const double width = std::clamp(numberAt(L, 1, "width"), 0.0, kUiReach);
-    const double height = std::clamp(numberAt(L, 2, "height"), 0.0, kUiReach);
+    const double width = std::clamp(finiteAt(L, 1, "width"), 0.0, kUiReach);
+    const double height = std::clamp(finiteAt(L, 2, "height"), 0.0, kUiReach);
     auto& t = ui.transform;
-    t[4] -= t[0] * width * ui.align[0] + t[2] * height * ui.align[1];
-    t[5] -= t[1] * width * ui.align[0] + t[3] * height * ui.align[1];
+    const double x = width * ui.align[0], y = height * ui.align[1];
+    t[4] = std::clamp(t[4] - t[0] * x - t[2] * y, -kUiReach, kUiReach);
+    t[5] = std::clamp(t[5] - t[1] * x - t[3] * y, -kUiReach, kUiReach);
     ui.width = width, ui.height = height;
     ui.align = {0.0, 0.0}, ui.isOnBaseline = true;
     if (boolOr(L, 3, false)) ui.clip = clipOf(ui);
@@ -144,7 +154,7 @@ int colorFilter(lua_State* L) {
 
 int font(lua_State* L) {
     const std::string name = textAt(L, 1, "font");
-    const double size = std::clamp(numberAt(L, 2, "size"), 1.0, 5000.0);
+    const double size = std::clamp(finiteAt(L, 2, "size"), 1.0, 5000.0);
     const size_t start = name.rfind('/') == name.npos ? 0 : name.rfind('/') + 1;
     const std::string stem = name.substr(start, name.rfind('.') == name.npos ? name.npos : name.rfind('.') - start);
     const bool isSans = stem == "regular" || stem == "sans", isOwn = isSans || stem == "bold" || stem == "mono";
@@ -169,20 +179,20 @@ int fontHeight(lua_State* L) {
 
 int outline(lua_State* L) {
     uiOf(L).outlineColor = colorAt(L, 1);
-    uiOf(L).outline = 20.0 * std::clamp(numberOr(L, 5, "thickness", 0.1), 0.0, 1.0);
+    uiOf(L).outline = 20.0 * std::clamp(finiteOr(L, 5, "thickness", 0.1), 0.0, 1.0);
     return 0;
 }
 
 int shadow(lua_State* L) {
     UiState& ui = uiOf(L);
     ui.shadowColor = colorAt(L, 1);
-    ui.shadowDistance = std::clamp(numberOr(L, 5, "distance", 1.0), 0.0, 1e3);
-    ui.shadowBlur = 20.0 * std::clamp(numberOr(L, 6, "blur", 0.5), 0.0, 1.0);
+    ui.shadowDistance = std::clamp(finiteOr(L, 5, "distance", 1.0), 0.0, 1e3);
+    ui.shadowBlur = 20.0 * std::clamp(finiteOr(L, 6, "blur", 0.5), 0.0, 1.0);
     return 0;
 }
 
 int wordWrap(lua_State* L) {
-    uiOf(L).wrap = std::clamp(numberAt(L, 1, "width"), 0.0, kUiReach);
+    uiOf(L).wrap = std::clamp(finiteAt(L, 1, "width"), 0.0, kUiReach);
     return 0;
 }
 
@@ -198,11 +208,11 @@ int getHalf(lua_State* L) {
 }
 
 int world(lua_State* L) {
-    const Placement place = placementAt(L, 1, "transform");
+    const Placement place = poseAt(L, 1, "transform");
     UiState& ui = uiOf(L);
     ui.isInWorld = true;
     ui.position = place.position, ui.rotation = place.rotation;
-    ui.scale = std::clamp(numberOr(L, 2, "scale", 0.01), 1e-6, 1e3);
+    ui.scale = std::clamp(finiteOr(L, 2, "scale", 0.01), 1e-6, 1e3);
     ui.isOccluded = boolOr(L, 3, true);
     ui.transform = {1, 0, 0, 1, 0, 0};
     ui.clip = {};

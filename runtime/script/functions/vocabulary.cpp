@@ -34,6 +34,7 @@ int callFunction(lua_State* L) {
     box.charge(L, kCallWork);
     const lua_Integer index = lua_tointeger(L, lua_upvalueindex(2));
     const ScriptFunction& function = runningFunction(L);
+    if (function.stepWork) chargeStep(L, function.stepWork);
     if (index < 0) return function.function(L);
     ScriptContext& context = *static_cast<ScriptContext*>(box.owner());
     ++context.calls[size_t(index)];

@@ -10,6 +10,7 @@ namespace {
 constexpr size_t kMaxLines = 10'000, kMaxKnown = 1000;
 /// Of Spawn(): for a file that the script has not placed before, for another one, and for each object.
 constexpr int64_t kReadWork = 100'000, kSpawnWork = 5'000, kObjectWork = 500;
+constexpr int64_t kSpawnStepWork = 500, kObjectStepWork = 2000;  ///< the same of the step, where they come into being
 
 int setTimeScale(lua_State* L) {
     ScriptContext::of(L).shared.timeScale = limitedAt(L, 1, "scale", 0.0, 10.0);
@@ -37,7 +38,7 @@ int getTimeStep(lua_State* L) {
 
 int spawn(lua_State* L) {
     const std::string path = fileAt(L, 1, "file");
-    const Placement placement = lua_isnoneornil(L, 2) ? Placement{} : placementAt(L, 2, "transform");
+    const Placement placement = lua_isnoneornil(L, 2) ? Placement{} : poseAt(L, 2, "transform");
     auto prefab = sized<rubble_prefab>();
     prefab.path = path.c_str();
     copy(prefab.position, placement.position);
@@ -48,6 +49,7 @@ int spawn(lua_State* L) {
     isDone(L, apiOf(L).create_prefab(worldOf(L), &prefab, nullptr, 0, &count));
     if (known.size() < kMaxKnown) known.insert(path);  // the library reads it once
     Sandbox::of(L).charge(L, kObjectWork * count);
+    chargeStep(L, kSpawnStepWork + kObjectStepWork * count);
     std::vector<rubble_prefab_row> rows(count);
     isDone(L, apiOf(L).create_prefab(worldOf(L), &prefab, rows.data(), count, &count));
     std::vector<uint64_t> handles;
@@ -138,7 +140,7 @@ int start(lua_State* L) {
 
 constexpr ScriptFunction kFunctions[] = {
     {"SetTimeScale(scale)", "How fast the world's time goes: 1 as usual, 0 stands still.", setTimeScale},
-    {"SetGravity(gravity)", "The acceleration of all that falls, in m/s2.", setGravity},
+    {"SetGravity(gravity)", "The acceleration of all that falls, in m/s2.", setGravity, 30},
     {"GetTime() -> seconds", "The seconds of all steps since the scripts began.", getTime},
     {"GetTimeStep() -> seconds", "What tick() or update() was given.", getTimeStep},
     {"Spawn(file, transform) -> list",

@@ -75,7 +75,8 @@ int64_t compileCost(std::string_view text) {
     int64_t labels = 0, jumps = 0;
     for (size_t at = text.find("::"); at != text.npos; at = text.find("::", at + 2)) ++labels;
     for (size_t at = text.find("goto"); at != text.npos; at = text.find("goto", at + 4)) ++jumps;
-    return int64_t(text.size()) * 4 + labels * (labels + jumps) / 8;  // each label is compared with all others
+    return int64_t(text.size()) * kCompileWork +
+           labels * (labels + jumps) / 8;  // each label is compared with all others
 }
 
 void openMath(lua_State* L) {

@@ -38,6 +38,8 @@ void wrapField(lua_State* L, const char* name, lua_CFunction function);
 /// Orders the blocks of a state by when they were made.
 uint64_t creationOf(const void* block);
 
+/// Units of work to compile a byte.
+inline constexpr int64_t kCompileWork = 4;
 /// What it costs to compile a text, in units of work.
 int64_t compileCost(std::string_view text);
 

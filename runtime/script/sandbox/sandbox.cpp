@@ -77,8 +77,8 @@ std::string placeOf(lua_State* L) {
     return "";
 }
 
-Sandbox::Sandbox(const SandboxLimits& limits, void* owner)
-    : m_limits(limits), m_owner(owner), m_callWork(limits.work), m_workLeft(limits.work) {
+Sandbox::Sandbox(const SandboxLimits& limits, void* owner, SharedMemory* shared)
+    : m_limits(limits), m_owner(owner), m_shared(shared), m_callWork(limits.work), m_workLeft(limits.work) {
     beginFrame();
     m_state = lua_newstate(allocate, this);
     if (!m_state) throw std::bad_alloc();
@@ -100,6 +100,7 @@ void* Sandbox::allocate(void* sandbox, void* block, size_t oldSize, size_t size)
     if (size == 0) {
         std::free(header);
         box.m_memory -= held;
+        if (box.m_shared) box.m_shared->used -= held;
         return nullptr;
     }
     if (size > held) {
@@ -112,6 +113,7 @@ void* Sandbox::allocate(void* sandbox, void* block, size_t oldSize, size_t size)
     if (!moved) return nullptr;
     if (!header) moved->number = box.m_allocations;
     box.m_memory += size - held;
+    if (box.m_shared) box.m_shared->used += size - held;
     box.m_peak = std::max(box.m_peak, box.m_memory);
     return moved + 1;
 }
@@ -127,6 +129,8 @@ bool Sandbox::mayGrow(size_t kind, size_t size, size_t growth) {
         m_refusal = timeLimit();
     else if (m_memory + growth > m_limits.memory + m_reserve)
         m_refusal = "more than its " + bytes(m_limits.memory) + " of memory";
+    else if (m_state && m_shared && m_shared->used + growth > SharedMemory::kScripts * m_limits.memory + m_reserve)
+        m_refusal = "more than the " + bytes(SharedMemory::kScripts * m_limits.memory) + " of memory of all scripts";
     else
         return true;
     m_refusal = "the script wanted " + m_refusal;

@@ -19,6 +19,13 @@ struct SandboxLimits {
     uint64_t seed = 0x9e3779b97f4a7c15u;  ///< of math.random
 };
 
+/// What several sandboxes hold together.
+struct SharedMemory {
+    static constexpr size_t kScripts = 16;  ///< they may hold as much as so many of them may
+
+    size_t used = 0;  ///< bytes
+};
+
 /// What a call into a script came to.
 struct RunResult {
     enum State { Done, Waits, Failed } state = Done;
@@ -43,7 +50,8 @@ public:
     static constexpr int64_t kErrorWork = 2000;  ///< of an error that is caught
 
     /// Makes a state with the safe libraries. `owner` is what owner() gives to functions of C.
-    explicit Sandbox(const SandboxLimits& limits, void* owner = nullptr);
+    /// shared: what it holds counts there too, and is bounded there; it outlives the sandbox.
+    explicit Sandbox(const SandboxLimits& limits, void* owner = nullptr, SharedMemory* shared = nullptr);
     ~Sandbox();
     Sandbox(const Sandbox&) = delete;
     Sandbox& operator=(const Sandbox&) = delete;
@@ -136,6 +144,7 @@ private:
 
     SandboxLimits m_limits;
     void* m_owner;
+    SharedMemory* m_shared;
     int64_t m_callWork, m_workLeft;  ///< of the present call: all, and what is left
     int64_t m_frameWork;             ///< what is left of it for calls to come
     double m_frameSeconds = 0.0;     ///< processor time of slow calls of the frame

@@ -56,6 +56,32 @@ TEST(ScriptDrawing, EachFrameBeginsAnew) {
     EXPECT_EQ(yard.logged(RUBBLE_LOG_WARNING), "");
 }
 
+TEST(ScriptDrawing, CallsOutsideOfDrawDoNothing) {
+    Yard yard;
+    Script& script = yard.host().add("hud.lua",
+                                     "function tick() UiPush() UiPop() UiPop() UiText('outside') UiRect(1, 1) end\n"
+                                     "function draw() UiScale(1e9) UiTranslate(1e5, 0) UiWindow(1e5, 1e5) end");
+    for (int i = 0; i < 3; ++i) {
+        yard.host().tick(0.01);
+        EXPECT_EQ(yard.host().draw(0, viewOf(960, 540), 0.01), RUBBLE_OK);
+        EXPECT_EQ(script.error(), "");
+        EXPECT_TRUE(yard.host().shared().ui.items.empty());
+    }
+    EXPECT_NE(yard.logged(RUBBLE_LOG_WARNING).find("expected a call in draw(dt)"), std::string::npos);
+}
+
+TEST(ScriptDrawing, NumbersAreFinite) {
+    Yard yard;
+    for (const std::string call : {"UiTranslate(%, 0)", "UiTranslate(0, %)", "UiRotate(%)", "UiScale(%)",
+                                   "UiScale(1, %)", "UiWindow(%, 1)", "UiRect(1, %)", "UiColor(1, %, 1)"})
+        for (const std::string number : {"0/0", "1/0", "-1/0"}) {
+            const size_t at = call.find('%');
+            const std::string text = call.substr(0, at) + number + call.substr(at + 1), error = yard.draw(text);
+            EXPECT_NE(error.find(call.substr(0, call.find('(')) + ": "), std::string::npos) << text << ": " << error;
+            EXPECT_NE(error.find("expected a finite number"), std::string::npos) << text << ": " << error;
+        }
+}
+
 TEST(ScriptDrawing, MistakesAreErrors) {
     Yard yard;
     EXPECT_EQ(yard.draw("UiPop()"), "test:2: UiPop: expected an UiPush() before it, found none");

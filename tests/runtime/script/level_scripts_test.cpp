@@ -76,5 +76,36 @@ TEST_F(LevelScripts, ThatCannotBeReadAreToldOnce) {
     EXPECT_EQ(told.find("none.lua"), told.rfind("none.lua"));
 }
 
+TEST_F(LevelScripts, AreLimitedInNumberAndToldOnce) {
+    std::ofstream(m_yard.folder() / "bomb.lua") << "x = 1";
+    m_yard.host().addLevelScripts();
+    name(std::vector<rubble_level_script>(1002, {"bomb.lua", nullptr}));
+    name(std::vector<rubble_level_script>(1003, {"bomb.lua", nullptr}));
+    EXPECT_EQ(m_yard.host().scripts().size(), 1000u);
+    EXPECT_EQ(news(),
+              "the level names the script \"bomb.lua\" and others: expected at most 1000 scripts, found more, "
+              "which do not run\n");
+    name({});
+    EXPECT_TRUE(m_yard.host().scripts().empty());
+}
+
+TEST_F(LevelScripts, HaveAMemoryTogether) {
+    SandboxLimits limits;
+    limits.memory = 1 << 20;
+    Yard yard(limits);
+    std::ofstream(yard.folder() / "large.lua") << "t = {} for i = 1, 20000 do t[i] = i end";
+    yard.host().addLevelScripts();
+    const std::vector<rubble_level_script> scripts(60, {"large.lua", nullptr});
+    ASSERT_EQ(yard.api().set_level_scripts(yard.world(), scripts.data(), 60), RUBBLE_OK);
+    ASSERT_EQ(yard.host().step(), RUBBLE_OK);
+    EXPECT_LE(yard.host().shared().memory.used, 16u << 20);
+    EXPECT_LT(yard.host().scripts().size(), 30u);
+    EXPECT_EQ(yard.logged(RUBBLE_LOG_ERROR),
+              "the level names the script \"large.lua\": expected scripts that hold at most 16777216 bytes together, "
+              "found more: it does not run\n");
+    yard.host().scripts().clear();
+    EXPECT_EQ(yard.host().shared().memory.used, 0u);
+}
+
 }  // namespace
 }  // namespace rubble::script

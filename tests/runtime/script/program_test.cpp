@@ -88,6 +88,17 @@ TEST(LuaProgram, RefusesValuesThatItCannotUse) {
     EXPECT_NE(output("", "--reference /dev/null/x").find("expected a folder that can be written"), std::string::npos);
 }
 
+TEST(LuaProgram, FailsWhereSomethingIsWrong) {
+    const TempFolder folder;
+    const std::string script = (folder.path() / "mod.lua").string(), status = " 2>&1; echo status $?";
+    std::ofstream(script) << "function destroy() error('boom') end";
+    const std::string ended = output("", script + " --steps 1" + status);
+    EXPECT_NE(ended.find("mod.lua:1: boom\n"), std::string::npos) << ended;
+    EXPECT_NE(ended.find("status 1"), std::string::npos) << ended;
+    EXPECT_NE(output("", "--eval 1 --param foo" + status).find("expected NAME=VALUE, found foo"), std::string::npos);
+    EXPECT_NE(output("", "--eval 1 --param =3").find("expected NAME=VALUE"), std::string::npos);
+}
+
 /// The program with a script that it watches, until it ends.
 class Watched {
 public:

@@ -209,6 +209,8 @@ TEST(ScriptSaves, AScriptThatIsNotThereIsLogged) {
         EXPECT_TRUE(host.scripts().empty());
         EXPECT_NE(yard.logged(RUBBLE_LOG_ERROR).find(std::string("the level names the script \"") + path),
                   std::string::npos);
+        const std::string play = RUBBLE_LUA_PROGRAM " --steps 5 --level " + level + " < /dev/null > /dev/null 2>&1";
+        EXPECT_NE(std::system(play.c_str()), 0) << "a level without its scripts is no reason to read lines";
     }
 }
 

@@ -258,6 +258,42 @@ TEST(Script, CallbacksMayDestroyWhatTheyAreToldOf) {
     for (const Script& script : yard.host().scripts()) EXPECT_GT(script.profile(Callback::Break).calls, 0u);
 }
 
+TEST(Script, EditsOfOneStepAreBounded) {
+    Yard yard;
+    const std::string text =
+        "function update()\nlocal n = 0\nlocal ok, why = pcall(function() for i = 1, 1e6 do\n"
+        "Explosion({0, 500, 0}, 4)\nn = n + 1 end end)\nprint(n, why)\nend";
+    for (const char* name : {"a.lua", "b.lua", "c.lua"}) yard.host().add(name, text);
+    const std::string own =
+        ".lua:4: Explosion: expected edits of at most 2000000 of a script for one step, found "
+        "more: wait(0) lets the step take place\n";
+    const std::string all =
+        "c.lua: 1\tc.lua:4: Explosion: expected edits of at most 4000000 of all scripts for one "
+        "step, found more: wait(0) lets the step take place\n";
+    const std::string step = "a.lua: 14\ta" + own + "b.lua: 14\tb" + own + all;
+    EXPECT_EQ(yard.host().step(), RUBBLE_OK);
+    EXPECT_EQ(yard.logged(0), step);
+    EXPECT_EQ(yard.host().step(), RUBBLE_OK);
+    EXPECT_EQ(yard.logged(0), step + step);
+}
+
+TEST(Script, EachEditCountsForTheStep) {
+    for (const char* call :
+         {"Shoot({-5, 1, -5}, {0, -1, 0.1}, 'rocket')", "MakeHole({0, 500, 0}, 50)", "Crack({0, 500, 0}, 50)",
+          "MakeHoleLine({0, 500, 0}, {900, 500, 0}, 1)", "Paint({0, 500, 0}, 10)", "CopyShapePalette(floor, wall)",
+          "TrimShape(floor)", "ConstrainPosition(crate, 0, {0, 1, 0}, {0, 2, 0})", "SpawnFire({0, 500, 0})",
+          "SetBodyDynamic(crate, true)"}) {
+        SandboxLimits limits;
+        limits.workPerFrame = limits.work = 10'000;
+        Yard yard(limits);
+        const std::string error = yard.run(
+            "local floor, wall, crate = FindShape('floor'), FindShape('wall'), "
+            "FindBody('crate') for i = 1, 300 do " +
+            std::string(call) + " end");
+        EXPECT_NE(error.find("expected edits of at most"), std::string::npos) << call << ": " << error;
+    }
+}
+
 TEST(Script, AttacksLeaveTheWorldAsItWas) {
     SandboxLimits limits;
     limits.memory = 4 << 20;

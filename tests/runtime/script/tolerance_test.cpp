@@ -55,6 +55,72 @@ TEST(ScriptText, MayBeOfLua51) {
     EXPECT_NE(yard.run("Spawn('MOD//etc/passwd', Transform())").find("expected a file inside"), std::string::npos);
 }
 
+TEST(ScriptText, ThatIsTooLongIsToldByItsSize) {
+    Yard yard;
+    const Script& script = yard.host().add("big.lua", std::string(3'000'000, ' '));
+    EXPECT_EQ(script.error(), "big.lua: expected a text of at most 500000 bytes, found one of 3000000");
+    EXPECT_FALSE(script.isStopped());
+    EXPECT_EQ(yard.host().add("fits.lua", std::string(300'000, ' ')).error(), "");
+}
+
+TEST(ScriptPoses, WhoseRotationIsNotQuiteOneLongAreNormalised) {
+    Yard yard;
+    EXPECT_EQ(yard.run("local b, q = FindBody('crate'), Quat(0, 0.7, 0, 0.7) "
+                       "SetBodyTransform(b, Transform(Vec(0, 5, 0), q)) Spawn('post.vox', Transform(Vec(0, 9, 0), q)) "
+                       "DrawShapeBox(CreateShape(b, Transform(Vec(1, 0, 0), q)), 0, 0, 0, 1, 1, 1) wait(0) "
+                       "local r = GetBodyTransform(b).rot local sum = 0 for i = 1, 4 do sum = sum + r[i] ^ 2 end "
+                       "assert(math.abs(sum - 1) < 1e-6, sum)"),
+              "");
+    for (const char* far : {"0, 0.6, 0, 0.6", "0, 0, 0, 1.2", "0/0, 0, 0, 1"})
+        EXPECT_NE(yard.run("SetBodyTransform(FindBody('crate'), Transform(Vec(), Quat(" + std::string(far) + ")))"), "")
+            << far;
+}
+
+TEST(ScriptRegistry, TextsAreUtf8WithoutZeroBytes) {
+    Yard yard;
+    for (const char* text : {"a\\0b", "\\xff", "\\xc3", "\\xed\\xa0\\x80", "\\xc0\\x80", "\\xf5\\x80\\x80\\x80"}) {
+        EXPECT_NE(yard.run("SetString('k', '" + std::string(text) + "')").find("SetString: value: expected UTF-8"),
+                  std::string::npos)
+            << text;
+        EXPECT_NE(yard.run("SetInt('k" + std::string(text) + "', 1)").find("SetInt: key: expected UTF-8"),
+                  std::string::npos)
+            << text;
+    }
+    EXPECT_EQ(
+        yard.run(
+            "SetString('k', 'h\\u{e9}\\u{20ac}\\u{1f600}') assert(GetString('k') == 'h\\u{e9}\\u{20ac}\\u{1f600}')"),
+        "");
+}
+
+TEST(ScriptRegistry, TheEmptyKeyIsAboveAll) {
+    Yard yard;
+    EXPECT_EQ(yard.run("SetInt('b.c', 1) SetInt('a', 1) SetInt('b.d', 1) "
+                       "assert(table.concat(ListKeys(''), ' ') == 'a b') ClearKey('') assert(#ListKeys('') == 0)"),
+              "");
+}
+
+TEST(ScriptTags, OfAnObjectAreBounded) {
+    Yard yard;
+    const std::string error = yard.run(
+        "local w = FindShape('wall') local n = 0 while n < 1e5 do for i = 1, 1000 do n = n + 1 SetTag(w, 't' .. n, "
+        "'x') "
+        "end wait(0) end");
+    EXPECT_NE(error.find("SetTag: expected an object whose tags have at most 16384 bytes"), std::string::npos) << error;
+    EXPECT_EQ(yard.run("SetTag(FindShape('floor'), 'a', 'b')"), "");
+}
+
+TEST(ScriptRandom, IsAnotherOneInEachScript) {
+    Yard yard;
+    for (int i = 0; i < 3; ++i) yard.host().add("torch.lua", "print(math.random(1, 1000000))");
+    const std::string first = yard.logged(0);
+    EXPECT_NE(first.substr(0, first.find('\n')), first.substr(first.find('\n') + 1, first.find('\n')));
+    Yard other;
+    for (int i = 0; i < 3; ++i) other.host().add("torch.lua", "print(math.random(1, 1000000))");
+    EXPECT_EQ(other.logged(0), first);
+    other.host().load();  // all begin again, and draw the same
+    EXPECT_EQ(other.logged(0), first + first);
+}
+
 TEST(ScriptText, ReadsWholeNumbersOfAnyForm) {
     Yard yard;
     EXPECT_EQ(yard.run("local function whole(set, value) set('n', value) return GetInt('n') end "
