@@ -31,7 +31,7 @@ const std::vector<Library>& libraries() {
         {"OpenGL", {"GL/", "GLES", "glad/", "KHR/"}, {"render/", "samples/support/", "samples/hosts/", "tests/"}},
         {"a window or a GL context",
          {"GLFW/", "EGL/", "GL/osmesa", "X11/"},
-         {"samples/support/", "samples/sandbox/window.cpp", "samples/sandbox/shell/display.cpp", "editor/"}},
+         {"samples/support/", "samples/sandbox/window.cpp", "samples/sandbox/shell/player_devices.cpp", "editor/"}},
         {"OpenAL", {"AL/"}, {"samples/sandbox/sound/output.cpp"}},
         {"libsndfile", {"sndfile.h"}, {"samples/sandbox/sound/wav_file.cpp"}},
         {"SDL", {"SDL"}, {"samples/hosts/sdl/", "samples/hosts/ogre/main.cpp"}},
