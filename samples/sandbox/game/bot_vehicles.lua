@@ -17,8 +17,8 @@ local function image(name, from, to)
 end
 
 local function block(size, material, color, place, isDynamic, boxes)
-    return CreateModel({size = size, origin = {size[1] / 2, 0, size[3] / 2}, voxel = size.voxel or 0.1,
-        palette = {{color[1], color[2], color[3], material = material, roughness = 0.9}},
+    return CreateModel({size = {size[1], size[2], size[3]}, origin = {size[1] / 2, 0, size[3] / 2},
+        voxel = size.voxel or 0.1, palette = {{color[1], color[2], color[3], material = material, roughness = 0.9}},
         boxes = boxes or {{0, 0, 0, size[1] - 1, size[2] - 1, size[3] - 1, 1}}}, Transform(place), isDynamic)
 end
 

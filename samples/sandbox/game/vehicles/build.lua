@@ -125,7 +125,8 @@ end
 
 -- A body of a model at a transform. `density`: what its materials weigh, times this.
 function build.body(model, transform, density)
-    local body, shape = CreateModel(model, transform, true)
+    local body, shape = CreateModel({size = model.size, origin = model.origin, voxel = model.voxel, boxes = model.boxes,
+        palette = model.palette}, transform, true)
     if density then SetShapeDensity(shape, density) end
     return body, shape
 end

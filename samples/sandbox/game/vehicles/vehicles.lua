@@ -25,7 +25,7 @@ function vehicles.spawn(name, frame)
     local kind = vehicles.kinds[name] or error("no vehicle " .. tostring(name), 2)
     local v = {kind = name, bodies = {}, wheels = {}, lamps = {}, frame = frame}
     kind.build(v, frame)
-    v.isNew = true
+    v.since = GetTime()
     fleet.all[#fleet.all + 1] = v
     return v
 end
@@ -103,8 +103,8 @@ end
 -- Each frame: what other scripts ask for, and what they may know.
 function vehicles.publish()
     for _, v in ipairs(fleet.all) do
-        if v.isNew and IsHandleValid(v.chassis.body) then
-            v.isNew = nil
+        if v.since and GetTime() > v.since then  -- its bodies are there
+            v.since = nil
             drive.park(v, vehicles.kinds[v.kind])
         end
     end
