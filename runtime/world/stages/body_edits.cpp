@@ -46,7 +46,6 @@ void setKind(EditContext& context, BodyHandle handle, bool isStatic) {
     for (const ShapeHandle each : body.shapes) {
         Shape& shape = context.world.shapes.at(each);
         if (isStatic && shape.anchors.empty()) shape.anchors = {bottomLayer(shape.grid)};
-        if (isStatic) includeStatic(context.world, each);
     }
     context.changes.bodiesDestroyed.push_back(handle);
     context.changes.bodiesCreated.push_back(handle);
@@ -77,6 +76,8 @@ void apply(EditContext& context, const SetBodyEdit& edit) {
         moveShapes(context, body);
     }
     if (body.isStatic) {
+        if (edit.setsKind)
+            for (const ShapeHandle shape : body.shapes) includeStatic(context.world, shape);
         if (isMoved || edit.setsKind || edit.setsGravityScale || edit.setsDamping)
             context.changes.teleported.push_back(edit.body);
         return;
