@@ -154,7 +154,7 @@ local function result()
     bot.expect(GetString("game.menu") == "", "to look around")
 end
 
--- Where a contract ends meanwhile its screen takes the keys.
+-- Where a contract ends meanwhile its screen takes the keys; else a load begins the bot again.
 local function saveAndLoad()
     result()
     bot.press("f5")
@@ -163,7 +163,7 @@ local function saveAndLoad()
     remember()
     bot.press("f9")
     bot.frames(5)
-    bot.expect(GetString("game.contract") ~= "", "the saved game to be loaded")
+    bot.expect(GetString("game.menu") == "result", "the saved game to be loaded")
 end
 
 local function title()

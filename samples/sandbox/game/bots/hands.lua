@@ -8,7 +8,12 @@ function bot.frames(count)
     for _ = 1, count do coroutine.yield() end
 end
 
+-- A load ends what the bot does, and leaves the key down that asked for it.
 function bot.press(key)
+    if InputDown(key) then
+        SetInput(key, false)
+        bot.frames(1)
+    end
     SetInput(key, true)
     bot.frames(3)
     SetInput(key, false)
