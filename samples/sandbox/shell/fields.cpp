@@ -61,4 +61,12 @@ int wholeAt(lua_State* L, int index, const char* name, int low, int high) {
     refuseArgument(L, index, name, fmt::format("a whole number from {} to {}", low, high).c_str());
 }
 
+int pushJoint(lua_State* L, const rubble_joint_settings& settings) {
+    rubble_joint joint = 0;
+    isDone(L, apiOf(L).create_joint(worldOf(L), &settings, &joint));
+    if (joint) ScriptContext::of(L).shared.pending.created[joint] = RUBBLE_KIND_JOINT;
+    pushHandle(L, joint);
+    return 1;
+}
+
 }  // namespace sandbox

@@ -2,6 +2,7 @@
 #include <span>
 
 #include "runtime/script/binding/arguments.h"
+#include "runtime/script/binding/calls.h"
 
 namespace sandbox {
 
@@ -17,5 +18,7 @@ rubble::script::Vector finiteVectorAt(lua_State* L, int index, const char* name)
 rubble::script::Placement finitePlacementAt(lua_State* L, int index, const char* name);
 /// A whole number within a range; another one is refused.
 int wholeAt(lua_State* L, int index, const char* name, int low, int high);
+/// Makes a joint, and leaves its handle on the stack; 1.
+int pushJoint(lua_State* L, const rubble_joint_settings& settings);
 
 }  // namespace sandbox

@@ -178,14 +178,6 @@ int createModel(lua_State* L) {
     return 2;
 }
 
-int pushJoint(lua_State* L, const rubble_joint_settings& settings) {
-    rubble_joint joint = 0;
-    isDone(L, apiOf(L).create_joint(worldOf(L), &settings, &joint));
-    if (joint) ScriptContext::of(L).shared.pending.created[joint] = RUBBLE_KIND_JOINT;
-    pushHandle(L, joint);
-    return 1;
-}
-
 int createRope(lua_State* L) {
     auto rope = sized<rubble_joint_settings>();
     rope.kind = RUBBLE_JOINT_ROPE;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "runtime/script/binding/calls.h"
+#include "samples/sandbox/shell/fields.h"
 #include "samples/sandbox/shell/functions.h"
 
 namespace sandbox {
@@ -64,14 +65,13 @@ int createJoint(lua_State* L) {
     const Placement place = placementAt(L, 4, "transform");
     copy(joint.position, place.position);
     copy(joint.rotation, place.rotation);
+    std::vector<const char*> keys = {"collides"};
+    for (const JointField& field : kFields) keys.push_back(field.name);
+    if (!lua_isnoneornil(L, 5)) requireKeys(L, 5, "options", keys);
     for (const JointField& field : kFields) joint.*field.value = fieldOr(L, 5, field.name, 0.0);
     if (joint.lower_limit < joint.upper_limit) joint.flags |= RUBBLE_JOINT_LIMITED;
     if (isTrue(L, 5, "collides")) joint.flags |= RUBBLE_JOINT_COLLIDES;
-    rubble_joint made = 0;
-    isDone(L, apiOf(L).create_joint(worldOf(L), &joint, &made));
-    if (made) ScriptContext::of(L).shared.pending.created[made] = RUBBLE_KIND_JOINT;
-    pushHandle(L, made);
-    return 1;
+    return pushJoint(L, joint);
 }
 
 int driveWheels(lua_State* L) {
@@ -85,6 +85,8 @@ int driveWheels(lua_State* L) {
 }
 
 int createLight(lua_State* L) {
+    static constexpr const char* kKeys[] = {"angle", "reach", "radius", "off"};
+    if (!lua_isnoneornil(L, 4)) requireKeys(L, 4, "options", kKeys);
     auto light = sized<rubble_light_settings>();
     light.shape = handleAt(L, 1, "shape");
     const Placement place = placementAt(L, 2, "transform");
