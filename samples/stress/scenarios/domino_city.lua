@@ -1,7 +1,7 @@
 -- Rows of dominoes knock each other over; energy only falls.
 function row(z, count)
     for i = 0, count - 1 do
-        Box("domino", {-10 + 0.5 * i, 0, z}, {1, 10, 5}, 5, {dynamic = true})
+        Box("domino", {-10 + 0.5 * i, 0, z + 0.1 * math.random()}, {1, math.random(9, 12), 5}, 5, {dynamic = true})
     end
 end
 
@@ -13,7 +13,7 @@ function init()
         ClosedSystem(false)
         for _, body in ipairs(FindBodies("domino")) do
             local pos = GetBodyTransform(body).pos
-            if pos.x < -9.9 then ApplyBodyImpulse(body, pos + Vec(0, 0.9, 0.25), {0.8 * GetBodyMass(body), 0, 0}) end
+            if pos.x < -9.9 then ApplyBodyImpulse(body, pos + Vec(0, 0.9, 0.25), {(0.7 + 0.2 * math.random()) * GetBodyMass(body), 0, 0}) end
         end
         wait(0)
         wait(0)

@@ -6,10 +6,12 @@ function init()
     while true do
         local x = -40
         for _, voxel in ipairs(sizes) do
-            local foot = Box("tower", {x, 0, 0}, {8, 30, 8}, 7, {voxel = voxel})
-            Box("block", {x, 31 * voxel, 0}, {8, 6, 8}, 6, {voxel = voxel, dynamic = true})
+            local height = math.random(20, 30)
+            Box("tower", {x, 0, 0}, {8, height, 8}, 7, {voxel = voxel})
+            Box("block", {x, (height + 1) * voxel, 0}, {8, 6, 8}, 6, {voxel = voxel, dynamic = true})
             wait(0.1)
-            MakeHole(Vec(x + 4 * voxel, 3 * voxel, 4 * voxel), 6 * voxel, 6 * voxel, 6 * voxel)
+            local radius = (4 + 2 * math.random()) * voxel
+            MakeHole(Vec(x + 8 * voxel * math.random(), 3 * voxel, 4 * voxel), radius, radius, radius)
             x = x + 10 * voxel + 6
         end
         wait(3)
