@@ -140,10 +140,11 @@ void ContactSolver::substep(std::span<SolverBody> bodies, glm::dvec3 gravity, co
     pass.useBias = true, pass.addsTotals = !isFirst;
     iterate(bodies, settings, pass);
     move(bodies, h);
+    if (!m_joints.empty()) m_joints.followMove(bodies, m_set.states);
     m_restitution.solve(m_set, float(h), bodies, m_joints);
     pass.useBias = pass.addsTotals = false, pass.haveMoved = true;
     iterate(bodies, settings, pass);
-    if (!m_joints.empty()) m_joints.accumulateForces(settings.seconds);
+    if (!m_joints.empty()) m_joints.endSubstep(m_set.states, settings.seconds);
 }
 
 void ContactSolver::iterate(std::span<const SolverBody> bodies, const SolverSettings& settings, ContactPass pass) {

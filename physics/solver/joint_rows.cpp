@@ -195,15 +195,6 @@ void JointRow::apply(SolverState& A, SolverState& B, double impulse) const {
     B.w += B.inverseInertia * glm::vec3(angularB * impulse);
 }
 
-void applyCounted(const JointRow& row, SolverState& A, SolverState& B, double impulse, const glm::dvec3& early,
-                  double& work) {
-    const double before = row.velocity(A, B);
-    row.apply(A, B, impulse);
-    const double fallen =
-        glm::dot(row.linearB, early) * double(B.gravityScale) - glm::dot(row.linearA, early) * double(A.gravityScale);
-    work += impulse * (0.5 * (before + row.velocity(A, B)) - fallen);
-}
-
 double JointRow::effectiveMass(const SolverState& A, const SolverState& B) const {
     const double k = double(A.inverseMass) * glm::dot(linearA, linearA) +
                      double(B.inverseMass) * glm::dot(linearB, linearB) +

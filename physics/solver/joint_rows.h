@@ -50,12 +50,6 @@ struct JointRow {
     double effectiveMass(const SolverState& A, const SolverState& B) const;
 };
 
-/// As JointRow::apply(), and adds the energy that the impulse gives the bodies, joules: the impulse times the mean of
-/// the row's velocities before and after it. early: m/s of these velocities that gravity has given at this moment of
-/// the substep and had not given yet in its middle, where the energy of a swing is measured (energy_bound.cpp).
-void applyCounted(const JointRow& row, SolverState& A, SolverState& B, double impulse, const glm::dvec3& early,
-                  double& work);
-
 /// The axis along or about which a joint is free but for limits, spring, motor and friction.
 struct FreeAxis {
     JointRow row;

@@ -96,29 +96,12 @@ glm::dmat3 inverseOf(const glm::dmat3& k) {
     return glm::determinant(k) > 0.0 ? glm::inverse(k) : glm::dmat3(0.0);
 }
 
-/// A rope that stretches may add energy.
-double* workOfLimit(const JointRows& e) {
-    return e.isSoft ? &e.c->work : nullptr;
-}
-
 }  // namespace
 
-/// Applies an impulse along a free axis, with what keeps the locked rows still. Counts its work, if there is a sum.
-void JointSolver::applyAlong(JointRows& e, const FreeAxis& axis, SolverState& A, SolverState& B, double impulse,
-                             double* work) const {
-    if (work)
-        applyCounted(axis.push, A, B, impulse, m_early, *work);
-    else
-        axis.push.apply(A, B, impulse);
+/// Applies an impulse along a free axis, with what keeps the locked rows still.
+void JointSolver::applyAlong(JointRows& e, const FreeAxis& axis, SolverState& A, SolverState& B, double impulse) {
+    axis.push.apply(A, B, impulse);
     for (size_t r = 0; r < size_t(e.rows); ++r) e.c->lockedImpulse[r] -= axis.held[r] * impulse;
-}
-
-/// Applies an impulse along a locked row. Soft rows may add energy.
-void JointSolver::applyLocked(const JointRows& e, size_t row, SolverState& A, SolverState& B, double impulse) const {
-    if (e.isSoft)
-        applyCounted(e.row[row], A, B, impulse, m_early, e.c->work);
-    else
-        e.row[row].apply(A, B, impulse);
 }
 
 void JointSolver::begin(std::span<JointConstraint* const> joints, std::span<SolverState> states) {
@@ -139,7 +122,7 @@ void JointSolver::begin(std::span<JointConstraint* const> joints, std::span<Solv
 void JointSolver::prepare(std::span<const SolverBody> bodies, std::span<SolverState> states, const glm::dvec3& fall,
                           double seconds) {
     m_seconds = seconds;
-    m_early = m_halfFall = 0.5 * fall;
+    m_halfFall = 0.5 * fall;
     m_stiffness.apply(m_joints, bodies, states, seconds);
     for (JointRows& e : m_joints) {
         computeRows(e, bodies);
@@ -157,8 +140,21 @@ void JointSolver::prepare(std::span<const SolverBody> bodies, std::span<SolverSt
         projectFreeAxes(e, A, B);
         prepareJoint(e, A, B);
         if (e.hasServo) prepareServo(e, A, B);
-        warmStart(e, A, B);
     }
+    m_work.begin(m_joints, states, m_halfFall, true);
+    for (JointRows& e : m_joints) warmStart(e, e.stateA(states), e.stateB(states));
+}
+
+void JointSolver::followMove(std::span<const SolverBody> bodies, std::span<SolverState> states) {
+    m_work.end(m_joints, states);
+    for (JointRows& e : m_joints) {  // velocities must be right along the rows of now
+        const SolverState &A = e.stateA(states), &B = e.stateB(states);
+        computeRows(e, bodies);
+        projectFreeAxes(e, A, B);
+        if (isSolvedAlone(e)) factorize(e, A, B);
+    }
+    m_system.factorize(m_joints, states);
+    m_work.begin(m_joints, states, -m_halfFall, false);
 }
 
 /// Of joints of bodies, and of ropes, that turn by this, in radians a substep. Wheels are held in their middle. What
@@ -194,12 +190,16 @@ void JointSolver::prepareJoint(JointRows& e, SolverState& A, SolverState& B) con
     }
 }
 
-/// What has been switched off since the last step is not warm started.
+/// What has been switched off since the last step is not warm started. A motor of another mode goes on with its
+/// impulse, or what it pushes against would push alone.
 void JointSolver::dropImpulsesOfWhatIsOff(JointRows& e) {
     JointConstraint& c = *e.c;
     const Joint& joint = *c.joint;
-    if (!e.hasSpring && !e.hasServo) c.springImpulse = 0.0;
-    if (joint.motor.mode != MotorMode::Speed) c.motorImpulse = 0.0;
+    const bool isDriven = joint.motor.mode == MotorMode::Speed, isPulled = e.hasSpring || e.hasServo;
+    if (isDriven && !isPulled) c.motorImpulse += c.springImpulse;
+    if (!isDriven && e.hasServo) c.springImpulse += c.motorImpulse;
+    if (!isPulled) c.springImpulse = 0.0;
+    if (!isDriven) c.motorImpulse = 0.0;
     if (joint.friction <= 0.0 || e.hasBallFriction) c.frictionImpulse = 0.0;
     if (!e.hasBallFriction) c.ballFriction = glm::dvec3(0.0);
 }
@@ -231,33 +231,15 @@ void JointSolver::prepareServo(JointRows& e, const SolverState& A, const SolverS
             : e.freeAxis.mass * (kMaxServoAcceleration * m_seconds + turn * turn * std::abs(error) / m_seconds);
 }
 
-/// What acts along a free axis is taken out of the locked impulses, so that its work is counted by itself.
-void JointSolver::warmStart(const JointRows& e, SolverState& A, SolverState& B) const {
-    JointConstraint& c = *e.c;
-    const double limit = c.limitImpulse[0] - c.limitImpulse[1], along = limit + c.springImpulse,
-                 alongMotor = c.motorImpulse + c.frictionImpulse;
-    for (size_t i = 0; i < size_t(e.rows); ++i)
-        applyLocked(e, i, A, B, c.lockedImpulse[i] + e.freeAxis.held[i] * along + e.motorAxis.held[i] * alongMotor);
-    if (e.isSoft)
-        applyCounted(e.freeAxis.push, A, B, limit, m_early, c.work);
-    else
-        e.freeAxis.push.apply(A, B, limit);
-    if (c.springImpulse != 0.0) applyCounted(e.freeAxis.push, A, B, c.springImpulse, m_early, c.work);
-    if (c.motorImpulse != 0.0) applyCounted(e.motorAxis.push, A, B, c.motorImpulse, m_early, c.work);
-    e.motorAxis.push.apply(A, B, c.frictionImpulse);
+void JointSolver::warmStart(const JointRows& e, SolverState& A, SolverState& B) {
+    const JointConstraint& c = *e.c;
+    for (size_t i = 0; i < size_t(e.rows); ++i) e.row[i].apply(A, B, c.lockedImpulse[i]);
+    e.freeAxis.row.apply(A, B, c.limitImpulse[0] - c.limitImpulse[1] + c.springImpulse);
+    e.motorAxis.row.apply(A, B, c.motorImpulse + c.frictionImpulse);
     if (e.hasBallFriction) JointRow{{}, c.ballFriction, {}, c.ballFriction}.apply(A, B, 1.0);
 }
 
 void JointSolver::solve(std::span<const SolverBody> bodies, std::span<SolverState> states, bool useBias) {
-    m_early = useBias ? m_halfFall : -m_halfFall;
-    if (!useBias) {  // the bodies have moved: velocities must be right along the rows of now
-        for (JointRows& e : m_joints) {
-            computeRows(e, bodies);
-            projectFreeAxes(e, e.stateA(states), e.stateB(states));
-            if (isSolvedAlone(e)) factorize(e, e.stateA(states), e.stateB(states));
-        }
-        m_system.factorize(m_joints, states);
-    }
     const auto solveJoint = [&](JointRows& e) {
         SolverState &A = e.stateA(states), &B = e.stateB(states);
         solveFreeAxis(e, A, B, useBias);
@@ -282,7 +264,9 @@ void JointSolver::solveImpact(std::span<const SolverBody> bodies, std::span<Solv
         m_saved.push_back(
             {c.lockedImpulse, c.limitImpulse, c.springImpulse, c.motorImpulse, c.frictionImpulse, c.ballFriction});
     }
+    m_impactWork.begin(m_joints, states, m_work.early(), false);
     solve(bodies, states, false);
+    m_impactWork.end(m_joints, states);
     for (size_t i = 0; i < m_joints.size(); ++i) {
         JointConstraint& c = *m_joints[i].c;
         const Impulses& saved = m_saved[i];
@@ -300,7 +284,7 @@ void JointSolver::solveConstraint(JointRows& e, SolverState& A, SolverState& B) 
     const double low = isLimited ? held.minForce * m_seconds : -kNoLimit,
                  high = isLimited ? held.maxForce * m_seconds : kNoLimit;
     addClamped(c.motorImpulse, e.motorAxis.mass * (held.speed - e.motorAxis.row.velocity(A, B)), low, high,
-               [&](double impulse) { applyAlong(e, e.motorAxis, A, B, impulse, &c.work); });
+               [&](double impulse) { applyAlong(e, e.motorAxis, A, B, impulse); });
 }
 
 /// Spring, motor, friction and limits.
@@ -312,15 +296,15 @@ void JointSolver::solveFreeAxis(JointRows& e, SolverState& A, SolverState& B, bo
     if (e.hasSpring && useBias) solveSpring(e, A, B);
     if (e.hasServo)
         addClamped(c.springImpulse, e.freeAxis.mass * (e.servoSpeed - e.freeAxis.row.velocity(A, B)), e.servoLimit,
-                   [&](double impulse) { applyAlong(e, e.freeAxis, A, B, impulse, &c.work); });
+                   [&](double impulse) { applyAlong(e, e.freeAxis, A, B, impulse); });
     if (joint.motor.mode == MotorMode::Speed) {
         const double speed = axis.row.velocity(A, B) - joint.motor.target;
         addClamped(c.motorImpulse, -axis.mass * speed, joint.motor.maxForce * m_seconds,
-                   [&](double impulse) { applyAlong(e, axis, A, B, impulse, &c.work); });
+                   [&](double impulse) { applyAlong(e, axis, A, B, impulse); });
     }
     if (joint.friction > 0.0 && !e.hasBallFriction)
         addClamped(c.frictionImpulse, -axis.mass * axis.row.velocity(A, B), joint.friction * m_seconds,
-                   [&](double impulse) { applyAlong(e, axis, A, B, impulse, nullptr); });
+                   [&](double impulse) { applyAlong(e, axis, A, B, impulse); });
     if (!joint.limits.on && !hasOnlyUpperLimit(joint)) return;
     if (e.isSoft && joint.kind == JointKind::Rope && !useBias) return;
     if (!hasOnlyUpperLimit(joint)) solveLimit(e, A, B, false, useBias);
@@ -335,8 +319,7 @@ void JointSolver::solveSpring(JointRows& e, SolverState& A, SolverState& B) cons
         hasPositionMotor(*c.joint) && motor.maxForce > 0.0 ? motor.maxForce * m_seconds : kNoLimit;
     const double change = e.spring.pull * targetError(e) + e.spring.massScale * e.freeAxis.row.velocity(A, B);
     const double impulse = -e.freeAxis.mass * change - e.spring.impulseScale * c.springImpulse;
-    addClamped(c.springImpulse, impulse, maxImpulse,
-               [&](double added) { applyAlong(e, e.freeAxis, A, B, added, &c.work); });
+    addClamped(c.springImpulse, impulse, maxImpulse, [&](double added) { applyAlong(e, e.freeAxis, A, B, added); });
 }
 
 /// One limit of the free coordinate. Short of the limit, the coordinate may move up to it within the substep (as a
@@ -358,8 +341,8 @@ void JointSolver::solveLimit(JointRows& e, SolverState& A, SolverState& B, bool 
     const double arc = useBias ? e.freeAxis.arc : 0.0;
     const double before = impulse, speed = sign * (e.freeAxis.row.velocity(A, B) + arc - e.c->ropeSpeed);
     impulse = std::max(before - e.freeAxis.mass * massScale * (speed + bias) - impulseScale * before, 0.0);
-    if (workOfLimit(e) && distance > 0.0) impulse = 0.0;  // a spring that is not stretched
-    applyAlong(e, e.freeAxis, A, B, sign * (impulse - before), workOfLimit(e));
+    if (e.isSoft && distance > 0.0) impulse = 0.0;  // a spring that is not stretched
+    applyAlong(e, e.freeAxis, A, B, sign * (impulse - before));
 }
 
 /// Friction against the relative rotation of a ball about any axis; the impulse is clamped by its length.
@@ -407,7 +390,7 @@ void JointSolver::setLocked(JointRows& e, SolverState& A, SolverState& B, size_t
     impulse = clampedLength(impulse, most);
     for (size_t i = 0; i < 3; ++i) {
         double& sum = e.c->lockedImpulse[first + i];
-        applyLocked(e, first + i, A, B, impulse[int(i)] - sum);
+        e.row[first + i].apply(A, B, impulse[int(i)] - sum);
         sum = impulse[int(i)];
     }
 }
@@ -436,7 +419,7 @@ void JointSolver::solveLockedRows(JointRows& e, SolverState& A, SolverState& B, 
     if (!pullsAll && !turnsAll) {
         for (size_t i = 0; i < size_t(e.rows); ++i) {
             const double sum = sumOf(i);
-            applyLocked(e, i, A, B, sum - c.lockedImpulse[i]);
+            e.row[i].apply(A, B, sum - c.lockedImpulse[i]);
             c.lockedImpulse[i] = sum;
         }
     } else if (pullsAll) {
@@ -455,7 +438,8 @@ void JointSolver::solveLockedRows(JointRows& e, SolverState& A, SolverState& B, 
     }
 }
 
-void JointSolver::accumulateForces(double stepSeconds) {
+void JointSolver::endSubstep(std::span<const SolverState> states, double stepSeconds) {
+    m_work.end(m_joints, states);
     for (JointRows& e : m_joints) {
         JointConstraint& c = *e.c;
         const auto add = [&](const JointRow& row, double impulse) {

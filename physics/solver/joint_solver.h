@@ -6,6 +6,7 @@
 #include "physics/solver/geometric_stiffness.h"
 #include "physics/solver/joint_rows.h"
 #include "physics/solver/joint_system.h"
+#include "physics/solver/joint_work.h"
 
 namespace rubble {
 
@@ -18,15 +19,17 @@ public:
     /// gravity gave what falls freely in this substep.
     void prepare(std::span<const SolverBody> bodies, std::span<SolverState> states, const glm::dvec3& fall,
                  double seconds);
+    /// Call when the bodies have moved: computes rows and masses where they are now.
+    void followMove(std::span<const SolverBody> bodies, std::span<SolverState> states);
     /// A few iterations over all joints. useBias: before the bodies move, with correction of position errors; false:
-    /// after they have moved, for velocities alone.
+    /// for velocities alone.
     void solve(std::span<const SolverBody> bodies, std::span<SolverState> states, bool useBias);
     /// Makes the velocities right after an impact, which no substep starts with again: the joints' impulses stay as
     /// they are.
     void solveImpact(std::span<const SolverBody> bodies, std::span<SolverState> states);
-    /// Ends a substep: adds its impulses to the joints' mean force and torque over a step of stepSeconds, and what
-    /// winches did to their work.
-    void accumulateForces(double stepSeconds);
+    /// Ends a substep: adds its impulses to the joints' mean force and torque over a step of stepSeconds, and to their
+    /// work.
+    void endSubstep(std::span<const SolverState> states, double stepSeconds);
     /// Whether there are no joints in this step.
     bool empty() const { return m_joints.empty(); }
 
@@ -37,10 +40,8 @@ private:
     void prepareFreeAxis(JointRows& e) const;
     void prepareServo(JointRows& e, const SolverState& A, const SolverState& B) const;
     static void dropImpulsesOfWhatIsOff(JointRows& e);
-    void warmStart(const JointRows& e, SolverState& A, SolverState& B) const;
-    void applyAlong(JointRows& e, const FreeAxis& axis, SolverState& A, SolverState& B, double impulse,
-                    double* work) const;
-    void applyLocked(const JointRows& e, size_t row, SolverState& A, SolverState& B, double impulse) const;
+    static void warmStart(const JointRows& e, SolverState& A, SolverState& B);
+    static void applyAlong(JointRows& e, const FreeAxis& axis, SolverState& A, SolverState& B, double impulse);
     void solveFreeAxis(JointRows& e, SolverState& A, SolverState& B, bool useBias) const;
     void solveConstraint(JointRows& e, SolverState& A, SolverState& B) const;
     void solveSpring(JointRows& e, SolverState& A, SolverState& B) const;
@@ -63,9 +64,9 @@ private:
     std::vector<Impulses> m_saved;  ///< during solveImpact()
     JointSystem m_system;
     GeometricStiffness m_stiffness;
+    JointWork m_work, m_impactWork;
     double m_seconds = 0.0;      ///< of the substep
     glm::dvec3 m_halfFall{0.0};  ///< m/s, half of what gravity gives in a substep
-    glm::dvec3 m_early{0.0};     ///< see applyCounted(): gravity acts before the bodies move
     bool m_isNew = true;         ///< the system is not built for these joints yet
 };
 

@@ -5,6 +5,7 @@
 
 #include "runtime/core/constants.h"
 #include "tests/physics/scenes/energy.h"
+#include "tests/physics/scenes/joint_scenes.h"
 #include "tests/physics/scenes/known_scenes.h"
 #include "tests/physics/scenes/load_scenes.h"
 
@@ -103,6 +104,86 @@ TEST(JointEnergy, AFreeChainKeepsItsMomentum) {
     EXPECT_LT(glm::length(after.first - before.first) / glm::length(before.first), 1e-4);
     EXPECT_LT(glm::length(after.second - before.second) / glm::length(before.second), 1e-2)
         << "links are apart by little";
+}
+
+/// A frame of 4 m on rails along x, and a flap of 2 m that a joint holds above it.
+struct Tipper : PhysicsScene {
+    explicit Tipper(JointKind kind) : PhysicsScene(known::sleepless({})) {
+        level.environment.gravity = {0, 0, 0};
+        add(solidGrid({40, 4, 10}, 5), {-2.0, -0.2, -0.5}, false);
+        add(solidGrid({20, 2, 10}, 5), {-1.0, 0.2, -0.5}, false);
+        known::addJoint(level, JointKind::Prismatic, -1, 0, {});
+        const glm::dquat up = glm::angleAxis(0.5 * kPi, glm::dvec3(0.0, 0.0, 1.0));
+        Pose frame = known::hingeAt({-0.95, 0.25, 0.0});
+        if (kind == JointKind::Prismatic) frame.rotation = up;
+        known::addJoint(level, kind, 0, 1, frame).joint.limits = {true, -0.02, 0.8};
+        for (LevelBody& body : level.bodies) body.velocity = {2.0f, 0.0f, 0.0f};
+    }
+    Joint& flap() { return level.joints.back().joint; }
+    void drive(const JointMotor& motor, double time) {
+        stepWith({SetJointMotorEdit{world.joints().handleAt(1), motor}});
+        seconds(time);
+    }
+    /// Steps, and expects that it rolls on.
+    void expectRollsOn(const std::string& what) {
+        const glm::dvec3 from = center(0);
+        seconds(1.0);
+        EXPECT_NEAR(double(body(0).velocity.x), 2.0, 0.002) << what;
+        EXPECT_NEAR(center(0).x - from.x, 2.0, 0.002) << what;
+    }
+};
+
+/// What a motor pushes against its limit does no work, and takes none: not while it pushes, nor once it holds.
+TEST(JointEnergy, AMotorAgainstItsLimitDoesNotBrakeWhatCarriesIt) {
+    for (const JointKind kind : {JointKind::Hinge, JointKind::Prismatic})
+        for (const double force : {4e3, 4e5}) {
+            Tipper tipper(kind);
+            tipper.load();
+            const std::string what = "kind " + std::to_string(int(kind)) + ", " + std::to_string(force) + ", ";
+            tipper.drive({MotorMode::Speed, 0.5, force}, 2.0);
+            tipper.expectRollsOn(what + "up");
+            tipper.drive({MotorMode::Speed, 0.0, force}, 0.2);
+            tipper.expectRollsOn(what + "held up");
+            tipper.drive({MotorMode::Speed, -0.5, force}, 3.0);
+            tipper.expectRollsOn(what + "down");
+            tipper.drive({MotorMode::Speed, 0.0, force}, 0.2);
+            tipper.expectRollsOn(what + "held down");
+            tipper.drive({MotorMode::Position, -1.0, force}, 1.0);
+            tipper.expectRollsOn(what + "with a target beyond the limit");
+            tipper.drive({MotorMode::Speed, -0.5, force}, 0.2);
+            tipper.expectRollsOn(what + "down again");
+            tipper.drive({}, 1.0);
+            tipper.expectRollsOn(what + "let go");
+        }
+}
+
+/// The same of a spring that ends beyond a limit.
+TEST(JointEnergy, ASpringAgainstItsLimitDoesNotBrakeWhatCarriesIt) {
+    for (const JointKind kind : {JointKind::Hinge, JointKind::Prismatic})
+        for (const double hertz : {1.0, 5.0, 20.0}) {
+            Tipper tipper(kind);
+            tipper.flap().spring = {hertz, 1.0};
+            tipper.flap().motor = {MotorMode::Position, -0.5, 0.0};
+            tipper.load();
+            tipper.seconds(2.0);
+            tipper.expectRollsOn("kind " + std::to_string(int(kind)) + ", " + std::to_string(hertz) + " Hz");
+        }
+}
+
+/// The same of a motor that pushes against what it touches.
+TEST(JointEnergy, AMotorAgainstAnObstacleDoesNotBrakeWhatCarriesIt) {
+    for (const JointKind kind : {JointKind::Hinge, JointKind::Prismatic})
+        for (const double force : {4e3, 4e4}) {
+            Tipper tipper(kind);
+            tipper.flap().collides = true;
+            tipper.flap().limits = {};
+            tipper.load();
+            tipper.drive({MotorMode::Speed, -0.5, force}, 1.0);
+            const std::string what = "kind " + std::to_string(int(kind)) + ", " + std::to_string(force) + ", ";
+            tipper.expectRollsOn(what + "pushed");
+            tipper.drive({MotorMode::Speed, 0.0, force}, 0.2);
+            tipper.expectRollsOn(what + "held");
+        }
 }
 
 /// A winch lifts a load over a beam: its work is the load's height.
