@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "physics/bodies/limits.h"
 #include "physics/math/clamp_length.h"
 #include "runtime/core/constants.h"
 
@@ -56,6 +57,13 @@ double withinHalfTurn(double angle) {
 
 bool hasPositionMotor(const Joint& joint) {
     return joint.motor.mode == MotorMode::Position && joint.kind != JointKind::Wheel;
+}
+
+/// The speed that a motor wants, m/s or rad/s: no faster than bodies may be. Beyond, it would give what carries it ever
+/// more, while what it drives is clamped.
+double motorSpeed(const Joint& joint) {
+    const double most = joint.kind == JointKind::Prismatic ? limits::kMaxSpeed : limits::kMaxAngularSpeed;
+    return std::clamp(joint.motor.target, -most, most);
 }
 
 /// From -h k x - (h d + theta h^2 k) v, with the velocity v after the impulse. theta is 0 for slow springs: then the
@@ -298,7 +306,7 @@ void JointSolver::solveFreeAxis(JointRows& e, SolverState& A, SolverState& B, bo
         addClamped(c.springImpulse, e.freeAxis.mass * (e.servoSpeed - e.freeAxis.row.velocity(A, B)), e.servoLimit,
                    [&](double impulse) { applyAlong(e, e.freeAxis, A, B, impulse); });
     if (joint.motor.mode == MotorMode::Speed) {
-        const double speed = axis.row.velocity(A, B) - joint.motor.target;
+        const double speed = axis.row.velocity(A, B) - motorSpeed(joint);
         addClamped(c.motorImpulse, -axis.mass * speed, joint.motor.maxForce * m_seconds,
                    [&](double impulse) { applyAlong(e, axis, A, B, impulse); });
     }

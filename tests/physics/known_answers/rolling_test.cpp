@@ -238,5 +238,29 @@ TEST(Rolling, ADrivenCarTurnsOnTheRadiusOfItsWheelBaseAndAngle) {
     }
 }
 
+/// Bodies spin at 1,000 rad/s at most. A motor that wants more gives the car no spin that its wheels do not have.
+TEST(Rolling, AMotorBeyondTheLargestSpinKeepsTheAngularMomentum) {
+    for (const double target : {500.0, 1e4}) {
+        PhysicsScene scene(sleepless({}));
+        addCar(scene, {.drive = 1e5});
+        scene.level.environment.gravity = {0, 0, 0};
+        scene.level.bodies.erase(scene.level.bodies.begin());
+        for (LevelJoint& axle : scene.level.joints) axle.joint.motor.target = target;
+        scene.load();
+        scene.seconds(1.0);
+        glm::dvec3 sum(0.0);
+        double ofWheels = 0.0;
+        for (int i = 0; i < 5; ++i) {
+            const MassProperties mass = bodyMass(scene.world, scene.handle(i));
+            const glm::dmat3 axes = glm::mat3_cast(scene.body(i).pose.rotation * mass.principalAxes);
+            const glm::dvec3 spin =
+                axes * (mass.principalInertia * (glm::transpose(axes) * scene.body(i).angularVelocity));
+            sum += spin + glm::cross(scene.center(i), glm::dvec3(scene.body(i).velocity) * mass.mass);
+            if (i) ofWheels += glm::length(spin);
+        }
+        EXPECT_LT(glm::length(sum) / ofWheels, 0.02) << target << " rad/s";
+    }
+}
+
 }  // namespace
 }  // namespace rubble
