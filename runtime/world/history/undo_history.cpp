@@ -70,13 +70,39 @@ bool UndoHistory::differs(const WorldData& world) const {
     return differs;
 }
 
+/// The entry of an interval that ends now.
+UndoHistory::Entry UndoHistory::pack(WorldDelta objects) const {
+    Entry entry{std::move(objects), {}};
+    for (auto& [slot, value] : entry.objects.shapes) {
+        const Shape* now = m_baseline.last().shapes.find(value.first);
+        if (!now || now->grid.size() != value.second->grid.size()) continue;
+        entry.grids.emplace(slot, GridPatch(std::exchange(value.second->grid, {}), now->grid));
+    }
+    return entry;
+}
+
+/// The objects of the entry whose interval ended where m_current begins.
+WorldDelta UndoHistory::unpack(Entry entry) const {
+    for (const auto& [slot, patch] : entry.grids) {
+        auto& [handle, shape] = entry.objects.shapes.at(slot);
+        const auto changed = m_current.shapes.find(slot);
+        const bool isChanged = changed != m_current.shapes.end();
+        shape->grid = patch.applyTo((isChanged ? *changed->second.second : m_baseline.last().shapes.at(handle)).grid);
+    }
+    return std::move(entry.objects);
+}
+
 void UndoHistory::mark(size_t limit) {
     if (m_onlyMotionSinceUndo) {  // what moved since the undo belongs to the mark before it
-        if (!m_marks.empty()) addMissing(m_marks.back(), std::move(m_current));
+        if (!m_marks.empty()) {
+            WorldDelta last = unpack(std::move(m_marks.back()));
+            addMissing(last, std::move(m_current));
+            m_marks.back() = pack(std::move(last));
+        }
         m_onlyMotionSinceUndo = false;
         m_redo.clear();
     } else if (m_isMarked && hasChanged()) {
-        m_marks.push_back(std::move(m_current));
+        m_marks.push_back(pack(std::move(m_current)));
     }
     m_current = m_baseline.emptyDelta();
     m_isMarked = true;
@@ -114,14 +140,14 @@ WorldDelta UndoHistory::swapEntry(WorldData& world, WorldDelta entry, FrameChang
 
 bool UndoHistory::undo(WorldData& world, FrameChanges& changes) {
     if (!m_onlyMotionSinceUndo && m_isMarked)
-        m_marks.push_back(std::move(m_current)), m_current = m_baseline.emptyDelta();
+        m_marks.push_back({std::move(m_current), {}}), m_current = m_baseline.emptyDelta();
     if (m_marks.empty()) {
         logWarning("undo: there is no mark to go back to; nothing was undone");
         return false;
     }
-    WorldDelta entry = std::move(m_marks.back());
+    WorldDelta entry = unpack(std::move(m_marks.back()));
     m_marks.pop_back();
-    m_redo.push_back(swapEntry(world, std::move(entry), changes));
+    m_redo.push_back(pack(swapEntry(world, std::move(entry), changes)));
     return true;
 }
 
@@ -130,9 +156,9 @@ bool UndoHistory::redo(WorldData& world, FrameChanges& changes) {
         logWarning("redo: there is no undo to take back; nothing was redone");
         return false;
     }
-    WorldDelta entry = std::move(m_redo.back());
+    WorldDelta entry = unpack(std::move(m_redo.back()));
     m_redo.pop_back();
-    m_marks.push_back(swapEntry(world, std::move(entry), changes));
+    m_marks.push_back(pack(swapEntry(world, std::move(entry), changes)));
     return true;
 }
 

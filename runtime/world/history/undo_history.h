@@ -1,8 +1,10 @@
 #pragma once
 #include <deque>
+#include <map>
 #include <span>
 #include <vector>
 
+#include "runtime/world/history/grid_patch.h"
 #include "runtime/world/history/world_baseline.h"
 
 namespace rubble {
@@ -37,15 +39,23 @@ public:
     void recordMoves(const WorldData& world, std::span<const CharacterMove> moves);
 
 private:
+    /// Objects of an interval as they were at its beginning. The grids of shapes that are still there at its end, in
+    /// their size, are patches to the grids of that moment: the World is at it whenever an entry is used.
+    struct Entry {
+        WorldDelta objects;
+        std::map<uint32_t, GridPatch> grids;  ///< by the shape's slot; its own grid is empty
+    };
     bool hasChanged() const;
+    Entry pack(WorldDelta objects) const;
+    WorldDelta unpack(Entry entry) const;
     WorldDelta swapEntry(WorldData& world, WorldDelta entry, FrameChanges& changes);
 
     WorldBaseline m_baseline;
-    std::deque<WorldDelta> m_marks;      ///< for each mark: what changed until the next one, as it was at the mark
+    std::deque<Entry> m_marks;           ///< for each mark: what changed until the next one, as it was at the mark
     WorldDelta m_current;                ///< the same since the last mark, undo or redo
     bool m_isMarked = false;             ///< whether that began with a mark, an undo or a redo
     bool m_onlyMotionSinceUndo = false;  ///< since an undo or redo
-    std::vector<WorldDelta> m_redo;      ///< what each undo replaced; the last is redone first
+    std::vector<Entry> m_redo;           ///< what each undo replaced; the last is redone first
 };
 
 }  // namespace rubble

@@ -7,6 +7,7 @@
 #include "runtime/world/edits/edit_error.h"
 #include "tests/runtime/world/journal_check.h"
 #include "tests/runtime/world/undo_world.h"
+#include "tests/support/allocation_count.h"
 
 namespace rubble {
 namespace {
@@ -317,6 +318,30 @@ TEST(UndoHistory, DropsTheOldestMarksAndCostsNothingWhenOff) {
     settings.undoMarks = 0;
     world.applyEdits({SettingsEdit{settings}});
     EXPECT_TRUE(world.applyEdits({kUndo}).empty());
+}
+
+TEST(UndoHistory, AMarkOfALargeShapeCostsWhatChanged) {
+    World world;
+    world.load(oneShapeLevel(solidGridOfSharedBricks({1024, 128, 1024}), true));
+    WorldSettings settings;
+    settings.undoMarks = 100;
+    world.setSettings(settings);
+    const auto dig = [&](int i) {
+        world.applyEdits({kMark, sphereCarve({0.4 + 3.2 * (i % 30), 0.4 + 0.8 * (i / 30), 0.4}, 0.1)});
+    };
+    world.applyEdits({});
+    const uint64_t whole = resolvedHash(world);
+    for (int i = 0; i < 30; ++i) dig(i);
+    const size_t before = allocatedBytes();
+    if (before == 0) GTEST_SKIP() << "allocations are not counted";
+    for (int i = 30; i < 90; ++i) dig(i);
+    EXPECT_LT((allocatedBytes() - before) / 60, 8'000u) << "the directory of the grid has 4,096 nodes, or 32,768 bytes";
+    const uint64_t dug = resolvedHash(world);
+    for (int i = 0; i < 90; ++i) world.applyEdits({kUndo});
+    EXPECT_EQ(resolvedHash(world), whole);
+    EXPECT_LT((allocatedBytes() - before) / 60, 8'000u) << "of what can be redone";
+    for (int i = 0; i < 90; ++i) world.applyEdits({kRedo});
+    EXPECT_EQ(resolvedHash(world), dug);
 }
 
 TEST(UndoHistory, WithNothingToUndoOrRedoSaysSo) {
