@@ -5,7 +5,7 @@ local tracks = require("vehicles/tracks")
 
 local crane = {name = "crane", camera = {height = 3.4, distance = 15}, exit = Vec(-2.4, 0.3, 0), pitch = 0.5,
     engine = {Vec(-0.6, 1.6, 1.2), Vec(0.6, 2.0, 1.7)}, engineIn = "house", isTracked = true, body = "house",
-    keys = {{"← →", "turn"}, {"↑ ↓", "jib"}, {"R  F", "rope"}}}
+    keys = {{"turnleft turnright", "turn"}, {"boomup boomdown", "jib"}, {"liftup liftdown", "rope"}}}
 local kTurn = QuatEuler(0, 0, 90)
 local kFoot, kSlope, kCells, kRope = Vec(0, 1.85, -0.9), 42, 106, 5.2
 
@@ -78,6 +78,7 @@ function crane.build(v, frame)
     local tip = turned * Vec(0, 0, -0.1 * (kCells - 3.5))
     local top = tip - Vec(0, kRope, 0)
     parts.add(v, "ball", ballModel(), Transform(top - Vec(0, 0.8, 0), frame.rot), 0.45)
+    if v.ball.shape == 0 then return end
     v.rope = {joint = CreateRope(v.jib.shape, tip, v.ball.shape, top, kRope)}
     parts.lamp(v, Vec(-1.1, 1.95, -1.4))
 end

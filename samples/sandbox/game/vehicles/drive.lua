@@ -1,6 +1,7 @@
 -- Common driving: what keys ask for, wheels, engine, lamps, smoke.
 local build = require("vehicles/build")
 local feel = require("feel")
+local keys = require("keys")
 local sounds = require("sounds")
 local tracks = require("vehicles/tracks")
 
@@ -8,16 +9,13 @@ local drive = {}
 local kEngineCells = 3          -- places along each side at which the engine is looked for
 local kCheck = 15               -- steps between two looks
 
-local function axis(more, less)
-    return (InputDown(more) and 1 or 0) - (InputDown(less) and 1 or 0)
-end
-
 -- What the keys ask for; nothing where the driver cannot.
 function drive.input(isHeld)
     if isHeld then return {throttle = 0, steer = 0, brake = 1, lift = 0, turn = 0, boom = 0, tilt = 0} end
-    return {throttle = axis("w", "s"), steer = axis("a", "d"), brake = InputDown("space") and 1 or 0,
-        lift = axis("r", "f"), tilt = axis("t", "g"), turn = axis("leftarrow", "rightarrow"),
-        boom = axis("uparrow", "downarrow")}
+    local axis = keys.axis
+    return {throttle = axis("gas", "reverse"), steer = axis("left", "right"), brake = InputValue("handbrake"),
+        lift = axis("liftup", "liftdown"), tilt = axis("tiltup", "tiltdown"), turn = axis("turnleft", "turnright"),
+        boom = axis("boomup", "boomdown")}
 end
 
 -- Metres a second, ahead.
