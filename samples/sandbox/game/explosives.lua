@@ -4,10 +4,11 @@ local bombs = require("tools/bombs")
 local explosives = {}
 local kLook, kSize, kVoxels, kHot = 6, 1.7, 6, 90  -- steps; size; voxels that may be lost; steps in a fire
 local count = saved("explosives", {made = 0})
+local newest = 0                -- when the last one was made: it is there from the step after on
 local known, steps = {}, 0      -- shape -> where it is, what it has lost, and for how long it has been in a fire
 
 function explosives.add(shape)
-    count.made = count.made + 1
+    count.made, newest = count.made + 1, GetTime()
     SetTag(shape, "explosive", tostring(count.made))
 end
 
@@ -47,7 +48,7 @@ end
 function explosives.update()
     if count.made == 0 then return end
     steps = steps + 1
-    if steps % kLook == 0 then look() end
+    if steps % kLook == 0 and GetTime() > newest then look() end
     for shape, record in pairs(known) do
         if record.lost > kVoxels or record.hot > kHot then explode(shape, record) end
     end
