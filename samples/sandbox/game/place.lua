@@ -64,20 +64,29 @@ local function showGhosts()
     shown, wasFree = place.thing, isFree
 end
 
+-- How far a turned box reaches along a direction.
+local function extent(rot, half, dir)
+    local along = TransformToLocalVec(Transform(Vec(), rot), dir)
+    return math.abs(along.x) * half.x + math.abs(along.y) * half.y + math.abs(along.z) * half.z
+end
+
 -- Whether something is where it would stand. The box is a little smaller, so that what it stands on does not count.
 local function isBlocked(rot, low, high)
     local middle = frame.pos + rot * VecLerp(low, high, 0.5)
-    local half = Vec(0, 0, 0)
-    for k = 1, 3 do
-        local axis = Vec(0, 0, 0)
-        axis[k] = math.max(0.02, 0.5 * (high[k] - low[k]) - 0.12)
-        local v = rot * axis
-        for i = 1, 3 do half[i] = half[i] + math.abs(v[i]) end
-    end
+    local small = Vec(0, 0, 0)
+    for k = 1, 3 do small[k] = math.max(0.02, 0.5 * (high[k] - low[k]) - 0.12) end
+    local half = Vec(extent(rot, small, Vec(1, 0, 0)), extent(rot, small, Vec(0, 1, 0)), extent(rot, small, Vec(0, 0, 1)))
     local isSquare = turn % 90 == 0
     local inner = isSquare and half or Vec(0.6 * half.x, half.y, 0.6 * half.z)
     QueryRequire("physical")
     return #QueryAabbBodies(middle - inner, middle + inner) > 0
+end
+
+-- Before a wall it stands on the floor, where that is not far below.
+local function lift(middle, height)
+    QueryRequire("physical")
+    local hit, dist = QueryRaycast(middle, {0, -1, 0}, height + 0.5)
+    return hit and middle + Vec(0, height + kGap - dist, 0) or middle
 end
 
 -- Where the thing would be: its box touches what the eyes look at.
@@ -96,13 +105,9 @@ local function aim()
     local yaw = math.deg(math.atan(-ahead.x, -ahead.z))
     local rot = QuatEuler(0, turn + math.floor(yaw / 15 + 0.5) * 15, 0) * (place.thing.isUpright and Quat() or kTips[tip])
     if place.thing.isUpright and normal.y < 0.5 then doesReach = false end
-    local half, extent = VecScale(high - low, 0.5), 0
-    for k = 1, 3 do
-        local axis = Vec(0, 0, 0)
-        axis[k] = half[k]
-        extent = extent + math.abs(VecDot(normal, rot * axis))
-    end
-    local middle = eye.pos + dist * ahead + (extent + kGap) * normal
+    local half = VecScale(high - low, 0.5)
+    local middle = eye.pos + dist * ahead + (extent(rot, half, normal) + kGap) * normal
+    if doesReach and math.abs(normal.y) < 0.5 then middle = lift(middle, extent(rot, half, Vec(0, 1, 0))) end
     frame = Transform(middle - rot * VecLerp(low, high, 0.5), rot)
     isFree = doesReach and not isBlocked(rot, low, high)
 end

@@ -106,13 +106,12 @@ local function lamp()
     m:box(2, 0, 2, 7, 0, 7, "dark")
     m:box(3, 1, 3, 6, 1, 6, "dark")
     m:box(4, 2, 4, 5, 31, 5, "chrome")
-    for y = 31, 39 do
-        local inset = math.min(3, (y - 30) // 3)
-        m:box(inset, y, inset, 9 - inset, y, 9 - inset, "cream")
-        m:clear(inset + 1, y, inset + 1, 8 - inset, y, 8 - inset)
+    m:box(3, 31, 3, 6, 31, 6, "chrome")
+    m:box(3, 32, 3, 6, 36, 6, "bulb")
+    for _, x in ipairs({3, 6}) do
+        for _, z in ipairs({3, 6}) do m:box(x, 32, z, x, 36, z, "chrome") end
     end
-    m:box(4, 32, 4, 5, 35, 5, "bulb")
-    m:box(1, 36, 4, 8, 36, 5, "chrome")
+    for i = 0, 2 do m:box(1 + i, 37 + i, 1 + i, 8 - i, 37 + i, 8 - i, "dark") end
     return m
 end
 
