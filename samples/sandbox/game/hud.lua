@@ -113,10 +113,13 @@ local function drawKeys()
         first = math.max(first, draw.width(labelOf(row[1]), 24, "bold.ttf"))
         second = math.max(second, draw.width(row[2], 24))
     end
-    UiTranslate(48, math.max(20, math.min(150, UiHeight() - line * #kKeys - 90)))
-    draw.panel(first + second + 100, line * #kKeys + 36, 0.62)
+    local columns = line * #kKeys + 110 > UiHeight() and 2 or 1  -- large texts need two
+    local each, wide = -(-#kKeys // columns), first + second + 62
+    UiTranslate(48, math.max(20, math.min(150, UiHeight() - line * each - 90)))
+    draw.panel(columns * wide + 20, line * each + 36, 0.62)
     UiTranslate(30, 18 + 0.75 * line)
-    for _, row in ipairs(kKeys) do
+    for i, row in ipairs(kKeys) do
+        if i > 1 and i % each == 1 then UiTranslate(wide, -line * each) end
         draw.text(labelOf(row[1]), 24, "left", draw.accent, 1, "bold.ttf")
         UiPush()
         UiTranslate(first + 36, 0)

@@ -36,7 +36,7 @@ local function ghostPalette(palette)
     local list = {}
     for i, c in ipairs(palette) do
         local goal = isFree and {0.75, 0.85, 0.95} or {1.0, 0.25, 0.18}
-        list[i] = {opacity = 0.45, roughness = 0.9, emission = 0.12}
+        list[i] = {opacity = 0.4, roughness = 0.9, emission = 0.3}
         for k = 1, 3 do list[i][k] = 0.45 * c[k] + 0.55 * goal[k] end
     end
     return list
@@ -112,6 +112,21 @@ local function aim()
     isFree = doesReach and not isBlocked(rot, low, high)
 end
 
+-- The edges of its box.
+local function drawEdges()
+    local low, high = things.box(place.thing)
+    local r, g, b = 0.62, 0.84, 1
+    if not isFree then r, g, b = 1, 0.28, 0.2 end
+    local function corner(k)
+        return frame * Vec(k & 1 > 0 and high.x or low.x, k & 2 > 0 and high.y or low.y, k & 4 > 0 and high.z or low.z)
+    end
+    for k = 0, 7 do
+        for bit = 0, 2 do
+            if k & 1 << bit == 0 then DrawLine(corner(k), corner(k | 1 << bit), r, g, b, 0.85) end
+        end
+    end
+end
+
 local function putPieces()
     for i, piece in ipairs(things.pieces(place.thing)) do
         local body, shape = build.body(piece.model, pieceFrame(piece), piece.density)
@@ -144,6 +159,7 @@ function place.tick()
     if InputPressed("reload") and not place.thing.isUpright then tip = tip % #kTips + 1 end
     if InputPressed("usetool") then put() end
     if InputPressed("grab") then place.finish() end
+    if place.thing then drawEdges() end
     belt.lastAim = nil
 end
 
