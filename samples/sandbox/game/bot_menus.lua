@@ -157,13 +157,13 @@ local function undo()
     bot.frames(4)
 end
 
--- Two things of each folder, or all: each is placed, stands there, and is gone after an undo.
+-- A thing of each folder, or all: each is placed, stands there, and is gone after an undo.
 local function placeAll()
     local things = require("things")
     local feet = Vec(50, 0, 60)
     for f, folder in ipairs(things.folders) do
         for t, thing in ipairs(folder.things) do
-            if not isLong and t ~= 1 and t ~= 4 then goto next end
+            if not isLong and t ~= f then goto next end
             pick(f, t)
             if t == #folder.things then
                 bot.frames(#folder.things)
@@ -195,20 +195,20 @@ local function explosive()
     local feet = Vec(40, 0, 60)
     pick(1, 3)
     bot.press("return")
-    bot.stand(feet, feet + Vec(0, -0.2, -5))
+    bot.stand(feet, feet + Vec(0, 0, -4.5))
     bot.press("lmb")
     bot.frames(5)
     local before = bodies()
-    bot.look(feet + Vec(0.1, -0.2, -5))
+    bot.look(feet + Vec(0.4, 0, -4.5))
     bot.press("lmb")
     bot.expect(bodies() == before, "no second one in the same place")
-    bot.look(feet + Vec(1.0, -0.2, -5))
+    bot.look(feet + Vec(0.9, 0, -4.5))
     bot.press("lmb")
     bot.expect(bodies() == before + 1, "another one beside it")
     bot.press("rmb")
     bot.frames(30)
     bot.expect(#FindShapes("explosive") == 2, "two of them")
-    MakeHole(feet + Vec(0, 0.5, -4.8), 0.3, 0.3, 0.3)
+    MakeHole(feet + Vec(0, 0.5, -4.4), 0.3, 0.3, 0.3)
     bot.frames(40)
     bot.expect(#FindShapes("explosive") == 0, "both to have gone off, found " .. #FindShapes("explosive"))
 end
