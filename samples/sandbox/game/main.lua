@@ -142,9 +142,8 @@ function tick(dt)
 end
 
 function update(dt)
-    if vehicles.driven() then
-        vehicles.update(menus.open or photo.isOpen)
-    else
+    vehicles.update(menus.open or photo.isOpen)
+    if not vehicles.driven() then
         player.update(not menus.open and not photo.isOpen)
         interact.update()
     end

@@ -134,6 +134,7 @@ end
 
 -- Each step. `isHeld`: a menu is open.
 function vehicles.update(isHeld)
+    for _, each in ipairs(fleet.all) do drive.smoke(each) end
     local v, kind = vehicles.driven()
     if not v or not IsHandleValid(v.chassis.body) then return end
     camera.step()
