@@ -23,6 +23,15 @@ function draw.text(text, size, align, color, alpha, font)
     return width, height
 end
 
+-- How wide such a text is.
+function draw.width(text, size, font)
+    UiPush()
+    UiFont(font or "regular.ttf", size * options.get("textsize"))
+    local width = UiGetTextSize(text)
+    UiPop()
+    return width
+end
+
 -- A panel of a width and height whose left upper corner is here.
 function draw.panel(width, height, alpha)
     UiPush()

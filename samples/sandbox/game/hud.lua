@@ -2,7 +2,9 @@
 local belt = require("toolbelt")
 local draw = require("draw")
 local interact = require("interact")
+local keys = require("keys")
 local options = require("options")
+local place = require("place")
 local player = require("player")
 local vehicles = require("vehicles/vehicles")
 
@@ -10,14 +12,26 @@ local hud = {isHidden = false, showsKeys = false, messageAt = 110}
 local message, messageTime = "", 0
 local sinceStart, nameTime, lastTool = 0, 0, 0
 
-local kFirst = {"Walk: W A S D    Look: mouse", "Left button: use the tool", "Tab: all tools    1 to 9, wheel: change",
-    "V: fly    Ctrl+Z: take back    F1: all keys"}
-local kLastOfContract = "E: take, open    F5: save    F1: all keys"
-local kKeys = {{"W A S D", "walk"}, {"Shift", "run"}, {"Space", "jump"}, {"Ctrl", "crouch"}, {"V", "fly or walk"},
-    {"Left button", "use the tool"}, {"Right button", "its second use"}, {"R", "reload"},
-    {"E", "doors, lamps, things, vehicles"}, {"F", "a lamp"},
-    {"Tab", "wheel of tools"}, {"1 to 9, wheel", "change the tool"}, {"Ctrl+Z", "take back"},
-    {"F5, F9", "save, load"}, {"H", "hide all this"}, {"Esc", "menu"}}
+local kMoves = "up left down right"
+-- What a player needs to know first: pairs of actions and what they do.
+local kFirst = {{{kMoves, "walk"}, {"look", "look"}}, {{"usetool", "use the tool"}},
+    {{"wheel", "all tools"}, {"change", "change"}}, {{"spawn", "things to place"}, {"fly", "fly"}},
+    {{"undo", "take back"}, {"help", "all keys"}}}
+local kFirstOfContract = {kFirst[1], kFirst[2], kFirst[3], {{"interact", "take, open"}, {"help", "all keys"}}}
+local kKeys = {{kMoves, "walk"}, {"sprint", "run"}, {"jump", "jump"}, {"crouch", "crouch"}, {"fly", "fly or walk"},
+    {"usetool", "use the tool"}, {"grab", "its second use"}, {"reload", "reload"},
+    {"interact", "doors, lamps, things, vehicles"}, {"flashlight", "a lamp"},
+    {"wheel", "wheel of tools"}, {"change", "change the tool"}, {"spawn", "things to place"}, {"undo", "take back"},
+    {"photo", "photo"}, {"quicksave quickload", "save, load"}, {"hide", "hide all this"}, {"pause", "menu"}}
+
+-- What to press for it.
+local function labelOf(actions)
+    if actions == "look" then return keys.usesPad and "Right stick" or "Mouse" end
+    if actions == "change" then
+        return keys.usesPad and keys.label("lasttool") .. "  " .. keys.label("nexttool") or "1 to 9, wheel"
+    end
+    return keys.labels(actions)
+end
 
 -- A line that is shown for some seconds.
 function hud.say(text, seconds)
@@ -29,8 +43,8 @@ function hud.tick(dt)
     nameTime = math.max(0, nameTime - dt)
     sinceStart = sinceStart + dt
     if lastTool ~= belt.current then lastTool, nameTime = belt.current, 2.2 end
-    if InputPressed("h") then hud.isHidden = not hud.isHidden end
-    if InputPressed("f1") then hud.showsKeys = not hud.showsKeys end
+    if InputPressed("hide") then hud.isHidden = not hud.isHidden end
+    if InputPressed("help") then hud.showsKeys = not hud.showsKeys end
 end
 
 local function drawCrosshair(tool)
@@ -74,16 +88,18 @@ local function drawHint()
     if not text then return end
     UiPush()
     UiTranslate(UiCenter(), UiMiddle() + 70)
-    local key = 34
+    local label = keys.label("interact")
+    local height = 34 * options.get("textsize")
+    local width = math.max(height, draw.width(label, 24, "bold.ttf") + 18)
     UiTranslate(-10, 0)
     UiPush()
     UiAlign("right middle")
     UiColor(0, 0, 0, 0.5)
-    UiRoundedRect(key, key, 7)
+    UiRoundedRect(width, height, 7)
     UiPop()
     UiPush()
-    UiTranslate(-key / 2, 0)
-    draw.text("E", 24, "center middle", draw.accent, 1, "bold.ttf")
+    UiTranslate(-width / 2, 0)
+    draw.text(label, 24, "center middle", draw.accent, 1, "bold.ttf")
     UiPop()
     UiTranslate(12, 0)
     draw.text(text, 24, "left middle", draw.ink, 0.95)
@@ -92,30 +108,44 @@ end
 
 local function drawKeys()
     UiPush()
-    UiTranslate(48, 150)
-    draw.panel(600, 44 * #kKeys + 40, 0.62)
-    UiTranslate(30, 54)
+    local first, second, line = 0, 0, 41 * options.get("textsize")
     for _, row in ipairs(kKeys) do
-        draw.text(row[1], 25, "left", draw.accent, 1, "bold.ttf")
+        first = math.max(first, draw.width(labelOf(row[1]), 24, "bold.ttf"))
+        second = math.max(second, draw.width(row[2], 24))
+    end
+    local columns = line * #kKeys + 110 > UiHeight() and 2 or 1  -- large texts need two
+    local each, wide = -(-#kKeys // columns), first + second + 62
+    UiTranslate(48, math.max(20, math.min(150, UiHeight() - line * each - 90)))
+    draw.panel(columns * wide + 20, line * each + 36, 0.62)
+    UiTranslate(30, 18 + 0.75 * line)
+    for i, row in ipairs(kKeys) do
+        if i > 1 and i % each == 1 then UiTranslate(wide, -line * each) end
+        draw.text(labelOf(row[1]), 24, "left", draw.accent, 1, "bold.ttf")
         UiPush()
-        UiTranslate(230, 0)
-        draw.text(row[2], 25)
+        UiTranslate(first + 36, 0)
+        draw.text(row[2], 24)
         UiPop()
-        UiTranslate(0, 44)
+        UiTranslate(0, line)
     end
     UiPop()
 end
 
 -- One line after the other in the first half minute.
 local function drawFirstSteps()
-    local i = math.floor(sinceStart / 6) + 1
-    if i > #kFirst or hud.showsKeys then return end
+    local i, steps = math.floor(sinceStart / 6) + 1, player.mayFly and kFirst or kFirstOfContract
+    if i > #steps or hud.showsKeys then return end
     local within = sinceStart - 6 * (i - 1)
     local fade = math.min(1, within / 0.6, (6 - within) / 0.6)
     UiPush()
-    UiTranslate(UiCenter(), UiHeight() - 120)
-    local text = i == #kFirst and not player.mayFly and kLastOfContract or kFirst[i]
-    draw.text(text, 28, "center", draw.ink, fade)
+    local width, gap = -70, 14
+    for _, pair in ipairs(steps[i]) do
+        width = width + draw.width(labelOf(pair[1]), 28, "bold.ttf") + gap + draw.width(pair[2], 28) + 70
+    end
+    UiTranslate(UiCenter() - width / 2, UiHeight() - 120)
+    for _, pair in ipairs(steps[i]) do
+        UiTranslate(draw.text(labelOf(pair[1]), 28, "left", draw.accent, fade, "bold.ttf") + gap, 0)
+        UiTranslate(draw.text(pair[2], 28, "left", draw.ink, fade) + 70, 0)
+    end
     UiPop()
 end
 
@@ -135,6 +165,9 @@ function hud.draw(isBehind)
     if hud.isHidden or isBehind then return end
     if vehicles.driven() then
         vehicles.draw()
+    elseif place.isActive() then
+        drawCrosshair(belt.tool())
+        place.draw()
     else
         drawToolbelt(belt.tool())
         drawFirstSteps()

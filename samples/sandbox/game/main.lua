@@ -3,15 +3,20 @@
 local belt = require("toolbelt")
 local bombs = require("tools/bombs")
 local contract = require("contracts/contract")
+local explosives = require("explosives")
 local feel = require("feel")
 local hud = require("hud")
 local interact = require("interact")
+local keys = require("keys")
 local menus = require("menus/menus")
 local options = require("options")
+local photo = require("menus/photo")
 local panel = require("contracts/panel")
+local place = require("place")
 local player = require("player")
 local radial = require("menus/radial")
 local sounds = require("sounds")
+local spawn = require("menus/spawn")
 local vehicles = require("vehicles/vehicles")
 
 local titleTime = 0
@@ -27,6 +32,7 @@ contract.add("heist")
 interact.contract = contract.offer
 
 function init()
+    keys.apply()
     player.spawn()
     vehicles.spawnAll()
     options.apply()
@@ -38,10 +44,12 @@ function init()
 end
 
 function onLoad()
+    keys.apply()
     belt.resume(play.tool)
     SetPlayerLook(play.yaw, play.pitch)
     player.fly(play.flies)
     vehicles.resume()
+    place.resume()
     options.apply()
     contract.resume()
     for _, tool in ipairs(belt.tools) do
@@ -50,12 +58,24 @@ function onLoad()
     hud.say("Loaded")
 end
 
+menus.photo = function()
+    menus.open = nil
+    photo.open()
+end
+
 local function readKeys()
-    if InputPressed("esc") then menus.show("pause") end
-    if InputPressed("tab") then radial.open() end
-    if InputPressed("f5") then menus.save() end
-    if InputPressed("f9") then menus.load() end
-    if InputDown("ctrl") and InputPressed("z") then
+    if InputPressed("photo") then return photo.open() end
+    if InputPressed("pause") then menus.show("pause") end
+    if InputPressed("wheel") and not vehicles.driven() then
+        place.finish()
+        radial.open()
+    end
+    if InputPressed("spawn") and not vehicles.driven() then
+        if contract.current() then hud.say("Nothing is placed in a contract") else spawn.open() end
+    end
+    if InputPressed("quicksave") then menus.save() end
+    if InputPressed("quickload") then menus.load() end
+    if InputPressed("undo") then
         if contract.current() then
             hud.say("Nothing is taken back in a contract")
         elseif Undo() then
@@ -63,8 +83,8 @@ local function readKeys()
         end
     end
     if vehicles.driven() then
-        if InputPressed("e") then vehicles.leave() end
-    elseif InputPressed("e") and belt.lastAim then
+        if InputPressed("interact") then vehicles.leave() end
+    elseif InputPressed("interact") and belt.lastAim then
         local _, deed = interact.offer(belt.lastAim)
         if deed then deed() end
     end
@@ -72,14 +92,18 @@ end
 
 -- For other scripts: what is open, and which tool is in the hand.
 local function publish()
-    SetString("game.menu", menus.open or radial.isOpen and "radial" or "")
+    local other = photo.isOpen and "photo" or spawn.isOpen and "spawn" or radial.isOpen and "radial"
+    SetString("game.menu", menus.open or other or "")
     SetString("game.tool", belt.tool().id)
+    spawn.publish()
+    SetString("game.placing", place.thing and place.thing.name or "")
     contract.publish()
     vehicles.publish()
 end
 
 function tick(dt)
     publish()
+    keys.tick()
     feel.tick(dt)
     hud.tick(dt)
     sounds.loop("wind", nil, 0.06 + 0.01 * math.min(VecLength(GetPlayerVelocity()), 30))
@@ -88,18 +112,25 @@ function tick(dt)
         hasSeenEnd = true
         menus.show("result")
     end
-    SetTimeScale(menus.stopsTime() and 0 or options.get("timescale"))
+    SetTimeScale((menus.stopsTime() or photo.isStill or spawn.isOpen) and 0 or options.get("timescale"))
     if menus.open then
         titleTime = titleTime + dt
         if menus.isTitle() then menus.camera(titleTime) end
         return menus.tick()
     end
+    if photo.isOpen then return photo.tick(dt) end
+    photo.isStill = false
+    if spawn.isOpen then return spawn.tick() end
     if radial.isOpen then return radial.tick() end
     if vehicles.driven() then
         vehicles.tick(dt)
         return readKeys()
     end
     player.tick(dt)
+    if place.isActive() then
+        place.tick()
+        return readKeys()
+    end
     if interact.held ~= 0 and InputPressed("usetool") then
         interact.throw(GetPlayerCameraTransform().rot * Vec(0, 0, -1))
         belt.cooldown = 0.3
@@ -111,19 +142,28 @@ function tick(dt)
 end
 
 function update(dt)
-    if vehicles.driven() then
-        vehicles.update(menus.open)
-    else
-        player.update(not menus.open)
+    vehicles.update(menus.open or photo.isOpen)
+    if not vehicles.driven() then
+        player.update(not menus.open and not photo.isOpen)
         interact.update()
     end
+    local isPlaying = not menus.open and not photo.isOpen and not spawn.isOpen
+    place.update(isPlaying)
+    explosives.update()
     bombs.update(dt, blasts, contract.charge())
     contract.update(dt)
-    belt.update(dt, not vehicles.driven() and not menus.open and interact.held == 0)
+    belt.update(dt, not vehicles.driven() and isPlaying and not place.isActive() and interact.held == 0)
+    photo.update()
+end
+
+function onBreak(shape, voxels)
+    explosives.broken(shape, voxels)
 end
 
 function draw()
     if menus.open then return menus.draw() end
+    if photo.isOpen then return photo.draw() end
+    if spawn.isOpen then return spawn.draw() end
     if not hud.isHidden and not radial.isOpen then panel.draw() end
     hud.draw(radial.isOpen)
     if radial.isOpen then radial.draw() end

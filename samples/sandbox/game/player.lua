@@ -1,6 +1,7 @@
 -- Looks, walks, runs, crouches, jumps and flies; carries a lamp.
 local options = require("options")
 local feel = require("feel")
+local keys = require("keys")
 
 local player = {isFlying = false, mayFly = true, hasLamp = false, speed = 0}
 local kWalk, kRun, kCrouch, kFly, kFastFly = 4.0, 6.8, 2.0, 9.0, 26.0
@@ -50,9 +51,10 @@ end
 function player.tick(dt)
     local yaw, pitch = GetPlayerLook()
     local scale = kRadiansPerPixel * options.get("sensitivity") * options.get("fov") / 68
-    SetPlayerLook(yaw - scale * InputValue("mousedx"), pitch - scale * InputValue("mousedy"))
+    local right, up = keys.look(dt * options.get("sensitivity"))
+    SetPlayerLook(yaw - scale * InputValue("mousedx") - right, pitch - scale * InputValue("mousedy") + up)
     jumps = jumps or InputPressed("jump")
-    if InputPressed("v") and player.mayFly then player.fly(not player.isFlying) end
+    if InputPressed("fly") and player.mayFly then player.fly(not player.isFlying) end
     if InputPressed("flashlight") then player.hasLamp = not player.hasLamp end
 end
 
@@ -65,9 +67,7 @@ end
 function player.update(moves)
     local right, ahead, up = 0, 0, 0
     if moves then
-        right = (InputDown("right") and 1 or 0) - (InputDown("left") and 1 or 0)
-        ahead = (InputDown("up") and 1 or 0) - (InputDown("down") and 1 or 0)
-        up = (InputDown("jump") and 1 or 0) - (InputDown("crouch") and 1 or 0)
+        right, ahead, up = keys.axis("right", "left"), keys.axis("up", "down"), keys.axis("jump", "crouch")
     end
     local yaw, pitch = GetPlayerLook()
     local isFree = player.isFlying or IsPlayerSwimming()

@@ -172,6 +172,8 @@ function belt.tick(dt)
         local direction = wheel < 0 and 1 or -1
         belt.select(belt.current + direction, direction)
     end
+    local turns = (InputPressed("nexttool") and 1 or 0) - (InputPressed("lasttool") and 1 or 0)
+    if turns ~= 0 then belt.select(belt.current + turns, turns) end
     tool = belt.tool()
     local aim = belt.aim(tool.reach)
     belt.lastAim = aim
@@ -189,7 +191,7 @@ function belt.tick(dt)
         end
     end
     if tool.alt and InputPressed("grab") then tool:alt(aim) end
-    if InputPressed("r") and left and left < all and not belt.limits then
+    if InputPressed("reload") and left and left < all and not belt.limits then
         belt.ammo[tool.id], belt.raise, belt.cooldown = tool.ammo, 1, 0.5
     end
 end

@@ -66,6 +66,21 @@ int setEnvironment(lua_State* L) {
     return 0;
 }
 
+int getEnvironment(lua_State* L) {
+    auto air = sized<rubble_environment>();
+    if (!isDone(L, apiOf(L).get_environment(worldOf(L), &air))) return 0;
+    lua_newtable(L);
+    for (const VectorField& field : kVectors) {
+        pushVector(L, air.*field.value);
+        lua_setfield(L, -2, field.name);
+    }
+    for (const NumberField& field : kNumbers) {
+        lua_pushnumber(L, air.*field.value);
+        lua_setfield(L, -2, field.name);
+    }
+    return 1;
+}
+
 int setRules(lua_State* L) {
     static constexpr const char* kKeys[] = {"stress", "strength", "contactTime", "fireSpread", "fireTime"};
     requireKeys(L, 1, "rules", kKeys);
@@ -103,6 +118,7 @@ constexpr ScriptFunction kFunctions[] = {
      "Sky, sun and air: fields of rubble_environment, as fogDensity, others stay; sun: a direction from which "
      "apply_sky_model() finds the colours.",
      setEnvironment},
+    {"GetEnvironment() -> air", "The present sky, sun and air, as SetEnvironment() takes them.", getEnvironment},
     {"SetRules(rules)", "How the world breaks and burns: stress, strength, contactTime, fireSpread, fireTime.",
      setRules},
 };

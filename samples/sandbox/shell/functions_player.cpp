@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/script/binding/calls.h"
@@ -45,12 +47,41 @@ int inputValue(lua_State* L) {
     lua_pushnumber(L, gameOf(L).input().value(textAt(L, 1, "input")));
     return 1;
 }
+int inputLastPressed(lua_State* L) {
+    lua_pushstring(L, gameOf(L).input().lastPressed().c_str());
+    return 1;
+}
+int bindInput(lua_State* L) {
+    std::vector<std::string> keys;
+    for (int i = 2; i <= lua_gettop(L); ++i) keys.push_back(textAt(L, i, "key"));
+    gameOf(L).input().bind(textAt(L, 1, "action"), std::move(keys));
+    return 0;
+}
 int setInput(lua_State* L) {
     gameOf(L).input().ask(textAt(L, 1, "input"), bool(lua_toboolean(L, 2)));
     return 0;
 }
 int addInput(lua_State* L) {
     gameOf(L).input().ask(textAt(L, 1, "input"), rangedAt(L, 2, "amount", -1e6, 1e6));
+    return 0;
+}
+int setGamepad(lua_State* L) {
+    static const std::vector<const char*> keys = [] {
+        std::vector<const char*> all(GamepadState::kButtons.begin(), GamepadState::kButtons.end());
+        all.insert(all.end(), GamepadState::kAxes.begin(), GamepadState::kAxes.end());
+        return all;
+    }();
+    requireKeys(L, 1, "pad", keys);
+    GamepadState pad;
+    for (size_t i = 0; i < pad.buttons.size(); ++i, lua_pop(L, 1)) {
+        lua_getfield(L, 1, GamepadState::kButtons[i]);
+        pad.buttons[i] = lua_toboolean(L, -1);
+    }
+    for (size_t i = 0; i < pad.axes.size(); ++i, lua_pop(L, 1)) {
+        lua_getfield(L, 1, GamepadState::kAxes[i]);
+        if (!lua_isnil(L, -1)) pad.axes[i] = rangedAt(L, lua_gettop(L), "pad", -1.0, 1.0);
+    }
+    gameOf(L).hold(pad);
     return 0;
 }
 int setCursor(lua_State* L) {
@@ -115,9 +146,19 @@ constexpr ScriptFunction kFunctions[] = {
     {"InputPressed(input) -> boolean", "Whether a key, a button or an action went down in this frame.", inputPressed},
     {"InputDown(input) -> boolean", "Whether it is down.", inputDown},
     {"InputReleased(input) -> boolean", "Whether it went up in this frame.", inputReleased},
-    {"InputValue(input) -> number", "\"mousedx\", \"mousedy\", \"mousewheel\", \"mousex\", \"mousey\".", inputValue},
+    {"InputValue(input) -> number",
+     "\"mousedx\", \"mousedy\", \"mousewheel\", \"mousex\", \"mousey\"; of a gamepad \"padlx\", \"padly\", \"padrx\", "
+     "\"padry\", \"padlt\", \"padrt\".",
+     inputValue},
+    {"InputLastPressed() -> input", "A key or button that went down in this frame, or \"\".", inputLastPressed},
+    {"BindInput(action, keys...)", "What an action is bound to: keys, or two at a time, as \"ctrl+z\".", bindInput},
     {"SetInput(input, down)", "From the next frame on a key is down or up, as a bot wants it.", setInput},
-    {"AddInput(input, amount)", "Moves \"mousedx\", \"mousedy\" or \"mousewheel\" in the next frame.", addInput},
+    {"AddInput(input, amount)", "Moves \"mousedx\", \"mousewheel\", \"padlx\" and the like in the next frame.",
+     addInput},
+    {"SetGamepad(pad)",
+     "From the next frame on a bot holds a gamepad: {a = true, lx = 0.5}; buttons a, b, x, y, lb, rb, back, start, ls, "
+     "rs, up, right, down, left; axes -1 to 1, y downwards: lx, ly, rx, ry, and of triggers lt and rt.",
+     setGamepad},
     {"SetCursor(x, y)", "Where the cursor is on the canvas.", setCursor},
     {"GetPlayerTransform() -> transform", "Where the player's feet are, and which way they point.", getPlayerTransform},
     {"GetPlayerCameraTransform() -> transform", "Where the player's eyes are after the last step.",

@@ -52,6 +52,21 @@ int makeInteractive(lua_State* L) {
     gameOf(L).setInteractive();
     return 0;
 }
+int listFiles(lua_State* L) {
+    const std::string folder = textAt(L, 1, "folder");
+    if (!isPlain(folder)) refuseArgument(L, 1, "folder", "1 to 100 of A-Z, a-z, 0-9, - and _");
+    lua_newtable(L);
+    lua_Integer count = 0;
+    for (const std::string& name : gameOf(L).filesOf(folder)) {
+        lua_pushstring(L, name.c_str());
+        lua_rawseti(L, -2, ++count);
+    }
+    return 1;
+}
+int applyEdits(lua_State* L) {
+    gameOf(L).requests().appliesEdits = true;
+    return 0;
+}
 int addUndoMark(lua_State* L) {
     if (!gameOf(L).addUndoMark()) isDone(L, RUBBLE_ERROR_ARGUMENT);
     return 0;
@@ -109,6 +124,8 @@ constexpr ScriptFunction kFunctions[] = {
     {"SetCameraOffsetTransform(transform)", "Moves the camera from the player's eyes.", setCameraOffsetTransform},
     {"SetCameraFov(fov)", "The vertical field of view, in degrees.", setCameraFov},
     {"UiMakeInteractive()", "Menus have the cursor in this frame.", makeInteractive},
+    {"ListFiles(folder) -> names", "The files of a folder beside the game's scripts, sorted.", listFiles},
+    {"ApplyEdits()", "Shows what was changed while no time passes, as a photo's light.", applyEdits},
     {"AddUndoMark()", "Sets a mark to which Undo() returns.", addUndoMark},
     {"Undo() -> boolean",
      "Takes back what came after the last mark, and each time again after the one before; false: there is none.", undo},

@@ -138,12 +138,14 @@ bool Game::hasFailed() const {
 bool Game::frame(double seconds) {
     m_input.beginFrame();
     const bool isOpen = readDevices(m_display, m_input);
+    if (m_botPad) readGamepad(*m_botPad, m_input);
     m_isInteractive = false;
     m_camera.frame.reset();
     m_scripts->tick(seconds);
     cutToShot();
     const int most = isPlayed() ? kMaxSteps : kStepsOfSecond;
     m_due = std::min(m_due + seconds * m_scripts->timeScale(), most * kStep);
+    if (std::exchange(m_requests.appliesEdits, false) && m_due < kStep - 1e-9) applyEdits();
     for (; m_due >= kStep - 1e-9; m_due -= kStep) step();
     m_due = std::max(m_due, 0.0);
     hear(seconds);
@@ -167,6 +169,13 @@ void Game::step() {
     if (!m_isUnseen) m_sound.step();
     if (std::exchange(m_hasUndone, false)) m_player->adopt(true);
     m_player->afterStep();
+}
+
+/// What was changed is there, and no time has passed.
+void Game::applyEdits() {
+    m_scripts->beforeEdits();
+    if (m_api.apply_edits(m_world) != RUBBLE_OK) fail(m_api.get_last_error());
+    m_scripts->afterEdits();
 }
 
 /// Begins the shot that a script has asked for, after the time that nobody sees.

@@ -8,6 +8,7 @@
 
 #include "runtime/script/script_host.h"
 #include "samples/sandbox/shell/film.h"
+#include "samples/sandbox/shell/gamepad.h"
 #include "samples/sandbox/shell/input.h"
 #include "samples/sandbox/shell/player.h"
 #include "samples/sandbox/sound/sound.h"
@@ -39,6 +40,7 @@ struct Requests {
     double unseen = 0.0;  ///< seconds of the world that pass before it
     int filmFrames = 0;   ///< of the whole film
     bool restarts = false, quits = false;
+    bool appliesEdits = false;  ///< in this frame, without a step
 };
 
 /// A camera of the scripts for one frame, in place of the player's eyes.
@@ -76,6 +78,8 @@ public:
     rubble_world world() const { return m_world; }
     /// What the player does.
     Input& input() { return m_input; }
+    /// A gamepad that a bot holds, until it puts another one down.
+    void hold(const GamepadState& pad) { m_botPad = pad; }
     /// The player.
     Player& player() { return *m_player; }
     /// What is done after this frame.
@@ -99,6 +103,8 @@ public:
     const std::string& preset() const { return m_settings.preset; }
     /// Whether there is a saved game of that name.
     bool hasSave(const std::string& name) const;
+    /// Names of the files of a folder in that of the scripts, sorted; of one that is not there none.
+    std::vector<std::string> filesOf(const std::string& folder) const;
     /// Whether that is one which loads; what is wrong with it is printed.
     bool canLoad(const std::string& name) const;
 
@@ -114,6 +120,7 @@ private:
     void readOptions();
     void writeOptions();
     void step();
+    void applyEdits();
     void carryOutUndo();
     void cutToShot();
     bool isPlayed() const { return m_settings.bot.empty() && m_settings.film.script.empty(); }
@@ -132,6 +139,7 @@ private:
     std::optional<Player> m_player;
     std::optional<Film> m_film;
     Input m_input;
+    std::optional<GamepadState> m_botPad;
     Requests m_requests;
     CameraOverride m_camera;
     double m_due = 0.0;  ///< seconds that no step has covered yet

@@ -64,6 +64,12 @@ TEST(Game, ABotUsesEachToolAndMenu) {
     EXPECT_GT(loud, 4800u) << "a tenth of a second of it at least is heard";
 }
 
+TEST(Game, ABotPlaysByGamepadBindsKeysPlacesThingsAndTakesPhotos) {
+    const fs::path out = freshFolder("menus");
+    ASSERT_EQ(playGame("bot_menus.lua", out, RUBBLE_SOURCE_DIR "/samples/sandbox/game"), 0) << logOf(out);
+    EXPECT_TRUE(readPng((out / "photo-001.png").string()));
+}
+
 TEST(Game, ContractsAreWonAndLost) {
     EXPECT_EQ(playGame("bot_contracts.lua", freshFolder("contracts"), RUBBLE_SOURCE_DIR "/samples/sandbox/game"), 0);
 }

@@ -19,8 +19,8 @@ end
 
 function List:tick()
     local count = #self.rows
-    if InputPressed("downarrow") then self.chosen = self.chosen % count + 1 end
-    if InputPressed("uparrow") then self.chosen = (self.chosen - 2) % count + 1 end
+    if InputPressed("menudown") then self.chosen = self.chosen % count + 1 end
+    if InputPressed("menuup") then self.chosen = (self.chosen - 2) % count + 1 end
     local isOver = false
     for i = 1, count do
         if draw.isOver(self.x, self.y + kRow * (i - 1), self.width, kRow) then
@@ -30,13 +30,13 @@ function List:tick()
     end
     self.mouseX, self.mouseY = InputValue("mousex"), InputValue("mousey")
     local row = self.rows[self.chosen]
-    if InputPressed("rightarrow") then self:change(row, 1) end
-    if InputPressed("leftarrow") then self:change(row, -1) end
+    if InputPressed("menuright") then self:change(row, 1) end
+    if InputPressed("menuleft") then self:change(row, -1) end
     if row.option then
         if isOver and InputPressed("lmb") then
             self:change(row, InputValue("mousex") > self.x + self.width - 190 and 1 or -1)
         end
-    elseif InputPressed("return") or isOver and InputPressed("lmb") then
+    elseif InputPressed("menuok") or isOver and InputPressed("lmb") then
         sounds.play("click")
         row.run()
     end

@@ -1,4 +1,5 @@
 -- Title screen, pause, settings, and the screens of contracts.
+local bindings = require("menus/bindings")
 local contract = require("contracts/contract")
 local contracts = require("menus/contracts")
 local draw = require("draw")
@@ -6,9 +7,10 @@ local hud = require("hud")
 local list = require("menus/list")
 local options = require("options")
 
-local menus = {open = nil}  -- "title", "pause", "settings", "brief" or "result"
+local menus = {open = nil}  -- "title", "pause", "settings", "keys", "brief" or "result"
 local before = nil          -- what settings return to
 local lists
+menus.photo = nil           -- what the photo of the menu does
 local isFirst = true
 
 local function close()
@@ -48,20 +50,25 @@ lists = {
     pause = list("Paused", {{name = "Go on", run = close}, {name = "Save", run = menus.save},
         {name = "Load", run = menus.load, isOff = hasNoSave}, {name = "Settings", run = settings},
         {name = function() return contract.current() and "Try again" or "Build the town again" end, run = RestartLevel},
+        {name = "Photo", run = function() menus.photo() end},
         {name = "Back to the title", run = contracts.toTitle}, {name = "Leave", run = QuitGame}}),
-    settings = list("Settings", {}), brief = more.brief, result = more.result,
+    settings = list("Settings", {}), keys = bindings, brief = more.brief, result = more.result,
 }
 do
     local rows = lists.settings.rows
     for _, row in ipairs(options.rows) do table.insert(rows, {name = row.name, option = row.id}) end
     for _, row in ipairs(options.world) do table.insert(rows, {name = row.name, option = row.id}) end
+    table.insert(rows, {name = "Keys and gamepad", run = function() menus.show("keys") end})
     table.insert(rows, {name = "Back", run = function() menus.open = before or "pause" end})
     lists.settings.width = 760
 end
 
+bindings.back = function() menus.open = "settings" end
+
 function menus.tick()
     UiMakeInteractive()
-    if InputPressed("esc") then
+    if menus.open == "keys" then return bindings:tick() end
+    if InputPressed("menuback") then
         if menus.open == "settings" then
             menus.open = before or "pause"
         elseif menus.open == "brief" then
@@ -127,7 +134,8 @@ function menus.draw()
 end
 
 function menus.isTitle()
-    return menus.open == "title" or menus.open == "brief" or menus.open == "settings" and before == "title"
+    return menus.open == "title" or menus.open == "brief"
+        or (menus.open == "settings" or menus.open == "keys") and before == "title"
 end
 
 -- Whether the world stands still behind it.

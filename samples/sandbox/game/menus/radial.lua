@@ -20,9 +20,11 @@ end
 
 function radial.tick()
     x, y = x + InputValue("mousedx"), y + InputValue("mousedy")
+    local stickX, stickY = InputValue("padrx"), InputValue("padry")
+    if stickX * stickX + stickY * stickY > 0.2 then x, y = kRadius * stickX, -kRadius * stickY end
     local length = math.sqrt(x * x + y * y)
     if length > kRadius then x, y = x * kRadius / length, y * kRadius / length end
-    if InputDown("tab") then return end
+    if InputDown("wheel") then return end
     radial.isOpen = false
     belt.select(pointedAt())
 end

@@ -30,6 +30,12 @@ local surfaces = {
     amber = {{0xd98a1e}, "glass", roughness = 0.2, emission = 0.6},
     tail = {{0xb01810, 0xa4150e}, "glass", roughness = 0.2, emission = 0.5},
     port = {{0xb01810}, "glass", roughness = 0.2, emission = 1.5},
+    brick = {{0x8a4b3a, 0x95543f, 0x7c4234, 0x9c6048}, "brick", roughness = 0.9},
+    mortar = {{0xa89a8c, 0xb3a493}, "brick", roughness = 0.95},
+    concrete = {{0x8f8d86, 0xa09d94, 0x97948c}, "concrete", roughness = 0.9},
+    tile = {{0x4d4f57, 0x565a63, 0x45464d, 0x5a4a45}, "brick", roughness = 0.8},
+    pane = {{0xdfeeee, 0xd6e8e8}, "glass", roughness = 0.03, opacity = 0.12},
+    bulb = {{0xfff0d0}, "glass", roughness = 0.3, emission = 9},
     starboard = {{0x1a8a3a}, "glass", roughness = 0.2, emission = 1.5},
 }
 
@@ -123,8 +129,14 @@ function Model:cabin(c)
     end
 end
 
+build.record = nil  -- a list: models go there with their transforms, and no body is made
+
 -- A body of a model at a transform. `density`: what its materials weigh, times this.
 function build.body(model, transform, density)
+    if build.record then
+        build.record[#build.record + 1] = {model = model, at = transform.pos, rot = transform.rot}
+        return 0, 0
+    end
     local body, shape = CreateModel({size = model.size, origin = model.origin, voxel = model.voxel, boxes = model.boxes,
         palette = model.palette}, transform, true)
     if density then SetShapeDensity(shape, density) end

@@ -1,4 +1,5 @@
 -- The camera behind a vehicle: the mouse turns it, it comes back behind by itself, and it stays before walls.
+local keys = require("keys")
 local options = require("options")
 local parts = require("vehicles/parts")
 
@@ -33,6 +34,8 @@ function camera.frame(v, kind, dt)
     pivot = goal
     local scale = 0.0022 * options.get("sensitivity")
     local dx, dy = InputValue("mousedx"), InputValue("mousedy")
+    local right, up = keys.look(dt * options.get("sensitivity"))
+    dx, dy = dx + right / scale, dy - up / scale
     sinceTurned = (dx ~= 0 or dy ~= 0) and 0 or sinceTurned + dt
     yaw = yaw - scale * dx
     pitch = math.max(-1.2, math.min(0.5, pitch - scale * dy))

@@ -5,8 +5,9 @@ local tracks = require("vehicles/tracks")
 
 local crane = {name = "crane", camera = {height = 3.4, distance = 15}, exit = Vec(-2.4, 0.3, 0), pitch = 0.5,
     engine = {Vec(-0.6, 1.6, 1.2), Vec(0.6, 2.0, 1.7)}, engineIn = "house", isTracked = true, body = "house",
-    keys = {{"← →", "turn"}, {"↑ ↓", "jib"}, {"R  F", "rope"}}}
+    keys = {{"turnleft turnright", "turn"}, {"boomup boomdown", "jib"}, {"liftup liftdown", "rope"}}}
 local kTurn = QuatEuler(0, 0, 90)
+local kSlack = 0.02  -- metres of the stays
 local kFoot, kSlope, kCells, kRope = Vec(0, 1.85, -0.9), 42, 106, 5.2
 
 local function houseModel()
@@ -78,11 +79,31 @@ function crane.build(v, frame)
     local tip = turned * Vec(0, 0, -0.1 * (kCells - 3.5))
     local top = tip - Vec(0, kRope, 0)
     parts.add(v, "ball", ballModel(), Transform(top - Vec(0, 0.8, 0), frame.rot), 0.45)
+    if v.ball.shape == 0 then return end
     v.rope = {joint = CreateRope(v.jib.shape, tip, v.ball.shape, top, kRope)}
+    v.stays = {}
+    for i, x in ipairs({-0.45, 0.45}) do
+        local from = frame * Vec(x, 3.8, 1.65)
+        local to = turned * Vec(0.5 * x, 0.35, -0.1 * (kCells - 9))
+        v.stays[i] = {joint = CreateRope(v.house.shape, from, v.jib.shape, to, VecLength(to - from) + kSlack)}
+        v.stays[i].from = TransformToLocalPoint(frame * Transform(Vec(0, 1.4, 0)), from)
+        v.stays[i].to = TransformToLocalPoint(turned, to)
+    end
     parts.lamp(v, Vec(-1.1, 1.95, -1.4))
 end
 
+-- The stays are as long as the jib needs: they only hang from it.
+local function tighten(v)
+    for _, stay in ipairs(v.stays or {}) do
+        if IsHandleValid(stay.joint) and IsHandleValid(v.house.body) and IsHandleValid(v.jib.body) then
+            local from, to = GetBodyTransform(v.house.body) * stay.from, GetBodyTransform(v.jib.body) * stay.to
+            SetJointMotorTarget(stay.joint, VecLength(to - from) + kSlack, 3, 1e4)
+        end
+    end
+end
+
 function crane.update(v, input)
+    tighten(v)
     parts.move(v.house, 0.55 * input.turn, 1e6)
     parts.move(v.jib, 0.3 * input.boom, 2e6)
     parts.spin(v.rope, -0.9 * input.lift, 1e5)

@@ -1,23 +1,22 @@
 -- Common driving: what keys ask for, wheels, engine, lamps, smoke.
 local build = require("vehicles/build")
 local feel = require("feel")
+local keys = require("keys")
 local sounds = require("sounds")
 local tracks = require("vehicles/tracks")
 
 local drive = {}
 local kEngineCells = 3          -- places along each side at which the engine is looked for
+local kSmoke = 60 * 60          -- steps for which it smokes
 local kCheck = 15               -- steps between two looks
-
-local function axis(more, less)
-    return (InputDown(more) and 1 or 0) - (InputDown(less) and 1 or 0)
-end
 
 -- What the keys ask for; nothing where the driver cannot.
 function drive.input(isHeld)
     if isHeld then return {throttle = 0, steer = 0, brake = 1, lift = 0, turn = 0, boom = 0, tilt = 0} end
-    return {throttle = axis("w", "s"), steer = axis("a", "d"), brake = InputDown("space") and 1 or 0,
-        lift = axis("r", "f"), tilt = axis("t", "g"), turn = axis("leftarrow", "rightarrow"),
-        boom = axis("uparrow", "downarrow")}
+    local axis = keys.axis
+    return {throttle = axis("gas", "reverse"), steer = axis("left", "right"), brake = InputValue("handbrake"),
+        lift = axis("liftup", "liftdown"), tilt = axis("tiltup", "tiltdown"), turn = axis("turnleft", "turnright"),
+        boom = axis("boomup", "boomdown")}
 end
 
 -- Metres a second, ahead.
@@ -52,11 +51,23 @@ local function checkEngine(v, kind)
     if v.age % kCheck ~= 1 then return end
     local share, at = engineShare(v, kind)
     v.whole = v.whole or share
-    if share < 0.7 * v.whole then v.isDead = true end
-    if v.isDead and at then
-        feel.burst(at, Vec(0, 1, 0), {type = "smoke", count = 3, speed = 0.9, life = 2.2, color = {0.12, 0.12, 0.13},
-            radius = {0.15, 0.7}, alpha = 0.5, spread = 0.3})
-    end
+    if v.isDead or share >= 0.7 * v.whole then return end
+    v.isDead, v.smoke = true, 0
+    v.smokeAt = TransformToLocalPoint(GetBodyTransform(v.chassis.body), at)
+    feel.burst(at, Vec(0, 1, 0), {type = "spark", count = 24, speed = 5, life = 0.6, color = {1, 0.62, 0.22},
+        radius = {0.015, 0.006}, gravity = -6, emissive = 0.4, stretch = 0.04, spread = 0.8})
+end
+
+-- Each step of each vehicle: an engine that has broken smokes, less and less, also where nobody drives.
+function drive.smoke(v)
+    if not v.smoke or v.smoke > kSmoke or not IsHandleValid(v.chassis.body) then return end
+    v.smoke = v.smoke + 1
+    if v.smoke % 4 ~= 0 then return end
+    local left = 1 - v.smoke / kSmoke
+    local frame = GetBodyTransform(v.chassis.body)
+    local at = frame * v.smokeAt + Vec(0, 0.35, 0) + frame.rot * Vec(0.5 * math.random() - 0.25, 0, 0)
+    feel.burst(at, Vec(0.15, 1, 0.05), {type = "smoke", count = 1, speed = 1.3, life = 3.2, drag = 0.5,
+        color = {0.045, 0.043, 0.042}, radius = {0.18, 0.9}, alpha = 0.35 + 0.4 * left, spread = 0.12})
 end
 
 -- A lamp whose glass is gone is dark.

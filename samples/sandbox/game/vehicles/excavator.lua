@@ -6,7 +6,8 @@ local tracks = require("vehicles/tracks")
 
 local excavator = {name = "excavator", camera = {height = 2.6, distance = 10}, exit = Vec(-2.1, 0.3, 0), pitch = 0.6,
     engine = {Vec(-0.6, 1.6, 0.8), Vec(0.6, 2.0, 1.3)}, engineIn = "house", isTracked = true, body = "house",
-    keys = {{"← →", "turn"}, {"↑ ↓", "boom"}, {"R  F", "stick"}, {"T  G", "bucket"}}}
+    keys = {{"turnleft turnright", "turn"}, {"boomup boomdown", "boom"}, {"liftup liftdown", "stick"},
+        {"tiltup tiltdown", "bucket"}}}
 local kBoom, kStick, kBucket = Vec(0.15, 1.95, -0.75), Vec(0.15, 3.05, -3.55), Vec(0.15, 1.25, -3.95)
 local kTurn = QuatEuler(0, 0, 90)                           -- turns x to y
 local kReach, kBite = 0.16, 0.3

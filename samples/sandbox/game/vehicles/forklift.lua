@@ -3,7 +3,7 @@ local build = require("vehicles/build")
 local parts = require("vehicles/parts")
 
 local forklift = {name = "forklift", camera = {height = 1.7, distance = 6}, exit = Vec(-1.4, 0.3, 0.2), pitch = 1.15,
-    isRearSteered = true, engine = {Vec(-0.3, 0.5, 0.5), Vec(0.3, 0.75, 0.8)}, keys = {{"R  F", "fork up, down"}}}
+    isRearSteered = true, engine = {Vec(-0.3, 0.5, 0.5), Vec(0.3, 0.75, 0.8)}, keys = {{"liftup liftdown", "fork up, down"}}}
 local kSpeed, kStrength = 0.7, 4e4
 
 local function bodyModel()

@@ -9,6 +9,7 @@ function parts.add(v, name, model, transform, density)
     local body, shape = build.body(model, transform, density)
     v.bodies[#v.bodies + 1] = body
     v[name] = {body = body, shape = shape, corner = VecScale(Vec(table.unpack(model.origin)), model.voxel)}
+    if body == 0 then return v[name] end
     SetTag(body, "vehicle", v.kind)
     SetTag(body, "part", name)
     return v[name]
@@ -18,6 +19,7 @@ end
 function parts.wheel(v, frame, place, w)
     local transform = Transform(frame * place, frame.rot)
     local body, shape = build.body(build.wheelModel(w.radius, w.width, w.rim, w.tyre), transform, w.density)
+    if body == 0 then return end
     SetCollisionShape(shape, "cylinder x")
     SetShapeCollisionFilter(shape, parts.wheelLayer, 255)
     SetTag(body, "vehicle", v.kind)
@@ -44,14 +46,26 @@ end
 
 -- Connects a part to another one. `rot`: turns x to the axis, in the vehicle's frame.
 function parts.joint(v, name, kind, a, b, frame, place, rot, options)
+    if a.shape == 0 then return end
     v[name].joint = CreateJoint(kind, a.shape, b.shape, Transform(frame * place, frame.rot * rot), options)
 end
 
 -- A headlamp on the chassis, at a place of the vehicle's frame; it is dark while nobody drives.
 function parts.lamp(v, place, color, angle)
+    if v.chassis.shape == 0 then return end
     local at = Transform(place + v.chassis.corner, QuatEuler(-6, 0, 0))
     v.lamps[#v.lamps + 1] = {light = CreateLight(v.chassis.shape, at, color or Vec(95, 84, 62),
         {angle = angle or 0.5, reach = 34, radius = 0.12, off = true}), place = place + Vec(0, 0, 0.06)}
+end
+
+-- The models of a kind and where they are, without a body: for pictures of it.
+function parts.models(name, kind)
+    build.record = {}
+    local isGood, what = pcall(kind.build, {kind = name, bodies = {}, wheels = {}, lamps = {}}, Transform())
+    local list = build.record
+    build.record = nil
+    if not isGood then error(what, 0) end
+    return list
 end
 
 -- Its bodies that are still there.

@@ -3,7 +3,7 @@ local build = require("vehicles/build")
 local parts = require("vehicles/parts")
 
 local truck = {name = "truck", camera = {height = 2.4, distance = 10}, exit = Vec(-2.0, 0.3, -2.2), pitch = 0.65,
-    engine = {Vec(-0.4, 0.7, -2.2), Vec(0.4, 1.05, -1.7)}, keys = {{"R  F", "tip the bed"}}}
+    engine = {Vec(-0.4, 0.7, -2.2), Vec(0.4, 1.05, -1.7)}, keys = {{"liftup liftdown", "tip the bed"}}}
 
 local function cabModel()
     local m = build.model({24, 27, 66}, {12, 0, 33})
@@ -66,7 +66,7 @@ function truck.build(v, frame)
     parts.axles(v, frame, 0.95, -2.1, 1.7, {radius = 0.5, width = 0.4, steer = 0.5, density = 0.4, drive = 6000,
         brake = 9000, maxSpin = 32, breakForce = 2.5e5, rim = "steel"})
     parts.add(v, "bed", bedModel(), frame * Transform(Vec(0, 1.0, 3.1)), 0.12)
-    SetShapeCollisionFilter(v.bed.shape, 1, 255 - parts.wheelLayer)
+    if v.bed.shape ~= 0 then SetShapeCollisionFilter(v.bed.shape, 1, 255 - parts.wheelLayer) end
     parts.joint(v, "bed", "hinge", v.chassis, v.bed, frame, Vec(0, 1.0, 2.95), QuatEuler(0, 0, 0),
         {min = -0.02, max = 0.85, reach = 0.5})
     for _, x in ipairs({-0.85, 0.85}) do parts.lamp(v, Vec(x, 1.05, -3.3)) end

@@ -2,6 +2,7 @@
 local camera = require("vehicles/camera")
 local draw = require("draw")
 local drive = require("vehicles/drive")
+local keys = require("keys")
 local parts = require("vehicles/parts")
 
 local vehicles = {kinds = {}}
@@ -28,6 +29,11 @@ function vehicles.spawn(name, frame)
     v.since = GetTime()
     fleet.all[#fleet.all + 1] = v
     return v
+end
+
+-- Its models and where they are, as parts.models() gives them.
+function vehicles.models(name)
+    return parts.models(name, vehicles.kinds[name])
 end
 
 function vehicles.spawnAll()
@@ -120,7 +126,7 @@ function vehicles.tick(dt)
     if not IsHandleValid(v.chassis.body) then return vehicles.leave() end
     local yaw, pitch = camera.frame(v, kind, dt)
     SetPlayerLook(yaw, pitch)
-    if InputPressed("l") then
+    if InputPressed("headlights") then
         lightsOn = not lightsOn
         drive.light(v, lightsOn)
     end
@@ -128,6 +134,7 @@ end
 
 -- Each step. `isHeld`: a menu is open.
 function vehicles.update(isHeld)
+    for _, each in ipairs(fleet.all) do drive.smoke(each) end
     local v, kind = vehicles.driven()
     if not v or not IsHandleValid(v.chassis.body) then return end
     camera.step()
@@ -149,15 +156,20 @@ function vehicles.draw()
     UiTranslate(0, -44)
     draw.text(kind.name, 22, "right")
     UiPop()
-    local rows = {{"E", "get out"}, {"W A S D", "drive"}, {"Space", "brake"}}
+    local rows = {{"interact", "get out"}, {"gas left reverse right", "drive"}, {"handbrake", "brake"}}
     for _, row in ipairs(kind.keys or {}) do rows[#rows + 1] = row end
-    rows[#rows + 1] = {"L", "lamps"}
+    rows[#rows + 1] = {"headlights", "lamps"}
     UiPush()
     UiTranslate(48, UiHeight() - 44 - 34 * (#rows - 1))
+    local wide = 0
     for _, row in ipairs(rows) do
-        draw.text(row[1], 22, "left", draw.accent, 0.95, "bold.ttf")
+        row.label = keys.labels(row[1])
+        wide = math.max(wide, draw.width(row.label, 22, "bold.ttf"))
+    end
+    for _, row in ipairs(rows) do
+        draw.text(row.label, 22, "left", draw.accent, 0.95, "bold.ttf")
         UiPush()
-        UiTranslate(120, 0)
+        UiTranslate(wide + 28, 0)
         draw.text(row[2], 22)
         UiPop()
         UiTranslate(0, 34)
