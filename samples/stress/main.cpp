@@ -157,7 +157,7 @@ public:
     }
 
     bool run() {
-        if (const std::string error = beginResults(m_settings, m_options.build); !error.empty()) {
+        if (const std::string error = m_files.begin(m_settings, m_options.build); !error.empty()) {
             report(error);
             return false;
         }
@@ -234,6 +234,7 @@ private:
     const Options& m_options;
     const std::string m_command;
     RunSettings m_settings;
+    ResultFiles m_files;
 };
 
 int run(const Options& options) {
