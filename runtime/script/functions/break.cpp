@@ -30,7 +30,7 @@ int64_t holeWork(double radius, double length = 0.0) {
 }
 
 int64_t explosionWork(double size) {
-    return int64_t(30'000.0 * size * std::sqrt(size));
+    return int64_t(38'000.0 * size * std::sqrt(size));
 }
 
 int makeHole(lua_State* L) {
@@ -61,7 +61,7 @@ int crack(lua_State* L) {
     auto edit = sized<rubble_break>();
     copy(edit.position, vectorAt(L, 1, "pos"));
     readRadii(L, 2, edit.radii);
-    chargeStep(L, workOf(300.0, 14'000.0, edit.radii[0] * std::sqrt(edit.radii[0]), kMaxCrackWork));
+    chargeStep(L, workOf(300.0, 17'000.0, edit.radii[0] * std::sqrt(edit.radii[0]), kMaxCrackWork));
     edit.seed = uint32_t(ScriptContext::of(L).shared.step);
     isDone(L, apiOf(L).break_voxels(worldOf(L), &edit));
     return 0;

@@ -268,9 +268,9 @@ TEST(Script, EditsOfOneStepAreBounded) {
         ".lua:4: Explosion: expected edits of at most 2000000 of a script for one step, found "
         "more: wait(0) lets the step take place\n";
     const std::string all =
-        "c.lua: 0\tc.lua:4: Explosion: expected edits of at most 4000000 of all scripts for one "
+        "c.lua: 1\tc.lua:4: Explosion: expected edits of at most 4000000 of all scripts for one "
         "step, found more: wait(0) lets the step take place\n";
-    const std::string step = "a.lua: 8\ta" + own + "b.lua: 8\tb" + own + all;
+    const std::string step = "a.lua: 6\ta" + own + "b.lua: 6\tb" + own + all;
     EXPECT_EQ(yard.host().step(), RUBBLE_OK);
     EXPECT_EQ(yard.logged(0), step);
     EXPECT_EQ(yard.host().step(), RUBBLE_OK);
@@ -297,9 +297,9 @@ TEST(Script, EachEditCountsForTheStep) {
 /// As many as a step takes in less than 0.3 s in the town, by docs/scripting.md.
 TEST(Script, AStepHasSoManyOfEachEdit) {
     const std::pair<const char*, int> kCalls[] = {
-        {"Explosion({0, 500, 0}, 4)", 8},  {"Explosion({0, 500, 0}, 2)", 23},
-        {"Explosion({0, 500, 0}, 1)", 66}, {"Crack({0, 500, 0}, 20)", 1},
-        {"Crack({0, 500, 0}, 2)", 50},     {"Crack({0, 500, 0}, 1)", 139},
+        {"Explosion({0, 500, 0}, 4)", 6},  {"Explosion({0, 500, 0}, 2)", 18},
+        {"Explosion({0, 500, 0}, 1)", 52}, {"Crack({0, 500, 0}, 20)", 1},
+        {"Crack({0, 500, 0}, 2)", 41},     {"Crack({0, 500, 0}, 1)", 115},
         {"Paint({0, 500, 0}, 10)", 33},    {"MakeHoleLine({0, 500, 0}, {40, 500, 0}, 1)", 190}};
     for (const auto& [call, count] : kCalls) {
         Yard yard;
