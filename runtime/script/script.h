@@ -96,6 +96,8 @@ public:
     void resumeWaiting();
     /// Whether anything waits.
     bool isWaiting() const { return !m_waiting.empty() || !m_context.started.empty(); }
+    /// Whether a text of evaluate() waits, so that its answer is to come.
+    bool owesAnswer() const { return !m_evaluated.empty() && !isStopped(); }
 
     /// What saved() keeps: the text of each table by its name.
     std::map<std::string, std::string> savedTables();

@@ -78,8 +78,15 @@ std::optional<std::string> readStatements(LineInput& input, Script& script) {
     return text;
 }
 
+/// A step with the callbacks of a frame, as hosts show it: after the step.
+void playStep(ScriptHost& host, const OffscreenView* view) {
+    host.tick(1.0 / 60.0);
+    host.step();
+    if (view) host.draw(view->renderer(), view->view(), 1.0 / 60.0);
+}
+
 /// Lua from standard input, each statement in a step of its own.
-int readLines(ScriptHost& host, const Options& options) {
+void readLines(ScriptHost& host, const OffscreenView* view, const Options& options) {
     Script* script = &host.add("line", "", parametersOf(options));
     const char* home = std::getenv("HOME");
     LineInput input([&](std::string_view line) { return script->completions(line); },
@@ -89,8 +96,7 @@ int readLines(ScriptHost& host, const Options& options) {
         const bool isExpression = script->compiles("return " + *text);
         script->evaluate(isExpression ? "return " + *text : *text, answer);
         if (!answer.empty()) fmt::print("{}\n", answer);
-        host.tick(1.0 / 60.0);
-        host.step();
+        playStep(host, view);
         const std::string late = script->takeAnswer();
         if (!late.empty()) fmt::print("{}\n", late);
         if (script->isStopped()) {
@@ -101,20 +107,29 @@ int readLines(ScriptHost& host, const Options& options) {
         if (interrupted) break;
     }
     fmt::print("\n");
-    return 0;
 }
 
-int evaluate(ScriptHost& host, const Options& options) {
+/// The text of --eval, which may wait; false: it has failed.
+bool evaluateText(ScriptHost& host, Script& script, const OffscreenView* view, const Options& options,
+                  const std::string& text) {
+    std::string answer;
+    if (!script.evaluate(script.compiles("return " + text) ? "return " + text : text, answer)) return false;
+    for (int i = 0; script.isWaiting() && i < options.steps && !interrupted; ++i) playStep(host, view);
+    answer += script.takeAnswer();
+    if (!answer.empty()) fmt::print("{}\n", answer);
+    if (!script.owesAnswer() || interrupted) return true;
+    fmt::print(stderr, "lua: --eval: the text still waits after {} steps: see --steps\n", options.steps);
+    return false;
+}
+
+bool evaluate(ScriptHost& host, const OffscreenView* view, const Options& options) {
     Script& script = host.add("eval", "", parametersOf(options));
     for (const std::string& text : options.evaluated) {
-        std::string answer;
-        if (!script.evaluate(script.compiles("return " + text) ? "return " + text : text, answer)) return 1;
-        for (int i = 0; script.isWaiting() && i < options.steps && !interrupted; ++i) host.step();
-        answer += script.takeAnswer();
-        if (!answer.empty()) fmt::print("{}\n", answer);
-        host.step();
+        if (!evaluateText(host, script, view, options, text)) return false;
+        playStep(host, view);
     }
-    return script.error().empty() ? 0 : 1;
+    while (options.hasSteps && host.shared().step < uint64_t(options.steps) && !interrupted) playStep(host, view);
+    return true;
 }
 
 void printFunctions(const Script& script) {
@@ -175,19 +190,15 @@ void playFrame(ScriptHost& host, const OffscreenView* view, double& due) {
     if (view) host.draw(view->renderer(), view->view(), 1.0 / 60.0);
 }
 
-int play(ScriptHost& host, OffscreenView* view, const Options& options) {
+void play(ScriptHost& host, const OffscreenView* view, const Options& options) {
     FileWatch watch(options.script);  // before the script is read
     if (!options.script.empty())
         host.add(fs::path(options.script).filename().string(), readFile(options.script), parametersOf(options));
-    const auto isGood = [&] {
-        return std::all_of(host.scripts().begin(), host.scripts().end(),
-                           [](auto& each) { return each.error().empty(); });
-    };
-    host.shared().showsProfile = view && options.prints;
     double due = 0.0;
     const auto isOver = [&](int steps) {
         if (interrupted || (steps >= options.steps && (options.hasSteps || !options.watches))) return true;
-        return !options.watches && host.scripts().front().isStopped() && host.scripts().size() == 1;
+        const std::list<Script>& scripts = host.scripts();
+        return !options.watches && (scripts.empty() || (scripts.size() == 1 && scripts.front().isStopped()));
     };
     for (int i = 0; !isOver(i); i += i < options.steps) {
         playFrame(host, view, due);
@@ -196,18 +207,52 @@ int play(ScriptHost& host, OffscreenView* view, const Options& options) {
         std::fflush(stdout);
         std::this_thread::sleep_for(std::chrono::milliseconds(16));
     }
-    if (options.prints) printProfile(host);
-    if (view && host.shared().step == 0) host.step();  // a renderer shows nothing before the first one
-    const std::string error = view ? view->write(options.image) : "";
-    if (!error.empty()) fmt::print(stderr, "lua: {}\n", error);
-    return error.empty() && isGood() ? 0 : 1;
 }
 
-/// Whether the level names scripts: where none of them is there, the log has said so.
-bool namesScripts(const rubble_api& api, rubble_world world) {
-    uint32_t count = 0;
-    api.get_level_scripts(world, nullptr, 0, &count);
-    return count > 0;
+/// How many scripts the level names that do not run: the log has said why.
+size_t missingScripts(const rubble_api& api, rubble_world world, const ScriptHost& host) {
+    uint32_t named = 0;
+    api.get_level_scripts(world, nullptr, 0, &named);
+    const auto running = std::count_if(host.scripts().begin(), host.scripts().end(),
+                                       [](const Script& script) { return script.ofLevel().has_value(); });
+    return size_t(std::max<ptrdiff_t>(0, ptrdiff_t(named) - running));
+}
+
+/// An option that would have no effect, or "".
+std::string uselessOption(const Options& options, bool readsLines) {
+    const bool onlyLevel = !readsLines && options.evaluated.empty() && options.script.empty();
+    if (readsLines && options.hasSteps) return "--steps: expected a script, --eval or a level with scripts, found none";
+    if (onlyLevel && !options.parameters.empty())
+        return "--param: expected a script or --eval, found none: scripts of a level have parameters of their own";
+    return "";
+}
+
+/// What the options ask for; false: a script has failed or is missing, or the image was not written.
+bool runScripts(const rubble_api& api, rubble_world world, ScriptHost& host, OffscreenView* view,
+                const Options& options) {
+    host.shared().showsProfile = view && options.prints;
+    host.addLevelScripts();
+    const bool hasScripts = !host.scripts().empty() || missingScripts(api, world, host) > 0;
+    const bool readsLines = options.evaluated.empty() && options.script.empty() && !hasScripts;
+    std::string error = uselessOption(options, readsLines);
+    if (!error.empty()) {
+        fmt::print(stderr, "lua: {}\n", error);
+        return false;
+    }
+    bool isGood = true;
+    if (!options.evaluated.empty())
+        isGood = evaluate(host, view, options);
+    else if (readsLines)
+        readLines(host, view, options);
+    else
+        play(host, view, options);
+    if (options.prints) printProfile(host);
+    if (view && host.shared().step == 0) host.step();  // a renderer shows nothing before the first one
+    if (view) error = view->write(options.image);
+    if (!error.empty()) fmt::print(stderr, "lua: {}\n", error);
+    const bool hasFailed = std::any_of(host.scripts().begin(), host.scripts().end(),
+                                       [](const Script& each) { return !each.error().empty(); });
+    return isGood && error.empty() && missingScripts(api, world, host) == 0 && (readsLines || !hasFailed);
 }
 
 int writeReference(const Options& options) {
@@ -267,13 +312,7 @@ int run(const Options& options) {
         };
         ScriptHost host(*api, world, given);
         host.setView(viewOf(camera, kWidth, kHeight));
-        host.addLevelScripts();
-        if (!options.evaluated.empty())
-            result = evaluate(host, options);
-        else if (options.script.empty() && host.scripts().empty())
-            result = namesScripts(*api, world) ? 1 : readLines(host, options);
-        else
-            result = play(host, options.image.empty() ? nullptr : &view, options);
+        result = runScripts(*api, world, host, options.image.empty() ? nullptr : &view, options) ? 0 : 1;
         isEnding = true;
     }
     view.end();
@@ -290,17 +329,23 @@ int main(int argc, char** argv) {
     const auto fileError = [](const std::string& path) {
         std::error_code wrong;
         const bool isFile = std::filesystem::is_regular_file(path, wrong);
-        return isFile ? std::string() : "expected a file, found " + path;
+        return isFile && std::ifstream(path) ? std::string() : "expected a file that can be read, found " + path;
     };
-    app.add_option("script", options.script, "a file of Lua")->check(CLI::Validator(fileError, "FILE"));
+    CLI::Option* script =
+        app.add_option("script", options.script, "a file of Lua")->check(CLI::Validator(fileError, "FILE"));
     app.add_option("--level", options.level, "a .rubble, .vox or .vdb file; without it a small yard");
     app.add_option("--vdb-tool", options.vdbTool, "the program rubble-vdb, for .vdb levels");
     const CLI::Option* steps =
-        app.add_option("--steps", options.steps, "how long, in steps of 1/60 s; with --watch until Ctrl+C without it")
+        app.add_option("--steps", options.steps,
+                       "how long, in steps of 1/60 s; with --watch until Ctrl+C without it; with --eval until the "
+                       "text is done, which may wait for so long, 600 without it")
             ->check(CLI::Range(0, 1'000'000'000));
-    app.add_option("--eval", options.evaluated, "runs this text instead, and prints what it gives")
-        ->allow_extra_args(false);
-    app.add_option("--param", options.parameters, "NAME=VALUE, for GetIntParam() and its like")
+    app.add_option("--eval", options.evaluated,
+                   "runs this text in place of a script, and prints what it gives; may be given several times")
+        ->allow_extra_args(false)
+        ->excludes(script);
+    app.add_option("--param", options.parameters,
+                   "NAME=VALUE, for GetIntParam() and its like, of the script, of --eval and of lines")
         ->allow_extra_args(false)
         ->check(CLI::Validator(
             [](const std::string& given) {
@@ -310,12 +355,18 @@ int main(int argc, char** argv) {
             "NAME=VALUE"));
     app.add_flag("--profile", options.prints,
                  "prints what each callback and each function have cost; with --image: shows it too");
-    app.add_flag("--watch", options.watches, "in real time; the script begins again when its file changes");
-    app.add_option("--image", options.image, "writes the last frame, with what scripts draw, as PNG");
+    app.add_flag("--watch", options.watches, "in real time; the script begins again when its file changes")
+        ->needs(script);
+    app.add_option("--image", options.image,
+                   "writes the last frame, with what scripts draw, as PNG: of a script, --eval or lines");
     app.add_option("--camera", options.camera, "x y z of the camera, and of what it looks at, in metres")
         ->expected(6)
         ->check(rubble::numberFrom(-1e6, 1e6));
-    app.add_option("--reference", options.reference, "writes the pages of docs/scripting into this folder");
+    const std::vector<CLI::Option*> others = app.get_options(
+        [](const CLI::Option* each) { return !each->check_lname("vdb-tool") && !each->check_lname("help"); });
+    CLI::Option* reference =
+        app.add_option("--reference", options.reference, "writes the pages of docs/scripting into this folder");
+    for (CLI::Option* other : others) reference->excludes(other);
     CLI11_PARSE(app, argc, argv);
     options.hasSteps = steps->count() > 0;
     lua_sample::catchInterrupts();

@@ -16,9 +16,10 @@ namespace {
 constexpr lua_Integer kSmallestHandle = 1 << 20;
 
 /// How functions of the vocabulary with an effect begin.
-constexpr std::array kEffects = {"Set",   "Draw",    "Create",    "Clear",  "Resize", "Trim",      "Split",
-                                 "Merge", "Copy",    "Extrude",   "Remove", "Paint",  "Constrain", "Apply",
-                                 "Spawn", "AddHeat", "Explosion", "Shoot",  "Delete", "MakeHole",  "PointLight"};
+constexpr std::array kEffects = {"Set",    "Draw",    "Create",    "Clear",     "Resize", "Trim",      "Split",
+                                 "Merge",  "Copy",    "Extrude",   "Remove",    "Paint",  "Constrain", "Apply",
+                                 "Spawn",  "AddHeat", "Explosion", "Shoot",     "Delete", "MakeHole",  "PointLight",
+                                 "Detach", "Break",   "Crack",     "Extinguish"};
 /// Functions that give handles of things that were not made by a command.
 constexpr std::array kFinders = {"Find", "GetShapeBody", "GetBodyShapes", "GetJointShapes", "GetShapeJoints"};
 
@@ -52,6 +53,14 @@ std::string quoted(const std::string& bytes) {
     return text + "\"";
 }
 
+/// The shortest text of a number with a point that gives its bits again.
+std::string numberText(double value) {
+    if (std::isnan(value)) return "0/0";
+    if (std::isinf(value)) return value > 0.0 ? "1/0" : "-1/0";
+    const std::string text = fmt::format("{}", value);
+    return text + (text.find_first_of(".e") == std::string::npos ? ".0" : "");
+}
+
 /// A key of a table as its constructor has it.
 std::string keyText(const std::string& key) {
     static constexpr std::array kKeywords = {"and",      "break",  "do",   "else", "elseif", "end",  "false", "for",
@@ -64,18 +73,19 @@ std::string keyText(const std::string& key) {
     return isName ? key : "[" + quoted(key) + "]";
 }
 
+/// The same of a number or a boolean.
+std::string keyText(lua_State* L, int index) {
+    if (lua_isboolean(L, index)) return lua_toboolean(L, index) ? "[true]" : "[false]";
+    return "[" +
+           (lua_isinteger(L, index) ? std::to_string(lua_tointeger(L, index)) : numberText(lua_tonumber(L, index))) +
+           "]";
+}
+
 /// The bytes of a text on the stack.
 std::string textOf(lua_State* L, int index) {
     size_t length = 0;
     const char* bytes = lua_tolstring(L, index, &length);
     return {bytes, length};
-}
-
-/// The shortest text of a number that gives its bits again.
-std::string numberText(double value) {
-    if (std::isnan(value)) return "0/0";
-    if (std::isinf(value)) return value > 0.0 ? "1/0" : "-1/0";
-    return fmt::format("{}", value);
 }
 
 }  // namespace
@@ -97,26 +107,32 @@ std::string CommandLog::valueText(lua_State* L, int index, int depth, std::vecto
             }
             return found->second;
         }
-        case LUA_TTABLE: {
-            if (depth == 0) return "{}";
-            std::string text;
-            const lua_Integer length = lua_Integer(lua_rawlen(L, index));
-            for (lua_Integer i = 1; i <= length; ++i) {
-                lua_rawgeti(L, index, i);
-                text += (text.empty() ? "" : ", ") + valueText(L, lua_gettop(L), depth - 1, needed);
-                lua_pop(L, 1);
-            }
-            if (length) return "{" + text + "}";
-            std::map<std::string, std::string> fields;  // sorted, as the order in a table is not
-            for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1))
-                if (lua_type(L, -2) == LUA_TSTRING)
-                    fields[keyText(textOf(L, -2))] = valueText(L, lua_gettop(L), depth - 1, needed);
-            for (const auto& [key, value] : fields) text += (text.empty() ? "" : ", ") + key + " = " + value;
-            return "{" + text + "}";
-        }
+        case LUA_TTABLE:
+            return depth == 0 ? "{}" : tableText(L, index, depth, needed);
         default:
             return "nil";
     }
+}
+
+/// First its list, then its other keys, sorted, as the order in a table is not.
+std::string CommandLog::tableText(lua_State* L, int index, int depth, std::vector<size_t>& needed) const {
+    std::string text;
+    const lua_Integer length = lua_Integer(lua_rawlen(L, index));
+    for (lua_Integer i = 1; i <= length; ++i) {
+        lua_rawgeti(L, index, i);
+        text += (text.empty() ? "" : ", ") + valueText(L, lua_gettop(L), depth - 1, needed);
+        lua_pop(L, 1);
+    }
+    std::map<std::string, std::string> fields;
+    for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
+        const bool isListed = lua_isinteger(L, -2) && lua_tointeger(L, -2) >= 1 && lua_tointeger(L, -2) <= length;
+        const int type = lua_type(L, -2);
+        if (isListed || (type != LUA_TSTRING && type != LUA_TNUMBER && type != LUA_TBOOLEAN)) continue;
+        const std::string key = type == LUA_TSTRING ? keyText(textOf(L, -2)) : keyText(L, -2);
+        fields[key] = valueText(L, lua_gettop(L), depth - 1, needed);
+    }
+    for (const auto& [key, value] : fields) text += (text.empty() ? "" : ", ") + key + " = " + value;
+    return "{" + text + "}";
 }
 
 void CommandLog::begin(lua_State* L, const rubble::script::ScriptFunction& function) {

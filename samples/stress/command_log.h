@@ -29,6 +29,7 @@ public:
 
 private:
     std::string valueText(lua_State* L, int index, int depth, std::vector<size_t>& needed) const;
+    std::string tableText(lua_State* L, int index, int depth, std::vector<size_t>& needed) const;
     void name(lua_State* L, int index, const std::string& expression);
 
     /// A command that has begun and not ended was refused. As the script goes on, it has caught the error.

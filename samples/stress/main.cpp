@@ -157,7 +157,7 @@ public:
     }
 
     bool run() {
-        if (const std::string error = beginResults(m_settings, m_options.build); !error.empty()) {
+        if (const std::string error = m_files.begin(m_settings, m_options.build); !error.empty()) {
             report(error);
             return false;
         }
@@ -234,13 +234,15 @@ private:
     const Options& m_options;
     const std::string m_command;
     RunSettings m_settings;
+    ResultFiles m_files;
 };
 
 int run(const Options& options) {
     catchSignals();
     const rubble_api* api = nullptr;
     if (rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK) return 1;
-    if (const std::string error = rubble::makeOutFolder(options.out); !error.empty()) {
+    const bool plays = !options.lists && !options.listsJobs;
+    if (const std::string error = plays ? rubble::makeOutFolder(options.out) : ""; !error.empty()) {
         fmt::print(stderr, "stress: --out: {}\n", error);
         return 2;
     }
@@ -257,7 +259,7 @@ int run(const Options& options) {
                 fmt::print("{} --replay-every {} --out {} --images {} --minimise {}\n",
                            commandOf(options, scenario, seed), options.replayEvery, shellWord(options.out),
                            options.images, options.minimiseRuns);
-            else if (!options.lists && !interrupted)
+            else if (plays && !interrupted)
                 failed += !Job(*api, options, scenario, seed).run();
     }
     return interrupted ? kSignalled + interrupted : failed ? 1 : 0;

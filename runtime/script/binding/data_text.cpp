@@ -111,7 +111,23 @@ private:
         return text.value_or("nil");
     }
 
+    /// What a table of a constructor has beside what that makes is lost.
+    void loseOtherFields(int at, const std::string& constructor, const std::string& path) {
+        const lua_Integer count = constructor == "Vec" ? 3 : constructor == "Quat" ? 4 : 0;
+        for (lua_pushnil(m_state); lua_next(m_state, at); lua_pop(m_state, 1)) {
+            const lua_Integer number = lua_isinteger(m_state, -2) ? lua_tointeger(m_state, -2) : 0;
+            const std::string name = lua_type(m_state, -2) == LUA_TSTRING ? lua_tostring(m_state, -2) : "";
+            if ((number >= 1 && number <= count) || (count == 0 && (name == "pos" || name == "rot"))) continue;
+            const int kind = lua_type(m_state, -2);
+            const bool isPlain = kind == LUA_TNUMBER || kind == LUA_TSTRING || kind == LUA_TBOOLEAN;
+            const std::string key =
+                isPlain ? write(-2, path).value_or("") : std::string("a ") + lua_typename(m_state, kind);
+            lose(fieldPath(path, -2, key), "a field of a " + constructor);
+        }
+    }
+
     std::string writeVector(int at, const std::string& constructor, const std::string& path) {
+        loseOtherFields(at, constructor, path);
         if (constructor == "Transform")
             return "Transform(" + field(at, 0, "pos", path) + "," + field(at, 0, "rot", path) + ")";
         std::string text = constructor + "(";

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "runtime/script/binding/calls.h"
 #include "runtime/script/binding/vector_math.h"
 #include "runtime/script/functions/vocabulary.h"
@@ -16,7 +18,7 @@ void readRadii(lua_State* L, int first, double (&radii)[3]) {
 }
 
 /// What edits cost the step at most, by their size in metres: see chargeStep().
-constexpr int64_t kMaxHoleWork = 200'000, kMaxCrackWork = 1'000'000;
+constexpr int64_t kMaxHoleWork = 200'000, kMaxCrackWork = 1'300'000;
 
 int64_t workOf(double base, double factor, double size, int64_t most) {
     const double work = base + factor * size;
@@ -24,11 +26,11 @@ int64_t workOf(double base, double factor, double size, int64_t most) {
 }
 
 int64_t holeWork(double radius, double length = 0.0) {
-    return workOf(200.0, 1.0, 300.0 * radius * radius + 200.0 * radius * length, kMaxHoleWork);
+    return workOf(200.0, 1.0, 300.0 * radius * radius + 250.0 * radius * length, kMaxHoleWork);
 }
 
 int64_t explosionWork(double size) {
-    return workOf(8000.0, 8000.0, size * size, kMaxHoleWork);
+    return int64_t(38'000.0 * size * std::sqrt(size));
 }
 
 int makeHole(lua_State* L) {
@@ -59,7 +61,7 @@ int crack(lua_State* L) {
     auto edit = sized<rubble_break>();
     copy(edit.position, vectorAt(L, 1, "pos"));
     readRadii(L, 2, edit.radii);
-    chargeStep(L, workOf(300.0, 4500.0, edit.radii[0] * edit.radii[0], kMaxCrackWork));
+    chargeStep(L, workOf(300.0, 17'000.0, edit.radii[0] * std::sqrt(edit.radii[0]), kMaxCrackWork));
     edit.seed = uint32_t(ScriptContext::of(L).shared.step);
     isDone(L, apiOf(L).break_voxels(worldOf(L), &edit));
     return 0;
@@ -193,7 +195,7 @@ void paintAt(lua_State* L, const Vector& position, double radius, rubble_paint p
     ScriptContext& context = ScriptContext::of(L);
     copy(paint.position, position);
     paint.radius = radius;
-    chargeStep(L, workOf(200.0, 500.0, radius * radius, kMaxHoleWork));
+    chargeStep(L, workOf(200.0, 600.0, radius * radius, kMaxHoleWork));
     paint.seed = uint32_t(context.shared.step);
     isDone(L, apiOf(L).paint(worldOf(L), &paint));
 }

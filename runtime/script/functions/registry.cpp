@@ -1,6 +1,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 
 #include "runtime/script/binding/calls.h"
 #include "runtime/script/functions/vocabulary.h"
@@ -159,16 +160,16 @@ int clearKey(lua_State* L) {
 
 int listKeys(lua_State* L) {
     const std::string key = textAt(L, 1, "parent"), parent = key.empty() ? "" : key + ".";
-    lua_newtable(L);
-    std::string last;
-    lua_Integer count = 0;
+    std::set<std::string> children;  // those of one child need not stand together: "a", "a-b", "a.c"
     for (auto row = keysOf(L).lower_bound(parent); row != keysOf(L).end() && row->first.starts_with(parent); ++row) {
-        const std::string child = row->first.substr(parent.size(), row->first.find('.', parent.size()) - parent.size());
         Sandbox::of(L).charge(L, 10);
-        if (child == last) continue;
+        children.insert(row->first.substr(parent.size(), row->first.find('.', parent.size()) - parent.size()));
+    }
+    lua_newtable(L);
+    lua_Integer count = 0;
+    for (const std::string& child : children) {
         lua_pushstring(L, child.c_str());
         lua_rawseti(L, -2, ++count);
-        last = child;
     }
     return 1;
 }

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <sstream>
 
+#include "generated/paths.h"
 #include "tests/runtime/script/yard_fixture.h"
 
 namespace rubble::script {
@@ -87,6 +89,15 @@ TEST_F(LevelScripts, AreLimitedInNumberAndToldOnce) {
               "which do not run\n");
     name({});
     EXPECT_TRUE(m_yard.host().scripts().empty());
+}
+
+TEST_F(LevelScripts, HaveTheirLimitsInTheDocumentOfRanges) {
+    std::ostringstream document;
+    document << std::ifstream(RUBBLE_SOURCE_DIR "/docs/ranges.md").rdbuf();
+    const size_t memory = SharedMemory::kScripts * SandboxLimits{}.memory;
+    for (const std::string& row : {"| RunningScripts | 0 | " + std::to_string(ScriptHost::kMaxScripts) + " |",
+                                   "| ScriptsMemory | 0 | " + std::to_string(memory) + " |"})
+        EXPECT_NE(document.str().find(row), std::string::npos) << row;
 }
 
 TEST_F(LevelScripts, HaveAMemoryTogether) {

@@ -1,6 +1,7 @@
 // The program behind ./rubble lua.
 #include <gtest/gtest.h>
 #include <pty.h>
+#include <rubble/rubble.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,7 +13,10 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
+#include "generated/paths.h"
+#include "samples/lua/yard.h"
 #include "tests/support/temp_folder.h"
 
 namespace rubble::script {
@@ -25,6 +29,22 @@ std::string output(const std::string& before, const std::string& arguments) {
     for (int byte = pipe ? std::fgetc(pipe) : EOF; byte != EOF; byte = std::fgetc(pipe)) text += char(byte);
     if (pipe) pclose(pipe);
     return text;
+}
+
+/// A level without shapes that names scripts.
+void writeLevelWithScripts(const std::string& path, const std::vector<const char*>& scripts) {
+    const rubble_api* api = nullptr;
+    rubble_world world = 0;
+    rubble_world_settings settings = {.struct_size = sizeof settings, .flags = RUBBLE_WORLD_NO_RENDERER};
+    std::vector<rubble_level_script> rows;
+    for (const char* script : scripts) rows.push_back({.path = script, .parameters = ""});
+    ASSERT_EQ(rubble_get_api(RUBBLE_VERSION, &api), RUBBLE_OK);
+    ASSERT_EQ(api->create_world(&settings, &world), RUBBLE_OK);
+    EXPECT_EQ(lua_sample::buildYard(*api, world), "");
+    EXPECT_EQ(api->set_level_scripts(world, rows.data(), uint32_t(rows.size())), RUBBLE_OK);
+    EXPECT_EQ(api->step(world), RUBBLE_OK);
+    EXPECT_EQ(api->save_level(world, path.c_str(), nullptr), RUBBLE_OK) << api->get_last_error();
+    api->destroy_world(world);
 }
 
 TEST(LuaProgram, CallsWhatALineHasDefined) {
@@ -97,6 +117,40 @@ TEST(LuaProgram, FailsWhereSomethingIsWrong) {
     EXPECT_NE(ended.find("status 1"), std::string::npos) << ended;
     EXPECT_NE(output("", "--eval 1 --param foo" + status).find("expected NAME=VALUE, found foo"), std::string::npos);
     EXPECT_NE(output("", "--eval 1 --param =3").find("expected NAME=VALUE"), std::string::npos);
+}
+
+TEST(LuaProgram, FailsWhereAScriptOfTheLevelIsMissing) {
+    const TempFolder folder;
+    const std::string level = (folder.path() / "room.rubble").string(), status = " 2>&1; echo status $?";
+    std::ofstream(folder.path() / "there.lua") << "print('there')";
+    writeLevelWithScripts(level, {"there.lua", "gone.lua"});
+    for (const char* how : {"", " --eval 2"}) {
+        const std::string text = output("", "--level " + level + " --steps 1" + how + status);
+        EXPECT_NE(text.find("there.lua: there\n"), std::string::npos) << text;
+        EXPECT_NE(text.find("gone.lua\": expected a file beside the level, found none"), std::string::npos) << text;
+        EXPECT_NE(text.find("status 1"), std::string::npos) << text;
+    }
+    writeLevelWithScripts(level, {"there.lua"});
+    EXPECT_EQ(output("", "--level " + level + " --steps 1" + status), "there.lua: there\nstatus 0\n");
+    EXPECT_NE(output("", "--level " + level + " --param n=1" + status).find("--param: expected a script or --eval"),
+              std::string::npos);
+}
+
+TEST(LuaProgram, PlaysWhatTextsHaveDefined) {
+    const char* ticks = "--eval 'function tick() n = (n or 0) + 1 print(n) end' --steps 3";
+    EXPECT_EQ(output("", ticks), "eval: 1\neval: 2\neval: 3\n");
+    EXPECT_NE(output("", "--eval 'function tick() end' --profile").find(" 1 calls"), std::string::npos);
+}
+
+TEST(LuaProgram, SaysWhichOptionsHaveNoEffect) {
+    const std::string status = " 2>&1; echo status $?";
+    EXPECT_NE(output("echo 1 |", "--steps 5").find("--steps: expected a script, --eval or a level"), std::string::npos);
+    EXPECT_NE(output("", "--watch --eval 1").find("--watch requires script"), std::string::npos);
+    EXPECT_NE(output("", RUBBLE_SOURCE_DIR "/samples/lua/drawing.lua --eval 1").find("script excludes --eval"),
+              std::string::npos);
+    EXPECT_NE(output("", "--eval 1 --reference /tmp").find("--eval excludes --reference"), std::string::npos);
+    const std::string late = output("", "--eval 'wait(1) return 5' --steps 3" + status);
+    EXPECT_EQ(late, "lua: --eval: the text still waits after 3 steps: see --steps\nstatus 1\n");
 }
 
 /// The program with a script that it watches, until it ends.

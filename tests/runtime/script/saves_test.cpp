@@ -61,6 +61,7 @@ TEST(ScriptSaves, WhatCannotBeKeptIsNamedAndTheRestIsKept) {
     const std::string text =
         "local s = saved('s', {n = 0})\n"
         "function update() s.n = s.n + 1 s.a = print s.cars = {{body = 7, hit = print}, {[print] = 1}}\n"
+        "s.spot = Vec(1, 2, 3) s.spot.name = 'x' s.pose = Transform() s.pose[1] = 2\n"
         "s.self = s s['two words'] = {at = Vec(1, 2, 3), co = coroutine.create(print)} end\n"
         "function onLoad() local c = saved('s') assert(c.n == 3 and c.a == nil and c.cars[1].body == 7 and #c.cars == "
         "2)\n"
@@ -72,6 +73,7 @@ TEST(ScriptSaves, WhatCannotBeKeptIsNamedAndTheRestIsKept) {
     const std::string begin =
         "keep.lua:1: saved \"s\": expected numbers, texts, booleans, vectors and tables of these, found s";
     for (const char* loss : {".a: a function", ".cars[1].hit: a function", ".cars[2]: a key that is a function",
+                             ".spot.name: a field of a Vec", ".pose[1]: a field of a Transform",
                              ".self: a table that is in itself", "[\"two words\"].co: a thread"})
         EXPECT_NE(log.find(begin + loss + ": it is not kept\n"), std::string::npos) << loss << " in " << log;
     ASSERT_EQ(yard.host().save(), RUBBLE_OK);

@@ -97,6 +97,9 @@ TEST(ScriptRegistry, TheEmptyKeyIsAboveAll) {
     EXPECT_EQ(yard.run("SetInt('b.c', 1) SetInt('a', 1) SetInt('b.d', 1) "
                        "assert(table.concat(ListKeys(''), ' ') == 'a b') ClearKey('') assert(#ListKeys('') == 0)"),
               "");
+    EXPECT_EQ(yard.run("for _, key in ipairs({'s.a', 's.a-b', 's.a.c'}) do SetInt(key, 1) end "
+                       "assert(table.concat(ListKeys('s'), ' ') == 'a a-b')"),
+              "");
 }
 
 TEST(ScriptTags, OfAnObjectAreBounded) {

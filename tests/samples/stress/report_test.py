@@ -2,6 +2,7 @@
 """The page and the table of stress runs, from figures that are made up, and what the program leaves of runs of a few
 steps. report_test.py FOLDER_OF_REPORT_PY PROGRAM"""
 import contextlib
+import fcntl
 import io
 import json
 import pathlib
@@ -167,6 +168,16 @@ class Program(unittest.TestCase):
             self.play(f"function init() Settings({{[{key}] = 1, stress = true}}) end")
             self.assertIn(f"Settings({{[{key}] = 1, stress = true}})", self.figures()["failure"]["script"])
 
+    def test_a_short_script_has_all_that_was_called(self):
+        calls = ['Settings({1, 2.0, {-0.0}, [-3] = 1, [2.5] = "a", [5] = 0.5, [true] = 3, stress = true})',
+                 "Crack({0, 0, 0}, 1)", "Extinguish({0, 0, 0}, 2)", 'BreakRope(7, {0, 0, 0})',
+                 "DetachJointFromShape(7, 8)"]
+        self.play("function init() " + " ".join(f"pcall({call.replace('(', ', ', 1)}" for call in calls) +
+                  " Walk(0, {1, 2}) end", "--minimise", "1")
+        script = self.figures()["failure"]["script"]
+        for call in calls:
+            self.assertTrue(call in script or call.replace("(", ", ", 1) in script, script)
+
     def test_a_short_script_fails_by_the_same_call(self):
         self.play("""function init()
             UndoLimit(3)
@@ -207,6 +218,24 @@ class Program(unittest.TestCase):
             run.kill()
         folder = report.Folder(self.path)
         self.assertEqual((folder.runs, folder.ended), ({}, [("x", "1")]))
+
+    def test_a_run_leaves_those_alone_that_go_on(self):
+        scenario = self.path / "x.lua"
+        scenario.write_text("function init() print('begun') end")
+        run = subprocess.Popen([PROGRAM, scenario, "--minutes", "99", "--images", "0", "--out", self.path],
+                               stderr=subprocess.PIPE, text=True)
+        with run:
+            run.stderr.readline()
+            status, _, errors = self.play("")
+            self.assertEqual(status, 1)
+            self.assertIn("x_1.json.part is of a run that goes on: expected another --out", errors)
+            self.assertTrue((self.path / "x_1.json.part").exists() and not (self.path / "x_1.json").exists())
+            run.kill()
+        self.assertEqual(self.play("")[0], 0)
+        with open(self.path / "x_1.json") as figures:  # as of a run that draws its images
+            fcntl.flock(figures, fcntl.LOCK_EX)
+            self.assertIn("is of a run that goes on", self.play("")[2])
+        self.assertEqual({path.name for path in self.path.iterdir()}, {"x.lua", "x_1.json"})
 
     def test_signals_end_a_run_orderly(self):
         scenario = self.path / "x.lua"
