@@ -47,6 +47,8 @@ namespace {
 /// Wider than ranges::kPlace: a part of a shape lies beside its origin.
 constexpr NumberRange kEventPlace{-1e10, 1e10};  // m
 constexpr NumberRange kEventSize{0.0, 1e10};     // m
+/// Those of the largest grid: what is drawn of a cloud grows with them.
+constexpr NumberRange kCloudVoxels{0.0, double(kMaxGridSize) * kMaxGridSize* kMaxGridSize};
 
 /// Calls f(a, b) with each list of both.
 template <class A, class B, class F>
@@ -62,9 +64,10 @@ std::string eventsError(const StepEvents& events) {
     for (const DustCloud& cloud : events.dust)
         check.vector("dust", cloud.position, kEventPlace)
             .number("radius", cloud.radius, kEventSize)
-            .vector("velocity", cloud.velocity, ranges::kVelocity);
+            .vector("velocity", cloud.velocity, ranges::kVelocity)
+            .number("count", double(cloud.count), kCloudVoxels);
     for (const Blast& blast : events.blasts)
-        check.vector("blast", blast.position, kEventPlace).number("size", blast.size, kEventSize);
+        check.vector("blast", blast.position, kEventPlace).number("size", blast.size, ranges::kExplosionSize);
     for (const ShapeSplit& split : events.splits) {
         check.require(split.children.size() == split.parentOffset.size(), "an offset for each piece");
         for (const glm::ivec3 offset : split.parentOffset)
@@ -104,7 +107,6 @@ StepEvents readStepEvents(ByteReader& in, uint8_t world) {
     if (!in.takeMemory(listMemory(1, sizeof(StepEvents)))) return events;
     BinaryInputArchive(in, {}, world).get(events);
     in.expectEnd("events");
-    for (ShapeSplit& split : events.splits) split.motions.resize(split.children.size());
     if (in.failed()) return events;
     if (const std::string error = eventsError(events); !error.empty()) in.fail("events within their ranges", error);
     return events;

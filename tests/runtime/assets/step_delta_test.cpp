@@ -195,12 +195,14 @@ TEST(StepEvents, AreReadAsTheyWereAndWithinTheirRanges) {
     EXPECT_EQ(told.dust.at(0).velocity, good.dust[0].velocity);
     EXPECT_EQ(told.splits.at(0).parentOffset, good.splits[0].parentOffset);
     EXPECT_EQ(told.paintedVoxels, 4u);
-    std::vector<FrameChanges> bad(5, good);
+    std::vector<FrameChanges> bad(7, good);
     bad[0].dust[0].position.y = NAN;
     bad[1].dust[0].radius = -1.0;
     bad[2].blasts = {{{INFINITY, 0.0, 0.0}, 1.0}};
     bad[3].splits[0].parentOffset.clear();
     bad[4].step = 6;
+    bad[5].dust[0].count = ~uint64_t(0);
+    bad[6].blasts = {{{0.0, 0.0, 0.0}, 1e9}};
     for (size_t i = 0; i < bad.size(); ++i) EXPECT_FALSE(deltasFromBytes(fileOf(bad[i]), "t", 200)) << i;
 }
 
