@@ -215,7 +215,7 @@ TEST_F(AbiSavedLevel, TheGroundOfAMadeWorldIsThatOfItsLevel) {
     auto change = sized<rubble_body_change>();
     change.body = second, change.position[0] = 1.0, change.rotation[3] = 1.0;
     double before = -0.05;
-    for (const uint32_t fields : {RUBBLE_SET_POSE | RUBBLE_SET_STATIC, RUBBLE_SET_POSE}) {
+    for (const uint32_t fields : {RUBBLE_SET_POSE | RUBBLE_SET_STATIC, RUBBLE_SET_POSE | 0}) {
         const double after = std::min(before, -1.0) - 1.0;
         ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
         change.fields = fields, change.position[1] = after;
