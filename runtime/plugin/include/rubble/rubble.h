@@ -1301,7 +1301,7 @@ enum {
      * a hash of the voxels in steps that change some */
     RUBBLE_DELTAS_EDITS = 2,
     /* a bit: what was removed, painted and split, dust, explosions, and bodies that broke, settled and woke. Followers
-     * have them in get_events(), breaks in get_reports(), and draw the dust. Some 100 bytes for each material of each
+     * have them in get_events(), breaks in get_reports(), and draw the dust. Some 80 bytes for each material of each
      * shape that an edit breaks, before packing */
     RUBBLE_DELTAS_EVENTS = 4
 };
