@@ -36,13 +36,20 @@ DeltaSpan readSpan(ByteReader& in, const std::vector<uint8_t>& raw) {
     return span;
 }
 
-/// Whether the steps are in order within the span and, where each has a chunk, none is missing.
-bool fitsSpan(const Deltas& deltas) {
-    uint64_t last = deltas.span.from;
-    for (const RecordedStep& step : deltas.steps) {
-        if (step.step <= last || step.step > deltas.span.to) return false;
+/// Whether steps are in order within the span.
+template <class Steps>
+bool areInOrder(const Steps& steps, const DeltaSpan& span) {
+    uint64_t last = span.from;
+    for (const auto& step : steps) {
+        if (step.step <= last || step.step > span.to) return false;
         last = step.step;
     }
+    return true;
+}
+
+/// Whether the steps are in order within the span and, where each has a chunk, none is missing.
+bool fitsSpan(const Deltas& deltas) {
+    if (!areInOrder(deltas.steps, deltas.span) || !areInOrder(deltas.events, deltas.span)) return false;
     return deltas.span.content == DeltaContent::EditsOnly || deltas.steps.size() == deltas.span.to - deltas.span.from;
 }
 
@@ -64,6 +71,15 @@ void DeltaWriter::add(RecordedStep step) {
     m_lastHash = step.hash;
 }
 
+void DeltaWriter::addEvents(const FrameChanges& changes) {
+    if (!m_withEvents) return;
+    const StepEvents events = eventsOf(changes);
+    if (events.empty()) return;
+    uint64_t memory = 0;
+    const std::vector<uint8_t> bytes = stepEventsToBytes(events, &memory);
+    m_chunks.add({'E', 'V', 'N', 'T'}, bytes, memory);
+}
+
 std::vector<uint8_t> DeltaWriter::file() const {
     ChunkWriter out = m_chunks;
     out.add({'S', 'P', 'A', 'N'}, bytesOf(m_span));
@@ -80,6 +96,10 @@ Result<Deltas> deltasFromBytes(std::span<const uint8_t> bytes, const std::string
         if (kind == "SPAN") {
             out.span = readSpan(in, raw);
             hasSpan = true;
+        } else if (kind == "EVNT" && error.empty()) {
+            ByteReader reader(raw, "events of a step", in);
+            out.events.push_back(readStepEvents(reader, world));
+            if (reader.failed()) error = name + ": " + reader.error();
         } else if (kind == "STEP" && error.empty()) {
             ByteReader reader(raw, "recorded step", in);
             if (!in.takeMemory(listMemory(1, sizeof(RecordedStep)))) return;

@@ -6,6 +6,7 @@
 
 #include "runtime/assets/chunk_file.h"
 #include "runtime/assets/recording_file.h"
+#include "runtime/assets/step_events.h"
 
 namespace rubble {
 
@@ -29,15 +30,21 @@ struct Deltas {
     /// In order, without edits; an empty HostMotion says that the host moved the bodies before the step.
     /// DeltaContent::EditsOnly: only those that changed something.
     std::vector<RecordedStep> steps;
+    std::vector<StepEvents> events;  ///< in order: of steps that had some, if they were kept
 };
 
-/// Packs deltas, each as its step ends: a chunk file with a SPAN chunk, and a STEP chunk for each step of Deltas.
+/// Packs deltas, each as its step ends: a chunk file with a SPAN chunk, a STEP chunk for each step of Deltas,
+/// and an EVNT chunk for each of its events.
 class DeltaWriter {
 public:
     /// start: see DeltaSpan.
-    DeltaWriter(uint64_t start, DeltaContent content) : m_span{start, start, start, content} {}
+    /// withEvents: whether addEvents() adds any.
+    DeltaWriter(uint64_t start, DeltaContent content, bool withEvents)
+        : m_span{start, start, start, content}, m_withEvents(withEvents) {}
     /// Appends a step; its edits are left out.
     void add(RecordedStep step);
+    /// Appends what the last step that was added tells of, if that is kept and anything happened.
+    void addEvents(const FrameChanges& changes);
     /// What each step is to say.
     DeltaContent content() const { return m_span.content; }
     /// The file with what was added since the last clear(). Costs a copy of it.
@@ -47,6 +54,7 @@ public:
 
 private:
     DeltaSpan m_span;
+    bool m_withEvents;
     uint64_t m_lastHash = 0;
     ChunkWriter m_chunks;  ///< of the steps
 };

@@ -5,11 +5,11 @@
 
 namespace rubble {
 
-void FrameLoop::keepDeltas(std::optional<DeltaContent> content) {
+void FrameLoop::keepDeltas(std::optional<DeltaContent> content, bool withEvents) {
     std::unique_ptr<DeltaWriter> deltas;  // what throws leaves those that are kept
     std::unique_ptr<Recorder> recorder;
     if (content) {
-        deltas = std::make_unique<DeltaWriter>(m_world.step(), *content);
+        deltas = std::make_unique<DeltaWriter>(m_world.step(), *content, withEvents);
         recorder = std::make_unique<Recorder>(m_world, *content,
                                               [to = deltas.get()](const RecordedStep& step) { to->add(step); });
     }
@@ -35,9 +35,12 @@ Result<Done> FrameLoop::follow(const Deltas& deltas, const std::function<void()>
     std::vector<PaletteRef> replaced;  // by those of another keep_deltas()
     if (span.from == span.start) replaced.swap(m_followedPalettes);
     auto next = deltas.steps.begin();
+    auto nextEvents = deltas.events.begin();
     for (uint64_t step = span.from + 1; step <= span.to; ++step) {
         const bool isIn = next != deltas.steps.end() && next->step == step;
-        Result<Done> done = isIn ? followStep(*next, span.content) : followEmptyStep();
+        const bool hasEvents = nextEvents != deltas.events.end() && nextEvents->step == step;
+        const StepEvents* events = hasEvents ? &*nextEvents++ : nullptr;
+        Result<Done> done = isIn ? followStep(*next, span.content, events) : followEmptyStep(events);
         if (m_world.step() == span.from) {  // the first step was refused: this call has had no effect
             if (span.from == span.start) m_followedPalettes = std::move(replaced);
             return done;
@@ -51,7 +54,7 @@ Result<Done> FrameLoop::follow(const Deltas& deltas, const std::function<void()>
     return Done{};
 }
 
-Result<Done> FrameLoop::followStep(const RecordedStep& step, DeltaContent content) {
+Result<Done> FrameLoop::followStep(const RecordedStep& step, DeltaContent content, const StepEvents* events) {
     const size_t known = m_followedPalettes.size();
     Result<FrameChanges> applied =
         applyStepDelta(step.delta, fmt::format("step {}", step.step), m_world, m_followedPalettes);
@@ -60,6 +63,7 @@ Result<Done> FrameLoop::followStep(const RecordedStep& step, DeltaContent conten
         return Error{applied.error()};
     }
     m_changes = std::move(*applied);
+    if (events) addEvents(*events, m_changes);
     m_rebuildPhysics = true;
     if (content == DeltaContent::All) {
         m_world.setPoses(step.poses, step.hostMotion ? step.step - 1 : step.step);  // a host moves them before its step
@@ -80,8 +84,9 @@ Result<Done> FrameLoop::followStep(const RecordedStep& step, DeltaContent conten
 }
 
 /// A step in which edits changed nothing.
-Result<Done> FrameLoop::followEmptyStep() {
+Result<Done> FrameLoop::followEmptyStep(const StepEvents* events) {
     m_changes = m_world.applyDelta(std::nullopt);
+    if (events) addEvents(*events, m_changes);
     m_rebuildPhysics = true;
     readHostMotion();
     forgetHostMotion();

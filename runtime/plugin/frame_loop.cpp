@@ -273,6 +273,7 @@ void FrameLoop::recordEdits(const Edits& hostEdits) {
 void FrameLoop::recordMotion(std::span<const BodyPose> poses, std::span<const CharacterMove> characters) {
     for (Recorder* recorder : {m_recorder.get(), m_deltaRecorder.get()})
         if (recorder) recorder->recordMotion(poses, characters, m_world);
+    if (m_deltas) m_deltas->addEvents(m_changes);
 }
 
 /// What impacts and forces break is carried out in the next step: no stage runs twice in one.

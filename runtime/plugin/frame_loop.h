@@ -74,8 +74,9 @@ public:
     Result<Done> startRecording(const std::string& path);
     /// [main-thread] Completes the file; without a recording it does nothing.
     Result<Done> stopRecording();
-    /// [main-thread] From here on each step is kept for worlds that follow; none: no more, at no cost.
-    void keepDeltas(std::optional<DeltaContent> content);
+    /// [main-thread] From here on each step is kept for worlds that follow; none: no more, at no cost. withEvents: what
+    /// followers cannot tell from the change of state too.
+    void keepDeltas(std::optional<DeltaContent> content, bool withEvents = false);
     /// [main-thread] The steps that were kept; null: none are kept.
     DeltaWriter* deltas() { return m_deltas.get(); }
     /// [main-thread] Carries out what another world's deltas say, if this one is what that was before them: edits
@@ -154,8 +155,8 @@ private:
     void endRecording() noexcept;
     void recordEdits(const Edits& hostEdits);
     void recordMotion(std::span<const BodyPose> poses, std::span<const CharacterMove> characters);
-    Result<Done> followStep(const RecordedStep& step, DeltaContent content);
-    Result<Done> followEmptyStep();
+    Result<Done> followStep(const RecordedStep& step, DeltaContent content, const StepEvents* events);
+    Result<Done> followEmptyStep(const StepEvents* events);
     void readHostMotion();
     /// Those that have moved, and those of bodies that edits teleported.
     std::span<const BodyPose> changedPoses(std::span<const BodyPose> moved);

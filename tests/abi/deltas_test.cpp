@@ -4,83 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "tests/abi/create_fixture.h"
+#include "tests/abi/deltas_fixture.h"
 #include "tests/support/temp_folder.h"
 
 namespace rubble {
 namespace {
-
-/// A world and another one that was equal when the first began to keep deltas.
-class AbiDeltas : public AbiCreate {
-protected:
-    void SetUp() override {
-        AbiCreate::SetUp();
-        m_other = makeWorld();
-        copyTo(m_other);
-    }
-    void TearDown() override {
-        api()->destroy_world(m_other);
-        AbiCreate::TearDown();
-    }
-    void copyTo(rubble_world other, uint32_t kept = RUBBLE_DELTAS_ALL) {
-        uint64_t size = 0;
-        ASSERT_EQ(api()->keep_deltas(m_world, kept), RUBBLE_OK) << api()->get_last_error();
-        ASSERT_EQ(api()->save_game_data(m_world, nullptr, 0, &size), RUBBLE_OK);
-        std::vector<uint8_t> data(size);
-        ASSERT_EQ(api()->save_game_data(m_world, data.data(), size, &size), RUBBLE_OK);
-        ASSERT_EQ(api()->load_game_data(other, data.data(), size), RUBBLE_OK) << api()->get_last_error();
-    }
-    std::vector<uint8_t> take() {
-        uint64_t size = 0;
-        EXPECT_EQ(api()->take_deltas(m_world, nullptr, 0, &size), RUBBLE_OK) << api()->get_last_error();
-        std::vector<uint8_t> out(size);
-        EXPECT_EQ(api()->take_deltas(m_world, out.data(), size, &size), RUBBLE_OK) << api()->get_last_error();
-        return out;
-    }
-    rubble_result apply(const std::vector<uint8_t>& data) {
-        return api()->apply_deltas(m_other, data.data(), data.size());
-    }
-    static uint64_t resolved(rubble_world world) {
-        uint64_t out = 0;
-        EXPECT_EQ(api()->get_resolved_hash(world, &out), RUBBLE_OK) << api()->get_last_error();
-        return out;
-    }
-    static uint64_t voxels(rubble_world world) {
-        uint64_t out = 0;
-        EXPECT_EQ(api()->get_voxel_hash(world, &out), RUBBLE_OK) << api()->get_last_error();
-        return out;
-    }
-    static std::vector<rubble_body_state> movedIn(rubble_world world) {
-        auto list = sized<rubble_row_list>();
-        list.kind = RUBBLE_ROWS_MOVED_BODIES;
-        uint32_t count = 0;
-        EXPECT_EQ(api()->read_rows(world, &list, nullptr, 0, &count), RUBBLE_OK) << api()->get_last_error();
-        std::vector<rubble_body_state> out(count);
-        EXPECT_EQ(api()->read_rows(world, &list, out.data(), count, &count), RUBBLE_OK) << api()->get_last_error();
-        return out;
-    }
-    /// What moved in the leader, with the handles of the other world.
-    std::vector<rubble_body_state> movedForOther() {
-        std::vector<rubble_body_state> out = movedIn(m_world);
-        for (rubble_body_state& state : out)
-            EXPECT_EQ(api()->translate_handle(m_other, state.body, &state.body), RUBBLE_OK) << api()->get_last_error();
-        return out;
-    }
-    /// The other world becomes one that the host moves, and follows without motion from now on.
-    void followWithoutMotion() {
-        api()->destroy_world(m_other);
-        auto settings = sized<rubble_world_settings>();
-        settings.flags = RUBBLE_WORLD_HOST_PHYSICS | RUBBLE_WORLD_NO_RENDERER;
-        ASSERT_EQ(api()->create_world(&settings, &m_other), RUBBLE_OK) << api()->get_last_error();
-        copyTo(m_other, RUBBLE_DELTAS_EDITS);
-    }
-    void breakTable() {
-        const rubble_explosion explosion = tableExplosion();
-        ASSERT_EQ(api()->explode(m_world, &explosion), RUBBLE_OK);
-    }
-
-    rubble_world m_other = 0;
-};
 
 /// Steps in which something is made and gone again, in a world that ends around what edits have made.
 class AbiMadeAndGone : public AbiDeltas {
@@ -397,6 +325,47 @@ TEST_F(AbiDeltas, AFollowerTellsOfTheLastStepAndGoesOnByItself) {
     EXPECT_NE(state.position[1], 0.0);
 }
 
+TEST_F(AbiDeltas, WithEventsAFollowerTellsWhatTheLeaderTells) {
+    auto filter = sized<rubble_report_filter>();
+    filter.kinds = RUBBLE_REPORT_BREAK;
+    size_t seen[5] = {};
+    for (const uint32_t kept : {RUBBLE_DELTAS_ALL, RUBBLE_DELTAS_EDITS}) {
+        ASSERT_EQ(api()->load_level(m_world, s_level.c_str(), nullptr), RUBBLE_OK) << api()->get_last_error();
+        step();
+        if (kept == RUBBLE_DELTAS_EDITS) followWithoutMotion();
+        copyTo(m_other, kept | RUBBLE_DELTAS_EVENTS);
+        for (const rubble_world world : {m_world, m_other})
+            ASSERT_EQ(api()->set_report_filter(world, &filter), RUBBLE_OK) << api()->get_last_error();
+        for (int i = 0; i < 40; ++i) {
+            if (i % 10 == 0) breakTable();
+            step();
+            ASSERT_EQ(apply(take()), RUBBLE_OK) << api()->get_last_error();
+            const std::vector<std::vector<double>> here = toldBy(m_world), there = toldBy(m_other);
+            ASSERT_EQ(here, there) << "step " << i;
+            for (size_t kind = 0; kind < here.size(); ++kind) seen[kind] += here[kind].size();
+        }
+    }
+    for (const size_t each : seen) EXPECT_GT(each, 0u);
+}
+
+TEST_F(AbiDeltas, EventsCostNothingUntilTheyAreAskedForAndSomethingHappens) {
+    std::vector<size_t> sizes;
+    for (const uint32_t kept : {RUBBLE_DELTAS_EDITS | 0, RUBBLE_DELTAS_EDITS | RUBBLE_DELTAS_EVENTS})
+        for (const bool breaks : {false, true}) {
+            ASSERT_EQ(api()->load_level(m_world, s_level.c_str(), nullptr), RUBBLE_OK) << api()->get_last_error();
+            step();
+            copyTo(m_other, kept);
+            if (breaks) breakTable();
+            step();
+            sizes.push_back(take().size());
+        }
+    EXPECT_EQ(sizes[2], sizes[0]);
+    EXPECT_GT(sizes[3], sizes[1]);
+    expectRefused(api()->keep_deltas(m_world, RUBBLE_DELTAS_EVENTS), RUBBLE_ERROR_ARGUMENT,
+                  "RUBBLE_DELTAS_EVENTS alone");
+    expectRefused(api()->keep_deltas(m_world, RUBBLE_DELTAS_EVENTS | 3), RUBBLE_ERROR_ARGUMENT, "on is 3");
+}
+
 TEST_F(AbiDeltas, StepsThatAreMissingOrOfAnotherWorldAreRefused) {
     breakTable();
     step();
@@ -463,6 +432,7 @@ TEST_F(AbiDeltas, AStepThatIsRefusedLeavesDeltasOfTheFollower) {
 }
 
 TEST_F(AbiDeltas, WrongBytesAreRefused) {
+    copyTo(m_other, RUBBLE_DELTAS_ALL | RUBBLE_DELTAS_EVENTS);
     breakTable();
     step(3);
     const std::vector<uint8_t> good = take();

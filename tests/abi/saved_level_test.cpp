@@ -212,22 +212,27 @@ TEST_F(AbiSavedLevel, TheGroundOfAMadeWorldIsThatOfItsLevel) {
     make(shapeOn(second, RUBBLE_SHAPE_BOX, 20));
     applyEdits();
     EXPECT_NEAR(heightBetween(), -0.05, 1e-6) << "beside the static block";
-    ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
     auto change = sized<rubble_body_change>();
-    change.body = second, change.fields = RUBBLE_SET_POSE | RUBBLE_SET_STATIC;
-    change.position[0] = 1.0, change.position[1] = -2.0, change.rotation[3] = 1.0;
-    ASSERT_EQ(api()->set_body(m_world, &change), RUBBLE_OK) << api()->get_last_error();
-    applyEdits();
-    EXPECT_NEAR(heightBetween(), -2.0, 1e-6);
-    for (const bool redoes : {false, true}) {
-        ASSERT_EQ(redoes ? api()->redo(m_world) : api()->undo(m_world), RUBBLE_OK);
+    change.body = second, change.position[0] = 1.0, change.rotation[3] = 1.0;
+    double before = -0.05;
+    for (const uint32_t fields : {RUBBLE_SET_POSE | RUBBLE_SET_STATIC, RUBBLE_SET_POSE | 0}) {
+        const double after = std::min(before, -1.0) - 1.0;
+        ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
+        change.fields = fields, change.position[1] = after;
+        ASSERT_EQ(api()->set_body(m_world, &change), RUBBLE_OK) << api()->get_last_error();
         applyEdits();
-        EXPECT_NEAR(heightBetween(), redoes ? -2.0 : -0.05, 1e-6);
+        EXPECT_NEAR(heightBetween(), after, 1e-6) << fields;
+        for (const bool redoes : {false, true}) {
+            ASSERT_EQ(redoes ? api()->redo(m_world) : api()->undo(m_world), RUBBLE_OK);
+            applyEdits();
+            EXPECT_NEAR(heightBetween(), redoes ? after : before, 1e-6) << fields;
+        }
+        before = after;
     }
     const uint64_t made = levelHash();
     save();
     load();
-    EXPECT_NEAR(heightBetween(), -2.0, 1e-6);
+    EXPECT_NEAR(heightBetween(), -3.0, 1e-6);
     EXPECT_EQ(levelHash(), made);
     ASSERT_EQ(api()->destroy_world(std::exchange(m_world, first)), RUBBLE_OK);
 }

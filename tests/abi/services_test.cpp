@@ -19,6 +19,7 @@ namespace {
 struct MemoryFiles {
     std::map<std::string, std::vector<uint8_t>> files;
     bool canRead = true, canWrite = true;
+    int reads = 0;
 
     static uint64_t size(void* user, const char* path) {
         const auto& files = static_cast<MemoryFiles*>(user)->files;
@@ -27,6 +28,7 @@ struct MemoryFiles {
     }
     static int32_t read(void* user, const char* path, void* out, uint64_t size) {
         auto& self = *static_cast<MemoryFiles*>(user);
+        ++self.reads;
         if (self.canRead) std::memcpy(out, self.files.at(path).data(), size);
         return self.canRead;
     }
@@ -153,6 +155,25 @@ TEST_F(Services, TheHostsFilesTakeThePlaceOfTheDisk) {
     const std::vector<uint8_t>& log = memory.files["in/log.rubblelog"];
     ASSERT_EQ(api()->play_recording_data(m_world, log.data(), log.size(), &steps), RUBBLE_OK);
     EXPECT_EQ(steps, 10u);
+}
+
+TEST_F(Services, APrefabReadsItsFileOnce) {
+    MemoryFiles memory;
+    auto host = sized<rubble_host>();
+    host.user = &memory;
+    host.file_size = MemoryFiles::size, host.read_file = MemoryFiles::read, host.write_file = MemoryFiles::write;
+    ASSERT_EQ(api()->set_host(&host), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->save_level(m_world, "table.rubble", nullptr), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->save_level(m_world, "table.vox", nullptr), RUBBLE_OK) << api()->get_last_error();
+    for (const char* path : {"table.rubble", "table.vox"}) {
+        auto prefab = sized<rubble_prefab>();
+        prefab.path = path;
+        uint32_t count = 0;
+        memory.reads = 0;
+        ASSERT_EQ(api()->create_prefab(m_world, &prefab, nullptr, 0, &count), RUBBLE_OK) << api()->get_last_error();
+        EXPECT_GT(count, 0u);
+        EXPECT_EQ(memory.reads, 1) << path;
+    }
 }
 
 TEST_F(Services, WhatTheHostCannotReadOrWriteIsAnErrorOfTheFile) {

@@ -8,7 +8,8 @@ void RandomHost::followByDeltas() {
     const rubble_world follower = makeWorld();
     uint64_t size = 0;
     const bool hasMotion = !m_decisions.oneIn(3);
-    if (api().keep_deltas(m_world, hasMotion ? RUBBLE_DELTAS_ALL : RUBBLE_DELTAS_EDITS) != RUBBLE_OK)
+    const uint32_t events = m_decisions.oneIn(2) ? RUBBLE_DELTAS_EVENTS : 0;
+    if (api().keep_deltas(m_world, events | (hasMotion ? RUBBLE_DELTAS_ALL : RUBBLE_DELTAS_EDITS)) != RUBBLE_OK)
         fail("keep_deltas");
     const auto hashOf = hasMotion ? api().get_resolved_hash : api().get_voxel_hash;
     const std::vector<uint8_t> game = saved();

@@ -19,7 +19,7 @@ Table sphereLightMap(const Options& options);        ///< T13-sphere-light: erro
 Table visibilityMap(const Options& options);         ///< T13-visibility: error by distance and angle of view
 Table penumbraMap(const Options& options);           ///< T13-penumbra: error by height of the edge and size of the sun
 
-/// The light's part of OPERATING_ENVELOPE.md, as Markdown.
-std::string lightEnvelope(const Options& options, const std::vector<Table>& tables);
+/// The light's part of OPERATING_ENVELOPE.md, as Markdown. `before`: see operatingEnvelope().
+std::string lightEnvelope(const std::vector<Table>& tables, const std::string& before);
 
 }  // namespace rubble::tradeoff

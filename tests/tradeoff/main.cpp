@@ -50,6 +50,7 @@ std::vector<Row> rowsOf(const std::string& subject) {
 Table makeTable(const Row& row, const Options& options, bool& written) {
     const auto begin = std::chrono::steady_clock::now();
     Table table = row.second(options);
+    table.stamp = stamp(options);
     written &= writeCsv(options, table);
     fmt::print("{}({:.1f} s)\n\n", markdown(table),
                std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
@@ -58,13 +59,18 @@ Table makeTable(const Row& row, const Options& options, bool& written) {
 }
 
 /// The document with the subject's part replaced: physics comes first, then light, then what ./rubble stress writes.
-std::string envelopeWith(const std::string& subject, const std::string& path, const std::string& part) {
+/// isAll: by these tables alone; else tables that were not measured stay as they are.
+std::string envelopeWith(const std::string& subject, const std::string& path, const std::vector<Table>& maps,
+                         bool isAll) {
     std::ifstream file(path);
     const std::string before{std::istreambuf_iterator<char>(file), {}};
     const auto from = [&](const char* title) { return std::min(before.find(title), before.size()); };
     const size_t stress = from("\n# Stress scenarios\n"), light = std::min(from("\n# The light\n"), stress);
-    if (subject == "light") return before.substr(0, light) + part + before.substr(stress);
-    return part + before.substr(light);
+    const auto kept = [&](const std::string& part) { return isAll ? std::string() : part; };
+    if (subject == "light")
+        return before.substr(0, light) + lightEnvelope(maps, kept(before.substr(light, stress - light))) +
+               before.substr(stress);
+    return operatingEnvelope(maps, kept(before.substr(0, light))) + before.substr(light);
 }
 
 bool writeText(const std::string& path, const std::string& text) {
@@ -94,7 +100,8 @@ int main(int argc, char** argv) {
     app.add_option("--seed", options.seed, "seed of everything random")
         ->capture_default_str()
         ->check(CLI::NonNegativeNumber);
-    app.add_flag("--publish", publish, "physics or light: write its part of OPERATING_ENVELOPE.md");
+    app.add_flag("--publish", publish,
+                 "physics or light: write its part of OPERATING_ENVELOPE.md; with --only these tables");
     app.add_option("--feature-scene", scene)->group("");  // for this program under valgrind
     CLI11_PARSE(app, argc, argv);
     rubble::setLogSink([](void*, rubble::LogLevel, std::string_view) {},
@@ -125,9 +132,7 @@ int main(int argc, char** argv) {
     written &= writeText(options.out + "/" + subject + ".md", report);
     if (publish) {
         const std::string path = RUBBLE_SOURCE_DIR "/OPERATING_ENVELOPE.md";
-        written &= writeText(
-            path, envelopeWith(subject, path,
-                               subject == "light" ? lightEnvelope(options, maps) : operatingEnvelope(options, maps)));
+        written &= writeText(path, envelopeWith(subject, path, maps, only.empty()));
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fmt::print("{}\n{:.0f} s; tables and plots are in {}\n", stamp(options), seconds, options.out);

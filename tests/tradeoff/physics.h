@@ -38,7 +38,8 @@ void runWithoutFeatures();
 bool runFeatureScene(const std::string& setting);
 /// The maps by name: two parameters are increased until physics fails.
 std::vector<std::pair<std::string, std::function<Table(const Options&)>>> physicsMaps();
-/// The physics part of OPERATING_ENVELOPE.md, as Markdown: results of the maps, and limits that are clamped.
-std::string operatingEnvelope(const Options& options, const std::vector<Table>& maps);
+/// The physics part of OPERATING_ENVELOPE.md, as Markdown: results of the maps, and limits that are clamped. `before`:
+/// the part as it was, whose other maps are kept, each with the machine on which it was measured.
+std::string operatingEnvelope(const std::vector<Table>& maps, const std::string& before);
 
 }  // namespace rubble::tradeoff

@@ -46,6 +46,7 @@ struct Table {
     std::string conclusion = {};             ///< the result in a sentence, with its figures
     std::vector<StableRange> envelope = {};  ///< of maps
     bool failed = false;                     ///< a promise does not hold; the conclusion says which
+    std::string stamp = {};                  ///< see stamp(), when it was measured
     /// Adds a row with as many cells as there are columns.
     void add(std::vector<std::string> row) { rows.push_back(std::move(row)); }
 };

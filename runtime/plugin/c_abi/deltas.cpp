@@ -9,12 +9,15 @@ namespace {
 
 rubble_result keepDeltas(rubble_world world, uint32_t on) {
     return inWorld("keep_deltas", world, [&](HostedWorld& hosted) {
-        const uint32_t kind = readEnum(on, RUBBLE_DELTAS_EDITS, "on");
+        const uint32_t kind = readEnum(on & ~uint32_t(RUBBLE_DELTAS_EVENTS), RUBBLE_DELTAS_EDITS, "on");
+        const bool withEvents = on & RUBBLE_DELTAS_EVENTS;
+        if (withEvents && kind == RUBBLE_DELTAS_NONE)
+            refuse(RUBBLE_ERROR_ARGUMENT, "on is RUBBLE_DELTAS_EVENTS alone, expected it beside one of the others");
         if (isRefused()) return;
         std::optional<DeltaContent> content;
         if (kind == RUBBLE_DELTAS_ALL) content = DeltaContent::All;
         if (kind == RUBBLE_DELTAS_EDITS) content = DeltaContent::EditsOnly;
-        hosted.loop.keepDeltas(content);
+        hosted.loop.keepDeltas(content, withEvents);
     });
 }
 
@@ -47,7 +50,7 @@ rubble_result applyDeltas(rubble_world world, const void* data, uint64_t size) {
                 hosted.bricks.forget();
             }
             hosted.events.fill(hosted.loop.changes());
-            hosted.reports.restart(hosted.loop);
+            hosted.reports.follow(hosted.loop);
         });
     });
 }

@@ -7,6 +7,8 @@
 
 #include "runtime/assets/assets.h"
 #include "runtime/assets/file_bytes.h"
+#include "runtime/assets/rubble_file.h"
+#include "runtime/assets/vox_import.h"
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
 #include "runtime/world/level/references.h"
@@ -21,10 +23,12 @@ Result<std::shared_ptr<const Level>> readGiven(const rubble_prefab& given, Prefa
         return known.get(bytes, [&] { return levelFromBytes(bytes, "data"); });
     }
     const std::string path = given.path;
-    const auto read = [&] { return readLevel(path, given.vdb_tool ? given.vdb_tool : ""); };
-    if (endingOf(path) != ".vdb")
-        if (const auto bytes = readFileBytes(path, PrefabCache::kMaxMemory)) return known.get(*bytes, read);
-    Result<Level> level = read();
+    const bool isVox = endingOf(path) == ".vox";
+    if (isVox || endingOf(path) == ".rubble")
+        if (const auto bytes = readFileBytes(path, PrefabCache::kMaxMemory))
+            return known.get(*bytes,
+                             [&] { return isVox ? importVoxBytes(*bytes, path, {}) : levelFromRubble(*bytes, path); });
+    Result<Level> level = readLevel(path, given.vdb_tool ? given.vdb_tool : "");
     if (!level) return Error{level.error()};
     return std::make_shared<const Level>(std::move(*level));
 }

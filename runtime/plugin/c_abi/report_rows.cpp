@@ -77,13 +77,7 @@ void ReportRows::fill(FrameLoop& loop) {
     const World& world = loop.world();
     if (loop.changes().levelReplaced) m_characters.forget();
     if (m_kinds & kContactKinds) fillContacts(world, loop.physics()->contacts());
-    if (m_kinds & RUBBLE_REPORT_BREAK) {
-        reportBreaks(loop.changes().dust, m_found);
-        for (const BreakReport& each : m_found) {
-            m_breaks.push_back({each.material, 0, each.voxels, {}, each.radius});
-            writeVector(m_breaks.back().position, each.position);
-        }
-    }
+    if (m_kinds & RUBBLE_REPORT_BREAK) fillBreaks(loop.changes());
     if (m_kinds & RUBBLE_REPORT_JOINT) fillJoints(loop.changes());
     if (m_kinds & RUBBLE_REPORT_FIRE) fillFires(world);
     if (m_kinds & kCharacterKinds) m_characters.step(loop.physics()->characters(), world, m_stride);
@@ -96,10 +90,25 @@ void ReportRows::restart(const FrameLoop& loop) {
     if (m_kinds & RUBBLE_REPORT_FIRE) m_fireReports.restart(loop.world().data());
 }
 
+void ReportRows::follow(const FrameLoop& loop) {
+    restart(loop);
+    if (!(m_kinds & RUBBLE_REPORT_BREAK) || loop.changes().dust.empty()) return;
+    m_listed = RUBBLE_REPORT_BREAK;
+    fillBreaks(loop.changes());
+}
+
 void ReportRows::clear() {
     m_contacts.clear(), m_breaks.clear(), m_joints.clear();
     m_fires.clear(), m_waters.clear(), m_footsteps.clear();
     m_listed = 0;
+}
+
+void ReportRows::fillBreaks(const FrameChanges& changes) {
+    reportBreaks(changes.dust, m_found);
+    for (const BreakReport& each : m_found) {
+        m_breaks.push_back({each.material, 0, each.voxels, {}, each.radius});
+        writeVector(m_breaks.back().position, each.position);
+    }
 }
 
 void ReportRows::fillContacts(const World& world, std::span<const ReportedContact> contacts) {

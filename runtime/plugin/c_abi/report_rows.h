@@ -20,11 +20,14 @@ public:
     void fill(FrameLoop& loop);
     /// Removes all rows: the steps that they were of are not those that led to this world.
     void restart(const FrameLoop& loop);
+    /// The same in a world that has followed another one: of its last step it knows the breaks, if it was told.
+    void follow(const FrameLoop& loop);
     /// Pointers to the rows and their counts, valid until the next fill(); struct_size is left to the caller.
     rubble_reports view() const;
 
 private:
     void clear();
+    void fillBreaks(const FrameChanges& changes);
     void fillContacts(const World& world, std::span<const ReportedContact> contacts);
     void fillJoints(const FrameChanges& changes);
     void fillFires(const World& world);

@@ -76,8 +76,6 @@ void apply(EditContext& context, const SetBodyEdit& edit) {
         moveShapes(context, body);
     }
     if (body.isStatic) {
-        if (edit.setsKind)
-            for (const ShapeHandle shape : body.shapes) includeStatic(context.world, shape);
         if (isMoved || edit.setsKind || edit.setsGravityScale || edit.setsDamping)
             context.changes.teleported.push_back(edit.body);
         return;

@@ -32,6 +32,7 @@
 #include "runtime/world/stages/stress_stage.h"
 #include "runtime/world/stages/trigger_stage.h"
 #include "runtime/world/stages/voxel_edits.h"
+#include "runtime/world/state/load_level.h"
 
 namespace rubble {
 namespace {
@@ -52,6 +53,7 @@ void EditStep::run(const Edits& edits) {
     if (m_context.world.stress) openCracks(m_context);
     for (const Edit& edit : edits) applyEdit(edit);
     refuseEmptyShapes(m_context);
+    includeStatics(m_context.world, m_context.changes.shapesCreated);
     updateWinches(m_context);
     updateSteering(m_context);
     m_fire.update();
@@ -73,6 +75,7 @@ void EditStep::runAlone(const Edits& edits) {
     takeRestoredBricks();
     for (const Edit& edit : edits) applyEdit(edit);
     refuseEmptyShapes(m_context);
+    includeStatics(m_context.world, m_context.changes.shapesCreated);
     releaseFragments(m_context);
     dropEmptyShapes(m_context);
     releaseUnheldJoints(m_context);

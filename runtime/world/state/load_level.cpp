@@ -161,11 +161,12 @@ Shape makeShape(const LevelShape& from, bool isStatic, const MaterialTable& mate
 
 void includeMade(WorldData& world, ShapeHandle shape) {
     if (world.bounds.low == world.bounds.high) include(world.made, world, shape);
-    if (world.bodies.at(world.shapes.at(shape).body).isStatic) includeStatic(world, shape);
 }
 
-void includeStatic(WorldData& world, ShapeHandle shape) {
-    include(world.footprint, world, shape);
+void includeStatics(WorldData& world, std::span<const ShapeHandle> shapes) {
+    for (const ShapeHandle handle : shapes)
+        if (const Shape* shape = world.shapes.find(handle); shape && world.bodies.at(shape->body).isStatic)
+            include(world.footprint, world, handle);
 }
 
 PaletteRef materialPalette(const MaterialTable& materials) {

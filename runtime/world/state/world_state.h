@@ -33,7 +33,7 @@ struct WorldState : WorldObjects {
     Environment environment;
     WorldSettings settings;
     WorldBox bounds;     ///< of the level: where the world ends, if BoundsSettings say nothing else; low == high: none
-    WorldBox footprint;  ///< around all static shapes that there have been, where they came to be; low == high: none
+    WorldBox footprint;  ///< around all static shapes, wherever a step has left them; low == high: none
     WorldBox made;       ///< without `bounds`: around all shapes that there have been, where they came to be
     std::vector<std::pair<std::string, Pose>> locations;  ///< named places of the level
     std::vector<LevelScript> scripts;                     ///< of the level and of prefabs

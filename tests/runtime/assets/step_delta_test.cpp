@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
+#include "runtime/assets/delta_file.h"
 #include "runtime/world/history/world_baseline.h"
 #include "tests/runtime/assets/broken_world.h"
 
@@ -169,6 +171,39 @@ TEST(StepDelta, TellsOfTheScriptsOfTheLevel) {
         EXPECT_EQ(follower.data().scripts, scripts);
         EXPECT_EQ(follower.data().scripts, host.data().scripts);
     }
+}
+
+TEST(StepEvents, AreReadAsTheyWereAndWithinTheirRanges) {
+    const ShapeHandle shape = ShapeHandle::make(3, 7, 9);
+    FrameChanges good;
+    good.step = 5, good.paintedVoxels = 4;
+    good.removed = {{shape, 2, 1, {10, 20, 30}, 77}};
+    good.dust = {{{1.0, 2.0, 3.0}, 0.5, {4.0f, 5.0f, 6.0f}, {10, 20, 30}, 1, 77}};
+    good.splits = {{shape, {shape}, {{8, 16, 24}}, {}}};
+    const auto fileOf = [](const FrameChanges& changes) {
+        DeltaWriter deltas(4, DeltaContent::EditsOnly, true);
+        deltas.add({.step = 5});
+        deltas.addEvents(changes);
+        return deltas.file();
+    };
+    const Result<Deltas> read = deltasFromBytes(fileOf(good), "t", 200);
+    ASSERT_TRUE(read) << read.error();
+    FrameChanges told;
+    addEvents(read->events.at(0), told);
+    EXPECT_EQ(told.removed.at(0).shape, ShapeHandle::make(200, 7, 9));
+    EXPECT_EQ(told.removed[0].count, 77u);
+    EXPECT_EQ(told.dust.at(0).velocity, good.dust[0].velocity);
+    EXPECT_EQ(told.splits.at(0).parentOffset, good.splits[0].parentOffset);
+    EXPECT_EQ(told.paintedVoxels, 4u);
+    std::vector<FrameChanges> bad(7, good);
+    bad[0].dust[0].position.y = NAN;
+    bad[1].dust[0].radius = -1.0;
+    bad[2].blasts = {{{INFINITY, 0.0, 0.0}, 1.0}};
+    bad[3].splits[0].parentOffset.clear();
+    bad[4].step = 6;
+    bad[5].dust[0].count = ~uint64_t(0);
+    bad[6].blasts = {{{0.0, 0.0, 0.0}, 1e9}};
+    for (size_t i = 0; i < bad.size(); ++i) EXPECT_FALSE(deltasFromBytes(fileOf(bad[i]), "t", 200)) << i;
 }
 
 }  // namespace

@@ -207,9 +207,9 @@ typedef struct rubble_world_settings {
 /* Where the world ends. A free body that has left the box with all of its voxels is removed in the next step, and its
  * voxels become dust (RUBBLE_BOUNDS_DUST), or it goes on (RUBBLE_BOUNDS_KEEP). RUBBLE_BOUNDS_GROUND is as DUST, and the
  * fields that are drawn around a level, at a height of -0.05 m, are solid within the box: bodies, ropes and characters
- * rest on them. Below the level the ground lies at its lowest point. Casts of rays and shapes, and closest points, find
- * it as a static shape of layer 1, but with shape, body and palette index 0; queries of overlaps have no shape to name.
- */
+ * rest on them. Below the level, the box around all static shapes wherever a step has left them, the ground lies at its
+ * lowest point. Casts of rays and shapes, and closest points, find it as a static shape of layer 1, but with shape,
+ * body and palette index 0; queries of overlaps have no shape to name. */
 enum { RUBBLE_BOUNDS_DUST = 0, RUBBLE_BOUNDS_KEEP = 1, RUBBLE_BOUNDS_GROUND = 2 };
 typedef struct rubble_bounds {
     uint32_t struct_size;
@@ -1293,13 +1293,17 @@ enum {
     RUBBLE_ROWS_MOVED_BODIES = 9
 };
 
-/* What deltas tell of a step, for keep_deltas(). */
+/* What deltas tell of a step, for keep_deltas(): one of the first three, and RUBBLE_DELTAS_EVENTS beside it. */
 enum {
     RUBBLE_DELTAS_NONE = 0,
     RUBBLE_DELTAS_ALL = 1, /* all that it changed: some 100 bytes for each body that moves */
     /* what edits changed, and no motion: for hosts that send poses as their network allows. Costs what edits change and
      * a hash of the voxels in steps that change some */
-    RUBBLE_DELTAS_EDITS = 2
+    RUBBLE_DELTAS_EDITS = 2,
+    /* a bit: what was removed, painted and split, dust, explosions, and bodies that broke, settled and woke. Followers
+     * have them in get_events(), breaks in get_reports(), and draw the dust. Some 80 bytes for each material of each
+     * shape that an edit breaks, before packing */
+    RUBBLE_DELTAS_EVENTS = 4
 };
 
 /* What read_rows() lists. A host that gives sizeof of the row in its own rubble.h works with every version of the
@@ -2177,8 +2181,9 @@ typedef struct rubble_api {
     /* [main-thread] Carries out steps of another world: objects, voxels and motion become those, without edits or
      * physics. Each take of the other world is applied once, in their order, from the first after keep_deltas() on;
      * a step() of this world in between ends that. get_events() tells which objects came and went in the last of the
-     * steps; not what was removed, painted or split, of which get_changed_bricks() tells. It stops a recording, and
-     * keep_deltas() of this world. get_reports() is empty after it. Heat, ropes between their ends, what is still to
+     * steps; what was removed, painted, split and broken only with RUBBLE_DELTAS_EVENTS. get_reports() has the breaks
+     * then, and is empty otherwise: nothing tells of contacts, joints, fires, water and footsteps of the other world.
+     * It stops a recording, and keep_deltas() of this world. Heat, ropes between their ends, what is still to
      * split and data of the host are left out, see get_resolved_hash(). Of RUBBLE_DELTAS_EDITS, poses,
      * velocities and sleep of free bodies that were there before and of characters are left out too: see
      * get_voxel_hash(). A world with RUBBLE_WORLD_HOST_PHYSICS gets them by set_body_states(), before this call.
@@ -2260,7 +2265,7 @@ typedef struct rubble_api {
      * knows of them. */
     rubble_result (*set_report_filter)(rubble_world world, const rubble_report_filter* filter);
     /* [main-thread] What happened in the last step of what the host has asked for, without copying: the arrays live as
-     * long as those of get_events(). It is empty after a load and after apply_deltas(). */
+     * long as those of get_events(). It is empty after a load; see apply_deltas(). */
     rubble_result (*get_reports)(rubble_world world, rubble_reports* out);
 
     /* ---- meshes and data of bricks ---- */

@@ -819,11 +819,12 @@ public:
     }
     /** Carries out steps of another world: objects, voxels and motion become those, without edits or physics. Each take
      * of the other world is applied once, in their order, from the first after keep_deltas() on; a step() of this world
-     * in between ends that. get_events() tells which objects came and went in the last of the steps; not what was
-     * removed, painted or split, of which get_changed_bricks() tells. It stops a recording, and keep_deltas() of this
-     * world. get_reports() is empty after it. Heat, ropes between their ends, what is still to split and data of the
-     * host are left out, see get_resolved_hash(). Of RUBBLE_DELTAS_EDITS, poses, velocities and sleep of free bodies
-     * that were there before and of characters are left out too: see get_voxel_hash(). A world with
+     * in between ends that. get_events() tells which objects came and went in the last of the steps; what was removed,
+     * painted, split and broken only with RUBBLE_DELTAS_EVENTS. get_reports() has the breaks then, and is empty
+     * otherwise: nothing tells of contacts, joints, fires, water and footsteps of the other world. It stops a
+     * recording, and keep_deltas() of this world. Heat, ropes between their ends, what is still to split and data of
+     * the host are left out, see get_resolved_hash(). Of RUBBLE_DELTAS_EDITS, poses, velocities and sleep of free
+     * bodies that were there before and of characters are left out too: see get_voxel_hash(). A world with
      * RUBBLE_WORLD_HOST_PHYSICS gets them by set_body_states(), before this call. RUBBLE_ERROR_FILE: the bytes are
      * wrong or steps are missing, and this world is as after the step before; or a step has shown that it was another
      * one. What it makes in steps of its own may get other handles than there. */
@@ -951,7 +952,7 @@ public:
         check(api().set_report_filter(m_handle, &filter));
     }
     /** What happened in the last step of what the host has asked for, without copying: the arrays live as long as those
-     * of get_events(). It is empty after a load and after apply_deltas(). */
+     * of get_events(). It is empty after a load; see apply_deltas(). */
     rubble_reports get_reports() const {
         rubble_reports out{};
         out.struct_size = sizeof out;
