@@ -33,10 +33,11 @@
 namespace rubble {
 namespace {
 
-constexpr double kArcError = 0.05;     ///< of an energy by (w h)^2, by which a driven swing may be off
-constexpr double kMaxLift = 0.002;     ///< metres by which an overlap may lift a body in a step
-constexpr double kMaxRegain = 1e-3;    ///< of its kinetic energy, that an island with joints may gain back
-constexpr double kHeightNoise = 2e-8;  ///< metres by which what rests on contacts may fall and rise again
+constexpr double kArcError = 0.05;         ///< of an energy by (w h)^2, by which a driven swing may be off
+constexpr double kMaxLift = 0.002;         ///< metres by which an overlap may lift a body in a step
+constexpr double kMaxRegain = 1e-3;        ///< of its kinetic energy, that an island with joints may gain back
+constexpr double kMaxDrivenRegain = 1e-4;  ///< the same with a motor, which gives back what is taken too much
+constexpr double kHeightNoise = 2e-8;      ///< metres by which what rests on contacts may fall and rise again
 /// Of the kinetic energy of a free island. A velocity v is rounded to float by at most 2^-24 of each component, which
 /// changes m v^2 / 2 by 2^-23 of it, 1.2e-7. That occurs once where no impulse acts, and at random where some do.
 constexpr double kRounding = 1e-6;
@@ -144,7 +145,8 @@ void EnergyBound::updateRegainable(std::span<SolverBody> bodies) {
         if (!island.touchesWorld) island.advance += kRounding * island.kinetic;
     for (uint32_t i = 1; i < bodies.size(); ++i) {
         const Island& island = m_islands[m_sets.root(i)];
-        const double most = kHeightNoise * island.weight + (island.joints ? kMaxRegain * island.kinetic : 0.0);
+        const double most = kHeightNoise * island.weight +
+                            (island.joints ? (island.isDriven ? kMaxDrivenRegain : kMaxRegain) * island.kinetic : 0.0);
         bodies[i].regainable = std::clamp(island.regainable - island.gain, -island.advance, most) / island.bodies;
     }
     for (Island& island : m_islands) island.gain -= std::max(island.regainable + island.advance, 0.0);

@@ -149,6 +149,12 @@ function tick()
     refuses('yaw: expected a number from', SetPlayerLook, nan, 0)
     refuses('finite numbers', SetCameraTransform, Transform(Vec(nan, 0, 0)))
     refuses('volume: expected a number from 0 to 1000, found', PlaySound, LoadSound("click"), nil, nan)
+    refuses('pad: expected a table, found nothing', SetGamepad)
+    refuses('found "z"', SetGamepad, {z = true})
+    refuses('pad: expected a number from -1 to 1, found', SetGamepad, {lx = nan})
+    refuses('folder: expected 1 to 100 of', ListFiles, "../saves")
+    refuses('action: expected a text, found', BindInput)
+    assert(#ListFiles("nowhere") == 0)
     CreateModel(model({muzzle = Vec(1, 1, 1)}), at)
 end
 function init() bodies = #FindBodies() end

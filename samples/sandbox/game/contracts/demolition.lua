@@ -8,7 +8,7 @@ local kAllowed = 0.02     -- share of the neighbour's voxels that may be lost
 local kLook = 12          -- steps from one look at the world to the next
 local kCharge = 1.8       -- of an explosion, against one that is played freely
 local kRest = 1.5         -- seconds at rest that decide
-local kLarge = 200        -- voxels of a piece that is waited for
+local kLarge = 200        -- voxels of a piece that counts, and that is waited for
 local kPatience = 12      -- seconds after the last bomb, whatever still moves
 
 local demolition = {
@@ -37,14 +37,16 @@ function demolition.limits(state)
         budget = {remotebomb = true, timebomb = true}, all = kBombs, left = state, key = "bombs"}
 end
 
--- The highest voxel of all that was the building.
+-- The highest voxel of what was the building. Pieces that are small do not count: one that hangs in a tree is no mill.
 local function heightNow()
     local shapes = {}
     local top = 0
     for _, shape in ipairs(FindShapes("target")) do
-        shapes[shape] = true
-        local _, high = GetShapeBounds(shape)
-        top = math.max(top, high.y)
+        if GetShapeVoxelCount(shape) >= kLarge then
+            shapes[shape] = true
+            local _, high = GetShapeBounds(shape)
+            top = math.max(top, high.y)
+        end
     end
     local low, high = 0, top
     while high - low > 0.05 do

@@ -5,39 +5,53 @@ local parts = require("vehicles/parts")
 local boat = {name = "boat", camera = {height = 2.0, distance = 9}, exit = Vec(0, 1.2, 0.8), pitch = 0.9,
     engine = {Vec(-0.3, 0.75, 1.5), Vec(0.3, 0.95, 1.9)}, isBoat = true}
 local kThrust, kLength, kWidth = 30000, 62, 22
+local kPlank = 0.25
 local kTurn = QuatEuler(0, 0, 90)
 
--- Half the width of the hull at a cell along it and a height.
+-- Half the width of the hull, in metres, at a place along it and a height: a stem that rakes forward, and
+-- sides of planks that lap over each other.
 local function halfWidth(z, y)
-    local ahead = math.min(1, z / 30)
-    local bow = ahead ^ 0.7
-    return math.floor((kWidth / 2) * math.max(0.1, bow) * math.min(1, 0.55 + 0.09 * y) + 0.5)
+    y = kPlank * math.floor(y / kPlank)
+    local stem = math.max(0, 0.55 - 0.45 * y)                -- where the hull begins at that height
+    local share = math.min(1, math.max(0, (z - stem) / 2.9))
+    local bow = math.sin(0.5 * math.pi * share) ^ 0.8
+    local side = math.min(1, 0.6 + 0.42 * math.min(1, y / 0.45))
+    return 0.05 * kWidth * bow * side
 end
 
+-- The upper edge, in metres: it rises towards the bow.
+local function sheerAt(z)
+    return 1.0 + 0.4 * math.max(0, 1 - z / 2.4) ^ 1.6
+end
+
+-- In cells of half the size, so that the bow is a curve.
 local function hull(m)
-    for z = 0, kLength - 1 do
-        local keel = math.max(0, math.floor(4 - z / 3))
-        local sheer = 10 + math.floor(math.max(0, 22 - z) / 7)
-        for y = keel, sheer do
-            local half = halfWidth(z, y)
-            local name = y <= 4 and "navy" or y == 5 and "wood" or y == sheer and "plank" or "white"
-            m:box(kWidth / 2 - half, y, z, kWidth / 2 + half - 1, y, z, name)
+    local middle, length = kWidth, 2 * kLength
+    for k = 0, length - 1 do
+        local z = 0.05 * (k + 0.5)
+        local sheer = math.floor(20 * sheerAt(z))
+        for y = 0, sheer do
+            local half = math.floor(20 * halfWidth(z, 0.05 * y) + 0.5)
+            local name = y <= 9 and "navy" or y <= 11 and "wood" or y >= sheer - 1 and "plank" or "white"
+            if half > 0 then m:box(middle - half, y, k, middle + half - 1, y, k, name) end
         end
-        if z > 24 and z < kLength - 2 then                  -- cockpit
-            local half = halfWidth(z, 8) - 2
-            m:clear(kWidth / 2 - half, 7, z, kWidth / 2 + half - 1, 12, z)
-            m:box(kWidth / 2 - half, 6, z, kWidth / 2 + half - 1, 6, z, "plank")
-        elseif z > 6 and z <= 24 then                       -- deck
-            local half = halfWidth(z, sheer) - 1
-            local name = z % 4 == 0 and "wood" or "plank"
-            if half > 0 then m:box(kWidth / 2 - half, sheer, z, kWidth / 2 + half - 1, sheer, z, name) end
+        if z > 2.4 and k < length - 4 then                   -- cockpit
+            local half = math.floor(20 * halfWidth(z, 0.8)) - 4
+            m:clear(middle - half, 14, k, middle + half - 1, sheer, k)
+            m:box(middle - half, 12, k, middle + half - 1, 13, k, k % 6 == 0 and "wood" or "plank")
+        elseif z <= 2.4 then                                 -- deck
+            local half = math.floor(20 * halfWidth(z, 0.05 * sheer)) - 2
+            if half > 0 then
+                m:box(middle - half, sheer, k, middle + half - 1, sheer, k, k % 8 == 0 and "wood" or "plank")
+            end
         end
     end
 end
 
 local function model()
-    local m = build.model({kWidth, 22, kLength}, {kWidth / 2, 0, kLength / 2})
-    hull(m)
+    local fine = build.model({2 * kWidth, 44, 2 * kLength}, {kWidth, 0, kLength}, 0.05)
+    hull(fine)
+    local m = fine:coarse(2)
     m:cabin({x0 = 3, x1 = 18, low = 11, top = 18, z0 = 18, z1 = 38, front = 0.6, paint = "white", posts = {27, 33}})
     m:clear(4, 11, 36, 17, 17, 40)                           -- open behind
     m:pair(3, 11, 37, 3, 18, 37, "white")
@@ -57,7 +71,7 @@ local function model()
     m:box(12, 19, 22, 13, 19, 23, "lamp")
     m:box(10, 13, 3, 11, 13, 4, "dark")                      -- bollard
     m:box(10, 1, kLength - 3, 11, 2, kLength - 1, "dark")    -- shaft
-    return m
+    return fine
 end
 
 function boat.build(v, frame)

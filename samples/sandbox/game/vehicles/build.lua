@@ -65,7 +65,17 @@ end
 function Model:box(x0, y0, z0, x1, y1, z1, name)
     local entry, shades = 0, 1
     if name then entry, shades = self:surface(name) end
+    local s = self.scale or 1
+    x0, y0, z0, x1, y1, z1 = s * x0, s * y0, s * z0, s * x1 + s - 1, s * y1 + s - 1, s * z1 + s - 1
     self.boxes[#self.boxes + 1] = {x0, y0, z0, x1, y1, z1, entry, shades}
+end
+
+-- The same model for parts that are drawn in cells of `scale` of its own.
+function Model:coarse(scale)
+    local size = {}
+    for i = 1, 3 do size[i] = self.size[i] // scale end
+    return setmetatable({size = size, scale = scale, boxes = self.boxes, palette = self.palette, firsts = self.firsts},
+        Model)
 end
 
 function Model:clear(x0, y0, z0, x1, y1, z1)
