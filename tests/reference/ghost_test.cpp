@@ -1,7 +1,8 @@
 // Ghosts: two frames after a change the image is that of a renderer that has never seen what was before. Beside that
 // is printed how far two images are apart that have nothing to remember: no image can be expected to be nearer.
 // RUBBLE_IMAGES=FOLDER writes for each case: the drawn image, the expected one and their FLIP map, side by side, and
-// below them the frames after the change.
+// below them the frames after the change. RUBBLE_WIDTH=PIXELS draws wider images than 240x135: in small ones edges,
+// which are never alike after two frames, are a large share.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -16,10 +17,14 @@
 namespace rubble {
 namespace {
 
-constexpr glm::ivec2 kSize(240, 135);
 constexpr int kFramesAfter = 2, kFramesShown = 6, kFramesBefore = 16, kFreshFrames = 32;
 constexpr int kOtherJitter = 17;  ///< frames later, jitter and random numbers are others
-constexpr double kAway = 1.58;    ///< radians to turn by, to see nothing of what was seen
+const glm::ivec2 kSize = [] {
+    const char* width = std::getenv("RUBBLE_WIDTH");
+    const int pixels = width ? std::clamp(std::atoi(width), 240, 1920) : 240;
+    return glm::ivec2(pixels, pixels * 9 / 16);
+}();
+constexpr double kAway = 1.58;  ///< radians to turn by, to see nothing of what was seen
 
 enum Entry : uint8_t { kGround = 1, kPlaster, kBrick, kDark, kSteel, kBulb, kTinted, kPolished, kEntries };
 constexpr glm::dquat kLevel(1, 0, 0, 0);
