@@ -2308,7 +2308,8 @@ typedef struct rubble_api {
      * recordings and saves do not have them. RUBBLE_ERROR_ARGUMENT, here and below: the world was created with
      * RUBBLE_WORLD_NO_RENDERER and without RUBBLE_WORLD_PARTICLES. */
     rubble_result (*spawn_particles)(rubble_world world, const rubble_particle_burst* burst);
-    /* [main-thread] All that is in the air, the oldest first: dust, smoke, flames and what the host has added. */
+    /* [main-thread] All that is in the air, the oldest first: dust, smoke, flames and what the host has added. A load
+     * takes all of it away, and so does the step of an undo() or redo(). */
     rubble_result (*get_particles)(rubble_world world, rubble_particle* out, uint32_t capacity, uint32_t* count);
 
     /* ---- ropes ---- */

@@ -1004,7 +1004,8 @@ public:
         burst.struct_size = sizeof burst;
         check(api().spawn_particles(m_handle, &burst));
     }
-    /** All that is in the air, the oldest first: dust, smoke, flames and what the host has added. */
+    /** All that is in the air, the oldest first: dust, smoke, flames and what the host has added. A load takes all of
+     * it away, and so does the step of an undo() or redo(). */
     std::vector<rubble_particle> get_particles() const {
         return rows<rubble_particle, uint32_t>([&](rubble_particle* out, uint32_t capacity, uint32_t* count) {
             return api().get_particles(m_handle, out, capacity, count);
