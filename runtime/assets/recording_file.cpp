@@ -156,6 +156,17 @@ void RecordingWriter::add(const RecordedStep& step) {
                              step.step));
 }
 
+void RecordingWriter::add(const HostMotion& after) {
+    std::vector<uint8_t> bytes;
+    PaletteList unused;
+    BinaryOutputArchive archive(bytes, unused);
+    archive.put(after);
+    ChunkWriter chunk;
+    chunk.add({'H', 'O', 'S', 'T'}, bytes, archive.memory());
+    if (m_isFull || m_failure || m_bytes + chunk.bytes().size() > kMaxFileBytes / 2) return;
+    write(chunk);
+}
+
 Result<Done> RecordingWriter::close() {
     const int failure = std::exchange(m_failure, 0);  // what was written before it is kept
     ChunkWriter padding;
@@ -198,16 +209,20 @@ Result<RecordedStep> recordedStepFromBytes(std::span<const uint8_t> bytes, const
     return recordedStepFrom(reader, name, world);
 }
 
+/// About the motion of bodies; empty: nothing.
+static std::string motionError(const std::vector<BodyPose>& poses) {
+    RangeCheck check;
+    for (const BodyPose& pose : poses)
+        check.include(
+            objectError(Body{.pose = pose.pose, .velocity = pose.velocity, .angularVelocity = pose.angularVelocity}));
+    return check.error();
+}
+
 /// About the motion of bodies and characters in a step; empty: nothing.
 static std::string motionError(const RecordedStep& step) {
     RangeCheck check;
-    const auto includePoses = [&](const std::vector<BodyPose>& poses) {
-        for (const BodyPose& pose : poses)
-            check.include(objectError(
-                Body{.pose = pose.pose, .velocity = pose.velocity, .angularVelocity = pose.angularVelocity}));
-    };
-    includePoses(step.poses);
-    if (step.hostMotion) includePoses(step.hostMotion->poses);
+    check.include(motionError(step.poses));
+    if (step.hostMotion) check.include(motionError(step.hostMotion->poses));
     for (const CharacterMove& move : step.characters)
         check.vector("position", move.position, ranges::kPlace)
             .include(characterVelocityError("velocity", move.velocity))
@@ -225,6 +240,18 @@ Result<RecordedStep> recordedStepFrom(ByteReader& reader, const std::string& nam
         if (const std::string error = motionError(step); !error.empty()) reader.fail("motion within its ranges", error);
     if (reader.failed()) return Error{name + ": " + reader.error()};
     return step;
+}
+
+static Result<HostMotion> hostMotionFrom(ByteReader& reader, const std::string& name, uint8_t world) {
+    HostMotion motion;
+    BinaryInputArchive archive(reader, {}, world);
+    archive.get(motion);
+    reader.expectEnd("motion");
+    if (!reader.failed())
+        if (const std::string error = motionError(motion.poses); !error.empty())
+            reader.fail("motion within its ranges", error);
+    if (reader.failed()) return Error{name + ": " + reader.error()};
+    return motion;
 }
 
 Result<Recording> recordingFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world) {
@@ -254,6 +281,11 @@ Result<Recording> recordingFromBytes(std::span<const uint8_t> bytes, const std::
             if (!haveStart || step->step != expected)
                 return Error{fmt::format("{}: expected step {}, found {}", part, expected, step->step)};
             recording.steps.push_back(std::move(*step));
+        } else if (kind == "HOST") {
+            ByteReader reader(raw, "recorded motion", in);
+            Result<HostMotion> after = hostMotionFrom(reader, part, world);
+            if (!after) return Error{after.error()};
+            recording.after = std::move(*after);
         }
     }
     in.expectEnd("file");

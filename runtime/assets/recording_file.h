@@ -35,9 +35,9 @@ struct RecordedStep {
     std::optional<HostMotion> hostMotion;  ///< before the step; none: the world has physics of its own
 };
 
-/// Writes a recording: a chunk file with a saved game (GAME) and a chunk for each step (STEP). Until close() the file's
-/// name ends in ".part"; where the host writes files (file_hooks.h) it is kept in memory and written as a whole.
-/// Without close() no file is left.
+/// Writes a recording: a chunk file with a saved game (GAME), a chunk for each step (STEP) and one for what the host's
+/// physics did after the last (HOST). Until close() the file's name ends in ".part"; where the host writes files
+/// (file_hooks.h) it is kept in memory and written as a whole. Without close() no file is left.
 class RecordingWriter {
 public:
     RecordingWriter(RecordingWriter&&) = default;
@@ -49,6 +49,8 @@ public:
     /// Appends a step. What cannot be written is logged, ends the recording, and is reported by close(). A file that is
     /// as long as one may get gets no more.
     void add(const RecordedStep& step);
+    /// Appends what the host's physics did after the last step; call it before close().
+    void add(const HostMotion& after);
     /// Completes the file and gives it its name. An error if some of it could not be written; then the file has the
     /// steps before, or is removed where that cannot be either.
     Result<Done> close();
@@ -79,6 +81,7 @@ private:
 struct Recording {
     SavedGame start;
     std::vector<RecordedStep> steps;
+    std::optional<HostMotion> after;  ///< the last step
 };
 
 /// The content of a STEP chunk. A network host can send it to a client that joins late. `memory`: gets what reading it

@@ -4,9 +4,11 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
@@ -145,6 +147,14 @@ void reportNotes(const std::string& output, const std::string& path, ImportRepor
     }
 }
 
+/// What differs when another file has come to a path, or the one there was written again; of none all are 0.
+std::array<int64_t, 5> fileIdentity(const std::string& path) {
+    struct stat found {};
+    if (stat(path.c_str(), &found) != 0) return {};
+    return {int64_t(found.st_ino), int64_t(found.st_size), int64_t(found.st_mtim.tv_sec),
+            int64_t(found.st_mtim.tv_nsec), int64_t(found.st_dev)};
+}
+
 }  // namespace
 
 Result<Level> readVdb(const std::string& path, const std::string& vdbTool, ImportReport* report) {
@@ -164,12 +174,16 @@ Result<Level> readVdb(const std::string& path, const std::string& vdbTool, Impor
 }
 
 Result<Done> writeVdb(const std::string& path, const Level& level, const std::string& vdbTool) {
+    if (vdbTool.empty()) return Error{path + ": expected the path of the program rubble-vdb to write it, found none"};
     const TemporaryFolder folder;
     if (folder.path().empty()) return Error{path + ": " + folder.error()};
     const std::string baked = folder.path() + "/level.rubble";
+    const std::array<int64_t, 5> before = fileIdentity(path);
     if (const Result<Done> done = writeRubble(baked, level); !done) return done;
     const Result<std::string> output = runVdbTool(vdbTool, {"to-vdb", baked, argumentPath(path)});
     if (!output) return Error{output.error()};
+    if (fileIdentity(path) == before)
+        return Error{fmt::format("{}: {} wrote no level: is it the program rubble-vdb?", path, vdbTool)};
     return Done{};
 }
 

@@ -68,22 +68,24 @@ void FrameLoop::load(const Level& level) {
     dropWaitingEdits();
     m_changes = {};
     m_pending.clear();
-    forgetHostMotion();
+    forgetPlayed();
+    m_world.load(level);
+}
+
+/// Another world is about to come.
+void FrameLoop::forgetPlayed() {
     endRecording();
+    forgetHostMotion();
     keepDeltas(std::nullopt);
     m_moved = {};
     m_followedStart = kFollowsNone;
-    m_world.load(level);
+    m_snapshots.particles().clear();
 }
 
 void FrameLoop::load(SavedGame game) {
     dropWaitingEdits();
     m_changes = {};
-    forgetHostMotion();
-    endRecording();
-    keepDeltas(std::nullopt);
-    m_moved = {};
-    m_followedStart = kFollowsNone;
+    forgetPlayed();
     m_world.setState(std::move(game.world));
     m_pending = std::move(game.pending);
     claimHandles(m_world, m_pending);  // before a host reserves more
@@ -137,6 +139,7 @@ Result<Done> FrameLoop::stopRecording() {
     if (!m_recording) return Done{};
     m_recorder.reset();
     const std::unique_ptr<RecordingWriter> writer = std::move(m_recording);
+    if (!m_hostMotion.poses.empty() || !m_hostMotion.damage.empty()) writer->add(m_hostMotion);
     return writer->close();
 }
 
@@ -160,17 +163,15 @@ bool FrameLoop::step(World::Follows follows) {
 void FrameLoop::replay(const RecordedStep& step) {
     m_rebuildPhysics = step.physicsRebuilt;
     if (m_rebuildPhysics) m_world.resetCaches();
-    if (step.hostMotion) {
-        followHost(step.hostMotion->poses, {});
-        addHostDamage(step.hostMotion->damage);
-    }
+    if (step.hostMotion) followHost(step.hostMotion->poses, {}, step.hostMotion->damage);
     stepWith(step.edits);
 }
 
-void FrameLoop::followHost(std::span<const BodyPose> poses, std::span<const Impact> impacts) {
+void FrameLoop::followHost(std::span<const BodyPose> poses, std::span<const Impact> impacts, const Edits& damage) {
     m_world.setPoses(poses);
     m_hostMotion.poses.insert(m_hostMotion.poses.end(), poses.begin(), poses.end());
     addHostDamage(damageOf(impacts));
+    addHostDamage(damage);
     m_hostImpacts.insert(m_hostImpacts.end(), impacts.begin(), impacts.end());
 }
 

@@ -92,8 +92,9 @@ public:
     /// steps are whole.
     bool step(World::Follows follows = World::Follows::All);
     /// [main-thread] What the host's physics has done since the last step: where bodies are, then what hit what at the
-    /// places where they are now. The next step breaks what those hits break. Stale handles are skipped.
-    void followHost(std::span<const BodyPose> poses, std::span<const Impact> impacts);
+    /// places where they are now. The next step breaks what those hits break. Stale handles are skipped. damage: what
+    /// recorded hits break.
+    void followHost(std::span<const BodyPose> poses, std::span<const Impact> impacts, const Edits& damage = {});
     /// [render-thread] Hands the newest snapshot to the renderer and draws. alpha in [0, 1]: interpolates between the
     /// poses of the last two steps.
     void draw(Renderer& renderer, const View& view, float alpha);
@@ -136,6 +137,7 @@ private:
     /// Follows the preset of the world's settings.
     void followPhysicsPreset();
     void dropWaitingEdits();
+    void forgetPlayed();
     SavedGame savedGame(const Edits& waiting) const;
     void goOnAsLoaded(bool dropMarks);
     void stepWith(const Edits& hostEdits);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/abi/create_fixture.h"
+#include "tests/support/temp_folder.h"
 
 namespace rubble {
 namespace {
@@ -148,6 +149,31 @@ TEST_F(AbiBricks, AVersionThatTheShapeNoLongerKnowsIsStale) {
     EXPECT_EQ(list(wall, RUBBLE_BRICKS_VOXELS, version, bricks), RUBBLE_ERROR_STALE);
     const rubble_shape table = shapes()[0].shape;
     EXPECT_EQ(list(table, RUBBLE_BRICKS_VOXELS, version, bricks), RUBBLE_ERROR_STALE) << "another world";
+}
+
+TEST_F(AbiBricks, AVersionThatIsAskedForBeforeTheFirstStepOfALevelHolds) {
+    const TempFolder folder;
+    const std::string game = folder.path() / "wall.rubblesave";
+    makeWall();
+    ASSERT_EQ(api()->save_game(m_world, game.c_str()), RUBBLE_OK) << api()->get_last_error();
+    for (const bool isGame : {false, true}) {
+        ASSERT_EQ(
+            isGame ? api()->load_game(m_world, game.c_str()) : api()->load_level(m_world, s_level.c_str(), nullptr),
+            RUBBLE_OK)
+            << api()->get_last_error();
+        const rubble_shape shape = shapes().back().shape;
+        uint64_t version = 0;
+        std::vector<rubble_brick> bricks;
+        ASSERT_EQ(list(shape, RUBBLE_BRICKS_MESHES, version, bricks), RUBBLE_OK);
+        EXPECT_FALSE(bricks.empty());
+        step();
+        EXPECT_EQ(list(shape, RUBBLE_BRICKS_MESHES, version, bricks), RUBBLE_OK) << api()->get_last_error();
+        EXPECT_TRUE(bricks.empty()) << "nothing was edited";
+        uint64_t before = version;
+        ASSERT_EQ(api()->load_level(m_world, s_level.c_str(), nullptr), RUBBLE_OK);
+        EXPECT_EQ(list(shapes().back().shape, RUBBLE_BRICKS_MESHES, before, bricks), RUBBLE_ERROR_STALE)
+            << "it is of another world";
+    }
 }
 
 TEST_F(AbiBricks, WrongArgumentsAreRefused) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -282,6 +283,54 @@ TEST_F(AbiCreate, AStaticShapeIsHeldByItsLowestLayerAndBreaks) {
     ASSERT_EQ(api()->get_events(m_world, &events), RUBBLE_OK);
     EXPECT_EQ(events.split_count, 1u) << "the upper part comes off";
     EXPECT_TRUE(bodyState(body).flags & RUBBLE_BODY_STATIC);
+}
+
+TEST_F(AbiCreate, TheLowestLayerIsThatWhichIsLowestInTheWorld) {
+    const double half = std::sqrt(0.5), root = std::sin(0.125 * std::acos(-1.0));
+    struct Case {
+        double rotation[4];
+        rubble_cell_box anchor;
+    };
+    // A box of 4 x 20 x 6 cells, turned; at 45 degrees two sides are equal.
+    const Case cases[] = {{{0, 0, 0, 1}, {{0, 0, 0}, {4, 1, 6}}},
+                          {{0, 0, 1, 0}, {{0, 19, 0}, {4, 1, 6}}},
+                          {{0, 0, half, half}, {{0, 0, 0}, {1, 20, 6}}},
+                          {{0, 0, -half, half}, {{3, 0, 0}, {1, 20, 6}}},
+                          {{-half, 0, 0, half}, {{0, 0, 0}, {4, 20, 1}}},
+                          {{half, 0, 0, half}, {{0, 0, 5}, {4, 20, 1}}},
+                          {{0, 0, root, std::sqrt(1 - root * root)}, {{0, 0, 0}, {4, 1, 6}}}};
+    for (const Case& each : cases) {
+        auto fixedBody = bodyAt(10.0, 20.0, RUBBLE_BODY_STATIC), freeBody = bodyAt(30.0, 20.0, 0);
+        const auto box = [&](rubble_body body) {
+            auto settings = shapeOn(body, RUBBLE_SHAPE_BOX, 4);
+            settings.size[1] = 20, settings.size[2] = 6;
+            return settings;
+        };
+        auto ownTurn = box(make(fixedBody));
+        std::copy_n(each.rotation, 4, ownTurn.rotation);
+        std::copy_n(each.rotation, 4, fixedBody.rotation);
+        fixedBody.position[0] = 20.0;
+        const rubble_shape onTurned = make(box(make(fixedBody)));
+        const rubble_body body = make(freeBody);
+        const rubble_shape turned = make(ownTurn), tumbled = make(box(body));
+        step();
+        auto change = sized<rubble_body_change>();
+        change.body = body, change.fields = RUBBLE_SET_STATIC | RUBBLE_SET_POSE;
+        std::copy_n(freeBody.position, 3, change.position);
+        std::copy_n(each.rotation, 4, change.rotation);
+        ASSERT_EQ(api()->set_body(m_world, &change), RUBBLE_OK) << api()->get_last_error();
+        step();
+        for (const rubble_shape shape : {turned, onTurned, tumbled}) {
+            rubble_cell_box anchor = {};
+            uint32_t count = 0;
+            ASSERT_EQ(api()->get_anchors(m_world, shape, &anchor, 1, &count), RUBBLE_OK) << api()->get_last_error();
+            for (int a = 0; a < 3; ++a) {
+                EXPECT_EQ(anchor.low[a], each.anchor.low[a]) << each.rotation[2] << ' ' << each.rotation[3];
+                EXPECT_EQ(anchor.size[a], each.anchor.size[a]) << each.rotation[2] << ' ' << each.rotation[3];
+            }
+            ASSERT_EQ(api()->destroy_shape(m_world, shape), RUBBLE_OK);
+        }
+    }
 }
 
 TEST_F(AbiCreate, AnEmptyWorldNeedsNoLevel) {

@@ -227,6 +227,53 @@ TEST_F(HostPhysics, ARecordingPlaysInAWorldOfItsKindAlone) {
     EXPECT_EQ(api()->destroy_world(other), RUBBLE_OK);
 }
 
+TEST_F(HostPhysics, ARecordingEndsWithWhatTheHostDidAfterTheLastStep) {
+    const TempFolder folder;
+    const std::string path = folder.path() / "game.rubblelog";
+    const rubble_body cube = makeCube(5.0, 10.0);
+    step();
+    for (const bool steps : {true, false}) {
+        ASSERT_EQ(moveTo(cube, 4.0, 9.0), RUBBLE_OK);
+        ASSERT_EQ(api()->start_recording(m_world, path.c_str()), RUBBLE_OK);
+        if (steps) step();
+        ASSERT_EQ(moveTo(cube, 5.0, 6.0), RUBBLE_OK);
+        const rubble_impact hit = hitOn(cube, 5.0, 6.4, 2e4);
+        ASSERT_EQ(api()->report_impacts(m_world, &hit, 1), RUBBLE_OK);
+        const uint64_t expected = hash();
+        ASSERT_EQ(api()->stop_recording(m_world), RUBBLE_OK);
+        const rubble_world replayed = makeHostWorld();
+        uint64_t count = 0, found = 0;
+        EXPECT_EQ(api()->play_recording(replayed, path.c_str(), &count), RUBBLE_OK) << api()->get_last_error();
+        EXPECT_EQ(count, steps ? 1u : 0u);
+        ASSERT_EQ(api()->get_state_hash(replayed, &found), RUBBLE_OK);
+        EXPECT_EQ(found, expected);
+        EXPECT_EQ(api()->step(replayed), RUBBLE_OK);
+        EXPECT_EQ(api()->get_state_hash(replayed, &found), RUBBLE_OK);
+        EXPECT_EQ(api()->destroy_world(replayed), RUBBLE_OK);
+        step();
+        EXPECT_EQ(found, hash()) << "the hit breaks the same in the next step";
+    }
+}
+
+TEST_F(HostPhysics, ABlastPushesALargeBodyByItsNearestSide) {
+    for (const auto& [side, expected] : {std::pair(4, 1000.0 * (1.0 - 1.4 / 2.5)), {40, 1000.0 * (1.0 - 1.5 / 2.5)}}) {
+        const rubble_body cube = make(bodyAt(20.0, 10.0, 0));
+        make(shapeOn(cube, RUBBLE_SHAPE_BOX, side));
+        auto blast = sized<rubble_explosion>();
+        blast.position[0] = 18.8, blast.position[1] = 10.0 + 0.05 * side, blast.position[2] = 0.05 * side;
+        blast.size = 1.0, blast.impulse = 1000.0;
+        ASSERT_EQ(api()->explode(m_world, &blast), RUBBLE_OK) << api()->get_last_error();
+        step();
+        rubble_body_impulse given = {};
+        uint32_t count = 0;
+        ASSERT_EQ(api()->get_body_impulses(m_world, &given, 1, &count), RUBBLE_OK) << api()->get_last_error();
+        ASSERT_EQ(count, 1u);
+        EXPECT_NEAR(given.impulse[0], expected, 1e-4) << side;
+        ASSERT_EQ(api()->destroy_body(m_world, cube), RUBBLE_OK);
+        step();
+    }
+}
+
 TEST_F(HostPhysics, AnUndoTellsTheHostWhereBodiesAre) {
     const rubble_body cube = makeCube(5.0, 10.0);
     ASSERT_EQ(api()->set_undo_limit(m_world, 1), RUBBLE_OK);

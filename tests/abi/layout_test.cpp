@@ -33,6 +33,18 @@ TEST(Layout, IsThatOfTheFile) {
         << "a struct may only grow at its end; if that is what happened, write the program's output to layout.txt";
 }
 
+TEST(Layout, TheDescriptionHasTheNumbersThatTheHeaderDefines) {
+    std::ifstream file(RUBBLE_SOURCE_DIR "/docs/api/rubble.json");
+    const std::string json((std::istreambuf_iterator<char>(file)), {});
+    const auto has = [&](const char* name, uint64_t value) {
+        return json.find(std::string("\"name\": \"") + name + "\",\n   \"value\": " + std::to_string(value)) !=
+               std::string::npos;
+    };
+    EXPECT_TRUE(has("RUBBLE_FILE_ON_DISK", RUBBLE_FILE_ON_DISK));
+    EXPECT_TRUE(has("RUBBLE_MAX_BRICK_VERTICES", RUBBLE_MAX_BRICK_VERTICES));
+    EXPECT_TRUE(has("RUBBLE_BRICK_BYTES", RUBBLE_BRICK_BYTES));
+}
+
 TEST(Layout, KeepsWhatTheFirstReleaseHad) {
     const auto now = layoutOf(run(RUBBLE_LAYOUT_NOW));
     for (const auto& [name, value] : layoutOf(run(RUBBLE_LAYOUT_FIRST))) {

@@ -107,6 +107,14 @@ TEST_F(AbiParticles, WhatBreaksIsSeenByAHostThatDrawsItself) {
     EXPECT_TRUE(std::any_of(all.begin(), all.end(), isFlame));
 }
 
+TEST_F(AbiParticles, ALoadTakesThemAway) {
+    const rubble_particle_burst given = burst();
+    ASSERT_EQ(api()->spawn_particles(m_world, &given), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_FALSE(particles().empty());
+    ASSERT_EQ(api()->load_level(m_world, s_level.c_str(), nullptr), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_TRUE(particles().empty()) << "they are of the world before";
+}
+
 TEST_F(AbiParticles, TheBudgetHoldsAndNumbersOutOfRangeAreRefused) {
     rubble_particle_burst given = burst();
     given.count = 4096;

@@ -4,6 +4,7 @@ describe(text) returns a dict, in the order of the header:
   "version": int
   "handles": [{name, type, doc}]
   "constants": [{name, value, doc, group}]       group: the number of their enum; its doc is in "groups"
+  "defines": [{name, value, doc, section}]
   "groups": [{doc, section}]
   "structs": [{name, doc, section, fields: [{name, type, array, doc}]}]
   "functions": [{name, doc, section, thread, result, arguments: [{name, type, array}]}]
@@ -14,6 +15,7 @@ A type is as C writes it, without the name; array is the number of rows of a fie
 import re
 
 COMMENT = re.compile(r"/\*(.*?)\*/", re.S)
+NAMED = {"UINT64_MAX": 2**64 - 1}
 SECTION = re.compile(r"/\* ---- (.*?) ---- \*/")
 
 
@@ -107,13 +109,14 @@ def function_of(result, name, arguments, doc, section):
 def describe(text):
     """The whole header; see the head of this file."""
     description = {"version": int(re.search(r"#define RUBBLE_VERSION (\d+)u", text).group(1)),
-                   "handles": [], "constants": [], "groups": [], "structs": [], "functions": []}
+                   "handles": [], "constants": [], "groups": [], "defines": [], "structs": [],
+                   "functions": []}
     start = text.index("/* Handles.")
     section, doc, last = "", "", ""
     item = re.compile(r"/\*(.*?)\*/|typedef struct (\w+) \{(.*?)\n\} \2;|typedef (\w+) (\w+);|enum \{(.*?)\};|"
-                      r"RUBBLE_EXPORT (\w+) (\w+)\((.*?)\);", re.S)
+                      r"RUBBLE_EXPORT (\w+) (\w+)\((.*?)\);|#define (RUBBLE_\w+) (\w+)\n", re.S)
     for match in item.finditer(text, start):
-        comment, struct, body, handle_type, handle, enum, result, function, arguments = match.groups()
+        comment, struct, body, handle_type, handle, enum, result, function, arguments, macro, given = match.groups()
         title = SECTION.match(match.group(0))
         if title:
             section, doc = title.group(1), ""
@@ -136,6 +139,10 @@ def describe(text):
                 description["constants"].append({"name": name.strip(), "value": value, "doc": constant_doc,
                                                  "group": len(description["groups"])})
             description["groups"].append({"doc": doc, "section": section})
+            doc = ""
+        elif macro:
+            value = NAMED[given] if given in NAMED else int(given.rstrip("u"))
+            description["defines"].append({"name": macro, "value": value, "doc": doc, "section": section})
             doc = ""
         elif struct == "rubble_api":
             above = ""

@@ -55,7 +55,7 @@ rubble_result setLevelScripts(rubble_world world, const rubble_level_script* scr
                 script.parameters =
                     readText(scripts[i].parameters, 0, size_t(ranges::kParameterBytes.high), "parameters");
             if (!areParameters(script.parameters))
-                refuse(RUBBLE_ERROR_ARGUMENT, "parameters are \"{}\", expected lines of \"name=value\"",
+                refuse(RUBBLE_ERROR_ARGUMENT, "parameters are \"{:.100}\", expected lines of \"name=value\"",
                        script.parameters);
         }
         if (!isRefused()) requireNoError(editError(edit));

@@ -55,7 +55,7 @@ rubble_result stopRecording(rubble_world world) {
 
 /// Whether the host's physics moved the bodies of the world that was recorded.
 bool hasHostMotion(const Recording& recording) {
-    return !recording.steps.empty() && recording.steps.front().hostMotion;
+    return recording.after || (!recording.steps.empty() && recording.steps.front().hostMotion);
 }
 
 rubble_result playRecording(rubble_world world, const char* path, uint64_t* steps) {
@@ -70,7 +70,7 @@ rubble_result playRecording(rubble_world world, const char* path, uint64_t* step
 void play(HostedWorld& hosted, Result<Recording> recording, const std::string& name, uint64_t* steps) {
     FrameLoop& loop = hosted.loop;
     if (!recording) return refuse(RUBBLE_ERROR_FILE, "{}", recording.error());
-    if (!recording->steps.empty() && hasHostMotion(*recording) != !loop.physics())
+    if ((!recording->steps.empty() || recording->after) && hasHostMotion(*recording) != !loop.physics())
         return refuse(RUBBLE_ERROR_ARGUMENT,
                       "{}: expected a recording of a world {} physics of its own, as this one, found one {}", name,
                       loop.physics() ? "with" : "without", loop.physics() ? "without" : "with");
@@ -88,6 +88,7 @@ void play(HostedWorld& hosted, Result<Recording> recording, const std::string& n
                           name, step.step);
         if (steps) ++*steps;
     }
+    if (const auto& after = recording->after) change(hosted, [&] { loop.followHost(after->poses, {}, after->damage); });
 }
 
 void setSaveFunctions(rubble_api& api) {

@@ -106,7 +106,7 @@ struct HistoryEdit {
 struct HeatEdit {
     glm::dvec3 position{0.0};
     double radius = 0.5;  ///< metres
-    double joules = 0.0;  ///< in all; a square metre of wood needs about 200 kJ to ignite
+    double joules = 0.0;  ///< in all; wood needs some 300 kJ for each square metre that lies in the sphere
     bool ignite = false;  ///< ignites what can burn at once
     ShapeHandle shape;    ///< empty: all
 };

@@ -17,6 +17,7 @@ bool shinesInGroup(const Palette& palette, const std::vector<bool>& groups) {
 void BrickVersions::forget() {
     m_known.clear();
     m_isOut.clear();
+    m_isAsked = false;
     m_first = ++m_version;
 }
 
@@ -29,7 +30,6 @@ BrickVersions::Known& BrickVersions::known(ShapeHandle shape) {
 
 void BrickVersions::follow(const FrameChanges& changes, const WorldData& world) {
     if (!m_isAsked) return;
-    if (changes.levelReplaced) forget();
     ++m_version;
     for (const ShapeHandle shape : changes.shapesCreated) {
         Known& made = known(shape);

@@ -18,6 +18,7 @@ public:
     enum class What { Voxels, Mesh };
 
     /// Takes over what a step has changed; the World is as the step left it. Does nothing until the first question.
+    /// The first step of another world changes what its edits change: forget() says that it is another one.
     void follow(const FrameChanges& changes, const WorldData& world);
     /// The world is another one: nothing that was known of it holds.
     void forget();

@@ -43,10 +43,6 @@ void setKind(EditContext& context, BodyHandle handle, bool isStatic) {
         body.restingSince = 0;
         context.motions.erase(handle.slot());
     }
-    for (const ShapeHandle each : body.shapes) {
-        Shape& shape = context.world.shapes.at(each);
-        if (isStatic && shape.anchors.empty()) shape.anchors = {bottomLayer(shape.grid)};
-    }
     context.changes.bodiesDestroyed.push_back(handle);
     context.changes.bodiesCreated.push_back(handle);
     context.world.updateDebris(handle);
@@ -66,8 +62,9 @@ void apply(EditContext& context, const SetBodyEdit& edit) {
     if (!context.world.bodies.find(edit.body))
         return context.warnStale(edit.body, "set_body: the handle of its body is stale; nothing was changed");
     releaseFragments(context);  // they came off where it was
-    if (edit.setsKind) setKind(context, edit.body, edit.isStatic);
     Body& body = context.world.bodies.at(edit.body);
+    const bool becomesStatic = edit.setsKind && edit.isStatic && !body.isStatic;
+    if (edit.setsKind) setKind(context, edit.body, edit.isStatic);
     if (edit.setsGravityScale) body.gravityScale = edit.gravityScale;
     if (edit.setsDamping) body.linearDamping = edit.linearDamping, body.angularDamping = edit.angularDamping;
     const bool isMoved = edit.setsPose && body.pose != edit.pose;
@@ -75,6 +72,8 @@ void apply(EditContext& context, const SetBodyEdit& edit) {
         body.pose = edit.pose;
         moveShapes(context, body);
     }
+    if (becomesStatic)
+        for (const ShapeHandle shape : body.shapes) anchorByDefault(context.world.shapes.at(shape), body);
     if (body.isStatic) {
         if (isMoved || edit.setsKind || edit.setsGravityScale || edit.setsDamping)
             context.changes.teleported.push_back(edit.body);

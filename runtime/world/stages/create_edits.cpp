@@ -16,23 +16,22 @@ namespace rubble {
 namespace {
 
 /// A copy of `from` that is placed and named as the edit says.
-Shape copyShape(const WorldData& world, const Shape& from, const CreateShapeEdit& edit, bool isStatic) {
+Shape copyShape(const WorldData& world, const Shape& from, const CreateShapeEdit& edit, const Body& body) {
     Shape out = from;
     if (!edit.shape.name.empty()) out.name = edit.shape.name;
     if (edit.shape.voxelSize > 0.0f) out.voxelSize = edit.shape.voxelSize;
     out.local = edit.shape.local;
     out.isPiece = false;
-    const bool wasStatic = world.bodies.at(from.body).isStatic;
-    if (isStatic && !wasStatic && out.anchors.empty()) out.anchors = {bottomLayer(out.grid)};
+    if (!world.bodies.at(from.body).isStatic) anchorByDefault(out, body);
     return out;
 }
 
-Shape makeNew(const WorldData& world, const CreateShapeEdit& edit, bool isStatic) {
+Shape makeNew(const WorldData& world, const CreateShapeEdit& edit, const Body& body) {
     LevelShape from = edit.shape;
     if (edit.source == ShapeSource::Box) from.grid = solidBox(edit.size, edit.entry);
     if (edit.source == ShapeSource::Sphere) from.grid = solidEllipsoid(edit.size, edit.entry);
     if (!from.palette) from.palette = materialPalette(world.materials);
-    return makeShape(from, isStatic, world.materials);
+    return makeShape(from, body, world.materials);
 }
 
 }  // namespace
@@ -59,8 +58,7 @@ void apply(EditContext& context, const CreateShapeEdit& edit) {
     if (const std::string error = palette ? paletteError(context.world, std::span(*palette).subspan(1)) : "";
         !error.empty())
         return context.refuse(error);
-    Shape shape =
-        isCopy ? copyShape(context.world, *copied, edit, body->isStatic) : makeNew(context.world, edit, body->isStatic);
+    Shape shape = isCopy ? copyShape(context.world, *copied, edit, *body) : makeNew(context.world, edit, *body);
     if (painted) {
         shape.palette = painted->palette;
         shape.moments = gridMoments(shape.grid, *shape.palette, context.world.materials);

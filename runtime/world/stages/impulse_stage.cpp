@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "runtime/core/random.h"
 #include "runtime/world/objects/body_mass.h"
+#include "runtime/world/objects/transforms.h"
 #include "runtime/world/queries/query.h"
 
 namespace rubble {
@@ -16,6 +18,8 @@ constexpr double kBlastImpulse = 1500.0;   ///< N s at the centre for size 1, un
 constexpr double kMaxBlastSpeed = 9.0;     ///< m/s from a blast of size 1: light pieces do not become bullets
 constexpr double kOpenRadiusRatio = 0.4;   ///< of its size: what stands within that, hard voxels too, shelters nothing
 constexpr double kSmallBody = 0.6;         ///< metres across, up to which one ray says whether a body is sheltered
+/// Metres from the side of a body to where a blast acts on it; its centre of mass, if that is nearer to the blast.
+constexpr double kBlastDepth = 0.3;
 /// Share of a body's smallest radius of gyration from its centre to where it is hit: it tumbles. Of a larger one, a
 /// blast would spin rods like drills.
 constexpr double kImpactOffset = 0.2;
@@ -47,7 +51,7 @@ void applyImpulse(EditContext& context, const ImpulseEdit& edit) {
 struct Blasted {
     BodyHandle body;
     glm::dvec3 center{0.0};  ///< of mass, world
-    double distance = 0.0;   ///< metres from the blast
+    double distance = 0.0;   ///< metres from the blast to where it acts on the body
     int places = 1;          ///< of the body that the blast may see
     int seen = 0;            ///< of these
 };
@@ -64,7 +68,19 @@ void keepNearest(std::vector<Blasted>& bodies) {
     std::sort(bodies.begin(), bodies.end(), isBefore);
 }
 
-/// The nearest of the dynamic bodies whose centre of mass is within a blast's radius, by slot.
+/// Metres from a point to the nearest one of the boxes around a body's grids.
+double distanceToBoxes(const WorldData& world, const Body& body, glm::dvec3 position) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const ShapeHandle handle : body.shapes) {
+        const Shape& shape = world.shapes.at(handle);
+        const glm::dvec3 local = shapeToWorld(world, handle).inversePoint(position);
+        const glm::dvec3 size = glm::dvec3(shape.grid.size()) * double(shape.voxelSize);
+        nearest = std::min(nearest, glm::distance(local, glm::clamp(local, glm::dvec3(0.0), size)));
+    }
+    return nearest;
+}
+
+/// The nearest of the dynamic bodies on which a blast of that radius acts, by slot.
 std::vector<Blasted> bodiesNear(const WorldData& world, glm::dvec3 position, double blastRadius) {
     std::vector<BodyHandle> near;
     for (const ShapeHandle shape : shapesNear(world, position, blastRadius))
@@ -77,7 +93,8 @@ std::vector<Blasted> bodiesNear(const WorldData& world, glm::dvec3 position, dou
         if (body.isStatic) continue;
         const MassProperties mass = bodyMass(world, handle);
         const glm::dvec3 center = body.pose.transformPoint(mass.center);
-        const double distance = glm::distance(center, position);
+        const double distance =
+            std::min(glm::distance(center, position), distanceToBoxes(world, body, position) + kBlastDepth);
         if (distance < blastRadius && mass.mass > 0.0) found.push_back({handle, center, distance});
     }
     keepNearest(found);
@@ -120,10 +137,10 @@ void applyImpulse(EditContext& context, const ExplodeEdit& edit) {
         if (blasted.seen == 0) continue;
         const MassProperties mass = bodyMass(context.world, blasted.body);
         const glm::dvec3 away = blasted.center - edit.position;
-        const double distance = blasted.distance, share = double(blasted.seen) / blasted.places;
-        const glm::dvec3 direction = distance > 1e-6 ? away / distance : glm::dvec3(0.0, 1.0, 0.0);
-        const double size =
-            std::min(maxImpulse, mass.mass * kMaxBlastSpeed * edit.size) * (1.0 - distance / blastRadius) * share;
+        const double length = glm::length(away), share = double(blasted.seen) / blasted.places;
+        const glm::dvec3 direction = length > 1e-6 ? away / length : glm::dvec3(0.0, 1.0, 0.0);
+        const double size = std::min(maxImpulse, mass.mass * kMaxBlastSpeed * edit.size) *
+                            (1.0 - blasted.distance / blastRadius) * share;
         const glm::dvec3& inertia = mass.principalInertia;
         const double gyration2 = std::min({inertia.x, inertia.y, inertia.z}) / mass.mass;
         const double arm = std::min(kImpactOffset * std::sqrt(gyration2), kMaxBlastSpin * gyration2 * mass.mass / size);

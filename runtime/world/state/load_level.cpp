@@ -16,8 +16,8 @@ namespace {
 
 using ShapeReferences = References<ShapeHandle>;
 
-ShapeHandle loadShape(WorldData& world, BodyHandle body, bool isStatic, const LevelShape& from) {
-    Shape shape = makeShape(from, isStatic, world.materials);
+ShapeHandle loadShape(WorldData& world, BodyHandle body, const LevelShape& from) {
+    Shape shape = makeShape(from, world.bodies.at(body), world.materials);
     shape.body = body;
     world.imported += shape.grid.voxelCount();
     const ShapeHandle handle = world.shapes.insert(std::move(shape));
@@ -43,8 +43,7 @@ ShapeReferences loadBodies(WorldData& world, const Level& level) {
             !source.isStatic && source.velocity == glm::vec3(0.0f) && source.angularVelocity == glm::vec3(0.0f);
         const BodyHandle handle = world.bodies.insert(std::move(body));
         for (const LevelShape& shape : source.shapes)
-            references.add(shape.name,
-                           isLeftOut(shape) ? ShapeHandle{} : loadShape(world, handle, source.isStatic, shape));
+            references.add(shape.name, isLeftOut(shape) ? ShapeHandle{} : loadShape(world, handle, shape));
     }
     return references;
 }
@@ -128,19 +127,52 @@ void include(WorldBox& all, const WorldData& world, ShapeHandle shape) {
     if (box.low != box.high) all = all.low == all.high ? box : all.merged(box);
 }
 
-}  // namespace
+/// A side of a grid: the one of the lowest or of the highest cells along an axis.
+struct Face {
+    int axis;
+    bool isHigh;
+};
 
-CellBox bottomLayer(const VoxelGrid& grid) {
-    int lowest = grid.empty() ? 0 : grid.size().y;
-    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
-        if (position.y * kBrickSize >= lowest) return;
-        forEachVoxel(brick->occupancy,
-                     [&](int i) { lowest = std::min(lowest, position.y * kBrickSize + voxelInBrick(i).y); });
-    });
-    return {{0, lowest, 0}, {grid.size().x, lowest + 1, grid.size().z}};
+/// The side of a turned grid that faces the ground most; of equal ones that of the lowest cells along y, x or z.
+Face lowestFace(const glm::dquat& rotation) {
+    constexpr double kEqual = 1e-6;
+    const glm::dvec3 down = glm::conjugate(rotation) * glm::dvec3(0.0, -1.0, 0.0);
+    Face lowest{1, false};
+    double steepest = -down.y;
+    for (const Face face : {Face{0, false}, Face{2, false}, Face{0, true}, Face{1, true}, Face{2, true}}) {
+        const double along = face.isHigh ? down[face.axis] : -down[face.axis];
+        if (along <= steepest + kEqual) continue;
+        lowest = face;
+        steepest = along;
+    }
+    return lowest;
 }
 
-Shape makeShape(const LevelShape& from, bool isStatic, const MaterialTable& materials) {
+CellBox bottomLayer(const VoxelGrid& grid, const glm::dquat& rotation) {
+    const Face face = lowestFace(rotation);
+    const int size = grid.size()[face.axis];
+    const auto layerOf = [&](int cell) { return face.isHigh ? size - 1 - cell : cell; };
+    int lowest = grid.empty() ? 0 : size;
+    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+        const int first = position[face.axis] * kBrickSize;
+        if (layerOf(face.isHigh ? first + kBrickSize - 1 : first) >= lowest) return;
+        forEachVoxel(brick->occupancy,
+                     [&](int i) { lowest = std::min(lowest, layerOf(first + voxelInBrick(i)[face.axis])); });
+    });
+    CellBox layer{glm::ivec3(0), grid.size()};
+    layer.low[face.axis] = layerOf(lowest);
+    layer.high[face.axis] = layer.low[face.axis] + 1;
+    return layer;
+}
+
+}  // namespace
+
+void anchorByDefault(Shape& shape, const Body& body) {
+    if (!body.isStatic || !shape.anchors.empty()) return;
+    shape.anchors = {bottomLayer(shape.grid, body.pose.rotation * shape.local.rotation)};
+}
+
+Shape makeShape(const LevelShape& from, const Body& body, const MaterialTable& materials) {
     Shape shape{.name = from.name, .local = from.local, .voxelSize = from.voxelSize, .grid = from.grid};
     shape.palette = from.palette ? from.palette : std::make_shared<const Palette>();
     if (from.paintColors && from.paintColors->count) shape.paintColors = from.paintColors;
@@ -152,9 +184,8 @@ Shape makeShape(const LevelShape& from, bool isStatic, const MaterialTable& mate
     shape.collisionShape = from.collisionShape;
     shape.density = from.density;
     shape.emission = from.emission;
-    const bool needsAnchor = isStatic && from.anchors.empty();
-    shape.anchors = needsAnchor ? std::vector{bottomLayer(shape.grid)}
-                                : translatedBoxes(from.anchors, glm::ivec3(0), shape.grid.size());
+    shape.anchors = translatedBoxes(from.anchors, glm::ivec3(0), shape.grid.size());
+    if (from.anchors.empty()) anchorByDefault(shape, body);
     shape.moments = gridMoments(shape.grid, *shape.palette, materials);
     return shape;
 }

@@ -7,14 +7,16 @@
 namespace rubble {
 
 /// Replaces everything by the level; handles from before go stale. Hidden shapes are left out. Static shapes without
-/// anchors are anchored by their lowest layer of voxels. Joints that find no voxel to hold on to are left out and
-/// logged.
+/// anchors are anchored by their lowest layer of voxels (anchorByDefault()). Joints that find no voxel to hold on to
+/// are left out and logged.
 void loadLevel(WorldData& world, const Level& level);
 
-/// A shape of a world, on no body yet. isStatic: it is anchored, by its lowest layer of voxels if it says nothing else.
-Shape makeShape(const LevelShape& from, bool isStatic, const MaterialTable& materials);
-/// The lowest layer of cells with a voxel, as a box over the whole grid; of an empty grid its lowest layer.
-CellBox bottomLayer(const VoxelGrid& grid);
+/// A shape of a world for that body, not on it yet. Without anchors: see anchorByDefault().
+Shape makeShape(const LevelShape& from, const Body& body, const MaterialTable& materials);
+/// A shape without anchors on a static body is anchored by its lowest layer of voxels, as it stands in the world: the
+/// first one with a voxel from that side of its grid which faces the ground most, as a box over the whole grid; of an
+/// empty grid that side's first layer.
+void anchorByDefault(Shape& shape, const Body& body);
 /// To be called when an edit has created a shape: widens WorldState::made, unless the level has bounds.
 void includeMade(WorldData& world, ShapeHandle shape);
 /// To be called when the edits of a step are done, with FrameChanges::shapesCreated, which has all static shapes that

@@ -84,9 +84,9 @@ void BrickMeshes::update(rubble_shape handle) {
         changes.since = 0;
         result = api.get_changed_bricks(m_owner.world(), &changes, &shape.version, nullptr, 0, &count);
     }
+    if (!m_owner.check(result, "get_changed_bricks") || count == 0) return;
     std::vector<rubble_brick> bricks(count);
-    if (!m_owner.check(result, "get_changed_bricks") ||
-        !m_owner.check(api.get_changed_bricks(m_owner.world(), &changes, &shape.version, bricks.data(), count, &count),
+    if (!m_owner.check(api.get_changed_bricks(m_owner.world(), &changes, &shape.version, bricks.data(), count, &count),
                        "get_changed_bricks"))
         return;
     for (const rubble_brick& brick : bricks) updateBrick(handle, shape, brick);
@@ -145,7 +145,6 @@ void BrickMeshes::place() {
 void BrickMeshes::follow() {
     rubble_events events = {.struct_size = sizeof events};
     if (!m_owner.check(m_owner.api().get_events(m_owner.world(), &events), "get_events")) return;
-    std::vector<rubble_shape> changed;
     if (events.level_loaded) {
         uint32_t count = 0;
         for (auto& [handle, shape] : m_shapes) drop(shape);
@@ -153,21 +152,15 @@ void BrickMeshes::follow() {
         m_owner.api().get_shape_states(m_owner.world(), 0, nullptr, 0, &count);
         m_states.resize(count);
         m_owner.api().get_shape_states(m_owner.world(), 0, m_states.data(), count, &count);
-        for (const rubble_shape_state& state : m_states) m_shapes[state.shape], changed.push_back(state.shape);
+        for (const rubble_shape_state& state : m_states) m_shapes[state.shape];
     }
     for (uint32_t i = 0; i < events.shapes_destroyed_count; ++i)
         if (const auto found = m_shapes.find(events.shapes_destroyed[i]); found != m_shapes.end()) {
             drop(found->second);
             m_shapes.erase(found);
         }
-    for (uint32_t i = 0; i < events.shapes_created_count; ++i) {
-        m_shapes[events.shapes_created[i]];
-        changed.push_back(events.shapes_created[i]);
-    }
-    for (uint32_t i = 0; i < events.removed_count; ++i) changed.push_back(events.removed[i].shape);
-    for (uint32_t i = 0; i < events.split_count; ++i) changed.push_back(events.splits[i].parent);
-    for (const rubble_shape shape : changed)
-        if (m_shapes.count(shape)) update(shape);
+    for (uint32_t i = 0; i < events.shapes_created_count; ++i) m_shapes[events.shapes_created[i]];
+    for (const auto& each : m_shapes) update(each.first);  // soot, paint and light change meshes without an event
     place();
 }
 

@@ -20,7 +20,7 @@ public:
     ~BrickMeshes();
     BrickMeshes(const BrickMeshes&) = delete;
     BrickMeshes& operator=(const BrickMeshes&) = delete;
-    /// Brings the meshes up to date with the last step. Costs what has changed, and a look at each shape's place.
+    /// Brings the meshes up to date with the last step. Costs what has changed, and a question for each shape.
     void follow();
 
 private:

@@ -82,5 +82,24 @@ TEST(VdbTool, WithoutATemporaryFolderNothingIsConverted) {
     EXPECT_EQ(usual.error(), "some.vdb: it ran") << "an empty TMPDIR is as none";
 }
 
+TEST(VdbTool, AProgramThatWritesNothingHasNotSavedTheLevel) {
+    const TempFolder folder;
+    const std::string path = folder / "level.vdb", nothing = script(folder, "exit 0");
+    const std::string expected = path + ": " + nothing + " wrote no level: is it the program rubble-vdb?";
+    const Result<Done> written = writeVdb(path, Level{}, nothing);
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error(), expected);
+    EXPECT_TRUE(writeVdb(path, Level{}, script(folder, "echo level > \"$7\""))) << "it gets the path";
+    const Result<Done> kept = writeVdb(path, Level{}, script(folder, "exit 0"));
+    ASSERT_FALSE(kept) << "what is there is the old level";
+    EXPECT_EQ(kept.error(), expected);
+}
+
+TEST(VdbTool, WithoutAProgramTheMessageNamesIt) {
+    const Result<Done> written = writeVdb("some.vdb", Level{}, "");
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error(), "some.vdb: expected the path of the program rubble-vdb to write it, found none");
+}
+
 }  // namespace
 }  // namespace rubble

@@ -208,8 +208,9 @@ typedef struct rubble_world_settings {
  * voxels become dust (RUBBLE_BOUNDS_DUST), or it goes on (RUBBLE_BOUNDS_KEEP). RUBBLE_BOUNDS_GROUND is as DUST, and the
  * fields that are drawn around a level, at a height of -0.05 m, are solid within the box: bodies, ropes and characters
  * rest on them. Below the level, the box around all static shapes wherever a step has left them, the ground lies at its
- * lowest point. Casts of rays and shapes, and closest points, find it as a static shape of layer 1, but with shape,
- * body and palette index 0; queries of overlaps have no shape to name. */
+ * lowest point. It is a slab, a metre thick, or as the level reaches below its surface, or as a 32nd of the box's width
+ * or depth, whichever is most; below it is air. Casts of rays and shapes, and closest points, find it as a static shape
+ * of layer 1, but with shape, body and palette index 0; queries of overlaps have no shape to name. */
 enum { RUBBLE_BOUNDS_DUST = 0, RUBBLE_BOUNDS_KEEP = 1, RUBBLE_BOUNDS_GROUND = 2 };
 typedef struct rubble_bounds {
     uint32_t struct_size;
@@ -268,8 +269,10 @@ typedef struct rubble_break {
 } rubble_break;
 
 /* Breaks what lies in a sphere and gives the bodies around it, up to 2.5 times size metres, an impulse away from its
- * centre. What still stands between the centre and a body shelters it: of a large body the part that the centre sees
- * counts. Nothing shelters from what breaks, and what stands within 0.4 times size metres shelters nothing. */
+ * centre, which falls to 0 with the distance: to the body's centre of mass, of a large body to 0.3 m inside the nearest
+ * side of the boxes around its grids. What still stands between the centre and a body shelters it: of a large body the
+ * part that the centre sees counts. Nothing shelters from what breaks, and what stands within 0.4 times size metres
+ * shelters nothing. */
 typedef struct rubble_explosion {
     uint32_t struct_size;
     uint32_t reserved;
@@ -277,7 +280,7 @@ typedef struct rubble_explosion {
     /* 0.5 to 4; 0: 1. Breaks soft, medium and hard voxels within 1.0, 0.7 and 0.4 times size metres; materials that
      * tear, as metal does, within somewhat more than half of that, and panes beyond it; carve() takes a whole sphere */
     double size;
-    double impulse; /* N s on a body at the centre, 0: follows from size. No body gets faster than 9 m/s times size */
+    double impulse; /* N s at distance 0, 0: follows from size. No body gets faster than 9 m/s times size */
 } rubble_explosion;
 
 /* Blends the colours of surface voxels toward a paint, a part of the difference each call. Materials do not
@@ -310,7 +313,8 @@ enum {
     RUBBLE_SET_VELOCITY = 2, /* velocity and angular_velocity; of a dynamic body */
     RUBBLE_SET_ASLEEP = 4,   /* stops and sleeps until something wakes it; of a dynamic body */
     RUBBLE_SET_AWAKE = 8,    /* any other change wakes it too; of a dynamic body */
-    /* it stands still where it is: what holds its shapes to the world is as in create_shape() */
+    /* it stands still where it is, or where the same call places it: what holds its shapes to the world is as in
+     * create_shape() */
     RUBBLE_SET_STATIC = 16,
     RUBBLE_SET_DYNAMIC = 32, /* it moves freely, as all in one: nothing holds it any more */
     RUBBLE_SET_GRAVITY_SCALE = 64,
@@ -667,7 +671,9 @@ typedef struct rubble_heat {
     uint32_t flags;     /* RUBBLE_HEAT_... */
     double position[3]; /* centre, world */
     double radius;      /* metres, 0.001 to 1000; 0: 0.5 */
-    double joules;      /* in all, 0 to 1e15; a square metre of wood needs about 200 kJ to ignite */
+    /* in all, 0 to 1e15. A wooden floor of 5 or 10 cm voxels ignites at about 300 to 370 kJ for each square metre of
+     * the sphere's cross-section, with radii of 0.5 to 1.5 m; a smaller sphere, or larger voxels, need more */
+    double joules;
     rubble_shape shape; /* heats this shape only; 0: all shapes */
     uint64_t reserved;
 } rubble_heat;
@@ -2030,8 +2036,10 @@ typedef struct rubble_api {
     rubble_result (*create_body)(rubble_world world, const rubble_body_settings* settings, rubble_body* out);
     /* [main-thread] Makes a shape on a body, as a level brings it: on a static body its lowest layer of voxels holds it
      * to the world (of RUBBLE_SHAPE_EMPTY the lowest cells), and parts of it that touch nothing stay until something is
-     * cut. Each point of a free body moves on as it did. A shape that has no voxels after the edits of the step
-     * is refused. *out as by create_body(). */
+     * cut. The lowest layer is that at the side of its grid which faces -y of the world most when the step makes it, of
+     * equal ones that of the lowest cells along y; a static body that is turned later is held by the same cells. Each
+     * point of a free body moves on as it did. A shape that has no voxels after the edits of the step is refused. *out
+     * as by create_body(). */
     rubble_result (*create_shape)(rubble_world world, const rubble_shape_settings* settings, rubble_shape* out);
     /* [main-thread] As add_joint(), with a handle as by create_body(). The joint is placed where its shapes are when
      * the step carries it out; refused if it finds no voxel to hold on to. */
@@ -2300,7 +2308,8 @@ typedef struct rubble_api {
      * recordings and saves do not have them. RUBBLE_ERROR_ARGUMENT, here and below: the world was created with
      * RUBBLE_WORLD_NO_RENDERER and without RUBBLE_WORLD_PARTICLES. */
     rubble_result (*spawn_particles)(rubble_world world, const rubble_particle_burst* burst);
-    /* [main-thread] All that is in the air, the oldest first: dust, smoke, flames and what the host has added. */
+    /* [main-thread] All that is in the air, the oldest first: dust, smoke, flames and what the host has added. A load
+     * takes all of it away, and so does the step of an undo() or redo(). */
     rubble_result (*get_particles)(rubble_world world, rubble_particle* out, uint32_t capacity, uint32_t* count);
 
     /* ---- ropes ---- */

@@ -572,9 +572,11 @@ public:
         return out;
     }
     /** Makes a shape on a body, as a level brings it: on a static body its lowest layer of voxels holds it to the world
-     * (of RUBBLE_SHAPE_EMPTY the lowest cells), and parts of it that touch nothing stay until something is cut. Each
-     * point of a free body moves on as it did. A shape that has no voxels after the edits of the step is refused. *out
-     * as by create_body(). */
+     * (of RUBBLE_SHAPE_EMPTY the lowest cells), and parts of it that touch nothing stay until something is cut. The
+     * lowest layer is that at the side of its grid which faces -y of the world most when the step makes it, of equal
+     * ones that of the lowest cells along y; a static body that is turned later is held by the same cells. Each point
+     * of a free body moves on as it did. A shape that has no voxels after the edits of the step is refused. *out as by
+     * create_body(). */
     rubble_shape create_shape(rubble_shape_settings settings) {
         settings.struct_size = sizeof settings;
         rubble_shape out{};
@@ -1002,7 +1004,8 @@ public:
         burst.struct_size = sizeof burst;
         check(api().spawn_particles(m_handle, &burst));
     }
-    /** All that is in the air, the oldest first: dust, smoke, flames and what the host has added. */
+    /** All that is in the air, the oldest first: dust, smoke, flames and what the host has added. A load takes all of
+     * it away, and so does the step of an undo() or redo(). */
     std::vector<rubble_particle> get_particles() const {
         return rows<rubble_particle, uint32_t>([&](rubble_particle* out, uint32_t capacity, uint32_t* count) {
             return api().get_particles(m_handle, out, capacity, count);
