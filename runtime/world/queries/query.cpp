@@ -22,12 +22,16 @@ VoxelGrid gridOf(const GroundSlab& slab) {
 
 /// Of a sphere that overlaps voxels where it starts, the contact with the nearest one. Gives the distance to it from
 /// the centre, in cells.
-double moveToNearest(const VoxelGrid& grid, const CellShape& sphere, EntryFilter accepted, CellContact& touch) {
+double moveToNearest(const VoxelGrid& grid, const CellShape& sphere, glm::dvec3 direction, EntryFilter accepted,
+                     CellContact& touch) {
     const ClosestVoxel nearest = findClosest(grid, sphere.a, sphere.radius, accepted);
     if (!nearest.found) return sphere.radius;
     touch.cell = nearest.cell;
     touch.point = nearest.point;
-    if (nearest.distance > 0.0) touch.normal = (sphere.a - nearest.point) / nearest.distance;
+    if (nearest.distance > 0.0)
+        touch.normal = (sphere.a - nearest.point) / nearest.distance;
+    else if (direction != glm::dvec3(0.0))
+        touch.normal = -direction;
     return nearest.distance;
 }
 
@@ -40,12 +44,12 @@ public:
 
     void visit(const VoxelGrid& grid, const Pose& pose, double size, EntryFilter accepted, ShapeHandle handle) {
         const CellShape cells = m_shape.inCells(pose, size);
-        CellContact touch =
-            castShape(grid, cells, glm::conjugate(pose.rotation) * m_direction, m_best.distance / size, accepted);
+        const glm::dvec3 direction = glm::conjugate(pose.rotation) * m_direction;
+        CellContact touch = castShape(grid, cells, direction, m_best.distance / size, accepted);
         if (!touch.hit) return;
         double gap = 0.0;
         if (touch.t == 0.0 && m_shape.kind == QueryShapeKind::Sphere)
-            gap = moveToNearest(grid, cells, accepted, touch) * size;
+            gap = moveToNearest(grid, cells, direction, accepted, touch) * size;
         const double distance = touch.t * size;
         const bool isNearer = !m_best.hit || distance < m_best.distance || (distance == m_best.distance && gap < m_gap);
         const bool isEqual = m_best.hit && distance == m_best.distance && gap == m_gap;
