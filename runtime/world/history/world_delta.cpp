@@ -198,10 +198,13 @@ void journalTriggers(const WorldDelta& before, WorldData& world, FrameChanges& c
             world.triggerBounds.update(slot, world.triggers.at(is).bounds());
     }
     journalSlots(before.triggers, world.triggers, changes.triggers);
-    for (const auto& [slot, was] : before.triggers)
-        if (const TriggerHandle is = world.triggers.handleAt(slot))  // one that comes back is entered, as a new one is
+    for (const auto& [slot, was] : before.triggers) {
+        const TriggerHandle is = world.triggers.handleAt(slot);
+        if (was.first && was.first != is) journalInside(was.first, was.second->inside, {}, changes);
+        if (is)  // one that comes back is entered, as a new one is
             journalInside(is, is == was.first ? was.second->inside : std::vector<BodyHandle>{},
                           world.triggers.at(is).inside, changes);
+    }
 }
 
 void journalNotes(const WorldDelta& before, WorldData& world, FrameChanges& changes) {

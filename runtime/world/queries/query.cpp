@@ -20,41 +20,71 @@ VoxelGrid gridOf(const GroundSlab& slab) {
     return grid;
 }
 
+/// Of a sphere that overlaps voxels where it starts, the contact with the nearest one. Gives the distance to it from
+/// the centre, in cells.
+double moveToNearest(const VoxelGrid& grid, const CellShape& sphere, glm::dvec3 direction, EntryFilter accepted,
+                     CellContact& touch) {
+    const ClosestVoxel nearest = findClosest(grid, sphere.a, sphere.radius, accepted);
+    if (!nearest.found) return sphere.radius;
+    touch.cell = nearest.cell;
+    touch.point = nearest.point;
+    if (nearest.distance > 0.0)
+        touch.normal = (sphere.a - nearest.point) / nearest.distance;
+    else if (direction != glm::dvec3(0.0))
+        touch.normal = -direction;
+    return nearest.distance;
+}
+
+/// One cast through the shapes of a world.
+class WorldCast {
+public:
+    WorldCast(const CastQuery& cast, glm::dvec3 direction) : m_shape(cast.shape), m_direction(direction) {
+        m_best.distance = cast.maxDistance;
+    }
+
+    void visit(const VoxelGrid& grid, const Pose& pose, double size, EntryFilter accepted, ShapeHandle handle) {
+        const CellShape cells = m_shape.inCells(pose, size);
+        const glm::dvec3 direction = glm::conjugate(pose.rotation) * m_direction;
+        CellContact touch = castShape(grid, cells, direction, m_best.distance / size, accepted);
+        if (!touch.hit) return;
+        double gap = 0.0;
+        if (touch.t == 0.0 && m_shape.kind == QueryShapeKind::Sphere)
+            gap = moveToNearest(grid, cells, direction, accepted, touch) * size;
+        const double distance = touch.t * size;
+        const bool isNearer = !m_best.hit || distance < m_best.distance || (distance == m_best.distance && gap < m_gap);
+        const bool isEqual = m_best.hit && distance == m_best.distance && gap == m_gap;
+        if (!isNearer && !(isEqual && handle && handle.slot() < m_best.shape.slot())) return;
+        m_gap = gap;
+        m_best = {true, distance, pose.transformPoint(touch.point * size), pose.rotation * touch.normal, handle};
+        if (!handle) return;  // the ground
+        m_best.cell = touch.cell;
+        m_best.entry = grid.at(touch.cell);
+    }
+
+    const WorldHit& best() const { return m_best; }
+
+private:
+    const QueryShape& m_shape;
+    glm::dvec3 m_direction;
+    WorldHit m_best;
+    double m_gap = 0.0;  ///< metres, of one that overlaps where it starts
+};
+
 WorldHit castShapeWith(const WorldData& world, const CastQuery& cast, ShapeFilter& filter) {
-    WorldHit best;
     const glm::dvec3 direction = unitVector(cast.direction);
-    if (!(cast.maxDistance >= 0.0) || (direction == glm::dvec3(0.0) && cast.maxDistance != 0.0)) return best;
-    best.distance = cast.maxDistance;
+    if (!(cast.maxDistance >= 0.0) || (direction == glm::dvec3(0.0) && cast.maxDistance != 0.0)) return {};
+    WorldCast found(cast, direction);
     const WorldBox bounds = cast.shape.bounds();
     const glm::dvec3 middle = (bounds.low + bounds.high) * 0.5, halfExtent = (bounds.high - bounds.low) * 0.5;
-    const auto visit = [&](ShapeHandle handle, const Shape& shape) {
-        const Pose pose = shapeToWorld(world, handle);
-        const double size = shape.voxelSize;
-        const CellContact touch =
-            castShape(shape.grid, cast.shape.inCells(pose, size), glm::conjugate(pose.rotation) * direction,
-                      best.distance / size, filter.entries(shape));
-        if (!touch.hit || !isBetter(touch.t * size, handle.slot(), best)) return;
-        best = {true,
-                touch.t * size,
-                pose.transformPoint(touch.point * size),
-                pose.rotation * touch.normal,
-                handle,
-                touch.cell,
-                shape.grid.at(touch.cell)};
+    const auto mayMeet = [&](const WorldBox& box) {
+        return intersects(box, halfExtent, middle, direction, found.best().distance);
     };
-    forEachShape(
-        world, filter,
-        [&](const WorldBox& box) { return intersects(box, halfExtent, middle, direction, best.distance); }, visit);
-    for (const GroundSlab& slab : filter.ground()) {
-        if (!intersects(boxOf(slab), halfExtent, middle, direction, best.distance)) continue;
-        const Pose pose{slab.low};
-        const CellContact touch =
-            castShape(gridOf(slab), cast.shape.inCells(pose, slab.side), direction, best.distance / slab.side, nullptr);
-        const double distance = touch.t * slab.side;
-        if (touch.hit && (!best.hit || distance < best.distance))
-            best = {true, distance, pose.transformPoint(touch.point * slab.side), touch.normal};
-    }
-    return best;
+    forEachShape(world, filter, mayMeet, [&](ShapeHandle handle, const Shape& shape) {
+        found.visit(shape.grid, shapeToWorld(world, handle), shape.voxelSize, filter.entries(shape), handle);
+    });
+    for (const GroundSlab& slab : filter.ground())
+        if (mayMeet(boxOf(slab))) found.visit(gridOf(slab), Pose{slab.low}, slab.side, nullptr, {});
+    return found.best();
 }
 
 template <class Handle>

@@ -41,8 +41,10 @@ void apply(EditContext& context, const AddTriggerEdit& edit) {
 }
 
 void apply(EditContext& context, const RemoveTriggerEdit& edit) {
-    if (!context.world.triggers.erase(edit.trigger))
-        return context.warnStale("remove_trigger: the handle of its trigger is stale; nothing was removed");
+    const Trigger* const trigger = context.world.triggers.find(edit.trigger);
+    if (!trigger) return context.warnStale("remove_trigger: the handle of its trigger is stale; nothing was removed");
+    for (const BodyHandle body : trigger->inside) context.changes.triggerEvents.push_back({edit.trigger, body, false});
+    context.world.triggers.erase(edit.trigger);
     context.world.triggerBounds.remove(edit.trigger.slot());
     context.changes.triggers.push_back(edit.trigger);
 }

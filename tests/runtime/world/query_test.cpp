@@ -280,6 +280,23 @@ TEST(Query, CastsFromAfarHitAsFromNear) {
     EXPECT_TRUE(large.hit) << "the largest radius among the smallest voxels";
 }
 
+TEST(Query, SpheresThatOverlapWhereTheyStartMeetTheNearestVoxel) {
+    Level level = oneShapeLevel(solidGrid({20, 20, 2}, 1), true);
+    level.bodies.push_back(oneShapeLevel(solidGrid({2, 20, 20}, 1), true, {{-0.5, 0.0, -2.0}}).bodies[0]);
+    World world;
+    world.load(level);
+    for (const double x : {0.33, 0.71, 1.0, 1.52})
+        for (const double sign : {1.0, -1.0}) {
+            const WorldHit hit = castRay(world, {{x, 1.03, -0.3}, {0.0, 0.0, sign}, 100.0, 0.9});
+            ASSERT_TRUE(hit.hit);
+            EXPECT_EQ(hit.distance, 0.0);
+            EXPECT_NEAR(glm::length(hit.position - glm::dvec3(x, 1.03, 0.0)), 0.0, 1e-9) << x;
+            EXPECT_NEAR(glm::length(hit.normal - glm::dvec3(0.0, 0.0, -1.0)), 0.0, 1e-9) << x;
+        }
+    const WorldHit inside = castRay(world, {{1.03, 1.03, 0.13}, {1.0, 0.0, 0.0}, 100.0, 0.5});
+    EXPECT_EQ(inside.normal, glm::dvec3(-1.0, 0.0, 0.0));
+}
+
 TEST(Query, BoxCastsStopAtTheFirstContact) {
     Random random(6);
     int hits = 0;
