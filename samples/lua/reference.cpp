@@ -27,7 +27,9 @@ constexpr PageImage kImages[] = {
 
 std::string pageOf(const Subject& subject, const std::map<std::string, std::string>& examples) {
     std::string page = std::string(kNote) + "# " + std::string(subject.title) + "\n\n";
-    page += "All functions are in the [index](README.md). The examples run in the yard of `samples/lua/yard.h`.\n";
+    page +=
+        "All functions are in the [index](README.md). The examples run in the yard of `samples/lua/yard.h`; the files "
+        "that they name are in `samples/lua/files`.\n";
     for (const PageImage& image : kImages)
         if (subject.name.starts_with(image.subject)) page += std::string("\n") + image.link + "\n";
     for (const ScriptFunction& function : subject.functions) {

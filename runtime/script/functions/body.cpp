@@ -201,7 +201,8 @@ constexpr ScriptFunction kFunctions[] = {
     {"SetBodyActive(body, active)", "Wakes it, or puts it to sleep.", setActive, 30},
     {"IsBodyDynamic(body) -> boolean", "Whether it moves freely.", isDynamic},
     {"SetBodyDynamic(body, dynamic)", "Lets it move freely, or holds it where it is.", setDynamic, 200},
-    {"IsBodyBroken(body) -> boolean", "Whether it has lost voxels since the scripts began, or is gone.", isBroken},
+    {"IsBodyBroken(body) -> boolean",
+     "Whether it has lost voxels since the scripts began, also ones that an undo gave back, or is gone.", isBroken},
     {"ApplyBodyImpulse(body, pos, impulse)", "Pushes it at a place of the world, in N s.", applyImpulse, 30},
 };
 

@@ -120,7 +120,9 @@ int getMovement(lua_State* L) {
     return 1;
 }
 
-int setMotorOf(lua_State* L, uint32_t kind, double target, double strength) {
+int setMotorOf(lua_State* L, uint32_t kind, double target, int index, double otherwise) {
+    const double strength = finiteOr(L, index, "strength", otherwise);
+    if (strength < 0.0) refuseArgument(L, index, "strength", "0 or more");
     auto motor = sized<rubble_joint_motor>();
     motor.joint = handleAt(L, 1, "joint");
     motor.motor = kind;
@@ -131,11 +133,11 @@ int setMotorOf(lua_State* L, uint32_t kind, double target, double strength) {
 }
 
 int setMotor(lua_State* L) {
-    return setMotorOf(L, RUBBLE_MOTOR_SPEED, numberAt(L, 2, "velocity"), numberOr(L, 3, "strength", 1e5));
+    return setMotorOf(L, RUBBLE_MOTOR_SPEED, finiteAt(L, 2, "velocity"), 3, 1e5);
 }
 
 int setMotorTarget(lua_State* L) {
-    return setMotorOf(L, RUBBLE_MOTOR_POSITION, numberAt(L, 2, "target"), numberOr(L, 4, "strength", 0.0));
+    return setMotorOf(L, RUBBLE_MOTOR_POSITION, finiteAt(L, 2, "target"), 4, 0.0);
 }
 
 int detach(lua_State* L) {
@@ -187,7 +189,8 @@ constexpr ScriptFunction kFunctions[] = {
      isJointedToStatic},
     {"SetJointMotor(joint, velocity, strength)",
      "Turns or slides at a speed, in rad/s or m/s, with at most strength N m or N.", setMotor, 30},
-    {"SetJointMotorTarget(joint, target, maxVel, strength)", "Goes to an angle or a place, in radians or metres.",
+    {"SetJointMotorTarget(joint, target, maxVel, strength)",
+     "Goes to an angle or a place, in radians or metres, as fast as strength allows: maxVel has no effect.",
      setMotorTarget, 30},
     {"GetJointLimits(joint) -> min, max", "The limits of its free motion, in radians or metres; 0, 0 without limits.",
      getLimits},

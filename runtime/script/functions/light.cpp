@@ -151,7 +151,8 @@ int pointLight(lua_State* L) {
 
 constexpr ScriptFunction kFunctions[] = {
     {"SetLightEnabled(light, enabled)", "Switches a light.", setEnabled, 30},
-    {"SetLightColor(light, r, g, b)", "Its colour, 0 to 1; its intensity stays.", setColor, 30},
+    {"SetLightColor(light, r, g, b)", "Its colour, 0 to 1: the ratio of r, g and b counts, its intensity stays.",
+     setColor, 30},
     {"SetLightIntensity(light, intensity)", "Its intensity in W/sr; its colour stays.", setIntensity, 30},
     {"GetLightTransform(light) -> transform", "Where it is; cones and areas face -z.", getTransform},
     {"GetLightShape(light) -> shape", "The shape that it is on, or 0.", getShape},

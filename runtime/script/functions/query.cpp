@@ -115,12 +115,19 @@ int pushHit(lua_State* L, const rubble_hit& hit) {
     return 4;
 }
 
+double distanceAt(lua_State* L, int index) {
+    const double distance = numberAt(L, index, "maxDist");
+    if (!(distance >= 0.0 && distance <= 1e6)) refuseArgument(L, index, "maxDist", "0 to 1e6 m");
+    return distance;
+}
+
 int queryRaycast(lua_State* L) {
     rubble_ray ray = {};
     copy(ray.origin, vectorAt(L, 1, "origin"));
     copy(ray.direction, vectorAt(L, 2, "dir"));
-    ray.max_distance = numberAt(L, 3, "maxDist");
+    ray.max_distance = distanceAt(L, 3);
     ray.radius = numberOr(L, 4, "radius", 0.0);
+    if (!(ray.radius >= 0.0 && ray.radius <= 1e4)) refuseArgument(L, 4, "radius", "0 to 1e4 m");
     QueryFilter filter(L);
     if (boolOr(L, 5, false)) filter.get().flags |= RUBBLE_FILTER_REJECT_TRANSPARENT;
     rubble_hit hit = {};
@@ -130,7 +137,7 @@ int queryRaycast(lua_State* L) {
 
 int queryClosestPoint(lua_State* L) {
     const Vector origin = vectorAt(L, 1, "origin");
-    const double distance = numberAt(L, 2, "maxDist");
+    const double distance = distanceAt(L, 2);
     QueryFilter filter(L);
     rubble_hit hit = {};
     isDone(L, apiOf(L).find_closest_point(worldOf(L), origin.data(), distance, &filter.get(), &hit));
@@ -173,10 +180,10 @@ int queryAabbBodies(lua_State* L) {
 /// Many rays at once, in lists of numbers: neither tables nor calls for each.
 int queryRaycasts(lua_State* L) {
     luaL_checktype(L, 1, LUA_TTABLE);
-    const double distance = numberAt(L, 2, "maxDist");
+    const double distance = distanceAt(L, 2);
     const lua_Integer count = lua_Integer(lua_rawlen(L, 1) / 6);
-    if (count < 1 || count > 100'000 || lua_rawlen(L, 1) % 6 != 0)
-        refuseArgument(L, 1, "rays", "a list of six numbers a ray, its origin and direction, of 1 to 100000 rays");
+    if (count > 100'000 || lua_rawlen(L, 1) % 6 != 0)
+        refuseArgument(L, 1, "rays", "a list of six numbers a ray, its origin and direction, of at most 100000 rays");
     Sandbox::of(L).charge(L, count * 100);
     std::vector<rubble_ray> rays(static_cast<size_t>(count));
     for (lua_Integer i = 0; i < count * 6; ++i) {
@@ -188,7 +195,7 @@ int queryRaycasts(lua_State* L) {
     }
     std::vector<rubble_hit> hits(rays.size());
     QueryFilter filter(L);
-    isDone(L, apiOf(L).cast_rays(worldOf(L), rays.data(), uint32_t(count), &filter.get(), hits.data()));
+    if (count) isDone(L, apiOf(L).cast_rays(worldOf(L), rays.data(), uint32_t(count), &filter.get(), hits.data()));
     lua_createtable(L, int(count), 0);
     lua_createtable(L, int(count), 0);
     for (size_t i = 0; i < hits.size(); ++i) {
@@ -213,7 +220,8 @@ constexpr ScriptFunction kFunctions[] = {
     {"QueryRaycast(origin, dir, maxDist, radius, rejectTransparent) -> hit, dist, normal, shape",
      "The first voxel that a ray meets, or a sphere of a radius that moves along it.", queryRaycast},
     {"QueryRaycasts(rays, maxDist) -> distances, shapes",
-     "Many rays at once: a list of six numbers each. -1 is the distance of one that meets nothing.", queryRaycasts},
+     "Many rays at once, at most 100,000: a list of six numbers each. -1 is the distance of one that meets nothing.",
+     queryRaycasts},
     {"QueryClosestPoint(origin, maxDist) -> hit, pos, normal, shape", "The point of a voxel that is the closest.",
      queryClosestPoint},
     {"QueryAabbShapes(min, max) -> list", "The shapes with a voxel in a box along the world's axes.", queryAabbShapes},

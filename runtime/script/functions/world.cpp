@@ -125,7 +125,7 @@ int wait(lua_State* L) {
 int start(lua_State* L) {
     if (lua_type(L, 1) != LUA_TFUNCTION) refuseArgument(L, 1, "f", "a function");
     std::vector<int>& started = ScriptContext::of(L).started;
-    if (started.size() >= 1000) return luaL_error(L, "start: expected at most 1000 at once");
+    if (started.size() >= 1000) return luaL_error(L, "start: expected at most 1000 in one callback, found more");
     const int count = lua_gettop(L);
     lua_createtable(L, count, 0);
     for (int i = 1; i <= count; ++i) {
@@ -158,7 +158,8 @@ constexpr ScriptFunction kFunctions[] = {
      debugProfile},
     {"wait(seconds)", "Lets the world go on for so long, then continues. In callbacks and in what start() began.",
      wait},
-    {"start(f, ...)", "Begins a function beside the callbacks, which may wait.", start},
+    {"start(f, ...)", "Begins a function beside the callbacks, which may wait: at most 1,000 from one callback.",
+     start},
 };
 
 }  // namespace

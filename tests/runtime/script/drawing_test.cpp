@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "samples/support/image.h"
 #include "tests/runtime/script/yard_fixture.h"
 
 namespace rubble::script {

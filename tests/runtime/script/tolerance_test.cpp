@@ -249,6 +249,15 @@ TEST(ScriptCamera, IsKnownBeforeTheFirstFrame) {
 TEST(ScriptErrors, NameTheFunctionOfTheScript) {
     Yard yard;
     EXPECT_EQ(yard.run("MakeHole({0, 1, 0}, -1)"), "test:2: MakeHole: r0: expected a radius of 0 or more, found -1");
+    EXPECT_EQ(yard.run("QueryRaycast({0, 1, 0}, {0, 0, 1}, math.huge)"),
+              "test:2: QueryRaycast: maxDist: expected 0 to 1e6 m, found inf");
+    EXPECT_EQ(yard.run("QueryRaycasts({0, 1, 0, 0, 0, 1}, -1)"),
+              "test:2: QueryRaycasts: maxDist: expected 0 to 1e6 m, found -1");
+    EXPECT_EQ(yard.run("local d, s = QueryRaycasts({}, 10) assert(#d == 0 and #s == 0)"), "");
+    EXPECT_EQ(yard.run("SetJointMotor(FindJoint('hinge'), 1, -1)"),
+              "test:2: SetJointMotor: strength: expected 0 or more, found -1");
+    EXPECT_EQ(yard.run("SetJointMotorTarget(FindJoint('hinge'), 0/0)"),
+              "test:2: SetJointMotorTarget: target: expected a finite number, found -nan");
     EXPECT_EQ(yard.run("MakeHole({0, 1, 0}, 1, 0 / 0)").substr(0, 49),
               "test:2: MakeHole: r1: expected a radius of 0 or m");
     EXPECT_EQ(yard.run("MakeHole({0, 1e12, 0}, 1)").find("count_carve"), std::string::npos);

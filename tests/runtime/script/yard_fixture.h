@@ -2,42 +2,19 @@
 #include <gtest/gtest.h>
 #include <rubble/rubble.h>
 
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "generated/paths.h"
 #include "runtime/script/script_host.h"
 #include "samples/lua/yard.h"
-#include "samples/support/image.h"
 #include "tests/support/temp_folder.h"
 
 namespace rubble::script {
-
-/// Writes a model of one voxel as a .vox file.
-inline void writeTinyModel(const std::filesystem::path& path) {
-    std::string bytes("VOX \x96\0\0\0", 8);
-    const auto put = [](std::string& to, uint32_t value) {
-        for (int i = 0; i < 4; ++i) to += char(value >> 8 * i & 255);
-    };
-    std::string chunks = "SIZE";
-    for (const uint32_t value : {12, 0, 2, 2, 2}) put(chunks, value);
-    chunks += "XYZI";
-    for (const uint32_t value : {8, 0, 1, 0}) put(chunks, value);
-    chunks[chunks.size() - 1] = char(60);  // the colour of the voxel at 0, 0, 0
-    bytes += "MAIN";
-    put(bytes, 0);
-    put(bytes, uint32_t(chunks.size()));
-    std::ofstream(path, std::ios::binary) << bytes << chunks;
-}
-
-/// Writes a red image of 16 x 8 pixels.
-inline void writeTinyImage(const std::filesystem::path& path) {
-    Image image(16, 8);
-    for (size_t i = 0; i < image.rgb.size(); i += 3) image.rgb[i] = 255;
-    EXPECT_TRUE(writePng(path.string(), image));
-}
 
 /// A view from the origin.
 inline rubble_view viewOf(uint32_t width, uint32_t height) {
@@ -57,9 +34,7 @@ public:
         settings.flags = RUBBLE_WORLD_NO_RENDERER;
         EXPECT_EQ(m_api->create_world(&settings, &m_world), RUBBLE_OK);
         EXPECT_EQ(lua_sample::buildYard(*m_api, m_world), "");
-        writeTinyModel(m_folder.path() / "post.vox");
-        writeTinyImage(m_folder.path() / "image.png");
-        std::ofstream(m_folder.path() / "tools.lua") << "return {double = function(x) return 2 * x end}";
+        std::filesystem::copy(RUBBLE_SOURCE_DIR "/samples/lua/files", m_folder.path());
         ScriptHostSettings given;
         given.limits = limits;
         given.folder = m_folder.path().string();

@@ -1,0 +1,5 @@
+return {
+    double = function(x)
+        return 2 * x
+    end,
+}
