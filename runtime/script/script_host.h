@@ -69,6 +69,8 @@ public:
     /// After load_game(): gives the registry and the tables of saved() back, and runs all scripts again, those of the
     /// loaded game's level among them: their text, then onLoad(), or init() where there is no such function.
     void load();
+    /// Calls the callbacks of events of the last step. step() does it; for a step that the host made by itself.
+    void readEvents();
     /// Before a step in which the world undoes or redoes: lights of PointLight() that come back end with that step.
     void beforeUndo() { m_hasOldLights = true; }
     /// Gives a script another text, as after a change of its file: it begins again as after load(), and keeps the
@@ -136,7 +138,6 @@ private:
     void callAll(Callback callback, double dt);
     bool anyHas(Callback callback);
     void setReports();
-    void readEvents();
     void tellSplits(const rubble_events& events);
     void tellReports();
     void tellTriggers();

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "samples/stress/checks/check.h"
 #include "samples/stress/scene_functions.h"
 
 namespace stress {
@@ -15,13 +16,21 @@ namespace {
 
 constexpr lua_Integer kSmallestHandle = 1 << 20;
 
-/// How functions of the vocabulary with an effect begin.
-constexpr std::array kEffects = {"Set",    "Draw",    "Create",    "Clear",     "Resize", "Trim",      "Split",
-                                 "Merge",  "Copy",    "Extrude",   "Remove",    "Paint",  "Constrain", "Apply",
-                                 "Spawn",  "AddHeat", "Explosion", "Shoot",     "Delete", "MakeHole",  "PointLight",
-                                 "Detach", "Break",   "Crack",     "Extinguish"};
+/// How functions of the vocabulary without an effect on the world begin. All others are written down.
+constexpr std::array kQuestions = {"Get", "Is",    "Has",      "List",  "Find", "Query", "Vec",     "Quat", "Transform",
+                                   "Ui",  "Debug", "DrawLine", "Input", "wait", "start", "require", "saved"};
 /// Functions that give handles of things that were not made by a command.
-constexpr std::array kFinders = {"Find", "GetShapeBody", "GetBodyShapes", "GetJointShapes", "GetShapeJoints"};
+constexpr std::array kFinders = {"Find",          "GetShapeBody",   "GetShapeJoints",     "GetShapeLights",
+                                 "GetBodyShapes", "GetJointShapes", "GetJointOtherShape", "GetLightShape"};
+/// Lists of all objects of a kind.
+constexpr struct {
+    uint32_t kind;
+    const char* list;
+} kLists[] = {{RUBBLE_KIND_BODY, "FindBodies()"},
+              {RUBBLE_KIND_SHAPE, "FindShapes()"},
+              {RUBBLE_KIND_JOINT, "FindJoints()"},
+              {RUBBLE_KIND_LIGHT, "FindLights()"},
+              {RUBBLE_KIND_TRIGGER, "FindTriggers()"}};
 
 bool beginsWithOneOf(const std::string& name, const auto& prefixes) {
     return std::any_of(prefixes.begin(), prefixes.end(), [&](const char* each) { return name.starts_with(each); });
@@ -32,7 +41,7 @@ bool isCommand(const rubble::script::ScriptFunction& function, const std::string
     const auto scene = sceneFunctions();
     const bool isOfScene =
         std::any_of(scene.begin(), scene.end(), [&](const auto& each) { return &each == &function; });
-    return isOfScene ? name != "WaitForStep" && name != "Expect" : beginsWithOneOf(name, kEffects);
+    return isOfScene ? name != "WaitForStep" && name != "Expect" : !beginsWithOneOf(name, kQuestions);
 }
 
 /// A text in quotes, in one line, that Lua reads as the same bytes. "@" is escaped, as commands stand between two of
@@ -88,9 +97,26 @@ std::string textOf(lua_State* L, int index) {
     return {bytes, length};
 }
 
+/// A command whose needed ones have these numbers now.
+Command renumbered(Command command, const std::vector<size_t>& numbers) {
+    std::string text;
+    const std::string& old = command.text;
+    for (size_t at = 0; at < old.size();) {
+        const size_t begin = old.find('@', at);
+        text += old.substr(at, begin == std::string::npos ? begin : begin - at);
+        if (begin == std::string::npos) break;
+        const size_t end = old.find('@', begin + 1);
+        text += fmt::format("@{}@", numbers[size_t(std::stoul(old.substr(begin + 1, end - begin - 1)))]);
+        at = end + 1;
+    }
+    command.text = std::move(text);
+    for (size_t& needed : command.needed) needed = numbers[needed];
+    return command;
+}
+
 }  // namespace
 
-std::string CommandLog::valueText(lua_State* L, int index, int depth, std::vector<size_t>& needed) const {
+std::string CommandLog::valueText(lua_State* L, int index, int depth, std::vector<size_t>& needed) {
     switch (lua_type(L, index)) {
         case LUA_TBOOLEAN:
             return lua_toboolean(L, index) ? "true" : "false";
@@ -99,13 +125,10 @@ std::string CommandLog::valueText(lua_State* L, int index, int depth, std::vecto
         case LUA_TNUMBER: {
             if (!lua_isinteger(L, index)) return numberText(lua_tonumber(L, index));
             const lua_Integer value = lua_tointeger(L, index);
-            const auto found = m_expressions.find(uint64_t(value));
-            if (value < kSmallestHandle || found == m_expressions.end()) return std::to_string(value);
-            for (size_t at = 0; (at = found->second.find('@', at)) != std::string::npos;) {
-                needed.push_back(size_t(std::stoul(found->second.substr(at + 1))));
-                at = found->second.find('@', at + 1) + 1;
-            }
-            return found->second;
+            const std::string expression = value < kSmallestHandle ? "" : expressionOf(L, uint64_t(value));
+            if (expression.empty()) return std::to_string(value);
+            needed.push_back(size_t(std::stoul(expression.substr(expression.find('@') + 1))));
+            return expression;
         }
         case LUA_TTABLE:
             return depth == 0 ? "{}" : tableText(L, index, depth, needed);
@@ -115,7 +138,7 @@ std::string CommandLog::valueText(lua_State* L, int index, int depth, std::vecto
 }
 
 /// First its list, then its other keys, sorted, as the order in a table is not.
-std::string CommandLog::tableText(lua_State* L, int index, int depth, std::vector<size_t>& needed) const {
+std::string CommandLog::tableText(lua_State* L, int index, int depth, std::vector<size_t>& needed) {
     std::string text;
     const lua_Integer length = lua_Integer(lua_rawlen(L, index));
     for (lua_Integer i = 1; i <= length; ++i) {
@@ -135,22 +158,49 @@ std::string CommandLog::tableText(lua_State* L, int index, int depth, std::vecto
     return "{" + text + "}";
 }
 
+std::string CommandLog::expressionOf(lua_State* L, uint64_t handle) {
+    if (const auto found = m_expressions.find(handle); found != m_expressions.end()) return found->second;
+    const rubble::script::ScriptWorld& shared = rubble::script::ScriptContext::of(L).shared;
+    for (const auto& row : kLists) {
+        const auto read = [&](uint64_t* out, uint32_t capacity, uint32_t* count) {
+            return shared.api->get_objects(shared.world, row.kind, out, capacity, count);
+        };
+        const std::vector<uint64_t> objects = readRows<uint64_t>(read);
+        const auto found = std::find(objects.begin(), objects.end(), handle);
+        if (found == objects.end()) continue;
+        const size_t number = m_commands.size();
+        m_commands.push_back({int(shared.step), row.list, {}, false});
+        for (size_t i = 0; i < objects.size(); ++i)
+            m_expressions.emplace(objects[i], fmt::format("@{}@[{}]", number, i + 1));
+        return m_expressions[handle];
+    }
+    return {};
+}
+
 void CommandLog::begin(lua_State* L, const rubble::script::ScriptFunction& function) {
     if (m_isClosed) return;
     catchOpenCall();
+    m_waiting.erase(L);
+    m_call = {};
     const std::string called = function.name();
-    m_isCommand = isCommand(function, called);
-    if (!m_isCommand && !beginsWithOneOf(called, kFinders)) return m_call.clear();
+    const bool hasEffect = isCommand(function, called);
+    if (!hasEffect && !beginsWithOneOf(called, kFinders)) return;
     std::vector<size_t> needed;
     std::string arguments;
     luaL_checkstack(L, 20, nullptr);
     const int count = lua_gettop(L);
     for (int i = 1; i <= count; ++i) arguments += (i > 1 ? ", " : "") + valueText(L, i, 3, needed);
-    m_call = called + "(" + arguments + ")";
-    const int step = int(rubble::script::ScriptContext::of(L).shared.step);
-    if (!m_isCommand) return;
-    m_commands.push_back({step, m_call, std::move(needed)});
+    m_call = {&function, called + "(" + arguments + ")", std::move(needed)};
+    if (!hasEffect) return;
+    m_call.command = m_commands.size();
+    m_commands.push_back({int(rubble::script::ScriptContext::of(L).shared.step), m_call.text, m_call.needed});
     m_isOpen = true;
+}
+
+void CommandLog::wait(lua_State* L, const rubble::script::ScriptFunction&) {
+    if (m_isClosed || !std::exchange(m_isOpen, false)) return;
+    m_waiting[L] = m_call;
+    m_commands[m_call.command].waits = true;
 }
 
 void CommandLog::catchOpenCall() {
@@ -168,34 +218,69 @@ void CommandLog::close(const std::string& message) {
     if (message.find(": " + text.substr(0, text.find('(')) + ": ") == std::string::npos) catchOpenCall();
 }
 
-void CommandLog::name(lua_State* L, int index, const std::string& expression) {
-    if (!lua_isinteger(L, index)) return;
-    const lua_Integer value = lua_tointeger(L, index);
-    if (value >= kSmallestHandle) m_expressions.emplace(uint64_t(value), expression);
+bool CommandLog::name(lua_State* L, int index, const std::string& expression) {
+    if (lua_isinteger(L, index)) {
+        const lua_Integer value = lua_tointeger(L, index);
+        return value >= kSmallestHandle && m_expressions.emplace(uint64_t(value), expression).second;
+    }
+    bool isNew = false;
+    for (lua_Integer i = 1; lua_istable(L, index) && i <= lua_Integer(lua_rawlen(L, index)); ++i) {
+        lua_rawgeti(L, index, i);
+        const lua_Integer value = lua_isinteger(L, -1) ? lua_tointeger(L, -1) : 0;
+        if (value >= kSmallestHandle)
+            isNew |= m_expressions.emplace(uint64_t(value), fmt::format("{}[{}]", expression, i)).second;
+        lua_pop(L, 1);
+    }
+    return isNew;
 }
 
-void CommandLog::end(lua_State* L, const rubble::script::ScriptFunction&, int results) {
+void CommandLog::end(lua_State* L, const rubble::script::ScriptFunction& function, int results) {
     if (m_isClosed) return;
-    m_isOpen = false;
-    if (m_call.empty() || results == 0) return;
+    Call call;
+    if (const auto waiting = m_waiting.find(L); waiting != m_waiting.end()) {
+        call = std::move(waiting->second);
+        m_waiting.erase(waiting);
+    } else if (m_call.function == &function) {
+        call = std::exchange(m_call, {});
+        m_isOpen = false;
+    }
+    if (!call.function || results == 0) return;
     const int first = lua_gettop(L) - results + 1;
-    const std::string made = m_isCommand ? fmt::format("@{}@", m_commands.size() - 1) : m_call;
-    if (lua_istable(L, first)) {
-        for (lua_Integer i = 1; i <= lua_Integer(lua_rawlen(L, first)); ++i) {
-            lua_rawgeti(L, first, i);
-            name(L, lua_gettop(L), fmt::format("{}[{}]", made, i));
-            lua_pop(L, 1);
-        }
+    if (call.command == SIZE_MAX) {
+        const std::string expression = fmt::format("@{}@", m_commands.size());
+        const int step = int(rubble::script::ScriptContext::of(L).shared.step);
+        if (name(L, first, expression)) m_commands.push_back({step, call.text, std::move(call.needed), false});
         return;
     }
+    const std::string made = fmt::format("@{}@", call.command);
     name(L, first, made);
-    if (results > 1 && m_isCommand) name(L, first + 1, "GetShapeBody(" + made + ")");
+    if (results > 1 && lua_isinteger(L, first + 1)) name(L, first + 1, "GetShapeBody(" + made + ")");
 }
 
 std::vector<Command> CommandLog::take() {
     m_expressions.clear();
+    m_waiting.clear();
+    m_call = {};
     m_isOpen = m_isClosed = false;
-    return std::exchange(m_commands, {});
+    return keep(std::exchange(m_commands, {}), {});
+}
+
+std::vector<Command> keep(const std::vector<Command>& commands, std::vector<bool> isKept) {
+    isKept.resize(commands.size(), true);
+    std::vector<bool> isNeeded(commands.size());
+    for (size_t i = 0; i < commands.size(); ++i)
+        for (const size_t needed : commands[i].needed) isKept[i] = isKept[i] && isKept[needed];
+    for (size_t i = commands.size(); i-- > 0;) {
+        isKept[i] = isKept[i] && (commands[i].hasEffect || isNeeded[i]);
+        for (const size_t needed : commands[i].needed) isNeeded[needed] = isNeeded[needed] || isKept[i];
+    }
+    std::vector<Command> kept;
+    std::vector<size_t> numbers(commands.size());
+    for (size_t i = 0; i < commands.size(); ++i) {
+        numbers[i] = kept.size();
+        if (isKept[i]) kept.push_back(renumbered(commands[i], numbers));
+    }
+    return kept;
 }
 
 std::string scriptOf(const std::vector<Command>& commands) {
@@ -213,6 +298,7 @@ std::string scriptOf(const std::vector<Command>& commands) {
             line = line.substr(0, at) + "made[" + line.substr(at + 1, end - at - 1) + "]" + line.substr(end + 1);
         }
         text += "    " + (isNeeded ? fmt::format("made[{}] = ", i) : std::string()) + line + "\n";
+        step += commands[i].waits;
     }
     return text + "end\n";
 }

@@ -8,17 +8,23 @@
 
 namespace stress {
 
-/// A call with an effect.
+/// A call with an effect, or one that has found what another one names.
 struct Command {
     int step;                    ///< steps that were done before it
-    std::string text;            ///< Lua; what another command has made stands as "@number@"
+    std::string text;            ///< Lua; what another command has given stands as "@number@"
     std::vector<size_t> needed;  ///< those commands
+    bool hasEffect = true;
+    bool waits = false;  ///< for the step
 };
+
+/// Some of the commands, without those that need one that is not kept, or have no effect and are not needed.
+std::vector<Command> keep(const std::vector<Command>& commands, std::vector<bool> isKept);
 
 /// Writes down what scripts do, so that a text of these calls alone does the same.
 class CommandLog final : public rubble::script::CallObserver {
 public:
     void begin(lua_State* L, const rubble::script::ScriptFunction& function) override;
+    void wait(lua_State* L, const rubble::script::ScriptFunction& function) override;
     void end(lua_State* L, const rubble::script::ScriptFunction& function, int results) override;
 
     /// The run has failed, with this message: what is called after that is not written down.
@@ -28,19 +34,32 @@ public:
     std::vector<Command> take();
 
 private:
-    std::string valueText(lua_State* L, int index, int depth, std::vector<size_t>& needed) const;
-    std::string tableText(lua_State* L, int index, int depth, std::vector<size_t>& needed) const;
-    void name(lua_State* L, int index, const std::string& expression);
+    /// A call that has begun.
+    struct Call {
+        const rubble::script::ScriptFunction* function = nullptr;
+        std::string text;
+        std::vector<size_t> needed;
+        size_t command = SIZE_MAX;  ///< its number, if it has an effect
+    };
+
+    std::string valueText(lua_State* L, int index, int depth, std::vector<size_t>& needed);
+    std::string tableText(lua_State* L, int index, int depth, std::vector<size_t>& needed);
+
+    /// What gives a handle: for one that no call has given, as of an event, a list of all objects of its kind does.
+    std::string expressionOf(lua_State* L, uint64_t handle);
+
+    /// Names the handles at an index of the stack, one or a list, which a command gives. True: one was not known.
+    bool name(lua_State* L, int index, const std::string& expression);
 
     /// A command that has begun and not ended was refused. As the script goes on, it has caught the error.
     void catchOpenCall();
 
     std::vector<Command> m_commands;
     std::map<uint64_t, std::string> m_expressions;  ///< what gives a handle
-    std::string m_call;                             ///< that is running, as a text
-    bool m_isCommand = false;
-    bool m_isOpen = false;    ///< the last command has begun and not ended
-    bool m_isClosed = false;  ///< the run has failed
+    Call m_call;                                    ///< that is running
+    std::map<lua_State*, Call> m_waiting;           ///< by the thread that waits in it
+    bool m_isOpen = false;                          ///< the call has an effect, has begun and not ended
+    bool m_isClosed = false;                        ///< the run has failed
 };
 
 /// A script that gives these commands, each at its step.

@@ -57,34 +57,11 @@ private:
         return false;
     }
 
-    /// Commands without some of them and without those that need them, which are renumbered.
+    /// Commands without some of them and without those that need them.
     static std::vector<Command> without(const std::vector<Command>& commands, size_t from, size_t to) {
-        std::vector<Command> kept;
-        std::vector<size_t> number(commands.size(), SIZE_MAX);
-        for (size_t i = 0; i < commands.size(); ++i) {
-            const auto isGone = [&](size_t needed) { return number[needed] == SIZE_MAX; };
-            if ((i >= from && i < to) || std::any_of(commands[i].needed.begin(), commands[i].needed.end(), isGone))
-                continue;
-            number[i] = kept.size();
-            kept.push_back(renumbered(commands[i], number));
-        }
-        return kept;
-    }
-
-    static Command renumbered(Command command, const std::vector<size_t>& number) {
-        std::string text;
-        const std::string& old = command.text;
-        for (size_t at = 0; at < old.size();) {
-            const size_t begin = old.find('@', at);
-            text += old.substr(at, begin == std::string::npos ? begin : begin - at);
-            if (begin == std::string::npos) break;
-            const size_t end = old.find('@', begin + 1);
-            text += fmt::format("@{}@", number[size_t(std::stoul(old.substr(begin + 1, end - begin - 1)))]);
-            at = end + 1;
-        }
-        command.text = std::move(text);
-        for (size_t& needed : command.needed) needed = number[needed];
-        return command;
+        std::vector<bool> isKept(commands.size(), true);
+        std::fill(isKept.begin() + std::ptrdiff_t(from), isKept.begin() + std::ptrdiff_t(to), false);
+        return keep(commands, std::move(isKept));
     }
 
     /// Lua with two digits behind the points of numbers. Texts in quotes stay.
@@ -121,21 +98,26 @@ private:
         const bool isSame = m_found && m_found->check == m_failure.check && reasonOf(*m_found) == reasonOf(m_failure);
         if (isSame && result.failure->step <= m_settings.steps) {
             m_settings.steps = result.failure->step + 1;
-            m_failure.message = result.failure->message;
+            m_failure.message = withoutPlace(result.failure->message);
         }
         return isSame;
+    }
+
+    /// A message without the place in the script, which is another one in each of the scripts that are tried.
+    std::string withoutPlace(const std::string& message) const {
+        const std::string place = m_settings.name + ".lua:";
+        const size_t end = message.starts_with(place) ? message.find(": ", place.size()) : message.npos;
+        return end == message.npos ? message : message.substr(end + 2);
     }
 
     /// Of a call that was refused its function and why, without the place in the script and without numbers, which
     /// other commands change; of other failures "", as what they say is all numbers.
     std::string reasonOf(const Failure& failure) const {
         if (failure.check != "script" && failure.check != "interface") return "";
-        const std::string place = m_settings.name + ".lua:";
-        size_t at = failure.message.starts_with(place) ? failure.message.find(':', place.size()) : 0;
         std::string reason;
-        for (at = std::min(at, failure.message.size()); at < failure.message.size(); ++at) {
-            const bool isDigit = std::isdigit(static_cast<unsigned char>(failure.message[at]));
-            if (!isDigit || !reason.ends_with('0')) reason += isDigit ? '0' : failure.message[at];
+        for (const char each : withoutPlace(failure.message)) {
+            const bool isDigit = std::isdigit(static_cast<unsigned char>(each));
+            if (!isDigit || !reason.ends_with('0')) reason += isDigit ? '0' : each;
         }
         return reason;
     }

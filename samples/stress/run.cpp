@@ -117,7 +117,7 @@ private:
         } else if (m_view.step >= m_nextCheck) {
             endRecording();
             if (!m_result.failure) checkAll();
-            if (!m_result.failure) record();
+            if (!m_result.failure && record()) m_scripts->readEvents();  // of the step that the check has made
         }
         if (m_settings.onStep) m_settings.onStep(step + 1);
     }

@@ -1,5 +1,7 @@
 #include "samples/stress/scene_functions.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -16,6 +18,26 @@ namespace stress {
 namespace {
 
 using namespace rubble::script;
+
+/// What is not the name of an option would test something else without a word.
+void checkOptions(lua_State* L, int index, std::initializer_list<std::string_view> names) {
+    if (lua_isnoneornil(L, index)) return;
+    if (!lua_istable(L, index)) refuseArgument(L, index, "options", "a table");
+    for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
+        const char* const found = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "";
+        if (std::find(names.begin(), names.end(), found) != names.end()) continue;
+        std::string text;
+        for (const std::string_view each : names) text.append(text.empty() ? "" : ", ").append(each);
+        luaL_error(L, "%s: options: expected %s, found \"%s\"", runningFunction(L).name().c_str(), text.c_str(), found);
+    }
+}
+
+/// A value of an argument, which must be a whole number.
+double wholeIn(lua_State* L, int index, const char* name, double value, double low, double high) {
+    if (value >= low && value <= high && value == std::floor(value)) return value;
+    const std::string expected = fmt::format("whole numbers from {} to {}", low, high);
+    refuseArgument(L, index, name, expected.c_str());
+}
 
 /// A field of the table of options at an index of the stack, which may be left out.
 double optionNumber(lua_State* L, int index, const char* name, double otherwise) {
@@ -91,13 +113,20 @@ void tint(lua_State* L, rubble_shape shape, uint32_t index) {
     }
 }
 
-/// Gives shape and body of Box() and Ball() their tag, and returns both.
-int finishBody(lua_State* L, const rubble_shape_settings& settings) {
+/// Makes the body of Box() and Ball() with its shape, gives both their tag, and returns both. A body whose shape is
+/// refused goes again.
+int finishBody(lua_State* L, rubble_shape_settings& settings, const Vector& corner, int options) {
+    const std::string tag = textAt(L, 1, "tag");
+    settings.body = makeBody(L, corner, options);
     rubble_shape shape = 0;
-    isDone(L, apiOf(L).create_shape(worldOf(L), &settings, &shape));
+    const rubble_result result = apiOf(L).create_shape(worldOf(L), &settings, &shape);
+    if (result != RUBBLE_OK) {
+        ScriptContext::of(L).shared.pending.created.erase(settings.body);
+        apiOf(L).destroy_body(worldOf(L), settings.body);
+    }
+    isDone(L, result);
     made(L, shape, RUBBLE_KIND_SHAPE);
     tint(L, shape, settings.index);
-    const std::string tag = textAt(L, 1, "tag");
     if (!tag.empty())
         for (const uint64_t object : {settings.body, shape})
             isDone(L, apiOf(L).set_tag(worldOf(L), object, tag.c_str(), nullptr));
@@ -107,11 +136,10 @@ int finishBody(lua_State* L, const rubble_shape_settings& settings) {
 }
 
 rubble_shape_settings shapeSettings(lua_State* L, uint32_t source, int entry, int options) {
+    checkOptions(L, options, {"dynamic", "asleep", "velocity", "spin", "turned", "voxel"});
     auto shape = sized<rubble_shape_settings>();
     shape.source = source;
-    const double index = numberOr(L, entry, "entry", 6.0);
-    if (!(index >= 1.0 && index <= 255.0)) refuseArgument(L, entry, "entry", "1 to 255");
-    shape.index = uint32_t(index);
+    shape.index = uint32_t(wholeIn(L, entry, "entry", numberOr(L, entry, "entry", 6.0), 1.0, 255.0));
     shape.voxel_size = optionNumber(L, options, "voxel", 0.1);
     shape.rotation[3] = 1.0;
     return shape;
@@ -120,22 +148,16 @@ rubble_shape_settings shapeSettings(lua_State* L, uint32_t source, int entry, in
 int box(lua_State* L) {
     auto shape = shapeSettings(L, RUBBLE_SHAPE_BOX, 4, 5);
     const Vector cells = vectorAt(L, 3, "cells");
-    for (size_t axis = 0; axis < 3; ++axis) {
-        if (!(cells[axis] >= 1.0 && cells[axis] <= 4096.0)) refuseArgument(L, 3, "cells", "1 to 4096 each");
-        shape.size[axis] = int32_t(cells[axis]);
-    }
-    shape.body = makeBody(L, vectorAt(L, 2, "corner"), 5);
-    return finishBody(L, shape);
+    for (size_t axis = 0; axis < 3; ++axis)
+        shape.size[axis] = int32_t(wholeIn(L, 3, "cells", cells[axis], 1.0, 4096.0));
+    return finishBody(L, shape, vectorAt(L, 2, "corner"), 5);
 }
 
 int ball(lua_State* L) {
     auto shape = shapeSettings(L, RUBBLE_SHAPE_SPHERE, 4, 5);
-    const double cells = numberAt(L, 3, "cells");
-    if (!(cells >= 1.0 && cells <= 512.0)) refuseArgument(L, 3, "cells", "1 to 512");
-    std::fill_n(shape.size, 3, int32_t(cells));
+    std::fill_n(shape.size, 3, int32_t(wholeIn(L, 3, "cells", numberAt(L, 3, "cells"), 1.0, 512.0)));
     const double half = 0.5 * shape.size[0] * shape.voxel_size;
-    shape.body = makeBody(L, vectorAt(L, 2, "center") - Vector{half, half, half}, 5);
-    return finishBody(L, shape);
+    return finishBody(L, shape, vectorAt(L, 2, "center") - Vector{half, half, half}, 5);
 }
 
 uint32_t jointKind(lua_State* L) {
@@ -161,6 +183,9 @@ void setMotor(lua_State* L, int options, rubble_joint_settings& joint) {
 }
 
 int joint(lua_State* L) {
+    checkOptions(L, 5,
+                 {"axis", "rope_end", "length", "strength", "break_force", "low", "high", "speed", "target", "force",
+                  "hertz", "damping", "friction", "drive", "brake", "steer", "anchor_radius"});
     auto settings = sized<rubble_joint_settings>();
     settings.kind = jointKind(L);
     settings.shapes[0] = handleAt(L, 2, "first");
@@ -208,6 +233,7 @@ int drive(lua_State* L) {
 }
 
 int water(lua_State* L) {
+    checkOptions(L, 3, {"flow"});
     const Vector low = vectorAt(L, 1, "low"), high = vectorAt(L, 2, "high");
     const double outline[] = {low[0], low[2], high[0], low[2], high[0], high[2], low[0], high[2]};
     auto settings = sized<rubble_water_settings>();
@@ -266,7 +292,7 @@ int switchLightGroup(lua_State* L) {
 int glow(lua_State* L) {
     auto range = sized<rubble_palette_range>();
     range.shape = handleAt(L, 1, "shape");
-    range.first = uint32_t(std::clamp(numberAt(L, 2, "entry"), 1.0, 255.0));
+    range.first = uint32_t(wholeIn(L, 2, "entry", numberAt(L, 2, "entry"), 1.0, 255.0));
     range.count = 1;
     rubble_palette_entry entry = {};
     std::fill_n(entry.color, 3, uint8_t(255));
@@ -311,15 +337,6 @@ void setOption(lua_State* L, const char* name, T& field) {
     field = T(value);
 }
 
-/// A misspelt setting would test something else without a word.
-void checkNames(lua_State* L, std::initializer_list<std::string_view> names) {
-    for (lua_pushnil(L); lua_next(L, 1); lua_pop(L, 1)) {
-        const char* name = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "";
-        if (std::find(names.begin(), names.end(), name) == names.end())
-            luaL_error(L, "Settings: expected the name of a setting, found \"%s\"", name);
-    }
-}
-
 void setFlag(lua_State* L, const char* name, uint32_t bit, uint32_t& flags) {
     lua_pushstring(L, name);
     lua_rawget(L, 1);
@@ -329,9 +346,10 @@ void setFlag(lua_State* L, const char* name, uint32_t bit, uint32_t& flags) {
 
 int settings(lua_State* L) {
     luaL_checktype(L, 1, LUA_TTABLE);
-    checkNames(L, {"stress", "fire", "paint_layer", "debris_bodies", "debris_voxels", "awake_debris_bodies",
-                   "largest_debris", "min_piece_voxels", "settle_steps", "split_parts", "max_fires", "impact_threshold",
-                   "fire_spread", "strength_scale"});
+    checkOptions(L, 1,
+                 {"stress", "fire", "paint_layer", "debris_bodies", "debris_voxels", "awake_debris_bodies",
+                  "largest_debris", "min_piece_voxels", "settle_steps", "split_parts", "max_fires", "impact_threshold",
+                  "fire_spread", "strength_scale"});
     auto values = sized<rubble_settings>();
     isDone(L, apiOf(L).get_settings(worldOf(L), &values));
     setFlag(L, "stress", RUBBLE_SETTING_STRESS, values.flags);
@@ -361,7 +379,8 @@ int bounds(lua_State* L) {
 }
 
 int undoLimit(lua_State* L) {
-    isDone(L, apiOf(L).set_undo_limit(worldOf(L), uint32_t(std::clamp(numberAt(L, 1, "marks"), 0.0, 1000.0))));
+    const double marks = wholeIn(L, 1, "marks", numberAt(L, 1, "marks"), 0.0, 1000.0);
+    isDone(L, apiOf(L).set_undo_limit(worldOf(L), uint32_t(marks)));
     return 0;
 }
 int undoMark(lua_State* L) {
@@ -382,7 +401,10 @@ int saveAndLoad(lua_State* L) {
     return 0;
 }
 int loadLevel(lua_State* L) {
-    requestsOf(L).waiting.push_back({SceneRequests::LoadLevel, textAt(L, 1, "name")});
+    const std::string name = textAt(L, 1, "name");
+    if (name != "town" && name != "bridge" && name != "garden")
+        refuseArgument(L, 1, "name", "\"town\", \"bridge\" or \"garden\"");
+    requestsOf(L).waiting.push_back({SceneRequests::LoadLevel, name});
     return 0;
 }
 
@@ -449,8 +471,8 @@ constexpr ScriptFunction kFunctions[] = {
     {"Cut(shape, pos, half, rot)", "Removes its voxels in a box: the middle, half the size in metres, the rotation.",
      cut},
     {"ExactHole(shape, cell, radius)",
-     "Removes a ball of a shape, in cells of its grid, and expects that those voxels go whose centres are in it. One "
-     "for each shape and step, into voxels that nothing else removes.",
+     "Removes a ball of a shape, in cells of its grid, and expects that those voxels go whose centres are in it. Into "
+     "voxels that nothing else removes in that step, but for other such calls.",
      exactHole},
 };
 

@@ -242,6 +242,12 @@ void chargeStep(lua_State* L, int64_t work) {
     context.shared.stepWork += work;
 }
 
+int endCall(lua_State* L, int results) {
+    if (CallObserver* const observer = ScriptContext::of(L).shared.observer)
+        observer->end(L, runningFunction(L), results);
+    return results;
+}
+
 const ScriptFunction& runningFunction(lua_State* L) {
     return *static_cast<const ScriptFunction*>(lua_touserdata(L, lua_upvalueindex(1)));
 }

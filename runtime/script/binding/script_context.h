@@ -59,7 +59,9 @@ public:
     virtual ~CallObserver() = default;
     /// Before a call: its arguments are what lies on the stack, which it leaves as it is.
     virtual void begin(lua_State* L, const ScriptFunction& function) = 0;
-    /// After it, unless it has failed or waits: its results are the topmost values of the stack.
+    /// It waits: other calls begin and end before its end.
+    virtual void wait(lua_State* L, const ScriptFunction& function) = 0;
+    /// After it, unless it has failed: its results are the topmost values of the stack.
     virtual void end(lua_State* L, const ScriptFunction& function, int results) = 0;
 };
 
@@ -179,6 +181,9 @@ struct ScriptFunction {
 void requireStep(lua_State* L, int64_t work);
 /// The same, and counts it, before it is queued.
 void chargeStep(lua_State* L, int64_t work);
+
+/// Ends the call of the running function, which gives its topmost values.
+int endCall(lua_State* L, int results);
 
 /// The function that runs, for messages.
 const ScriptFunction& runningFunction(lua_State* L);

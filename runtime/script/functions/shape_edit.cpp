@@ -206,7 +206,7 @@ int giveSplit(lua_State* L, int, lua_KContext shape) {
     if (isDone(L, apiOf(L).get_events(worldOf(L), &events)))
         for (uint32_t i = 0; i < events.split_count; ++i)
             if (events.splits[i].parent == rubble_shape(shape)) pieces.push_back(events.splits[i].piece);
-    return pushHandles(L, pieces.data(), pieces.size());
+    return endCall(L, pushHandles(L, pieces.data(), pieces.size()));
 }
 
 int split(lua_State* L) {

@@ -43,9 +43,7 @@ int callFunction(lua_State* L) {
     CallObserver* const observer = context.shared.observer;
     if (!observer) return function.function(L);
     observer->begin(L, function);
-    const int results = function.function(L);
-    observer->end(L, function, results);
-    return results;
+    return endCall(L, function.function(L));
 }
 
 int yieldUntil(lua_State* L, double until, lua_KContext context, lua_KFunction continuation) {
@@ -57,13 +55,14 @@ int yieldUntil(lua_State* L, double until, lua_KContext context, lua_KFunction c
                           "%s: expected a callback that can wait, found one inside of a call of table.sort, require "
                           "or another function that calls back",
                           runningFunction(L).name().c_str());
+    if (CallObserver* const observer = ScriptContext::of(L).shared.observer) observer->wait(L, runningFunction(L));
     lua_pushlightuserdata(L, const_cast<char*>(&kWait));
     lua_pushnumber(L, until);
     return lua_yieldk(L, 2, context, continuation);
 }
 
-int nothing(lua_State*, int, lua_KContext) {
-    return 0;
+int nothing(lua_State* L, int, lua_KContext) {
+    return endCall(L, 0);
 }
 
 }  // namespace

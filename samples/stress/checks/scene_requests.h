@@ -1,6 +1,7 @@
 #pragma once
 #include <rubble/rubble.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,14 @@ struct SceneRequests {
     bool isFree = false;           ///< FreeFlight(): bodies touch nothing
     /// Of ExactHole(): how many voxels a step shall remove from a shape.
     struct Hole {
+        struct Ball {
+            std::array<double, 3> center;
+            double radius;
+        };
         rubble_shape shape;
-        uint64_t voxels;
-        uint64_t step;  ///< that carries it out, counted from 1
+        uint64_t step;            ///< that carries it out, counted from 1
+        uint64_t voxels;          ///< in any of the balls
+        std::vector<Ball> balls;  ///< of all calls for the shape in that step, in cells
     };
     std::vector<Hole> holes;
     uint64_t extraSteps = 0;  ///< of the world, of which scripts know nothing

@@ -6,6 +6,7 @@ import fcntl
 import io
 import json
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -146,11 +147,11 @@ class Program(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
         self.path = pathlib.Path(self.folder.name)
 
-    def play(self, text, *options, name="x"):
-        """Plays a scenario of three steps: the exit status, and what it prints to both outputs."""
+    def play(self, text, *options, name="x", minutes="0.001"):
+        """Plays a scenario of three steps, or more: the exit status, and what it prints to both outputs."""
         scenario = self.path / f"{name}.lua"
         scenario.write_text(text, encoding="utf-8")
-        run = subprocess.run([PROGRAM, scenario, "--minutes", "0.001", "--images", "0", "--out", self.path, *options],
+        run = subprocess.run([PROGRAM, scenario, "--minutes", minutes, "--images", "0", "--out", self.path, *options],
                              capture_output=True, text=True, errors="replace")
         return run.returncode, run.stdout, run.stderr
 
@@ -168,7 +169,42 @@ class Program(unittest.TestCase):
             self.play(f"function init() Settings({{[{key}] = 1, stress = true}}) end")
             self.assertIn(f"Settings({{[{key}] = 1, stress = true}})", self.figures()["failure"]["script"])
 
-    def test_a_short_script_has_all_that_was_called(self):
+    # Functions that change the world or what later calls do to it. A new function is one of them until its name begins
+    # as those of questions do, in command_log.cpp.
+    EFFECTS = set("""AddHeat AddLight ApplyBodyImpulse Ball Bounds Box BreakRope Character ClearKey ClearShape
+        ClosedSystem CollideAs ConstrainAngularVelocity ConstrainOrientation ConstrainPosition ConstrainVelocity
+        CopyShapeContent CopyShapePalette Crack CreateShape Cut Delete DetachJointFromShape DrawShapeBox DrawShapeLine
+        Drive DriveVehicle ExactHole Explosion Extinguish ExtrudeShape FreeFlight Glow Joint LightGroup LoadLevel
+        LoadLoop LoadSound MakeHole MakeHoleLine MergeShape Paint PaintRGBA ParticleAlpha ParticleCollide
+        ParticleColor ParticleDrag ParticleEmissive ParticleFlags ParticleGravity ParticleRadius ParticleReset
+        ParticleRotation ParticleSticky ParticleStretch ParticleTile ParticleType PlayLoop PlayMusic PlaySound
+        PointLight Pour Redo RegisterTool RemoveAabbFires RemoveTag RemoveWater ResizeShape SaveAndLoad
+        SetBodyActive SetBodyAngularVelocity SetBodyDynamic SetBodyTransform SetBodyVelocity SetBool SetBrush
+        SetFloat SetGravity SetInt SetJointMotor SetJointMotorTarget SetLightColor SetLightEnabled SetLightIntensity
+        SetPlayerHealth SetPlayerTransform SetPlayerVelocity SetShapeCollisionFilter SetShapeDensity
+        SetShapeEmissiveScale SetString SetTag SetTimeScale SetToolTransform Settings ShakeCamera Shoot Spawn
+        SpawnFire SpawnParticle SplitShape StopMusic SwitchLightGroup TrimShape Undo UndoLimit UndoMark Walk
+        Water""".split())
+    FUNCTIONS = 280  # all of them, those without an effect among them
+
+    def test_all_calls_with_an_effect_are_written_down(self):
+        _, _, errors = self.play("""function init()
+            local names = {}
+            for name, value in pairs(_G) do
+                if type(value) == "function" and name:match("^%u") and name ~= "WaitForStep" and name ~= "Expect" then
+                    names[#names + 1] = name
+                    pcall(value)
+                end
+            end
+            print("functions", #names)
+            Walk(0, {1, 2})
+        end""", "--minimise", "1")
+        script = self.figures()["failure"]["script"]
+        written = set(re.findall(r"^    (?:made.* = )?(?:pcall\()?(\w+)", script.split("function init()")[1], re.M))
+        self.assertEqual(written, self.EFFECTS)
+        self.assertEqual(int(re.search(r"functions\t(\d+)", errors).group(1)), self.FUNCTIONS)
+
+    def test_calls_of_a_short_script_have_their_arguments(self):
         calls = ['Settings({1, 2.0, {-0.0}, [-3] = 1, [2.5] = "a", [5] = 0.5, [true] = 3, stress = true})',
                  "Crack({0, 0, 0}, 1)", "Extinguish({0, 0, 0}, 2)", 'BreakRope(7, {0, 0, 0})',
                  "DetachJointFromShape(7, 8)"]
@@ -177,6 +213,77 @@ class Program(unittest.TestCase):
         script = self.figures()["failure"]["script"]
         for call in calls:
             self.assertTrue(call in script or call.replace("(", ", ", 1) in script, script)
+
+    def short_script(self, text):
+        """That of a scenario which fails by SetShapeDensity() of -1."""
+        self.play(text)
+        failure = self.figures()["failure"]
+        lines = failure.get("script", failure.get("no_script")).splitlines()
+        self.assertTrue(lines[0].startswith("-- script: SetShapeDensity: density is -1, expected "), lines)
+        return lines
+
+    def test_what_calls_and_events_give_has_a_name_in_a_short_script(self):
+        cut = """local c = Box("c", {0, 2, 0}, {9, 8, 8}, 5, {dynamic = true})
+            wait(0)
+            SetBrush("cube", 1, 0)
+            DrawShapeBox(c, 4, 0, 0, 4, 7, 7)"""
+        lines = self.short_script(f"function init() {cut} SetShapeDensity(SplitShape(c)[1], -1) end")
+        self.assertRegex(lines[-3], r"^    made\[(\d)\] = SplitShape\(made\[0\]\)$")
+        self.assertRegex(lines[-2], r"^    SetShapeDensity\(made\[\d\]\[1\], -1\)$")
+        lines = self.short_script(f"function init() {cut} start(SplitShape, c) end "
+                                  "function onSplit(_, list) SetShapeDensity(list[1], -1) end")
+        self.assertRegex(lines[-3], r"^    made\[(\d)\] = FindShapes\(\)$")
+
+    def test_what_was_found_early_stays_what_it_was(self):
+        self.short_script("""function init()
+            local bar = Box("bar", {0, 0, 0}, {23, 4, 4}, 5, {dynamic = true})
+            wait(0)
+            for i = 0, 1 do Cut(bar, {0.75 + 0.8 * i, 0.2, 0.2}, {0.05, 1, 1}, Quat()) end
+            wait(0)
+            local pieces = FindShapes()
+            Delete(pieces[2])
+            wait(0)
+            SetShapeDensity(pieces[3], -1)
+        end""")
+
+    def test_exact_holes_of_one_step_and_refused_ones(self):
+        status, _, errors = self.play("""function init()
+            local a, b = Box("a", {0, 0, 0}, {8, 8, 8}, 5), Box("b", {2, 0, 0}, {8, 8, 8}, 5)
+            wait(0)
+            ExactHole(a, {4, 4, 4}, 2) ExactHole(a, {5, 4, 4}, 2) ExactHole(a, {0, 0, 0}, 2) ExactHole(b, {4, 4, 4}, 2)
+            assert(not pcall(ExactHole, a, {0/0, 4, 4}, 2))
+        end""")
+        self.assertEqual(status, 0, errors)
+
+    def test_events_of_a_step_that_a_check_makes_are_told(self):
+        status, _, errors = self.play("""local removed = 0
+        function onBreak(shape, count) removed = removed + count end
+        function init()
+            local a = Box("a", {0, 0, 0}, {8, 8, 8}, 5)
+            wait(0)
+            for i = 1, 12 do
+                ExactHole(a, {i % 3 * 4, i % 2 * 4, i // 6 * 8}, 2)
+                wait(0)
+                Expect(GetShapeVoxelCount(a) + removed == 512, "voxels that events have told, after " .. i)
+            end
+        end""", "--check-every", "0.1", minutes="0.004")
+        self.assertEqual(status, 0, errors)
+
+    def test_nonsense_of_scene_functions_is_refused_and_leaves_nothing(self):
+        status, _, errors = self.play("""function init()
+            local a = Box("a", {0, 0, 0}, {8, 8, 8}, 5)
+            wait(0)
+            for _, call in ipairs{
+                {Box, "x", {0, 5, 0}, {2000, 2000, 2000}, 5}, {Box, "x", {0, 5, 0}, {1.5, 1, 1}, 5},
+                {Box, "x", {0, 5, 0}, {2, 2, 2}, 5, {voxels = 1}}, {Box, "x", {0, 5, 0}, {2, 2, 2}, 5, 5},
+                {Box, "x", {0, 5, 0}, {2, 2, 2}, 5, {voxel = 1e-9}}, {Ball, "x", {0, 5, 0}, 4, 5, {Dynamic = true}},
+                {Joint, "ball", a, 0, {0, 0, 0}, {axiss = {0, 1, 0}}}, {Water, {0, 0, 0}, {1, 1, 1}, {flows = {1}}},
+                {Glow, a, 300, 1}, {UndoLimit, -1}, {UndoLimit, 2.5}, {LoadLevel, "nothing"}, {Settings, {nothing = 1}},
+            } do assert(not pcall(table.unpack(call)), _) end
+            wait(0)
+            Expect(#FindBodies() == 1, "one body")
+        end""")
+        self.assertEqual(status, 0, errors)
 
     def test_a_short_script_fails_by_the_same_call(self):
         self.play("""function init()
