@@ -125,7 +125,7 @@ void BrickMeshes::updateBrick(rubble_shape handle, Shape& shape, const rubble_br
     }
 }
 
-void BrickMeshes::place() {
+void BrickMeshes::updateAll() {
     uint32_t count = 0;
     const rubble_api& api = m_owner.api();
     if (!m_owner.check(api.get_shape_states(m_owner.world(), 0, nullptr, 0, &count), "get_shape_states")) return;
@@ -133,11 +133,12 @@ void BrickMeshes::place() {
     if (!m_owner.check(api.get_shape_states(m_owner.world(), 0, m_states.data(), count, &count), "get_shape_states"))
         return;
     for (const rubble_shape_state& state : m_states) {
-        const auto found = m_shapes.find(state.shape);
+        update(state.shape);
+        Shape& shape = m_shapes[state.shape];
         const Transform place = toTransform(state.position, state.rotation);
-        if (found == m_shapes.end() || std::memcmp(&place, &found->second.place, sizeof place) == 0) continue;
-        found->second.place = place;
-        for (const auto& [position, brick] : found->second.bricks)
+        if (std::memcmp(&place, &shape.place, sizeof place) == 0) continue;
+        shape.place = place;
+        for (const auto& [position, brick] : shape.bricks)
             kInstanceSetTransform(singleton("VisualServer"), brick.instance, place);
     }
 }
@@ -146,22 +147,15 @@ void BrickMeshes::follow() {
     rubble_events events = {.struct_size = sizeof events};
     if (!m_owner.check(m_owner.api().get_events(m_owner.world(), &events), "get_events")) return;
     if (events.level_loaded) {
-        uint32_t count = 0;
         for (auto& [handle, shape] : m_shapes) drop(shape);
         m_shapes.clear();
-        m_owner.api().get_shape_states(m_owner.world(), 0, nullptr, 0, &count);
-        m_states.resize(count);
-        m_owner.api().get_shape_states(m_owner.world(), 0, m_states.data(), count, &count);
-        for (const rubble_shape_state& state : m_states) m_shapes[state.shape];
     }
     for (uint32_t i = 0; i < events.shapes_destroyed_count; ++i)
         if (const auto found = m_shapes.find(events.shapes_destroyed[i]); found != m_shapes.end()) {
             drop(found->second);
             m_shapes.erase(found);
         }
-    for (uint32_t i = 0; i < events.shapes_created_count; ++i) m_shapes[events.shapes_created[i]];
-    for (const auto& each : m_shapes) update(each.first);  // soot, paint and light change meshes without an event
-    place();
+    updateAll();
 }
 
 }  // namespace rubble_godot

@@ -35,7 +35,8 @@ private:
     void update(rubble_shape shape);
     void drop(Shape& shape);
     void updateBrick(rubble_shape handle, Shape& shape, const rubble_brick& brick);
-    void place();
+    /// Meshes and places of all shapes: soot, paint and light change meshes without an event.
+    void updateAll();
 
     const VoxelWorld& m_owner;
     Variant m_shaders[2], m_materials[2];  // opaque, transparent
