@@ -31,10 +31,10 @@ end
 -- The foot of the chimney on three sides, so that it falls to the street.
 local function chimneyFront()
     local places = {}
-    for _, x in ipairs({27.2, 28.2, 29.2}) do places[#places + 1] = {Vec(x, 0.1, 40.2), Vec(x, 0.9, 38.2)} end
-    for _, z in ipairs({37.4, 36.9}) do
-        places[#places + 1] = {Vec(31.2, 0.1, z), Vec(29.4, 0.9, z)}
-        places[#places + 1] = {Vec(26.3, 0.1, z), Vec(27.05, 0.9, z)}
+    for _, x in ipairs({27.2, 28.2, 29.2}) do places[#places + 1] = {Vec(x, 0.1, 40.2), Vec(x, 2, 38.2)} end
+    for _, z in ipairs({37.5, 36.7}) do
+        places[#places + 1] = {Vec(31.2, 0.1, z), Vec(29.4, 2, z)}
+        places[#places + 1] = {Vec(26.3, 0.1, z), Vec(27.05, 2, z)}
     end
     return places
 end

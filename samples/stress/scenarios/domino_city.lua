@@ -1,19 +1,20 @@
--- Rows of dominoes knock each other over; energy only falls.
-function row(z, count)
+-- Rows of dominoes knock each other over; energy only falls. All rows are alike, so that what one gains no other hides.
+function row(z, count, height)
     for i = 0, count - 1 do
-        Box("domino", {-10 + 0.5 * i, 0, z + 0.1 * math.random()}, {1, math.random(9, 12), 5}, 5, {dynamic = true})
+        Box("domino", {-10 + 0.5 * i, 0, z + 0.1 * math.random()}, {1, height, 5}, 5, {dynamic = true})
     end
 end
 
 function init()
     Box("ground", {-15, -0.4, -15}, {300, 4, 300}, 6)
     while true do
-        for z = -4, 4 do row(1.5 * z, 30) end
+        local height, speed = math.random(10, 12), 0.7 + 0.2 * math.random()
+        for z = -4, 4 do row(1.5 * z, 30, height) end
         wait(1)
         ClosedSystem(false)
         for _, body in ipairs(FindBodies("domino")) do
             local pos = GetBodyTransform(body).pos
-            if pos.x < -9.9 then ApplyBodyImpulse(body, pos + Vec(0, 0.9, 0.25), {(0.7 + 0.2 * math.random()) * GetBodyMass(body), 0, 0}) end
+            if pos.x < -9.9 then ApplyBodyImpulse(body, pos + Vec(0, 0.9, 0.25), {speed * GetBodyMass(body), 0, 0}) end
         end
         wait(0)
         wait(0)

@@ -7,9 +7,9 @@ local kBombs = 8
 local kAllowed = 0.02     -- share of the neighbour's voxels that may be lost
 local kLook = 12          -- steps from one look at the world to the next
 local kCharge = 1.8       -- of an explosion, against one that is played freely
-local kRest = 1.5         -- seconds at rest that decide
+local kRest = 2.5         -- seconds at rest that decide
 local kLarge = 200        -- voxels of a piece that counts, and that is waited for
-local kPatience = 12      -- seconds after the last bomb, whatever still moves
+local kPatience = 12      -- seconds after a bomb that decide, whatever still moves
 
 local demolition = {
     title = "Demolition contract", place = level.place, firstPhase = "running",
@@ -72,7 +72,7 @@ local function isMoving()
     for _, shape in ipairs(FindShapes("target")) do
         local body = GetShapeBody(shape)
         local isLarge = GetShapeVoxelCount(shape) >= kLarge and GetBodyTransform(body).pos.y > -5
-        if isLarge and IsBodyActive(body) and VecLength(GetBodyVelocity(body)) > 0.4 then return true end
+        if isLarge and IsBodyActive(body) and VecLength(GetBodyVelocity(body)) > 0.1 then return true end
     end
     return false
 end
@@ -82,7 +82,7 @@ function demolition.update(state, dt, contract)
     if state.steps % kLook ~= 0 then return end
     state.height, state.damage = heightNow(), damageNow(state)
     local isLit = bombs.count() > 0 or #FindBodies("remotebomb") > 0
-    state.since = (isLit or state.bombs > 0) and 0 or state.since + kLook * dt
+    state.since = isLit and 0 or state.since + kLook * dt
     state.resting = (isLit or isMoving()) and 0 or state.resting + kLook * dt
     local isDecided = state.resting >= kRest or state.since >= kPatience
     if state.damage > kAllowed then
