@@ -1,5 +1,6 @@
 // What a shape is beside its voxels, and what it is a part of.
 #include <algorithm>
+#include <glm/gtc/quaternion.hpp>
 
 #include "editor/core/cells.h"
 #include "editor/core/editor.h"
