@@ -36,7 +36,7 @@ namespace {
 constexpr double kArcError = 0.05;         ///< of an energy by (w h)^2, by which a driven swing may be off
 constexpr double kMaxLift = 0.002;         ///< metres by which an overlap may lift a body in a step
 constexpr double kMaxRegain = 1e-3;        ///< of its kinetic energy, that an island with joints may gain back
-constexpr double kMaxDrivenRegain = 1e-4;  ///< the same with a motor, which gives back what is taken too much
+constexpr double kMaxDrivenRegain = 1e-4;  ///< the same where a motor makes up for what is lost
 constexpr double kHeightNoise = 2e-8;      ///< metres by which what rests on contacts may fall and rise again
 /// Of the kinetic energy of a free island. A velocity v is rounded to float by at most 2^-24 of each component, which
 /// changes m v^2 / 2 by 2^-23 of it, 1.2e-7. That occurs once where no impulse acts, and at random where some do.

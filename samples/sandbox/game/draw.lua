@@ -66,6 +66,23 @@ function draw.icon(tool, size, alpha)
     UiPop()
 end
 
+-- What keys do, in the lower left corner: rows of a label and a text.
+function draw.hints(rows)
+    local wide = 0
+    for _, row in ipairs(rows) do wide = math.max(wide, draw.width(row[1], 22, "bold.ttf")) end
+    UiPush()
+    UiTranslate(48, UiHeight() - 44 - 34 * (#rows - 1))
+    for _, row in ipairs(rows) do
+        draw.text(row[1], 22, "left", draw.accent, 0.95, "bold.ttf")
+        UiPush()
+        UiTranslate(wide + 28, 0)
+        draw.text(row[2], 22)
+        UiPop()
+        UiTranslate(0, 34)
+    end
+    UiPop()
+end
+
 -- Whether the cursor is in a rectangle of the canvas.
 function draw.isOver(x, y, width, height)
     local mx, my = InputValue("mousex"), InputValue("mousey")

@@ -190,19 +190,7 @@ function place.draw()
     UiTranslate(0, -40)
     draw.text(not doesReach and "too far" or not isFree and "no room" or "", 24, "right", {1, 0.45, 0.35})
     UiPop()
-    local wide = 0
-    for _, row in ipairs(rows) do wide = math.max(wide, draw.width(row[1], 22, "bold.ttf")) end
-    UiPush()
-    UiTranslate(48, UiHeight() - 44 - 34 * (#rows - 1))
-    for _, row in ipairs(rows) do
-        draw.text(row[1], 22, "left", draw.accent, 0.95, "bold.ttf")
-        UiPush()
-        UiTranslate(wide + 28, 0)
-        draw.text(row[2], 22)
-        UiPop()
-        UiTranslate(0, 34)
-    end
-    UiPop()
+    draw.hints(rows)
 end
 
 return place

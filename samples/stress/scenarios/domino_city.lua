@@ -1,4 +1,4 @@
--- Rows of dominoes knock each other over; energy only falls. All rows are alike, so that what one gains no other hides.
+-- Rows of dominoes knock each other over; energy only falls. All rows are alike: the losses of one hide no gain of another.
 function row(z, count, height)
     for i = 0, count - 1 do
         Box("domino", {-10 + 0.5 * i, 0, z + 0.1 * math.random()}, {1, height, 5}, 5, {dynamic = true})

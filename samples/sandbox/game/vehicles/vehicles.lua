@@ -156,25 +156,14 @@ function vehicles.draw()
     UiTranslate(0, -44)
     draw.text(kind.name, 22, "right")
     UiPop()
-    local rows = {{"interact", "get out"}, {"gas left reverse right", "drive"}, {"handbrake", "brake"}}
-    for _, row in ipairs(kind.keys or {}) do rows[#rows + 1] = row end
-    rows[#rows + 1] = {"headlights", "lamps"}
-    UiPush()
-    UiTranslate(48, UiHeight() - 44 - 34 * (#rows - 1))
-    local wide = 0
-    for _, row in ipairs(rows) do
-        row.label = keys.labels(row[1])
-        wide = math.max(wide, draw.width(row.label, 22, "bold.ttf"))
-    end
-    for _, row in ipairs(rows) do
-        draw.text(row.label, 22, "left", draw.accent, 0.95, "bold.ttf")
-        UiPush()
-        UiTranslate(wide + 28, 0)
-        draw.text(row[2], 22)
-        UiPop()
-        UiTranslate(0, 34)
-    end
-    UiPop()
+    local rows = {}
+    local function add(actions, text) rows[#rows + 1] = {keys.labels(actions), text} end
+    add("interact", "get out")
+    add("gas left reverse right", "drive")
+    add("handbrake", "brake")
+    for _, row in ipairs(kind.keys or {}) do add(row[1], row[2]) end
+    add("headlights", "lamps")
+    draw.hints(rows)
 end
 
 return vehicles
