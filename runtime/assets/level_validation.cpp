@@ -149,14 +149,6 @@ private:
 
 }  // namespace
 
-int highestPaintColor(const Brick& brick) {
-    int highest = 0;
-    if (brick.paint)
-        for (const uint8_t paint : *brick.paint)
-            highest = std::max(highest, paint > 0 && paint < 16 ? kPaintColors + 1 : paintColor(paint));
-    return highest;
-}
-
 Result<Done> validateLevel(const Level& level) {
     return LevelValidator().run(level);
 }

@@ -10,8 +10,4 @@ namespace rubble {
 /// and what was found. Every reader and writer of level files calls it.
 Result<Done> validateLevel(const Level& level);
 
-/// The highest colour of a brick's paint (runtime/voxel/paint_colors.h), 0 without paint; more than kPaintColors if a
-/// byte is no paint at all.
-int highestPaintColor(const Brick& brick);
-
 }  // namespace rubble

@@ -18,6 +18,8 @@ inline constexpr std::array<const char*, 3> kEnumNames<HistoryAction> = {"mark",
 template <>
 inline constexpr std::array<const char*, 5> kEnumNames<Tool> = {"any", "sledge", "torch", "gun", "explosive"};
 template <>
+inline constexpr std::array<const char*, 3> kEnumNames<AnchorChange> = {"none", "boxes", "default"};
+template <>
 inline constexpr std::array<const char*, 4> kEnumNames<ShapeSource> = {"grid", "box", "sphere", "copy"};
 template <>
 inline constexpr std::array<const char*, 4> kEnumNames<JointBreak> = {"voxel gone", "force", "removed", "cut"};
@@ -407,7 +409,7 @@ inline constexpr auto kFields<SetShapeEdit> = std::tuple{
     Field{"emission", &SetShapeEdit::emission},
     Field{"sets_load", &SetShapeEdit::setsLoad},
     Field{"load_bearing", &SetShapeEdit::loadBearing},
-    Field{"sets_anchors", &SetShapeEdit::setsAnchors},
+    Field{"anchor_change", &SetShapeEdit::anchorChange},
     Field{"anchors", &SetShapeEdit::anchors},
 };
 template <>

@@ -55,7 +55,7 @@ template <class A, class B, class F>
 void forEachList(A& a, B& b, F&& f) {
     f(a.removed, b.removed), f(a.dust, b.dust), f(a.splits, b.splits), f(a.blasts, b.blasts);
     f(a.broken, b.broken), f(a.settled, b.settled), f(a.unsettled, b.unsettled);
-    f(a.paintedVoxels, b.paintedVoxels);
+    f(a.paintedVoxels, b.paintedVoxels), f(a.isRestored, b.isRestored);
 }
 
 /// What is wrong with events from outside; empty: nothing.
@@ -80,7 +80,7 @@ std::string eventsError(const StepEvents& events) {
 
 bool StepEvents::empty() const {
     return removed.empty() && dust.empty() && splits.empty() && blasts.empty() && broken.empty() && settled.empty() &&
-           unsettled.empty() && paintedVoxels == 0;
+           unsettled.empty() && paintedVoxels == 0 && !isRestored;
 }
 
 StepEvents eventsOf(const FrameChanges& changes) {
@@ -98,6 +98,7 @@ std::vector<uint8_t> stepEventsToBytes(const StepEvents& events, uint64_t* memor
     PaletteList unused;
     BinaryOutputArchive archive(bytes, unused);
     archive.put(events);
+    if (events.isRestored) archive.put(true);  // only it can be left out
     *memory = archive.memory() + listMemory(1, sizeof(StepEvents));
     return bytes;
 }
@@ -105,7 +106,10 @@ std::vector<uint8_t> stepEventsToBytes(const StepEvents& events, uint64_t* memor
 StepEvents readStepEvents(ByteReader& in, uint8_t world) {
     StepEvents events;
     if (!in.takeMemory(listMemory(1, sizeof(StepEvents)))) return events;
-    BinaryInputArchive(in, {}, world).get(events);
+    const std::vector<PaletteRef> none;
+    BinaryInputArchive archive(in, none, world);
+    archive.get(events);
+    if (in.remaining()) archive.get(events.isRestored);
     in.expectEnd("events");
     if (in.failed()) return events;
     if (const std::string error = eventsError(events); !error.empty()) in.fail("events within their ranges", error);

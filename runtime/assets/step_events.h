@@ -9,8 +9,8 @@
 
 namespace rubble {
 
-/// What a step tells of how it came to its state, which the states before and after it do not: the lists of
-/// FrameChanges with the same names. A world that follows another one has them from there.
+/// What a step tells of how it came to its state, which the states before and after it do not: what FrameChanges has
+/// under the same names. A world that follows another one has it from there.
 struct StepEvents {
     uint64_t step = 0;
     std::vector<RemovedVoxels> removed;
@@ -19,6 +19,7 @@ struct StepEvents {
     std::vector<Blast> blasts;
     std::vector<BodyHandle> broken, settled, unsettled;
     uint64_t paintedVoxels = 0;
+    bool isRestored = false;
 
     /// Whether the step tells of nothing.
     bool empty() const;

@@ -83,6 +83,7 @@ void Particles::step(const FrameChanges& changes, std::span<const Impact> impact
                      const World& world) {
     if (m_settings.maxAlive == 0) return;
     if (changes.levelReplaced || changes.isRestored) clear();
+    if (changes.isStill) return;
     for (Particle& particle : m_alive) move(particle);
     std::erase_if(m_alive, [](const Particle& particle) { return particle.age >= particle.life; });
     m_floorQuery = glm::dvec3(1e30);  // the world has changed since the last step

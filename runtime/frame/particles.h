@@ -51,7 +51,8 @@ public:
     /// Nothing is in the air yet.
     explicit Particles(const ParticleSettings& settings) : m_settings(settings) {}
 
-    /// Moves what is there by 1/60 s and adds what the step has thrown up. Costs nothing while nothing is in the air.
+    /// Moves what is there by 1/60 s and adds what the step has thrown up; a still step does neither. Costs nothing
+    /// while nothing is in the air.
     void step(const FrameChanges& changes, std::span<const Impact> impacts, std::span<const Fire> fires,
               const World& world);
     /// Adds what a host throws up, as far as there is room for it. It moves from the next step on.

@@ -112,7 +112,7 @@ void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> m
     addParticles(changes, impacts, world, out);
     listLights(out, lightsChanged);
     if (changes.levelReplaced) m_ripples.clear();
-    addRipples(moved, world, out);
+    if (!changes.isStill) addRipples(moved, world, out);
     if (changes.levelReplaced) m_ropes.clear();
     if (!m_ropes.empty() || !world.data().jointIndex.ropes().empty()) addRopes(world, out);
     if (changes.levelReplaced || !changes.waters.empty()) {

@@ -1,9 +1,11 @@
 #include "runtime/voxel/brick.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "runtime/core/byte_bits.h"
 #include "runtime/core/hash.h"
+#include "runtime/voxel/paint_colors.h"
 
 namespace rubble {
 namespace {
@@ -87,6 +89,14 @@ BrickRef maskBrick(const Brick& brick, const BrickBits& keep) {
     if (brick.indices) out->indices = maskIndices(*brick.indices, kept, out->uniform);
     if (brick.paint) out->paint = paintOf(kept, *brick.paint);
     return out;
+}
+
+int highestPaintColor(const Brick& brick) {
+    int highest = 0;
+    if (brick.paint)
+        for (const uint8_t paint : *brick.paint)
+            highest = std::max(highest, paint > 0 && paint < 16 ? kPaintColors + 1 : paintColor(paint));
+    return highest;
 }
 
 uint64_t hashBrick(const Brick& brick) {

@@ -112,6 +112,9 @@ void expandBrick(const Brick* brick, BrickIndices& out);
 BrickRef makeBrick(const BrickIndices& indices, const BrickIndices* paint = nullptr);
 /// A copy with the indices and paint of the voxels in `keep`, the others empty; nullptr if nothing is left.
 BrickRef maskBrick(const Brick& brick, const BrickBits& keep);
+/// The highest colour of a brick's paint (paint_colors.h), 0 without paint; more than kPaintColors if a byte is no
+/// paint at all.
+int highestPaintColor(const Brick& brick);
 /// [any-thread] A hash of the content: equal voxels have equal hashes, stored as one index or as an array.
 uint64_t hashBrick(const Brick& brick);
 /// Calls f(index) for every set bit, in ascending order.

@@ -19,6 +19,12 @@ struct UsedEntries {
     void insert(const UsedEntries& other) {
         for (size_t i = 0; i < bits.size(); ++i) bits[i] |= other.bits[i];
     }
+    /// Whether an entry is in both sets.
+    bool intersects(const UsedEntries& other) const {
+        uint64_t shared = 0;
+        for (size_t i = 0; i < bits.size(); ++i) shared |= bits[i] & other.bits[i];
+        return shared != 0;
+    }
     /// Calls f(entry) for each, ascending.
     template <class F>
     void forEach(F&& f) const {

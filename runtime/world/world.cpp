@@ -75,11 +75,12 @@ FrameChanges World::applyEdits(const Edits& edits, const Edits& damage, Follows 
     claimHandles(*this, damage);  // before undo, as where the handles were given out
     claimHandles(*this, edits);
     FrameChanges changes = beginStep();
+    changes.isStill = follows == Follows::Nothing;
     limitUndo(m_undo, m_data, m_data.settings.undoMarks);
     // The first step after a load has edits that waited in the save among the damage.
     const bool wasUndoOrRedo = runHistory(edits, changes, runHistory(damage, changes, false));
     const bool hasLostStress = m_data.settings.stress.on && !m_data.stress;  // in applyDelta()
-    if (follows == Follows::Nothing)
+    if (changes.isStill)
         m_data.stress.reset();  // it has not seen these edits: the next step begins it again
     else if (wasUndoOrRedo || hasLostStress)
         m_data.restartStress();
@@ -87,7 +88,7 @@ FrameChanges World::applyEdits(const Edits& edits, const Edits& damage, Follows 
     if (wasUndoOrRedo) std::erase_if(all, [](const Edit& edit) { return !edit.made; });
     all.insert(all.end(), edits.begin(), edits.end());
     const size_t restored = changes.entries();
-    if (follows == Follows::Nothing)
+    if (changes.isStill)
         EditStep(m_data, changes).runAlone(all);
     else if (!all.empty() || m_data.isBusy())
         EditStep(m_data, changes).run(all);
@@ -112,6 +113,7 @@ FrameChanges World::applyDelta(std::optional<WorldDelta> delta) {
     m_undo.clear();
     m_data.stress.reset();
     swapObjects(m_data, std::move(*delta), changes);
+    std::sort(changes.relocated.begin(), changes.relocated.end());
     restartPendingSplits(m_data);
     return changes;
 }

@@ -182,6 +182,70 @@ TEST_F(AbiCreate, UndoMakesAStaticBodyFreeAgain) {
     EXPECT_EQ(bodyState(crate).position[1], height);
 }
 
+/// A world without a level, with a block at the origin that is then put 300 m away.
+class AbiMadeWorld : public AbiCreate {
+protected:
+    void SetUp() override {
+        auto settings = sized<rubble_world_settings>();
+        settings.flags = RUBBLE_WORLD_NO_RENDERER;
+        ASSERT_EQ(api()->create_world(&settings, &m_world), RUBBLE_OK) << api()->get_last_error();
+    }
+    void makeBlock(uint32_t flags) {
+        m_block = make(bodyAt(0.0, 0.0, flags));
+        make(shapeOn(m_block, RUBBLE_SHAPE_BOX, 4));
+    }
+    void putAway() {
+        auto change = sized<rubble_body_change>();
+        change.body = m_block, change.fields = RUBBLE_SET_POSE, change.position[0] = 300.0;
+        ASSERT_EQ(api()->set_body(m_world, &change), RUBBLE_OK) << api()->get_last_error();
+    }
+    void applyEdits() { ASSERT_EQ(api()->apply_edits(m_world), RUBBLE_OK) << api()->get_last_error(); }
+    double end() {
+        auto bounds = sized<rubble_bounds>();
+        EXPECT_EQ(api()->get_bounds(m_world, &bounds), RUBBLE_OK);
+        return bounds.high[0];
+    }
+    rubble_body m_block = 0;
+};
+
+TEST_F(AbiMadeWorld, ReachesToWhereTheStepPutsWhatItMakes) {
+    makeBlock(0);
+    putAway();
+    step(3);
+    EXPECT_FALSE(isStale(m_block)) << "it became dust";
+    EXPECT_NEAR(end(), 300.4 + 128.0, 1e-6);
+}
+
+TEST_F(AbiMadeWorld, ReachesToWhereAStaticBodyIsMoved) {
+    makeBlock(RUBBLE_BODY_STATIC);
+    step();
+    putAway();
+    step();
+    EXPECT_NEAR(end(), 300.4 + 0.5 * 300.4, 1e-4);
+    auto change = sized<rubble_shape_change>();
+    change.shape = shapes().at(0).shape, change.fields = RUBBLE_SHAPE_ANCHORS;  // nothing holds it
+    ASSERT_EQ(api()->set_shape(m_world, &change), RUBBLE_OK) << api()->get_last_error();
+    step(3);
+    EXPECT_EQ(shapes().size(), 1u) << "what comes off it became dust";
+}
+
+TEST_F(AbiMadeWorld, ReachesToWhereAnEditorPutsAFreeBody) {
+    makeBlock(0);
+    applyEdits();
+    putAway();
+    applyEdits();
+    step(3);
+    EXPECT_FALSE(isStale(m_block)) << "it became dust";
+}
+
+TEST_F(AbiMadeWorld, IsLeftByAFreeBodyThatAStepPutsAway) {
+    makeBlock(0);
+    step();
+    putAway();
+    step(3);
+    EXPECT_TRUE(isStale(m_block));
+}
+
 class AbiPrefab : public AbiCreate {
 protected:
     std::vector<rubble_prefab_row> place(const rubble_prefab& prefab) {

@@ -144,6 +144,22 @@ TEST_F(HostPhysics, ChangesAreListedWithTheirKinds) {
     ASSERT_EQ(rigids().size(), 1u) << "a body that lost a shape";
     EXPECT_EQ(rigids()[0].changes, uint32_t(RUBBLE_RIGID_SOLID));
     EXPECT_LT(rigids()[0].mass, mass);
+    change.body = make(bodyAt(30.0, 0.0, RUBBLE_BODY_STATIC)), change.fields = RUBBLE_SET_POSE;
+    second.body = change.body;
+    const rubble_shape ground = make(second);
+    step();
+    change.position[0] = 31.0;
+    ASSERT_EQ(api()->set_body(m_world, &change), RUBBLE_OK);
+    step();
+    ASSERT_EQ(rigids().size(), 1u) << "a static body that was moved";
+    EXPECT_EQ(rigids()[0].changes, uint32_t(RUBBLE_RIGID_MOVED));
+    auto denser = sized<rubble_shape_change>();
+    denser.shape = ground, denser.fields = RUBBLE_SHAPE_DENSITY, denser.density = 2.0, change.position[0] = 32.0;
+    ASSERT_EQ(api()->set_shape(m_world, &denser), RUBBLE_OK);
+    ASSERT_EQ(api()->set_body(m_world, &change), RUBBLE_OK);
+    step();
+    ASSERT_EQ(rigids().size(), 1u) << "and weighs more";
+    EXPECT_EQ(rigids()[0].changes, uint32_t(RUBBLE_RIGID_MOVED | RUBBLE_RIGID_SOLID));
 }
 
 /// What flies breaks where it is now, and its pieces fly on from there.

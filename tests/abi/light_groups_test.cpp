@@ -225,15 +225,34 @@ TEST_F(AbiLightGroups, MeshesGlowAsTheGroupAndItsShapeDo) {
         EXPECT_GT(count, 0u);
         return vertices[0].emission;
     };
+    auto isStale = [&, version = uint64_t(0)]() mutable {
+        auto changes = sized<rubble_brick_changes>();
+        changes.shape = m_bulb, changes.what = RUBBLE_BRICKS_MESHES, changes.since = version;
+        uint32_t count = 0;
+        EXPECT_EQ(api()->get_changed_bricks(m_world, &changes, &version, nullptr, 0, &count), RUBBLE_OK);
+        return count > 0;
+    };
     EXPECT_EQ(emission(), 8.0f);
+    EXPECT_TRUE(isStale());
     auto brighter = sized<rubble_shape_change>();
     brighter.shape = m_bulb, brighter.fields = RUBBLE_SHAPE_EMISSION, brighter.emission = 2.0;
     ASSERT_EQ(api()->set_shape(m_world, &brighter), RUBBLE_OK) << api()->get_last_error();
     step();
     EXPECT_EQ(emission(), 16.0f);
-    set(change(RUBBLE_GROUP_SWITCH));
+    EXPECT_TRUE(isStale());
+    for (const bool on : {false, true}) {
+        rubble_light_group_change to = change(RUBBLE_GROUP_SWITCH);
+        to.on = on;
+        set(to);
+        step();
+        EXPECT_EQ(emission(), on ? 16.0f : 0.0f) << "switched";
+        EXPECT_TRUE(isStale()) << "switched";
+        EXPECT_FALSE(isStale());
+    }
+    carveAt(0.95);
     step();
-    EXPECT_EQ(emission(), 0.0f) << "switched off";
+    EXPECT_EQ(emission(), 0.0f) << "it went out";
+    EXPECT_TRUE(isStale());
 }
 
 TEST_F(AbiLightGroups, ASupplyWithoutWireFeedsNothing) {

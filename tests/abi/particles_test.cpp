@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "tests/abi/abi_fixture.h"
@@ -105,6 +106,69 @@ TEST_F(AbiParticles, WhatBreaksIsSeenByAHostThatDrawsItself) {
     const std::vector<rubble_particle> all = particles();
     const auto isFlame = [](const rubble_particle& each) { return each.kind == RUBBLE_PARTICLE_FLAME; };
     EXPECT_TRUE(std::any_of(all.begin(), all.end(), isFlame));
+}
+
+TEST_F(AbiParticles, EditsWithoutTimeRaiseNoDustAndMoveNothing) {
+    const rubble_particle_burst given = burst();
+    const rubble_explosion explosion = tableExplosion();
+    ASSERT_EQ(api()->spawn_particles(m_world, &given), RUBBLE_OK) << api()->get_last_error();
+    const rubble_particle before = particles().at(0);
+    for (int i = 0; i < 3; ++i) {
+        ASSERT_EQ(api()->explode(m_world, &explosion), RUBBLE_OK);
+        ASSERT_EQ(api()->apply_edits(m_world), RUBBLE_OK) << api()->get_last_error();
+        auto events = sized<rubble_events>();
+        ASSERT_EQ(api()->get_events(m_world, &events), RUBBLE_OK);
+        EXPECT_TRUE(i || events.removed_count) << "it breaks the table";
+        EXPECT_EQ(events.dust_cloud_count, 0u);
+    }
+    ASSERT_EQ(particles().size(), 20u);
+    EXPECT_EQ(particles()[0].position[1], before.position[1]);
+    EXPECT_EQ(particles()[0].age, before.age);
+    step();
+    EXPECT_EQ(particles().size(), 20u) << "nor does it rise later";
+    EXPECT_LT(particles()[0].position[1], before.position[1]);
+}
+
+TEST_F(AbiParticles, AFollowerHasTheDustOfItsLeaderHoweverManyStepsItTakes) {
+    const rubble_world leader = m_world;
+    SetUp();
+    const rubble_world follower = std::exchange(m_world, leader);
+    const auto bytesOf = [&](auto read) {
+        uint64_t size = 0;
+        EXPECT_EQ(read(m_world, nullptr, 0, &size), RUBBLE_OK) << api()->get_last_error();
+        std::vector<uint8_t> out(size);
+        EXPECT_EQ(read(m_world, out.data(), size, &size), RUBBLE_OK) << api()->get_last_error();
+        return out;
+    };
+    ASSERT_EQ(api()->set_undo_limit(m_world, 4), RUBBLE_OK);
+    step();
+    ASSERT_EQ(api()->keep_deltas(m_world, RUBBLE_DELTAS_ALL | RUBBLE_DELTAS_EVENTS), RUBBLE_OK);
+    const std::vector<uint8_t> game = bytesOf(api()->save_game_data);
+    ASSERT_EQ(api()->load_game_data(follower, game.data(), game.size()), RUBBLE_OK) << api()->get_last_error();
+    auto carve = sized<rubble_carve>();
+    carve.position[0] = carve.position[2] = 0.85, carve.position[1] = 0.95;
+    carve.radii[0] = carve.radii[1] = carve.radii[2] = 0.15;
+    for (const int steps : {1, 40, 600, 0}) {
+        ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
+        ASSERT_EQ(api()->carve(m_world, &carve), RUBBLE_OK);
+        carve.position[0] += 0.2;
+        step(std::max(steps, 1));
+        ASSERT_EQ(api()->carve(m_world, &carve), RUBBLE_OK);
+        ASSERT_EQ(api()->apply_edits(m_world), RUBBLE_OK) << api()->get_last_error();
+        if (steps == 0) {
+            ASSERT_EQ(api()->undo(m_world), RUBBLE_OK);
+            step();
+        }
+        const std::vector<uint8_t> taken = bytesOf(api()->take_deltas);
+        ASSERT_EQ(api()->apply_deltas(follower, taken.data(), taken.size()), RUBBLE_OK) << api()->get_last_error();
+        const std::vector<rubble_particle> here = particles();
+        m_world = follower;
+        const std::vector<rubble_particle> there = particles();
+        m_world = leader;
+        EXPECT_EQ(here.size(), there.size()) << steps;
+        EXPECT_EQ(here.empty(), steps == 600 || steps == 0) << steps;
+    }
+    EXPECT_EQ(api()->destroy_world(follower), RUBBLE_OK);
 }
 
 TEST_F(AbiParticles, ALoadTakesThemAway) {

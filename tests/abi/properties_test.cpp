@@ -1,4 +1,6 @@
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "tests/abi/create_fixture.h"
 #include "tests/support/temp_folder.h"
@@ -176,6 +178,65 @@ TEST_F(AbiProperties, WhatNoAnchorHoldsComesOff) {
     EXPECT_EQ(shape(table).is_piece, 1u);
 }
 
+TEST_F(AbiProperties, WhatWasFreeIsHeldByWhatIsItsLowestLayerNow) {
+    const rubble_body post = make(bodyAt(10.0, 0.0, RUBBLE_BODY_STATIC)), free = make(bodyAt(20.0, 5.0, 0));
+    auto settings = shapeOn(post, RUBBLE_SHAPE_BOX, 6);
+    const rubble_shape shape = make(settings);
+    settings.body = free, settings.source = RUBBLE_SHAPE_COPY, settings.copied = shape;
+    const rubble_shape copy = make(settings);
+    step();
+    set(motionOf(post, RUBBLE_SET_DYNAMIC));
+    step();
+    EXPECT_EQ(this->shape(shape).anchor_count, 0u);
+    EXPECT_EQ(this->shape(copy).anchor_count, 0u);
+    for (const rubble_body body : {post, free}) {
+        rubble_body_change change = motionOf(body, RUBBLE_SET_POSE | RUBBLE_SET_STATIC);
+        change.position[0] = body == post ? 10.0 : 20.0;
+        change.rotation[0] = change.rotation[3] = std::sqrt(0.5);  // y up becomes z up
+        set(change);
+    }
+    step();
+    for (const rubble_shape each : {shape, copy}) {
+        rubble_cell_box box = {};
+        uint32_t count = 0;
+        ASSERT_EQ(api()->get_anchors(m_world, each, &box, 1, &count), RUBBLE_OK);
+        EXPECT_EQ(count, 1u);
+        EXPECT_EQ(box.size[2], 1) << "a layer along z";
+    }
+}
+
+TEST_F(AbiProperties, DefaultAnchorsAreThoseOfAStaticShapeThatIsMade) {
+    rubble_body_settings turned = bodyAt(10.0, 0.0, RUBBLE_BODY_STATIC);
+    turned.rotation[0] = turned.rotation[3] = std::sqrt(0.5);  // y up becomes z up
+    const rubble_shape block = make(shapeOn(make(turned), RUBBLE_SHAPE_BOX, 6));
+    const rubble_body free = crateAt(20.0, 5.0);
+    step();
+    const auto anchorsOf = [&](rubble_shape of) {
+        std::vector<std::array<int32_t, 6>> out;
+        rubble_cell_box boxes[4] = {};
+        uint32_t count = 0;
+        EXPECT_EQ(api()->get_anchors(m_world, of, boxes, 4, &count), RUBBLE_OK);
+        for (const rubble_cell_box& box : std::span(boxes, count))
+            out.push_back({box.low[0], box.low[1], box.low[2], box.size[0], box.size[1], box.size[2]});
+        return out;
+    };
+    const auto made = anchorsOf(block);
+    EXPECT_EQ(made.at(0)[2 + 3], 1) << "a layer along z";
+    const rubble_cell_box other = {{0, 0, 0}, {1, 6, 6}};
+    set(changeOf(block, RUBBLE_SHAPE_ANCHORS, &other));
+    set(changeOf(m_crate, RUBBLE_SHAPE_ANCHORS, &other));
+    step();
+    ASSERT_NE(anchorsOf(block), made);
+    set(changeOf(block, RUBBLE_SHAPE_DEFAULT_ANCHORS));
+    set(changeOf(m_crate, RUBBLE_SHAPE_DEFAULT_ANCHORS));
+    step();
+    EXPECT_EQ(anchorsOf(block), made);
+    EXPECT_TRUE(anchorsOf(m_crate).empty()) << "nothing holds a free body";
+    set(motionOf(free, RUBBLE_SET_STATIC));
+    step();
+    EXPECT_EQ(anchorsOf(m_crate).size(), 1u);
+}
+
 TEST_F(AbiProperties, AreRecordedReplayedUndoneAndSaved) {
     const TempFolder folder;
     const std::string log = folder / "game.rubblelog", save = folder / "game.rubble";
@@ -226,7 +287,8 @@ TEST_F(AbiProperties, BadArgumentsAreRefused) {
         expectRefused(api()->set_shape(m_world, &change), code, word);
     };
     refused(changeOf(table, 0), RUBBLE_ERROR_ARGUMENT, "fields is 0");
-    refused(changeOf(table, 32), RUBBLE_ERROR_ARGUMENT, "fields has unknown bits");
+    refused(changeOf(table, 64), RUBBLE_ERROR_ARGUMENT, "fields has unknown bits");
+    refused(changeOf(table, RUBBLE_SHAPE_ANCHORS | RUBBLE_SHAPE_DEFAULT_ANCHORS), RUBBLE_ERROR_ARGUMENT, "one of them");
     refused(changeOf(table, RUBBLE_SHAPE_STRENGTH), RUBBLE_ERROR_ARGUMENT, "strength is 0");
     refused(changeOf(table, RUBBLE_SHAPE_DENSITY), RUBBLE_ERROR_ARGUMENT, "density is 0");
     refused(changeOf(0, RUBBLE_SHAPE_LOAD), RUBBLE_ERROR_STALE, "shape is 0");

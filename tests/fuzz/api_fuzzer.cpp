@@ -212,7 +212,7 @@ void RandomHost::callProperties() {
     api().get_shape_properties(m_world, any(shapes()), &properties);
     api().get_anchors(m_world, any(shapes()), boxes, 4, &count);
     auto change = sized<rubble_shape_change>();
-    change.shape = any(shapes()), change.fields = whole(32);
+    change.shape = any(shapes()), change.fields = whole(64);
     change.strength = number(3.0), change.density = number(3.0), change.emission = number(3.0);
     change.bears_load = whole(2);
     for (rubble_cell_box& box : boxes)

@@ -266,7 +266,7 @@ Edit usualEdit(Decisions& decisions, const World& world) {
             edit.setsDensity = decisions.oneIn(2), edit.density = 0.5f * float(1 + seed % 5);
             edit.setsEmission = decisions.oneIn(2), edit.emission = float(seed % 3);
             edit.setsLoad = decisions.oneIn(2), edit.loadBearing = seed % 2;
-            edit.setsAnchors = decisions.oneIn(2);
+            edit.anchorChange = AnchorChange(decisions.below(3));
             if (seed % 3) edit.anchors = {{glm::ivec3(0), glm::ivec3(1 + seed % 4)}};
             return edit;
         }

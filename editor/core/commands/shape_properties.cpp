@@ -1,8 +1,4 @@
 // What a shape is beside its voxels, and what it is a part of.
-#include <algorithm>
-#include <glm/gtc/quaternion.hpp>
-
-#include "editor/core/cells.h"
 #include "editor/core/editor.h"
 
 namespace editor {
@@ -41,49 +37,10 @@ void setProperties(Editor& editor, const Arguments& arguments) {
     });
 }
 
-/// The side of a shape's grid that faces the ground most: along an axis, its lowest or its highest cells. As static
-/// shapes are held that say nothing else.
-struct Side {
-    int axis = 1;
-    bool isHigh = false;
-};
-
-Side lowestSide(const rubble_shape_state& state) {
-    const double* q = state.rotation;
-    const glm::dvec3 down = glm::conjugate(glm::dquat(q[3], q[0], q[1], q[2])) * glm::dvec3(0.0, -1.0, 0.0);
-    Side lowest;
-    double steepest = -down.y;
-    for (const Side side : {Side{0, false}, Side{2, false}, Side{0, true}, Side{1, true}, Side{2, true}}) {
-        const double along = side.isHigh ? down[side.axis] : -down[side.axis];
-        if (along > steepest + 1e-6) lowest = side, steepest = along;
-    }
-    return lowest;
-}
-
-/// The first layer of cells from a side that has a voxel.
-Cells firstLayer(const rubble::World& world, rubble_shape shape, Side side) {
-    const Cells grid = gridOf(world, shape);
-    Cells layer = grid;
-    layer.size[side.axis] = 1;
-    for (int i = 0; i < grid.size[side.axis]; ++i) {
-        layer.low[side.axis] = side.isHigh ? grid.size[side.axis] - 1 - i : i;
-        const std::vector<uint8_t> voxels = readCells(world, shape, layer);
-        if (std::any_of(voxels.begin(), voxels.end(), [](uint8_t index) { return index != 0; })) break;
-    }
-    return layer;
-}
-
-/// The lowest layer of voxels holds a shape, or nothing does.
 void anchor(Editor& editor, const Arguments& arguments) {
     forEachShape(editor, arguments, [&](rubble_shape shape) {
-        const Cells layer = firstLayer(editor.world(), shape, lowestSide(editor.world().get_shape_state(shape)));
-        rubble_cell_box box{};
-        for (int a = 0; a < 3; ++a) box.low[a] = layer.low[a], box.size[a] = layer.size[a];
         rubble_shape_change change{};
-        change.shape = shape;
-        change.fields = RUBBLE_SHAPE_ANCHORS;
-        change.anchors = &box;
-        change.anchor_count = 1;
+        change.shape = shape, change.fields = RUBBLE_SHAPE_DEFAULT_ANCHORS;
         editor.world().set_shape(change);
     });
 }

@@ -13,6 +13,13 @@ void copyBits(const Handles& handles, std::vector<uint64_t>& out) {
     for (const auto handle : handles) out.push_back(handle.bits);
 }
 
+/// Those of a list but the relocated ones: to a host they are the same.
+void copyShapes(const std::vector<ShapeHandle>& shapes, const FrameChanges& changes, std::vector<uint64_t>& out) {
+    out.clear();
+    for (const ShapeHandle shape : shapes)
+        if (!changes.isRelocated(shape)) out.push_back(shape.bits);
+}
+
 rubble_dust_cloud dustRow(const DustCloud& cloud) {
     rubble_dust_cloud row = {.radius = cloud.radius, .count = cloud.count, .material = cloud.material};
     writeVector(row.position, cloud.position);
@@ -38,8 +45,8 @@ void EventRows::fill(const FrameChanges& changes) {
     m_levelLoaded = changes.levelReplaced;
     copyBits(changes.bodiesCreated, m_bodiesCreated);
     copyBits(changes.bodiesDestroyed, m_bodiesDestroyed);
-    copyBits(changes.shapesCreated, m_shapesCreated);
-    copyBits(changes.shapesDestroyed, m_shapesDestroyed);
+    copyShapes(changes.shapesCreated, changes, m_shapesCreated);
+    copyShapes(changes.shapesDestroyed, changes, m_shapesDestroyed);
     copyBits(changes.groupsOut, m_groupsOut);
     copyBits(changes.broken, m_broken);
     copyBits(changes.settled, m_settled);

@@ -48,7 +48,8 @@ std::vector<ChangedBody> changedBodies(const FrameChanges& changes, const World&
     for (const BodyHandle body : changes.teleported) add(body, RUBBLE_RIGID_MOVED);
     for (const BodyHandle body : changes.lostShapes) add(body, RUBBLE_RIGID_SOLID);
     for (const auto* list : {&changes.shapesCreated, &changes.carved, &changes.filters})
-        for (const ShapeHandle shape : *list) addOwner(shape);
+        for (const ShapeHandle shape : *list)
+            if (list != &changes.shapesCreated || !changes.isRelocated(shape)) addOwner(shape);
     sortChanges(out);
     return out;
 }

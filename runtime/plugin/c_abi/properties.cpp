@@ -34,8 +34,9 @@ CellBox readAnchor(const rubble_cell_box& given) {
 }
 
 SetShapeEdit readShapeChange(const World& world, const rubble_shape_change& given) {
+    constexpr uint32_t kAnchors = RUBBLE_SHAPE_ANCHORS | RUBBLE_SHAPE_DEFAULT_ANCHORS;
     constexpr uint32_t kAll =
-        RUBBLE_SHAPE_STRENGTH | RUBBLE_SHAPE_DENSITY | RUBBLE_SHAPE_EMISSION | RUBBLE_SHAPE_LOAD | RUBBLE_SHAPE_ANCHORS;
+        RUBBLE_SHAPE_STRENGTH | RUBBLE_SHAPE_DENSITY | RUBBLE_SHAPE_EMISSION | RUBBLE_SHAPE_LOAD | kAnchors;
     const uint32_t fields = readFlags(given.fields, kAll, "fields");
     if (fields == 0) refuse(RUBBLE_ERROR_ARGUMENT, "fields is 0, expected RUBBLE_SHAPE_...: nothing would change");
     SetShapeEdit edit{.shape = readLiveHandle<HandleType::Shape>(world.shapes(), given.shape, "shape")};
@@ -47,8 +48,11 @@ SetShapeEdit readShapeChange(const World& world, const rubble_shape_change& give
     if (edit.setsEmission) edit.emission = float(readInRange(given.emission, ranges::kEmissionFactor, "emission"));
     edit.setsLoad = fields & RUBBLE_SHAPE_LOAD;
     if (edit.setsLoad) edit.loadBearing = readEnum(given.bears_load, 1, "bears_load") == 1;
-    edit.setsAnchors = fields & RUBBLE_SHAPE_ANCHORS;
-    if (!edit.setsAnchors) return edit;
+    if ((fields & kAnchors) == kAnchors)
+        refuse(RUBBLE_ERROR_ARGUMENT, "fields has RUBBLE_SHAPE_ANCHORS and _DEFAULT_ANCHORS, expected one of them");
+    if (fields & RUBBLE_SHAPE_DEFAULT_ANCHORS) edit.anchorChange = AnchorChange::Default;
+    if (!(fields & RUBBLE_SHAPE_ANCHORS)) return edit;
+    edit.anchorChange = AnchorChange::Boxes;
     readInRange(given.anchor_count, ranges::kAnchors, "anchor_count");
     if (given.anchor_count) isGiven(given.anchors, "anchors");
     for (uint32_t i = 0; i < given.anchor_count && !isRefused(); ++i) {

@@ -168,10 +168,8 @@ std::string errorOf(const CreateBodyEdit& edit) {
 std::string paintError(const VoxelGrid& grid, const PaintColorsRef& colors) {
     const int count = colors ? colors->count : 0;
     int highest = 0;
-    grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
-        if (brick->paint)
-            highest = std::max(highest, *std::max_element(brick->paint->begin(), brick->paint->end()) >> 4);
-    });
+    grid.forEachBrick(
+        [&](glm::ivec3, const BrickRef& brick) { highest = std::max(highest, highestPaintColor(*brick)); });
     return RangeCheck().number("paint", highest, {0.0, double(count)}).error();
 }
 std::string errorOf(const CreateShapeEdit& edit) {

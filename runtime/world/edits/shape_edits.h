@@ -45,6 +45,13 @@ struct WriteVoxelsEdit {
     std::vector<uint8_t> mask;     ///< a byte each cell, 0: it stays as it is; empty: all cells are written
 };
 
+/// What holds a static shape from an edit on.
+enum class AnchorChange : uint8_t {
+    None,     ///< what did before
+    Boxes,    ///< those of the edit: what they do not hold comes off in this step
+    Default,  ///< its lowest layer: see anchorByDefault()
+};
+
 /// Changes what a shape is beside its voxels.
 struct SetShapeEdit {
     ShapeHandle shape;
@@ -56,8 +63,8 @@ struct SetShapeEdit {
     float emission = 1.0f;
     bool setsLoad = false;
     bool loadBearing = true;
-    bool setsAnchors = false;
-    std::vector<CellBox> anchors;  ///< what no anchor holds comes off in this step
+    AnchorChange anchorChange = AnchorChange::None;
+    std::vector<CellBox> anchors;  ///< AnchorChange::Boxes
 };
 
 /// Erases a shape with its voxels, without dust or pieces; its body too, if that has no other.

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -113,10 +114,15 @@ struct RefusedHandle {
 struct FrameChanges {
     uint64_t step = 0;
     bool levelReplaced = false;  ///< everything before is gone: read all from the World
+    bool isStill = false;        ///< no time passed: World::Follows::Nothing
     std::vector<BodyHandle> bodiesCreated;
     std::vector<BodyHandle> bodiesDestroyed;
-    std::vector<ShapeHandle> shapesCreated;    ///< read their grid from the World: their bricks are not in `bricks`
-    std::vector<ShapeHandle> shapesDestroyed;  ///< before shapesCreated: a shape whose grid got another box is in both
+    std::vector<ShapeHandle> shapesCreated;  ///< read their grid from the World: their bricks are not in `bricks`
+    /// Before shapesCreated: a shape whose grid got another box is in both, and one that `relocated` has.
+    std::vector<ShapeHandle> shapesDestroyed;
+    /// Static shapes that have another place, and those that became static or free. They have the voxels that they had,
+    /// but for `bricks` and `carved`. In the order of handles.
+    std::vector<ShapeHandle> relocated;
     std::vector<ShapeSplit> splits;
     std::vector<BrickChange> bricks;  ///< carved or painted, each brick once, of shapes that existed before, by slot
     /// Shapes whose occupancy or materials changed, so mass and collider too, each once.
@@ -130,7 +136,7 @@ struct FrameChanges {
     std::vector<LightGroupHandle> groupsOut;
     std::vector<ImpulseApplied> impulses;
     std::vector<BodyConstraint> constraints;  ///< of free bodies, for the step of physics that follows
-    std::vector<DustCloud> dust;              ///< all voxels of `removed`, with their places
+    std::vector<DustCloud> dust;              ///< all voxels of `removed`, with their places; none in a still step
     std::vector<Blast> blasts;                ///< explosions
     std::vector<BodyHandle> broken;           ///< bodies that lost voxels for the first time
     std::vector<BodyHandle> settled;          ///< pieces that settled
@@ -164,6 +170,8 @@ struct FrameChanges {
     bool isRestored = false;                 ///< by an undo or redo: what is known of the motion before is of no use
     std::vector<RefusedHandle> refused;      ///< in the order of their edits; nothing else has to follow them
 
+    /// Whether `relocated` has a shape.
+    bool isRelocated(ShapeHandle shape) const { return std::binary_search(relocated.begin(), relocated.end(), shape); }
     /// How much the lists and counts hold, but for the bricks and shapes that edits of voxels share with an undo: what
     /// they remove, paint or make is counted. Grows with all that happens but heat.
     uint64_t entries() const {

@@ -30,11 +30,25 @@ void keepNet(std::vector<Handle>& created, std::vector<Handle>& destroyed, const
     std::erase_if(destroyed, [&](Handle handle) { return fates.at(handle).destroyed-- <= 0; });
 }
 
+/// Those that are there and were before, each once.
+void keepRelocated(FrameChanges& changes, const WorldObjects& after) {
+    std::vector<ShapeHandle>& all = changes.relocated;
+    if (all.empty()) return;
+    std::vector<ShapeHandle> known = changes.shapesDestroyed;
+    std::sort(known.begin(), known.end());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    std::erase_if(all, [&](ShapeHandle shape) {
+        return !after.shapes.find(shape) || !std::binary_search(known.begin(), known.end(), shape);
+    });
+}
+
 }  // namespace
 
 void keepNetChanges(FrameChanges& changes, const WorldObjects& after) {
     keepNet(changes.bodiesCreated, changes.bodiesDestroyed, after.bodies);
     keepNet(changes.shapesCreated, changes.shapesDestroyed, after.shapes);
+    keepRelocated(changes, after);
     const auto isBodyGone = [&](BodyHandle body) { return !after.bodies.find(body); };
     const auto isShapeGone = [&](ShapeHandle shape) { return !after.shapes.find(shape); };
     std::erase_if(changes.impulses, [&](const ImpulseApplied& each) { return isBodyGone(each.body); });

@@ -80,6 +80,17 @@ void journalBricks(ShapeHandle handle, const Shape& was, const Shape& is, FrameC
         changes.filters.push_back(handle);
 }
 
+/// Whether a shape has the voxels that it had, with the same looks, weight and collisions.
+bool haveEqualVoxels(const Shape& was, const Shape& is) {
+    bool areEqual = was.body == is.body && was.local == is.local && was.grid.size() == is.grid.size() &&
+                    was.voxelSize == is.voxelSize && was.palette == is.palette && was.paintColors == is.paintColors &&
+                    was.emission == is.emission && was.density == is.density &&
+                    was.collisionLayer == is.collisionLayer && was.collisionMask == is.collisionMask &&
+                    was.collisionShape == is.collisionShape;
+    if (areEqual) is.grid.forEachUnshared(was.grid, [&](glm::ivec3) { areEqual = false; });
+    return areEqual;
+}
+
 /// Whether a body is static now and was free, or the other way round: it is another one to physics.
 bool isOfOtherKind(const std::pair<BodyHandle, std::optional<Body>>& was, const WorldData& world) {
     const Body* now = was.second ? world.bodies.find(was.first) : nullptr;
@@ -102,6 +113,8 @@ void journalShape(ShapeHandle was, const std::optional<Shape>& before, ShapeHand
         return journalBricks(is, *before, *now, changes);
     if (was) changes.shapesDestroyed.push_back(was);
     if (is) changes.shapesCreated.push_back(is);
+    if (was == is && now && !changes.materialsChanged && haveEqualVoxels(*before, *now))
+        changes.relocated.push_back(is);
 }
 
 /// Joints that changed, and those that hold on to a shape that changed.

@@ -24,6 +24,10 @@ void moveShapes(EditContext& context, const Body& body) {
         context.changes.shapesDestroyed.push_back(shape);
         context.changes.shapesCreated.push_back(shape);
         ShapeEditState& state = context.editState(shape);
+        if (state.carved.empty() && state.filled.empty() && state.painted.empty() && !state.otherMaterials)
+            context.changes.relocated.push_back(shape);
+        else
+            std::erase(context.changes.relocated, shape);
         const bool lostVoxels = state.lostVoxels || !state.carved.empty();
         if (lostVoxels) context.world.shapes.at(shape).knownConnected = false;
         state = {.shape = shape, .lostVoxels = lostVoxels};  // its bricks are handed over with the shape
@@ -34,7 +38,10 @@ void moveShapes(EditContext& context, const Body& body) {
 void setKind(EditContext& context, BodyHandle handle, bool isStatic) {
     Body& body = context.world.bodies.at(handle);
     if (body.isStatic == isStatic) return;
-    if (!isStatic) moveShapes(context, body);  // lists them as static ones
+    if (!isStatic) {
+        moveShapes(context, body);  // lists them as static ones
+        for (const ShapeHandle shape : body.shapes) context.world.shapes.at(shape).anchors.clear();
+    }
     body.isStatic = isStatic;
     if (isStatic) {
         moveShapes(context, body);
@@ -71,6 +78,8 @@ void apply(EditContext& context, const SetBodyEdit& edit) {
     if (isMoved) {
         body.pose = edit.pose;
         moveShapes(context, body);
+        if (context.changes.isStill)  // as if the level had brought it there
+            context.placedShapes.insert(context.placedShapes.end(), body.shapes.begin(), body.shapes.end());
     }
     if (becomesStatic)
         for (const ShapeHandle shape : body.shapes) anchorByDefault(context.world.shapes.at(shape), body);

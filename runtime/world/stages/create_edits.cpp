@@ -22,6 +22,7 @@ Shape copyShape(const WorldData& world, const Shape& from, const CreateShapeEdit
     if (edit.shape.voxelSize > 0.0f) out.voxelSize = edit.shape.voxelSize;
     out.local = edit.shape.local;
     out.isPiece = false;
+    if (!body.isStatic) out.anchors.clear();
     if (!world.bodies.at(from.body).isStatic) anchorByDefault(out, body);
     return out;
 }
@@ -72,26 +73,23 @@ void apply(EditContext& context, const CreateShapeEdit& edit) {
     context.world.bodies.at(edit.body).shapes.push_back(handle);
     context.world.updateShapeBounds(handle);
     context.changes.shapesCreated.push_back(handle);
-    if (isEmpty) {  // it may be refused in the end: what writes its voxels wakes the body
+    context.placedShapes.push_back(handle);
+    if (isEmpty)  // it may be refused in the end: what writes its voxels wakes the body
         context.emptyShapes.push_back(handle);
-    } else {
-        includeMade(context.world, handle);
-        if (!context.isNew(edit.body)) context.wakeBody(edit.body);
-    }
+    else if (!context.isNew(edit.body))
+        context.wakeBody(edit.body);
     context.world.updateDebris(edit.body);
 }
 
-void refuseEmptyShapes(EditContext& context) {
+void settlePlacedShapes(EditContext& context) {
     for (const ShapeHandle handle : context.emptyShapes) {
         const Shape* shape = context.world.shapes.find(handle);
-        if (!shape) continue;
-        if (!shape->grid.empty() || context.editState(handle).lostVoxels) {
-            includeMade(context.world, handle);
-            continue;
-        }
+        if (!shape || !shape->grid.empty() || context.editState(handle).lostVoxels) continue;
         eraseEmptyShape(context, handle);
         context.refuse(AnyHandle{handle.bits}, "create_shape", "the shape has no voxels: write some before the step");
     }
+    for (const ShapeHandle handle : context.placedShapes)
+        if (context.world.shapes.find(handle)) includeMade(context.world, handle);
 }
 
 }  // namespace rubble

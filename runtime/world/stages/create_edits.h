@@ -7,7 +7,8 @@ namespace rubble {
 void apply(EditContext& context, const CreateBodyEdit& edit);
 /// Makes a shape on a body.
 void apply(EditContext& context, const CreateShapeEdit& edit);
-/// Refuses the shapes that this step made and that never had a voxel. To be called when all edits are carried out.
-void refuseEmptyShapes(EditContext& context);
+/// Refuses the shapes that this step made and that never had a voxel; the world ends around the others where they are
+/// now. To be called when all edits are carried out.
+void settlePlacedShapes(EditContext& context);
 
 }  // namespace rubble

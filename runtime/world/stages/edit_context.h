@@ -71,6 +71,7 @@ struct EditContext {
     std::set<uint32_t> cutWires;                                   ///< slots of shapes that lost wire, or pieces
     std::vector<uint64_t> removedByGroup;                          ///< voxels, by slot of the light group
     std::vector<ShapeHandle> emptyShapes;                          ///< made in this step, without a voxel then
+    std::vector<ShapeHandle> placedShapes;                         ///< made in this step, or moved in a still one
     const Edit* edit = nullptr;                                    ///< the one that is being carried out
 
     /// Stores what the edit in turn makes, under the handle that is reserved for it, if there is one.

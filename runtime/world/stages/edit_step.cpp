@@ -52,7 +52,7 @@ void EditStep::run(const Edits& edits) {
     takeRestoredBricks();
     if (m_context.world.stress) openCracks(m_context);
     for (const Edit& edit : edits) applyEdit(edit);
-    refuseEmptyShapes(m_context);
+    settlePlacedShapes(m_context);
     includeStatics(m_context.world, m_context.changes.shapesCreated);
     updateWinches(m_context);
     updateSteering(m_context);
@@ -74,7 +74,7 @@ void EditStep::run(const Edits& edits) {
 void EditStep::runAlone(const Edits& edits) {
     takeRestoredBricks();
     for (const Edit& edit : edits) applyEdit(edit);
-    refuseEmptyShapes(m_context);
+    settlePlacedShapes(m_context);
     includeStatics(m_context.world, m_context.changes.shapesCreated);
     releaseFragments(m_context);
     dropEmptyShapes(m_context);
@@ -86,6 +86,8 @@ void EditStep::runAlone(const Edits& edits) {
     if (m_context.world.triggers.size()) updateTriggers(m_context);
     countAsOfLevel();
     dropNotes(m_context);
+    m_context.changes.dust.clear();  // it rises with time
+    m_context.changes.blasts.clear();
 }
 
 /// Later tests for what came off look at whole shapes again, because no test has followed these edits.

@@ -48,12 +48,6 @@ UsedEntries entriesOf(const Palette& palette, const MaterialSet& materials) {
     return out;
 }
 
-bool isAny(const UsedEntries& a, const UsedEntries& b) {
-    bool any = false;
-    for (size_t i = 0; i < a.bits.size(); ++i) any = any || (a.bits[i] & b.bits[i]);
-    return any;
-}
-
 /// The renderer looks up a palette's materials by their names when it first sees it: where a name changes it gets
 /// another palette with the same entries.
 void refreshPalettes(EditContext& context, const MaterialSet& renamed) {
@@ -65,7 +59,7 @@ void refreshPalettes(EditContext& context, const MaterialSet& renamed) {
             const UsedEntries named = entriesOf(*shape.palette, renamed);
             known = seen.insert(
                 seen.end(),
-                {shape.palette, isAny(named, named) ? std::make_shared<const Palette>(*shape.palette) : nullptr});
+                {shape.palette, named.intersects(named) ? std::make_shared<const Palette>(*shape.palette) : nullptr});
         }
         if (!known->second) return;
         shape.palette = known->second;
@@ -94,7 +88,7 @@ void apply(EditContext& context, const SetMaterialsEdit& edit) {
     context.world.shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
         if (shape.palette.get() != last) affected = entriesOf(*(last = shape.palette.get()), rows.changed);
         if (isRewired) context.cutWires.insert(handle.slot());
-        if (isAny(affected, affected) && isAny(affected, usedEntries(shape.grid))) updateMatter(context, handle);
+        if (affected.intersects(usedEntries(shape.grid))) updateMatter(context, handle);
     });
 }
 

@@ -196,8 +196,10 @@ void includeMade(WorldData& world, ShapeHandle shape) {
 
 void includeStatics(WorldData& world, std::span<const ShapeHandle> shapes) {
     for (const ShapeHandle handle : shapes)
-        if (const Shape* shape = world.shapes.find(handle); shape && world.bodies.at(shape->body).isStatic)
+        if (const Shape* shape = world.shapes.find(handle); shape && world.bodies.at(shape->body).isStatic) {
             include(world.footprint, world, handle);
+            includeMade(world, handle);
+        }
 }
 
 PaletteRef materialPalette(const MaterialTable& materials) {

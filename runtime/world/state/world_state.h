@@ -34,7 +34,9 @@ struct WorldState : WorldObjects {
     WorldSettings settings;
     WorldBox bounds;     ///< of the level: where the world ends, if BoundsSettings say nothing else; low == high: none
     WorldBox footprint;  ///< around all static shapes, wherever a step has left them; low == high: none
-    WorldBox made;       ///< without `bounds`: around all shapes that there have been, where they came to be
+    /// Without `bounds`: around all shapes that there have been, where the step that made them left them, and all
+    /// static ones, as `footprint`.
+    WorldBox made;
     std::vector<std::pair<std::string, Pose>> locations;  ///< named places of the level
     std::vector<LevelScript> scripts;                     ///< of the level and of prefabs
     std::vector<HostData> hostData;                       ///< not in the hash: nothing follows from it

@@ -79,7 +79,7 @@ void BrickMeshes::update(rubble_shape handle) {
     uint32_t count = 0;
     const rubble_api& api = m_owner.api();
     rubble_result result = api.get_changed_bricks(m_owner.world(), &changes, &shape.version, nullptr, 0, &count);
-    if (result == RUBBLE_ERROR_STALE) {  // another grid or other colours: all of it again
+    if (result == RUBBLE_ERROR_STALE) {  // another grid: all of it again
         drop(shape);
         changes.since = 0;
         result = api.get_changed_bricks(m_owner.world(), &changes, &shape.version, nullptr, 0, &count);

@@ -237,7 +237,8 @@ const std::map<std::string, std::vector<Prepare>> kCalls = {
       [](HostCall& c) {
           auto& change = c.at<rubble_shape_change>("change");
           change.fields = RUBBLE_SHAPE_ANCHORS, change.anchors = &kAnchor, change.anchor_count = 1;
-      }}},
+      },
+      [](HostCall& c) { c.at<rubble_shape_change>("change").fields = RUBBLE_SHAPE_DEFAULT_ANCHORS; }}},
     {"set_physics_threads", {[](HostCall& c) { c.set("threads", 1u); }}},
     {"set_light_group", {[](HostCall& c) {
          auto& change = c.at<rubble_light_group_change>("change");

@@ -188,7 +188,7 @@ std::vector<Change> changesOfShapes() {
              for (int i : {1, 2}) s.level.bodies[size_t(i)].pose.position.y += 1.0;
          },
          [](const PhysicsScene& s) {
-             return Edits{SetShapeEdit{.shape = shapeOf(s, 1), .setsAnchors = true, .anchors = {}}};
+             return Edits{SetShapeEdit{.shape = shapeOf(s, 1), .anchorChange = AnchorChange::Boxes, .anchors = {}}};
          },
          2},
     };

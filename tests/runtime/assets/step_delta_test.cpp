@@ -195,6 +195,13 @@ TEST(StepEvents, AreReadAsTheyWereAndWithinTheirRanges) {
     EXPECT_EQ(told.dust.at(0).velocity, good.dust[0].velocity);
     EXPECT_EQ(told.splits.at(0).parentOffset, good.splits[0].parentOffset);
     EXPECT_EQ(told.paintedVoxels, 4u);
+    EXPECT_FALSE(told.isRestored);
+    FrameChanges undone = good;
+    undone.isRestored = true;
+    const Result<Deltas> again = deltasFromBytes(fileOf(undone), "t", 200);
+    ASSERT_TRUE(again) << again.error();
+    addEvents(again->events.at(0), told);
+    EXPECT_TRUE(told.isRestored);
     std::vector<FrameChanges> bad(7, good);
     bad[0].dust[0].position.y = NAN;
     bad[1].dust[0].radius = -1.0;

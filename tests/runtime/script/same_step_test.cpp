@@ -73,6 +73,15 @@ TEST(SameStep, ABodyThatIsFreedMoves) {
         << yard.logged(0);
 }
 
+TEST(SameStep, WhatIsHeldOrResizedStaysBroken) {
+    Yard yard;
+    EXPECT_EQ(yard.run("local b, s = FindBody('crate'), FindShape('crate') SetBrush('cube', 1, 0) "
+                       "MakeHole({0, 0.4, -2}, 0.2) wait(0) assert(IsBodyBroken(b) and IsShapeBroken(s)) "
+                       "SetBodyDynamic(b, false) wait(0) assert(IsBodyBroken(b) and IsShapeBroken(s)) "
+                       "ResizeShape(s, 0, 0, 0, 9, 7, 7) wait(0) assert(IsBodyBroken(b) and IsShapeBroken(s))"),
+              "");
+}
+
 TEST(SameStep, ABodyThatIsPutToSleepKeepsNoVelocity) {
     Yard yard;
     EXPECT_EQ(yard.run("local b = FindBody('crate') SetBodyTransform(b, Transform({0, 9, -5})) "

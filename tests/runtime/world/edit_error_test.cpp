@@ -48,6 +48,19 @@ TEST(EditError, NamesTheFirstNumberThatIsOutOfItsRange) {
         EXPECT_EQ(editError(edit), expected) << editName(edit);
 }
 
+TEST(EditError, PaintIsOfAColourThatTheShapeHas) {
+    for (const auto& [paint, expected] : {std::pair{0x10, ""}, std::pair{0x2f, "paint is 2, expected 0 to 1"},
+                                          std::pair{0x05, "paint is 16, expected 0 to 1"}}) {
+        CreateShapeEdit edit;
+        edit.shape.grid = VoxelGrid({8, 8, 8});
+        edit.shape.paintColors = std::make_shared<const PaintColors>(PaintColors{.count = 1});
+        GridWriter writer(edit.shape.grid);
+        writer.set({1, 2, 3}, 1, uint8_t(paint));
+        writer.flush();
+        EXPECT_EQ(editError(edit), expected) << paint;
+    }
+}
+
 TEST(EditError, AWorldLeavesInvalidEditsOutAndSaysSo) {
     World world;
     world.load(oneShapeLevel(solidGrid({16, 16, 16}), true));

@@ -236,7 +236,7 @@ private:
                 edit.setsDensity = m_random.below(2), edit.density = 0.5f + m_random.unit();
                 edit.setsEmission = m_random.below(2), edit.emission = m_random.unit();
                 edit.setsLoad = m_random.below(2), edit.loadBearing = m_random.below(2);
-                edit.setsAnchors = m_random.below(2);
+                edit.anchorChange = AnchorChange(m_random.below(3));
                 if (m_random.below(2)) edit.anchors = {{glm::ivec3(0), glm::ivec3(1) + cell(glm::ivec3(12))}};
                 return out.push_back(edit);
             }

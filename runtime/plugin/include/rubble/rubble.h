@@ -214,9 +214,11 @@ typedef struct rubble_world_settings {
 enum { RUBBLE_BOUNDS_DUST = 0, RUBBLE_BOUNDS_KEEP = 1, RUBBLE_BOUNDS_GROUND = 2 };
 typedef struct rubble_bounds {
     uint32_t struct_size;
-    uint32_t rule;          /* RUBBLE_BOUNDS_... */
-    double low[3], high[3]; /* metres; all equal: the box of the level; if it has none, around all shapes that it
-                               brought or that were created since, where they were then, with a margin */
+    uint32_t rule; /* RUBBLE_BOUNDS_... */
+    /* metres; all equal: the box of the level. If it has none, with a margin around all shapes that it brought or that
+     * were created since, where that step left them; static ones also wherever a later step, and all wherever
+     * apply_edits() has put them */
+    double low[3], high[3];
 } rubble_bounds;
 
 /* ---- edits of voxels ---- */
@@ -467,8 +469,11 @@ enum {
     RUBBLE_SHAPE_STRENGTH = 1,
     RUBBLE_SHAPE_DENSITY = 2,
     RUBBLE_SHAPE_EMISSION = 4,
-    RUBBLE_SHAPE_LOAD = 8, /* bears_load */
-    RUBBLE_SHAPE_ANCHORS = 16
+    RUBBLE_SHAPE_LOAD = 8,     /* bears_load */
+    RUBBLE_SHAPE_ANCHORS = 16, /* anchors, anchor_count */
+    /* in place of it: what holds a static shape that is made, the lowest layer with a voxel, of the side of its grid
+     * that faces the ground most. A free one has it from when it becomes static */
+    RUBBLE_SHAPE_DEFAULT_ANCHORS = 32
 };
 
 /* Changes what a shape is beside its voxels. Pieces inherit all of it but the anchors. */
@@ -564,7 +569,9 @@ typedef struct rubble_brick {
 
 enum {
     RUBBLE_BRICKS_VOXELS = 0, /* bricks whose voxels or paint have changed */
-    RUBBLE_BRICKS_MESHES = 1 /* bricks whose meshes may have: also those beside them, and all if colours have changed */
+    /* bricks whose meshes may have: also those with voxels of palette entries, paint colours and light groups that look
+     * otherwise now, and those beside them */
+    RUBBLE_BRICKS_MESHES = 1
 };
 
 /* Which bricks get_changed_bricks() lists. */
@@ -880,7 +887,8 @@ typedef struct rubble_shape_split {
     uint32_t reserved;
 } rubble_shape_split;
 
-/* Removed voxels of one colour and where they were, for particles. Every removed voxel is in exactly one cloud. */
+/* Removed voxels of one colour and where they were, for particles. Every voxel that a step() removed is in exactly one
+ * cloud. */
 typedef struct rubble_dust_cloud {
     double position[3]; /* centre, world */
     double radius;      /* metres */
@@ -891,8 +899,9 @@ typedef struct rubble_dust_cloud {
     uint32_t reserved;
 } rubble_dust_cloud;
 
-/* What get_events() returns. Handles in the destroyed lists are stale already; use them to find the host's own
- * objects. */
+/* What get_events() returns. Handles in the destroyed lists are stale already, but those of bodies that became static
+ * or free and of shapes that got another grid: these are in the created lists too, and go on as other objects under the
+ * same handle. Use them to find the host's own objects. */
 typedef struct rubble_events {
     uint32_t struct_size;
     /* 1: a level was loaded and every older handle is stale: ask for get_body_states() again */
@@ -2280,8 +2289,8 @@ typedef struct rubble_api {
 
     /* [main-thread] The bricks of a shape that changed after a version, by z, then y, then x. *version becomes that of
      * now: what the host copies before the next step() is of it. From the first such call on, steps note what changes.
-     * RUBBLE_ERROR_STALE: the shape is gone, or has another grid or, for meshes, other colours since that version: drop
-     * the copy and ask with version 0. */
+     * RUBBLE_ERROR_STALE: the shape is gone, or has another grid since that version: drop the copy and ask with version
+     * 0. */
     rubble_result (*get_changed_bricks)(rubble_world world, const rubble_brick_changes* changes, uint64_t* version,
                                         rubble_brick* out, uint32_t capacity, uint32_t* count);
     /* [main-thread] The faces of a brick that are seen, as rectangles: four vertices each, RUBBLE_MAX_BRICK_VERTICES at
@@ -2380,10 +2389,10 @@ typedef struct rubble_api {
     /* ---- for editors of levels ---- */
 
     /* [main-thread] Carries out the edits that wait and nothing else, as a step() in which no time passes: nothing
-     * moves, comes off, burns or breaks under load. What is made counts as brought by the level, what is taken as never
-     * there: parts that touch nothing stay until a later step() cuts their shape, and no light group begins to fail.
-     * The next step() begins with physics rebuilt from the world, as of a loaded game. get_reports() is empty after it.
-     * RUBBLE_ERROR_ARGUMENT: a recording runs. */
+     * moves, comes off, burns or breaks under load, and no dust rises; particles stay where they are. What is made
+     * counts as brought by the level, what is taken as never there: parts that touch nothing stay until a later step()
+     * cuts their shape, and no light group begins to fail. The next step() begins with physics rebuilt from the world,
+     * as of a loaded game. get_reports() is empty after it. RUBBLE_ERROR_ARGUMENT: a recording runs. */
     rubble_result (*apply_edits)(rubble_world world);
     /* [main-thread] Writes the world as the last step left it as a level, whole or not at all: a .rubble, .vdb or .vox
      * file, as the ending of the UTF-8 path says. vdb_tool: as in load_level(). Names and tags are those that edits

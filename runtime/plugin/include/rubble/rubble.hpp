@@ -963,8 +963,8 @@ public:
     }
     /** The bricks of a shape that changed after a version, by z, then y, then x. *version becomes that of now: what the
      * host copies before the next step() is of it. From the first such call on, steps note what changes.
-     * RUBBLE_ERROR_STALE: the shape is gone, or has another grid or, for meshes, other colours since that version: drop
-     * the copy and ask with version 0. */
+     * RUBBLE_ERROR_STALE: the shape is gone, or has another grid since that version: drop the copy and ask with version
+     * 0. */
     std::vector<rubble_brick> get_changed_bricks(rubble_brick_changes changes, uint64_t* version) const {
         changes.struct_size = sizeof changes;
         return rows<rubble_brick, uint32_t>([&](rubble_brick* out, uint32_t capacity, uint32_t* count) {
@@ -1090,10 +1090,10 @@ public:
         });
     }
     /** Carries out the edits that wait and nothing else, as a step() in which no time passes: nothing moves, comes off,
-     * burns or breaks under load. What is made counts as brought by the level, what is taken as never there: parts that
-     * touch nothing stay until a later step() cuts their shape, and no light group begins to fail. The next step()
-     * begins with physics rebuilt from the world, as of a loaded game. get_reports() is empty after it.
-     * RUBBLE_ERROR_ARGUMENT: a recording runs. */
+     * burns or breaks under load, and no dust rises; particles stay where they are. What is made counts as brought by
+     * the level, what is taken as never there: parts that touch nothing stay until a later step() cuts their shape, and
+     * no light group begins to fail. The next step() begins with physics rebuilt from the world, as of a loaded game.
+     * get_reports() is empty after it. RUBBLE_ERROR_ARGUMENT: a recording runs. */
     void apply_edits() {
         check(api().apply_edits(m_handle));
     }
