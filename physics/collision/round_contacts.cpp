@@ -46,6 +46,11 @@ struct RoundInCells {
         const float along = glm::dot(direction, axis);
         return halfLength * std::abs(along) + radius * std::sqrt(std::max(1.0f - along * along, 0.0f));
     }
+    /// A unit vector across the axis.
+    glm::vec3 besideAxis() const {
+        const glm::vec3 side = std::abs(axis.y) > 0.7f ? glm::vec3(1.0f, 0.0f, 0.0f) : glm::vec3(0.0f, 1.0f, 0.0f);
+        return glm::normalize(side - axis * glm::dot(side, axis));
+    }
     /// The distance of a point from the surface, negative inside, and the unit vector away from the surface.
     float distance(const glm::vec3& point, glm::vec3& normal) const {
         const glm::vec3 from = point - center;
@@ -53,8 +58,7 @@ struct RoundInCells {
         const glm::vec3 across = from - axis * along;
         const float length = std::sqrt(glm::dot(across, across)), side = length - radius,
                     end = std::abs(along) - halfLength;
-        const glm::vec3 out = length > kTiny ? across / length : glm::vec3(0.0f, 1.0f, 0.0f),
-                        cap = along < 0.0f ? -axis : axis;
+        const glm::vec3 out = length > kTiny ? across / length : besideAxis(), cap = along < 0.0f ? -axis : axis;
         if (isSphere() || (end <= 0.0f && side >= end)) return normal = out, side;
         if (side <= 0.0f) return normal = cap, end;
         const float rim = std::sqrt(side * side + end * end);

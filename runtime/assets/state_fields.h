@@ -55,6 +55,7 @@ inline constexpr auto kFields<Shape> = std::tuple{
     Field{"anchors", &Shape::anchors},
     Field{"tags", &Shape::tags},
     Field{"is_piece", &Shape::isPiece},
+    Field{"broken", &Shape::broken},
     Field{"known_connected", &Shape::knownConnected},
     Field{"load_bearing", &Shape::loadBearing},
     Field{"strength", &Shape::strength},

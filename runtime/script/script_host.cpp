@@ -1,8 +1,6 @@
 #include "runtime/script/script_host.h"
 
 #include <algorithm>
-#include <set>
-#include <span>
 #include <utility>
 
 #include "runtime/script/binding/arguments.h"
@@ -17,13 +15,6 @@ constexpr const char* kJointReports[] = {"voxel gone", "overloaded", "removed", 
 int pushAll(lua_State* L, std::initializer_list<uint64_t> handles) {
     for (const uint64_t handle : handles) pushHandle(L, handle);
     return int(handles.size());
-}
-
-/// Those that are in both lists go on.
-void forgetGone(std::set<uint64_t>& broken, std::span<const uint64_t> destroyed, std::span<const uint64_t> created) {
-    for (const uint64_t handle : destroyed)
-        if (broken.contains(handle) && std::find(created.begin(), created.end(), handle) == created.end())
-            broken.erase(handle);
 }
 
 }  // namespace
@@ -202,12 +193,6 @@ void ScriptHost::removePointLights() {
 void ScriptHost::readEvents() {
     auto events = sized<rubble_events>();
     if (m_scripts.empty() || m_shared.api->get_events(m_shared.world, &events) != RUBBLE_OK) return;
-    for (uint32_t i = 0; i < events.bodies_broken_count; ++i) m_shared.brokenBodies.insert(events.bodies_broken[i]);
-    for (uint32_t i = 0; i < events.removed_count; ++i) m_shared.brokenShapes.insert(events.removed[i].shape);
-    forgetGone(m_shared.brokenBodies, {events.bodies_destroyed, events.bodies_destroyed_count},
-               {events.bodies_created, events.bodies_created_count});
-    forgetGone(m_shared.brokenShapes, {events.shapes_destroyed, events.shapes_destroyed_count},
-               {events.shapes_created, events.shapes_created_count});
     for (Script& script : m_scripts) {
         for (uint32_t i = 0; i < events.removed_count && script.has(Callback::Break); ++i)
             script.call(Callback::Break, [&](lua_State* L) {

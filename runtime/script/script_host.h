@@ -60,14 +60,15 @@ public:
     Script& add(const std::string& name, const std::string& text, std::map<std::string, std::string> parameters = {});
 
     /// Runs the scripts that the level names, which lie in ScriptHostSettings::levelFolder: after each load_level().
-    /// Those of the level before it end, also if it is the same one. From here on, and from the first Spawn() on,
-    /// step() follows their list: what it names begins, and what it names no longer ends, after destroy(). One that
-    /// cannot be read is logged.
+    /// Those of the level before it end, also if it is the same one; as after load(), destroy() has no world. From here
+    /// on, and from the first Spawn() on, step() follows their list: what it names begins, and what it names no longer
+    /// ends, after destroy(). One that cannot be read is logged.
     void addLevelScripts();
     /// Keeps the registry and the tables of saved() with the game: before save_game().
     rubble_result save();
-    /// After load_game(): gives the registry and the tables of saved() back, and runs all scripts again, those of the
-    /// loaded game's level among them: their text, then onLoad(), or init() where there is no such function.
+    /// After load_game(): calls destroy() of all scripts, gives the registry and the tables of saved() back, and runs
+    /// all scripts again, those of the loaded game's level among them: their text, then onLoad(), or init() where there
+    /// is no such function. As after load_level(), what destroy() asks of the world has no effect: it is another one.
     void load();
     /// Calls the callbacks of events of the last step. step() does it; for a step that the host made by itself.
     void readEvents();

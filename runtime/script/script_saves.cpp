@@ -54,6 +54,23 @@ std::map<std::string, std::string> parametersOf(const std::string& lines) {
     return parameters;
 }
 
+/// While it lives scripts find no world: theirs was replaced, and destroy() changes nothing in the one that came.
+class WithoutWorld {
+public:
+    explicit WithoutWorld(ScriptWorld& shared) : m_shared(shared), m_world(std::exchange(shared.world, 0)) {}
+    ~WithoutWorld() { m_shared.world = m_world; }
+    WithoutWorld(const WithoutWorld&) = delete;
+    WithoutWorld& operator=(const WithoutWorld&) = delete;
+
+private:
+    ScriptWorld& m_shared;
+    rubble_world m_world;
+};
+
+int pushNothing(lua_State*) {
+    return 0;
+}
+
 /// A name of a level on one line.
 std::string quoted(std::string name) {
     std::replace_if(name.begin(), name.end(), isControl, '?');
@@ -99,6 +116,10 @@ rubble_result ScriptHost::save() {
 }
 
 void ScriptHost::load() {
+    for (Script& script : m_scripts) {
+        const WithoutWorld replaced(m_shared);
+        script.call(Callback::Destroy, pushNothing);
+    }
     uint64_t count = 0;
     const rubble_api& api = *m_shared.api;
     api.get_host_data(m_shared.world, kDataName, nullptr, 0, &count);
@@ -125,8 +146,6 @@ void ScriptHost::load() {
 
 void ScriptHost::forgetWorld() {
     afterEdits();
-    m_shared.brokenBodies.clear();
-    m_shared.brokenShapes.clear();
     m_shared.pointLights.clear();
     m_hasOldLights = true;
 }
@@ -150,7 +169,7 @@ bool ScriptHost::reload(const std::string& name, const std::string& text) {
         std::string unused;
         if (!script->isStopped() && !script->compiles(text))
             return script->evaluate(text, unused);  // which says what is wrong, and runs nothing
-        script->call(Callback::Destroy, [](lua_State*) { return 0; });
+        script->call(Callback::Destroy, pushNothing);
         const auto made = restart(script, text, script->savedTables());
         return made->error().empty();
     }
@@ -174,7 +193,10 @@ std::vector<LevelScriptName> ScriptHost::namedScripts() {
 }
 
 void ScriptHost::addLevelScripts() {
-    for (const LevelScriptName& name : std::exchange(m_named, {})) endLevelScript(name);
+    for (const LevelScriptName& name : std::exchange(m_named, {})) {
+        const WithoutWorld replaced(m_shared);
+        endLevelScript(name);
+    }
     forgetWorld();
     m_shared.followsLevel = true;
     followLevel({}, false);
@@ -201,7 +223,7 @@ void ScriptHost::endLevelScript(const LevelScriptName& name) {
     const auto last = std::find_if(m_scripts.rbegin(), m_scripts.rend(),
                                    [&](const Script& script) { return script.ofLevel() == name; });
     if (last == m_scripts.rend()) return;  // it could not be read
-    last->call(Callback::Destroy, [](lua_State*) { return 0; });
+    last->call(Callback::Destroy, pushNothing);
     m_scripts.erase(std::prev(last.base()));
 }
 

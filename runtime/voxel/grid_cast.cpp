@@ -406,33 +406,32 @@ CellContact findDeepest(const VoxelGrid& grid, const CellShape& round) {
     return best;
 }
 
-ClosestVoxel findClosest(const VoxelGrid& grid, glm::dvec3 point, double maxDistance, EntryFilter accepted) {
+ClosestVoxel findClosest(const VoxelGrid& grid, glm::dvec3 a, glm::dvec3 b, double maxDistance, EntryFilter accepted) {
     ClosestVoxel best;
-    if (!isNear(point) || !(maxDistance >= 0.0) || grid.empty()) return best;
+    if (!isNear(a) || !isNear(b) || !(maxDistance >= 0.0) || grid.empty()) return best;
     maxDistance = std::min(maxDistance, kMaxCoordinate);
-    best.distance = maxDistance;
+    best.to.distance = maxDistance;
     struct BrickCandidate {
         double distance;
         glm::ivec3 position;
         const Brick* brick;
     };
-    const auto distanceTo = [&](glm::dvec3 low, double size) {
-        return glm::length(point - glm::clamp(point, low, low + size));
-    };
     std::vector<BrickCandidate> candidates;
-    forEachBrickIn(grid, point - maxDistance, point + maxDistance, [&](glm::ivec3 position, const Brick& brick) {
-        const double distance = distanceTo(glm::dvec3(position * kBrickSize), kBrickSize);
+    const glm::dvec3 low = glm::min(a, b) - maxDistance, high = glm::max(a, b) + maxDistance;
+    forEachBrickIn(grid, low, high, [&](glm::ivec3 position, const Brick& brick) {
+        const glm::dvec3 base(position * kBrickSize);
+        const double distance = closestToBox(a, b, base, base + double(kBrickSize)).distance;
         if (distance <= maxDistance) candidates.push_back({distance, position, &brick});
     });
     std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const BrickCandidate& a, const BrickCandidate& b) { return a.distance < b.distance; });
+                     [](const BrickCandidate& one, const BrickCandidate& two) { return one.distance < two.distance; });
     for (const BrickCandidate& each : candidates) {
-        if (each.distance > best.distance || (best.found && each.distance == best.distance)) break;
+        if (each.distance > best.to.distance || (best.found && each.distance == best.to.distance)) break;
         forEachVoxel(acceptedVoxels(*each.brick, accepted), [&](int i) {
             const glm::ivec3 cell = each.position * kBrickSize + voxelInBrick(i);
-            const double distance = distanceTo(glm::dvec3(cell), 1.0);
-            if (distance > best.distance || (best.found && distance == best.distance)) return;
-            best = {true, cell, glm::clamp(point, glm::dvec3(cell), glm::dvec3(cell) + 1.0), distance};
+            const SegmentToBox to = closestToBox(a, b, glm::dvec3(cell), glm::dvec3(cell) + 1.0);
+            if (to.distance > best.to.distance || (best.found && to.distance == best.to.distance)) return;
+            best = {true, cell, to};
         });
     }
     return best;

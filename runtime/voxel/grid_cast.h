@@ -49,20 +49,21 @@ std::optional<glm::ivec3> findOverlap(const VoxelGrid& grid, const CellShape& sh
 CellContact findDeepest(const VoxelGrid& grid, const CellShape& round);
 
 /// The result of findClosest().
+/// The result of closestToBox().
+struct SegmentToBox {
+    glm::dvec3 onSegment{0.0}, onBox{0.0};
+    double distance = 0.0;  ///< between the two points; 0 if segment and box meet
+};
+/// The result of findClosest(), in cells.
 struct ClosestVoxel {
     bool found = false;
     glm::ivec3 cell{0};
-    glm::dvec3 point{0.0};
-    double distance = 0.0;  ///< cells; 0 inside a voxel
+    SegmentToBox to;  ///< the voxel
 };
-/// [any-thread] The point of all solid voxels that is closest to `point`, if one is within `maxDistance` cells.
-ClosestVoxel findClosest(const VoxelGrid& grid, glm::dvec3 point, double maxDistance, EntryFilter accepted = nullptr);
+/// [any-thread] The point of all solid voxels that is closest to the segment a b, if one is within `maxDistance` cells.
+ClosestVoxel findClosest(const VoxelGrid& grid, glm::dvec3 a, glm::dvec3 b, double maxDistance,
+                         EntryFilter accepted = nullptr);
 
-/// The result of closestToBox().
-struct SegmentToBox {
-    glm::dvec3 onSegment, onBox;
-    double distance;  ///< between the two points; 0 if segment and box meet
-};
 /// The closest points of the segment a b and the axis-aligned box [low, high].
 SegmentToBox closestToBox(glm::dvec3 a, glm::dvec3 b, glm::dvec3 low, glm::dvec3 high);
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "samples/stress/checks/check.h"
@@ -97,6 +98,21 @@ std::string textOf(lua_State* L, int index) {
     return {bytes, length};
 }
 
+/// The commands that a text needs: what they give stands in it as "@number@".
+std::vector<size_t> neededBy(const std::string& text) {
+    std::vector<size_t> numbers;
+    for (size_t at = 0; (at = text.find('@', at)) != text.npos; at = text.find('@', at + 1) + 1)
+        numbers.push_back(size_t(std::stoul(text.substr(at + 1))));
+    return numbers;
+}
+
+/// A call whose error the script has caught.
+std::string caught(const std::string& call) {
+    const size_t open = call.find('(');
+    const std::string arguments = call.substr(open + 1);
+    return "pcall(" + call.substr(0, open) + (arguments == ")" ? "" : ", ") + arguments;
+}
+
 /// A command whose needed ones have these numbers now.
 Command renumbered(Command command, const std::vector<size_t>& numbers) {
     std::string text;
@@ -116,7 +132,7 @@ Command renumbered(Command command, const std::vector<size_t>& numbers) {
 
 }  // namespace
 
-std::string CommandLog::valueText(lua_State* L, int index, int depth, std::vector<size_t>& needed) {
+std::string CommandLog::valueText(lua_State* L, int index, int depth) {
     switch (lua_type(L, index)) {
         case LUA_TBOOLEAN:
             return lua_toboolean(L, index) ? "true" : "false";
@@ -126,24 +142,22 @@ std::string CommandLog::valueText(lua_State* L, int index, int depth, std::vecto
             if (!lua_isinteger(L, index)) return numberText(lua_tonumber(L, index));
             const lua_Integer value = lua_tointeger(L, index);
             const std::string expression = value < kSmallestHandle ? "" : expressionOf(L, uint64_t(value));
-            if (expression.empty()) return std::to_string(value);
-            needed.push_back(size_t(std::stoul(expression.substr(expression.find('@') + 1))));
-            return expression;
+            return expression.empty() ? std::to_string(value) : expression;
         }
         case LUA_TTABLE:
-            return depth == 0 ? "{}" : tableText(L, index, depth, needed);
+            return depth == 0 ? "{}" : tableText(L, index, depth);
         default:
             return "nil";
     }
 }
 
 /// First its list, then its other keys, sorted, as the order in a table is not.
-std::string CommandLog::tableText(lua_State* L, int index, int depth, std::vector<size_t>& needed) {
+std::string CommandLog::tableText(lua_State* L, int index, int depth) {
     std::string text;
     const lua_Integer length = lua_Integer(lua_rawlen(L, index));
     for (lua_Integer i = 1; i <= length; ++i) {
         lua_rawgeti(L, index, i);
-        text += (text.empty() ? "" : ", ") + valueText(L, lua_gettop(L), depth - 1, needed);
+        text += (text.empty() ? "" : ", ") + valueText(L, lua_gettop(L), depth - 1);
         lua_pop(L, 1);
     }
     std::map<std::string, std::string> fields;
@@ -152,27 +166,47 @@ std::string CommandLog::tableText(lua_State* L, int index, int depth, std::vecto
         const int type = lua_type(L, -2);
         if (isListed || (type != LUA_TSTRING && type != LUA_TNUMBER && type != LUA_TBOOLEAN)) continue;
         const std::string key = type == LUA_TSTRING ? keyText(textOf(L, -2)) : keyText(L, -2);
-        fields[key] = valueText(L, lua_gettop(L), depth - 1, needed);
+        fields[key] = valueText(L, lua_gettop(L), depth - 1);
     }
     for (const auto& [key, value] : fields) text += (text.empty() ? "" : ", ") + key + " = " + value;
     return "{" + text + "}";
 }
 
+size_t CommandLog::add(lua_State* L, const std::string& text, bool hasEffect) {
+    const size_t at = m_bytes.size();
+    m_bytes.resize(at + sizeof(Head));
+    setHead(at, {int32_t(rubble::script::ScriptContext::of(L).shared.step), uint32_t(text.size()), hasEffect});
+    m_bytes += text;
+    ++m_count;
+    return at;
+}
+
+CommandLog::Head CommandLog::headAt(size_t at) const {
+    Head head;
+    std::memcpy(&head, m_bytes.data() + at, sizeof head);
+    return head;
+}
+
+void CommandLog::setHead(size_t at, const Head& head) {
+    std::memcpy(m_bytes.data() + at, &head, sizeof head);
+}
+
 std::string CommandLog::expressionOf(lua_State* L, uint64_t handle) {
-    if (const auto found = m_expressions.find(handle); found != m_expressions.end()) return found->second;
+    if (const auto found = m_origins.find(handle); found != m_origins.end()) {
+        const auto [command, place] = found->second;
+        if (place == Origin::BodyOfIt) return fmt::format("GetShapeBody(@{}@)", command);
+        return place ? fmt::format("@{}@[{}]", command, place) : fmt::format("@{}@", command);
+    }
     const rubble::script::ScriptWorld& shared = rubble::script::ScriptContext::of(L).shared;
     for (const auto& row : kLists) {
         const auto read = [&](uint64_t* out, uint32_t capacity, uint32_t* count) {
             return shared.api->get_objects(shared.world, row.kind, out, capacity, count);
         };
         const std::vector<uint64_t> objects = readRows<uint64_t>(read);
-        const auto found = std::find(objects.begin(), objects.end(), handle);
-        if (found == objects.end()) continue;
-        const size_t number = m_commands.size();
-        m_commands.push_back({int(shared.step), row.list, {}, false});
-        for (size_t i = 0; i < objects.size(); ++i)
-            m_expressions.emplace(objects[i], fmt::format("@{}@[{}]", number, i + 1));
-        return m_expressions[handle];
+        if (std::find(objects.begin(), objects.end(), handle) == objects.end()) continue;
+        for (size_t i = 0; i < objects.size(); ++i) m_origins.emplace(objects[i], Origin{m_count, int32_t(i + 1)});
+        add(L, row.list, false);
+        return expressionOf(L, handle);
     }
     return {};
 }
@@ -185,50 +219,49 @@ void CommandLog::begin(lua_State* L, const rubble::script::ScriptFunction& funct
     const std::string called = function.name();
     const bool hasEffect = isCommand(function, called);
     if (!hasEffect && !beginsWithOneOf(called, kFinders)) return;
-    std::vector<size_t> needed;
     std::string arguments;
     luaL_checkstack(L, 20, nullptr);
     const int count = lua_gettop(L);
-    for (int i = 1; i <= count; ++i) arguments += (i > 1 ? ", " : "") + valueText(L, i, 3, needed);
-    m_call = {&function, called + "(" + arguments + ")", std::move(needed)};
+    for (int i = 1; i <= count; ++i) arguments += (i > 1 ? ", " : "") + valueText(L, i, 3);
+    m_call = {&function, called + "(" + arguments + ")"};
     if (!hasEffect) return;
-    m_call.command = m_commands.size();
-    m_commands.push_back({int(rubble::script::ScriptContext::of(L).shared.step), m_call.text, m_call.needed});
+    m_call.command = m_count;
+    m_call.at = add(L, m_call.text, true);
     m_isOpen = true;
 }
 
 void CommandLog::wait(lua_State* L, const rubble::script::ScriptFunction&) {
     if (m_isClosed || !std::exchange(m_isOpen, false)) return;
     m_waiting[L] = m_call;
-    m_commands[m_call.command].waits = true;
+    Head head = headAt(m_call.at);
+    head.waits = true;
+    setHead(m_call.at, head);
 }
 
 void CommandLog::catchOpenCall() {
     if (!std::exchange(m_isOpen, false)) return;
-    std::string& text = m_commands.back().text;
-    const size_t open = text.find('(');
-    const std::string arguments = text.substr(open + 1);
-    text = "pcall(" + text.substr(0, open) + (arguments == ")" ? "" : ", ") + arguments;
+    Head head = headAt(m_call.at);
+    head.isCaught = true;
+    setHead(m_call.at, head);
 }
 
 void CommandLog::close(const std::string& message) {
     m_isClosed = true;
     if (!m_isOpen) return;
-    const std::string& text = m_commands.back().text;
+    const std::string& text = m_call.text;
     if (message.find(": " + text.substr(0, text.find('(')) + ": ") == std::string::npos) catchOpenCall();
 }
 
-bool CommandLog::name(lua_State* L, int index, const std::string& expression) {
+bool CommandLog::name(lua_State* L, int index, uint32_t command) {
     if (lua_isinteger(L, index)) {
         const lua_Integer value = lua_tointeger(L, index);
-        return value >= kSmallestHandle && m_expressions.emplace(uint64_t(value), expression).second;
+        return value >= kSmallestHandle && m_origins.emplace(uint64_t(value), Origin{command, Origin::Itself}).second;
     }
     bool isNew = false;
     for (lua_Integer i = 1; lua_istable(L, index) && i <= lua_Integer(lua_rawlen(L, index)); ++i) {
         lua_rawgeti(L, index, i);
         const lua_Integer value = lua_isinteger(L, -1) ? lua_tointeger(L, -1) : 0;
-        if (value >= kSmallestHandle)
-            isNew |= m_expressions.emplace(uint64_t(value), fmt::format("{}[{}]", expression, i)).second;
+        if (value >= kSmallestHandle) isNew |= m_origins.emplace(uint64_t(value), Origin{command, int32_t(i)}).second;
         lua_pop(L, 1);
     }
     return isNew;
@@ -246,23 +279,33 @@ void CommandLog::end(lua_State* L, const rubble::script::ScriptFunction& functio
     }
     if (!call.function || results == 0) return;
     const int first = lua_gettop(L) - results + 1;
-    if (call.command == SIZE_MAX) {
-        const std::string expression = fmt::format("@{}@", m_commands.size());
-        const int step = int(rubble::script::ScriptContext::of(L).shared.step);
-        if (name(L, first, expression)) m_commands.push_back({step, call.text, std::move(call.needed), false});
+    if (call.command == kNone) {
+        if (name(L, first, m_count)) add(L, call.text, false);
         return;
     }
-    const std::string made = fmt::format("@{}@", call.command);
-    name(L, first, made);
-    if (results > 1 && lua_isinteger(L, first + 1)) name(L, first + 1, "GetShapeBody(" + made + ")");
+    name(L, first, call.command);
+    if (results > 1 && lua_isinteger(L, first + 1) && lua_tointeger(L, first + 1) >= kSmallestHandle)
+        m_origins.emplace(uint64_t(lua_tointeger(L, first + 1)), Origin{call.command, Origin::BodyOfIt});
+}
+
+uint64_t CommandLog::bytes() const {
+    constexpr uint64_t kNode = 4 * sizeof(void*);  // of malloc, with a pointer to the next and a row
+    return m_bytes.capacity() + m_origins.size() * kNode + m_origins.bucket_count() * sizeof(void*);
 }
 
 std::vector<Command> CommandLog::take() {
-    m_expressions.clear();
-    m_waiting.clear();
-    m_call = {};
-    m_isOpen = m_isClosed = false;
-    return keep(std::exchange(m_commands, {}), {});
+    std::vector<Command> commands;
+    commands.reserve(m_count);
+    for (size_t at = 0; at < m_bytes.size();) {
+        const Head head = headAt(at);
+        std::string text = m_bytes.substr(at + sizeof head, head.length);
+        std::vector<size_t> needed = neededBy(text);
+        if (head.isCaught) text = caught(text);
+        commands.push_back({head.step, std::move(text), std::move(needed), head.hasEffect, head.waits});
+        at += sizeof head + head.length;
+    }
+    *this = {};
+    return keep(commands, {});
 }
 
 std::vector<Command> keep(const std::vector<Command>& commands, std::vector<bool> isKept) {

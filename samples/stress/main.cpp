@@ -1,6 +1,5 @@
 // ./rubble stress: scenarios of destruction, written in Lua, with everything checked at every step.
 #include <fmt/format.h>
-#include <malloc.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -119,20 +118,14 @@ double minutesOf(int steps) {
         if (const double minutes = std::ceil(steps / 3600.0 * parts) / parts; stepsOf(minutes) == steps) return minutes;
 }
 
-/// Bytes of the heap in a block, with what malloc needs for it.
-uint64_t blockBytes(const void* block) {
-    return block ? malloc_usable_size(const_cast<void*>(block)) + sizeof(size_t) : 0;
-}
-
-/// What the result of a run and the list of its commands hold themselves.
-uint64_t bytesOf(const RunResult& result, const std::vector<Command>& commands) {
+/// What the list of its commands holds itself.
+uint64_t bytesOf(const std::vector<Command>& commands) {
     static const size_t inPlace = std::string().capacity();
-    uint64_t bytes = blockBytes(result.steps.data()) + blockBytes(result.games.data()) + blockBytes(commands.data());
+    uint64_t bytes = blockBytes(commands.data());
     for (const Command& command : commands) {
         if (command.text.capacity() > inPlace) bytes += blockBytes(command.text.data());
         bytes += blockBytes(command.needed.data());
     }
-    for (const auto& game : result.games) bytes += blockBytes(game.data());
     return bytes;
 }
 
@@ -165,6 +158,7 @@ public:
         CommandLog log;
         rubble::Progress progress(m_settings.name, m_settings.steps);
         m_settings.observer = &log;
+        m_settings.heldBytes = [&] { return log.bytes(); };
         m_settings.onFailure = [&](const std::string& message) { log.close(message); };
         m_settings.onStep = [&](int step) {
             if (step % 60 == 0) progress.advance(step);
@@ -173,7 +167,7 @@ public:
         const uint64_t heap = heapBytes();
         RunResult result = play(m_api, m_settings);
         const std::vector<Command> commands = log.take();
-        result.heapLeft = int64_t(heapBytes() - bytesOf(result, commands) - heap);
+        result.heapLeft = int64_t(heapBytes() - bytesOf(result) - bytesOf(commands) - heap);
         if (!result.failure && result.heapLeft > kMaxHeapGrowth)
             result.failure = {"memory", fmt::format("{} KiB are left", result.heapLeft >> 10), m_settings.steps};
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -20,6 +20,7 @@ public:
         m_settings.observer = nullptr;
         m_settings.onStep = {};
         m_settings.onFailure = {};
+        m_settings.heldBytes = {};
         m_settings.isQuiet = true;
         m_isInterrupted = std::exchange(m_settings.isInterrupted, {});  // a run that has begun ends by itself
         m_settings.images = 0;

@@ -34,7 +34,7 @@ constexpr uint32_t kThreadedFlags = RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHAD
 constexpr int kStepsBesideCopy = 1, kStepsBesideThreaded = 3;
 
 /// Steps between looks at the heap: malloc counts all free blocks for that.
-constexpr size_t kHeapInterval = 15;
+constexpr uint64_t kHeapInterval = 15;
 
 class Run {
 public:
@@ -107,7 +107,7 @@ private:
         m_time.enter("steps");
         m_scripts->tick(1.0 / 60.0);
         if (!done(m_scripts->step())) return;
-        ++m_view.step;
+        if (m_view.step++ % kHeapInterval == 0) measureHeap();
         readStep();
         look(&Check::afterStep);
         if (m_result.failure) return;
@@ -115,11 +115,19 @@ private:
         if (!m_requests.waiting.empty()) {
             carryOut();
         } else if (m_view.step >= m_nextCheck) {
-            endRecording();
-            if (!m_result.failure) checkAll();
-            if (!m_result.failure && record()) m_scripts->readEvents();  // of the step that the check has made
+            checkBetween();
         }
         if (m_settings.onStep) m_settings.onStep(step + 1);
+    }
+
+    /// Every second check leaves the recording that runs as it is, so that an undo reaches over it: one that begins
+    /// drops the marks.
+    void checkBetween() {
+        const bool endsRecording = std::exchange(m_isSecondCheck, true);
+        endsRecording ? endRecording() : finishUndo();
+        if (!m_result.failure) checkAll();
+        if (m_result.failure || (endsRecording && !record())) return;
+        m_scripts->readEvents();  // of the step that the check has made
     }
 
     /// What the step has left, for checks and figures.
@@ -154,11 +162,16 @@ private:
             const auto velocity = rubble::script::vectorOf(body.state.velocity);
             if (body.isDynamic()) energy += 0.5 * body.properties.mass * rubble::script::dot(velocity, velocity);
         }
-        if (m_result.steps.size() % kHeapInterval == 0) m_heap = heapBytes();
         m_result.steps.push_back({float(stats.edits_ms), float(stats.physics_ms), float(stats.poses_ms),
                                   float(stats.impacts_ms), float(stats.shadow_ms), stats.bodies, stats.bodies_awake,
                                   stats.contacts, uint32_t(stats.shadow_lag), accounting.standing, accounting.in_pieces,
                                   accounting.removed, energy, m_heap});
+    }
+
+    /// Of the world with its scripts: there is no copy of it now.
+    void measureHeap() {
+        const uint64_t held = bytesOf(m_result) + blockBytes(m_view.game.data());
+        m_heap = heapBytes() - held - (m_settings.heldBytes ? m_settings.heldBytes() : 0);
     }
 
     /// A step without scripts.
@@ -175,6 +188,7 @@ private:
     }
 
     bool record() {
+        m_isSecondCheck = false;
         m_time.enter("replay");
         return done(m_api.start_recording(m_world, recordingPath().c_str()));
     }
@@ -188,7 +202,7 @@ private:
         if (m_settings.replayEvery && m_recordings++ % m_settings.replayEvery == 0) replay(hash);
     }
 
-    /// Looks at all that takes long. Nothing is recorded meanwhile.
+    /// Looks at all that takes long.
     void checkAll() {
         m_nextCheck = m_view.step + uint64_t(m_settings.checkInterval);
         m_time.enter("save");
@@ -305,8 +319,9 @@ private:
     RunResult m_result;
     uint64_t m_heap = 0;  ///< bytes in use when it was last looked at
     ProcessorTime m_time;
-    int m_recordings = 0;     ///< that have ended
-    bool m_isLoaded = false;  ///< and no step was made since: the view has nothing of what was loaded
+    int m_recordings = 0;          ///< that have ended
+    bool m_isLoaded = false;       ///< and no step was made since: the view has nothing of what was loaded
+    bool m_isSecondCheck = false;  ///< whether the next check is that of the recording
     uint64_t m_nextCheck = uint64_t(m_settings.checkInterval);  ///< a step of the scenario
 };
 
@@ -319,6 +334,16 @@ RunResult play(const rubble_api& api, const RunSettings& settings) {
 uint64_t heapBytes() {
     const struct mallinfo2 memory = mallinfo2();
     return memory.uordblks + memory.hblkhd;
+}
+
+uint64_t blockBytes(const void* block) {
+    return block ? malloc_usable_size(const_cast<void*>(block)) + sizeof(size_t) : 0;
+}
+
+uint64_t bytesOf(const RunResult& result) {
+    uint64_t bytes = blockBytes(result.steps.data()) + blockBytes(result.games.data());
+    for (const auto& game : result.games) bytes += blockBytes(game.data());
+    return bytes;
 }
 
 }  // namespace stress

@@ -18,7 +18,7 @@ struct RunSettings {
     std::string file;          ///< of the text; "": one of the scenarios of the program
     uint64_t seed = 1;
     int steps = 1200;
-    int checkInterval = 240;  ///< steps between the checks that take long; no recording is longer
+    int checkInterval = 240;  ///< steps between the checks that take long; a recording has two such intervals at most
     int replayEvery = 1;      ///< the first of so many recordings is played again, with two threads; 0: none
     std::string levels;       ///< the folder of levels that scripts may load
     std::string folder;       ///< for recordings
@@ -29,6 +29,7 @@ struct RunSettings {
     std::function<void(int step)> onStep;
     std::function<void(const std::string& message)> onFailure;  ///< at once, within the call that has failed
     std::function<bool()> isInterrupted;                        ///< whether the run shall end before its steps are done
+    std::function<uint64_t()> heldBytes;                        ///< of the heap: what the caller keeps of the run
 };
 
 /// What did not hold.
@@ -43,7 +44,7 @@ struct StepFigures {
     uint32_t bodies, awake, contacts, shadowLag;
     uint64_t standing, pieces, removed;  ///< voxels
     double energy;                       ///< kinetic, joules
-    uint64_t heap;                       ///< bytes in use
+    uint64_t heap;                       ///< bytes in use, without what the program keeps of the run
 };
 
 /// What came of a run.
@@ -64,5 +65,9 @@ RunResult play(const rubble_api& api, const RunSettings& settings);
 
 /// Bytes of the heap in use.
 uint64_t heapBytes();
+/// Bytes of the heap in a block, with what malloc needs for it.
+uint64_t blockBytes(const void* block);
+/// What a result holds itself.
+uint64_t bytesOf(const RunResult& result);
 
 }  // namespace stress

@@ -14,6 +14,7 @@ rubble_result getBodyProperties(rubble_world world, rubble_body body, rubble_bod
         if (!found) return;
         const MassProperties mass = bodyMass(from.data(), BodyHandle{body});
         rubble_body_properties values = {};
+        values.is_broken = found->broken;
         values.mass = mass.mass;
         writeVector(values.center, mass.center);
         std::copy(mass.inertia.begin(), mass.inertia.end(), values.inertia);
@@ -79,6 +80,7 @@ rubble_result getShapeProperties(rubble_world world, rubble_shape shape, rubble_
         values.collision_mask = found->collisionMask;
         values.collision_shape = uint32_t(found->collisionShape);
         values.is_piece = found->isPiece;
+        values.is_broken = found->broken;
         values.anchor_count = uint32_t(found->anchors.size());
         writeStruct(out, values);
     });

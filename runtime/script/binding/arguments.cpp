@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "runtime/script/binding/messages.h"
 #include "runtime/script/binding/script_context.h"
 
 namespace rubble::script {
@@ -58,20 +59,11 @@ void pushNumbers(lua_State* L, const double* numbers, int count, ValueKind kind)
     lua_setmetatable(L, -2);
 }
 
-/// A message of the interface without the name of its function: scripts know another one.
-std::string withoutFunction(const std::string& message) {
-    const size_t end = message.find(": ");
-    const auto isOfName = [](char letter) { return (letter >= 'a' && letter <= 'z') || letter == '_'; };
-    const bool isName =
-        end != message.npos && std::all_of(message.begin(), message.begin() + std::ptrdiff_t(end), isOfName);
-    return isName ? message.substr(end + 2) : message;
-}
-
 }  // namespace
 
 void refuseArgument(lua_State* L, int index, const char* name, const char* expected) {
-    luaL_error(L, "%s: %s: expected %s, found %s", runningFunction(L).name().c_str(), name, expected,
-               described(L, index).c_str());
+    luaL_error(L, "%s: %s: expected %s, found %s", runningFunction(L).name().c_str(),
+               name ? name : parameterAt(L, index).c_str(), expected, described(L, index).c_str());
     std::abort();  // luaL_error() does not return
 }
 
@@ -120,6 +112,17 @@ Vector vectorAt(lua_State* L, int index, const char* name) {
     Vector vector;
     if (!readNumbers(L, index, vector.data(), 3)) refuseArgument(L, index, name, "a vector {x, y, z}");
     return vector;
+}
+
+std::pair<Vector, Vector> cornersAt(lua_State* L) {
+    const std::pair corners{vectorAt(L, 1, "min"), vectorAt(L, 2, "max")};
+    const auto isNear = [](double each) { return std::abs(each) <= 1e9; };
+    const auto& [low, high] = corners;
+    if (!std::all_of(low.begin(), low.end(), isNear)) refuseArgument(L, 1, "min", "a vector of -1e9 to 1e9 m");
+    if (!std::all_of(high.begin(), high.end(), isNear)) refuseArgument(L, 2, "max", "a vector of -1e9 to 1e9 m");
+    for (size_t i = 0; i < 3; ++i)
+        if (low[i] > high[i]) refuseArgument(L, 2, "max", "no less than min");
+    return corners;
 }
 
 Rotation rotationAt(lua_State* L, int index, const char* name) {
@@ -211,7 +214,8 @@ int pushHandles(lua_State* L, const uint64_t* handles, size_t count) {
 
 bool isDone(lua_State* L, rubble_result result) {
     if (result == RUBBLE_OK) return true;
-    const std::string text = withoutFunction(ScriptContext::of(L).shared.api->get_last_error());
+    if (!ScriptContext::of(L).shared.world) return false;
+    const std::string text = messageOf(L, ScriptContext::of(L).shared.api->get_last_error());
     if (result != RUBBLE_ERROR_STALE) luaL_error(L, "%s: %s", runningFunction(L).name().c_str(), text.c_str());
     warnOnce(L, text);
     return false;

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "runtime/script/sandbox/sandbox.h"
 
@@ -31,6 +32,8 @@ double limitedAt(lua_State* L, int index, const char* name, double low, double h
 bool boolOr(lua_State* L, int index, bool otherwise);
 /// A table {x, y, z}.
 Vector vectorAt(lua_State* L, int index, const char* name);
+/// The corners of a box, which are the arguments 1 and 2, `min` and `max`.
+std::pair<Vector, Vector> cornersAt(lua_State* L);
 /// A table {x, y, z, w}.
 Rotation rotationAt(lua_State* L, int index, const char* name);
 /// A table {pos =, rot =}.
@@ -44,7 +47,7 @@ std::string textAt(lua_State* L, int index, const char* name);
 std::string textOr(lua_State* L, int index, const char* name, const char* otherwise);
 /// A handle; that of nothing is 0.
 uint64_t handleAt(lua_State* L, int index, const char* name);
-/// Raises that error.
+/// Raises that error. Where `name` is null it is that of the signature.
 [[noreturn]] void refuseArgument(lua_State* L, int index, const char* name, const char* expected);
 
 /// Results. Vectors, rotations and transforms are tables {x, y, z}, {x, y, z, w} and {pos =, rot =} that have

@@ -68,7 +68,7 @@ public:
 /// What the scripts of a world share: all functions of scripts work on it by the C interface.
 struct ScriptWorld {
     const rubble_api* api = nullptr;
-    rubble_world world = 0;
+    rubble_world world = 0;        ///< 0: destroy() is called after it was replaced
     double time = 0.0;             ///< seconds of steps
     double timeScale = 1.0;        ///< as SetTimeScale() has set it; the host decides how many steps a frame has
     double timeStep = 1.0 / 60.0;  ///< of the callback that runs
@@ -77,10 +77,8 @@ struct ScriptWorld {
     int64_t stepWork = 0;  ///< what all scripts have queued since the last step, by chargeStep()
     bool hasTime = true;   ///< false: nothing may wait for a time, because the host takes no steps
     PendingReads pending;
-    std::map<rubble_shape, GridCopy> grids;  ///< of shapes whose voxels calls since the last step have written
-    std::set<rubble_shape> reframed;         ///< whose cells the next step gives other coordinates
-    std::set<rubble_body> brokenBodies;      ///< that have lost voxels
-    std::set<rubble_shape> brokenShapes;
+    std::map<rubble_shape, GridCopy> grids;        ///< of shapes whose voxels calls since the last step have written
+    std::set<rubble_shape> reframed;               ///< whose cells the next step gives other coordinates
     std::map<uint64_t, rubble_light> pointLights;  ///< of PointLight() in this step and in the last, by its number
     std::map<std::string, std::string> registry;   ///< "a.b.c": its value as a text
     bool followsLevel = false;                     ///< the scripts that the world names run, or a prefab was placed
@@ -157,7 +155,8 @@ T sized() {
 }
 
 /// Checks what a call of the interface came to. False: something that it names is gone, which is told once for each
-/// line of a script, and the function has no effect. Everything else that is wrong is an error of the script.
+/// line of a script, or its world is, and the function has no effect. Everything else that is wrong is an error of the
+/// script.
 bool isDone(lua_State* L, rubble_result result);
 /// Logs a warning of the running function, once for each line of a script.
 void warnOnce(lua_State* L, const std::string& text);

@@ -20,9 +20,14 @@ Placement frameOf(const rubble_body_state& state) {
     return placementOf(state.position, state.rotation);
 }
 
+/// The properties of the body of argument 1; false: it is gone.
+bool readProperties(lua_State* L, rubble_body_properties& properties) {
+    return isDone(L, apiOf(L).get_body_properties(worldOf(L), handleAt(L, 1, "body"), &properties));
+}
+
 rubble_body_properties propertiesAt(lua_State* L) {
     auto properties = sized<rubble_body_properties>();
-    isDone(L, apiOf(L).get_body_properties(worldOf(L), handleAt(L, 1, "body"), &properties));
+    readProperties(L, properties);
     return properties;
 }
 
@@ -128,14 +133,20 @@ int getCenterOfMass(lua_State* L) {
     return 1;
 }
 
+/// The shapes of the body of argument 1; none: it is gone.
+std::vector<uint64_t> shapesAt(lua_State* L) {
+    const rubble_body body = stateAt(L).body;
+    return body ? readOwned(L, body, RUBBLE_KIND_SHAPE) : std::vector<uint64_t>();
+}
+
 int getShapes(lua_State* L) {
-    const std::vector<uint64_t>& shapes = readOwned(L, handleAt(L, 1, "body"), RUBBLE_KIND_SHAPE);
+    const std::vector<uint64_t> shapes = shapesAt(L);
     return pushHandles(L, shapes.data(), shapes.size());
 }
 
 /// The box around the grids of all shapes of a body.
 int getBounds(lua_State* L) {
-    return pushBounds(L, readOwned(L, handleAt(L, 1, "body"), RUBBLE_KIND_SHAPE));
+    return pushBounds(L, shapesAt(L));
 }
 
 int isActive(lua_State* L) {
@@ -168,9 +179,8 @@ int setDynamic(lua_State* L) {
 }
 
 int isBroken(lua_State* L) {
-    const rubble_body body = handleAt(L, 1, "body");
-    const bool isGone = !stateAt(L).body;
-    lua_pushboolean(L, isGone || ScriptContext::of(L).shared.brokenBodies.count(body));
+    auto properties = sized<rubble_body_properties>();
+    lua_pushboolean(L, !readProperties(L, properties) || properties.is_broken);
     return 1;
 }
 
@@ -202,7 +212,7 @@ constexpr ScriptFunction kFunctions[] = {
     {"IsBodyDynamic(body) -> boolean", "Whether it moves freely.", isDynamic},
     {"SetBodyDynamic(body, dynamic)", "Lets it move freely, or holds it where it is.", setDynamic, 200},
     {"IsBodyBroken(body) -> boolean",
-     "Whether it has lost voxels since the scripts began, also ones that an undo gave back, or is gone.", isBroken},
+     "Whether it has lost voxels, or is gone; saves keep that, and an undo takes it back.", isBroken},
     {"ApplyBodyImpulse(body, pos, impulse)", "Pushes it at a place of the world, in N s.", applyImpulse, 30},
 };
 

@@ -174,7 +174,7 @@ int queryClosestFire(lua_State* L) {
 }
 
 int queryAabbFireCount(lua_State* L) {
-    const Vector low = vectorAt(L, 1, "min"), high = vectorAt(L, 2, "max");
+    const auto [low, high] = cornersAt(L);
     uint32_t count = 0;
     isDone(L, apiOf(L).count_fires(worldOf(L), low.data(), high.data(), &count));
     lua_pushinteger(L, count);
@@ -182,7 +182,7 @@ int queryAabbFireCount(lua_State* L) {
 }
 
 int removeAabbFires(lua_State* L) {
-    const Vector low = vectorAt(L, 1, "min"), high = vectorAt(L, 2, "max");
+    const auto [low, high] = cornersAt(L);
     isDone(L, apiOf(L).remove_fires(worldOf(L), low.data(), high.data()));
     return 0;
 }

@@ -213,7 +213,7 @@ int deleteObject(lua_State* L) {
         if (result == RUBBLE_OK) return 0;
         if (result != RUBBLE_ERROR_STALE) isDone(L, result);
     }
-    if (api.remove_character(worldOf(L), object) != RUBBLE_OK)
+    if (api.remove_character(worldOf(L), object) != RUBBLE_OK && worldOf(L))
         warnOnce(L, "handle: nothing has the handle " + std::to_string(object) + " any more, or ever had");
     return 0;
 }

@@ -149,9 +149,7 @@ int queryClosestPoint(lua_State* L) {
 }
 
 rubble_query_shape boxAt(lua_State* L) {
-    const Vector low = vectorAt(L, 1, "min"), high = vectorAt(L, 2, "max");
-    for (size_t i = 0; i < 3; ++i)
-        if (!(high[i] >= low[i])) refuseArgument(L, 2, "max", "no less than min");
+    const auto [low, high] = cornersAt(L);
     rubble_query_shape box = {};
     box.kind = RUBBLE_QUERY_BOX;
     copy(box.position, (low + high) * 0.5);
@@ -179,7 +177,7 @@ int queryAabbBodies(lua_State* L) {
 
 /// Many rays at once, in lists of numbers: neither tables nor calls for each.
 int queryRaycasts(lua_State* L) {
-    luaL_checktype(L, 1, LUA_TTABLE);
+    if (lua_type(L, 1) != LUA_TTABLE) refuseArgument(L, 1, "rays", "a list of numbers");
     const double distance = distanceAt(L, 2);
     const lua_Integer count = lua_Integer(lua_rawlen(L, 1) / 6);
     if (count > 100'000 || lua_rawlen(L, 1) % 6 != 0)

@@ -12,9 +12,14 @@ bool readShape(lua_State* L, rubble_shape_state& state) {
     return isDone(L, apiOf(L).get_shape_state(worldOf(L), handleAt(L, 1, "shape"), &state));
 }
 
+/// The properties of the shape of argument 1; false: it is gone.
+bool readProperties(lua_State* L, rubble_shape_properties& properties) {
+    return isDone(L, apiOf(L).get_shape_properties(worldOf(L), handleAt(L, 1, "shape"), &properties));
+}
+
 rubble_shape_properties propertiesAt(lua_State* L) {
     auto properties = sized<rubble_shape_properties>();
-    isDone(L, apiOf(L).get_shape_properties(worldOf(L), handleAt(L, 1, "shape"), &properties));
+    readProperties(L, properties);
     return properties;
 }
 
@@ -49,7 +54,9 @@ int getBounds(lua_State* L) {
 
 template <uint32_t Kind>
 int getOwned(lua_State* L) {
-    const std::vector<uint64_t>& owned = readOwned(L, handleAt(L, 1, "shape"), Kind);
+    rubble_shape_state state;
+    if (!readShape(L, state)) return pushHandles(L, nullptr, 0);
+    const std::vector<uint64_t>& owned = readOwned(L, state.shape, Kind);
     return pushHandles(L, owned.data(), owned.size());
 }
 
@@ -163,9 +170,8 @@ int setCollisionFilter(lua_State* L) {
 }
 
 int isBroken(lua_State* L) {
-    rubble_shape_state state;
-    const bool isThere = readShape(L, state);
-    lua_pushboolean(L, !isThere || ScriptContext::of(L).shared.brokenShapes.count(state.shape));
+    auto properties = sized<rubble_shape_properties>();
+    lua_pushboolean(L, !readProperties(L, properties) || properties.is_broken);
     return 1;
 }
 
@@ -264,7 +270,7 @@ constexpr ScriptFunction kFunctions[] = {
     {"SetShapeCollisionFilter(shape, layer, mask)",
      "Two shapes collide if the layer of each is in the mask of the other.", setCollisionFilter, 50},
     {"IsShapeBroken(shape) -> boolean",
-     "Whether it has lost voxels since the scripts began, also ones that an undo gave back, or is gone.", isBroken},
+     "Whether it has lost voxels, or is gone; saves keep that, and an undo takes it back.", isBroken},
     {"IsShapeDisconnected(shape) -> boolean", "Whether it moves freely.", isDisconnected},
     {"IsStaticShapeDetached(shape) -> boolean", "Whether it was static and came off.", isStaticDetached},
     {"IsShapeTouching(shape, other) -> boolean", "Whether voxels of two shapes are within half a voxel of each other.",

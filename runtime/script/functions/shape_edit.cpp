@@ -13,8 +13,10 @@ constexpr int64_t kMaxCells = 1 << 24;  ///< that one call writes
 
 Cell cellAt(lua_State* L, int index) {
     Cell cell;
-    const char* const names[] = {"x", "y", "z"};
-    for (int i = 0; i < 3; ++i) cell[i] = int32_t(std::floor(clampedAt(L, index + i, names[i], -4096.0, 4096.0)));
+    for (int i = 0; i < 3; ++i) {
+        const double place = clampedAt(L, index + i, nullptr, -4096.0, 4096.0);
+        cell[size_t(i)] = int32_t(std::floor(place));
+    }
     return cell;
 }
 
@@ -186,7 +188,7 @@ int resize(lua_State* L) {
     const Cell low = cellAt(L, 2), high = cellAt(L, 5);
     Cell size;
     for (size_t i = 0; i < 3; ++i) {
-        if (high[i] < low[i]) refuseArgument(L, 5 + int(i), "max", "no less than min");
+        if (high[i] < low[i]) refuseArgument(L, 5 + int(i), nullptr, "no less than the other corner");
         size[i] = high[i] - low[i] + 1;
     }
     resizeShape(L, shape, low, size);
@@ -316,13 +318,13 @@ int extrude(lua_State* L) {
     Cell low, high;
     int axes = 0;
     for (int i = 0; i < 3; ++i) {
-        if (along[i] < -1 || along[i] > 1) refuseArgument(L, 5 + i, "direction", "-1, 0 or 1");
+        if (along[i] < -1 || along[i] > 1) refuseArgument(L, 5 + i, nullptr, "-1, 0 or 1");
         axes += along[i] != 0;
         const int32_t end = from[i] + along[i] * steps;
         low[i] = std::min(from[i] + along[i], end);
         high[i] = std::max(from[i] + along[i], end);
     }
-    if (axes != 1) refuseArgument(L, 5, "direction", "one axis, such as 0, 1, 0");
+    if (axes != 1) refuseArgument(L, 5, nullptr, "one axis, such as 0, 1, 0");
     fillBox(L, shape, low, high, entry);
     return 0;
 }

@@ -27,6 +27,7 @@ struct Shape {
     std::vector<CellBox> anchors;  ///< cells of the grid that hold a static shape to the world
     std::vector<std::string> tags;
     bool isPiece = false;         ///< came off another shape, or lost its last anchor
+    bool broken = false;          ///< has lost voxels
     bool knownConnected = false;  ///< connected since its last split: only the surroundings of a cut need a test
     bool loadBearing = true;      ///< false: left out of the stress analysis
     float strength = 1.0f;        ///< multiple of its materials' strengths

@@ -28,7 +28,7 @@ uint64_t hashState(const Shape& shape, uint64_t paletteHash, uint64_t seed) {
     hasher.add(glm::dvec3(isPlanted("unhashed-field") ? 0.0f : shape.strength, shape.density, shape.emission));
     hasher.add(double(shape.voxelSize));
     hasher.state = hashBytes(shape.anchors.data(), shape.anchors.size() * sizeof(CellBox), hasher.state);
-    hasher.add(uint64_t(shape.isPiece) << 25 | uint64_t(shape.loadBearing) << 24 |
+    hasher.add(uint64_t(shape.broken) << 26 | uint64_t(shape.isPiece) << 25 | uint64_t(shape.loadBearing) << 24 |
                uint64_t(shape.collisionShape) << 16 | uint64_t(shape.collisionLayer) << 8 | shape.collisionMask);
     if (shape.paintColors) hasher.add(hashBytes(shape.paintColors.get(), sizeof(PaintColors)));
     return hasher.state;

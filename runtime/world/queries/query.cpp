@@ -20,19 +20,19 @@ VoxelGrid gridOf(const GroundSlab& slab) {
     return grid;
 }
 
-/// Of a sphere that overlaps voxels where it starts, the contact with the nearest one. Gives the distance to it from
-/// the centre, in cells.
-double moveToNearest(const VoxelGrid& grid, const CellShape& sphere, glm::dvec3 direction, EntryFilter accepted,
+/// Of a sphere or capsule that overlaps voxels where it starts, the contact with the nearest one. Gives the distance to
+/// it from the centre, or from the axis, in cells.
+double moveToNearest(const VoxelGrid& grid, const CellShape& round, glm::dvec3 direction, EntryFilter accepted,
                      CellContact& touch) {
-    const ClosestVoxel nearest = findClosest(grid, sphere.a, sphere.radius, accepted);
-    if (!nearest.found) return sphere.radius;
+    const ClosestVoxel nearest = findClosest(grid, round.a, round.b, round.radius, accepted);
+    if (!nearest.found) return round.radius;
     touch.cell = nearest.cell;
-    touch.point = nearest.point;
-    if (nearest.distance > 0.0)
-        touch.normal = (sphere.a - nearest.point) / nearest.distance;
+    touch.point = nearest.to.onBox;
+    if (nearest.to.distance > 0.0)
+        touch.normal = (nearest.to.onSegment - nearest.to.onBox) / nearest.to.distance;
     else if (direction != glm::dvec3(0.0))
         touch.normal = -direction;
-    return nearest.distance;
+    return nearest.to.distance;
 }
 
 /// One cast through the shapes of a world.
@@ -48,7 +48,7 @@ public:
         CellContact touch = castShape(grid, cells, direction, m_best.distance / size, accepted);
         if (!touch.hit) return;
         double gap = 0.0;
-        if (touch.t == 0.0 && m_shape.kind == QueryShapeKind::Sphere)
+        if (touch.t == 0.0 && m_shape.kind != QueryShapeKind::Box)
             gap = moveToNearest(grid, cells, direction, accepted, touch) * size;
         const double distance = touch.t * size;
         const bool isNearer = !m_best.hit || distance < m_best.distance || (distance == m_best.distance && gap < m_gap);
@@ -221,19 +221,15 @@ WorldHit closestPoint(const WorldData& world, glm::dvec3 point, double maxDistan
     forEachShape(world, shapes, isNear, [&](ShapeHandle handle, const Shape& shape) {
         const Pose pose = shapeToWorld(world, handle);
         const double size = shape.voxelSize;
-        const ClosestVoxel closest =
-            findClosest(shape.grid, pose.inversePoint(point) / size, best.distance / size, shapes.entries(shape));
-        if (!closest.found || !isBetter(closest.distance * size, handle.slot(), best)) return;
-        const glm::dvec3 at = pose.transformPoint(closest.point * size);
+        const glm::dvec3 from = pose.inversePoint(point) / size;
+        const auto [found, cell, to] = findClosest(shape.grid, from, from, best.distance / size, shapes.entries(shape));
+        if (!found || !isBetter(to.distance * size, handle.slot(), best)) return;
+        const glm::dvec3 at = pose.transformPoint(to.onBox * size);
         const glm::dvec3 away = point - at;
         const double length = glm::length(away);
-        best = {true,
-                closest.distance * size,
-                at,
-                closest.distance > 0.0 && length > 0.0 ? away / length : glm::dvec3(0.0),
-                handle,
-                closest.cell,
-                shape.grid.at(closest.cell)};
+        best = {
+            true, to.distance * size, at, to.distance > 0.0 && length > 0.0 ? away / length : glm::dvec3(0.0), handle,
+            cell, shape.grid.at(cell)};
     });
     for (const GroundSlab& slab : shapes.ground()) {
         const WorldBox box = boxOf(slab);

@@ -28,9 +28,10 @@ void moveShapes(EditContext& context, const Body& body) {
             context.changes.relocated.push_back(shape);
         else
             std::erase(context.changes.relocated, shape);
-        const bool lostVoxels = state.lostVoxels || !state.carved.empty();
+        const bool isBroken = state.isBroken(), lostVoxels = isBroken || state.lostVoxels;
         if (lostVoxels) context.world.shapes.at(shape).knownConnected = false;
-        state = {.shape = shape, .lostVoxels = lostVoxels};  // its bricks are handed over with the shape
+        // Its bricks are handed over with the shape.
+        state = {.shape = shape, .lostVoxels = lostVoxels, .brokeBefore = isBroken};
     }
 }
 

@@ -21,7 +21,7 @@ Shape copyShape(const WorldData& world, const Shape& from, const CreateShapeEdit
     if (!edit.shape.name.empty()) out.name = edit.shape.name;
     if (edit.shape.voxelSize > 0.0f) out.voxelSize = edit.shape.voxelSize;
     out.local = edit.shape.local;
-    out.isPiece = false;
+    out.isPiece = out.broken = false;
     if (!body.isStatic) out.anchors.clear();
     if (!world.bodies.at(from.body).isStatic) anchorByDefault(out, body);
     return out;

@@ -111,9 +111,10 @@ void EditContext::warnStale(const std::string& warning) const {
     if (!changes.isRestored) logWarning(warning);
 }
 
-void EditContext::markBroken(BodyHandle handle) {
-    Body& body = world.bodies.at(handle);
-    if (!std::exchange(body.broken, true)) changes.broken.push_back(handle);
+void EditContext::markBroken(ShapeHandle handle) {
+    Shape& shape = world.shapes.at(handle);
+    shape.broken = true;
+    if (!std::exchange(world.bodies.at(shape.body).broken, true)) changes.broken.push_back(shape.body);
 }
 
 }  // namespace rubble

@@ -36,7 +36,10 @@ struct ShapeEditState {
     std::vector<DetachedFragment> fragments;  ///< no longer in the grid; bodies of their own after the edits
     /// Its voxels are of other materials: mass, strength and contacts follow.
     bool otherMaterials = false;
-    bool lostVoxels = false;  ///< where `lost` and `carved` do not tell: all of it is tested for connectivity
+    bool lostVoxels = false;   ///< where `lost` and `carved` do not tell: all of it is tested for connectivity
+    bool brokeBefore = false;  ///< lost voxels in this step that `carved` has no longer
+    /// Whether it has lost voxels in this step.
+    bool isBroken() const { return brokeBefore || !carved.empty(); }
 };
 
 /// How a free body moved before anything was taken from it.
@@ -110,8 +113,8 @@ struct EditContext {
     void warnStale(BodyHandle body, const char* warning) const;
     /// The same for objects of which an undo or redo of this step alone may have destroyed some.
     void warnStale(const std::string& warning) const;
-    /// Sets Body::broken; the journal lists the first time.
-    void markBroken(BodyHandle body);
+    /// Sets Shape::broken and Body::broken; the journal lists the first time of the body.
+    void markBroken(ShapeHandle shape);
 
 private:
     /// Counts voxels of an entry that are gone for wires and light groups.

@@ -134,8 +134,7 @@ void EditStep::takeRestoredBricks() {
 
 void EditStep::markBroken() {
     for (const auto& [slot, each] : m_context.editStates)
-        if (const Shape* shape = m_context.world.shapes.find(each.shape); shape && !each.carved.empty())
-            m_context.markBroken(shape->body);
+        if (m_context.world.shapes.find(each.shape) && each.isBroken()) m_context.markBroken(each.shape);
 }
 
 /// Adds to the journal what the edit states hold: bricks and carved shapes.

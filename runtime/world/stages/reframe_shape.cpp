@@ -52,9 +52,9 @@ bool reframeShape(EditContext& context, ShapeHandle handle, const CellBox& box) 
         return false;
     }
     ShapeEditState& each = context.editState(handle);
-    const bool lostVoxels = isLess || each.lostVoxels || !each.carved.empty();
+    const bool isBroken = isLess || each.isBroken(), lostVoxels = isBroken || each.lostVoxels;
     if (lostVoxels) shape.knownConnected = false;
-    each = {.shape = handle, .lostVoxels = lostVoxels};
+    each = {.shape = handle, .lostVoxels = lostVoxels, .brokeBefore = isBroken};
     context.world.updateShapeBounds(handle);
     context.world.updateDebris(shape.body);
     context.changes.shapesDestroyed.push_back(handle);

@@ -96,16 +96,17 @@ EntryCounts mergeVoxels(Shape& into, const Shape& from, const std::array<uint8_t
 /// What is merged into a connected shape may have loose parts, or may be waiting for the test that finds them.
 void moveConnectivity(EditContext& context, ShapeHandle from, ShapeHandle target) {
     Shape& into = context.world.shapes.at(target);
-    bool isTested = true;
+    bool isTested = true, isBroken = context.world.shapes.at(from).broken;
     for (PendingSplit& pending : context.world.pendingSplits) {
         isTested = isTested && pending.shape != from;
         if (pending.shape == target) pending.search.reset();  // it has not seen the new voxels
     }
     if (const auto known = context.editStates.find(from.slot()); known != context.editStates.end()) {
-        isTested = isTested && known->second.carved.empty() && !known->second.lostVoxels;
-        if (!known->second.carved.empty()) context.markBroken(into.body);
+        isTested = isTested && !known->second.isBroken() && !known->second.lostVoxels;
+        isBroken = isBroken || known->second.isBroken();
         context.editStates.erase(known);
     }
+    if (isBroken) context.editState(target).brokeBefore = true;
     if (!isTested) context.editState(target).lostVoxels = true;
     into.knownConnected = into.knownConnected && isTested && context.world.shapes.at(from).knownConnected;
 }

@@ -96,6 +96,45 @@ TEST(ScriptSaves, ATableThatIsTooLargeLosesNoOther) {
         << yard.logged(RUBBLE_LOG_WARNING);
 }
 
+TEST(ScriptSaves, WhatIsBrokenIsKeptAndAnUndoMakesItWhole) {
+    Yard yard;
+    const auto isBroken = [&](const char* expected) {
+        EXPECT_EQ(yard.run("local w = FindShape('wall') local found = tostring(IsShapeBroken(w)) .. ' ' .. "
+                           "tostring(IsBodyBroken(GetShapeBody(w))) if found ~= '" +
+                           std::string(expected) + "' then error(found) end"),
+                  "");
+    };
+    const std::string save = (yard.folder() / "save.rubble").string();
+    ASSERT_EQ(yard.api().set_undo_limit(yard.world(), 2), RUBBLE_OK);
+    ASSERT_EQ(yard.api().add_undo_mark(yard.world()), RUBBLE_OK);
+    isBroken("false false");
+    EXPECT_EQ(yard.run("MakeHole({0, 1.2, 0}, 0.4, 0.4)"), "");
+    steps(yard, 1);
+    isBroken("true true");
+    ASSERT_EQ(yard.api().save_game(yard.world(), save.c_str()), RUBBLE_OK);
+    ASSERT_EQ(yard.api().undo(yard.world()), RUBBLE_OK);
+    steps(yard, 1);
+    isBroken("false false");
+    ASSERT_EQ(yard.api().load_game(yard.world(), save.c_str()), RUBBLE_OK);
+    yard.host().load();
+    isBroken("true true");
+    EXPECT_EQ(yard.logged(RUBBLE_LOG_WARNING), "");
+}
+
+TEST(ScriptSaves, WhatIsCutAndThenChangedInOneStepIsBroken) {
+    for (const char* edits :
+         {"MakeHole({0, 1.2, 0}, 0.4, 0.4) SetBodyDynamic(b, true)",
+          "MakeHole({0, 1.2, 0}, 0.4, 0.4) ResizeShape(s, -2, 0, 0, 60, 30, 5)", "ResizeShape(s, 0, 0, 0, 5, 5, 1)"}) {
+        Yard yard;
+        EXPECT_EQ(yard.run("local s, told = FindShape('wall'), 0 local b = GetShapeBody(s) "
+                           "function onBodyBreak(body) if body == b then told = told + 1 end end " +
+                           std::string(edits) +
+                           " wait(0) wait(0) assert(IsBodyBroken(b) and IsShapeBroken(s) and told == 1, told)"),
+                  "")
+            << edits;
+    }
+}
+
 TEST(ScriptSaves, ARecordingOfScriptsPlaysWithoutThem) {
     Yard yard;
     const std::string log = (yard.folder() / "game.rubblelog").string();
@@ -135,6 +174,45 @@ std::string writeLevel(const std::filesystem::path& folder, const std::string& n
     std::ofstream(folder / name, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
     return (folder / name).string();
+}
+
+TEST(ScriptSaves, ALoadAndALevelCallDestroyWhichDoesNotChangeTheWorldThatComes) {
+    Yard yard;
+    const std::string save = (yard.folder() / "save.rubble").string();
+    const std::string text =
+        "function destroy() print('ends') SetGravity({0, 5, 0}) MakeHole({0, 1, 0}, 0.5) Delete(crate) "
+        "Delete(FindBody('wall')) SetBodyVelocity(crate, {0, 9, 0}) assert(FindBody('floor') == 0) "
+        "CreateShape(crate) assert(not QueryRaycast({0, 9, 0}, {0, -1, 0}, 20)) Spawn('post.vox') "
+        "PointLight({0, 1, 0}, 1, 1, 1) Paint({0, 1, 0}, 1) SetTag(crate, 'x') end "
+        "crate = FindBody('crate')";
+    std::ofstream(yard.folder() / "level.lua") << text;
+    yard.host().add("mod.lua", text);
+    steps(yard, 2);
+    ASSERT_EQ(yard.host().save(), RUBBLE_OK);
+    ASSERT_EQ(yard.api().save_game(yard.world(), save.c_str()), RUBBLE_OK);
+    ASSERT_EQ(yard.api().load_game(yard.world(), save.c_str()), RUBBLE_OK);
+    const uint64_t loaded = yard.hash();
+    yard.host().load();
+    EXPECT_EQ(yard.logged(0), "mod.lua: ends\n");
+    EXPECT_EQ(yard.hash(), loaded);
+    steps(yard, 1);
+    const uint64_t stepped = yard.hash();
+    ASSERT_EQ(yard.api().load_game(yard.world(), save.c_str()), RUBBLE_OK);
+    ASSERT_EQ(yard.api().step(yard.world()), RUBBLE_OK);
+    EXPECT_EQ(yard.hash(), stepped) << "the step carries out nothing of it";
+
+    const std::string level = writeLevel(yard.folder(), "level.rubble", "level.lua");
+    const auto enter = [&] {
+        ASSERT_EQ(yard.api().load_level(yard.world(), level.c_str(), nullptr), RUBBLE_OK);
+        yard.host().addLevelScripts();
+    };
+    enter();
+    enter();
+    EXPECT_EQ(yard.logged(0), "mod.lua: ends\nlevel.lua: ends\n");
+    steps(yard, 1);
+    auto environment = sized<rubble_environment>();
+    ASSERT_EQ(yard.api().get_environment(yard.world(), &environment), RUBBLE_OK);
+    EXPECT_LT(environment.gravity[1], 0.0);
 }
 
 TEST(ScriptSaves, LevelsNameTheirScripts) {

@@ -297,6 +297,24 @@ TEST(Query, SpheresThatOverlapWhereTheyStartMeetTheNearestVoxel) {
     EXPECT_EQ(inside.normal, glm::dvec3(-1.0, 0.0, 0.0));
 }
 
+TEST(Query, CapsulesThatOverlapWhereTheyStartMeetTheVoxelNearestToTheirAxis) {
+    World world;
+    world.load(oneShapeLevel(solidGrid({20, 20, 2}, 1), true));
+    for (const double sign : {1.0, -1.0})
+        for (const double x : {0.33, 0.71, 1.52}) {
+            const glm::dvec3 low{x, 1.03, -0.25}, high{x, 1.74, -0.95};
+            const WorldHit hit = castShape(
+                world,
+                {{QueryShapeKind::Capsule, sign > 0 ? low : high, sign > 0 ? high : low, 0.6}, {0.0, 0.0, sign}});
+            ASSERT_TRUE(hit.hit && hit.distance == 0.0);
+            EXPECT_NEAR(glm::length(hit.position - glm::dvec3(x, 1.03, 0.0)), 0.0, 1e-9) << x;
+            EXPECT_NEAR(glm::length(hit.normal - glm::dvec3(0.0, 0.0, -1.0)), 0.0, 1e-9) << x;
+        }
+    const WorldHit through =
+        castShape(world, {{QueryShapeKind::Capsule, {1.0, 1.0, -0.5}, {1.0, 1.0, 0.5}, 0.2}, {1.0, 0.0, 0.0}, 5.0});
+    EXPECT_EQ(through.normal, glm::dvec3(-1.0, 0.0, 0.0)) << "its axis is in the voxels";
+}
+
 TEST(Query, BoxCastsStopAtTheFirstContact) {
     Random random(6);
     int hits = 0;

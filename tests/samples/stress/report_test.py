@@ -214,12 +214,17 @@ class Program(unittest.TestCase):
         for call in calls:
             self.assertTrue(call in script or call.replace("(", ", ", 1) in script, script)
 
+    def test_the_heap_is_that_of_one_world(self):
+        self.play("function init() LoadLevel('town') end", "--check-every", "0.25", minutes="0.01")
+        heap = [each for each in self.figures()["plots"]["heap, MiB"] if each > 8]
+        self.assertLess(max(heap), 1.3 * min(heap), heap)  # a check has a copy of the world
+
     def short_script(self, text):
         """That of a scenario which fails by SetShapeDensity() of -1."""
         self.play(text)
         failure = self.figures()["failure"]
         lines = failure.get("script", failure.get("no_script")).splitlines()
-        self.assertTrue(lines[0].startswith("-- script: SetShapeDensity: density is -1, expected "), lines)
+        self.assertTrue(lines[0].startswith("-- script: SetShapeDensity: density: expected "), lines)
         return lines
 
     def test_what_calls_and_events_give_has_a_name_in_a_short_script(self):

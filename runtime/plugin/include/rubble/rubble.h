@@ -340,7 +340,7 @@ typedef struct rubble_body_change {
 /* What a body weighs and how it moves, as get_body_properties() gives it. */
 typedef struct rubble_body_properties {
     uint32_t struct_size;
-    uint32_t reserved;
+    uint32_t is_broken; /* 1: it has lost voxels, and no undo gave them back */
     double mass;       /* kg; physics moves it as one of 1e-9 to 1e12 kg */
     double center[3];  /* of mass, in the body's frame */
     double inertia[6]; /* kg m2 about the centre, in the axes of the body's frame: xx, yy, zz, xy, yz, xz */
@@ -501,7 +501,7 @@ typedef struct rubble_shape_properties {
     uint32_t collision_shape;           /* RUBBLE_COLLISION_VOXELS ... */
     uint32_t is_piece;                  /* 1: it came off another shape, or lost its last anchor */
     uint32_t anchor_count;              /* of get_anchors() */
-    uint32_t reserved;
+    uint32_t is_broken;                 /* 1: it has lost voxels, and no undo gave them back */
 } rubble_shape_properties;
 
 /* ---- palettes ---- */
@@ -1890,7 +1890,8 @@ typedef struct rubble_api {
     /* [main-thread] out[i] is the first voxel that rays[i] meets. `count` rows each. */
     rubble_result (*cast_rays)(rubble_world world, const rubble_ray* rays, uint32_t count,
                                const rubble_query_filter* filter, rubble_hit* out);
-    /* [main-thread] out[i] is the first voxel that casts[i] meets; distance 0 if it touches one where it starts. */
+    /* [main-thread] out[i] is the first voxel that casts[i] meets; distance 0 if it touches one where it starts: of
+     * several that a sphere or capsule overlaps there, the one nearest to its centre, or to its axis. */
     rubble_result (*cast_shapes)(rubble_world world, const rubble_shape_cast* casts, uint32_t count,
                                  const rubble_query_filter* filter, rubble_hit* out);
     /* [main-thread] The bodies that have a voxel in a region, in a fixed order. */

@@ -376,7 +376,8 @@ public:
         check(api().cast_rays(m_handle, rays, count, &filter, out.data()));
         return out;
     }
-    /** out[i] is the first voxel that casts[i] meets; distance 0 if it touches one where it starts. */
+    /** out[i] is the first voxel that casts[i] meets; distance 0 if it touches one where it starts: of several that a
+     * sphere or capsule overlaps there, the one nearest to its centre, or to its axis. */
     std::vector<rubble_hit> cast_shapes(const rubble_shape_cast* casts, uint32_t count, rubble_query_filter filter = {})
         const {
         filter.struct_size = sizeof filter;

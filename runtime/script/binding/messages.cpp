@@ -1,0 +1,114 @@
+#include "runtime/script/binding/messages.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "runtime/script/binding/script_context.h"
+
+namespace rubble::script {
+namespace {
+
+/// Parameters that stand for a field whose name they do not have. Of those that a function has, the numbers of a field
+/// are one each; if it has fewer, the first one has them all.
+constexpr struct {
+    std::string_view field;
+    const char* parameters;
+} kNames[] = {
+    {"angular_velocity", "velocity"},
+    {"body", "list"},
+    {"color", "r g b intensity"},
+    {"direction", "dir"},
+    {"emission", "scale"},
+    {"high", "max"},
+    {"joules", "amount"},
+    {"low", "min pos xmin ymin zmin"},
+    {"max_distance", "maxDist"},
+    {"motor_max_force", "strength"},
+    {"motor_target", "velocity target"},
+    {"object", "handle"},
+    {"owner", "body shape"},
+    {"position", "pos point origin transform p0"},
+    {"radii", "r0 r1 r2"},
+    {"rotation", "transform"},
+    {"shape", "refShape list"},
+    {"size", "xmax ymax zmax"},
+};
+
+std::vector<std::string> parametersOf(const ScriptFunction& function) {
+    const std::string signature = function.signature;
+    const size_t begin = signature.find('(') + 1;
+    std::string list = signature.substr(begin, signature.find(')') - begin);
+    std::replace(list.begin(), list.end(), ',', ' ');
+    std::istringstream words(list);
+    std::vector<std::string> names;
+    for (std::string name; words >> name;) names.push_back(name);
+    return names;
+}
+
+/// "wet_seconds" as "wetSeconds".
+std::string asParameter(const std::string& field) {
+    std::string name;
+    for (size_t i = 0; i < field.size(); ++i) {
+        const bool begins = i > 0 && field[i - 1] == '_';
+        if (field[i] != '_') name += begins ? char(std::toupper(static_cast<unsigned char>(field[i]))) : field[i];
+    }
+    return name;
+}
+
+/// The parameter that a field as "rays[0].origin[1]" was made from; "": none that is known.
+std::string parameterOf(lua_State* L, std::string field) {
+    const std::vector<std::string> all = parametersOf(runningFunction(L));
+    const auto isParameter = [&](const std::string& name) {
+        return std::find(all.begin(), all.end(), name) != all.end();
+    };
+    size_t number = 0;
+    if (field.ends_with(']')) {
+        number = size_t(std::atoi(field.c_str() + field.rfind('[') + 1));
+        field.resize(field.rfind('['));
+    }
+    field = field.substr(field.find_last_of(".>") + 1);
+    if (const std::string name = asParameter(field); isParameter(name)) return name;
+    std::vector<std::string> names;
+    for (const auto& row : kNames) {
+        std::istringstream words(row.field == field ? row.parameters : "");
+        for (std::string name; words >> name;)
+            if (isParameter(name)) names.push_back(name);
+    }
+    return names.empty() ? "" : names[number < names.size() ? number : 0];
+}
+
+std::string withoutFunction(const std::string& message) {
+    const size_t end = message.find(": ");
+    const auto isOfName = [](char letter) { return (letter >= 'a' && letter <= 'z') || letter == '_'; };
+    const bool isName =
+        end != message.npos && std::all_of(message.begin(), message.begin() + std::ptrdiff_t(end), isOfName);
+    return isName ? message.substr(end + 2) : message;
+}
+
+}  // namespace
+
+std::string parameterAt(lua_State* L, int index) {
+    return parametersOf(runningFunction(L)).at(size_t(index) - 1);
+}
+
+std::string messageOf(lua_State* L, std::string message) {
+    constexpr std::string_view kIs = " is ", kExpected = ", expected ";
+    const std::string folder = ScriptContext::of(L).folder + "/";
+    for (size_t at = 0; folder.size() > 1 && (at = message.find(folder, at)) != message.npos;)
+        message.erase(at, folder.size());
+    message = withoutFunction(message);
+    const size_t end = message.find(kIs), expected = message.find(kExpected), why = message.find(": ", expected);
+    const std::string field = message.substr(0, end);
+    const std::string parameter = end == message.npos || field.find(' ') != field.npos ? "" : parameterOf(L, field);
+    if (parameter.empty()) return message;
+    if (expected == message.npos) return parameter + message.substr(end);
+    const size_t value = end + kIs.size(), wanted = expected + kExpected.size();
+    return parameter + ": expected " + message.substr(wanted, why == message.npos ? why : why - wanted) + ", found " +
+           message.substr(value, expected - value) + (why == message.npos ? "" : message.substr(why));
+}
+
+}  // namespace rubble::script

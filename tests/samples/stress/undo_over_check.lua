@@ -1,0 +1,17 @@
+-- A hole is undone after a check that was made since its mark.
+function init()
+    UndoLimit(3)
+    local wall = Box("wall", {-2, 0, -2}, {40, 20, 4}, 7)
+    WaitForStep(10)
+    UndoMark()
+    MakeHole({0, 1, -1.8}, 0.5, 0.5, 0.5)
+    WaitForStep(12)
+    Expect(IsShapeBroken(wall), "a wall with a hole")
+    WaitForStep(70)
+    Undo()
+    WaitForStep(72)
+    Expect(not IsShapeBroken(wall) and not IsBodyBroken(GetShapeBody(wall)), "a wall that is whole again")
+    Redo()
+    WaitForStep(100)
+    Expect(IsShapeBroken(wall), "the hole again")
+end
