@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "physics/collision/occupancy.h"
@@ -13,7 +15,7 @@ public:
     /// Adds a solid to what lies around a part. Both cell transforms are about one origin; the solid must outlive it.
     void add(const ColliderPart& solid, const CellTransform& solidCells, const CellTransform& partCells);
     /// Whether nothing was added.
-    bool empty() const { return m_solids.empty(); }
+    bool empty() const { return m_count == 0; }
     /// Whether a point in cells of the part is inside one of the solids.
     bool contains(const glm::vec3& point);
     /// Whether something lies against the side (sign * axis) of a cell of the part, beside the point p.
@@ -25,7 +27,9 @@ private:
         glm::mat3 axes;    ///< of the part's cells, in cells of the solid
         glm::vec3 corner;  ///< of the part's cell (0, 0, 0), in cells of the solid
     };
-    std::vector<Solid> m_solids;
+    std::array<std::optional<Solid>, 8> m_first;  ///< pairs are made anew in every step: so few take no memory
+    std::vector<Solid> m_more;
+    size_t m_count = 0;
 };
 
 /// A part, where it is and what lies around it.

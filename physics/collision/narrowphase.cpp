@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <thread>
 #include <tuple>
 #include <utility>
@@ -199,13 +200,14 @@ void Narrowphase::collide(std::span<const ObjectPair> pairs, const NarrowphaseSe
     const size_t firstPair = std::exchange(set.usedPairs, set.usedPairs + pairs.size());
     if (set.pairs.size() < set.usedPairs) set.pairs.resize(set.usedPairs + set.usedPairs / 4);
     [[maybe_unused]] const std::thread::id caller = std::this_thread::get_id();
-    parallelFor(batches, [&](size_t i) {
+    const auto collideOne = [&](size_t i) {
         const size_t from = i * kPairsPerBatch, count = std::min(kPairsPerBatch, pairs.size() - from);
         collideBatch(pairs, from, settings, *set.batches[firstBatch + i],
                      std::span(set.pairs).subspan(firstPair + from, count));
         // As if two threads had written to one list: the contacts of one of them are lost.
         if (isPlanted("race") && std::this_thread::get_id() != caller) set.batches[firstBatch + i]->used = 0;
-    });
+    };
+    parallelFor(batches, std::ref(collideOne));
     const CollisionObject* first = nullptr;
     for (const ObjectPair& pair : pairs) {
         if (pair.first == first) continue;

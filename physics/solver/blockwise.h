@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 
 #include "runtime/core/parallel_for.h"
 
@@ -15,7 +16,7 @@ void forEachBlockwise(const ParallelFor* parallelFor, size_t count, F&& f) {
         for (size_t i = block * kBlockSize; i < std::min(count, (block + 1) * kBlockSize); ++i) f(i);
     };
     if (parallelFor && count >= kMinParallelBlocks * kBlockSize)
-        return (*parallelFor)((count + kBlockSize - 1) / kBlockSize, runBlock);
+        return (*parallelFor)((count + kBlockSize - 1) / kBlockSize, std::ref(runBlock));
     for (size_t i = 0; i < count; ++i) f(i);
 }
 

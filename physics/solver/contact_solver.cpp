@@ -134,7 +134,8 @@ void ContactSolver::substep(std::span<SolverBody> bodies, glm::dvec3 gravity, co
     m_steadyBodies.startSubstep(m_set, glm::vec3(gravity * h), isFirst);
     if (!m_joints.empty()) m_joints.prepare(bodies, m_set.states, gravity * h, h);
     const ContactArrays set = arrays();
-    m_coloring.run(m_parallelFor, [&](size_t from, size_t to) { m_kernels->warmStart(set, from, to, isFirst); });
+    const auto warmStart = [&](size_t from, size_t to) { m_kernels->warmStart(set, from, to, isFirst); };
+    m_coloring.run(m_parallelFor, std::ref(warmStart));  // a copy would take memory
     m_restitution.solve(m_set, float(h), bodies, m_joints);
     ContactPass pass{float(1.0 / h), float(settings.maxPushSpeed), float(settings.slop)};
     pass.useBias = true, pass.addsTotals = !isFirst;
@@ -149,9 +150,10 @@ void ContactSolver::substep(std::span<SolverBody> bodies, glm::dvec3 gravity, co
 
 void ContactSolver::iterate(std::span<const SolverBody> bodies, const SolverSettings& settings, ContactPass pass) {
     const ContactArrays set = arrays();
+    const auto solve = [&](size_t from, size_t to) { m_kernels->solve(set, from, to, pass); };
     for (int i = 0; i < settings.iterations; ++i) {
         if (!m_joints.empty()) m_joints.solve(bodies, m_set.states, pass.useBias);
-        m_coloring.run(m_parallelFor, [&](size_t from, size_t to) { m_kernels->solve(set, from, to, pass); });
+        m_coloring.run(m_parallelFor, std::ref(solve));
         pass.addsTotals = pass.haveMoved = false;
         for (int k = 0; k < settings.loadBearingPasses; ++k)
             for (const uint32_t group : m_stiffGroups) m_kernels->solve(set, group, group + 1, pass);

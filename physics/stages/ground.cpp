@@ -23,14 +23,14 @@ Shape shapeOf(const GroundSlab& slab) {
 }  // namespace
 
 void Ground::update(const World& world, PhysicsBodies& bodies, bool wakes) {
-    std::vector<GroundSlab> slabs = groundSlabs(world.data());
+    const GroundSlabs slabs = groundSlabs(world.data());
     if (slabs == m_slabs) return;
     for (const auto& object : m_objects) {
         bodies.broadphase().remove(*object);
         if (wakes) bodies.wakeTouching(object->low, object->high);
     }
     m_objects.clear();
-    m_slabs = std::move(slabs);
+    m_slabs = slabs;
     for (const GroundSlab& slab : m_slabs) {
         auto object = std::make_unique<CollisionObject>();
         object->collider.parts.push_back(std::make_unique<ColliderPart>(shapeOf(slab), Pose{}, defaultMaterials()));

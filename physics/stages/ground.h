@@ -15,7 +15,7 @@ public:
     void update(const World& world, PhysicsBodies& bodies, bool wakes);
 
 private:
-    std::vector<GroundSlab> m_slabs;
+    GroundSlabs m_slabs;
     std::vector<std::unique_ptr<CollisionObject>> m_objects;  ///< one a slab
 };
 

@@ -167,12 +167,12 @@ void AttachmentSearch::seed(const View& view, glm::ivec3 position, BrickMask car
 std::optional<uint32_t> AttachmentSearch::firstPartOf(const View& view, glm::ivec3 position) {
     const BrickNode* node = view.grid.nodeAt(position);
     if (!node) return std::nullopt;
-    const auto [entry, isNew] = m_nodes.try_emplace(nodeKey(position));
-    if (isNew) {
-        entry->second = uint32_t(m_parts.size());
+    uint32_t& first = m_nodes[nodeKey(position)];
+    if (first == kNone) {
+        first = uint32_t(m_parts.size());
         for (uint32_t i = 0; i < nodeParts(*node).count; ++i) m_parts.push_back({position, i, kNone});
     }
-    return entry->second;
+    return first;
 }
 
 uint32_t AttachmentSearch::root(uint32_t set) {
@@ -214,7 +214,7 @@ void AttachmentSearch::join(uint32_t a, uint32_t b) {
 void AttachmentSearch::visitNeighbour(const View& view, uint32_t index, size_t face, bool onlyKnown) {
     const Part part = m_parts[index];
     const glm::ivec3 position = part.node + kFaceOffsets[face];
-    if (onlyKnown && !m_nodes.contains(nodeKey(position))) return;
+    if (onlyKnown && m_nodes.find(nodeKey(position)) == kNone) return;
     const std::optional<uint32_t> first = firstPartOf(view, position);
     if (!first) return;
     forEachContact(*view.grid.nodeAt(part.node), *view.grid.nodeAt(position), face,

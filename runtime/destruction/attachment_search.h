@@ -1,9 +1,9 @@
 #pragma once
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
+#include "runtime/core/index_map.h"
 #include "runtime/destruction/brick_set.h"
 #include "runtime/destruction/components.h"
 #include "runtime/voxel/cell_box.h"
@@ -71,7 +71,7 @@ private:
     void updateSetState(uint32_t set);
     bool isDecided(const View& view) const;
 
-    std::unordered_map<uint32_t, uint32_t> m_nodes;  ///< a node's first part; looked up, never iterated
+    IndexMap m_nodes;  ///< a node's first part
     std::vector<Part> m_parts;
     std::vector<Set> m_sets;
     std::vector<uint32_t> m_open;    ///< sets that may still grow

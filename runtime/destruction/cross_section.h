@@ -24,6 +24,11 @@ struct Section {
 /// The axes of u and v in the plane of a section, by the axis of its normal.
 inline constexpr std::array<int, 3> kSectionU = {1, 0, 0}, kSectionV = {2, 2, 1};
 
+/// A number for each brick of a grid and beyond its borders: 16 bits an axis.
+inline uint64_t brickKey(glm::ivec3 brick) {
+    return uint64_t(uint16_t(brick.x)) | uint64_t(uint16_t(brick.y)) << 16 | uint64_t(uint16_t(brick.z)) << 32;
+}
+
 /// The moments of area of a section.
 struct SectionShape {
     double area = 0.0;

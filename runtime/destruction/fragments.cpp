@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
-#include <unordered_map>
 
 #include "runtime/core/assertion.h"
+#include "runtime/core/index_map.h"
 #include "runtime/core/random.h"
 #include "runtime/destruction/fragment_style.h"
 #include "runtime/destruction/pack_piece.h"
@@ -117,6 +117,7 @@ private:
     void assignClusters(const BrickSubset& subset);
     void removeZone();
     void addFragment(const Cluster& cluster);
+    bool isConnectedBrick(const VoxelGrid& grid);
     void addPiece(Piece&& piece, const Group& group);
     void addDust(const Brick& brick, const BrickBits& bits, glm::ivec3 position);
     /// Whether it becomes dust: too small for a fragment, or one too many.
@@ -145,9 +146,10 @@ private:
     const FracturePlan& m_plan;
     std::array<uint8_t, 256> m_groupOf{};  ///< by palette entry
     std::vector<Group> m_groups;
-    std::vector<BrickSubset> m_zone;                     ///< voxels that break; each brick once, by cellBefore()
-    std::vector<Cluster> m_clusters;                     ///< in the order of their first voxel
-    std::unordered_map<uint64_t, uint32_t> m_clusterOf;  ///< by label; looked up, never iterated
+    std::vector<BrickSubset> m_zone;  ///< voxels that break; each brick once, by cellBefore()
+    std::vector<Cluster> m_clusters;  ///< in the order of their first voxel
+    IndexMap m_clusterOf;             ///< by label
+    std::vector<BrickPart> m_parts;   ///< of isConnectedBrick()
     FractureResult m_out;
 };
 
@@ -292,8 +294,9 @@ void Fracturer::assignClusters(const BrickSubset& subset) {
         const uint64_t label = labelOf(g, cell, isNear);
         if (group.style->wholePane && isOnCrack(g, cell, isNear, label)) return setVoxel(dust, i);
         if (label != lastLabel) {
-            cluster = m_clusterOf.try_emplace(label, uint32_t(m_clusters.size())).first->second;
-            if (cluster == m_clusters.size()) m_clusters.push_back({g, 0, {}});
+            uint32_t& known = m_clusterOf[label];
+            if (known == IndexMap::kNone) known = uint32_t(m_clusters.size()), m_clusters.push_back({g, 0, {}});
+            cluster = known;
             lastLabel = label;
         }
         Cluster& into = m_clusters[cluster];
@@ -311,6 +314,14 @@ void Fracturer::addDust(const Brick& brick, const BrickBits& bits, glm::ivec3 po
     m_out.dust.moments += brickMoments(brick, bits, position, m_densities);
 }
 
+/// Whether all of a grid is one brick, whose voxels are connected: most fragments are.
+bool Fracturer::isConnectedBrick(const VoxelGrid& grid) {
+    if (grid.sizeInBricks() != glm::ivec3(1)) return false;
+    m_parts.clear();
+    findBrickParts(grid.brickAt(glm::ivec3(0))->occupancy, m_parts);
+    return m_parts.size() == 1;
+}
+
 /// Makes a cluster fragments: one for each of its components.
 void Fracturer::addFragment(const Cluster& cluster) {
     const Group& group = m_groups[cluster.group];
@@ -320,6 +331,7 @@ void Fracturer::addFragment(const Cluster& cluster) {
         return;
     }
     Piece packed = packPiece(m_grid, cluster.subsets);
+    if (isConnectedBrick(packed.grid)) return addPiece(std::move(packed), group);
     const std::vector<Component> parts = findComponents(packed.grid);
     if (parts.size() == 1) return addPiece(std::move(packed), group);
     for (const Component& part : parts) {

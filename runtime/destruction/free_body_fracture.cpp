@@ -83,10 +83,10 @@ struct Acceleration {
     glm::dvec3 at(glm::dvec3 point) const { return linear + glm::cross(angular, point - center); }
 };
 
-/// The sections of a plane. size: of the grid in bricks; solidAt(brick): its load-bearing cells.
+/// Lists the sections of a plane. size: of the grid in bricks; solidAt(brick): its load-bearing cells.
 template <class F>
-std::vector<Section> sectionsThrough(glm::ivec3 size, int axis, int plane, F&& solidAt) {
-    std::vector<Section> out;
+void findSections(glm::ivec3 size, int axis, int plane, F&& solidAt, std::vector<Section>& out) {
+    out.clear();
     glm::ivec3 low(0), high = size, above(0);
     low[axis] = (plane - 1) / kBrickSize, high[axis] = low[axis] + 1;
     const int inBrick = plane - low[axis] * kBrickSize;
@@ -101,7 +101,6 @@ std::vector<Section> sectionsThrough(glm::ivec3 size, int axis, int plane, F&& s
                     below && hasAbove ? below & brickLayer(solidAt(brick + above), axis, cellInBrick(inBrick)) : 0;
                 if (cells) out.push_back({brick, axis, inBrick, cells});
             }
-    return out;
 }
 
 /// A body and an impact on it.
@@ -115,10 +114,11 @@ public:
     }
 
     /// All planes along an axis with their utilization. Too close to an end of the body it is zero.
-    std::vector<FracturePlane> planes(int axis) const {
+    std::vector<FracturePlane> planes(int axis) {
         const int length = m_body.grid.size()[axis];
         std::vector<FracturePlane> out;
         if (!hasMass() || !bendsAlong(axis)) return out;
+        out.reserve(size_t(length));
         MassSum above;
         for (int plane = length - 1; plane > 0; --plane) {
             above += m_layers[size_t(axis)][size_t(plane)];
@@ -170,19 +170,19 @@ private:
     }
 
     /// The load and the utilization of a plane. above: the sum of the layers above it.
-    FracturePlane evaluatePlane(int axis, int plane, const MassSum& above) const {
+    FracturePlane evaluatePlane(int axis, int plane, const MassSum& above) {
         FracturePlane out{axis, plane};
-        const std::vector<Section> sections =
-            sectionsThrough(m_body.grid.sizeInBricks(), axis, plane,
-                            [&](glm::ivec3 brick) { return m_solid[m_solidIndex[brickIndex(brick)]]; });
-        if (sections.empty()) return out;
+        findSections(
+            m_body.grid.sizeInBricks(), axis, plane,
+            [&](glm::ivec3 brick) { return m_solid[m_solidIndex[brickIndex(brick)]]; }, m_sections);
+        if (m_sections.empty()) return out;
         const int u = kSectionU[size_t(axis)], v = kSectionV[size_t(axis)];
-        const glm::ivec3 origin = sections.front().brick;
-        std::vector<SectionTile> tiles;
-        for (const Section& each : sections)
-            tiles.push_back({each.cells, each.brick[u] - origin[u], each.brick[v] - origin[v]});
-        const SectionShape shape = sectionShape(sections.front(), tiles);
-        out.width = widthOf(sections);
+        const glm::ivec3 origin = m_sections.front().brick;
+        m_tiles.clear();
+        for (const Section& each : m_sections)
+            m_tiles.push_back({each.cells, each.brick[u] - origin[u], each.brick[v] - origin[v]});
+        const SectionShape shape = sectionShape(m_sections.front(), m_tiles);
+        out.width = widthOf(m_sections);
         const glm::dvec3 center = above.center();
         SectionForce load{-above.weight * m_acceleration.at(center), glm::dvec3(0.0)};
         load.moment = glm::cross(center - shape.centroid, load.force) - above.inertia() * m_acceleration.angular;
@@ -191,7 +191,7 @@ private:
             load.moment += glm::cross(m_point - shape.centroid, m_force);
         }
         bool canAnyBreak = false;
-        for (const Section& section : sections) {
+        for (const Section& section : m_sections) {
             bool canBreak = false;
             SectionStrength strength = sectionStrength(m_body.grid, m_body.entries, section, canBreak);
             canAnyBreak = canAnyBreak || canBreak;
@@ -211,6 +211,8 @@ private:
     std::vector<BrickBits> m_solid;                ///< load-bearing cells of each brick; the first: none
     MassSum m_all;
     Acceleration m_acceleration;
+    std::vector<Section> m_sections;  ///< of a plane
+    std::vector<SectionTile> m_tiles;
 };
 
 /// The planes at which the body breaks beside the worst one: spread along the body, `seed` moves them.
@@ -239,15 +241,18 @@ std::vector<FracturePlane> spreadPlanes(const std::vector<FracturePlane>& planes
 }  // namespace
 
 std::vector<Section> sectionsInPlane(const VoxelGrid& grid, const StrengthTable& entries, int axis, int plane) {
-    return sectionsThrough(grid.sizeInBricks(), axis, plane, [&](glm::ivec3 at) {
+    std::vector<Section> out;
+    const auto solidAt = [&](glm::ivec3 at) {
         const Brick* brick = grid.brickAt(at);
         return brick ? solidCells(*brick, entries) : BrickBits{};
-    });
+    };
+    findSections(grid.sizeInBricks(), axis, plane, solidAt, out);
+    return out;
 }
 
 std::vector<FracturePlane> findFracturePlanes(const StressedShape& body, const ImpactForce& impact, uint32_t seed) {
     const auto isLess = [](const FracturePlane& a, const FracturePlane& b) { return a.utilization < b.utilization; };
-    const FreeBody freeBody(body, impact);
+    FreeBody freeBody(body, impact);
     std::vector<FracturePlane> planes;
     FracturePlane worst{0, 0, 1.0};
     for (int axis = 0; axis < 3; ++axis) {

@@ -257,11 +257,9 @@ void StressAnalysis::numberRows() {
     while (!open.empty()) {
         const uint32_t node = open.back();
         open.pop_back();
-        for (const uint32_t bond : nodes[node].bonds) {
-            const StressBond& each = m_graph.bonds()[bond];
-            const uint32_t other = each.below == node ? each.above : each.below;
+        m_graph.forEachBond(node, [&](const StressBond&, uint32_t other) {
             if (!isConnected[other]) isConnected[other] = true, open.push_back(other);
-        }
+        });
     }
     m_rowOf.assign(nodes.size(), kNone);
     m_nodeOf.clear();
@@ -280,19 +278,17 @@ void StressAnalysis::numberRows() {
 void StressAnalysis::assembleRow(uint32_t index) {
     const StressNode& node = m_graph.nodes()[index];
     m_stiffness.findOrAppend(m_rowOf[index]);
-    for (const uint32_t bondIndex : node.bonds) {
-        const StressBond& bond = m_graph.bonds()[bondIndex];
-        const uint32_t other = bond.below == index ? bond.above : bond.below;
+    m_graph.forEachBond(index, [&](const StressBond& bond, uint32_t other) {
         const BondStiffness stiffness = bondStiffness(bond);
         const glm::dvec3 arm = bond.shape.centroid - node.center;
         const Block6 own = stiffnessBlock(stiffness, arm, arm);
         Block6& diagonal = m_stiffness.findOrAppend(m_rowOf[index]);
         for (size_t i = 0; i < 36; ++i) diagonal.m[i] += own.m[i];
-        if (m_rowOf[other] == kNone) continue;
+        if (m_rowOf[other] == kNone) return;
         const Block6 across = stiffnessBlock(stiffness, arm, bond.shape.centroid - m_graph.nodes()[other].center);
         Block6& coupling = m_stiffness.findOrAppend(m_rowOf[other]);
         for (size_t i = 0; i < 36; ++i) coupling.m[i] -= across.m[i];
-    }
+    });
     m_stiffness.endRow();
 }
 
@@ -388,16 +384,16 @@ SectionForce StressAnalysis::bondForce(const StressBond& bond) const {
 
 /// Adds the sections of a node's bonds; each bond belongs to one node. Returns the work.
 int64_t StressAnalysis::evaluateBonds(const StressedShape& shape, uint32_t index) {
-    const StressNode& node = m_graph.nodes()[index];
-    for (const uint32_t bondIndex : node.bonds) {
-        const StressBond& bond = m_graph.bonds()[bondIndex];
-        if (bond.below != index && !m_graph.nodes()[bond.below].isFixed) continue;
+    int64_t work = 0;
+    m_graph.forEachBond(index, [&](const StressBond& bond, uint32_t other) {
+        work += kBondWork;
+        if (bond.below != index && !m_graph.nodes()[other].isFixed) return;
         const double utilization = m_sections.add(bond.section, bond.shape, bondForce(bond),
                                                   scaled(bond.strength, bond.section, shape), bond.canBreak);
-        if (utilization < kMinSlicedUtilization) continue;
+        if (utilization < kMinSlicedUtilization) return;
         m_isSliced[bond.below] = m_isSliced[bond.above] = true;
-    }
-    return kBondWork * int64_t(node.bonds.size());
+    });
+    return work;
 }
 
 /// Windows reach into other bricks: also slices the nodes within two windows of one under stress.
@@ -408,11 +404,9 @@ void StressAnalysis::dilateSliced() {
     for (int step = 0; step < 2 * kWindowRadius; ++step) {
         std::vector<uint32_t> next;
         for (const uint32_t node : ring)
-            for (const uint32_t bondIndex : m_graph.nodes()[node].bonds) {
-                const StressBond& bond = m_graph.bonds()[bondIndex];
-                const uint32_t other = bond.below == node ? bond.above : bond.below;
+            m_graph.forEachBond(node, [&](const StressBond&, uint32_t other) {
                 if (!m_isSliced[other]) m_isSliced[other] = true, next.push_back(other);
-            }
+            });
         ring = std::move(next);
     }
 }
@@ -423,10 +417,8 @@ int64_t StressAnalysis::evaluateLayers(const StressedShape& shape, uint32_t inde
     const Brick* content = shape.grid.brickAt(node.brick);
     if (!m_isSliced[index] || !content) return 1;
     InternalForces slices(node);
-    for (const uint32_t bondIndex : node.bonds) {
-        const StressBond& bond = m_graph.bonds()[bondIndex];
-        slices.addBond(bond, bondForce(bond), bond.below == index);
-    }
+    m_graph.forEachBond(
+        index, [&](const StressBond& bond, uint32_t) { slices.addBond(bond, bondForce(bond), bond.below == index); });
     slices.addWeight(*content, shape.entries, shape.gravity);
     forEachImpact(shape, node, [&](glm::ivec3 cell, glm::dvec3 force) { slices.addForce(cell, force); });
     int64_t work = kSlicesWork;

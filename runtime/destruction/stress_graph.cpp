@@ -12,11 +12,6 @@ namespace {
 
 constexpr double kMaxNeckRatio = 0.6;  ///< area of a neck over that of the widest layer on its narrower side
 
-uint32_t brickKey(glm::ivec3 brick) {
-    static_assert(kMaxGridSize / kBrickSize <= 1024, "ten bits an axis");
-    return uint32_t(brick.x) | uint32_t(brick.y) << 10 | uint32_t(brick.z) << 20;
-}
-
 /// A plane between two layers of a brick. ratio: its area over that of the widest layer on its narrower side.
 struct Neck {
     int axis = 0, plane = 0;
@@ -82,21 +77,6 @@ BrickBits anchoredCells(glm::ivec3 brick, std::span<const CellBox> anchors) {
     return out;
 }
 
-void splitAtNecks(const BrickBits& cells, std::vector<BrickBits>& out) {
-    const Neck neck = narrowest(cells);
-    if (neck.ratio > kMaxNeckRatio) {
-        out.push_back(cells);
-        return;
-    }
-    const BrickBits above = bitsFrom(cells, neck.axis, neck.plane);
-    BrickBits below;
-    for (size_t z = 0; z < 8; ++z) below[z] = cells[z] & ~above[z];
-    std::vector<BrickPart> parts;
-    findBrickParts(below, parts);
-    findBrickParts(above, parts);
-    for (const BrickPart& part : parts) splitAtNecks(part.voxels, out);
-}
-
 SectionStrength sectionStrength(const VoxelGrid& grid, const StrengthTable& entries, const Section& section,
                                 bool& canBreak) {
     glm::ivec3 step(0);
@@ -124,35 +104,69 @@ SectionStrength sectionStrength(const VoxelGrid& grid, const StrengthTable& entr
     return {sum.tensile / faces, sum.compressive / faces, sum.shear / faces};
 }
 
-const std::vector<uint32_t>* StressGraph::nodesOf(glm::ivec3 brick) const {
-    if (brick.x < 0 || brick.y < 0 || brick.z < 0) return nullptr;
-    const auto found = m_bricks.find(brickKey(brick));
-    return found == m_bricks.end() ? nullptr : &found->second;
+void StressGraph::setBrick(const VoxelGrid& grid, std::span<const CellBox> anchors, const StrengthTable& entries,
+                           glm::ivec3 brick) {
+    removeNodes(brick);
+    m_added.clear();
+    if (const Brick* content = grid.brickAt(brick)) addNodes(*content, anchors, entries, brick);
+    connectBrick(grid, entries, brick);
+    for (const uint32_t node : m_added) inheritDisplacement(m_nodes[node]);
 }
 
-void StressGraph::removeNode(uint32_t index) {
-    StressNode& node = m_nodes[index];
-    for (const uint32_t bond : node.bonds) {
-        const uint32_t other = m_bonds[bond].below == index ? m_bonds[bond].above : m_bonds[bond].below;
-        std::erase(m_nodes[other].bonds, bond);
-        m_bonds[bond].isUsed = false;
-        m_freeBonds.push_back(bond);
+void StressGraph::removeNodes(glm::ivec3 brick) {
+    m_removed.clear();
+    for (uint32_t node = m_firstNode.find(brickKey(brick)); node != kNoIndex; node = m_nodes[node].nextInBrick) {
+        m_removed.push_back(m_nodes[node]);
+        while (m_nodes[node].firstBond != kNoIndex) removeBond(m_nodes[node].firstBond);
+        m_nodes[node].isUsed = false;
+        m_nodeSlots.free(node);
     }
-    node.bonds.clear();
-    node.isUsed = false;
-    m_freeNodes.push_back(index);
+}
+
+void StressGraph::removeBond(uint32_t index) {
+    const StressBond& bond = m_bonds[index];
+    for (const uint32_t end : {bond.below, bond.above}) {
+        uint32_t* link = &m_nodes[end].firstBond;
+        uint32_t before = kNoIndex;
+        for (; *link != index; link = &m_bonds[before].nextOf(end)) before = *link;
+        *link = bond.nextOf(end);
+        if (m_nodes[end].lastBond == index) m_nodes[end].lastBond = before;
+    }
+    m_bondSlots.free(index);
+}
+
+void StressGraph::addNodes(const Brick& content, std::span<const CellBox> anchors, const StrengthTable& entries,
+                           glm::ivec3 brick) {
+    const BrickBits solid = solidCells(content, entries), anchored = anchoredCells(brick, anchors);
+    BrickBits fixed, free;
+    for (size_t z = 0; z < 8; ++z) fixed[z] = solid[z] & anchored[z], free[z] = solid[z] & ~anchored[z];
+    m_parts.clear(), m_bodies.clear();
+    findBrickParts(free, m_parts);
+    for (size_t i = 0, count = m_parts.size(); i < count; ++i) splitAtNecks(BrickBits(m_parts[i].voxels));
+    for (const BrickBits& cells : m_bodies) addNode(content, entries, brick, cells, false);
+    if (fixed != BrickBits{}) addNode(content, entries, brick, fixed, true);
+}
+
+/// Adds the parts of a connected set of cells to m_bodies. It is cut at necks: planes with much less area than the
+/// widest layers on both sides. A rigid node cannot deform at a neck, a bond can.
+void StressGraph::splitAtNecks(const BrickBits& cells) {
+    const Neck neck = narrowest(cells);
+    if (neck.ratio > kMaxNeckRatio) return m_bodies.push_back(cells);
+    const BrickBits above = bitsFrom(cells, neck.axis, neck.plane);
+    BrickBits below;
+    for (size_t z = 0; z < 8; ++z) below[z] = cells[z] & ~above[z];
+    const size_t first = m_parts.size();
+    findBrickParts(below, m_parts);
+    findBrickParts(above, m_parts);
+    for (size_t i = first, end = m_parts.size(); i < end; ++i) splitAtNecks(BrickBits(m_parts[i].voxels));
+    m_parts.resize(first);
 }
 
 void StressGraph::addNode(const Brick& content, const StrengthTable& entries, glm::ivec3 brick, const BrickBits& cells,
                           bool isFixed) {
-    uint32_t index = uint32_t(m_nodes.size());
-    if (m_freeNodes.empty())
-        m_nodes.emplace_back();
-    else
-        index = m_freeNodes.back(), m_freeNodes.pop_back();
-    StressNode& node = m_nodes[index];
-    node.brick = brick, node.cells = cells, node.isFixed = isFixed, node.isUsed = true;
-    node.translation = node.rotation = glm::dvec3(0.0);
+    const uint32_t index = m_nodeSlots.allocate();
+    if (index == m_nodes.size()) m_nodes.emplace_back();
+    StressNode node{.brick = brick, .cells = cells, .isFixed = isFixed, .isUsed = true};
     int64_t count = 0, weight = 0;
     glm::i64vec3 sum(0), weighted(0);
     forEachVoxel(cells, [&](int i) {
@@ -164,7 +178,8 @@ void StressGraph::addNode(const Brick& content, const StrengthTable& entries, gl
     node.center = base + glm::dvec3(sum) / double(2 * count);
     node.massCenter = weight ? base + glm::dvec3(weighted) / double(2 * weight) : node.center;
     node.weight = double(weight);
-    m_bricks[brickKey(brick)].push_back(index);
+    m_nodes[index] = node;
+    m_added.push_back(index);
 }
 
 void StressGraph::connect(const VoxelGrid& grid, const StrengthTable& entries, uint32_t below, uint32_t above, int axis,
@@ -172,22 +187,21 @@ void StressGraph::connect(const VoxelGrid& grid, const StrengthTable& entries, u
     const uint64_t cells =
         brickLayer(m_nodes[below].cells, axis, plane - 1) & brickLayer(m_nodes[above].cells, axis, cellInBrick(plane));
     if (!cells) return;
-    uint32_t index = uint32_t(m_bonds.size());
-    if (m_freeBonds.empty())
-        m_bonds.emplace_back();
-    else
-        index = m_freeBonds.back(), m_freeBonds.pop_back();
-    StressBond& bond = m_bonds[index];
-    bond.below = below, bond.above = above, bond.isUsed = true;
-    bond.section = {m_nodes[below].brick, axis, plane, cells};
+    const uint32_t index = m_bondSlots.allocate();
+    if (index == m_bonds.size()) m_bonds.emplace_back();
+    StressBond bond{.below = below, .above = above, .section = {m_nodes[below].brick, axis, plane, cells}};
     bond.shape = sectionShape(bond.section);
     bond.strength = sectionStrength(grid, entries, bond.section, bond.canBreak);
     // A fixed node does not deform: on its side, the bond begins at the section.
     const double from = m_nodes[below].isFixed ? bond.shape.centroid[axis] : m_nodes[below].center[axis];
     const double to = m_nodes[above].isFixed ? bond.shape.centroid[axis] : m_nodes[above].center[axis];
     bond.length = std::max(0.5, to - from);
-    m_nodes[below].bonds.push_back(index);
-    m_nodes[above].bonds.push_back(index);
+    m_bonds[index] = bond;
+    for (const uint32_t end : {below, above}) {
+        StressNode& node = m_nodes[end];
+        (node.firstBond == kNoIndex ? node.firstBond : m_bonds[node.lastBond].nextOf(end)) = index;
+        node.lastBond = index;
+    }
 }
 
 void StressGraph::connectInside(const VoxelGrid& grid, const StrengthTable& entries, uint32_t a, uint32_t b) {
@@ -199,49 +213,27 @@ void StressGraph::connectInside(const VoxelGrid& grid, const StrengthTable& entr
         }
 }
 
-void StressGraph::setBrick(const VoxelGrid& grid, std::span<const CellBox> anchors, const StrengthTable& entries,
-                           glm::ivec3 brick) {
-    std::vector<StressNode> old;
-    if (const auto found = m_bricks.find(brickKey(brick)); found != m_bricks.end()) {
-        for (const uint32_t node : found->second) old.push_back(m_nodes[node]), removeNode(node);
-        m_bricks.erase(found);
-    }
-    const Brick* content = grid.brickAt(brick);
-    if (!content) return;
-    const BrickBits solid = solidCells(*content, entries), anchored = anchoredCells(brick, anchors);
-    BrickBits fixed, free;
-    bool hasFixed = false;
-    for (size_t z = 0; z < 8; ++z)
-        fixed[z] = solid[z] & anchored[z], free[z] = solid[z] & ~anchored[z], hasFixed = hasFixed || fixed[z];
-    std::vector<BrickPart> parts;
-    findBrickParts(free, parts);
-    std::vector<BrickBits> bodies;
-    for (const BrickPart& part : parts) splitAtNecks(part.voxels, bodies);
-    for (const BrickBits& cells : bodies) addNode(*content, entries, brick, cells, false);
-    if (hasFixed) addNode(*content, entries, brick, fixed, true);
-    if (!nodesOf(brick)) return;
-    connectBrick(grid, entries, brick);
-    for (const uint32_t index : *nodesOf(brick)) inheritDisplacement(m_nodes[index], old);
-}
-
-/// Makes the bonds between the nodes of a brick, and to those of its neighbours.
+/// Lists the nodes that were added to a brick. Makes the bonds between them, and to those of its neighbours.
 void StressGraph::connectBrick(const VoxelGrid& grid, const StrengthTable& entries, glm::ivec3 brick) {
-    const std::vector<uint32_t>* own = nodesOf(brick);
-    for (size_t i = 0; i < own->size(); ++i)
-        for (size_t j = i + 1; j < own->size(); ++j) connectInside(grid, entries, (*own)[i], (*own)[j]);
-    for (size_t face = 0; face < 6; ++face)
-        if (const std::vector<uint32_t>* others = nodesOf(brick + kFaceOffsets[face]))
-            for (const uint32_t mine : *own)
-                for (const uint32_t other : *others) {
-                    if (m_nodes[mine].isFixed && m_nodes[other].isFixed) continue;
-                    connect(grid, entries, face & 1 ? mine : other, face & 1 ? other : mine, int(face / 2), 8);
-                }
+    uint32_t* link = &m_firstNode[brickKey(brick)];
+    for (const uint32_t node : m_added) *link = node, link = &m_nodes[node].nextInBrick;
+    *link = kNoIndex;
+    for (size_t i = 0; i < m_added.size(); ++i)
+        for (size_t j = i + 1; j < m_added.size(); ++j) connectInside(grid, entries, m_added[i], m_added[j]);
+    for (size_t face = 0; face < 6; ++face) {
+        const uint32_t first = m_firstNode.find(brickKey(brick + kFaceOffsets[face]));
+        for (const uint32_t mine : m_added)
+            for (uint32_t other = first; other != kNoIndex; other = m_nodes[other].nextInBrick) {
+                if (m_nodes[mine].isFixed && m_nodes[other].isFixed) continue;
+                connect(grid, entries, face & 1 ? mine : other, face & 1 ? other : mine, int(face / 2), 8);
+            }
+    }
 }
 
-/// The displacement of the old node that shares most cells with it, as a rigid body at the new centre.
-void StressGraph::inheritDisplacement(StressNode& node, const std::vector<StressNode>& old) {
+/// The displacement of the removed node that shares most cells with it, as a rigid body at the new centre.
+void StressGraph::inheritDisplacement(StressNode& node) const {
     int mostShared = 0;
-    for (const StressNode& from : old) {
+    for (const StressNode& from : m_removed) {
         int shared = 0;
         for (size_t z = 0; z < 8; ++z) shared += std::popcount(from.cells[z] & node.cells[z]);
         if (shared <= mostShared || node.isFixed) continue;

@@ -3,15 +3,13 @@
 #include <array>
 #include <bit>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace rubble {
 namespace {
 
-constexpr uint32_t kNone = ~0u;
-
 uint64_t planeKey(glm::ivec3 brick, int axis, int plane) {
-    return uint64_t(brick.x & 0x3ff) | uint64_t(brick.y & 0x3ff) << 10 | uint64_t(brick.z & 0x3ff) << 20 |
-           uint64_t(axis) << 30 | uint64_t(plane) << 32;
+    return brickKey(brick) | uint64_t(axis) << 48 | uint64_t(plane) << 50;
 }
 
 /// Whether cells `a` of a plane touch cells `b` in the brick (u, v) bricks further on in the plane.
@@ -22,13 +20,6 @@ bool touches(uint64_t a, uint64_t b, int u, int v) {
     const uint64_t spread = (a << 1 & ~kFirstColumn) | (a >> 1 & ~kLastColumn) | a << 8 | a >> 8;
     return (spread & b) != 0;
 }
-
-/// A section that may belong to a window.
-struct Member {
-    uint32_t index;
-    int u, v;           ///< bricks from that of the window's section
-    bool isIn = false;  ///< connected to the window's section
-};
 
 }  // namespace
 
@@ -41,9 +32,8 @@ void StressedSections::clear() {
 double StressedSections::add(const Section& section, const SectionShape& shape, const SectionForce& load,
                              const SectionStrength& strength, bool canBreak) {
     const glm::dvec3 arm = shape.centroid - glm::dvec3(section.brick * kBrickSize);
-    const auto [place, isNew] = m_inPlane.try_emplace(planeKey(section.brick, section.axis, section.plane), kNone);
-    m_previous.push_back(place->second);
-    place->second = uint32_t(m_sections.size());
+    uint32_t& last = m_inPlane[planeKey(section.brick, section.axis, section.plane)];
+    m_previous.push_back(std::exchange(last, uint32_t(m_sections.size())));
     m_sections.push_back({section,
                           {load.force, load.moment + glm::cross(arm, load.force)},
                           strength,
@@ -52,39 +42,39 @@ double StressedSections::add(const Section& section, const SectionShape& shape, 
     return m_sections.back().ownUtilization;
 }
 
-SectionUtilization StressedSections::windowUtilization(size_t index) const {
+SectionUtilization StressedSections::windowUtilization(size_t index) {
     const StressedSection& middle = m_sections[index];
     const int axis = middle.section.axis, axisU = kSectionU[size_t(axis)], axisV = kSectionV[size_t(axis)];
-    std::vector<Member> members;
+    m_members.clear();
     for (int v = -kWindowRadius; v <= kWindowRadius; ++v)
         for (int u = -kWindowRadius; u <= kWindowRadius; ++u) {
             glm::ivec3 brick = middle.section.brick;
             brick[axisU] += u, brick[axisV] += v;
-            const auto found = m_inPlane.find(planeKey(brick, axis, middle.section.plane));
-            for (uint32_t i = found == m_inPlane.end() ? kNone : found->second; i != kNone; i = m_previous[i])
-                members.push_back({i, u, v, i == index});
+            for (uint32_t i = m_inPlane.find(planeKey(brick, axis, middle.section.plane)); i != IndexMap::kNone;
+                 i = m_previous[i])
+                m_members.push_back({i, u, v, i == index});
         }
     for (bool hasGrown = true; hasGrown;) {  // flood fill from the section
         hasGrown = false;
-        for (Member& next : members) {
-            for (const Member& in : members)
+        for (Member& next : m_members) {
+            for (const Member& in : m_members)
                 if (!next.isIn && in.isIn &&
                     touches(m_sections[in.index].section.cells, m_sections[next.index].section.cells, next.u - in.u,
                             next.v - in.v))
                     next.isIn = hasGrown = true;
         }
     }
-    std::vector<SectionTile> tiles;
+    m_tiles.clear();
     SectionForce load;
-    for (const Member& member : members) {
+    for (const Member& member : m_members) {
         if (!member.isIn) continue;
         const StressedSection& stressed = m_sections[member.index];
-        tiles.push_back({stressed.section.cells, member.u, member.v});
+        m_tiles.push_back({stressed.section.cells, member.u, member.v});
         const glm::dvec3 arm((stressed.section.brick - middle.section.brick) * kBrickSize);
         load.force += stressed.load.force;
         load.moment += stressed.load.moment + glm::cross(arm, stressed.load.force);
     }
-    const SectionShape shape = sectionShape(middle.section, tiles);
+    const SectionShape shape = sectionShape(middle.section, m_tiles);
     load.moment -= glm::cross(shape.centroid - glm::dvec3(middle.section.brick * kBrickSize), load.force);
     return sectionUtilization(middle.section, shape, load, middle.strength);
 }

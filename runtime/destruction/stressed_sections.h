@@ -1,7 +1,7 @@
 #pragma once
-#include <unordered_map>
 #include <vector>
 
+#include "runtime/core/index_map.h"
 #include "runtime/destruction/cross_section.h"
 
 namespace rubble {
@@ -32,12 +32,21 @@ public:
     size_t size() const { return m_sections.size(); }
     const StressedSection& operator[](size_t i) const { return m_sections[i]; }
     /// The utilization of a section as a part of its window.
-    SectionUtilization windowUtilization(size_t index) const;
+    SectionUtilization windowUtilization(size_t index);
 
 private:
+    /// A section that may belong to a window.
+    struct Member {
+        uint32_t index;
+        int u, v;           ///< bricks from that of the window's section
+        bool isIn = false;  ///< connected to the window's section
+    };
+
     std::vector<StressedSection> m_sections;
-    std::vector<uint32_t> m_previous;                  ///< by section: the one before it in the same plane and brick
-    std::unordered_map<uint64_t, uint32_t> m_inPlane;  ///< by plane of a brick: the last one; looked up, never iterated
+    std::vector<uint32_t> m_previous;  ///< by section: the one before it in the same plane and brick
+    IndexMap m_inPlane;                ///< by plane of a brick: the last one
+    std::vector<Member> m_members;     ///< of a window
+    std::vector<SectionTile> m_tiles;
 };
 
 }  // namespace rubble

@@ -42,14 +42,20 @@ void Snapshots::publish(const FrameChanges& changes, std::span<const BodyPose> m
 void Snapshots::release(std::vector<ShadowPatches> patches) {
     SnapshotMerger out;
     for (ShadowPatches& publication : patches) {
-        while (!m_waiting.empty() && m_waiting.front().snapshot.version <= publication.version) releaseOldest(out);
-        FrameSnapshot shadow;
-        shadow.version = publication.version;
-        shadow.shadowReplacesAll = publication.replacesAll;
-        shadow.shadow = std::move(publication.patches);
-        out.add(std::move(shadow));
+        const auto isShown = [&] {
+            return !m_waiting.empty() && m_waiting.front().snapshot.version <= publication.version;
+        };
+        FrameSnapshot newest;  // with its shadow it is one snapshot: there is nothing to merge
+        while (isShown()) {
+            newest = takeOldest();
+            if (isShown()) out.add(std::move(newest));
+        }
+        newest.version = publication.version;
+        newest.shadowReplacesAll = newest.shadowReplacesAll || publication.replacesAll;
+        newest.shadow = std::move(publication.patches);
+        out.add(std::move(newest));
     }
-    while (!m_waiting.empty() && !m_waiting.front().needsShadow) releaseOldest(out);
+    while (!m_waiting.empty() && !m_waiting.front().needsShadow) out.add(takeOldest());
     post(out.take());
 }
 
@@ -57,25 +63,26 @@ void Snapshots::publishWithoutShadow(const FrameChanges& changes, std::span<cons
                                      std::span<const Impact> impacts) {
     enqueue(changes, moved, world, impacts);
     SnapshotMerger out;
-    while (!m_waiting.empty()) releaseOldest(out);
+    while (!m_waiting.empty()) out.add(takeOldest());
     post(out.take());
 }
 
 std::optional<FrameSnapshot> Snapshots::take() {
     SnapshotMerger all;
-    std::vector<FrameSnapshot> posted;
+    m_taken.clear();
     {
         const std::lock_guard lock(m_mutex);
         all = std::exchange(m_backlog, {});
-        posted = std::exchange(m_posted, {});
+        m_posted.swap(m_taken);
     }
-    for (FrameSnapshot& snapshot : posted) all.add(std::move(snapshot));
+    for (FrameSnapshot& snapshot : m_taken) all.add(std::move(snapshot));
     return all.take();
 }
 
-void Snapshots::releaseOldest(SnapshotMerger& out) {
-    out.add(std::move(m_waiting.front().snapshot));
+FrameSnapshot Snapshots::takeOldest() {
+    FrameSnapshot oldest = std::move(m_waiting.front().snapshot);
     m_waiting.pop_front();
+    return oldest;
 }
 
 void Snapshots::post(std::optional<FrameSnapshot> snapshot) {
@@ -187,6 +194,7 @@ void Snapshots::addPose(ShapeHandle shape, const World& world, FrameSnapshot& ou
 
 void Snapshots::addPoses(std::span<const BodyPose> moved, const World& world, FrameSnapshot& out) {
     m_moved.clear();
+    out.poses.reserve(out.created.size() + moved.size() + m_moving.size());
     for (const SnapshotShape& created : out.created) addPose(created.shape, world, out);
     for (const BodyPose& pose : moved)
         if (const Body* body = world.bodies().find(pose.body))

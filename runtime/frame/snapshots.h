@@ -71,14 +71,15 @@ private:
     /// Lists all lights of the world, of fires and of particles, if any of them has changed.
     void listLights(FrameSnapshot& out, bool worldChanged);
     void addFires(const FrameChanges& changes, const World& world);
-    /// Moves the oldest waiting snapshot, without its shadow, behind `out`.
-    void releaseOldest(SnapshotMerger& out);
+    /// The oldest snapshot that waits, without its shadow.
+    FrameSnapshot takeOldest();
     void post(std::optional<FrameSnapshot> snapshot);
 
     std::deque<Waiting> m_waiting;        ///< oldest first
     std::mutex m_mutex;                   ///< of the two that follow
     SnapshotMerger m_backlog;             ///< what has not been drawn for long
     std::vector<FrameSnapshot> m_posted;  ///< what came after it, oldest first
+    std::vector<FrameSnapshot> m_taken;   ///< [render-thread] those that take() has merged last
     std::vector<LastPose> m_lastPoses;
     uint64_t m_count = 0;                   ///< of calls of enqueue()
     uint64_t m_newestStep = 0;              ///< of the last of them

@@ -230,7 +230,15 @@ void ShadowReplica::place(Shape& shape) {
 }
 
 ShadowReplica::BrickEntry* ShadowReplica::enter(const Shape& shape, glm::ivec3 brick) {
-    BrickEntry& entry = *m_brickStates.try_emplace(brick).first;
+    auto found = m_brickStates.find(brick);
+    if (found == m_brickStates.end() && !m_spares.empty()) {
+        m_spares.back().key() = brick;
+        found = m_brickStates.insert(std::move(m_spares.back())).position;
+        m_spares.pop_back();
+    } else if (found == m_brickStates.end()) {
+        found = m_brickStates.try_emplace(brick).first;
+    }
+    BrickEntry& entry = *found;
     (shape.moving ? entry.second.moving : entry.second.resting).push_back(shape.handle.slot());
     return &entry;
 }
@@ -282,8 +290,8 @@ ShadowBrickRef ShadowReplica::buildResting(const BrickState& state, glm::ivec3 b
         rasterize(shape.casterGrid(), shape.cellTransform, shape.bounds, brick, rows);
     }
     const ShadowWords cells = packRows(rows);
-    return state.published && !state.isTransient && sameCells(*state.published, cells) ? state.published
-                                                                                       : makeShadowBrick(cells);
+    const bool isSame = state.published && !state.isTransient && sameCells(*state.published, cells);
+    return isSame ? state.published : makeShadowBrick(cells, false, m_pool);
 }
 
 /// The cells of all shapes; those of resting ones from `rest`.
@@ -313,7 +321,8 @@ ShadowBrickRef ShadowReplica::currentContent(BrickState& state, glm::ivec3 brick
     state.isRestCurrent = true;
     if (state.moving.empty()) return state.rest;  // without moving shapes; its empty boxes are larger
     const ShadowWords cells = cellsOf(state, brick);
-    return state.published && sameCells(*state.published, cells) ? state.published : makeShadowBrick(cells, true);
+    return state.published && sameCells(*state.published, cells) ? state.published
+                                                                 : makeShadowBrick(cells, true, m_pool);
 }
 
 void ShadowReplica::rebuildBrick(BrickEntry& entry, ShadowPatches& out) {
@@ -332,12 +341,14 @@ bool ShadowReplica::update(ShadowPatches& out, const MustStop& mustStop) {
         if (Shape* shape = find(handle)) place(*shape);
     }
     m_waiting.clear();
+    out.patches.reserve(out.patches.size() + m_touched.size());
     for (BrickEntry* entry : m_touched) {
         if (mustStop()) return false;
         entry->second.touched = false;
         rebuildBrick(*entry, out);
-        if (entry->second.resting.empty() && entry->second.moving.empty())
-            m_brickStates.erase(glm::ivec3(entry->first));
+        if (!entry->second.resting.empty() || !entry->second.moving.empty()) continue;
+        auto empty = m_brickStates.extract(glm::ivec3(entry->first));
+        if (m_spares.size() < kSpareBricks) m_spares.push_back(std::move(empty));
     }
     m_touched.clear();
     return true;

@@ -88,13 +88,17 @@ private:
     ShadowBrickRef currentContent(BrickState& state, glm::ivec3 brick) const;
     void rebuildBrick(BrickEntry& entry, ShadowPatches& out);
 
+    static constexpr size_t kSpareBricks = 1024;  ///< 0.6 MB: what moves replaces hundreds in a step
+
     std::vector<std::unique_ptr<Shape>> m_shapes;  ///< by slot
+    std::shared_ptr<BlockPool> m_pool = std::make_shared<BlockPool>(kSpareBricks);
     BrickMap m_brickStates;
-    std::vector<ShapeHandle> m_waiting;      ///< shapes to place: once per update, however many steps it includes
-    std::vector<BrickEntry*> m_touched;      ///< bricks to be rebuilt
-    std::vector<glm::ivec3> m_bricks;        ///< scratch of place()
-    std::vector<BrickEntry*> m_nextCovered;  ///< scratch of place()
-    ShapeRaster m_nextRaster;                ///< scratch of place()
+    std::vector<BrickMap::node_type> m_spares;  ///< of bricks that are empty again, for those to come
+    std::vector<ShapeHandle> m_waiting;         ///< shapes to place: once per update, however many steps it includes
+    std::vector<BrickEntry*> m_touched;         ///< bricks to be rebuilt
+    std::vector<glm::ivec3> m_bricks;           ///< scratch of place()
+    std::vector<BrickEntry*> m_nextCovered;     ///< scratch of place()
+    ShapeRaster m_nextRaster;                   ///< scratch of place()
     bool m_isFarLogged = false;
 };
 

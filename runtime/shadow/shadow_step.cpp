@@ -20,6 +20,7 @@ ShadowStep makeShadowStep(const FrameChanges& changes, std::span<const BodyPose>
         for (const ShapeHandle handle : changes.palettes)
             if (const Shape* shape = world.shapes().find(handle)) out.palettes.push_back({handle, shape->palette});
     }
+    out.poses.reserve(moved.size());
     for (const BodyPose& pose : moved)
         if (const Body* body = world.bodies().find(pose.body))
             for (const ShapeHandle shape : body->shapes)

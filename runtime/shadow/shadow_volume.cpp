@@ -167,10 +167,11 @@ Set occupiedWords(const ShadowWords& cells) {
 
 }  // namespace
 
-ShadowBrickRef makeShadowBrick(const ShadowWords& cells, bool isTransient) {
+ShadowBrickRef makeShadowBrick(const ShadowWords& cells, bool isTransient, const std::shared_ptr<BlockPool>& pool) {
     const Set occupied = occupiedWords(cells);
     if (!occupied) return nullptr;
-    auto brick = std::make_shared<ShadowBrick>();
+    auto brick =
+        pool ? std::allocate_shared<ShadowBrick>(PoolAllocator<ShadowBrick>(pool)) : std::make_shared<ShadowBrick>();
     brick->occupied = occupied;
     if (~occupied) makeTexels(~occupied, isTransient, brick->texels);
     for (size_t i = 0; i < 64; ++i) brick->texels[i] = cells[i] ? cells[i] : brick->texels[i];

@@ -5,6 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "runtime/core/block_pool.h"
+
 namespace rubble {
 
 /// The cells of a brick: 4x4x4 words, word (x + 4 y + 16 z), of 4x4x4 cells, bit (x + 4 y + 16 z).
@@ -25,8 +27,9 @@ struct ShadowBrick {
 using ShadowBrickRef = std::shared_ptr<const ShadowBrick>;
 
 /// A brick of these cells; null if there are none. isTransient: shapes move through it, so it will soon be replaced;
-/// its empty boxes are found faster and some are smaller.
-ShadowBrickRef makeShadowBrick(const ShadowWords& cells, bool isTransient = false);
+/// its empty boxes are found faster and some are smaller. pool: of such bricks alone; null: none.
+ShadowBrickRef makeShadowBrick(const ShadowWords& cells, bool isTransient = false,
+                               const std::shared_ptr<BlockPool>& pool = nullptr);
 /// Whether a brick has exactly these cells.
 bool sameCells(const ShadowBrick& brick, const ShadowWords& cells);
 /// The size in words of the empty box of an empty word in an octant.

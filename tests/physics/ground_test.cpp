@@ -135,7 +135,7 @@ TEST(Ground, BreaksWhatFallsOnItFromHigh) {
 }
 
 /// Whether slabs cover a place; their tops, the highest.
-double topAt(const std::vector<GroundSlab>& slabs, double x, double z) {
+double topAt(const GroundSlabs& slabs, double x, double z) {
     double top = -1e9;
     for (const GroundSlab& slab : slabs) {
         const glm::dvec3 high = slab.low + slab.side * glm::dvec3(slab.cubes.x, 1.0, slab.cubes.y);
@@ -150,7 +150,7 @@ TEST(Ground, LeavesOutTheLevelAndNothingElse) {
         world.settings.bounds.rule = BoundsRule::Ground;
         world.footprint = {{-10.0 * scale, -4.0, 3.0}, {30.0 * scale, 5.0, 80.0}};
         world.bounds = {world.footprint.low - 128.0, world.footprint.high + 128.0};
-        const std::vector<GroundSlab> slabs = groundSlabs(world);
+        const GroundSlabs slabs = groundSlabs(world);
         for (double x = world.bounds.low.x + 0.1; x < world.bounds.high.x; x += 6.4 * scale)
             for (double z = world.bounds.low.z + 0.1; z < world.bounds.high.z; z += 6.4) {
                 const bool isLevel = x > -10.0 * scale && x < 30.0 * scale && z > 3.0 && z < 80.0;

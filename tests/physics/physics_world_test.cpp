@@ -371,6 +371,35 @@ TEST(PhysicsWorld, AnIdleStepAllocatesNothing) {
               before);  // Bullet does not use operator new, but a step without awake bodies does not call Bullet
 }
 
+/// What lies around the parts that touch is looked up in every step.
+TEST(PhysicsWorld, WhatSlidesOverSeamsOfTheFloorTakesNoMemory) {
+    constexpr int kBodies = 20, kSteps = 60;
+    PhysicsScene scene;
+    for (int tile = 0; tile < 16; ++tile)
+        scene.add(solidGrid({16, 8, 16}, kMasonry), {1.6 * (tile % 4), -0.8, 1.6 * (tile / 4)}, true);
+    Random random(5);
+    for (int i = 0; i < kBodies; ++i) scene.add(lump(random, 90, kMasonry), {0.5 + i % 5, 0.05, 0.5 + i / 5}, false);
+    scene.load();
+    const auto allocationsOf = [&](int steps) {
+        size_t sum = 0;
+        for (int step = 0; step < steps; ++step) {
+            Edits edits;
+            for (int i = 0; i < kBodies; ++i)
+                edits.push_back(SetBodyEdit{.body = scene.handle(16 + i),
+                                            .setsVelocity = true,
+                                            .velocity = {step % 20 < 10 ? 0.5 : -0.5, -0.5, 0.2}});
+            scene.physics.apply(scene.world.applyEdits(edits), scene.world);
+            const size_t before = allocationCount();
+            scene.physics.step();
+            sum += allocationCount() - before;
+        }
+        EXPECT_GE(scene.physics.stats().contacts, kBodies);
+        return sum;
+    };
+    allocationsOf(kSteps);
+    EXPECT_LE(allocationsOf(kSteps), size_t(8 * kSteps));
+}
+
 /// Hosts set velocities in each step. The colliders stay as they are.
 TEST(PhysicsWorld, ASetVelocityCostsNoSurface) {
     constexpr int kBodies = 50;

@@ -98,7 +98,7 @@ void* Sandbox::allocate(void* sandbox, void* block, size_t oldSize, size_t size)
     const size_t held = block ? oldSize : 0;
     Header* const header = block ? static_cast<Header*>(block) - 1 : nullptr;
     if (size == 0) {
-        std::free(header);
+        if (header) box.m_blocks.give(header, oldSize + sizeof(Header));
         box.m_memory -= held;
         if (box.m_shared) box.m_shared->used -= held;
         return nullptr;
@@ -109,8 +109,10 @@ void* Sandbox::allocate(void* sandbox, void* block, size_t oldSize, size_t size)
         box.m_workLeft -= kAllocationWork + int64_t(size >> 5);
         ++box.m_allocations;
     }
-    auto* const moved = static_cast<Header*>(std::realloc(header, size + sizeof(Header)));
-    if (!moved) return nullptr;
+    void* const found = header ? box.m_blocks.resize(header, oldSize + sizeof(Header), size + sizeof(Header))
+                               : box.m_blocks.take(size + sizeof(Header));
+    if (!found && size > held) return nullptr;
+    auto* const moved = found ? static_cast<Header*>(found) : header;  // Lua relies on it that a block can shrink
     if (!header) moved->number = box.m_allocations;
     box.m_memory += size - held;
     if (box.m_shared) box.m_shared->used += size - held;

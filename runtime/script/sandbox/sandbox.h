@@ -7,6 +7,8 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "runtime/script/sandbox/block_cache.h"
+
 namespace rubble::script {
 
 /// What a script may use up. The first four are counted, so that a script ends at the same place on every machine.
@@ -156,6 +158,7 @@ private:
     int64_t m_lastLookAt = 0;   ///< nanoseconds of the steady clock
     std::string m_stopReason, m_refusal;
     std::unordered_set<const lua_State*> m_protected;
+    BlockCache m_blocks;
     lua_State* m_state = nullptr;
 };
 

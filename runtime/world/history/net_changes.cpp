@@ -1,14 +1,16 @@
 #include "runtime/world/history/net_changes.h"
 
 #include <algorithm>
-#include <map>
+#include <vector>
 
 namespace rubble {
 namespace {
 
 /// What happened to an object of which both lists may tell. They take turns: it was there before the step if it is
 /// there now and was not created more often than destroyed, or if it is gone and was destroyed more often.
+template <class Handle>
 struct Fate {
+    Handle handle;
     int created = 0, destroyed = 0;
     bool isAlive = false;
     bool wasThere() const { return int(isAlive) + destroyed > created; }
@@ -17,17 +19,27 @@ struct Fate {
 template <class Handle, class Map>
 void keepNet(std::vector<Handle>& created, std::vector<Handle>& destroyed, const Map& after) {
     if (created.empty() || destroyed.empty()) return;
-    std::map<Handle, Fate> fates;
-    for (const Handle handle : created) ++fates[handle].created;
-    for (const Handle handle : destroyed) ++fates[handle].destroyed;
-    for (auto& [handle, fate] : fates) fate.isAlive = after.find(handle);
+    std::vector<Fate<Handle>> fates;
+    fates.reserve(created.size() + destroyed.size());
+    for (const auto* list : {&created, &destroyed})
+        for (const Handle handle : *list) fates.push_back({handle});
+    const auto isBefore = [](const auto& a, const auto& b) { return a.handle < b.handle; };
+    const auto isSame = [](const auto& a, const auto& b) { return a.handle == b.handle; };
+    std::sort(fates.begin(), fates.end(), isBefore);
+    fates.erase(std::unique(fates.begin(), fates.end(), isSame), fates.end());
+    const auto fateOf = [&](Handle handle) -> Fate<Handle>& {
+        return *std::lower_bound(fates.begin(), fates.end(), Fate<Handle>{handle}, isBefore);
+    };
+    for (const Handle handle : created) ++fateOf(handle).created;
+    for (const Handle handle : destroyed) ++fateOf(handle).destroyed;
     // `created` and `destroyed` now say whether the object still has to be listed.
-    for (auto& [handle, fate] : fates) {
+    for (Fate<Handle>& fate : fates) {
+        fate.isAlive = after.find(fate.handle);
         const bool wasThere = fate.wasThere();
         fate.created = fate.isAlive, fate.destroyed = wasThere;
     }
-    std::erase_if(created, [&](Handle handle) { return fates.at(handle).created-- <= 0; });
-    std::erase_if(destroyed, [&](Handle handle) { return fates.at(handle).destroyed-- <= 0; });
+    std::erase_if(created, [&](Handle handle) { return fateOf(handle).created-- <= 0; });
+    std::erase_if(destroyed, [&](Handle handle) { return fateOf(handle).destroyed-- <= 0; });
 }
 
 /// Those that are there and were before, each once.

@@ -29,9 +29,10 @@ uint8_t materialAt(const WorldData& world, ShapeHandle handle, glm::dvec3 point)
 }
 
 /// What an impact breaks of one of its two bodies: the broken area is proportional to the impulse, so the radius grows
-/// with its root.
-void addImpactDamage(const WorldData& world, const Impact& impact, BodyHandle body, Edits& out) {
-    for (const ShapeHandle handle : shapesNear(world, impact.position, kContactRadius)) {
+/// with its root. near: the shapes that it may have struck.
+void addImpactDamage(const WorldData& world, const Impact& impact, std::span<const ShapeHandle> near, BodyHandle body,
+                     Edits& out) {
+    for (const ShapeHandle handle : near) {
         const Shape& shape = world.shapes.at(handle);
         if (shape.body != body) continue;
         const Material& material = world.materials[materialAt(world, handle, impact.position)];
@@ -50,11 +51,12 @@ void addImpactDamage(const WorldData& world, const Impact& impact, BodyHandle bo
 }
 
 /// How an impact loads one of its two bodies as a whole, in addition to what it breaks where it hits.
-void addImpactLoad(const WorldData& world, const Impact& impact, BodyHandle body, Edits& out) {
+void addImpactLoad(const WorldData& world, const Impact& impact, std::span<const ShapeHandle> near, BodyHandle body,
+                   Edits& out) {
     const Body* struck = world.bodies.find(body);
     if (!world.stress || !struck || !(impact.impulse >= world.settings.stress.minImpulse)) return;
     if (!struck->isStatic && struck->shapes.size() != 1) return;
-    for (const ShapeHandle handle : shapesNear(world, impact.position, kContactRadius)) {
+    for (const ShapeHandle handle : near) {
         const Shape& shape = world.shapes.at(handle);
         if (shape.body != body || !shape.loadBearing) continue;
         if (!struck->isStatic && shape.grid.voxelCount() < world.settings.stress.minStruckVoxels) continue;
@@ -85,10 +87,9 @@ Edits impactDamage(const WorldData& world, std::span<const Impact> impacts) {
     size_t broken = 0;
     for (const Impact* impact : hardest) {
         const size_t before = edits.size();
-        addImpactDamage(world, *impact, impact->body, edits);
-        addImpactDamage(world, *impact, impact->other, edits);
-        addImpactLoad(world, *impact, impact->body, edits);
-        addImpactLoad(world, *impact, impact->other, edits);
+        const std::vector<ShapeHandle> near = shapesNear(world, impact->position, kContactRadius);
+        for (const BodyHandle body : {impact->body, impact->other}) addImpactDamage(world, *impact, near, body, edits);
+        for (const BodyHandle body : {impact->body, impact->other}) addImpactLoad(world, *impact, near, body, edits);
         if (edits.size() > before && ++broken == world.settings.impactsPerStep) break;
     }
     return edits;

@@ -71,7 +71,7 @@ public:
     }
 
     /// The solid ground, as far as the query sees it.
-    const std::vector<GroundSlab>& ground() const { return m_ground; }
+    const GroundSlabs& ground() const { return m_ground; }
 
     /// Whether the query sees a shape.
     bool accepts(ShapeHandle handle, const Shape& shape) const {
@@ -104,7 +104,7 @@ private:
     }
     const WorldData& m_world;
     const QueryFilter& m_filter;
-    std::vector<GroundSlab> m_ground;
+    GroundSlabs m_ground;
     bool m_filtersEntries, m_all = true;
     const Palette* m_palette = nullptr;
     std::array<bool, 256> m_entries{};

@@ -11,9 +11,14 @@ DebrisQueue::Key DebrisQueue::keyOf(const Debris& piece) {
 void DebrisQueue::set(const Debris& piece) {
     const uint32_t slot = piece.body.slot();
     if (m_pieces.size() <= slot) m_pieces.resize(slot + 1);
+    decltype(m_order)::node_type node;  // to be used again
+    if (m_pieces[slot].body) node = m_order.extract(keyOf(m_pieces[slot]));
     remove(m_pieces[slot].body);
     m_pieces[slot] = piece;
-    m_order.insert(keyOf(piece));
+    if (node)
+        node.value() = keyOf(piece), m_order.insert(std::move(node));
+    else
+        m_order.insert(keyOf(piece));
     if (piece.rest == RestState::Asleep) m_asleep.emplace(piece.restingSince, slot);
     m_awake += piece.rest == RestState::Awake;
     m_voxels += piece.voxels;

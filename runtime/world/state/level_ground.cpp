@@ -15,7 +15,7 @@ struct Span {
     bool endsAtHigh = false;  ///< goes beyond `low` instead
 };
 
-void add(const Span& x, const Span& z, double top, double side, std::vector<GroundSlab>& out) {
+void add(const Span& x, const Span& z, double top, double side, GroundSlabs& out) {
     if (!(x.low < x.high && z.low < z.high)) return;
     const auto cubes = [&](const Span& span) { return int(std::ceil((span.high - span.low) / side)); };
     const auto low = [&](const Span& span) { return span.endsAtHigh ? span.high - cubes(span) * side : span.low; };
@@ -24,7 +24,7 @@ void add(const Span& x, const Span& z, double top, double side, std::vector<Grou
 
 }  // namespace
 
-std::vector<GroundSlab> groundSlabs(const WorldState& world) {
+GroundSlabs groundSlabs(const WorldState& world) {
     const WorldBox bounds = world.boundsInUse(), &level = world.footprint;
     if (world.settings.bounds.rule != BoundsRule::Ground || bounds.low == bounds.high) return {};
     const bool hasLevel = level.low != level.high;
@@ -34,7 +34,7 @@ std::vector<GroundSlab> groundSlabs(const WorldState& world) {
     const double depth = hasLevel ? kFieldsHeight - level.low.y : 0.0;
     // As thick as the level is deep, so that nothing slips in below it.
     const double side = std::max({1.0, depth, (high.x - low.x) / kMaxGroundCubes, (high.z - low.z) / kMaxGroundCubes});
-    std::vector<GroundSlab> out;
+    GroundSlabs out;
     if (depth <= 0.0) {
         add({low.x, high.x}, {low.z, high.z}, kFieldsHeight, side, out);
         return out;

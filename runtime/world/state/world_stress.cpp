@@ -25,6 +25,7 @@ WorldStress::Entry* WorldStress::find(ShapeHandle shape) {
 
 std::vector<ShapeHandle> WorldStress::busy() const {
     std::vector<ShapeHandle> out;
+    out.reserve(m_busy.size());
     for (auto slot = m_busy.upper_bound(m_lastServed); slot != m_busy.end(); ++slot)
         out.push_back(m_entries.at(*slot).shape);
     for (auto slot = m_busy.begin(); slot != m_busy.end() && *slot <= m_lastServed; ++slot)

@@ -377,5 +377,36 @@ TEST(ShadowWorker, ALargeShapeCastsNoShadowWhileItMovesAndCostsNothingThen) {
     EXPECT_TRUE(volume == rebuild(world));
 }
 
+/// Bricks that are replaced, and entries of those that are empty again, are used for the next.
+TEST(ShadowWorker, WhatMovesTakesNoMemoryForWhatItChanges) {
+    constexpr int kBodies = 30, kSteps = 40;
+    std::vector<LevelBody> bodies;
+    for (int i = 0; i < kBodies; ++i) bodies.push_back(makeBody(solidGrid({6, 6, 6}), {{2.0 * i, 0, 0}}, false));
+    World world = worldOf(std::move(bodies));
+    ShadowWorker worker(ShadowWorker::Mode::Inline);
+    Volume volume;
+    std::vector<BodyPose> moved;
+    world.bodies().forEach([&](BodyHandle handle, const Body& body) { moved.push_back({handle, body.pose}); });
+    const auto allocationsOf = [&](int steps) {
+        size_t sum = 0;
+        for (int step = 0; step < steps; ++step) {
+            for (BodyPose& each : moved) each.pose.position.z += 0.11;
+            world.setPoses(moved);
+            const FrameChanges changes = world.applyEdits({});
+            const size_t before = allocationCount();
+            worker.submit(changes, moved, world);
+            sum += allocationCount() - before;
+            for (const ShadowPatches& publication : worker.takePatches()) {
+                EXPECT_GE(publication.patches.size(), size_t(kBodies));
+                volume.apply(publication);
+            }
+        }
+        return sum;
+    };
+    allocationsOf(kSteps);
+    EXPECT_LE(allocationsOf(kSteps), size_t(10 * kSteps));
+    EXPECT_TRUE(volume == rebuild(world));
+}
+
 }  // namespace
 }  // namespace rubble
