@@ -357,7 +357,7 @@ void Renderer::Impl::drawFrames(const View& view, float alpha) {
     moment += !isOtherView;
     isMomentOver = false;
     stepAlpha = alpha;
-    stats.uploadBytes = scene.beginFrame(alpha, view.position, isOtherView);
+    stats.uploadBytes = scene.beginFrame(alpha, view.position, isOtherView, view.hidden);
     shaders.setRareFeatures(scene.shadow().directory().paged().bricks > 0 ||
                             std::any_of(scene.lights().begin(), scene.lights().end(),
                                         [](const SnapshotLight& light) { return light.isRectangle(); }));

@@ -8,10 +8,11 @@ namespace {
 
 std::vector<Command> gather() {
     std::vector<Command> all;
-    for (const auto subject : {sessionCommands, fileCommands, selectionCommands, voxelCommands, clipboardCommands,
-                               shapeCommands, shapePropertyCommands, bodyCommands, placementCommands, paletteCommands,
-                               paletteToolCommands, imageCommands, lightCommands, jointCommands, environmentCommands,
-                               regionCommands, nameCommands, scriptCommands, toolCommands}) {
+    for (const auto subject :
+         {sessionCommands,     fileCommands,        selectionCommands,     viewCommands,   voxelCommands,
+          clipboardCommands,   shapeCommands,       shapePropertyCommands, bodyCommands,   placementCommands,
+          paletteCommands,     paletteToolCommands, imageCommands,         lightCommands,  jointCommands,
+          environmentCommands, regionCommands,      nameCommands,          scriptCommands, toolCommands}) {
         std::vector<Command> some = subject();
         all.insert(all.end(), some.begin(), some.end());
     }

@@ -71,6 +71,8 @@ std::vector<Command> nameCommands();
 std::vector<Command> scriptCommands();
 /// What breaks things.
 std::vector<Command> toolCommands();
+/// What the view shows.
+std::vector<Command> viewCommands();
 /// Files, undo and redo, play and stop.
 std::vector<Command> sessionCommands();
 /// What is written for other programs.

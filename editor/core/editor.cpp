@@ -104,6 +104,16 @@ void Editor::dropStale() {
     std::erase_if(m_selection.objects, [&](uint64_t each) { return kindOf(world(), each) < 0; });
     if (m_selection.cells.shape && kindOf(world(), m_selection.cells.shape) != RUBBLE_KIND_SHAPE)
         m_selection.cells = {};
+    std::vector<rubble_shape>& hidden = m_view.hidden;
+    if (hidden.empty() || m_document.isPlaying()) return;
+    std::vector<rubble_shape> all = world().get_objects(RUBBLE_KIND_SHAPE);
+    std::ranges::sort(all);
+    std::erase_if(hidden, [&](rubble_shape each) { return !std::ranges::binary_search(all, each); });
+}
+
+void Editor::forgetObjects() {
+    m_selection = {};
+    m_view.hidden.clear();
 }
 
 }  // namespace editor

@@ -9,6 +9,7 @@
 #include "editor/core/command.h"
 #include "editor/core/document.h"
 #include "editor/core/selection.h"
+#include "editor/core/view_state.h"
 
 namespace editor {
 
@@ -19,6 +20,8 @@ struct EditorSettings {
     StepWatcher watcher;                             ///< of the steps of play
     /// Writes what the view shows as PNG; an error, or empty. None: there is no view.
     std::function<std::string(const std::string& path)> writeView;
+    /// The same of the times of its last frames, as a trace in JSON.
+    std::function<std::string(const std::string& path)> writeTrace;
 };
 
 /// What a command came to.
@@ -51,6 +54,12 @@ public:
     rubble::World& world() { return m_document.world(); }
     /// What is selected.
     Selection& selection() { return m_selection; }
+    /// What the view shows.
+    ViewState& view() { return m_view; }
+    /// The same, to read.
+    const ViewState& view() const { return m_view; }
+    /// Another level has come: forgets what was selected and hidden.
+    void forgetObjects();
     /// Cells that were copied.
     Clipboard& clipboard() { return m_clipboard; }
     /// As they were given.
@@ -60,7 +69,7 @@ public:
     /// Gives an object the name that the parameter "name" says, if it says one. Throws Refused of one by which commands
     /// could not find it.
     void giveName(const Arguments& arguments, uint64_t object);
-    /// Forgets what of the selection is gone.
+    /// Forgets what is gone of what is selected or hidden; in play only of the former, because stop brings it back.
     void dropStale();
 
     /// The objects that a parameter of Type::Objects names, of these kinds (RUBBLE_KIND_...): a body stands for its
@@ -79,6 +88,7 @@ private:
     EditorSettings m_settings;
     Document m_document;
     Selection m_selection;
+    ViewState m_view;
     Clipboard m_clipboard;
     std::string m_said;
     int m_openFiles = 0;  ///< of scripts that run, each within the one before
@@ -86,6 +96,9 @@ private:
 
 /// The tag of objects that edits leave alone, but for unlock.
 inline constexpr const char* kLockedTag = "locked";
+
+/// The tag whose value is the layer of an object.
+inline constexpr const char* kLayerTag = "layer";
 
 /// Whether edits leave an object alone: it, or the body of a shape, is locked.
 bool isLocked(const rubble::World& world, uint64_t object);

@@ -6,6 +6,7 @@
 
 #include "editor/core/cells.h"
 #include "editor/core/editor.h"
+#include "editor/core/joints.h"
 #include "editor/core/rotation.h"
 
 namespace editor {
@@ -87,19 +88,30 @@ Place placeOf(const rubble::World& world, uint64_t object) {
         const rubble_body_state body = world.get_body_state(object);
         return {vectorOf(body.position), quaternionOf(body.rotation)};
     }
+    if (kindOf(world, object) == RUBBLE_KIND_JOINT) {
+        const rubble_joint_settings joint = settingsOf(world, object);
+        return {vectorOf(joint.position), quaternionOf(joint.rotation)};
+    }
     const rubble_light_settings light = world.get_light_settings(object);
     const Place base = baseOf(world, light);
     return {base.position + base.rotation * vectorOf(light.position), base.rotation * quaternionOf(light.rotation)};
 }
 
-void setPlace(rubble::World& world, uint64_t object, const Place& place) {
+uint64_t setPlace(rubble::World& world, uint64_t object, const Place& place) {
     if (kindOf(world, object) == RUBBLE_KIND_BODY) {
         rubble_body_change change{};
         change.body = object;
         change.fields = RUBBLE_SET_POSE;
         put(change.position, place.position);
         put(change.rotation, glm::normalize(place.rotation));
-        return world.set_body(change);
+        world.set_body(change);
+        return object;
+    }
+    if (kindOf(world, object) == RUBBLE_KIND_JOINT) {
+        rubble_joint_settings joint = settingsOf(world, object);
+        put(joint.position, place.position);
+        put(joint.rotation, glm::normalize(place.rotation));
+        return remakeJoint(world, object, joint);
     }
     rubble_light_settings light = world.get_light_settings(object);
     const Place base = baseOf(world, light);
@@ -108,6 +120,7 @@ void setPlace(rubble::World& world, uint64_t object, const Place& place) {
     put(light.position, inverse * (place.position - base.position));
     put(light.rotation, glm::normalize(inverse * place.rotation));
     world.set_light(light);
+    return object;
 }
 
 double depthBelow(const rubble::World& world, const std::vector<rubble_body>& bodies) {

@@ -175,10 +175,10 @@ void Ui::useMouse(Wires& wires, bool isFree) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Mode mode = m_session.mode;
     const bool hasGizmo = mode == Mode::Move || mode == Mode::Rotate || mode == Mode::Scale;
-    const bool isOnGizmo = hasGizmo && m_gizmo.update(m_session, m_frame, list, isFree);
-    const bool isPointing = (isFree || m_stroke) && !isOnGizmo && !m_isCameraHeld;
-    const std::optional<Hover> hover =
-        isPointing ? pick(m_session.world(), m_frame, ImGui::GetIO().MousePos) : std::nullopt;
+    const bool isOnJoint = m_jointHandles.update(m_session, m_frame, list, isFree && !m_gizmo.isDragging());
+    const bool isOnGizmo = hasGizmo && m_gizmo.update(m_session, m_frame, list, isFree && !isOnJoint);
+    const bool isPointing = (isFree || m_stroke) && !isOnGizmo && !isOnJoint && !m_isCameraHeld;
+    const std::optional<Hover> hover = isPointing ? pick(m_session, m_frame, ImGui::GetIO().MousePos) : std::nullopt;
     describe(hover);
     if (m_session.mode == Mode::Brush) return useBrush(wires, hover, isFree && !m_isCameraHeld);
     m_stroke.reset();
@@ -195,18 +195,21 @@ void Ui::useMouse(Wires& wires, bool isFree) {
 void Ui::drawImage(double share) {
     const bool isReplay = m_session.showsReplay && m_session.replay.world();
     if (isReplay && !m_replay && makeViewport) m_replay = makeViewport(*m_session.replay.world());
-    const uint64_t version = isReplay ? m_session.replay.version() : m_session.version();
-    if (share > 0.0) shownViewport().draw(m_frame, version, m_session.pass, share);
+    if (share > 0.0) drawLevel(shownViewport(), share);
     ImGui::Image(shownViewport().texture(), m_frame.size, {0, 1}, {1, 0});
 }
 
 std::string Ui::writeView(const std::string& path) {
     Viewport& shown = shownViewport();
-    const bool isReplay = &shown != &m_viewport;
-    const uint64_t version = isReplay ? m_session.replay.version() : m_session.version();
-    do shown.draw(m_frame, version, m_session.pass, 1.0);
+    do drawLevel(shown, 1.0);
     while (!shown.isSettled());
     return shown.write(path);
+}
+
+void Ui::drawLevel(Viewport& shown, double share) {
+    const bool isReplay = &shown != &m_viewport;
+    const uint64_t version = m_session.version() + (isReplay ? m_session.replay.version() : 0);
+    shown.draw(m_frame, version, m_session.pass, share, m_session.hiddenShapes(isReplay));
 }
 
 void Ui::drawView(double share) {

@@ -7,6 +7,7 @@
 #include "editor/ui/panels/panels.h"
 #include "editor/ui/state/session.h"
 #include "editor/ui/view/gizmo.h"
+#include "editor/ui/view/joint_handles.h"
 #include "editor/ui/view/overlay_marks.h"
 #include "editor/ui/view/picking.h"
 #include "editor/ui/view/viewport.h"
@@ -29,6 +30,9 @@ public:
     /// Writes it as PNG, with all the light that an image gathers; an error, or empty.
     std::string writeView(const std::string& path);
 
+    /// Writes the profiler's samples as a trace; an error, or empty.
+    std::string writeTrace(const std::string& path) const { return m_profiler.writeTrace(path); }
+
     /// Makes one frame of the interface, between ImGui's NewFrame() and Render(). share: see Viewport::draw();
     /// 0: the image of the level stays.
     void frame(double share);
@@ -42,6 +46,7 @@ public:
 private:
     void drawView(double share);
     void drawImage(double share);
+    void drawLevel(Viewport& shown, double share);
     void drawRight();
     void drawBottom();
     void moveCamera(bool isHovered);
@@ -58,6 +63,7 @@ private:
     ProfilerPanel m_profiler;
     CommandPalette m_commands;
     Gizmo m_gizmo;
+    JointHandles m_jointHandles;
     OverlayMarks m_marks;
     std::optional<Stroke> m_stroke;  ///< while the button is down
     bool m_isCameraHeld = false;

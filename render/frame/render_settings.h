@@ -7,9 +7,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "render/gl/gl_limits.h"
 #include "render/gl/host_state.h"
+#include "runtime/core/handle.h"
 
 namespace rubble {
 
@@ -48,6 +50,7 @@ struct View {
     /// Views that are drawn in turn by one renderer, as those of a split screen, have different slots: each keeps its
     /// own history. Different sizes do so by themselves.
     int slot = 0;
+    std::vector<ShapeHandle> hidden;  ///< shapes that are not drawn, but for their shadows
 };
 
 /// A clock: seconds since any moment.

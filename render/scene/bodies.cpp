@@ -147,8 +147,26 @@ void Bodies::putBrick(Shape& shape, glm::ivec3 brick, const BrickRef& content) {
     mask = content ? mask | bit : mask & ~bit;
 }
 
+/// Leaves these shapes out from now on, and no others; also ones that come later. False: it did already.
+bool Bodies::hide(std::span<const ShapeHandle> shapes) {
+    if (shapes.empty() && m_hidden.empty()) return false;
+    std::vector<ShapeHandle> wanted(shapes.begin(), shapes.end());
+    std::sort(wanted.begin(), wanted.end());
+    if (wanted == m_hidden) return false;
+    std::swap(wanted, m_hidden);
+    for (const std::vector<ShapeHandle>* list : {&wanted, &m_hidden})
+        for (const ShapeHandle shape : *list)
+            if (find(shape)) m_changed.push_back(shape.slot());
+    return true;
+}
+
+bool Bodies::isHidden(ShapeHandle shape) const {
+    return std::binary_search(m_hidden.begin(), m_hidden.end(), shape);
+}
+
 void Bodies::updateBounds(uint32_t slot) {
     const Shape& shape = *m_shapes[slot];
+    if (isHidden(shape.handle)) return void(m_instances[slot].low = m_instances[slot].high = glm::ivec3(0));
     const auto& [x, y, z] = shape.layers;
     const glm::ivec3 low = glm::ivec3(x.low(), y.low(), z.low()) * kBrickSize,
                      high = glm::min(glm::ivec3(x.high(), y.high(), z.high()) * kBrickSize, shape.size);
@@ -227,7 +245,9 @@ void Bodies::setPose(const SnapshotPose& pose) {
     shape->moving = true;
 }
 
-uint64_t Bodies::beginFrame(float alpha, glm::dvec3 originWorld, bool isSameMoment) {
+uint64_t Bodies::beginFrame(float alpha, glm::dvec3 originWorld, bool isSameMoment,
+                            std::span<const ShapeHandle> hidden) {
+    m_touched.hidesOthers = hide(hidden);
     const bool isRebased = originWorld != m_origin;
     if (isRebased) {
         m_origin = originWorld;

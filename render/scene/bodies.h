@@ -61,8 +61,10 @@ public:
     /// Sends bricks in the order in which they came, at most budgetBytes of them. Returns the bytes sent.
     uint64_t sendBricks(uint64_t budgetBytes) { return m_atlas.upload(budgetBytes); }
     /// Interpolates the poses of what moves (alpha: 0 to 1) and sends what changed, except bricks. originWorld: the
-    /// point that GPU coordinates are relative to. isSameMoment: see Scene::beginFrame(). Returns the bytes sent.
-    uint64_t beginFrame(float alpha, glm::dvec3 originWorld, bool isSameMoment = false);
+    /// point that GPU coordinates are relative to. isSameMoment, hidden: see Scene::beginFrame(). Returns the bytes
+    /// sent.
+    uint64_t beginFrame(float alpha, glm::dvec3 originWorld, bool isSameMoment = false,
+                        std::span<const ShapeHandle> hidden = {});
 
     /// Bytes of those bricks of a snapshot that the atlas does not have.
     uint64_t newBytes(const FrameSnapshot& snapshot) const;
@@ -82,6 +84,7 @@ public:
     struct Touched {
         std::vector<uint32_t> slots;  ///< of the instances that it moved or found changed or removed
         uint64_t frame = 0;           ///< number of calls so far
+        bool hidesOthers = false;     ///< other shapes are left out than before
         MovingBodies moving;          ///< those that are drawn elsewhere than the shadow volume has them
     };
     /// Of the last beginFrame().
@@ -136,6 +139,8 @@ private:
     Shape* find(ShapeHandle handle);
     void release(Shape& shape, uint32_t slot);
     void putBrick(Shape& shape, glm::ivec3 brick, const BrickRef& content);
+    bool hide(std::span<const ShapeHandle> shapes);
+    bool isHidden(ShapeHandle shape) const;
     void updateBounds(uint32_t slot);
     void updateTree();
     uint32_t acquireGpuPalette(const PaletteRef& palette);
@@ -168,6 +173,7 @@ private:
     std::vector<std::unique_ptr<Shape>> m_shapes;  ///< by the handle's slot
     std::vector<Instance> m_instances;
     std::vector<uint32_t> m_moving, m_changed;  ///< slots
+    std::vector<ShapeHandle> m_hidden;          ///< in ascending order
     Touched m_touched;
     BoundsTree m_bounds;
     glm::dvec3 m_origin{0.0};

@@ -89,7 +89,8 @@ bool Scene::touchesGlass(const FrameSnapshot& snapshot) const {
            std::any_of(snapshot.poses.begin(), snapshot.poses.end(), isOne);
 }
 
-uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld, bool isSameMoment) {
+uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld, bool isSameMoment,
+                           std::span<const ShapeHandle> hidden) {
     const uint64_t bricks = m_bodies.sendBricks(std::exchange(m_sendAll, false) ? ~uint64_t(0) : m_uploadBudget);
     applyDeferred();
     const bool rebased = glm::distance(cameraWorld, m_origin) > kRebaseDistance;
@@ -102,7 +103,8 @@ uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld, bool isSameMomen
         m_dirtyRegions.clear();
         m_lookChanges.beginMoment();
     }
-    const uint64_t bodies = m_bodies.beginFrame(alpha, m_origin, isSameMoment);
+    const uint64_t bodies = m_bodies.beginFrame(alpha, m_origin, isSameMoment, hidden);
+    m_glassChanges += uint64_t(m_bodies.touched().hidesOthers);
     m_lookChanges.findBoxes(m_bodies);
     return bricks + outlines + bodies + updateGrid() + m_shadow.upload();
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <deque>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "render/gl/program.h"
@@ -30,8 +31,9 @@ public:
     void setBounceColors(bool wanted) { m_bounceColors = wanted; }
     /// Interpolates poses (alpha: 0 to 1 between the last two steps) and sends what changed. isSameMoment: another view
     /// is drawn of the moment of the last frame, so that motion and changes are still those since the moment before.
-    /// Returns the bytes sent.
-    uint64_t beginFrame(float alpha, glm::dvec3 cameraWorld, bool isSameMoment = false);
+    /// hidden: shapes that it leaves out, but for their shadows. Returns the bytes sent.
+    uint64_t beginFrame(float alpha, glm::dvec3 cameraWorld, bool isSameMoment = false,
+                        std::span<const ShapeHandle> hidden = {});
 
     /// All shapes.
     const Bodies& bodies() const { return m_bodies; }

@@ -141,6 +141,7 @@ EXAMPLE(get_joint_properties) {
     steps(15);
     OK(api->get_joint_properties(world, joint, &now));
     require(now.movement > 0.15 && now.movement < 0.3 && now.upper_limit == 0.5, "it is on its way to its end");
+    require(now.rotation[3] == 1, "its axis is x of the world");
     OK(api->get_joint_state(world, joint, &row));
     require(row.shapes[1] == crate_box, "the shapes that it joins");
 }

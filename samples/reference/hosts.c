@@ -150,6 +150,8 @@ EXAMPLE(draw) {
     OK(api->draw(renderer, &view));
     OK(api->get_draw_stats(renderer, &stats));
     require(stats.shapes == 3 && stats.draw_calls > 0, "the floor, the wall and the crate");
+    view.hidden_shapes = &wall, view.hidden_shape_count = 1; /* this view sees what is behind the wall */
+    OK(api->draw(renderer, &view));
     OK(api->set_debug_view(renderer, "normal")); /* shows normals from the next draw() on; null: the finished frame */
     OK(api->destroy_renderer(renderer));
 }

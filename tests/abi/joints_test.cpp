@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "runtime/core/constants.h"
@@ -133,6 +134,8 @@ TEST_F(AbiCreate, AJointSaysItsLimitsAndWhereItsMotionIs) {
     auto settings = sized<rubble_joint_settings>();
     settings.shapes[1] = shape, settings.kind = RUBBLE_JOINT_HINGE;
     settings.position[0] = 20.2, settings.position[1] = 20.2, settings.position[2] = 0.2;
+    settings.rotation[2] = settings.rotation[3] = std::sqrt(0.5);  // about y
+    settings.anchor_radius = 0.4;
     settings.flags = RUBBLE_JOINT_LIMITED | RUBBLE_JOINT_COLLIDES;
     settings.lower_limit = -1.0, settings.upper_limit = 2.0, settings.friction = 3.0, settings.break_force = 1e6;
     settings.motor = RUBBLE_MOTOR_SPEED, settings.motor_target = 1.0, settings.motor_max_force = 1e6;
@@ -150,6 +153,9 @@ TEST_F(AbiCreate, AJointSaysItsLimitsAndWhereItsMotionIs) {
     EXPECT_EQ(now.friction, 3.0);
     EXPECT_EQ(now.break_force, 1e6);
     EXPECT_NEAR(now.movement, 0.5, 0.02) << "half a second at 1 rad/s";
+    for (int i = 0; i < 4; ++i)
+        EXPECT_NEAR(now.rotation[i], settings.rotation[i], 1e-12) << "its first end is the world";
+    EXPECT_EQ(now.anchor_radius, 0.4);
     rubble_joint_state row = {};
     ASSERT_EQ(api()->get_joint_state(m_world, joint, &row), RUBBLE_OK) << api()->get_last_error();
     EXPECT_EQ(row.joint, joint);

@@ -124,6 +124,42 @@ TEST_F(AbiRenderer, AnotherRendererShowsTheWholeWorldFromTheNextStepOn) {
     EXPECT_EQ(images[0], images[1]);
 }
 
+TEST_F(AbiRenderer, AViewLeavesOutTheShapesThatItHides) {
+    const std::string level = writeTestLevel();
+    ASSERT_EQ(m_api->load_level(m_world, level.c_str(), nullptr), RUBBLE_OK) << m_api->get_last_error();
+    std::filesystem::remove(level);
+    ASSERT_EQ(m_api->step(m_world), RUBBLE_OK);
+    rubble_shape_state state{};
+    uint32_t count = 0;
+    ASSERT_EQ(m_api->get_shape_states(m_world, 0, &state, 1, &count), RUBBLE_OK) << m_api->get_last_error();
+    const rubble_renderer_settings given = settings();
+    rubble_renderer renderer = 0;
+    ASSERT_EQ(m_api->create_renderer(m_world, &given, &renderer), RUBBLE_OK) << m_api->get_last_error();
+    ASSERT_EQ(m_api->set_debug_view(renderer, "albedo"), RUBBLE_OK);
+    const Offscreen target({kWidth, kHeight});
+    auto view = sized<rubble_view>();
+    view.framebuffer = target.framebuffer();
+    view.width = kWidth, view.height = kHeight;
+    view.position[0] = 0.85, view.position[1] = 1.0, view.position[2] = 4.0;
+    const auto drawn = [&](std::initializer_list<rubble_shape> hidden, uint32_t slot = 0) {
+        view.hidden_shapes = hidden.begin(), view.hidden_shape_count = uint32_t(hidden.size()), view.slot = slot;
+        EXPECT_EQ(m_api->draw(renderer, &view), RUBBLE_OK) << m_api->get_last_error();
+        return target.readRgb();
+    };
+    const std::vector<uint8_t> whole = drawn({}), without = drawn({state.shape}), other = drawn({}, 1);
+    EXPECT_GT(std::set<uint8_t>(whole.begin(), whole.end()).size(), 1u);
+    EXPECT_EQ(std::set<uint8_t>(without.begin(), without.end()).size(), 1u) << "nothing is left to be seen";
+    EXPECT_EQ(other, whole) << "another view hides what it says itself";
+    EXPECT_EQ(drawn({state.shape}), without);
+    EXPECT_EQ(drawn({state.shape + (1u << 24)}), whole) << "a handle that names nothing does no harm";
+    view.hidden_shapes = nullptr;
+    EXPECT_EQ(m_api->draw(renderer, &view), RUBBLE_ERROR_NULL);
+    const rubble_shape body = state.body;
+    view.hidden_shapes = &body;
+    EXPECT_EQ(m_api->draw(renderer, &view), RUBBLE_ERROR_STALE) << "it is no shape";
+    EXPECT_EQ(m_api->destroy_renderer(renderer), RUBBLE_OK);
+}
+
 TEST_F(AbiRenderer, AnAddedLightShowsAndARemovedOneDoesNot) {
     const std::string level = writeTestLevel();
     ASSERT_EQ(m_api->load_level(m_world, level.c_str(), nullptr), RUBBLE_OK) << m_api->get_last_error();

@@ -1,6 +1,7 @@
 // The window without a window: what the mouse does comes out as commands.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -10,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "editor/core/joints.h"
 #include "editor/ui/host/scripted_ui.h"
 #include "editor/ui/state/keys.h"
 #include "editor/ui/view/load_probe.h"
-#include "editor/ui/view/overlay_marks.h"
 #include "tests/editor/editor_level.h"
 
 namespace editor {
@@ -30,6 +31,26 @@ protected:
     Document& document() { return m_ui->stage().editor().document(); }
     rubble_shape crate() { return m_ui->stage().editor().world().get_objects(RUBBLE_KIND_SHAPE).at(0); }
     uint64_t voxels() { return m_ui->stage().editor().world().get_shape_state(crate()).voxel_count; }
+
+    /// What the view shows, four bytes a pixel.
+    std::vector<uint8_t> viewPixels() {
+        const rubble::TempFolder folder;
+        const std::string path = folder / "view.png";
+        play("export " + path);
+        png_image png{};
+        png.version = PNG_IMAGE_VERSION;
+        EXPECT_TRUE(png_image_begin_read_from_file(&png, path.c_str())) << png.message;
+        png.format = PNG_FORMAT_RGBA;
+        std::vector<uint8_t> pixels(PNG_IMAGE_SIZE(png));
+        EXPECT_TRUE(png_image_finish_read(&png, nullptr, pixels.data(), 0, nullptr)) << png.message;
+        return pixels;
+    }
+    /// The mean of all bytes.
+    static double difference(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b) {
+        double sum = 0.0;
+        for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) sum += std::abs(int(a[i]) - int(b[i]));
+        return sum / double(std::max(a.size(), b.size()));
+    }
 
     std::unique_ptr<ScriptedUi> m_ui;
 };
@@ -189,6 +210,27 @@ TEST_F(Window, TheViewIsExportedAsAnImage) {
     EXPECT_NE(editor.run("export view.png").text.find("only the window has a view"), std::string::npos);
 }
 
+TEST_F(Window, TimesAreExportedAsATrace) {
+    const rubble::TempFolder folder;
+    m_ui->setFolder(folder.path());
+    play("move 0,2,0 crate\nui play 10\nui overlay grid\nui screenshot window.png\nexport " + (folder / "trace.json"));
+    std::ostringstream text;
+    text << std::ifstream(folder / "trace.json").rdbuf();
+    const std::string trace = text.str();
+    const auto count = [&](const std::string& part) {
+        size_t found = 0;
+        for (size_t at = trace.find(part); at != trace.npos; at = trace.find(part, at + 1)) ++found;
+        return found;
+    };
+    EXPECT_TRUE(trace.starts_with("{\"displayTimeUnit\":\"ms\",\"traceEvents\":["));
+    EXPECT_GE(count("\"name\":\"draw\""), 10u) << "frames";
+    EXPECT_GE(count("\"name\":\"physics\""), 10u);
+    EXPECT_LE(count("\"name\":\"physics\""), 11u) << "each step once, also where more frames were drawn";
+    EXPECT_EQ(std::ranges::count(trace, '{'), std::ranges::count(trace, '}'));
+    Editor editor;
+    EXPECT_NE(editor.run("export trace.json").text.find("only the window measures its frames"), std::string::npos);
+}
+
 TEST_F(Window, AMiddleIsDraggedOntoWhatIsUnderTheMouse) {
     play("create 20,2,20 3,0,0 name=table static=yes\nselect crate\nui camera 2,6,7 1.5,0.5,0\nui mode move");
     play("ui hover 0,0.8,0\nui press\nui hover 3,0.2,0.5\nui release");
@@ -223,6 +265,69 @@ TEST_F(Window, ALightHasHandles) {
     EXPECT_EQ(light.position[1], 2.4);
 }
 
+TEST_F(Window, AClickGoesThroughWhatIsHiddenAndTheImageShowsWhatIsBehind) {
+    play("create 80,40,2 0,0,-2 name=wall static=yes\ndeselect\nui mode select\nui pass albedo");
+    const std::vector<uint8_t> whole = viewPixels();
+    play("hide crate");
+    EXPECT_GT(difference(viewPixels(), whole), 3.0);
+    Editor& editor = m_ui->stage().editor();
+    const auto bodyOf = [&](const char* name) { return editor.world().find_by_name(RUBBLE_KIND_BODY, name); };
+    play("ui hover 0,1.5,0.7\nui click");
+    EXPECT_EQ(editor.selection().objects, bodyOf("wall"));
+    play("show crate");
+    EXPECT_LT(difference(viewPixels(), whole), 1.0);
+    play("ui leave\nui hover 0,1.5,0.7\nui click");
+    EXPECT_EQ(editor.selection().objects, bodyOf("crate"));
+}
+
+TEST_F(Window, KeysHideWhatIsSelectedAndShowAll) {
+    play("create 8,8,8 3,0,0 name=other\nselect crate\nui key H");
+    const std::vector<rubble_shape>& hidden = m_ui->stage().editor().view().hidden;
+    EXPECT_EQ(hidden, std::vector<rubble_shape>{crate()});
+    play("ui key Shift+H");
+    ASSERT_EQ(hidden.size(), 1u);
+    EXPECT_NE(hidden.front(), crate()) << "the others";
+    play("ui key Ctrl+H");
+    EXPECT_TRUE(hidden.empty());
+}
+
+TEST_F(Window, TheEyeOfALayerHidesAllThatIsInIt) {
+    play("create 8,8,8 3,0,0 name=other\nlayer upper crate\nlayer upper other\nui at 218 90\nui click");
+    EXPECT_EQ(document().done().back(), "layer upper other");
+    EXPECT_EQ(m_ui->stage().editor().view().hidden.size(), 2u) << "the first row is the layer";
+    play("ui click");
+    EXPECT_TRUE(m_ui->stage().editor().view().hidden.empty());
+}
+
+TEST_F(Window, AReplayLeavesOutWhatIsHidden) {
+    play("deselect\nui pass albedo\nplay\nstep 8\nstop\nui replay 4");
+    const std::vector<uint8_t> whole = viewPixels();
+    play("hide crate");
+    EXPECT_GT(difference(viewPixels(), whole), 3.0);
+}
+
+TEST_F(Window, AJointHasHandles) {
+    play(
+        "create 4,20,4 -1,0,0 name=post static=yes\njoint hinge crate post -0.8,1,0 0,1,0 low=-30 high=60 search=0.5 "
+        "name=pivot\nui camera 0,5,4 0,0.5,0\nui mode move\nselect pivot");
+    const auto joint = [&] {
+        rubble::World& world = m_ui->stage().editor().world();
+        return settingsOf(world, world.find_by_name(RUBBLE_KIND_JOINT, "pivot").at(0));
+    };
+    play("ui hover -0.8,1.15,0\nui press\nui by 0 -20\nui by 0 -20\nui release");
+    ASSERT_TRUE(document().done().back().starts_with("move by=0,")) << document().done().back();
+    EXPECT_GT(joint().position[1], 1.05);
+    EXPECT_EQ(joint().position[0], -0.8);
+    const std::string height = std::to_string(joint().position[1]);
+    // The crate is the first side, so that a limit of 60 degrees is a turn of it by -60 about y; it lies towards x.
+    const double x = -0.8 + 0.8 * 0.5, z = 0.8 * std::sqrt(0.75);
+    play("ui hover " + std::to_string(x) + "," + height + "," + std::to_string(z) +
+         "\nui press\nui by 0 12\nui hover -0.8," + height + ",0.8\nui release");
+    ASSERT_TRUE(document().done().back().starts_with("set_joint high=90")) << document().done().back();
+    EXPECT_NEAR(joint().upper_limit, 1.5708, 1e-3);
+    EXPECT_NEAR(joint().lower_limit, -0.5236, 1e-3);
+}
+
 TEST_F(Window, APaletteOfCommandsHasThemAllWithTheirForms) {
     for (const Command& command : allCommands()) {
         const std::vector<const Command*> found = CommandPalette::find(std::string(command.name));
@@ -248,17 +353,6 @@ TEST_F(Window, AnImageShowsTheLevelAndThePanels) {
     m_ui->setFolder(folder.path());
     play("ui tab Palette\nui screenshot window.png");
     EXPECT_GT(std::filesystem::file_size(std::filesystem::path(folder.path()) / "window.png"), 20000u);
-}
-
-TEST(Components, AreAnchoredOrLoose) {
-    Editor editor;
-    runAll(editor, {"create 10,20,4 static=yes name=wall", "box 0,12,0 9,12,3 erase shape=wall"});
-    const auto all = componentsOf(editor.world(), editor.world().get_objects(RUBBLE_KIND_SHAPE).at(0));
-    ASSERT_EQ(all.size(), 2u);
-    EXPECT_EQ(all[0].voxels, 10u * 12 * 4);
-    EXPECT_TRUE(all[0].isAnchored);
-    EXPECT_EQ(all[1].voxels, 10u * 7 * 4);
-    EXPECT_FALSE(all[1].isAnchored);
 }
 
 TEST(Load, ABeamIsWeakestAtItsRoot) {

@@ -35,7 +35,7 @@ protected:
         view.rotation = glm::dquat(glm::dvec3(0, -2.35, 0)) * glm::dquat(glm::dvec3(-0.3, 0, 0));
     }
     void drawTo(BodyTiles& tiles) {
-        scene.beginFrame(1.0f, view.position);
+        scene.beginFrame(1.0f, view.position, false, view.hidden);
         camera.begin(view, view.size, true, scene.origin(), block);
         tiles.update(scene.bodies(), block);
     }
@@ -73,6 +73,28 @@ TEST_F(BodyTilesTest, BodiesOutOfViewCostNothing) {
     EXPECT_LE(tiles.compared(), 200u) << "of the tree of bounds";
 }
 
+TEST_F(BodyTilesTest, HiddenBodiesAreLeftOutAndOnlyTheyAreProjectedAgain) {
+    addBodies(2500);
+    lookAcross();
+    BodyTiles tiles;
+    for (int i = 0; i < 3; ++i) drawTo(tiles);
+    const size_t all = tiles.order().size();
+    ASSERT_GT(all, 2000u);
+    uint64_t projected = tiles.projected();
+    view.hidden = {bodies[1300], bodies[1210]};
+    for (int i = 0; i < 5; ++i) drawTo(tiles);
+    EXPECT_EQ(tiles.order().size(), all - 2);
+    EXPECT_EQ(tiles.projected(), projected);
+    move(bodies[1300], {60.0, 1.0, 60.0});
+    for (int i = 0; i < 3; ++i) drawTo(tiles);
+    EXPECT_EQ(tiles.order().size(), all - 2) << "it moves unseen";
+    projected = tiles.projected();
+    view.hidden.clear();
+    for (int i = 0; i < 5; ++i) drawTo(tiles);
+    EXPECT_EQ(tiles.order().size(), all);
+    EXPECT_EQ(tiles.projected() - projected, 2u);
+}
+
 TEST_F(BodyTilesTest, ListsThatWereKeptAreThoseOfAFreshStart) {
     addBodies(300);
     lookAcross();
@@ -90,6 +112,7 @@ TEST_F(BodyTilesTest, ListsThatWereKeptAreThoseOfAFreshStart) {
         if (round % 5 == 0) change.bricks.push_back({any(), {0, 0, 0}, nullptr});
         scene.apply(std::move(change));
         if (round % 20 == 19) view.position.x += 1.0;
+        if (round % 6 == 0) view.hidden = {any(), any(), any()};
         drawTo(kept);
         BodyTiles fresh;
         fresh.update(scene.bodies(), block);

@@ -12,9 +12,13 @@ using rubble::script::hasEnding;
 
 void exportLevel(Editor& editor, const Arguments& arguments) {
     const std::string& path = arguments.text("file");
-    if (hasEnding(path, ".png")) {
-        if (!editor.settings().writeView) arguments.refuse("file", "no image: only the window has a view");
-        if (const std::string error = editor.settings().writeView(path); !error.empty()) throw Refused(error);
+    const bool isImage = hasEnding(path, ".png"), isTrace = hasEnding(path, ".json");
+    if (isImage || isTrace) {
+        const auto& write = isImage ? editor.settings().writeView : editor.settings().writeTrace;
+        if (!write)
+            arguments.refuse("file", isImage ? "no image: only the window has a view"
+                                             : "no trace: only the window measures its frames");
+        if (const std::string error = write(path); !error.empty()) throw Refused(error);
         return editor.say("wrote " + path);
     }
     const bool isMesh = hasEnding(path, ".obj") || hasEnding(path, ".glb");
@@ -38,7 +42,8 @@ std::vector<Command> fileCommands() {
         {"export",
          "session",
          Kind::View,
-         "Writes a copy for other programs: .vox, .obj or .glb, .rubble or .vdb; .png: what the view shows.",
+         "Writes a copy for other programs: .vox, .obj or .glb, .rubble or .vdb; .png: what the view shows; .json: a "
+         "trace of its times.",
          {{"file", Type::Text, "its path, whose ending says the format", kRequired},
           {"what", Type::Objects, "the shapes, of .obj and .glb", "all"}},
          exportLevel,

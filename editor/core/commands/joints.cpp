@@ -1,6 +1,9 @@
 // Joints and ropes.
+#include "editor/core/joints.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <glm/trigonometric.hpp>
 
 #include "editor/core/editor.h"
@@ -15,11 +18,29 @@ rubble_shape endOf(Editor& editor, const Arguments& arguments, std::string_view 
     return editor.object(arguments, parameter, {RUBBLE_KIND_SHAPE});
 }
 
-/// A rotation that brings x to an axis.
-glm::dquat rotationToAxis(const Arguments& arguments) {
+/// Turns a frame by no more than brings its x to the axis.
+glm::dquat turnedToAxis(const Arguments& arguments, const glm::dquat& frame) {
     const glm::dvec3 axis = arguments.point("axis");
     if (glm::length(axis) == 0.0) arguments.refuse("axis", "a direction, found 0,0,0");
-    return glm::dquat(glm::dvec3(1.0, 0.0, 0.0), glm::normalize(axis));
+    return glm::dquat(frame * glm::dvec3(1.0, 0.0, 0.0), glm::normalize(axis)) * frame;
+}
+
+/// Reads the limits that are given; of a joint that has some, one may be left out.
+void readLimits(const Arguments& arguments, rubble_joint_settings& joint) {
+    const bool hasLow = arguments.has("low"), hasHigh = arguments.has("high");
+    if (!hasLow && !hasHigh) return;
+    const auto limit = [&](const char* name, double& value) {
+        if (!arguments.has(name)) return;
+        value = joint.kind == RUBBLE_JOINT_PRISMATIC ? arguments.number(name) : glm::radians(arguments.number(name));
+    };
+    if (hasLow != hasHigh && !(joint.flags & RUBBLE_JOINT_LIMITED))
+        arguments.refuse(hasLow ? "high" : "low", "both limits, found one");
+    limit("low", joint.lower_limit), limit("high", joint.upper_limit);
+    const double unit = joint.kind == RUBBLE_JOINT_PRISMATIC ? 1.0 : glm::degrees(1.0);
+    if (joint.lower_limit > joint.upper_limit)
+        arguments.refuse("high", fmt::format("low or more, which is {:g}, found {:g}", joint.lower_limit * unit,
+                                             joint.upper_limit * unit));
+    joint.flags |= RUBBLE_JOINT_LIMITED;
 }
 
 void make(Editor& editor, const Arguments& arguments, const rubble_joint_settings& settings) {
@@ -36,24 +57,13 @@ void addJoint(Editor& editor, const Arguments& arguments) {
     joint.shapes[0] = endOf(editor, arguments, "a");
     joint.shapes[1] = endOf(editor, arguments, "b");
     put(joint.position, arguments.point("at"));
-    put(joint.rotation, rotationToAxis(arguments));
+    put(joint.rotation, turnedToAxis(arguments, glm::dquat(1, 0, 0, 0)));
     joint.anchor_radius = arguments.number("search");
-    const bool slides = joint.kind == RUBBLE_JOINT_PRISMATIC;
-    const auto limit = [&](const char* name) {
-        return slides ? arguments.number(name) : glm::radians(arguments.number(name));
-    };
-    if (arguments.has("low") != arguments.has("high"))
-        arguments.refuse(arguments.has("low") ? "high" : "low", "both limits, found one");
-    if (arguments.has("low") && arguments.number("low") > arguments.number("high"))
-        arguments.refuse("high", fmt::format("low or more, which is {:g}, found {:g}", arguments.number("low"),
-                                             arguments.number("high")));
-    if (arguments.has("low")) {
-        joint.flags |= RUBBLE_JOINT_LIMITED;
-        joint.lower_limit = limit("low"), joint.upper_limit = limit("high");
-    }
+    readLimits(arguments, joint);
     if (arguments.has("speed")) {
+        const double speed = arguments.number("speed");
         joint.motor = RUBBLE_MOTOR_SPEED;
-        joint.motor_target = limit("speed");
+        joint.motor_target = joint.kind == RUBBLE_JOINT_PRISMATIC ? speed : glm::radians(speed);
         joint.motor_max_force = arguments.number("force");
     }
     joint.spring_hertz = arguments.number("spring");
@@ -61,6 +71,25 @@ void addJoint(Editor& editor, const Arguments& arguments) {
     joint.friction = arguments.number("friction");
     joint.break_force = arguments.number("breaks_at");
     make(editor, arguments, joint);
+}
+
+void setJoint(Editor& editor, const Arguments& arguments) {
+    rubble::World& world = editor.world();
+    for (const rubble_joint each : editor.objects(arguments, "what", {RUBBLE_KIND_JOINT})) {
+        if (!hasFrame(world, each))
+            arguments.refuse("what", "joints other than ropes and wheels, found " + nameOf(world, each));
+        rubble_joint_settings joint = settingsOf(world, each);
+        if (arguments.has("at")) put(joint.position, arguments.point("at"));
+        if (arguments.has("axis")) put(joint.rotation, turnedToAxis(arguments, quaternionOf(joint.rotation)));
+        readLimits(arguments, joint);
+        if (arguments.has("limited") && !arguments.flag("limited")) joint.flags &= ~uint32_t(RUBBLE_JOINT_LIMITED);
+        const auto read = [&](const char* name, double& value) {
+            if (arguments.has(name)) value = arguments.number(name);
+        };
+        read("spring", joint.spring_hertz), read("damping", joint.spring_damping_ratio);
+        read("friction", joint.friction), read("breaks_at", joint.break_force), read("search", joint.anchor_radius);
+        std::ranges::replace(editor.selection().objects, each, remakeJoint(world, each, joint));
+    }
 }
 
 void addRope(Editor& editor, const Arguments& arguments) {
@@ -142,6 +171,23 @@ std::vector<Command> jointCommands() {
           name},
          addRope,
          "rope crate world 0,0.8,0 0,3,0 length=3 name=line"},
+        {"set_joint",
+         "joints",
+         Kind::Edit,
+         "Changes joints other than ropes and wheels: makes them again, from the pose that their shapes have now.",
+         {{"at", Type::Point, "where, in metres", kOptional},
+          {"axis", Type::Point, "direction about which they turn, or along which they slide", kOptional},
+          number("low", "limit from the present pose: degrees, or metres of a slider", kOptional, -180, 180),
+          number("high", "limit from the present pose: degrees, or metres of a slider", kOptional, -180, 180),
+          {"limited", Type::Flag, "no: without limits", kOptional},
+          number("spring", "Hz at which they swing back; 0: no spring", kOptional, 0, 60),
+          number("damping", "of the spring; 1: critical", kOptional, 0, 10),
+          number("friction", "N m, or N", kOptional, 0, 1e9),
+          number("breaks_at", "N; 0: they never break", kOptional, 0, 1e9),
+          number("search", "metres around each end in which its voxel is looked for", kOptional, 0.001, 10),
+          {"what", Type::Objects, "the joints", "selected"}},
+         setJoint,
+         "set_joint 7.65,0.5,2 low=-30 high=60 what=door_hinge"},
         {"motor",
          "joints",
          Kind::Edit,

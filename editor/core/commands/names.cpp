@@ -25,7 +25,7 @@ void removeTag(Editor& editor, const Arguments& arguments) {
 
 void setLayer(Editor& editor, const Arguments& arguments) {
     for (const uint64_t each : named(editor, arguments))
-        editor.world().set_tag(each, "layer", arguments.text("layer").c_str());
+        editor.world().set_tag(each, kLayerTag, arguments.text("layer").c_str());
 }
 
 void lock(Editor& editor, const Arguments& arguments) {

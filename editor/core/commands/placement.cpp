@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "editor/core/editor.h"
+#include "editor/core/joints.h"
 #include "editor/core/places.h"
 #include "editor/core/rotation.h"
 
@@ -10,7 +11,7 @@ namespace editor {
 namespace {
 
 const Parameter kBodies{"what", Type::Objects, "the bodies", "selected"};
-const Parameter kPlaced{"what", Type::Objects, "the bodies and lights", "selected"};
+const Parameter kPlaced{"what", Type::Objects, "the bodies, lights and joints", "selected"};
 
 template <class F>
 void forEachBody(Editor& editor, const Arguments& arguments, F&& f) {
@@ -18,17 +19,31 @@ void forEachBody(Editor& editor, const Arguments& arguments, F&& f) {
         f(editor.world().get_body_state(body));
 }
 
-/// Bodies and lights; a light on a body that is among them goes with it.
+/// Bodies, lights and joints; a light or joint on a body that is among them goes with it.
 std::vector<uint64_t> placed(Editor& editor, const Arguments& arguments) {
-    const std::vector<uint64_t> all = editor.objects(arguments, "what", {RUBBLE_KIND_BODY, RUBBLE_KIND_LIGHT});
+    const rubble::World& world = editor.world();
+    const std::vector<uint64_t> all =
+        editor.objects(arguments, "what", {RUBBLE_KIND_BODY, RUBBLE_KIND_LIGHT, RUBBLE_KIND_JOINT});
+    const auto isOnOne = [&](rubble_shape shape) {
+        return shape && std::ranges::find(all, world.get_shape_state(shape).body) != all.end();
+    };
     const auto goesAlong = [&](uint64_t each) {
-        if (kindOf(editor.world(), each) != RUBBLE_KIND_LIGHT) return false;
-        const rubble_shape shape = editor.world().get_light_settings(each).shape;
-        return shape && std::ranges::find(all, editor.world().get_shape_state(shape).body) != all.end();
+        const int kind = kindOf(world, each);
+        if (kind == RUBBLE_KIND_LIGHT) return isOnOne(world.get_light_settings(each).shape);
+        return kind == RUBBLE_KIND_JOINT && std::ranges::any_of(world.get_joint_state(each).shapes, isOnOne);
     };
     std::vector<uint64_t> out;
     std::ranges::remove_copy_if(all, std::back_inserter(out), goesAlong);
+    for (const uint64_t each : out)
+        if (kindOf(world, each) == RUBBLE_KIND_JOINT && !hasFrame(world, each))
+            arguments.refuse("what", "no ropes and wheels but with their bodies, found " + nameOf(world, each));
     return out;
+}
+
+/// Puts one somewhere. What was selected stays so.
+void put(Editor& editor, uint64_t object, const Place& place) {
+    const uint64_t now = setPlace(editor.world(), object, place);
+    std::ranges::replace(editor.selection().objects, object, now);
 }
 
 void move(Editor& editor, const Arguments& arguments) {
@@ -37,7 +52,7 @@ void move(Editor& editor, const Arguments& arguments) {
         Place place = placeOf(editor.world(), each);
         place.position += by;
         arguments.requireNear("by", place.position);
-        setPlace(editor.world(), each, place);
+        put(editor, each, place);
     }
 }
 
@@ -46,7 +61,7 @@ void drop(Editor& editor, const Arguments& arguments) {
     forEachBody(editor, arguments, [&](const rubble_body_state& body) {
         Place place = placeOf(editor.world(), body.body);
         place.position.y -= depth;
-        setPlace(editor.world(), body.body, place);
+        put(editor, body.body, place);
     });
 }
 
@@ -55,7 +70,7 @@ void place(Editor& editor, const Arguments& arguments) {
         Place place = placeOf(editor.world(), each);
         place.position = arguments.point("at");
         if (arguments.has("turn")) place.rotation = rotationOf(arguments.point("turn"));
-        setPlace(editor.world(), each, place);
+        put(editor, each, place);
     }
 }
 
@@ -71,7 +86,7 @@ void rotate(Editor& editor, const Arguments& arguments) {
         place.position = middle + turn * (place.position - middle);
         place.rotation = turn * place.rotation;
         arguments.requireNear("about", place.position);
-        setPlace(editor.world(), each, place);
+        put(editor, each, place);
     }
 }
 
@@ -108,7 +123,7 @@ std::vector<Command> placementCommands() {
         return Parameter{name, Type::Number, help, kOptional, low, high};
     };
     return {
-        {"move", "bodies", Kind::Edit, "Moves bodies and lights.", {by, kPlaced}, move, "move 0,1,0 crate"},
+        {"move", "bodies", Kind::Edit, "Moves bodies, lights and joints.", {by, kPlaced}, move, "move 0,1,0 crate"},
         {"drop",
          "bodies",
          Kind::Edit,
@@ -119,8 +134,8 @@ std::vector<Command> placementCommands() {
         {"place",
          "bodies",
          Kind::Edit,
-         "Puts bodies or lights at a place.",
-         {{"at", Type::Point, "of the body's frame or the light, in metres", kRequired},
+         "Puts bodies, lights or joints at a place.",
+         {{"at", Type::Point, "of the frame of the body or joint, or of the light, in metres", kRequired},
           {"turn", Type::Point, "degrees about x, then y, then z", kOptional, -360, 360},
           kPlaced},
          place,
@@ -128,7 +143,7 @@ std::vector<Command> placementCommands() {
         {"rotate",
          "bodies",
          Kind::Edit,
-         "Turns bodies and lights about their common middle, or about a point.",
+         "Turns bodies, lights and joints about their common middle, or about a point.",
          {{"turn", Type::Point, "degrees about x, then y, then z", kRequired, -360, 360},
           {"about", Type::Point, "in metres", kOptional},
           kPlaced},

@@ -63,9 +63,10 @@ void list(Editor& editor, const Arguments&) {
                                body.flags & RUBBLE_BODY_STATIC ? "static " : "", body.position[0], body.position[1],
                                body.position[2]));
         for (const rubble_shape_state& shape : world.get_shape_states(body.body))
-            editor.say(fmt::format("  shape #{} '{}' {},{},{} cells of {:.3f} m, {} voxels", shape.shape,
+            editor.say(fmt::format("  shape #{} '{}' {},{},{} cells of {:.3f} m, {} voxels{}", shape.shape,
                                    nameOf(world, shape.shape), shape.size[0], shape.size[1], shape.size[2],
-                                   shape.voxel_size, shape.voxel_count));
+                                   shape.voxel_size, shape.voxel_count,
+                                   editor.view().hides(shape.shape) ? ", hidden" : ""));
     }
     for (const uint32_t kind : {RUBBLE_KIND_JOINT, RUBBLE_KIND_LIGHT, RUBBLE_KIND_LIGHT_GROUP, RUBBLE_KIND_WATER,
                                 RUBBLE_KIND_TRIGGER, RUBBLE_KIND_CHARACTER})

@@ -8,12 +8,12 @@ namespace {
 
 void clear(Editor& editor, const Arguments&) {
     editor.document().clear();
-    editor.selection() = {};
+    editor.forgetObjects();
 }
 
 void open(Editor& editor, const Arguments& arguments) {
     editor.document().load(arguments.text("file"), editor.settings().vdbTool);
-    editor.selection() = {};
+    editor.forgetObjects();
 }
 
 void save(Editor& editor, const Arguments& arguments) {
@@ -27,7 +27,7 @@ void save(Editor& editor, const Arguments& arguments) {
 
 void recover(Editor& editor, const Arguments&) {
     editor.document().settleRecovery(true);
-    editor.selection() = {};
+    editor.forgetObjects();
 }
 
 void discard(Editor& editor, const Arguments&) {

@@ -258,12 +258,10 @@ void ScriptedUi::showTab(const Words& words) {
 }
 
 void ScriptedUi::showOverlay(const Words& words) {
-    static constexpr const char* kNames[] = {"grid",  "anchors", "components", "load",   "contacts",
-                                             "sleep", "joints",  "lights",     "groups", "bricks"};
-    Overlays& all = m_stage->session().overlays;
-    bool* const values[] = {&all.grid,  &all.anchors, &all.components, &all.load,   &all.contacts,
-                            &all.sleep, &all.joints,  &all.lights,     &all.groups, &all.bricks};
-    *values[choiceOf(wordAt(words, 0), kNames)] = words.size() < 2 || words[1].value == "yes";
+    std::vector<const char*> names;
+    for (const OverlayName& each : kOverlays) names.push_back(each.name);
+    const OverlayName& chosen = kOverlays[choiceOf(wordAt(words, 0), names)];
+    m_stage->editor().view().overlays.*chosen.shown = words.size() < 2 || words[1].value == "yes";
     frames(1);
 }
 

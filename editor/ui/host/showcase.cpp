@@ -61,6 +61,16 @@ ui screenshot 05_components.png
 ui overlay components no
 ui overlay anchors no
 undo 2
+layer house wall
+hide tag:layer=house
+ui tab Properties
+ui screenshot 14_hidden.png
+show
+undo
+select door_hinge
+ui mode rotate
+ui screenshot 15_joint.png
+ui mode select
 create 40,3,6 -1.6,1.6,-2.6 index=5 name=beam static=yes
 entry 5 color=#9a6a3a roughness=0.7 shape=beam
 box 0,-16,0 5,-1,5 index=5 shape=beam

@@ -24,8 +24,9 @@ Stage::Stage(const StageSettings& settings, GlLoader loader) {
         if (m_session) m_session->replay.add(deltas);
     };
     const auto writer = [this](const std::string& path) { return m_ui->writeView(path); };
+    const auto tracer = [this](const std::string& path) { return m_ui->writeTrace(path); };
     m_editor.emplace(
-        EditorSettings{RUBBLE_WORLD_WAIT_FOR_SHADOW, settings.vdbTool, settings.journals, watcher, writer});
+        EditorSettings{RUBBLE_WORLD_WAIT_FOR_SHADOW, settings.vdbTool, settings.journals, watcher, writer, tracer});
     m_context = std::make_unique<Context>();
     applyTheme(settings.scale);
     m_painter.emplace();

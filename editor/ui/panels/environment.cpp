@@ -84,24 +84,10 @@ void drawEnvironment(Session& session) {
 
 void drawViewSettings(Session& session, const Viewport& viewport) {
     heading("Overlays");
-    const auto row = [](const char* label, bool& value, const char* tip) {
-        ImGui::Checkbox(label, &value);
-        tooltip(tip);
-    };
-    row("ground grid", session.overlays.grid, "Lines of a metre at height 0");
-    row("anchors", session.overlays.anchors, "What holds static shapes to the world: of the selected shape, or of all");
-    row("components", session.overlays.components, "Parts of the selected shape that do not touch: anchored or loose");
-    row("load", session.overlays.load,
-        "Where the selected shape would break first under more load, from red to yellow: tried in a copy of the level "
-        "by halving its strength. Takes a while in large levels");
-    row("contacts", session.overlays.contacts,
-        "In play: where bodies begin to touch, meet or slide in the last half second, longer where they push harder");
-    row("sleep", session.overlays.sleep, "Free bodies: awake ones in the accent, sleeping ones grey");
-    row("joints", session.overlays.joints, "Ends of joints and ropes");
-    row("lights", session.overlays.lights, "Where lights are");
-    row("light groups", session.overlays.groups, "What goes out together, and where its wire begins; grey: it is out");
-    row("bricks", session.overlays.bricks,
-        "In play: cubes of 8 x 8 x 8 cells in which voxels changed in the last half second");
+    for (const OverlayName& each : kOverlays) {
+        ImGui::Checkbox(each.label, &(session.editor().view().overlays.*each.shown));
+        tooltip(each.tip);
+    }
     heading("Image of the renderer");
     ImGui::SetNextItemWidth(-1);
     if (ImGui::BeginCombo("##pass", session.pass.c_str(), ImGuiComboFlags_HeightLarge)) {

@@ -162,6 +162,19 @@ void drawObject(const Pen& pen, Icon icon) {
                     pen.path({{x + dx, y}, {x, y}, {x, y + dy}});
                 }
             return;
+        case Icon::Layer:
+            for (const float y : {0.2f, 0.4f, 0.6f})
+                pen.path({{0.1f, y + 0.1f}, {0.5f, y - 0.08f}, {0.9f, y + 0.1f}, {0.5f, y + 0.28f}}, y < 0.3f);
+            return;
+        case Icon::Shown:
+            pen.path({{0.06f, 0.5f}, {0.28f, 0.3f}, {0.5f, 0.24f}, {0.72f, 0.3f}, {0.94f, 0.5f}});
+            pen.path({{0.06f, 0.5f}, {0.28f, 0.7f}, {0.5f, 0.76f}, {0.72f, 0.7f}, {0.94f, 0.5f}});
+            return pen.disc(0.5f, 0.5f, 0.13f);
+        case Icon::Hidden:
+            pen.path({{0.06f, 0.44f}, {0.28f, 0.62f}, {0.5f, 0.68f}, {0.72f, 0.62f}, {0.94f, 0.44f}});
+            pen.path({{0.26f, 0.62f}, {0.18f, 0.78f}});
+            pen.path({{0.5f, 0.68f}, {0.5f, 0.86f}});
+            return pen.path({{0.74f, 0.62f}, {0.82f, 0.78f}});
         case Icon::Group:
             pen.circle(0.34f, 0.42f, 0.2f);
             return pen.circle(0.62f, 0.58f, 0.2f);

@@ -32,21 +32,27 @@ void drawEnvironment(Session& session);
 /// What is drawn over the view, and which image of the renderer.
 void drawViewSettings(Session& session, const Viewport& viewport);
 
-/// All objects of the level, with a search.
+/// All layers and objects of the level, with a search. An eye hides and shows what has shapes.
 class TreePanel {
 public:
     /// Draws it.
     void draw(Session& session);
 
 private:
+    enum class Eye : uint8_t { None, Open, Closed };
     struct Row {
-        uint64_t handle;
+        uint64_t handle;  ///< 0: a layer
         uint32_t kind;
         int depth;
-        std::string name;
+        std::string name, what;  ///< the latter for commands
+        Eye eye;
     };
     void gather(Session& session);
+    void gatherLayers(Session& session);
+    void addBody(Session& session, rubble_body body);
+    void addRow(Session& session, uint64_t handle, uint32_t kind, int depth);
     void drawRow(Session& session, const Row& row);
+    void drawEye(Session& session, const Row& row);
 
     std::vector<Row> m_rows, m_shown;
     std::string m_search, m_searched;
@@ -60,16 +66,24 @@ public:
     void sample(Session& session, const Viewport& viewport, double uiMs);
     /// Draws it.
     void draw(Session& session) const;
+    /// Writes the samples as a trace that Perfetto and chrome://tracing open; an error, or empty.
+    std::string writeTrace(const std::string& path) const;
 
-    static constexpr int kRows = 9, kSamples = 240;
+    static constexpr int kRows = 9, kStepRows = 6, kSamples = 240;  ///< the first rows are those of a step
 
 private:
+    struct Sample {
+        double seconds = 0.0;  ///< of a clock, at its end
+        double ms[kRows] = {};
+        rubble_step_stats step{};
+        rubble_draw_stats draw{};
+    };
+    /// The n-th of the newest ones.
+    const Sample& newest(int n) const { return m_samples[(m_next - 1 - n + 2 * kSamples) % kSamples]; }
     void drawGraph() const;
 
-    double m_ms[kRows][kSamples] = {};
+    Sample m_samples[kSamples];
     int m_next = 0, m_count = 0;
-    rubble_step_stats m_step{};
-    rubble_draw_stats m_draw{};
 };
 
 /// Finds commands by words, and runs them by a form.

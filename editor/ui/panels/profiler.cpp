@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <numeric>
 
 #include "editor/ui/panels/panels.h"
 #include "editor/ui/panels/widgets.h"
@@ -29,12 +32,14 @@ constexpr Row kStages[ProfilerPanel::kRows] = {
 }  // namespace
 
 void ProfilerPanel::sample(Session& session, const Viewport& viewport, double uiMs) {
-    m_step = session.world().get_step_stats();
-    m_draw = viewport.stats();
-    const double all[kRows] = {m_step.edits_ms,   m_step.physics_ms, m_step.poses_ms,
-                               m_step.impacts_ms, m_step.shadow_ms,  m_step.publish_ms,
-                               m_draw.apply_ms,   m_draw.draw_ms,    uiMs};
-    for (int i = 0; i < kRows; ++i) m_ms[i][m_next] = all[i];
+    using Clock = std::chrono::steady_clock;
+    const rubble_step_stats step = session.world().get_step_stats();
+    const rubble_draw_stats draw = viewport.stats();
+    m_samples[m_next] = {std::chrono::duration<double>(Clock::now().time_since_epoch()).count(),
+                         {step.edits_ms, step.physics_ms, step.poses_ms, step.impacts_ms, step.shadow_ms,
+                          step.publish_ms, draw.apply_ms, draw.draw_ms, uiMs},
+                         step,
+                         draw};
     m_next = (m_next + 1) % kSamples;
     m_count = std::min(m_count + 1, kSamples);
 }
@@ -46,18 +51,15 @@ void ProfilerPanel::drawGraph() const {
     list.AddRectFilled(low, {low.x + size.x, low.y + size.y}, IM_COL32(24, 25, 29, 255), 4 * uiScale());
     double most = 4.0;
     for (int s = 0; s < m_count; ++s) {
-        double sum = 0.0;
-        for (int i = 0; i < kRows; ++i) sum += m_ms[i][s];
-        most = std::max(most, sum);
+        most = std::max(most, std::accumulate(newest(s).ms, newest(s).ms + kRows, 0.0));
     }
     const double shown = most * 1.15;
     const float bar = size.x / float(kSamples);
     for (int s = 0; s < m_count; ++s) {
-        const int sample = (m_next - 1 - s + 2 * kSamples) % kSamples;
         const float right = low.x + size.x - float(s) * bar;
         double below = 0.0;
         for (int i = 0; i < kRows; ++i) {
-            const double above = below + m_ms[i][sample];
+            const double above = below + newest(s).ms[i];
             const auto y = [&](double ms) { return low.y + size.y * float(1.0 - ms / shown); };
             list.AddRectFilled({right - bar, y(above)}, {right, y(below)}, kStages[i].color);
             below = above;
@@ -75,8 +77,37 @@ void ProfilerPanel::drawGraph() const {
     tooltip("Each bar is a frame with the step before it; the newest is at the right");
 }
 
-void ProfilerPanel::draw(Session&) const {
-    const int last = (m_next - 1 + kSamples) % kSamples;
+/// The stages of a sample follow each other up to its end; a step that was sampled before is left out.
+std::string ProfilerPanel::writeTrace(const std::string& path) const {
+    std::string events = R"({"ph":"M","pid":1,"tid":1,"name":"thread_name","args":{"name":"step"}},
+{"ph":"M","pid":1,"tid":2,"name":"thread_name","args":{"name":"frame"}})";
+    const double origin = newest(m_count - 1).seconds;
+    double end = 0.0;
+    uint64_t stepBefore = ~uint64_t(0);
+    for (int s = m_count - 1; s >= 0; --s) {
+        const Sample& sample = newest(s);
+        const int first = sample.step.step == stepBefore ? kStepRows : 0;
+        stepBefore = sample.step.step;
+        const double sum = std::accumulate(sample.ms + first, sample.ms + kRows, 0.0);
+        double at = std::max((sample.seconds - origin) * 1e3 - sum, end);  // milliseconds
+        events += fmt::format(
+            ",\n"
+            R"({{"ph":"C","pid":1,"name":"step","ts":{:.1f},"args":{{"bodies awake":{},"contacts":{}}}}})",
+            at * 1e3, sample.step.bodies_awake, sample.step.contacts);
+        for (int i = first; i < kRows; at += sample.ms[i++])
+            events += fmt::format(
+                ",\n"
+                R"({{"ph":"X","pid":1,"tid":{},"name":"{}","ts":{:.1f},"dur":{:.1f}}})",
+                i < kStepRows ? 1 : 2, kStages[i].name, at * 1e3, sample.ms[i] * 1e3);
+        end = at;
+    }
+    std::ofstream file(path);
+    file << "{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n" << events << "\n]}\n";
+    return file.flush() ? "" : path + ": cannot be written";
+}
+
+void ProfilerPanel::draw(Session& session) const {
+    const Sample& last = newest(0);
     const float rowHeight = ImGui::GetTextLineHeight() + 1 * uiScale();
     ImGui::BeginChild("stages", {360 * uiScale(), 0}, false, ImGuiWindowFlags_NoScrollbar);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -87,15 +118,22 @@ void ProfilerPanel::draw(Session&) const {
         const float side = ImGui::GetTextLineHeight() * 0.55f, drop = ImGui::GetTextLineHeight() * 0.25f;
         list.AddRectFilled({at.x, at.y + drop}, {at.x + side, at.y + drop + side}, kStages[i].color, 2);
         list.AddText({at.x + side + 6 * uiScale(), at.y}, theme::kText, kStages[i].name);
-        const std::string ms = fmt::format("{:.2f} ms", m_count ? m_ms[i][last] : 0.0);
+        const std::string ms = fmt::format("{:.2f} ms", last.ms[i]);
         list.AddText({at.x + 164 * uiScale() - ImGui::CalcTextSize(ms.c_str()).x, at.y}, theme::kDim, ms.c_str());
         ImGui::Dummy({164 * uiScale(), rowHeight});
         tooltip(kStages[i].tip);
     }
     ImGui::SetCursorScreenPos({origin.x, origin.y + 5.2f * rowHeight});
-    ImGui::TextDisabled("%u of %u bodies awake, %u contacts", m_step.bodies_awake, m_step.bodies, m_step.contacts);
-    ImGui::TextDisabled("%u draw calls, %u bricks, %.0f MB", m_draw.draw_calls, m_draw.bricks,
-                        double(m_draw.texture_bytes) / 1e6);
+    ImGui::TextDisabled("%u of %u bodies awake, %u contacts", last.step.bodies_awake, last.step.bodies,
+                        last.step.contacts);
+    ImGui::TextDisabled("%u draw calls, %u bricks, %.0f MB", last.draw.draw_calls, last.draw.bricks,
+                        double(last.draw.texture_bytes) / 1e6);
+    if (ImGui::Button("Save trace...")) {
+        session.wantsCommands = true;
+        session.wantedCommand = "export";
+        session.wantedValues = {{"file", "trace.json"}};
+    }
+    tooltip("Writes the samples as a trace that Perfetto opens");
     ImGui::EndChild();
     ImGui::SameLine();
     ImGui::BeginChild("graph");

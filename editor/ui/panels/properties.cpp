@@ -3,6 +3,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "editor/core/joints.h"
 #include "editor/core/rotation.h"
 #include "editor/ui/panels/panels.h"
 #include "editor/ui/panels/widgets.h"
@@ -112,6 +113,40 @@ void drawLight(Session& session, rubble_light handle) {
     if (ImGui::Checkbox("##on", &isOn)) session.run("set_light", {{"on", isOn ? "yes" : "no"}, {"what", what}});
 }
 
+/// Place, axis and limits of a joint, which the view has handles for.
+void drawFrame(Session& session, rubble_joint handle) {
+    const rubble_joint_settings joint = settingsOf(session.world(), handle);
+    const std::string what = handleText(handle);
+    double at[3], axis[3];
+    put(at, vectorOf(joint.position));
+    put(axis, quaternionOf(joint.rotation) * glm::dvec3(1, 0, 0));
+    property("place", "In metres");
+    if (pointField("##at", at, 0.02)) session.run("set_joint", {{"at", pointText(vectorOf(at))}, {"what", what}});
+    property("axis", "About which it turns, or along which it slides");
+    if (pointField("##axis", axis, 0.02))
+        session.run("set_joint", {{"axis", pointText(vectorOf(axis))}, {"what", what}});
+    if (joint.kind == RUBBLE_JOINT_FIXED) return;
+    bool isLimited = joint.flags & RUBBLE_JOINT_LIMITED;
+    const bool slides = joint.kind == RUBBLE_JOINT_PRISMATIC;
+    const char* const first = slides ? "0.5" : "45";
+    property("limited", "Whether its motion has limits");
+    if (ImGui::Checkbox("##limited", &isLimited)) {
+        if (isLimited)
+            session.run("set_joint", {{"low", std::string("-") + first}, {"high", first}, {"what", what}});
+        else
+            session.run("set_joint", {{"limited", "no"}, {"what", what}});
+    }
+    if (!(joint.flags & RUBBLE_JOINT_LIMITED)) return;
+    const double unit = slides ? 1.0 : glm::degrees(1.0);
+    const auto limit = [&](const char* name, double value) {
+        property(name, "From the present pose: degrees, or metres of a slider");
+        if (numberField(fmt::format("##{}", name).c_str(), value, slides ? 0.01 : 0.5))
+            session.run("set_joint", {{name, numberText(value)}, {"what", what}});
+    };
+    if (slides || joint.kind == RUBBLE_JOINT_HINGE) limit("low", joint.lower_limit * unit);
+    limit("high", joint.upper_limit * unit);
+}
+
 void drawJoint(Session& session, rubble_joint handle) {
     static constexpr const char* kKinds[] = {"ball", "hinge", "slider", "cone", "fixed", "rope", "wheel"};
     const rubble_joint_state joint = session.world().get_joint_state(handle);
@@ -127,6 +162,7 @@ void drawJoint(Session& session, rubble_joint handle) {
             session.select(side, false);
         ImGui::PopID();
     }
+    if (hasFrame(session.world(), handle)) drawFrame(session, handle);
     if (ImGui::Button("Motor...")) session.wantsCommands = true, session.wantedCommand = "motor";
     commandTooltip("motor");
 }

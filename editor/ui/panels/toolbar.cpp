@@ -177,6 +177,8 @@ void drawStatus(Session& session, const Viewport& viewport) {
     if (document.isPlaying())
         right = fmt::format("{} {:.2f} s    ", session.isPaused ? "paused" : "playing", document.playedSteps() / 60.0) +
                 right;
+    if (const size_t hidden = session.editor().view().hidden.size())
+        right = fmt::format("{} shape{} hidden    ", hidden, hidden == 1 ? "" : "s") + right;
     const std::string path = document.path().empty() ? "a new level" : document.path();
     right = path.substr(path.find_last_of('/') + 1) + "    " + right;
     const float begin = ImGui::GetWindowWidth() - ImGui::CalcTextSize(right.c_str()).x - 12 * uiScale();

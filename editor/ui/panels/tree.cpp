@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 #include "editor/ui/panels/panels.h"
 #include "editor/ui/panels/widgets.h"
@@ -21,41 +22,99 @@ std::string lower(std::string text) {
     return text;
 }
 
+/// Of a body, or a shape itself; none of other kinds.
+std::vector<rubble_shape> shapesOf(const rubble::World& world, uint64_t object, uint32_t kind) {
+    if (kind == RUBBLE_KIND_BODY) return world.get_objects_of(object, RUBBLE_KIND_SHAPE);
+    return kind == RUBBLE_KIND_SHAPE ? std::vector<rubble_shape>{object} : std::vector<rubble_shape>();
+}
+
 }  // namespace
+
+void TreePanel::addRow(Session& session, uint64_t handle, uint32_t kind, int depth) {
+    std::string name = nameOf(session.world(), handle);
+    if (name.empty()) name = nameOfKind(kind);
+    const ViewState& view = session.editor().view();
+    Eye eye = Eye::None;
+    if (kind == RUBBLE_KIND_SHAPE) eye = view.hides(handle) ? Eye::Closed : Eye::Open;
+    m_rows.push_back({handle, kind, depth, std::move(name), handleText(handle), eye});
+}
+
+/// The rows of a body, whose eye is closed if those of all its shapes are.
+void TreePanel::addBody(Session& session, rubble_body body) {
+    const size_t own = m_rows.size();
+    addRow(session, body, RUBBLE_KIND_BODY, 0);
+    for (const uint64_t shape : session.world().get_objects_of(body, RUBBLE_KIND_SHAPE))
+        addRow(session, shape, RUBBLE_KIND_SHAPE, 1);
+    for (size_t i = own + 1; i < m_rows.size(); ++i)
+        if (m_rows[own].eye != Eye::Open) m_rows[own].eye = m_rows[i].eye;
+}
+
+/// One for each name of a layer. Its eye is closed if all that is in it is hidden.
+void TreePanel::gatherLayers(Session& session) {
+    rubble::World& all = session.world();
+    struct Layer {
+        std::string handles;
+        Eye eye = Eye::None;
+    };
+    std::map<std::string, Layer> layers;
+    for (uint32_t kind = RUBBLE_KIND_BODY; kind <= RUBBLE_KIND_JOINT; ++kind)
+        for (const uint64_t each : all.find_by_tag(kind, kLayerTag, nullptr)) {
+            Layer& layer = layers[all.get_tag(each, kLayerTag).data()];
+            layer.handles += (layer.handles.empty() ? "" : ",") + handleText(each);
+            for (const rubble_shape shape : shapesOf(all, each, kind))
+                if (layer.eye != Eye::Open) layer.eye = session.editor().view().hides(shape) ? Eye::Closed : Eye::Open;
+        }
+    for (const auto& [name, layer] : layers) {
+        const bool isPlain = name.find(',') == name.npos;
+        m_rows.push_back(
+            {0, 0, 0, name, isPlain ? fmt::format("tag:{}={}", kLayerTag, name) : layer.handles, layer.eye});
+    }
+}
 
 void TreePanel::gather(Session& session) {
     m_rows.clear();
+    gatherLayers(session);
     rubble::World& all = session.world();
-    const auto add = [&](uint64_t handle, uint32_t kind, int depth) {
-        std::string name = nameOf(all, handle);
-        if (name.empty()) name = nameOfKind(kind);
-        m_rows.push_back({handle, kind, depth, std::move(name)});
-    };
-    for (const uint64_t body : all.get_objects(RUBBLE_KIND_BODY)) {
-        add(body, RUBBLE_KIND_BODY, 0);
-        for (const uint64_t shape : all.get_objects_of(body, RUBBLE_KIND_SHAPE)) add(shape, RUBBLE_KIND_SHAPE, 1);
-    }
+    for (const uint64_t body : all.get_objects(RUBBLE_KIND_BODY)) addBody(session, body);
     for (const uint32_t kind :
          {RUBBLE_KIND_LIGHT, RUBBLE_KIND_LIGHT_GROUP, RUBBLE_KIND_JOINT, RUBBLE_KIND_WATER, RUBBLE_KIND_TRIGGER})
-        for (const uint64_t each : all.get_objects(kind)) add(each, kind, 0);
+        for (const uint64_t each : all.get_objects(kind)) addRow(session, each, kind, 0);
+}
+
+/// At the right end of the row that was drawn last.
+void TreePanel::drawEye(Session& session, const Row& row) {
+    if (row.eye == Eye::None) return;
+    const bool isHidden = row.eye == Eye::Closed;
+    const float side = ImGui::GetTextLineHeight();
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - side);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton("eye", {side, side})) session.run(isHidden ? "show" : "hide", {{"what", row.what}});
+    const ImU32 color = ImGui::IsItemHovered() ? theme::kAccent : isHidden ? theme::kText : theme::kDim;
+    drawIcon(*ImGui::GetWindowDrawList(), isHidden ? Icon::Hidden : Icon::Shown, at, side, color);
+    tooltip(isHidden ? "Hidden: a click shows it in the view"
+                     : "A click hides it in the view: the level stays as it is");
 }
 
 void TreePanel::drawRow(Session& session, const Row& row) {
     const std::vector<uint64_t>& selected = session.editor().selection().objects;
     const bool isSelected = std::find(selected.begin(), selected.end(), row.handle) != selected.end();
     const float side = ImGui::GetTextLineHeight();
-    ImGui::PushID(int(row.handle ^ row.handle >> 32));
+    ImGui::PushID(row.what.c_str());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float indent = float(row.depth) * 16 * uiScale();
-    if (ImGui::Selectable("##row", isSelected))
-        session.select(row.handle, ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyShift);
+    const bool adds = ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyShift;
+    if (ImGui::Selectable("##row", isSelected, ImGuiSelectableFlags_AllowItemOverlap))
+        session.run("select", {{"what", row.what}, {"more", adds ? "yes" : "no"}});
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) session.frameSelection();
-    tooltip(fmt::format("{} {}\nA double click shows it", nameOfKind(row.kind), handleText(row.handle)).c_str());
+    tooltip(fmt::format("{} {}\nA double click shows it", row.handle ? nameOfKind(row.kind) : "layer",
+                        row.handle ? handleText(row.handle) : row.name)
+                .c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    drawIcon(list, iconOf(row.kind), {at.x + indent + 2 * uiScale(), at.y}, side,
+    const bool isFaint = row.depth || row.eye == Eye::Closed;
+    drawIcon(list, row.handle ? iconOf(row.kind) : Icon::Layer, {at.x + indent + 2 * uiScale(), at.y}, side,
              isSelected ? theme::kAccent : theme::kDim);
-    list.AddText({at.x + indent + side + 9 * uiScale(), at.y}, row.depth ? theme::kDim : theme::kText,
-                 row.name.c_str());
+    list.AddText({at.x + indent + side + 9 * uiScale(), at.y}, isFaint ? theme::kDim : theme::kText, row.name.c_str());
+    drawEye(session, row);
     ImGui::PopID();
 }
 
@@ -70,11 +129,12 @@ void TreePanel::draw(Session& session) {
         m_shown.clear();
         const std::string wanted = lower(m_search);
         for (const Row& row : m_rows)
-            if (wanted.empty() || lower(row.name + " " + nameOfKind(row.kind)).find(wanted) != std::string::npos)
+            if (wanted.empty() ||
+                lower(row.name + " " + (row.handle ? nameOfKind(row.kind) : "layer")).find(wanted) != std::string::npos)
                 m_shown.push_back(row);
         m_searched = m_search;
     }
-    ImGui::TextDisabled("%zu of %zu objects", m_shown.size(), m_rows.size());
+    ImGui::TextDisabled("%zu of %zu rows", m_shown.size(), m_rows.size());
     ImGui::BeginChild("rows");
     ImGuiListClipper clipper;
     clipper.Begin(int(m_shown.size()));

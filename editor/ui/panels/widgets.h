@@ -40,7 +40,10 @@ enum class Icon : uint8_t {
     Joint,
     Water,
     Trigger,
-    Group
+    Group,
+    Layer,
+    Shown,
+    Hidden
 };
 
 /// Draws an icon into a square.

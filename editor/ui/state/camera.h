@@ -13,6 +13,7 @@ struct Camera {
     glm::dvec3 pivot{0.0, 1.0, 0.0};
     double yaw = 0.6, pitch = -0.45, distance = 12.0, fov = 0.9;
 
+    bool operator==(const Camera&) const = default;
     /// From camera space to world space.
     glm::dquat rotation() const;
     /// Where it is.
@@ -38,6 +39,11 @@ struct ViewFrame {
     Camera camera;
     ImVec2 origin, size;
 
+    /// Whether it shows the same.
+    bool operator==(const ViewFrame& o) const {
+        return camera == o.camera && origin.x == o.origin.x && origin.y == o.origin.y && size.x == o.size.x &&
+               size.y == o.size.y;
+    }
     /// Where a point is seen; nothing: behind the camera.
     std::optional<ImVec2> project(glm::dvec3 point) const;
     /// Direction in which a point of the window lies, of length 1.

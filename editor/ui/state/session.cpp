@@ -155,8 +155,22 @@ void Session::frameSelection() {
             for (const rubble_shape_state& shape : world().get_shape_states(each)) add(shape);
     }
     if (low.x > high.x)
-        for (const rubble_shape_state& shape : world().get_shape_states(0)) add(shape);
+        for (const rubble_shape_state& shape : world().get_shape_states(0))
+            if (!m_editor.view().hides(shape.shape)) add(shape);
     if (low.x <= high.x) camera.frame((low + high) * 0.5, glm::length(high - low) * 0.5);
+}
+
+std::vector<rubble_shape> Session::hiddenShapes(bool isReplay) {
+    const std::vector<rubble_shape>& hidden = m_editor.view().hidden;
+    if (!isReplay || !replay.world()) return hidden;
+    std::vector<rubble_shape> there;
+    for (const rubble_shape each : hidden) {
+        try {
+            there.push_back(replay.world()->translate_handle(each));
+        } catch (const rubble::Error&) {  // it is not in this step
+        }
+    }
+    return there;
 }
 
 void Session::togglePlay() {

@@ -32,12 +32,6 @@ struct Brush {
     int mirror = 0;     ///< of kMirrors
 };
 
-/// What is drawn over the view.
-struct Overlays {
-    bool grid = false, anchors = false, components = false, load = false, contacts = false, sleep = false,
-         joints = false, lights = false, groups = false, bricks = false;
-};
-
 /// Which of the panels with tabs is in front.
 struct Tabs {
     std::string right = "Properties", bottom = "History";
@@ -72,8 +66,10 @@ public:
     void select(uint64_t handle, bool adds);
     /// The shape that is selected, or the first one of the body that is; 0: none.
     rubble_shape selectedShape() const;
-    /// Shows all that is selected, or the whole level.
+    /// Moves the camera to all that is selected, else to all that is not hidden.
     void frameSelection();
+    /// What the view of the level, or of the replay, leaves out.
+    std::vector<rubble_shape> hiddenShapes(bool isReplay);
 
     /// Begins to play, or goes on after a pause, or pauses.
     void togglePlay();
@@ -102,7 +98,6 @@ public:
     double breakSize = 1.0;  ///< metres
     double snap = 0.1;       ///< metres of moves; 0: none
     double snapAngle = 15;   ///< degrees
-    Overlays overlays;
     Tabs tabs;
     std::string pass = "final";  ///< which image of the renderer is shown
     bool isPaused = false;

@@ -9,9 +9,11 @@
 #include <glm/trigonometric.hpp>
 #include <utility>
 
+#include "editor/core/joints.h"
 #include "editor/core/places.h"
 #include "editor/core/rotation.h"
 #include "editor/ui/state/theme.h"
+#include "editor/ui/view/picking.h"
 
 namespace editor {
 namespace {
@@ -54,10 +56,13 @@ std::vector<rubble_shape_state> selectedShapes(Session& session) {
     return all;
 }
 
-std::vector<glm::dvec3> selectedLights(Session& session) {
+std::vector<glm::dvec3> selectedPoints(Session& session) {
     std::vector<glm::dvec3> all;
-    for (const uint64_t each : session.editor().selection().objects)
-        if (kindOf(session.world(), each) == RUBBLE_KIND_LIGHT) all.push_back(placeOf(session.world(), each).position);
+    for (const uint64_t each : session.editor().selection().objects) {
+        const int kind = kindOf(session.world(), each);
+        if (kind == RUBBLE_KIND_LIGHT || (kind == RUBBLE_KIND_JOINT && hasFrame(session.world(), each)))
+            all.push_back(placeOf(session.world(), each).position);
+    }
     return all;
 }
 
@@ -108,7 +113,7 @@ bool Gizmo::fit(Session& session) {
         const glm::dvec3 size(shape.size[0], shape.size[1], shape.size[2]);
         for (int i = 0; i < 8; ++i) add(worldOf(shape, size * glm::dvec3(i & 1, (i >> 1) & 1, (i >> 2) & 1)));
     }
-    for (const glm::dvec3 light : selectedLights(session)) add(light);
+    for (const glm::dvec3 point : selectedPoints(session)) add(point);
     if (low.x > high.x) return false;
     m_center = (low + high) * 0.5;
     m_half = (high - low) * 0.5;
@@ -141,14 +146,11 @@ glm::ivec3 Gizmo::scaledSize(const rubble_shape_state& shape) const {
 void Gizmo::dragOnSurface(Session& session, const ViewFrame& frame, ImVec2 mouse) {
     std::vector<rubble_body> own;
     for (const rubble_shape_state& shape : selectedShapes(session)) own.push_back(shape.body);
-    rubble_query_filter filter{};
+    rubble_query_filter filter = seenBy(session);
     filter.rejected_bodies = own.data();
     filter.rejected_body_count = uint32_t(own.size());
-    rubble_ray ray{};
+    const rubble_ray ray = rayAt(frame, mouse);
     const glm::dvec3 from = frame.camera.position(), direction = frame.direction(mouse);
-    put(ray.origin, from);
-    put(ray.direction, direction);
-    ray.max_distance = kReach;
     const rubble_hit hit = session.world().cast_rays(&ray, 1, filter).at(0);
     if (!hit.hit && !(from.y > 0.0 && direction.y < -1e-6 && from.y / -direction.y < kReach)) return;
     const glm::dvec3 at = hit.hit ? vectorOf(hit.position) : from + direction * (from.y / -direction.y);
@@ -189,7 +191,7 @@ void Gizmo::drawDrag(Session& session, Wires& wires) const {
         wires.cells(shape, glm::dvec3(0.0), {shape.size[0], shape.size[1], shape.size[2]}, theme::kAccent,
                     theme::kAccentFaint & 0x28ffffffu);
     }
-    for (const glm::dvec3 light : selectedLights(session)) wires.dot(moved(light), theme::kAccent, 7.0f);
+    for (const glm::dvec3 point : selectedPoints(session)) wires.dot(moved(point), theme::kAccent, 7.0f);
     if (m_held == kMiddle) return wires.label(m_center + m_by, theme::kText, ("by " + pointText(m_by)).c_str());
     wires.label(m_center + axisOf(m_held) * m_length, theme::kText,
                 fmt::format("{} {} {}", "xyz"[m_held], numberText(m_by[m_held]), moves ? "m" : "\u00b0").c_str());

@@ -9,9 +9,9 @@
 
 namespace editor {
 
-/// Handles in the view that move or turn the bodies and lights that are selected, or scale a shape: along an axis;
-/// moves also by the middle, on the surfaces under the mouse. The drag shows where they would come; its end is one
-/// command.
+/// Handles in the view that move or turn the bodies, lights and joints that are selected, or scale a shape: along an
+/// axis; moves also by the middle, on the surfaces under the mouse. The drag shows where they would come; its end is
+/// one command.
 class Gizmo {
 public:
     /// Draws it and reacts to the mouse. isMouseFree: no panel wants the mouse. True: the mouse is on it.
@@ -42,7 +42,7 @@ private:
 
 /// The shapes of all bodies that are selected.
 std::vector<rubble_shape_state> selectedShapes(Session& session);
-/// Where the lights are that are selected.
-std::vector<glm::dvec3> selectedLights(Session& session);
+/// Where the lights and the frames of joints are that are selected.
+std::vector<glm::dvec3> selectedPoints(Session& session);
 
 }  // namespace editor

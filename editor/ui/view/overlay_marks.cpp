@@ -6,7 +6,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "editor/core/cells.h"
 #include "editor/core/places.h"
 #include "editor/core/rotation.h"
 #include "editor/ui/state/theme.h"
@@ -14,52 +13,19 @@
 namespace editor {
 namespace {
 
-constexpr int64_t kMaxComponentCells = int64_t(1) << 24;  ///< of a shape whose components are looked for
-constexpr uint64_t kShownSteps = 30;                      ///< for which a contact or a changed brick is shown
-constexpr size_t kMaxMarks = 2000;                        ///< of one kind: more could not be told apart
-constexpr ImU32 kAwake = theme::kAccent, kAsleep = IM_COL32(150, 158, 170, 150), kLoose = IM_COL32(238, 120, 108, 255);
+constexpr uint64_t kShownSteps = 30;  ///< for which a contact or a changed brick is shown
+constexpr size_t kMaxMarks = 2000;    ///< of one kind: more could not be told apart
+constexpr ImU32 kAwake = theme::kAccent, kAsleep = IM_COL32(150, 158, 170, 150);
 constexpr ImU32 kLink = IM_COL32(120, 190, 240, 255), kGlow = IM_COL32(255, 232, 150, 255);
 
 glm::dvec3 sizeOf(const rubble_shape_state& shape) {
     return {shape.size[0], shape.size[1], shape.size[2]};
 }
 
-bool overlaps(const Component& component, const rubble_cell_box& box) {
-    for (int a = 0; a < 3; ++a)
-        if (box.low[a] >= component.low[a] + component.size[a] || box.low[a] + box.size[a] <= component.low[a])
-            return false;
-    return true;
-}
-
-/// Gathers the component of a cell, and takes its voxels away.
-Component takeComponent(std::vector<uint8_t>& voxels, const Cells& grid, glm::ivec3 start,
-                        std::vector<glm::ivec3>& open) {
-    const auto at = [&](glm::ivec3 c) { return (size_t(c.z) * grid.size.y + c.y) * grid.size.x + c.x; };
-    glm::ivec3 low = start, high = start;
-    Component found;
-    open.assign(1, start);
-    voxels[at(start)] = 0;
-    while (!open.empty()) {
-        const glm::ivec3 cell = open.back();
-        open.pop_back();
-        ++found.voxels;
-        low = glm::min(low, cell), high = glm::max(high, cell);
-        for (int a = 0; a < 3; ++a)
-            for (const int step : {-1, 1}) {
-                glm::ivec3 next = cell;
-                next[a] += step;
-                if (!grid.contains(next) || !voxels[at(next)]) continue;
-                voxels[at(next)] = 0;
-                open.push_back(next);
-            }
-    }
-    found.low = low, found.size = high - low + 1;
-    return found;
-}
-
 void drawAnchors(Session& session, Wires& wires) {
     size_t marks = 0;
     const auto drawOf = [&](const rubble_shape_state& shape) {
+        if (session.editor().view().hides(shape.shape)) return;
         for (const rubble_cell_box& box : session.world().get_anchors(shape.shape))
             if (++marks < kMaxMarks)
                 wires.cells(shape, {box.low[0], box.low[1], box.low[2]}, {box.size[0], box.size[1], box.size[2]},
@@ -79,7 +45,9 @@ void drawSleep(Session& session, Wires& wires) {
         if (body.flags & RUBBLE_BODY_STATIC || ++marks > kMaxMarks) continue;
         const ImU32 color = body.flags & RUBBLE_BODY_ASLEEP ? kAsleep : kAwake;
         for (const rubble_shape_state& shape : session.world().get_shape_states(body.body))
-            wires.cells(shape, glm::dvec3(0.0), sizeOf(shape), color, 0, body.flags & RUBBLE_BODY_ASLEEP ? 1.0f : 2.0f);
+            if (!session.editor().view().hides(shape.shape))
+                wires.cells(shape, glm::dvec3(0.0), sizeOf(shape), color, 0,
+                            body.flags & RUBBLE_BODY_ASLEEP ? 1.0f : 2.0f);
     }
 }
 
@@ -136,41 +104,6 @@ void drawGrid(Session& session, Wires& wires) {
 
 }  // namespace
 
-std::vector<Component> componentsOf(const rubble::World& world, rubble_shape shape) {
-    const Cells grid = gridOf(world, shape);
-    if (grid.count() > kMaxComponentCells) return {};
-    std::vector<uint8_t> voxels = readCells(world, shape, grid);
-    std::vector<Component> all;
-    std::vector<glm::ivec3> open;
-    for (size_t i = 0; i < voxels.size(); ++i) {
-        if (!voxels[i]) continue;
-        const int x = int(i) % grid.size.x, y = int(i) / grid.size.x % grid.size.y;
-        all.push_back(takeComponent(voxels, grid, {x, y, int(i) / grid.size.x / grid.size.y}, open));
-    }
-    for (Component& component : all)
-        for (const rubble_cell_box& box : world.get_anchors(shape))
-            component.isAnchored = component.isAnchored || overlaps(component, box);
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Component& a, const Component& b) { return a.voxels > b.voxels; });
-    return all;
-}
-
-void OverlayMarks::drawComponents(Session& session, Wires& wires) {
-    const rubble_shape shape = session.selectedShape();
-    if (!shape) return;
-    if (shape != m_shape || session.version() != m_version) m_components = componentsOf(session.world(), shape);
-    m_shape = shape, m_version = session.version();
-    const rubble_shape_state state = session.world().get_shape_state(shape);
-    for (size_t i = 0; i < std::min<size_t>(m_components.size(), 200); ++i) {
-        const Component& each = m_components[i];
-        const ImU32 color = each.isAnchored ? theme::kAccent : kLoose;
-        wires.cells(state, each.low, each.size, color, (color & 0x00ffffffu) | 0x20000000u, 2.0f);
-        if (i < 12)
-            wires.label(worldOf(state, glm::dvec3(each.low) + glm::dvec3(each.size) * 0.5), theme::kText,
-                        fmt::format("{} voxels, {}", each.voxels, each.isAnchored ? "anchored" : "loose").c_str());
-    }
-}
-
 /// Those of the last steps: most touch in one step only.
 void OverlayMarks::drawContacts(Session& session, Wires& wires) {
     const uint64_t now = session.editor().document().playedSteps();
@@ -217,7 +150,8 @@ void OverlayMarks::drawBricks(Session& session, Wires& wires) {
     if (m_brickVersions.empty() || now != m_brickStep) gatherBricks(session, now);
     m_brickStep = now;
     std::erase_if(m_bricks, [&](const ChangedBrick& each) {
-        return each.step > now || each.step + kShownSteps < now || kindOf(session.world(), each.shape) < 0;
+        return each.step > now || each.step + kShownSteps < now || kindOf(session.world(), each.shape) < 0 ||
+               session.editor().view().hides(each.shape);
     });
     if (m_bricks.size() > kMaxMarks) m_bricks.erase(m_bricks.begin(), m_bricks.end() - kMaxMarks);
     for (const ChangedBrick& each : m_bricks) {
@@ -257,7 +191,7 @@ void OverlayMarks::drawLoad(Session& session, Wires& wires) {
 }
 
 void OverlayMarks::draw(Session& session, Wires& wires) {
-    const Overlays& shown = session.overlays;
+    const Overlays& shown = session.editor().view().overlays;
     if (shown.contacts != m_asksForContacts) {
         rubble_report_filter filter{};
         constexpr uint32_t kKinds =
@@ -268,7 +202,7 @@ void OverlayMarks::draw(Session& session, Wires& wires) {
     }
     if (shown.grid) drawGrid(session, wires);
     if (shown.anchors) drawAnchors(session, wires);
-    if (shown.components) drawComponents(session, wires);
+    if (shown.components) m_components.draw(session, wires);
     if (shown.load) drawLoad(session, wires);
     if (shown.sleep) drawSleep(session, wires);
     if (shown.contacts) drawContacts(session, wires);

@@ -26,12 +26,27 @@ int strokeRadius(const Brush& brush) {
     return brush.form == Form::Line ? brush.size - 1 : 0;
 }
 
-std::optional<Hover> pick(const rubble::World& world, const ViewFrame& frame, ImVec2 at) {
-    double origin[3], direction[3];
-    put(origin, frame.camera.position());
-    put(direction, frame.direction(at));
+rubble_query_filter seenBy(const Session& session) {
+    const std::vector<rubble_shape>& hidden = session.editor().view().hidden;
+    rubble_query_filter filter{};
+    filter.rejected_shapes = hidden.data();
+    filter.rejected_shape_count = uint32_t(hidden.size());
+    return filter;
+}
+
+rubble_ray rayAt(const ViewFrame& frame, ImVec2 at) {
+    rubble_ray ray{};
+    put(ray.origin, frame.camera.position());
+    put(ray.direction, frame.direction(at));
+    ray.max_distance = kReach;
+    return ray;
+}
+
+std::optional<Hover> pick(Session& session, const ViewFrame& frame, ImVec2 at) {
+    const rubble::World& world = session.world();
+    const rubble_ray ray = rayAt(frame, at);
     Hover hover;
-    hover.hit = world.cast_ray(origin, direction, kReach);
+    hover.hit = world.cast_rays(&ray, 1, seenBy(session)).at(0);
     if (!hover.hit.hit || !hover.hit.shape) return std::nullopt;
     const rubble_shape_state shape = world.get_shape_state(hover.hit.shape);
     const glm::dvec3 normal = glm::inverse(quaternionOf(shape.rotation)) * vectorOf(hover.hit.normal);

@@ -16,8 +16,12 @@ struct Hover {
     int side = 1;        ///< along it, -1 or 1
 };
 
-/// The voxel under a point of the window; nothing: the ground or the sky.
-std::optional<Hover> pick(const rubble::World& world, const ViewFrame& frame, ImVec2 at);
+/// The voxel that is seen under a point of the window; nothing: the ground or the sky.
+std::optional<Hover> pick(Session& session, const ViewFrame& frame, ImVec2 at);
+/// Lets queries find what the view shows. The session outlives it.
+rubble_query_filter seenBy(const Session& session);
+/// The ray of a point of the window.
+rubble_ray rayAt(const ViewFrame& frame, ImVec2 at);
 
 /// A stroke of a brush: from where the button went down to where the mouse is.
 struct Stroke {

@@ -33,10 +33,6 @@ std::vector<std::string> namesOfPasses(rubble::Renderer& renderer) {
     return names;
 }
 
-bool isSame(const Camera& a, const Camera& b) {
-    return a.pivot == b.pivot && a.yaw == b.yaw && a.pitch == b.pitch && a.distance == b.distance && a.fov == b.fov;
-}
-
 }  // namespace
 
 Viewport::Viewport(const rubble::World& world, const std::string& preset, const std::string& cache)
@@ -46,18 +42,21 @@ ImTextureID Viewport::texture() const {
     return reinterpret_cast<ImTextureID>(uintptr_t(m_image.texture()));
 }
 
-void Viewport::draw(const ViewFrame& frame, uint64_t version, const std::string& pass, double share) {
+void Viewport::draw(const ViewFrame& frame, uint64_t version, const std::string& pass, double share,
+                    std::span<const rubble_shape> hidden) {
     const int width = std::max(16, int(double(frame.size.x) * share));
     const int height = std::max(16, int(double(frame.size.y) * share));
     const bool isResized = width != m_width || height != m_height;
     if (isResized) m_image.resize(m_width = width, m_height = height);
     if (pass != m_pass) m_renderer.set_debug_view(pass.c_str());
-    if (isResized || pass != m_pass || version != m_version || !isSame(frame.camera, m_camera)) m_framesLeft = kFrames;
+    if (isResized || pass != m_pass || version != m_version || frame.camera != m_camera) m_framesLeft = kFrames;
     m_pass = pass, m_version = version, m_camera = frame.camera;
     if (m_framesLeft == 0) return;
     --m_framesLeft;
     ++m_frames;
-    m_renderer.draw(frame.view(m_image.framebuffer(), width, height));
+    rubble_view view = frame.view(m_image.framebuffer(), width, height);
+    view.hidden_shapes = hidden.data(), view.hidden_shape_count = uint32_t(hidden.size());
+    m_renderer.draw(view);
     m_stats = m_renderer.get_draw_stats();
 }
 

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <rubble/rubble.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,9 @@ public:
     Viewport(const rubble::World& world, const std::string& preset, const std::string& cache);
 
     /// Draws a frame, if one is due. version: another one than before means that the level has changed. share: pixels
-    /// of the image by those of the rectangle, along each side.
-    void draw(const ViewFrame& frame, uint64_t version, const std::string& pass, double share);
+    /// of the image by those of the rectangle, along each side. hidden: shapes that it leaves out, of the same version.
+    void draw(const ViewFrame& frame, uint64_t version, const std::string& pass, double share,
+              std::span<const rubble_shape> hidden);
     /// Whether nothing would become of another draw().
     bool isSettled() const { return m_framesLeft == 0; }
     /// The image, its first row at the bottom.

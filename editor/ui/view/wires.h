@@ -26,6 +26,10 @@ public:
     /// A box of cells of a shape; fill: of its faces, 0: none.
     void cells(const rubble_shape_state& shape, glm::dvec3 low, glm::dvec3 size, ImU32 color, ImU32 fill = 0,
                float width = 1.5f);
+    /// A rectangle of the window.
+    void tile(ImVec2 low, ImVec2 high, ImU32 color) { m_list.AddRectFilled(low, high, color); }
+    /// What it draws over.
+    const ViewFrame& frame() const { return m_frame; }
     /// A text beside a point.
     void label(glm::dvec3 at, ImU32 color, const char* text);
 

@@ -193,6 +193,8 @@ rubble_result getJointProperties(rubble_world world, rubble_joint joint, rubble_
         values.break_torque = found->breakTorque;
         values.steer_angle = found->steer;
         values.movement = jointMovement(inside.data(), *found);
+        writeRotation(values.rotation, jointToWorld(inside, found->ends[0]).rotation);
+        values.anchor_radius = found->ends[0].radius;
         writeStruct(out, values);
     });
 }

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <glm/mat4x4.hpp>
 #include <optional>
+#include <vector>
 
 #include "runtime/plugin/c_abi/calls.h"
 #include "runtime/plugin/c_abi/functions.h"
@@ -115,6 +116,16 @@ std::optional<View::Projection> readProjection(const rubble_view& given, uint32_
     return read;
 }
 
+std::vector<ShapeHandle> readHidden(const rubble_view& given) {
+    std::vector<ShapeHandle> hidden;
+    readReserved(given.reserved, "view->reserved");
+    if (given.hidden_shape_count) isGiven(given.hidden_shapes, "view->hidden_shapes");
+    if (isRefused()) return hidden;
+    for (uint32_t i = 0; i < given.hidden_shape_count; ++i)
+        hidden.push_back(readHandle<HandleType::Shape>(given.hidden_shapes[i], "view->hidden_shapes"));
+    return hidden;
+}
+
 View readView(const rubble_view& given) {
     for (const auto& [name, pixels] : {std::pair("width", given.width), std::pair("height", given.height)})
         if (pixels < 1 || pixels > kMaxViewSize)
@@ -137,6 +148,7 @@ View readView(const rubble_view& given) {
     view.hasFixedExposure = flags & (RUBBLE_VIEW_LINEAR | RUBBLE_VIEW_FIXED_EXPOSURE);
     view.isFlipped = flags & RUBBLE_VIEW_FLIP_Y;
     view.projection = readProjection(given, flags);
+    view.hidden = readHidden(given);
     return view;
 }
 

@@ -55,6 +55,8 @@ const std::map<std::string, std::string> kAccepted = {
     {"create_world settings.user: null", kOptional},
     {"create_world settings: null", kOptional},
     {"draw view.framebuffer: huge", "another error, as the GL knows its framebuffers: RUBBLE_ERROR_GL"},
+    {"draw view.hidden_shape_count: huge", kLength},
+    {"draw view.hidden_shapes: null", kOptional},
     {"find_by_tag value: null", kOptional},
     {"find_closest_point filter.query_size: huge", kNotRead},
     {"find_closest_point filter.rejected_bodies: null", kOptional},

@@ -834,6 +834,8 @@ typedef struct rubble_joint_properties {
     /* where its free motion is, 0 in the pose in which it was made. Hinge: radians, -pi to pi; prismatic and wheel:
      * metres; ball and cone: radians between the axes of both sides; fixed: 0. Rope: metres between its ends */
     double movement;
+    double rotation[4];   /* world: of the frame of its first end, whose x axis is the joint's */
+    double anchor_radius; /* as in rubble_joint_settings */
 } rubble_joint_properties;
 
 enum {
@@ -1634,6 +1636,12 @@ typedef struct rubble_view {
      * 4; of an orthographic projection, 1e-4 to 100 (views of 20 km to 2 cm), [12] and [13] -1e5 to 1e5, and the near
      * plane lies within 100 km of the eye. All zeros, without VIEW_DEPTH or _ZERO_TO_ONE: vertical_fov, centred */
     double projection[16];
+    /* Shapes that this view leaves out, as its own player or a roof: it draws them neither itself nor in mirrors, and
+     * their colours are not in the light that surfaces throw back. They keep their shadows. Pieces that break off are
+     * drawn. The array is read in the call; stale handles do no harm. None costs nothing */
+    const rubble_shape* hidden_shapes;
+    uint32_t hidden_shape_count;
+    uint32_t reserved;
 } rubble_view;
 
 /* Counters and wall-clock times of the last draw(). */
