@@ -27,7 +27,7 @@ private:
         glm::mat3 axes;    ///< of the part's cells, in cells of the solid
         glm::vec3 corner;  ///< of the part's cell (0, 0, 0), in cells of the solid
     };
-    std::array<std::optional<Solid>, 8> m_first;  ///< pairs are made anew in every step: so few take no memory
+    std::array<std::optional<Solid>, 8> m_first;  ///< so few take no memory; a cover lives for one pair and step
     std::vector<Solid> m_more;
     size_t m_count = 0;
 };

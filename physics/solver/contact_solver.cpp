@@ -81,7 +81,7 @@ void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* co
         m_set.pairs.push_back({a, b, manifolds[i]});
     }
     forEachBlockwise(m_parallelFor, m_set.pairs.size(), [&](size_t i) { classifyPair(m_set, m_set.pairs[i], bodies); });
-    if (m_paths.size() < bodies.size()) m_paths.resize(bodies.size());
+    while (m_paths.size() < bodies.size()) m_paths.emplace_back().reserve(size_t(settings.substeps));
     for (size_t i = 0; i < bodies.size(); ++i) {
         m_paths[i].clear();
         m_set.states[i].keepsPath = glm::length(bodies[i].angularVelocity) * settings.seconds > kArcRotation;

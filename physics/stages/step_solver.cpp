@@ -75,7 +75,9 @@ void StepSolver::solve(PhysicsBodies& bodies, std::span<Manifold* const> manifol
     forEachBlockwise(parallelFor, count, [&](size_t i) {
         DynamicBody& body = bodies.at(bodies.awake()[i]);
         const std::span<const Pose> path = m_solver.pathOf(body.solverIndex);
-        body.stepPath.assign(1, body.pose());
+        body.stepPath.clear();
+        body.stepPath.reserve(std::max<size_t>(2, 1 + path.size()));
+        body.stepPath.push_back(body.pose());
         body.stepPath.insert(body.stepPath.end(), path.begin(), path.end());
         body.stepStart = body.motion;
         SolverBody& solved = m_bodies[size_t(body.solverIndex)];

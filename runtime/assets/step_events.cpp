@@ -40,6 +40,7 @@ inline constexpr auto kFields<StepEvents> = std::tuple{
     Field{"settled", &StepEvents::settled},
     Field{"unsettled", &StepEvents::unsettled},
     Field{"painted_voxels", &StepEvents::paintedVoxels},
+    Field{"is_restored", &StepEvents::isRestored},
 };
 
 namespace {
@@ -98,7 +99,6 @@ std::vector<uint8_t> stepEventsToBytes(const StepEvents& events, uint64_t* memor
     PaletteList unused;
     BinaryOutputArchive archive(bytes, unused);
     archive.put(events);
-    if (events.isRestored) archive.put(true);  // only it can be left out
     *memory = archive.memory() + listMemory(1, sizeof(StepEvents));
     return bytes;
 }
@@ -106,10 +106,7 @@ std::vector<uint8_t> stepEventsToBytes(const StepEvents& events, uint64_t* memor
 StepEvents readStepEvents(ByteReader& in, uint8_t world) {
     StepEvents events;
     if (!in.takeMemory(listMemory(1, sizeof(StepEvents)))) return events;
-    const std::vector<PaletteRef> none;
-    BinaryInputArchive archive(in, none, world);
-    archive.get(events);
-    if (in.remaining()) archive.get(events.isRestored);
+    BinaryInputArchive(in, {}, world).get(events);
     in.expectEnd("events");
     if (in.failed()) return events;
     if (const std::string error = eventsError(events); !error.empty()) in.fail("events within their ranges", error);

@@ -49,10 +49,14 @@ struct PoolAllocator {
     using value_type = T;
     std::shared_ptr<BlockPool> pool;
 
+    /// Of a pool for objects of this type alone.
     explicit PoolAllocator(std::shared_ptr<BlockPool> from) : pool(std::move(from)) {}
+    /// The same pool for what std::allocate_shared() puts around an object.
     template <class U>
     PoolAllocator(const PoolAllocator<U>& other) : pool(other.pool) {}
+    /// Memory for one object.
     T* allocate(size_t) { return static_cast<T*>(pool->take(sizeof(T))); }
+    /// Gives it back.
     void deallocate(T* block, size_t) { pool->give(block); }
 };
 template <class T, class U>

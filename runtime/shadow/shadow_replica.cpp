@@ -88,6 +88,8 @@ void ShadowReplica::apply(ShadowStep&& step, const MustStop& mustStop) {
     if (step.replacesAll) {
         m_shapes.clear();
         m_brickStates.clear();
+        m_members.clear();
+        m_memberSlots = {};
         m_waiting.clear();
         m_touched.clear();
     }
@@ -107,6 +109,7 @@ void ShadowReplica::apply(ShadowStep&& step, const MustStop& mustStop) {
 
 void ShadowReplica::create(ShadowStep::NewShape&& from) {
     destroy(from.shape);
+    if (!m_pool) m_pool = std::make_shared<BlockPool>(kSpareBricks);
     auto shape = std::make_unique<Shape>();
     shape->handle = from.shape;
     shape->grid = std::move(from.grid);
@@ -225,7 +228,7 @@ void ShadowReplica::place(Shape& shape) {
         if (!stays || changed(brick)) touch(shape, *m_nextCovered.back());
     }
     for (; old != oldEnd; ++old) leave(shape, **old);
-    std::swap(shape.covered, m_nextCovered);
+    shape.covered.assign(m_nextCovered.begin(), m_nextCovered.end());  // each keeps its own memory
     std::swap(shape.raster, m_nextRaster);
 }
 
@@ -239,12 +242,16 @@ ShadowReplica::BrickEntry* ShadowReplica::enter(const Shape& shape, glm::ivec3 b
         found = m_brickStates.try_emplace(brick).first;
     }
     BrickEntry& entry = *found;
-    (shape.moving ? entry.second.moving : entry.second.resting).push_back(shape.handle.slot());
+    const uint32_t member = m_memberSlots.allocate();
+    if (member == m_members.size()) m_members.emplace_back();
+    m_members[member] = {shape.handle.slot(), std::exchange(listOf(shape, entry), member)};
     return &entry;
 }
 
 void ShadowReplica::leave(const Shape& shape, BrickEntry& entry) {
-    std::erase(shape.moving ? entry.second.moving : entry.second.resting, shape.handle.slot());
+    uint32_t* link = &listOf(shape, entry);
+    while (m_members[*link].slot != shape.handle.slot()) link = &m_members[*link].next;
+    m_memberSlots.free(std::exchange(*link, m_members[*link].next));
     touch(shape, entry);
 }
 
@@ -283,10 +290,10 @@ void ShadowReplica::touchSurface(Shape& shape, glm::ivec3 voxelBrick) {
 }
 
 ShadowBrickRef ShadowReplica::buildResting(const BrickState& state, glm::ivec3 brick) const {
-    if (state.resting.empty()) return nullptr;
+    if (state.resting == kNone) return nullptr;
     CellRows rows{};
-    for (const uint32_t slot : state.resting) {
-        const Shape& shape = *m_shapes[slot];
+    for (uint32_t member = state.resting; member != kNone; member = m_members[member].next) {
+        const Shape& shape = *m_shapes[m_members[member].slot];
         rasterize(shape.casterGrid(), shape.cellTransform, shape.bounds, brick, rows);
     }
     const ShadowWords cells = packRows(rows);
@@ -302,8 +309,8 @@ ShadowWords ShadowReplica::cellsOf(const BrickState& state, glm::ivec3 brick) co
     const auto add = [&](const ShadowWords& others) {
         for (size_t i = 0; i < cells.size(); ++i) cells[i] |= others[i];
     };
-    for (const uint32_t slot : state.moving) {
-        const Shape& shape = *m_shapes[slot];
+    for (uint32_t member = state.moving; member != kNone; member = m_members[member].next) {
+        const Shape& shape = *m_shapes[m_members[member].slot];
         if (const ShadowWords* words = shape.raster.find(brick)) {
             add(*words);
         } else if (!shape.raster.isMade()) {
@@ -319,7 +326,7 @@ ShadowWords ShadowReplica::cellsOf(const BrickState& state, glm::ivec3 brick) co
 ShadowBrickRef ShadowReplica::currentContent(BrickState& state, glm::ivec3 brick) const {
     if (!state.isRestCurrent) state.rest = buildResting(state, brick);
     state.isRestCurrent = true;
-    if (state.moving.empty()) return state.rest;  // without moving shapes; its empty boxes are larger
+    if (state.moving == kNone) return state.rest;  // without moving shapes; its empty boxes are larger
     const ShadowWords cells = cellsOf(state, brick);
     return state.published && sameCells(*state.published, cells) ? state.published
                                                                  : makeShadowBrick(cells, true, m_pool);
@@ -328,7 +335,7 @@ ShadowBrickRef ShadowReplica::currentContent(BrickState& state, glm::ivec3 brick
 void ShadowReplica::rebuildBrick(BrickEntry& entry, ShadowPatches& out) {
     auto& [brick, state] = entry;
     ShadowBrickRef content = currentContent(state, brick);
-    state.isTransient = !state.moving.empty();
+    state.isTransient = state.moving != kNone;
     if (content == state.published) return;
     const bool wasEmpty = !state.published;
     state.published = std::move(content);
@@ -346,7 +353,7 @@ bool ShadowReplica::update(ShadowPatches& out, const MustStop& mustStop) {
         if (mustStop()) return false;
         entry->second.touched = false;
         rebuildBrick(*entry, out);
-        if (!entry->second.resting.empty() || !entry->second.moving.empty()) continue;
+        if (entry->second.resting != kNone || entry->second.moving != kNone) continue;
         auto empty = m_brickStates.extract(glm::ivec3(entry->first));
         if (m_spares.size() < kSpareBricks) m_spares.push_back(std::move(empty));
     }

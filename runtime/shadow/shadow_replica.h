@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "runtime/core/index_allocator.h"
 #include "runtime/shadow/rasterize.h"
 #include "runtime/shadow/shadow_cell_transform.h"
 #include "runtime/shadow/shadow_step.h"
@@ -29,11 +30,16 @@ public:
     bool update(ShadowPatches& out, const MustStop& mustStop);
 
 private:
+    static constexpr uint32_t kNone = ~0u;
+    /// A shape in a brick, and the next one of the list.
+    struct Member {
+        uint32_t slot, next;
+    };
     /// Which palette entries cast a shadow.
     using OpaqueEntries = std::array<bool, 256>;
     /// One brick of the volume, and the shapes in it.
     struct BrickState {
-        std::vector<uint32_t> resting, moving;  ///< slots of shapes
+        uint32_t resting = kNone, moving = kNone;  ///< lists of shapes: the first of each in m_members
         ShadowBrickRef published;
         ShadowBrickRef rest;         ///< of the resting shapes alone, kept while other shapes move through
         bool isRestCurrent = false;  ///< `rest` is up to date
@@ -77,6 +83,9 @@ private:
     void place(Shape& shape);
     BrickEntry* enter(const Shape& shape, glm::ivec3 brick);
     void leave(const Shape& shape, BrickEntry& entry);
+    static uint32_t& listOf(const Shape& shape, BrickEntry& entry) {
+        return shape.moving ? entry.second.moving : entry.second.resting;
+    }
     void leaveAll(Shape& shape);
     void touch(const Shape& shape, BrickEntry& entry);
     void touchVoxelBrick(Shape& shape, glm::ivec3 voxelBrick);
@@ -91,8 +100,10 @@ private:
     static constexpr size_t kSpareBricks = 1024;  ///< 0.6 MB: what moves replaces hundreds in a step
 
     std::vector<std::unique_ptr<Shape>> m_shapes;  ///< by slot
-    std::shared_ptr<BlockPool> m_pool = std::make_shared<BlockPool>(kSpareBricks);
+    std::shared_ptr<BlockPool> m_pool;             ///< of the bricks it makes; null until there is a shape
     BrickMap m_brickStates;
+    std::vector<Member> m_members;
+    IndexAllocator m_memberSlots;
     std::vector<BrickMap::node_type> m_spares;  ///< of bricks that are empty again, for those to come
     std::vector<ShapeHandle> m_waiting;         ///< shapes to place: once per update, however many steps it includes
     std::vector<BrickEntry*> m_touched;         ///< bricks to be rebuilt

@@ -48,7 +48,6 @@ std::optional<glm::ivec3> findOverlap(const VoxelGrid& grid, const CellShape& sh
 /// the voxel, at most the radius. The normal is zero where the segment itself is inside the voxel.
 CellContact findDeepest(const VoxelGrid& grid, const CellShape& round);
 
-/// The result of findClosest().
 /// The result of closestToBox().
 struct SegmentToBox {
     glm::dvec3 onSegment{0.0}, onBox{0.0};

@@ -305,6 +305,7 @@ std::vector<Command> CommandLog::take() {
         at += sizeof head + head.length;
     }
     *this = {};
+    m_bytes.shrink_to_fit();  // a text keeps its memory
     return keep(commands, {});
 }
 

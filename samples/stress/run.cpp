@@ -112,11 +112,10 @@ private:
         look(&Check::afterStep);
         if (m_result.failure) return;
         if (!m_requests.unmet.empty()) return fail("expect", m_requests.unmet);
-        if (!m_requests.waiting.empty()) {
+        if (!m_requests.waiting.empty())
             carryOut();
-        } else if (m_view.step >= m_nextCheck) {
+        else if (m_view.step >= m_nextCheck)
             checkBetween();
-        }
         if (m_settings.onStep) m_settings.onStep(step + 1);
     }
 

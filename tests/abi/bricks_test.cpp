@@ -180,56 +180,85 @@ TEST_F(AbiBricks, ColoursThatChangeMakeTheMeshesStaleThatHaveThem) {
     expectStale("one that all have", 50);
 }
 
-TEST_F(AbiBricks, AStaticShapeThatIsMovedKeepsItsMeshes) {
-    const rubble_shape wall = makeWall();
-    ASSERT_EQ(api()->set_undo_limit(m_world, 8), RUBBLE_OK);
-    uint64_t version = 0;
-    Meshes meshes;
-    update(wall, version, meshes);
-    auto change = sized<rubble_body_change>();
-    change.body = state(wall).body, change.rotation[3] = 1.0;
-    auto carve = sized<rubble_carve>();
-    carve.radii[0] = carve.radii[1] = carve.radii[2] = 0.15;
-    const auto move = [&](uint32_t fields) {
-        change.fields = RUBBLE_SET_POSE | fields, change.position[0] += 1.0;
-        ASSERT_EQ(api()->set_body(m_world, &change), RUBBLE_OK) << api()->get_last_error();
-    };
-    const auto cut = [&] {
-        carve.position[0] = change.position[0] + 2.0, carve.position[1] += 0.5, carve.position[2] = 0.4;
-        ASSERT_EQ(api()->carve(m_world, &carve), RUBBLE_OK) << api()->get_last_error();
-    };
-    const auto expectMeshed = [&](const char* what, int low, int high) {
+/// A static wall that is cut and moved a metre at a time, and a host's meshes of it.
+class AbiMovedWall : public AbiBricks {
+protected:
+    void SetUp() override {
+        AbiBricks::SetUp();
+        m_wall = makeWall();
+        ASSERT_EQ(api()->set_undo_limit(m_world, 8), RUBBLE_OK);
+        update(m_wall, m_version, m_meshes);
+        m_change.body = state(m_wall).body, m_change.position[0] = 10.0, m_change.rotation[3] = 1.0;
+        m_carve.radii[0] = m_carve.radii[1] = m_carve.radii[2] = 0.15;
+    }
+    void move(uint32_t fields = 0) {
+        m_change.fields = RUBBLE_SET_POSE | fields, m_change.position[0] += 1.0;
+        ASSERT_EQ(api()->set_body(m_world, &m_change), RUBBLE_OK) << api()->get_last_error();
+    }
+    void cut() {
+        m_carve.position[0] = m_change.position[0] + 2.0, m_carve.position[1] += 0.5, m_carve.position[2] = 0.4;
+        ASSERT_EQ(api()->carve(m_world, &m_carve), RUBBLE_OK) << api()->get_last_error();
+    }
+    void mark() { ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK); }
+    void undo() { ASSERT_EQ(api()->undo(m_world), RUBBLE_OK); }
+    /// How many bricks are meshed after a step. All are dropped where the wall is told to be another shape, and only
+    /// then.
+    void expectMeshed(const char* what, int low, int high) {
         step();
         auto events = sized<rubble_events>();
         ASSERT_EQ(api()->get_events(m_world, &events), RUBBLE_OK);
         m_meshed = m_reloads = 0;
-        update(wall, version, meshes);
+        update(m_wall, m_version, m_meshes);
         EXPECT_GE(m_meshed, low) << what;
         EXPECT_LE(m_meshed, high) << what;
         EXPECT_EQ(m_reloads, int(events.shapes_destroyed_count)) << what;
         EXPECT_EQ(m_reloads, int(events.shapes_created_count)) << what;
         uint64_t from = 0;
         Meshes rebuilt;
-        update(wall, from, rebuilt);
-        EXPECT_TRUE(same(meshes, rebuilt)) << what;
-    };
-    ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
-    move(0);
+        update(m_wall, from, rebuilt);
+        EXPECT_TRUE(same(m_meshes, rebuilt)) << what;
+    }
+    rubble_shape m_wall = 0;
+    uint64_t m_version = 0;
+    Meshes m_meshes;
+    rubble_body_change m_change = sized<rubble_body_change>();
+    rubble_carve m_carve = sized<rubble_carve>();
+};
+
+TEST_F(AbiMovedWall, KeepsItsMeshes) {
+    move();
     expectMeshed("moved", 0, 0);
     move(RUBBLE_SET_DYNAMIC);
     expectMeshed("free", 0, 0);
     move(RUBBLE_SET_STATIC);
     expectMeshed("static", 0, 0);
-    move(0), cut();
+    move(), cut();
     expectMeshed("cut where it is then", 1, 16);
-    cut(), move(0);
-    expectMeshed("cut where it was", 1, 50);
-    move(0), cut(), move(0);
-    expectMeshed("cut on its way", 1, 50);
-    move(0);
+    mark(), move();
     expectMeshed("moved again", 0, 0);
-    ASSERT_EQ(api()->undo(m_world), RUBBLE_OK);
+    undo();
+    expectMeshed("and back", 0, 0);
+}
+
+TEST_F(AbiMovedWall, IsAnotherShapeToMeshesIfItWasCutBefore) {
+    mark();
+    cut(), move();
+    expectMeshed("cut where it was", 1, 50);
+    move(), cut(), move();
+    expectMeshed("cut on its way", 1, 50);
+    cut(), move(), move();
+    expectMeshed("cut, then moved twice", 1, 50);
+    undo();
     expectMeshed("undone", 1, 50);
+    auto resize = sized<rubble_resize>();
+    resize.shape = m_wall, resize.size[0] = 48, resize.size[1] = 40, resize.size[2] = 16;
+    ASSERT_EQ(api()->resize_shape(m_world, &resize), RUBBLE_OK) << api()->get_last_error();
+    move();
+    expectMeshed("resized, then moved", 50, 50);
+    mark(), cut();
+    expectMeshed("cut", 1, 16);
+    undo(), move();
+    expectMeshed("undone, then moved", 1, 50);
 }
 
 TEST_F(AbiBricks, VerticesHavePlaceColourAndMaterial) {

@@ -180,8 +180,8 @@ TEST_F(AbiProperties, WhatNoAnchorHoldsComesOff) {
 
 TEST_F(AbiProperties, WhatWasFreeIsHeldByWhatIsItsLowestLayerNow) {
     const rubble_body post = make(bodyAt(10.0, 0.0, RUBBLE_BODY_STATIC)), free = make(bodyAt(20.0, 5.0, 0));
-    auto settings = shapeOn(post, RUBBLE_SHAPE_BOX, 6);
-    const rubble_shape shape = make(settings);
+    const rubble_shape shape = make(shapeOn(post, RUBBLE_SHAPE_BOX, 6));
+    auto settings = sized<rubble_shape_settings>();
     settings.body = free, settings.source = RUBBLE_SHAPE_COPY, settings.copied = shape;
     const rubble_shape copy = make(settings);
     step();
@@ -235,6 +235,24 @@ TEST_F(AbiProperties, DefaultAnchorsAreThoseOfAStaticShapeThatIsMade) {
     set(motionOf(free, RUBBLE_SET_STATIC));
     step();
     EXPECT_EQ(anchorsOf(m_crate).size(), 1u);
+}
+
+TEST_F(AbiProperties, SayWhatIsBrokenUntilAnUndoMakesItWhole) {
+    const rubble_body crate = crateAt(10.0, 5.0);
+    ASSERT_EQ(api()->set_undo_limit(m_world, 2), RUBBLE_OK);
+    step();
+    const auto isBroken = [&] { return body(crate).is_broken * 10 + shape(m_crate).is_broken; };
+    EXPECT_EQ(isBroken(), 0u);
+    auto carve = sized<rubble_carve>();
+    carve.shape = m_crate, carve.radii[0] = carve.radii[1] = carve.radii[2] = 0.15;
+    std::copy_n(bodyState(crate).position, 3, carve.position);
+    ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
+    ASSERT_EQ(api()->carve(m_world, &carve), RUBBLE_OK);
+    step();
+    EXPECT_EQ(isBroken(), 11u);
+    ASSERT_EQ(api()->undo(m_world), RUBBLE_OK);
+    step();
+    EXPECT_EQ(isBroken(), 0u);
 }
 
 TEST_F(AbiProperties, AreRecordedReplayedUndoneAndSaved) {

@@ -390,7 +390,7 @@ TEST(PhysicsWorld, WhatSlidesOverSeamsOfTheFloorTakesNoMemory) {
                                             .velocity = {step % 20 < 10 ? 0.5 : -0.5, -0.5, 0.2}});
             scene.physics.apply(scene.world.applyEdits(edits), scene.world);
             const size_t before = allocationCount();
-            scene.physics.step();
+            scene.step();
             sum += allocationCount() - before;
         }
         EXPECT_GE(scene.physics.stats().contacts, kBodies);

@@ -58,8 +58,8 @@ void listComponents(Editor& editor, const Arguments& arguments) {
     const Components components(editor.world(), shape);
     const std::vector<Component>& all = components.all();
     const auto anchored = std::ranges::count_if(all, &Component::isAnchored);
-    editor.say(
-        fmt::format("{} components: {} anchored, {} loose", all.size(), anchored, all.size() - size_t(anchored)));
+    editor.say(fmt::format("{} component{}: {} anchored, {} loose", all.size(), all.size() == 1 ? "" : "s", anchored,
+                           all.size() - size_t(anchored)));
     for (size_t i = 0; i < std::min(all.size(), kMaxListed); ++i)
         editor.say(fmt::format("  {} voxels from {},{},{}: {}", all[i].voxels, all[i].low.x, all[i].low.y, all[i].low.z,
                                all[i].isAnchored() ? fmt::format("anchored by {}", all[i].anchored) : "loose"));

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -120,6 +121,7 @@ void drawFrame(Session& session, rubble_joint handle) {
     double at[3], axis[3];
     put(at, vectorOf(joint.position));
     put(axis, quaternionOf(joint.rotation) * glm::dvec3(1, 0, 0));
+    for (double& each : axis) each = std::round(each * 1e6) / 1e6 + 0.0;  // no -0
     property("place", "In metres");
     if (pointField("##at", at, 0.02)) session.run("set_joint", {{"at", pointText(vectorOf(at))}, {"what", what}});
     property("axis", "About which it turns, or along which it slides");

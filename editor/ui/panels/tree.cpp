@@ -102,13 +102,15 @@ void TreePanel::drawRow(Session& session, const Row& row) {
     ImGui::PushID(row.what.c_str());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float indent = float(row.depth) * 16 * uiScale();
+    const bool isOnEye =
+        row.eye != Eye::None && ImGui::GetMousePos().x >= at.x + ImGui::GetContentRegionAvail().x - side;
     const bool adds = ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyShift;
     if (ImGui::Selectable("##row", isSelected, ImGuiSelectableFlags_AllowItemOverlap))
         session.run("select", {{"what", row.what}, {"more", adds ? "yes" : "no"}});
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) session.frameSelection();
-    tooltip(fmt::format("{} {}\nA double click shows it", row.handle ? nameOfKind(row.kind) : "layer",
-                        row.handle ? handleText(row.handle) : row.name)
-                .c_str());
+    const std::string tip = fmt::format("{} {}\nA double click shows it", row.handle ? nameOfKind(row.kind) : "layer",
+                                        row.handle ? handleText(row.handle) : row.name);
+    tooltip(isOnEye ? "" : tip.c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool isFaint = row.depth || row.eye == Eye::Closed;
     drawIcon(list, row.handle ? iconOf(row.kind) : Icon::Layer, {at.x + indent + 2 * uiScale(), at.y}, side,

@@ -12,6 +12,7 @@ namespace editor {
 namespace {
 
 constexpr float kCoarse = 8.0f, kFine = 3.0f;  ///< pixels of a plain display: while something changes, and then
+constexpr float kMaxRays = 40000.0f;           ///< of a whole view
 constexpr size_t kMaxBoxes = 200, kMaxLabels = 12;
 
 ImU32 withAlpha(ImU32 color, uint32_t alpha) {
@@ -55,17 +56,19 @@ ImU32 ComponentOverlay::tintOf(const rubble_hit& hit, rubble_shape shape) const 
 void ComponentOverlay::findTiles(Session& session, const rubble_shape_state& shape, const ViewFrame& frame) {
     m_tiles.clear();
     const auto [low, high] = rectangleOf(shape, frame);
-    const int columns = int(std::ceil((high.x - low.x) / m_pixels)), rows = int(std::ceil((high.y - low.y) / m_pixels));
-    if (columns <= 0 || rows <= 0) return;
+    const ImVec2 size(high.x - low.x, high.y - low.y);
+    if (size.x <= 0.0f || size.y <= 0.0f) return;
+    const float side = std::max(m_pixels, std::sqrt(size.x * size.y / kMaxRays));
+    const int columns = int(std::ceil(size.x / side)), rows = int(std::ceil(size.y / side));
     const auto cornerOf = [&, from = low](int x, int y) {
-        return ImVec2(from.x + float(x) * m_pixels, from.y + float(y) * m_pixels);
+        return ImVec2(from.x + float(x) * side, from.y + float(y) * side);
     };
     std::vector<rubble_ray> rays;
     rays.reserve(size_t(columns) * size_t(rows));
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; ++x) {
             const ImVec2 corner = cornerOf(x, y);
-            rays.push_back(rayAt(frame, {corner.x + m_pixels / 2, corner.y + m_pixels / 2}));
+            rays.push_back(rayAt(frame, {corner.x + side / 2, corner.y + side / 2}));
         }
     const std::vector<rubble_hit> hits = session.world().cast_rays(rays.data(), uint32_t(rays.size()), seenBy(session));
     for (int y = 0; y < rows; ++y)

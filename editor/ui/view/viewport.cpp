@@ -56,6 +56,8 @@ void Viewport::draw(const ViewFrame& frame, uint64_t version, const std::string&
     ++m_frames;
     rubble_view view = frame.view(m_image.framebuffer(), width, height);
     view.hidden_shapes = hidden.data(), view.hidden_shape_count = uint32_t(hidden.size());
+    if (!std::ranges::equal(hidden, m_hidden)) view.flags |= RUBBLE_VIEW_CUT;  // no trace of what was there
+    m_hidden.assign(hidden.begin(), hidden.end());
     m_renderer.draw(view);
     m_stats = m_renderer.get_draw_stats();
 }

@@ -42,6 +42,7 @@ private:
     rubble_draw_stats m_stats{};
     Camera m_camera;
     std::string m_pass = "final";
+    std::vector<rubble_shape> m_hidden;
     uint64_t m_version = 0, m_frames = 0;
     int m_width = 0, m_height = 0, m_framesLeft = 0;
     GlImage m_image;

@@ -30,6 +30,7 @@ constexpr struct {
     {"motor_max_force", "strength"},
     {"motor_target", "velocity target"},
     {"object", "handle"},
+    {"origin", "point"},
     {"owner", "body shape"},
     {"position", "pos point origin transform p0"},
     {"radii", "r0 r1 r2"},

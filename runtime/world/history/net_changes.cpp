@@ -42,25 +42,29 @@ void keepNet(std::vector<Handle>& created, std::vector<Handle>& destroyed, const
     std::erase_if(destroyed, [&](Handle handle) { return fateOf(handle).destroyed-- <= 0; });
 }
 
-/// Those that are there and were before, each once.
-void keepRelocated(FrameChanges& changes, const WorldObjects& after) {
-    std::vector<ShapeHandle>& all = changes.relocated;
-    if (all.empty()) return;
-    std::vector<ShapeHandle> known = changes.shapesDestroyed;
-    std::sort(known.begin(), known.end());
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    std::erase_if(all, [&](ShapeHandle shape) {
-        return !after.shapes.find(shape) || !std::binary_search(known.begin(), known.end(), shape);
-    });
+/// Each once, shapes that are there and were before, if each time that they came to be in `destroyed`, a list as it was
+/// before keepNet(), they had only moved.
+void keepRelocated(FrameChanges& changes, std::vector<ShapeHandle> destroyed, const WorldObjects& after) {
+    std::vector<ShapeHandle> known = changes.shapesDestroyed, moved = std::move(changes.relocated);
+    for (auto* list : {&known, &moved, &destroyed}) std::sort(list->begin(), list->end());
+    const auto countIn = [](const std::vector<ShapeHandle>& list, ShapeHandle shape) {
+        return std::upper_bound(list.begin(), list.end(), shape) - std::lower_bound(list.begin(), list.end(), shape);
+    };
+    changes.relocated.clear();
+    for (size_t i = 0; i < moved.size(); ++i)
+        if ((i == 0 || moved[i] != moved[i - 1]) && after.shapes.find(moved[i]) && countIn(known, moved[i]) &&
+            countIn(moved, moved[i]) == countIn(destroyed, moved[i]))
+            changes.relocated.push_back(moved[i]);
 }
 
 }  // namespace
 
 void keepNetChanges(FrameChanges& changes, const WorldObjects& after) {
     keepNet(changes.bodiesCreated, changes.bodiesDestroyed, after.bodies);
+    std::vector<ShapeHandle> destroyed;
+    if (!changes.relocated.empty()) destroyed = changes.shapesDestroyed;
     keepNet(changes.shapesCreated, changes.shapesDestroyed, after.shapes);
-    keepRelocated(changes, after);
+    if (!changes.relocated.empty()) keepRelocated(changes, std::move(destroyed), after);
     const auto isBodyGone = [&](BodyHandle body) { return !after.bodies.find(body); };
     const auto isShapeGone = [&](ShapeHandle shape) { return !after.shapes.find(shape); };
     std::erase_if(changes.impulses, [&](const ImpulseApplied& each) { return isBodyGone(each.body); });

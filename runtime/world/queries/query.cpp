@@ -200,6 +200,7 @@ std::vector<BodyHandle> bodiesInBox(const WorldData& world, const WorldBox& box,
 std::vector<ShapeHandle> shapesNear(const WorldData& world, glm::dvec3 point, double radius) {
     std::vector<ShapeHandle> out;
     if (!(radius >= 0.0)) return out;
+    out.reserve(16);
     const WorldBox around{point - radius, point + radius};
     const auto visit = [&](uint32_t slot) {
         const ShapeHandle handle = world.shapes.handleAt(slot);

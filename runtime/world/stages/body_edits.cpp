@@ -24,10 +24,7 @@ void moveShapes(EditContext& context, const Body& body) {
         context.changes.shapesDestroyed.push_back(shape);
         context.changes.shapesCreated.push_back(shape);
         ShapeEditState& state = context.editState(shape);
-        if (state.carved.empty() && state.filled.empty() && state.painted.empty() && !state.otherMaterials)
-            context.changes.relocated.push_back(shape);
-        else
-            std::erase(context.changes.relocated, shape);
+        if (!state.isChanged()) context.changes.relocated.push_back(shape);
         const bool isBroken = state.isBroken(), lostVoxels = isBroken || state.lostVoxels;
         if (lostVoxels) context.world.shapes.at(shape).knownConnected = false;
         // Its bricks are handed over with the shape.

@@ -40,6 +40,8 @@ struct ShapeEditState {
     bool brokeBefore = false;  ///< lost voxels in this step that `carved` has no longer
     /// Whether it has lost voxels in this step.
     bool isBroken() const { return brokeBefore || !carved.empty(); }
+    /// Whether it has other voxels, materials or paint than before the step, or since it came into the journal as made.
+    bool isChanged() const { return otherMaterials || !carved.empty() || !filled.empty() || !painted.empty(); }
 };
 
 /// How a free body moved before anything was taken from it.

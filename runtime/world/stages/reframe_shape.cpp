@@ -59,7 +59,6 @@ bool reframeShape(EditContext& context, ShapeHandle handle, const CellBox& box) 
     context.world.updateDebris(shape.body);
     context.changes.shapesDestroyed.push_back(handle);
     context.changes.shapesCreated.push_back(handle);
-    std::erase(context.changes.relocated, handle);
     return true;
 }
 

@@ -27,7 +27,9 @@ public:
     size_t size() const { return m_count; }
     /// Whether there are none.
     bool empty() const { return m_count == 0; }
+    /// The first, for loops over all.
     const GroundSlab* begin() const { return m_slabs.data(); }
+    /// Behind the last.
     const GroundSlab* end() const { return m_slabs.data() + m_count; }
     friend bool operator==(const GroundSlabs&, const GroundSlabs&) = default;
 

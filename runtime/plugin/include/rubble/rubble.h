@@ -341,9 +341,9 @@ typedef struct rubble_body_change {
 typedef struct rubble_body_properties {
     uint32_t struct_size;
     uint32_t is_broken; /* 1: it has lost voxels, and no undo gave them back */
-    double mass;       /* kg; physics moves it as one of 1e-9 to 1e12 kg */
-    double center[3];  /* of mass, in the body's frame */
-    double inertia[6]; /* kg m2 about the centre, in the axes of the body's frame: xx, yy, zz, xy, yz, xz */
+    double mass;        /* kg; physics moves it as one of 1e-9 to 1e12 kg */
+    double center[3];   /* of mass, in the body's frame */
+    double inertia[6];  /* kg m2 about the centre, in the axes of the body's frame: xx, yy, zz, xy, yz, xz */
     double gravity_scale, linear_damping, angular_damping; /* as in rubble_body_change */
 } rubble_body_properties;
 
