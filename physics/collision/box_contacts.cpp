@@ -22,17 +22,15 @@
 namespace rubble {
 namespace {
 
-constexpr float kMaxMargin = 0.4f;  ///< of the contact margin in voxels, as between voxels
 /// Voxels by which an edge against an edge must be less deep than a face, and a face of the first than one of the
 /// second, to be preferred: else the choice would flicker.
 constexpr float kPreference = 0.02f;
-/// Voxels up to which boxes may overlap along an axis and slide past each other, and of motion in a step, along another
-/// axis more than along this one, that tell that they do.
-constexpr float kHair = 0.05f, kMinSlide = 0.01f;
+/// Voxels up to which boxes may overlap along an axis and slide past each other, if kMinSlide tells that they do.
+constexpr float kHair = 0.05f;
 constexpr float kShared = 0.995f;         ///< cosine from which two normals count as one
 constexpr float kMinEdgeSine2 = 0.0225f;  ///< squared sine between edges below which they count as parallel
 constexpr float kParallel = 1e-6f;        ///< added to cosines against the rounding of parallel axes
-constexpr float kRounding = 1e-4f;        ///< metres, against that of gaps
+constexpr float kGapRounding = 1e-4f;     ///< metres, against that of gaps
 constexpr float kApart = -1e30f;          ///< a separation that is never the widest
 constexpr uint32_t kNoCode = 31;
 constexpr size_t kMaxCorners = 8;
@@ -400,11 +398,11 @@ bool collideBoxes(const MovingPart& first, const MovingPart& second, const Narro
     const Box a(first), b(second);
     const BoxMotion motion(first, a, second, b, settings);
     const float voxel = float(std::min(first.part.voxelSize(), second.part.voxelSize()));
-    const float margin = std::min(float(settings.margin), kMaxMargin * voxel);
+    const float margin = std::min(float(settings.margin), kMaxContactMargin * voxel);
     glm::vec3& axis = search.axis;
     // Most that are apart are so along the axis of the step before. Nothing depends on whether it is tried.
     if (axis != glm::vec3(0.0f))
-        if (const float gap = gapAlong(axis, a, b) - margin; gap > motion.closing() + kRounding) {
+        if (const float gap = gapAlong(axis, a, b) - margin; gap > motion.closing() + kGapRounding) {
             search.clearance = std::min(search.clearance, gap);
             return false;
         }

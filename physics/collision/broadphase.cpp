@@ -14,8 +14,8 @@ namespace {
 
 /// Metres by which the leaf of a moving object is larger than its bounds, so that small moves do not change the tree.
 constexpr btScalar kFatMargin = 0.05f;
-constexpr double kRounding = 1e-4;    ///< metres added to bounds against the rounding of their floats
-constexpr double kScatter = 0x1p-17;  ///< share of a coordinate by which a leaf is shifted: 64 steps of a float
+constexpr double kBoundsRounding = 1e-4;  ///< metres added to bounds against the rounding of their floats
+constexpr double kScatter = 0x1p-17;      ///< share of a coordinate by which a leaf is shifted: 64 steps of a float
 constexpr int kSlack = 16;          ///< nodes by which a shallow tree is deeper than twice the logarithm of its leaves
 constexpr int kRebuildVisits = 16;  ///< visits of nodes that cost as much as a leaf of a tree built from top down
 
@@ -99,8 +99,8 @@ void Broadphase::setBounds(CollisionObject& object, glm::dvec3 displacement, dou
         high = glm::max(high, object.m_cellTransforms[i].corner + glm::dvec3(partHigh) + gap);
     }
     object.displacement = displacement;
-    object.low = object.pose.position + low - margin - kRounding + glm::min(displacement, 0.0);
-    object.high = object.pose.position + high + margin + kRounding + glm::max(displacement, 0.0);
+    object.low = object.pose.position + low - margin - kBoundsRounding + glm::min(displacement, 0.0);
+    object.high = object.pose.position + high + margin + kBoundsRounding + glm::max(displacement, 0.0);
 }
 
 btDbvtVolume Broadphase::volumeOf(glm::dvec3 low, glm::dvec3 high) const {

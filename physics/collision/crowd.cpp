@@ -14,7 +14,7 @@ constexpr uint32_t kMaxDeepPairs = 6;  ///< of a body that does not become crowd
 constexpr uint32_t kMaxNearPairs = 2;  ///< of a body that stops being crowded
 constexpr uint32_t kKeptPairs = 4;     ///< nearest to a crowded body
 constexpr double kNear = 0.7;          ///< half extents of two bodies together at which their centres are near
-constexpr double kApart = 0.95;        ///< the same, at which crowded bodies stop pushing each other
+constexpr double kPushedApart = 0.95;  ///< the same, at which crowded bodies stop pushing each other
 constexpr double kMinDistance = 1e-6;  ///< metres between centres with a direction of their own
 constexpr float kFriction = 0.5f;
 
@@ -144,7 +144,7 @@ ContactPoint crowdContact(const CollisionObject& first, const CollisionObject& s
     ContactPoint contact;
     contact.normal = glm::vec3(glm::normalize(apart));
     contact.position = glm::vec3((second.pose.position - first.pose.position) * 0.5);
-    contact.separation = float(distance - kApart * halfExtents(first, second));
+    contact.separation = float(distance - kPushedApart * halfExtents(first, second));
     contact.friction = kFriction;
     return contact;
 }

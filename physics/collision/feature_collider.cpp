@@ -12,14 +12,10 @@ namespace {
 
 /// Cells of its own by which a feature is looked up inside its own solid, so that edges that line up still meet.
 constexpr float kInset = 0.05f;
-/// The contact margin in cells is at most this: below 1/2, so that along each axis one face at most is within it.
-constexpr float kMaxMargin = 0.4f;
 constexpr float kRounding = 1e-3f;     ///< cells added to bounds against rounding
 constexpr float kMinEdgeSine = 0.15f;  ///< between two edges below which they count as parallel
 constexpr float kUpright = 0.995f;     ///< cosine between an edge and a normal from which it stands on the face
 constexpr float kMaxTilt = 0.1f;       ///< cosine between an edge and a normal up to which it lies along the face
-/// Cells of motion in a step, along one normal more than along another, that tell which of the two is right.
-constexpr float kMinSlide = 0.01f;
 
 /// Whether an edge that stands on a face reaches into it with its end only, and not as far as corners are looked up
 /// inside of their own solid.
@@ -59,7 +55,7 @@ FeatureCollider::FeatureCollider(const CoveredPart& from, const CoveredPart& int
 void FeatureCollider::setMotion(glm::dvec3 velocity, glm::dvec3 spin, const NarrowphaseSettings& settings,
                                 double maxDisplacement) {
     const double size = m_into.voxelSize();
-    m_margin = std::min(float(settings.margin / size), kMaxMargin);
+    m_margin = std::min(float(settings.margin / size), kMaxContactMargin);
     m_sweeps = maxDisplacement > settings.sweepThreshold;
     m_searchDistance = m_margin + (m_sweeps ? float(maxDisplacement / size) : 0.0f);
     const glm::dmat3 toInto = metresToCells(m_intoCells, size);

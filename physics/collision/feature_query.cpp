@@ -9,7 +9,7 @@ namespace {
 
 /// Cells by which the exit may be longer than through a face that the feature does not accept.
 constexpr float kMaxDetour = 0.15f;
-constexpr int kMaxDepth = 4;  ///< cells below a surface to which an exit is searched
+constexpr int kMaxExitDepth = 4;  ///< cells below a surface to which an exit is searched
 
 /// The exit of a point in a notch: its cell has no exposed face, but a cell across an edge or a corner is empty. The
 /// point is behind all the planes that meet at that edge or corner, so it leaves through the plane that it is deepest
@@ -90,7 +90,7 @@ Face nearestExitFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const 
     Face best;
     best.separation = -1e9f;
     float shortestExit = -1e9f;  // separation of the closest face, whether the feature accepts it or not
-    for (int crossed = 0; crossed < kMaxDepth; ++crossed) {
+    for (int crossed = 0; crossed < kMaxExitDepth; ++crossed) {
         for (int axis = 0; axis < 3; ++axis)
             for (const int sign : {-1, 1}) {
                 const float separation = -distanceToSide(cell, p, axis, sign) - float(crossed);

@@ -18,13 +18,13 @@
 namespace rubble {
 namespace {
 
-constexpr float kInset = 0.15f;        ///< own cells by which a feature is inside its solid: what contacts may overlap
+constexpr float kPathInset = 0.15f;    ///< own cells by which a feature is inside its solid: what contacts may overlap
 constexpr double kMaxSagitta = 0.1;    ///< voxels between an arc and its chord
 constexpr double kMinInterval = 16.0;  ///< voxels of an interval, so that the box around it is not all of the level
 constexpr int kMaxIntervals = 64;
-constexpr double kLongestPath = 1e4;  ///< metres of a segment: no valid speed reaches as far
-constexpr float kRounding = 1e-3f;    ///< cells
-/// Voxels by which hulls may overlap before a feature can be inside by kInset.
+constexpr double kLongestPath = 1e4;    ///< metres of a segment: no valid speed reaches as far
+constexpr float kPathRounding = 1e-3f;  ///< cells
+/// Voxels by which hulls may overlap before a feature can be inside by kPathInset.
 constexpr float kMaxOverlap = 0.1f;
 constexpr int kAxisIterations = 4;  ///< of the search for a separating axis
 
@@ -141,7 +141,7 @@ private:
         for (size_t k = 0; k < 4; ++k) {
             if (pack.kind[k] >= kFeatureKinds) continue;
             const glm::vec3 at = glm::vec3(pack.x[k], pack.y[k], pack.z[k]) * 0.5f + glm::vec3(corner);
-            sweepPoint(at - featureKinds()[pack.kind[k]].outward * kInset);
+            sweepPoint(at - featureKinds()[pack.kind[k]].outward * kPathInset);
         }
     }
     /// The cells of `into` that a box of cells of `from` sweeps.
@@ -151,7 +151,7 @@ private:
             const glm::vec3 center = (*cells)(middle), extent = rotatedHalfExtent(cells->axes, half);
             from = glm::min(from, center - extent), to = glm::max(to, center + extent);
         }
-        return {floorOf(float4(from - kRounding)), floorOf(float4(to + kRounding))};
+        return {floorOf(float4(from - kPathRounding)), floorOf(float4(to + kPathRounding))};
     }
     /// Conservative: whether `from` may meet a brick of `into` in the interval.
     bool mayMeetBrick() const {
@@ -162,7 +162,7 @@ private:
     /// Conservative: whether a point in a box of cells of `from` may meet a solid cell in the interval.
     bool mayMeet(const glm::vec3& low, const glm::vec3& high) {
         const glm::vec3 middle = (low + high) * 0.5f, half = (high - low) * 0.5f;
-        const glm::vec3 around = half + kInset;
+        const glm::vec3 around = half + kPathInset;
         if (m_beginPlane.nearest(middle, around) > 0.0f && m_endPlane.nearest(middle, around) > 0.0f) return false;
         const auto [from, to] = sweptCells(middle, half);
         return m_occupancy.mayContainSolid(from, to);
@@ -170,7 +170,7 @@ private:
     void sweepPoint(const glm::vec3& own) {
         if (m_beginPlane.distance(own) > 0.0f && m_endPlane.distance(own) > 0.0f) return;
         const glm::vec3 begin = m_begin(own), end = m_end(own);
-        const glm::vec3 low = glm::min(begin, end) - kRounding, high = glm::max(begin, end) + kRounding;
+        const glm::vec3 low = glm::min(begin, end) - kPathRounding, high = glm::max(begin, end) + kPathRounding;
         if (!m_occupancy.mayContainSolid(floorOf(float4(low)), floorOf(float4(high)))) return;
         if (m_occupancy.solid(cellOf(begin))) return;
         m_first = std::min(m_first, timeOfEntry(m_occupancy, begin, end - begin));

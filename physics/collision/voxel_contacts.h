@@ -11,6 +11,11 @@
 
 namespace rubble {
 
+/// Voxels: the contact margin is at most this, below 1/2, so that along each axis one face at most is within it.
+constexpr float kMaxContactMargin = 0.4f;
+/// Voxels of motion in a step, along one normal more than along another, that tell which of the two is right.
+constexpr float kMinSlide = 0.01f;
+
 /// The pose and velocity of a body, as narrowphase needs them. The frame is that of its collider.
 struct Motion {
     Pose pose;                                      ///< collider's frame -> world

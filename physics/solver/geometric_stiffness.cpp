@@ -17,7 +17,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kMaxTurn = 0.25;  ///< (w h)^2 that explicit substeps do well
+constexpr double kMaxExplicitTurn = 0.25;  ///< (w h)^2 that explicit substeps do well
 
 /// N s along the common point of a joint, or along a rope; 0 for kinds that hold no point.
 double pullOf(const JointConstraint& c) {
@@ -57,7 +57,7 @@ void GeometricStiffness::apply(std::span<const JointRows> joints, std::span<cons
         }
     }
     for (const int body : m_pulled) {
-        const double turn = std::exchange(m_turn[size_t(body)], 0.0), added = std::max(turn - kMaxTurn, 0.0);
+        const double turn = std::exchange(m_turn[size_t(body)], 0.0), added = std::max(turn - kMaxExplicitTurn, 0.0);
         if (added == 0.0 && !m_isSlowed[size_t(body)]) continue;
         m_isSlowed[size_t(body)] = true;
         states[size_t(body)].inverseInertia = glm::mat3(worldInverseInertia(bodies[size_t(body)]) / (1.0 + added));

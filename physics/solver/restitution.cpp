@@ -17,11 +17,11 @@
 namespace rubble {
 namespace {
 
-constexpr int kPasses = 16;          ///< over the points of a pair
-constexpr float kConverged = 1e-4f;  ///< share of the fastest point's speed by which none changes any more
-constexpr uint8_t kMaxImpacts = 32;  ///< of a pair in a substep
-constexpr int kMaxJointRounds = 64;  ///< in a substep, over all joints
-constexpr int kJointRounds = 4;      ///< in an impact of what is jointed
+constexpr int kPasses = 16;               ///< over the points of a pair
+constexpr float kConvergedSpeed = 1e-4f;  ///< share of the fastest point's speed by which none changes any more
+constexpr uint8_t kMaxImpacts = 32;       ///< of a pair in a substep
+constexpr int kMaxJointRounds = 64;       ///< in a substep, over all joints
+constexpr int kJointRounds = 4;           ///< in an impact of what is jointed
 
 }  // namespace
 
@@ -135,7 +135,7 @@ void Restitution::collide(ContactSet& set, const PairConstraints& pair, float se
                 if (touches[i].isTouching)
                     velocities.solveFriction(points[i], points[i].friction * touches[i].impulse, touches[i].tangent1,
                                              touches[i].tangent2);
-            if (changed <= kConverged * fastest) break;
+            if (changed <= kConvergedSpeed * fastest) break;
         }
         storeVelocities(velocities, A, B);
         if (isJointed && m_jointRounds-- > 0) joints.solveImpact(bodies, set.states);

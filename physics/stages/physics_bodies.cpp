@@ -9,8 +9,7 @@
 namespace rubble {
 namespace {
 
-constexpr size_t kMinWakes = 8;          ///< in a step, where settings allow so many: nothing waits for ever
-constexpr double kTouchDistance = 0.02;  ///< metres between bounds up to which bodies count as touching
+constexpr size_t kMinWakes = 8;  ///< in a step, where settings allow so many: nothing waits for ever
 
 template <class T>
 T& slotOf(std::vector<T>& table, uint32_t slot) {

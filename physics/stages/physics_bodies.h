@@ -11,6 +11,8 @@
 
 namespace rubble {
 
+constexpr double kTouchDistance = 0.02;  ///< metres between bounds up to which bodies count as touching
+
 /// The bodies of a World as physics has them: dynamic ones by body slot, the shapes of static ones by shape slot; who
 /// is awake; and the broadphase. [main-thread]
 class PhysicsBodies {

@@ -5,8 +5,6 @@
 namespace rubble {
 namespace {
 
-constexpr double kTouchDistance = 0.02;  ///< metres between bounds that count as touching
-
 /// Wakes a body whose load has changed, and what bears it. Settled bodies bear what comes.
 void wakeLoaded(DynamicBody& body, PhysicsBodies& bodies) {
     std::vector<DynamicBody*> open{&body};

@@ -3,7 +3,7 @@
 namespace rubble {
 namespace {
 
-GLenum asked(GLenum name) {
+GLenum askedEnum(GLenum name) {
     GLint value = 0;
     if (GLAD_GL_ARB_draw_buffers_blend)
         glGetIntegeri_v(name, 0, &value);
@@ -34,12 +34,12 @@ void setBlendFunctions(const Blend& b) {
 }
 
 Blend currentBlend() {
-    return {.source = asked(GL_BLEND_SRC_RGB),
-            .destination = asked(GL_BLEND_DST_RGB),
-            .sourceAlpha = asked(GL_BLEND_SRC_ALPHA),
-            .destinationAlpha = asked(GL_BLEND_DST_ALPHA),
-            .equation = asked(GL_BLEND_EQUATION_RGB),
-            .equationAlpha = asked(GL_BLEND_EQUATION_ALPHA)};
+    return {.source = askedEnum(GL_BLEND_SRC_RGB),
+            .destination = askedEnum(GL_BLEND_DST_RGB),
+            .sourceAlpha = askedEnum(GL_BLEND_SRC_ALPHA),
+            .destinationAlpha = askedEnum(GL_BLEND_DST_ALPHA),
+            .equation = askedEnum(GL_BLEND_EQUATION_RGB),
+            .equationAlpha = askedEnum(GL_BLEND_EQUATION_ALPHA)};
 }
 
 void setViewport(glm::ivec2 size) {

@@ -10,7 +10,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kMissing = "fog is not drawn";
+constexpr const char* kNoFog = "fog is not drawn";
 /// Frames averaged while nothing changes, and while anything does: light through a new hole takes no longer to appear.
 constexpr int kMaxHistory = 128, kMaxHistoryAfterChange = 12;
 
@@ -25,9 +25,9 @@ float surfaceOverCamera(const FrameContext& frame) {
 }  // namespace
 
 FogPass::FogPass(ShaderLibrary& shaders)
-    : m_light(shaders.loadFullscreen("passes/fog_light.frag", {}, kMissing)),
-      m_filter(shaders.loadFullscreen("passes/fog_filter.frag", {}, kMissing)),
-      m_over(shaders.loadFullscreen("passes/fog.frag", {.merge = {Merge::Over}}, kMissing)) {}
+    : m_light(shaders.loadFullscreen("passes/fog_light.frag", {}, kNoFog)),
+      m_filter(shaders.loadFullscreen("passes/fog_filter.frag", {}, kNoFog)),
+      m_over(shaders.loadFullscreen("passes/fog.frag", {.merge = {Merge::Over}}, kNoFog)) {}
 
 bool FogPass::needed(const FrameContext& frame) {
     return frame.block.fog.x > 0.0f;

@@ -12,7 +12,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kMissing = "glass, water and fog are not drawn over what the host has drawn";
+constexpr const char* kNoLayers = "glass, water and fog are not drawn over what the host has drawn";
 
 /// Copies what a framebuffer's read buffer holds of colour or depth.
 void copyFramebuffer(const Texture& into) {
@@ -53,8 +53,8 @@ void copyReflection(const FrameContext& frame) {
 }  // namespace
 
 HostLayersPass::HostLayersPass(ShaderLibrary& shaders)
-    : m_image(shaders.load("passes/host_image.frag", "lib/fullscreen.vert", kMissing)),
-      m_layers(shaders.load("passes/host_layers.frag", "lib/fullscreen.vert", kMissing)) {}
+    : m_image(shaders.load("passes/host_image.frag", "lib/fullscreen.vert", kNoLayers)),
+      m_layers(shaders.load("passes/host_layers.frag", "lib/fullscreen.vert", kNoLayers)) {}
 
 bool HostLayersPass::needed(const FrameContext& frame, const View& view) {
     const Scene& scene = frame.scene;

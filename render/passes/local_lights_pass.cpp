@@ -13,7 +13,7 @@ namespace rubble {
 namespace {
 
 constexpr float kFullRayRadiance = 0.01f;  ///< of a white surface at exposure 1; fainter light gets fewer rays
-constexpr int kMaxHistory = LightGrid::kMaxChangeFrames;  ///< frames over which highlights are averaged
+constexpr int kMaxHighlightHistory = LightGrid::kMaxChangeFrames;  ///< frames over which highlights are averaged
 
 /// Where lights have changed, for the histories around them.
 void setChanges(const Program& program, const FrameContext& frame) {
@@ -56,7 +56,7 @@ void LocalLightsPass::draw(const FrameContext& frame) const {
         program.set("uSpecularHistory", specular.previous);
         program.set("uSurfaceHistory", surface.previous);
         program.set("uHistoryValid", int(frame.settings.temporal && specular.valid && surface.valid));
-        program.set("uMaxHighlightHistory", float(kMaxHistory));
+        program.set("uMaxHighlightHistory", float(kMaxHighlightHistory));
         setChanges(program, frame);
         HistoryLeftPass::bind(program, frame);
         program.set("uHasReflections", int(ReflectionsPass::needed(frame)));

@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-constexpr GLuint kAttributes = sizeof(OverlayQuad) / sizeof(glm::vec4);
+constexpr GLuint kQuadAttributes = sizeof(OverlayQuad) / sizeof(glm::vec4);
 
 OverlayCamera cameraOf(const FrameContext& frame, const View& view) {
     const glm::dvec3 origin = frame.scene.origin();
@@ -30,7 +30,7 @@ std::vector<uint8_t> premultiplied(std::vector<uint8_t> pixels) {
 OverlayPass::OverlayPass(ShaderLibrary& shaders)
     : m_program(shaders.load("passes/overlay.frag", "passes/overlay.vert", "the overlay is not drawn")) {
     glBindVertexArray(m_vertexArray.get());
-    for (GLuint i = 0; i < kAttributes; ++i) {
+    for (GLuint i = 0; i < kQuadAttributes; ++i) {
         glEnableVertexAttribArray(i);
         glVertexAttribDivisor(i, 1);
     }
@@ -75,7 +75,7 @@ void OverlayPass::drawRun(const OverlayRun& run) const {
     const auto image = m_images.find(run.image);
     static const Texture kNone = Texture::none(GL_RGBA8, {1, 1}, Filter::Linear);
     m_program.set("uImage", image == m_images.end() ? kNone : image->second);
-    for (GLuint i = 0; i < kAttributes; ++i)
+    for (GLuint i = 0; i < kQuadAttributes; ++i)
         glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, sizeof(OverlayQuad),
                               reinterpret_cast<const void*>(run.first * sizeof(OverlayQuad) + i * sizeof(glm::vec4)));
     glDrawArraysInstanced(GL_TRIANGLES, 0, 6, GLsizei(run.count));

@@ -14,11 +14,11 @@ namespace rubble {
 namespace {
 
 constexpr const char* kVertexShader = "passes/particles.vert";
-constexpr const char* kMissing = "particles are not drawn";
+constexpr const char* kNoParticles = "particles are not drawn";
 constexpr int kNoiseSize = 128;  ///< texels
 constexpr float kStepSeconds = 1.0f / float(kStepsPerSecond);
-constexpr GLuint kAttributes = 5;  ///< of an instance: vectors of four floats
-constexpr int kLights = 4;         ///< local lights that light particles: the strongest at the particles' mean position
+constexpr GLuint kParticleAttributes = 5;  ///< of an instance: vectors of four floats
+constexpr int kLights = 4;  ///< local lights that light particles: the strongest at the particles' mean position
 
 /// Tileable value noise of 4 octaves, in [0, 1].
 float puffNoise(int x, int y) {
@@ -60,12 +60,12 @@ float fraction(uint32_t seed, int shift) {
 }  // namespace
 
 ParticlesPass::ParticlesPass(ShaderLibrary& shaders)
-    : m_solids(shaders.load("passes/particle_solids.frag", kVertexShader, kMissing)),
-      m_soft(shaders.load("passes/particle_soft.frag", kVertexShader, kMissing)),
+    : m_solids(shaders.load("passes/particle_solids.frag", kVertexShader, kNoParticles)),
+      m_soft(shaders.load("passes/particle_soft.frag", kVertexShader, kNoParticles)),
       m_noise(GL_RGBA8, glm::ivec2(kNoiseSize), Filter::Linear, Wrap::Repeat) {
     m_noise.upload(makePuffTexture().data());
     glBindVertexArray(m_vertexArray.get());
-    for (GLuint i = 0; i < kAttributes; ++i) {
+    for (GLuint i = 0; i < kParticleAttributes; ++i) {
         glEnableVertexAttribArray(i);
         glVertexAttribDivisor(i, 1);
     }
@@ -128,7 +128,7 @@ void ParticlesPass::drawRange(const FrameContext& frame, const Program& program,
     program.set("uPuffNoise", m_noise);
     program.set("uBlueNoise", frame.blueNoise);
     setLights(frame, program);
-    for (GLuint i = 0; i < kAttributes; ++i)
+    for (GLuint i = 0; i < kParticleAttributes; ++i)
         glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, sizeof(Instance),
                               reinterpret_cast<const void*>(first * sizeof(Instance) + i * sizeof(glm::vec4)));
     glDrawArraysInstanced(GL_TRIANGLES, 0, 6, GLsizei(last - first));

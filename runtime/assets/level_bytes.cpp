@@ -6,7 +6,7 @@
 namespace rubble {
 namespace {
 
-enum BrickKind : uint8_t { kFull, kUniform, kMixed };
+enum BrickStorage : uint8_t { kFull, kUniform, kMixed };
 constexpr uint8_t kPainted = 4;  // added to the kind: 512 bytes of paint follow
 
 bool fitsGrid(const Brick& brick, glm::ivec3 position, glm::ivec3 size) {
@@ -78,7 +78,7 @@ void appendBrick(std::vector<uint8_t>& out, glm::ivec3 position, const Brick& br
     PaletteList unused;
     BinaryOutputArchive archive(out, unused);
     for (int i = 0; i < 3; ++i) archive.put(uint16_t(position[i]));
-    const BrickKind kind = brick.indices ? kMixed : brick.full() ? kFull : kUniform;
+    const BrickStorage kind = brick.indices ? kMixed : brick.full() ? kFull : kUniform;
     archive.put(uint8_t(kind | (brick.paint ? kPainted : 0)));
     if (kind == kMixed)
         out.insert(out.end(), brick.indices->begin(), brick.indices->end());

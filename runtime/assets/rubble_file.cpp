@@ -12,7 +12,7 @@ namespace rubble {
 namespace {
 
 /// What the chunks read so far have given.
-struct Parsed {
+struct ParsedLevel {
     std::vector<PaletteRef> palettes;
     Level level;
     std::vector<VoxelGrid*> grids;  ///< of all shapes, by the numbers that GRID chunks use
@@ -21,7 +21,7 @@ struct Parsed {
 };
 
 /// Reads the content of one chunk. Failures go to the reader of the file.
-void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, size_t chunk, Parsed& out,
+void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, size_t chunk, ParsedLevel& out,
                  ByteReader& file) {
     const std::string kind(header.kind.data(), 4);
     ByteReader in(raw,
@@ -85,7 +85,7 @@ std::vector<uint8_t> levelToRubble(const Level& level) {
 
 Result<Level> levelFromRubble(std::span<const uint8_t> bytes, const std::string& name) {
     ByteReader in(bytes, "baked level");
-    Parsed parsed;
+    ParsedLevel parsed;
     const FileHeader header = readChunkFile(in, [&](const ChunkHeader& chunk, const std::vector<uint8_t>& raw,
                                                     uint32_t i) { readContent(chunk, raw, i, parsed, in); });
     if (!parsed.haveLevel) in.fail("a LEVL chunk", "none");

@@ -210,7 +210,7 @@ Result<Done> validateHandles(const WorldState& world) {
 }
 
 /// What the chunks read so far have given.
-struct Parsed {
+struct ParsedSave {
     std::vector<PaletteRef> palettes;
     SavedGame game;
     std::vector<ShapeHandle> waiting;  ///< for their split
@@ -223,8 +223,8 @@ struct Parsed {
 };
 
 /// Reads the content of one chunk. Failures go to the reader of the file.
-void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, size_t chunk, uint8_t world, Parsed& out,
-                 ByteReader& file) {
+void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, size_t chunk, uint8_t world,
+                 ParsedSave& out, ByteReader& file) {
     const std::string kind(header.kind.data(), 4);
     ByteReader in(raw, fmt::format("of chunk {} of a save, unpacked", chunk), file);
     if (kind == "PALT") {
@@ -340,7 +340,7 @@ Result<SavedGame> gameFromBytes(std::span<const uint8_t> bytes, const std::strin
 }
 
 Result<SavedGame> gameFrom(ByteReader& in, const std::string& name, uint8_t world) {
-    Parsed parsed;
+    ParsedSave parsed;
     const FileHeader header = readChunkFile(in, [&](const ChunkHeader& chunk, const std::vector<uint8_t>& raw,
                                                     uint32_t i) { readContent(chunk, raw, i, world, parsed, in); });
     if (!parsed.haveState) in.fail("a SAVE chunk", "none");

@@ -6,19 +6,10 @@
 #include <cmath>
 
 #include "runtime/assets/vox_palette.h"
+#include "runtime/voxel/used_entries.h"
 
 namespace rubble {
 namespace {
-
-std::array<bool, 256> usedEntries(const VoxelGrid& grid) {
-    std::array<bool, 256> used{};
-    grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
-        if (!brick->indices) return void(used[brick->uniform] = true);
-        forEachVoxel(brick->occupancy, [&](int i) { used[brick->at(i)] = true; });
-    });
-    used[0] = false;
-    return used;
-}
 
 /// Light groups are found again by what glows.
 PaletteEntry withoutGroup(PaletteEntry entry) {
@@ -133,10 +124,8 @@ VoxExportPalette voxExportPalette(const std::vector<const LevelShape*>& shapes, 
     if (shapes.empty()) return out;
     Merger merger(*shapes[0]->palette);
     for (const LevelShape* shape : shapes) {
-        const std::array<bool, 256> used = usedEntries(shape->grid);
         std::array<uint8_t, 256>& slots = out.slots.emplace_back();
-        for (size_t i = 1; i < 256; ++i)
-            if (used[i]) slots[i] = merger.place(i, (*shape->palette)[i]);
+        usedEntries(shape->grid).forEach([&](size_t i) { slots[i] = merger.place(i, (*shape->palette)[i]); });
     }
     out.entries = merger.entries;
     if (merger.merged)

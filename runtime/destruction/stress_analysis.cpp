@@ -29,7 +29,6 @@
 namespace rubble {
 namespace {
 
-constexpr uint32_t kNone = ~0u;
 constexpr double kShearRatio = 0.4;            ///< shear modulus over Young's modulus
 constexpr double kTolerance = 1e-6;            ///< energy of the error over that of the solution: forces to about 0.1 %
 constexpr int kMaxIterations = 400;            ///< after more the analysis fails: nothing breaks
@@ -261,7 +260,7 @@ void StressAnalysis::numberRows() {
             if (!isConnected[other]) isConnected[other] = true, open.push_back(other);
         });
     }
-    m_rowOf.assign(nodes.size(), kNone);
+    m_rowOf.assign(nodes.size(), kNoIndex);
     m_nodeOf.clear();
     for (uint32_t i = 0; i < nodes.size(); ++i)
         if (isConnected[i] && !nodes[i].isFixed) m_rowOf[i] = uint32_t(m_nodeOf.size()), m_nodeOf.push_back(i);
@@ -284,7 +283,7 @@ void StressAnalysis::assembleRow(uint32_t index) {
         const Block6 own = stiffnessBlock(stiffness, arm, arm);
         Block6& diagonal = m_stiffness.findOrAppend(m_rowOf[index]);
         for (size_t i = 0; i < 36; ++i) diagonal.m[i] += own.m[i];
-        if (m_rowOf[other] == kNone) return;
+        if (m_rowOf[other] == kNoIndex) return;
         const Block6 across = stiffnessBlock(stiffness, arm, bond.shape.centroid - m_graph.nodes()[other].center);
         Block6& coupling = m_stiffness.findOrAppend(m_rowOf[other]);
         for (size_t i = 0; i < 36; ++i) coupling.m[i] -= across.m[i];

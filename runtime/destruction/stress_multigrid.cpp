@@ -21,7 +21,7 @@ namespace {
 constexpr size_t kDenseNodes = 20;      ///< a level of at most this many nodes is solved directly
 constexpr double kSmoothing = 2.0 / 3;  ///< w = 4/3 / lambda, lambda <= 2 being the largest eigenvalue of D^-1 A
 constexpr double kStrong = 0.02;        ///< relative coupling from which two nodes may share an aggregate
-constexpr uint32_t kNone = ~0u;
+constexpr uint32_t kNoAggregate = ~0u;
 
 /// A measure of a block's stiffness that does not depend on the axes: the trace for translations.
 double stiffnessOf(const Block6& block) {
@@ -133,12 +133,12 @@ void StressMultigrid::aggregate(Level& level) {
         const double coupling = stiffnessOf(a.block[entry]);
         return a.column[entry] == row ? 0.0 : coupling * coupling / (own[row] * own[a.column[entry]]);
     };
-    level.aggregate.assign(n, kNone);
+    level.aggregate.assign(n, kNoAggregate);
     uint32_t count = 0;
     for (size_t i = 0; i < n; ++i) {
-        bool isFree = level.aggregate[i] == kNone;
+        bool isFree = level.aggregate[i] == kNoAggregate;
         for (uint32_t e = a.start[i]; isFree && e < a.start[i + 1]; ++e)
-            isFree = level.aggregate[a.column[e]] == kNone || strength(i, e) < kStrong * kStrong;
+            isFree = level.aggregate[a.column[e]] == kNoAggregate || strength(i, e) < kStrong * kStrong;
         if (!isFree) continue;
         level.aggregate[i] = count;
         for (uint32_t e = a.start[i]; e < a.start[i + 1]; ++e)
@@ -147,12 +147,12 @@ void StressMultigrid::aggregate(Level& level) {
     }
     const std::vector<uint32_t> seeds = level.aggregate;
     for (size_t i = 0; i < n; ++i) {
-        if (seeds[i] != kNone) continue;
+        if (seeds[i] != kNoAggregate) continue;
         double strongest = 0.0;
         for (uint32_t e = a.start[i]; e < a.start[i + 1]; ++e)
-            if (seeds[a.column[e]] != kNone && strength(i, e) > strongest)
+            if (seeds[a.column[e]] != kNoAggregate && strength(i, e) > strongest)
                 strongest = strength(i, e), level.aggregate[i] = seeds[a.column[e]];
-        if (level.aggregate[i] == kNone) level.aggregate[i] = count++;
+        if (level.aggregate[i] == kNoAggregate) level.aggregate[i] = count++;
     }
     level.aggregates = count;
     level.coarseCenter.assign(count, glm::dvec3(0.0));

@@ -1,13 +1,7 @@
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <string>
-#include <utility>
-#include <variant>
 #include <vector>
 
-#include "generated/paths.h"
-#include "runtime/world/edits/edit_error.h"
 #include "tests/abi/abi_fixture.h"
 #include "tests/support/temp_folder.h"
 
@@ -273,22 +267,6 @@ TEST_F(AbiChanges, AreRecordedAndUndone) {
     ASSERT_EQ(api()->play_recording(m_world, log.c_str(), &steps), RUBBLE_OK) << api()->get_last_error();
     EXPECT_EQ(steps, 6u);
     EXPECT_EQ(hash(), end);
-}
-
-/// Names of all kinds of edits, as a host calls them.
-template <size_t... kKinds>
-std::vector<std::string> editNames(std::index_sequence<kKinds...>) {
-    return {editName(Edit(std::variant_alternative_t<kKinds, AnyEdit>{}))...};
-}
-
-/// What is left for hosts to reach is named here: the list shall get shorter, never longer.
-TEST(AbiReach, EveryKindOfEditHasAFunctionButTheseFew) {
-    std::ifstream file(RUBBLE_SOURCE_DIR "/runtime/plugin/include/rubble/rubble.h");
-    const std::string header{std::istreambuf_iterator<char>(file), {}};
-    std::vector<std::string> missing;
-    for (const std::string& name : editNames(std::make_index_sequence<std::variant_size_v<AnyEdit>>()))
-        if (header.find("(*" + name + ")(") == std::string::npos) missing.push_back(name);
-    EXPECT_EQ(missing, (std::vector<std::string>{"impact load"}));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@
 namespace rubble {
 namespace {
 
-constexpr int kWidth = 64, kHeight = 36;
+constexpr int kImageWidth = 64, kImageHeight = 36;
 
 template <class T>
 T sized() {
@@ -67,13 +67,13 @@ TEST_F(AbiRenderer, DrawsTheLevel) {
     EXPECT_EQ(m_api->create_renderer(m_world, &given, &second), RUBBLE_ERROR_ARGUMENT);
     EXPECT_EQ(m_api->set_debug_view(renderer, "no such pass"), RUBBLE_ERROR_ARGUMENT);
 
-    const Offscreen target({kWidth, kHeight});
+    const Offscreen target({kImageWidth, kImageHeight});
     auto view = sized<rubble_view>();
     view.framebuffer = target.framebuffer();
-    view.width = kWidth;
+    view.width = kImageWidth;
     view.position[0] = 0.85, view.position[1] = 1.0, view.position[2] = 4.0;
     EXPECT_EQ(m_api->draw(renderer, &view), RUBBLE_ERROR_ARGUMENT) << "a height of 0 was drawn";
-    view.height = kHeight;
+    view.height = kImageHeight;
     glViewport(1, 2, 3, 4);
     ASSERT_EQ(m_api->draw(renderer, &view), RUBBLE_OK) << m_api->get_last_error();
     GLint viewport[4] = {};
@@ -100,10 +100,10 @@ TEST_F(AbiRenderer, AnotherRendererShowsTheWholeWorldFromTheNextStepOn) {
     ASSERT_EQ(m_api->load_level(m_world, level.c_str(), nullptr), RUBBLE_OK) << m_api->get_last_error();
     std::filesystem::remove(level);
     const rubble_renderer_settings given = settings();
-    const Offscreen target({kWidth, kHeight});
+    const Offscreen target({kImageWidth, kImageHeight});
     auto view = sized<rubble_view>();
     view.framebuffer = target.framebuffer();
-    view.width = kWidth, view.height = kHeight;
+    view.width = kImageWidth, view.height = kImageHeight;
     view.position[0] = 0.85, view.position[1] = 1.0, view.position[2] = 4.0;
     std::vector<uint8_t> images[2];
     for (std::vector<uint8_t>& image : images) {
@@ -137,10 +137,10 @@ TEST_F(AbiRenderer, AViewLeavesOutTheShapesThatItHides) {
     rubble_renderer renderer = 0;
     ASSERT_EQ(m_api->create_renderer(m_world, &given, &renderer), RUBBLE_OK) << m_api->get_last_error();
     ASSERT_EQ(m_api->set_debug_view(renderer, "albedo"), RUBBLE_OK);
-    const Offscreen target({kWidth, kHeight});
+    const Offscreen target({kImageWidth, kImageHeight});
     auto view = sized<rubble_view>();
     view.framebuffer = target.framebuffer();
-    view.width = kWidth, view.height = kHeight;
+    view.width = kImageWidth, view.height = kImageHeight;
     view.position[0] = 0.85, view.position[1] = 1.0, view.position[2] = 4.0;
     const auto drawn = [&](std::initializer_list<rubble_shape> hidden, uint32_t slot = 0) {
         view.hidden_shapes = hidden.begin(), view.hidden_shape_count = uint32_t(hidden.size()), view.slot = slot;
@@ -185,10 +185,10 @@ TEST_F(AbiRenderer, AnAddedLightShowsAndARemovedOneDoesNot) {
     rubble_renderer renderer = 0;
     ASSERT_EQ(m_api->create_renderer(m_world, &given, &renderer), RUBBLE_OK) << m_api->get_last_error();
     ASSERT_EQ(m_api->set_debug_view(renderer, "denoisedLight"), RUBBLE_OK);
-    const Offscreen target({kWidth, kHeight});
+    const Offscreen target({kImageWidth, kImageHeight});
     auto view = sized<rubble_view>();
     view.framebuffer = target.framebuffer();
-    view.width = kWidth, view.height = kHeight;
+    view.width = kImageWidth, view.height = kImageHeight;
     view.position[0] = view.position[2] = 0.85, view.position[1] = 3.0;
     view.rotation[0] = -std::sqrt(0.5), view.rotation[3] = std::sqrt(0.5);  // straight down
     /// Radiance in the middle of the image, as passes/show_data.frag maps it.
@@ -198,7 +198,7 @@ TEST_F(AbiRenderer, AnAddedLightShowsAndARemovedOneDoesNot) {
         const std::vector<uint8_t> image = target.readRgb();
         double sum = 0.0;
         for (int y = 12; y < 24; ++y)
-            for (int x = 26; x < 38; ++x) sum += image[size_t(3 * (x + y * kWidth))];
+            for (int x = 26; x < 38; ++x) sum += image[size_t(3 * (x + y * kImageWidth))];
         const double mapped = std::pow(sum / (12 * 12 * 255), 2.2);
         return mapped / (1.0 - mapped);
     };
@@ -234,10 +234,10 @@ TEST_F(AbiRenderer, ViewsInTurnAreDrawnAndTheStateIsResetWhereTheHostWantsThat) 
     given.program_cache = cache.c_str();
     rubble_renderer renderer = 0;
     ASSERT_EQ(m_api->create_renderer(m_world, &given, &renderer), RUBBLE_OK) << m_api->get_last_error();
-    const Offscreen target({kWidth, kHeight});
+    const Offscreen target({kImageWidth, kImageHeight});
     auto view = sized<rubble_view>();
     view.framebuffer = target.framebuffer();
-    view.width = kWidth, view.height = kHeight;
+    view.width = kImageWidth, view.height = kImageHeight;
     view.slot = 16;
     EXPECT_EQ(m_api->draw(renderer, &view), RUBBLE_ERROR_ARGUMENT);
     glEnable(GL_RASTERIZER_DISCARD);

@@ -21,6 +21,12 @@ inline void runAll(Editor& editor, std::initializer_list<const char*> lines) {
     }
 }
 
+/// The first shape of the body with a name.
+inline rubble_shape shapeOf(Editor& editor, const char* name) {
+    const rubble_body body = editor.world().find_by_name(RUBBLE_KIND_BODY, name).at(0);
+    return editor.world().get_objects_of(body, RUBBLE_KIND_SHAPE).at(0);
+}
+
 /// Fills a level with what the examples of all commands work on.
 inline void makeTestLevel(Editor& editor) {
     runAll(editor, {"create 40,25,3 0,0,2 index=7 name=wall static=yes",

@@ -16,11 +16,6 @@ namespace {
 
 using Look = std::array<int, 5>;  ///< colour, material, opacity
 
-rubble_shape shapeOf(Editor& editor, const char* name) {
-    const rubble_body body = editor.world().find_by_name(RUBBLE_KIND_BODY, name).at(0);
-    return editor.world().get_objects_of(body, RUBBLE_KIND_SHAPE).at(0);
-}
-
 /// What is seen in each cell.
 std::vector<Look> looksOf(Editor& editor, const char* name) {
     const rubble_shape shape = shapeOf(editor, name);

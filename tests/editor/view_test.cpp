@@ -12,11 +12,6 @@
 namespace editor {
 namespace {
 
-rubble_shape shapeOf(Editor& editor, const char* name) {
-    const rubble_body body = editor.world().find_by_name(RUBBLE_KIND_BODY, name).at(0);
-    return editor.world().get_objects_of(body, RUBBLE_KIND_SHAPE).at(0);
-}
-
 /// Whether the view leaves out the only shape of a body.
 bool isHidden(Editor& editor, const char* name) {
     return editor.view().hides(shapeOf(editor, name));

@@ -10,6 +10,8 @@
 
 namespace rubble {
 
+constexpr double kGravity = 9.81;  ///< m/s2, of worlds by default
+
 /// A palette whose entry i is of material i of the default table.
 inline PaletteRef materialPalette() {
     auto palette = std::make_shared<Palette>();

@@ -18,7 +18,7 @@ double between(Random& random, double low, double high) {
     return low + (high - low) * random.unit();
 }
 
-glm::dvec3 anyVector(Random& random, double size) {
+glm::dvec3 anyVectorIn(Random& random, double size) {
     glm::dvec3 v;
     for (int k = 0; k < 3; ++k) v[k] = between(random, -size, size);
     return v;
@@ -57,7 +57,7 @@ TEST(VoxelContacts, HullAndVoxelsHaveTheSameExtent) {
         const std::vector<glm::vec3> corners = cornersOf(part);
         ASSERT_LT(part.hull().size() * 20, corners.size());
         for (int k = 0; k < 50; ++k) {
-            const glm::vec3 direction = glm::vec3(anyVector(random, 1.0));
+            const glm::vec3 direction = glm::vec3(anyVectorIn(random, 1.0));
             float support = -1e9f;
             for (const glm::vec3& c : corners)
                 support = std::max(support, c.x * direction.x + c.y * direction.y + c.z * direction.z);
@@ -171,9 +171,9 @@ TEST(VoxelContacts, TheStuckContactOpposesNoOtherContact) {
     for (int round = 0; round < 600; ++round) {
         CollisionObject a, b;
         put(a, level.bodies[1 + size_t(round % 40)], level.materials,
-            {anyVector(random, 0.3), glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
+            {anyVectorIn(random, 0.3), glm::normalize(glm::dquat(0.5, anyVectorIn(random, 1.0)))});
         put(b, level.bodies[1 + size_t(round * 7 % 40)], level.materials,
-            {{}, glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
+            {{}, glm::normalize(glm::dquat(0.5, anyVectorIn(random, 1.0)))});
         std::vector<ContactPoint> found;
         ContactSearch search;
         findContacts(a.collider, {a.pose, a.cellTransforms()}, b.collider, {b.pose, b.cellTransforms()}, {}, search,
@@ -195,22 +195,22 @@ TEST(VoxelContacts, DoNotDependOnTheInitialSeparatingAxis) {
     for (int round = 0; round < 600; ++round) {
         CollisionObject a, b;
         const bool againstPit = round % 5 == 0;
-        const glm::dvec3 apart = againstPit ? glm::dvec3(0.5) : anyVector(random, 0.7);
+        const glm::dvec3 apart = againstPit ? glm::dvec3(0.5) : anyVectorIn(random, 0.7);
         put(a, level.bodies[1 + size_t(round % 40)], level.materials,
-            {apart, glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
+            {apart, glm::normalize(glm::dquat(0.5, anyVectorIn(random, 1.0)))});
         put(b, level.bodies[againstPit ? 0 : 1 + size_t(round * 7 % 40)], level.materials,
             againstPit ? level.bodies[0].pose
-                       : Pose{{0.2, 0.1, 0}, glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
+                       : Pose{{0.2, 0.1, 0}, glm::normalize(glm::dquat(0.5, anyVectorIn(random, 1.0)))});
         const double speed = std::array{0.0, 1.0, 30.0}[size_t(round % 3)];
         const auto motionOf = [&](const CollisionObject& object) {
-            return Motion{object.pose, object.cellTransforms(), anyVector(random, speed), anyVector(random, speed),
+            return Motion{object.pose, object.cellTransforms(), anyVectorIn(random, speed), anyVectorIn(random, speed),
                           object.radius};
         };
         const Motion motionA = motionOf(a), motionB = againstPit ? Motion{b.pose, b.cellTransforms()} : motionOf(b);
         std::vector<ContactPoint> first, again;
         for (int k = 0; k < 8; ++k) {
             ContactSearch search;
-            if (k) search.axis = glm::normalize(glm::vec3(anyVector(random, 1.0)));
+            if (k) search.axis = glm::normalize(glm::vec3(anyVectorIn(random, 1.0)));
             std::vector<ContactPoint>& found = k ? again : first;
             found.clear();
             findContacts(a.collider, motionA, b.collider, motionB, {}, search, found);
@@ -232,7 +232,7 @@ TEST(VoxelContacts, NothingTouchesWithinTheClearance) {
     for (int round = 0; round < 3000; ++round) {
         const Level& level = round % 2 ? pieces : boxes;
         const auto anyPose = [&](double size) {
-            return Pose{anyVector(random, size), glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))};
+            return Pose{anyVectorIn(random, size), glm::normalize(glm::dquat(0.5, anyVectorIn(random, 1.0)))};
         };
         CollisionObject a, b;
         put(a, level.bodies[1 + size_t(round % 40)], level.materials, anyPose(1.0));
@@ -250,7 +250,7 @@ TEST(VoxelContacts, NothingTouchesWithinTheClearance) {
         ++apart;
         ASSERT_GT(search.clearance, 0.0f) << round;
         const double clearance = 0.999 * double(search.clearance), turn = random.unit() * clearance;
-        const glm::dquat rotation = glm::angleAxis(turn / a.radius, glm::normalize(anyVector(random, 1.0)));
+        const glm::dquat rotation = glm::angleAxis(turn / a.radius, glm::normalize(anyVectorIn(random, 1.0)));
         a.setPose({a.pose.position - glm::dvec3(search.axis) * (clearance - turn), rotation * a.pose.rotation});
         touch();
         EXPECT_TRUE(found.empty()) << round;
@@ -285,9 +285,9 @@ TEST(VoxelContacts, WhatIsInsideOfAHollowPartHasAClearanceInWhichNothingTouches)
     int clear = 0;
     for (int round = 0; round < 500; ++round) {
         CollisionObject piece;
-        const glm::dvec3 at = glm::dvec3(4.0) + anyVector(random, 4.0);
+        const glm::dvec3 at = glm::dvec3(4.0) + anyVectorIn(random, 4.0);
         put(piece, level.bodies[1 + size_t(round % 20)], level.materials,
-            {at, glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
+            {at, glm::normalize(glm::dquat(0.5, anyVectorIn(random, 1.0)))});
         ContactSearch search;
         std::vector<ContactPoint> found;
         const auto touch = [&] {

@@ -1,4 +1,5 @@
 #pragma once
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -23,7 +24,7 @@ inline void fillBox(VoxelGrid& grid, const CellBox& box, uint8_t entry) {
 }
 
 /// A grid whose cells are f(cell), a palette entry; 0 is empty.
-template <class F>
+template <std::invocable<glm::ivec3> F>
 VoxelGrid gridOf(glm::ivec3 size, F&& f) {
     VoxelGrid grid(size);
     GridWriter writer(grid);
@@ -32,6 +33,17 @@ VoxelGrid gridOf(glm::ivec3 size, F&& f) {
             for (int x = 0; x < size.x; ++x) writer.set({x, y, z}, f(glm::ivec3(x, y, z)));
     writer.flush();
     return grid;
+}
+
+/// Whether a cell next to this one, across a face, is empty or outside.
+inline bool isExposed(const VoxelGrid& grid, glm::ivec3 cell) {
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int sign : {-1, 1}) {
+            glm::ivec3 next = cell;
+            next[axis] += sign;
+            if (!grid.at(next)) return true;
+        }
+    return false;
 }
 
 /// A grid with every cell set to one entry.

@@ -17,7 +17,7 @@ namespace {
 using nlohmann::json;
 using Bytes = std::span<const uint8_t>;
 
-constexpr size_t kNone = SIZE_MAX;
+constexpr size_t kNoEntry = SIZE_MAX;
 constexpr size_t kMaxDepth = 256;  ///< nodes from a root down
 constexpr uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr size_t kByte = 5121, kShort = 5123, kWord = 5125, kFloat = 5126;  ///< componentType
@@ -98,12 +98,12 @@ private:
     /// A node has one parent at most, and roots have none: then each is visited once.
     void checkNodes() const {
         const json& nodes = listOf(m_json, "nodes");
-        std::vector<size_t> parents(nodes.size(), kNone);
+        std::vector<size_t> parents(nodes.size(), kNoEntry);
         for (size_t i = 0; i < nodes.size(); ++i)
             for (const json& each : listOf(nodes[i], "children")) {
                 const size_t child = wholeOf(each, fmt::format("node {}, children", i));
                 elementOf(nodes, child, fmt::format("node {}, children", i));
-                if (parents[child] != kNone)
+                if (parents[child] != kNoEntry)
                     fail("node {}: expected one parent, found node {} and node {}", child, parents[child], i);
                 parents[child] = i;
             }
@@ -115,7 +115,7 @@ private:
             for (const json& each : listOf(scenes[s], "nodes")) {
                 const size_t root = wholeOf(each, where);
                 elementOf(nodes, root, where);
-                if (parents[root] != kNone)
+                if (parents[root] != kNoEntry)
                     fail("{}: expected nodes without a parent, found node {}, a child of node {}", where, root,
                          parents[root]);
                 if (isRoot[root]) fail("{}: expected each node once, found node {} twice", where, root);
@@ -127,7 +127,7 @@ private:
     static void checkDepth(const std::vector<size_t>& parents) {
         for (size_t i = 0; i < parents.size(); ++i) {
             size_t depth = 0;
-            for (size_t at = parents[i]; at != kNone; at = parents[at])
+            for (size_t at = parents[i]; at != kNoEntry; at = parents[at])
                 if (++depth > kMaxDepth)
                     fail("node {}: expected at most {} nodes above it, found more: a cycle?", i, kMaxDepth);
         }
@@ -140,8 +140,8 @@ private:
         const json& points = elementOf(accessors, wholeOf((*attributes)["POSITION"], where), where + ", POSITION");
         if (const json type = points.value("componentType", json()); type != kFloat)
             fail("{}, POSITION: expected componentType {} (float), found {}", where, kFloat, type.dump().substr(0, 40));
-        const size_t index = wholeOf(primitive, "indices", kNone, where);
-        if (index == kNone) return;
+        const size_t index = wholeOf(primitive, "indices", kNoEntry, where);
+        if (index == kNoEntry) return;
         elementOf(accessors, index, where + ", indices");
         const size_t count = wholeOf(points, "count", 0, where + ", POSITION");
         const auto [largest, isNew] = m_largest.try_emplace(index, 0);
@@ -152,8 +152,8 @@ private:
 
     /// Of the indices of an accessor; -1: it has none, or they are in another file.
     int64_t largestIndex(const json& accessor, const std::string& where) {
-        const size_t view = wholeOf(accessor, "bufferView", kNone, where);
-        if (view == kNone) return -1;
+        const size_t view = wholeOf(accessor, "bufferView", kNoEntry, where);
+        if (view == kNoEntry) return -1;
         const json& from = elementOf(listOf(m_json, "bufferViews"), view, where + ", bufferView");
         const size_t buffer = wholeOf(from, "buffer", 0, where);
         if (buffer != 0 || elementOf(listOf(m_json, "buffers"), buffer, where).contains("uri")) return -1;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kMaxCells = 1 << 28;
 constexpr float kHalfDiagonal = 0.87f;  // of a cell: the surface passes through no cell whose centre is farther away
-constexpr int32_t kNone = -1;
+constexpr int32_t kNoTriangle = -1;
 
 /// Some triangles of a mesh in cells, whose centres OpenVDB has at whole numbers.
 struct MeshInCells {
@@ -137,7 +137,7 @@ private:
     void add(const std::vector<uint32_t>& triangles, int flags, float band, IsWanted isWanted) {
         if (triangles.empty()) return;
         const MeshInCells mesh{m_mesh, m_points, triangles};
-        openvdb::Int32Grid nearest(kNone);
+        openvdb::Int32Grid nearest(kNoTriangle);
         const auto transform = openvdb::math::Transform::createLinearTransform(1.0);
         const auto grid =
             openvdb::tools::meshToVolume<openvdb::FloatGrid>(mesh, *transform, band, band, flags, &nearest);
@@ -149,16 +149,16 @@ private:
             it.getBoundingBox(cells);
             cells.intersect(all);
             for (auto cell = cells.begin(); cell; ++cell) {
-                const int32_t triangle = it.isValueOn() ? triangleAt.getValue(*cell) : kNone;
+                const int32_t triangle = it.isValueOn() ? triangleAt.getValue(*cell) : kNoTriangle;
                 setCell({(*cell).x(), (*cell).y(), (*cell).z()},
-                        triangle == kNone ? kNone : int32_t(triangles[size_t(triangle)]));
+                        triangle == kNoTriangle ? kNoTriangle : int32_t(triangles[size_t(triangle)]));
             }
         }
     }
 
     void setCell(glm::ivec3 cell, int32_t triangle) {
         uint32_t& to = m_cells[indexOf(cell)];
-        if (triangle == kNone) {
+        if (triangle == kNoTriangle) {
             if (to == kEmpty) to = kInside;
             return;
         }

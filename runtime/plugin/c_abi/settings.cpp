@@ -8,7 +8,7 @@ namespace {
 
 /// Calls f(engine's, host's) for each pair of numbers that mean the same: the one list of them for both directions.
 template <class Settings, class Host, class F>
-void forEachNumber(Settings& s, Host& h, F&& f) {
+void forEachSetting(Settings& s, Host& h, F&& f) {
     f(s.minPieceVoxels, h.min_piece_voxels);
     f(s.impactThreshold, h.impact_threshold);
     f(s.impactSpeed, h.impact_speed);
@@ -46,7 +46,7 @@ WorldSettings readSettings(WorldSettings settings, const rubble_settings& given)
     readInRange(given.fire_burn_time, ranges::kFireBurnTime, "fire_burn_time");
     readInRange(double(given.stress_work), ranges::kStressWork, "stress_work");
     if (isRefused()) return settings;
-    forEachNumber(settings, given, [](auto& to, const auto& from) { to = std::decay_t<decltype(to)>(from); });
+    forEachSetting(settings, given, [](auto& to, const auto& from) { to = std::decay_t<decltype(to)>(from); });
     settings.stress.on = flags & RUBBLE_SETTING_STRESS;
     settings.fire.enabled = flags & RUBBLE_SETTING_FIRE;
     settings.paint.mode = flags & RUBBLE_SETTING_PAINT_LAYER ? PaintMode::Layer : PaintMode::Blend;
@@ -67,7 +67,7 @@ rubble_result getSettings(rubble_world world, rubble_settings* out) {
     return inWorld("get_settings", world, [&](const HostedWorld& hosted) {
         const WorldSettings& settings = hosted.loop.world().settings();
         rubble_settings all = {};
-        forEachNumber(settings, all, [](const auto& from, auto& to) { to = std::decay_t<decltype(to)>(from); });
+        forEachSetting(settings, all, [](const auto& from, auto& to) { to = std::decay_t<decltype(to)>(from); });
         all.flags = (settings.stress.on ? RUBBLE_SETTING_STRESS : 0) |
                     (settings.fire.enabled ? RUBBLE_SETTING_FIRE : 0) |
                     (settings.paint.mode == PaintMode::Layer ? RUBBLE_SETTING_PAINT_LAYER : 0) |

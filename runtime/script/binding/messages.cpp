@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <iterator>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -39,17 +40,6 @@ constexpr struct {
     {"size", "xmax ymax zmax"},
 };
 
-std::vector<std::string> parametersOf(const ScriptFunction& function) {
-    const std::string signature = function.signature;
-    const size_t begin = signature.find('(') + 1;
-    std::string list = signature.substr(begin, signature.find(')') - begin);
-    std::replace(list.begin(), list.end(), ',', ' ');
-    std::istringstream words(list);
-    std::vector<std::string> names;
-    for (std::string name; words >> name;) names.push_back(name);
-    return names;
-}
-
 /// "wet_seconds" as "wetSeconds".
 std::string asParameter(const std::string& field) {
     std::string name;
@@ -62,7 +52,7 @@ std::string asParameter(const std::string& field) {
 
 /// The parameter that a field as "rays[0].origin[1]" was made from; "": none that is known.
 std::string parameterOf(lua_State* L, std::string field) {
-    const std::vector<std::string> all = parametersOf(runningFunction(L));
+    const std::vector<std::string> all = runningFunction(L).parameters();
     const auto isParameter = [&](const std::string& name) {
         return std::find(all.begin(), all.end(), name) != all.end();
     };
@@ -92,8 +82,17 @@ std::string withoutFunction(const std::string& message) {
 
 }  // namespace
 
+std::vector<std::string> ScriptFunction::parameters() const {
+    const std::string text = signature;
+    const size_t begin = text.find('(') + 1;
+    std::string list = text.substr(begin, text.find(')') - begin);
+    std::replace(list.begin(), list.end(), ',', ' ');
+    std::istringstream words(list);
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
 std::string parameterAt(lua_State* L, int index) {
-    return parametersOf(runningFunction(L)).at(size_t(index) - 1);
+    return runningFunction(L).parameters().at(size_t(index) - 1);
 }
 
 std::string messageOf(lua_State* L, std::string message) {

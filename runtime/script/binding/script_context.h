@@ -173,6 +173,8 @@ struct ScriptFunction {
         const std::string text = signature;
         return text.substr(0, text.find('('));
     }
+    /// The names of its parameters, in order.
+    std::vector<std::string> parameters() const;
 };
 
 /// An error where what the running function would queue is more than the script, or all of the world, may still queue

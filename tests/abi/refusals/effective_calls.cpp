@@ -74,7 +74,7 @@ void grab(HostCall& call) {
     step(call);
 }
 
-const std::map<std::string, Prepare> kCalls = {
+const std::map<std::string, Prepare> kEffectiveCalls = {
     {"carve",
      [](HostCall& c) {
          auto& carve = c.at<rubble_carve>("carve");
@@ -148,7 +148,7 @@ const std::map<std::string, Prepare> kCalls = {
 }  // namespace
 
 const std::map<std::string, Prepare>& effectiveCalls() {
-    return kCalls;
+    return kEffectiveCalls;
 }
 
 }  // namespace rubble

@@ -77,19 +77,19 @@ TEST_F(RendererRefusals, AThreadWithoutTheContextIsRefused) {
 }
 
 /// What a log callback calls inside of a draw.
-struct Listener {
+struct RendererListener {
     const FunctionDescription* function;
     const FullWorld* world;
     int calls = 0;
 };
 
 TEST_F(RendererRefusals, ACallFromACallbackIsRefused) {
-    Listener listener{};
+    RendererListener listener{};
     auto host = sized<rubble_host>();
     host.gl_get_proc_address = s_context->loader();
     host.user = &listener;
     host.log = [](void* user, int32_t, const char*) {
-        auto& inside = *static_cast<Listener*>(user);
+        auto& inside = *static_cast<RendererListener*>(user);
         if (!inside.function) return;
         HostCall call(*inside.function, *inside.world);
         waysOf(*inside.function)[0](call);

@@ -120,7 +120,7 @@ void prepareOverlayImage(HostCall& call) {
     image.name = "i", image.pixels = kPixel, image.width = image.height = 1;
 }
 
-const std::map<std::string, std::vector<Prepare>> kCalls = {
+const std::map<std::string, std::vector<Prepare>> kUsualCalls = {
     {"load_level", {[](HostCall& c) { c.point("path", callFiles().level.c_str()); }}},
     {"start_loading", {[](HostCall& c) { c.point("path", callFiles().level.c_str()); }}},
     {"save_game", {[](HostCall& c) { c.point("path", callFiles().scratch.c_str()); }}},
@@ -268,7 +268,7 @@ std::vector<uint8_t> bytesOf(const std::string& path) {
 }  // namespace
 
 const std::map<std::string, std::vector<Prepare>>& usualCalls() {
-    return kCalls;
+    return kUsualCalls;
 }
 
 unsigned& drawTarget() {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/support/grids.h"
+
 namespace rubble {
 namespace {
 
@@ -15,22 +17,12 @@ struct Item {
     std::vector<glm::ivec3> surface;  ///< cells with an exposed face
 };
 
-bool exposed(const VoxelGrid& grid, glm::ivec3 c) {
-    for (int axis = 0; axis < 3; ++axis)
-        for (const int sign : {-1, 1}) {
-            glm::ivec3 next = c;
-            next[axis] += sign;
-            if (!grid.at(next)) return true;
-        }
-    return false;
-}
-
 std::vector<glm::ivec3> surfaceCells(const VoxelGrid& grid) {
     std::vector<glm::ivec3> cells;
     grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
         forEachVoxel(brick->occupancy, [&](int v) {
             const glm::ivec3 c = position * kBrickSize + voxelInBrick(v);
-            if (exposed(grid, c)) cells.push_back(c);
+            if (isExposed(grid, c)) cells.push_back(c);
         });
     });
     return cells;

@@ -6,6 +6,8 @@
 #include <set>
 #include <tuple>
 
+#include "tests/support/grids.h"
+
 namespace rubble {
 namespace {
 
@@ -31,7 +33,7 @@ struct Part {
     size_t body;
 };
 
-struct Item {
+struct Settled {
     BodyHandle handle;
     bool isStatic = false, held = false;
     glm::dvec3 center{0.0};
@@ -40,21 +42,12 @@ struct Item {
     std::vector<size_t> touched;
 };
 
-bool exposed(const VoxelGrid& grid, glm::ivec3 c) {
-    for (int i = 0; i < 6; ++i) {
-        glm::ivec3 next = c;
-        next[i / 2] += i % 2 * 2 - 1;
-        if (!grid.at(next)) return true;
-    }
-    return false;
-}
-
 std::vector<glm::dvec3> edgePoints(const VoxelGrid& grid, double size) {
     std::set<std::tuple<int, int, int>> quarters;
     grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
         forEachVoxel(brick->occupancy, [&](int v) {
             const glm::ivec3 c = position * kBrickSize + voxelInBrick(v);
-            if (!exposed(grid, c)) return;
+            if (!isExposed(grid, c)) return;
             for (int i = 0; i < 125; ++i) {
                 const glm::ivec3 at(i % 5, i / 5 % 5, i / 25);
                 if ((at.x % 4 == 0) + (at.y % 4 == 0) + (at.z % 4 == 0) >= 2)
@@ -93,8 +86,8 @@ bool nearestExit(const VoxelGrid& grid, const glm::dvec3& p, double radius, glm:
 }
 
 /// Adds the forces between `from`'s points and `into`, on both bodies: four about each normal, on the friction cone.
-void touch(const Part& from, const Part& into, std::vector<Item>& items) {
-    Item &a = items[from.body], &b = items[into.body];
+void touch(const Part& from, const Part& into, std::vector<Settled>& items) {
+    Settled &a = items[from.body], &b = items[into.body];
     bool any = false;
     for (const glm::dvec3& point : from.points) {
         const glm::dvec3 at = from.pose.transformPoint(point);
@@ -109,7 +102,7 @@ void touch(const Part& from, const Part& into, std::vector<Item>& items) {
         const glm::dvec3 other = glm::cross(normal, across);
         for (const glm::dvec3& side : {across, -across, other, -other}) {
             const glm::dvec3 force = normal + side;
-            const auto wrench = [&](const Item& item, const glm::dvec3& f) {
+            const auto wrench = [&](const Settled& item, const glm::dvec3& f) {
                 const glm::dvec3 torque = glm::cross(at - item.center, f) / item.radius;
                 return Wrench{f.x, f.y, f.z, torque.x, torque.y, torque.z};
             };
@@ -124,7 +117,7 @@ void touch(const Part& from, const Part& into, std::vector<Item>& items) {
 
 /// Whether nonnegative multiples of the forces from supported bodies add up to the weight, by coordinate descent on the
 /// squared residual.
-bool balanced(const Item& item, const std::vector<Item>& items) {
+bool balanced(const Settled& item, const std::vector<Settled>& items) {
     std::vector<const Wrench*> pushes;
     for (const auto& [by, wrench] : item.pushes)
         if (items[by].held) pushes.push_back(&wrench);
@@ -142,7 +135,7 @@ bool balanced(const Item& item, const std::vector<Item>& items) {
 }
 
 /// Keeps only bodies that a chain of supported bodies connects with something static.
-void keepJoined(std::vector<Item>& items) {
+void keepJoined(std::vector<Settled>& items) {
     std::vector<size_t> open;
     std::vector<bool> reached(items.size());
     for (size_t i = 0; i < items.size(); ++i)
@@ -179,12 +172,12 @@ std::vector<Part> partsOf(const World& world, const Body& body, size_t index) {
 /// The sleeping bodies that neither static ones bear nor those of which `bears` is true.
 template <class Bears>
 std::vector<BodyHandle> findFloating(const World& world, Bears&& bears) {
-    std::vector<Item> items;
+    std::vector<Settled> items;
     std::vector<Part> parts;
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
         const bool isBase = body.isStatic || bears(handle, body);
         if (!isBase && !body.asleep) return;
-        Item item{.handle = handle, .isStatic = isBase, .held = true};
+        Settled item{.handle = handle, .isStatic = isBase, .held = true};
         if (!body.isStatic) item.center = body.pose.transformPoint(bodyMass(world, handle).center);
         for (Part& part : partsOf(world, body, items.size())) {
             item.radius = std::max(0.1, 0.25 * glm::length(part.high - part.low));
@@ -205,14 +198,14 @@ std::vector<BodyHandle> findFloating(const World& world, Bears&& bears) {
     for (bool changed = true; changed;) {  // a body on an unsupported one is unsupported too
         changed = false;
         keepJoined(items);
-        for (Item& item : items) {
+        for (Settled& item : items) {
             if (item.isStatic || !item.held || balanced(item, items)) continue;
             item.held = false;
             changed = true;
         }
     }
     std::vector<BodyHandle> floating;
-    for (const Item& item : items)
+    for (const Settled& item : items)
         if (!item.held) floating.push_back(item.handle);
     return floating;
 }

@@ -10,8 +10,6 @@
 namespace rubble {
 namespace {
 
-constexpr double kGravity = 9.81;
-
 /// known::Pool with the default settings.
 struct Pool : known::Pool {
     Pool(uint32_t density, double drag, double halfSide = 50.0, double depth = 40.0)

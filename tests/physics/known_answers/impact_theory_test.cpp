@@ -6,7 +6,7 @@
 namespace rubble {
 namespace {
 
-PhysicsSettings sleepless() {
+PhysicsSettings withoutSleep() {
     return known::sleepless({});
 }
 
@@ -58,7 +58,7 @@ TEST(ImpactTheory, FreeBodiesKeepTheirMomentum) {
     double worstLinear = 0.0, worstAngular = 0.0, worstGain = -1.0;
     int hits = 0;
     for (int i = 0; i < 1000; ++i) {
-        PhysicsScene scene(sleepless());
+        PhysicsScene scene(withoutSleep());
         scene.level.environment.gravity = {0, 0, 0};
         const uint8_t light = known::setMaterial(scene, 7, 0.6f, 0.3f, 500),
                       heavy = known::setMaterial(scene, 8, 0.6f, 0.3f, 3000);
@@ -102,7 +102,7 @@ TEST(ImpactTheory, FreeBodiesKeepTheirMomentum) {
 /// 16 kg hit the end of a free plank.
 TEST(ImpactTheory, AHitOnTheEndOfAFreePlankKeepsTheAngularMomentum) {
     for (const double speed : {4.0, 20.0, 60.0}) {
-        PhysicsScene scene(sleepless());
+        PhysicsScene scene(withoutSleep());
         scene.level.environment.gravity = {0, 0, 0};
         const uint8_t entry = known::setMaterial(scene, 7, 0.5f, 0.0f, 2000);
         scene.add(solidGrid({20, 1, 4}, entry), {-1.0, -0.05, -0.2}, false);
@@ -118,7 +118,7 @@ TEST(ImpactTheory, AHitOnTheEndOfAFreePlankKeepsTheAngularMomentum) {
 
 /// Without friction and loss, three bounces reach the height that it fell from.
 TEST(ImpactTheory, AnElasticBounceKeepsItsHeight) {
-    PhysicsScene scene(sleepless());
+    PhysicsScene scene(withoutSleep());
     const uint8_t entry = known::setMaterial(scene, 7, 0.0f, 1.0f);
     scene.add(solidGrid({40, 4, 40}, entry), {-2.0, -0.4, -2.0}, true);
     scene.add(solidGrid({5, 5, 5}, entry), {-0.25, 2.0, -0.25}, false);

@@ -13,7 +13,6 @@
 namespace rubble {
 namespace {
 
-constexpr double kGravity = 9.81;
 const glm::dquat kXToZ = glm::angleAxis(-0.5 * kPi, glm::dvec3(0.0, 1.0, 0.0));
 
 /// A rod on a hinge along z at its end, without gravity. Returns the share of its spin that it has after 10 s.

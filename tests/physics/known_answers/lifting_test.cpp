@@ -13,7 +13,6 @@ namespace {
 
 using namespace known;
 
-constexpr double kGravity = 9.81;
 const std::array<PhysicsSettings, 3> kPresets = {fastPhysics(), balancedPhysics(), accuratePhysics()};
 
 /// A cube of 0.4 m on a vertical slider whose motor has `share` times its weight.

@@ -20,8 +20,6 @@
 namespace rubble {
 namespace {
 
-constexpr double kGravity = 9.81;
-
 /// Steps until a coordinate changes its sign a second time; seconds between the two, or 0.
 double halfPeriod(PhysicsScene& scene, double limit, const std::function<double()>& coordinate) {
     double first = -1.0, last = coordinate();

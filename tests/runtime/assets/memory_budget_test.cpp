@@ -16,6 +16,7 @@
 #include "runtime/assets/vox_import.h"
 #include "runtime/world/world.h"
 #include "tests/runtime/assets/broken_world.h"
+#include "tests/runtime/assets/padding.h"
 #include "tests/runtime/assets/vox_writer.h"
 #include "tests/support/allocation_count.h"
 
@@ -38,20 +39,6 @@ void PrintTo(const Bomb& bomb, std::ostream* out) {
 template <class Value>
 std::string errorOf(const Result<Value>& result) {
     return result ? "" : result.error();
-}
-
-/// The file without the chunk that writers add so that it can be read.
-Bytes withoutPadding(Bytes file) {
-    const std::array<char, 4> kind{'P', 'A', 'D', ' '};
-    const auto padding = std::search(file.begin(), file.end(), kind.begin(), kind.end());
-    if (padding == file.end()) return file;
-    file.erase(padding, file.end());
-    uint32_t chunks = 0;
-    uint64_t hash = 0;
-    std::memcpy(&chunks, file.data() + 12, 4), std::memcpy(&hash, file.data() + 16, 8);
-    const FileHeader header = makeFileHeader(chunks - 1, hash);
-    std::memcpy(file.data(), &header, sizeof header);
-    return file;
 }
 
 /// `change(state, count)` puts so many of something into a saved game.

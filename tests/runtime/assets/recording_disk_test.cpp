@@ -16,7 +16,7 @@ namespace {
 
 using namespace test;
 
-SavedGame gameOf(const World& world) {
+SavedGame gameWithoutEdits(const World& world) {
     return {world.state(), {}};
 }
 
@@ -24,7 +24,7 @@ TEST(RecordingFile, OnADiskThatFillsTheStepsBeforeAreKeptAndTheFirstReasonIsRepo
     const TempFolder folder;
     const World world = brokenWorld();
     const std::string path = folder / "full.rubblelog";
-    Result<RecordingWriter> writer = RecordingWriter::open(path, gameOf(world));
+    Result<RecordingWriter> writer = RecordingWriter::open(path, gameWithoutEdits(world));
     ASSERT_TRUE(writer);
     writer->add({.step = world.step() + 1, .delta = std::vector<uint8_t>(100, 7)});
     const Result<Done> closed = [&] {
@@ -48,7 +48,7 @@ TEST(RecordingFile, AFullDiskIsKnownAtOnce) {
     const World world = brokenWorld();
     const Result<RecordingWriter> writer = [&] {
         const FileSizeLimit limit(1000);
-        return RecordingWriter::open(folder / "full.rubblelog", gameOf(world));
+        return RecordingWriter::open(folder / "full.rubblelog", gameWithoutEdits(world));
     }();
     ASSERT_FALSE(writer);
     EXPECT_NE(writer.error().find("full.rubblelog: cannot write: File too large"), std::string::npos) << writer.error();
@@ -62,11 +62,11 @@ TEST(RecordingFile, NothingElseIsWrittenToItsFile) {
     std::filesystem::create_directory(folder.path() / "folder");
     const std::vector<uint8_t> bytes = {1, 2, 3};
     const auto check = [&](const std::string& path, const std::string& same) {
-        Result<RecordingWriter> writer = RecordingWriter::open(path, gameOf(world));
+        Result<RecordingWriter> writer = RecordingWriter::open(path, gameWithoutEdits(world));
         ASSERT_TRUE(writer) << writer.error();
         for (const std::string& name : {path, same}) {
             const Result<Done> saved = writeFileAtomically(name, bytes, 100);
-            const auto other = RecordingWriter::open(name, gameOf(world));
+            const auto other = RecordingWriter::open(name, gameWithoutEdits(world));
             ASSERT_FALSE(saved || other) << name;
             EXPECT_NE(saved.error().find("found one that a recording is being written to"), std::string::npos);
             EXPECT_EQ(saved.error(), other.error());

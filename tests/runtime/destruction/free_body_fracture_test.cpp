@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kTensile = 2.6e6;
+constexpr double kTensileStrength = 2.6e6;
 
 /// A concrete beam along an axis, and the force across it that has the bending moment force * length / divisor.
 struct Beam {
@@ -23,7 +23,7 @@ struct Beam {
     }
     double force(double divisor) const {
         const double d = depth * fixture.voxelSize, l = length * fixture.voxelSize;
-        return kTensile * d * d * d / 6.0 / l * divisor;
+        return kTensileStrength * d * d * d / 6.0 / l * divisor;
     }
     std::vector<FracturePlane> hit(int at, double newtons, uint32_t seed = 1) const {
         ImpactForce impact{glm::ivec3(offset + depth / 2), glm::dvec3(0.0)};

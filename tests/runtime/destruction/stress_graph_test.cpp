@@ -12,8 +12,8 @@
 namespace rubble {
 namespace {
 
-/// A wall with windows, whose bricks have several nodes each.
-StressFixture wall() {
+/// A wallWithWindows with windows, whose bricks have several nodes each.
+StressFixture wallWithWindows() {
     StressFixture f({64, 64, 8});
     f.anchor({{0, 0, 0}, {64, 4, 8}});
     f.fill({{0, 4, 0}, {64, 64, 8}});
@@ -43,7 +43,7 @@ auto bondsOf(const StressGraph& graph) {
 }
 
 TEST(StressGraph, ChangedBrickByBrickIsAsMadeAtOnce) {
-    StressFixture f = wall();
+    StressFixture f = wallWithWindows();
     StressGraph changed, whole;
     setAll(changed, f);
     const size_t bonds = bondsOf(changed).size();
@@ -59,7 +59,7 @@ TEST(StressGraph, ChangedBrickByBrickIsAsMadeAtOnce) {
 }
 
 TEST(StressGraph, ToChangeABrickAgainTakesNoMemory) {
-    const StressFixture f = wall();
+    const StressFixture f = wallWithWindows();
     StressGraph graph;
     setAll(graph, f);
     setAll(graph, f);

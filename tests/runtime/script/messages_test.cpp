@@ -4,7 +4,6 @@
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 
 #include "runtime/script/functions/vocabulary.h"
 #include "tests/runtime/script/yard_fixture.h"
@@ -53,19 +52,10 @@ std::string rightValue(const std::string& parameter) {
     return found == kValues.end() ? "0.5" : found->second;
 }
 
-std::vector<std::string> parametersOf(const ScriptFunction& function) {
-    const std::string signature = function.signature;
-    const size_t begin = signature.find('(') + 1;
-    std::string list = signature.substr(begin, signature.find(')') - begin);
-    std::replace(list.begin(), list.end(), ',', ' ');
-    std::istringstream words(list);
-    return {std::istream_iterator<std::string>(words), {}};
-}
-
 /// Calls with one wrong argument each. Those behind it are left out, or right.
 std::set<std::string> wrongCalls(const ScriptFunction& function) {
     std::set<std::string> calls;
-    const std::vector<std::string> parameters = parametersOf(function);
+    const std::vector<std::string> parameters = function.parameters();
     for (size_t wrong = 0; wrong < parameters.size(); ++wrong)
         for (const char* value : kWrong) {
             std::string arguments;
@@ -101,7 +91,7 @@ TEST_P(MessageTest, NamesAParameterOfTheFunction) {
     Yard yard;
     size_t messages = 0;
     for (const ScriptFunction& function : GetParam()->functions) {
-        const std::vector<std::string> parameters = parametersOf(function);
+        const std::vector<std::string> parameters = function.parameters();
         const std::string name = function.name() + ": ";
         if (function.name() == "start" || function.name() == "require") continue;  // of no numbers
         for (const std::string& call : wrongCalls(function)) {

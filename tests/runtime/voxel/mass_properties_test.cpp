@@ -17,14 +17,14 @@ Palette paletteOf(std::initializer_list<const char*> names) {
     return palette;
 }
 
-VoxelGrid randomGrid(glm::ivec3 size, uint64_t seed) {
+VoxelGrid randomGridOfSize(glm::ivec3 size, uint64_t seed) {
     Random random(seed);
     return gridOf(size, [&](glm::ivec3) { return uint8_t(random.below(3)); });
 }
 
 TEST(MassMoments, EqualABruteForceSum) {
     const Palette palette = paletteOf({"wood", "metal"});
-    const VoxelGrid grid = randomGrid({19, 33, 10}, 3);
+    const VoxelGrid grid = randomGridOfSize({19, 33, 10}, 3);
     MassMoments expected;
     for (int z = 0; z < 10; ++z)
         for (int y = 0; y < 33; ++y)
@@ -57,7 +57,7 @@ TEST(MassMoments, OfSomeVoxelsOfABrickEqualABruteForceSum) {
 
 TEST(MassMoments, ShiftIsExactAndReversible) {
     const Palette palette = paletteOf({"wood", "metal"});
-    const MassMoments moments = gridMoments(randomGrid({16, 16, 16}, 4), palette, defaultMaterials());
+    const MassMoments moments = gridMoments(randomGridOfSize({16, 16, 16}, 4), palette, defaultMaterials());
     EXPECT_EQ(moments.shifted({1000, -24, 8}).shifted({-1000, 24, -8}), moments);
     EXPECT_NE(moments.shifted({1, 0, 0}), moments);
 }
@@ -79,7 +79,7 @@ TEST(MassProperties, OfASolidBoxMatchTheFormula) {
 
 TEST(MassProperties, PrincipalAxesReproduceTheTensor) {
     const Palette palette = paletteOf({"wood", "metal"});
-    VoxelGrid grid = randomGrid({30, 12, 7}, 9);
+    VoxelGrid grid = randomGridOfSize({30, 12, 7}, 9);
     const MassProperties mass = massProperties(gridMoments(grid, palette, defaultMaterials()), 0.1);
     const glm::dmat3 axes = glm::mat3_cast(mass.principalAxes);
     const glm::dmat3 diagonal(mass.principalInertia.x, 0, 0, 0, mass.principalInertia.y, 0, 0, 0,

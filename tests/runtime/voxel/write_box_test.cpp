@@ -17,7 +17,7 @@ uint8_t paintOf(const VoxelGrid& grid, glm::ivec3 cell) {
     return brick ? brick->paintAt(voxelIndex(cellInBrick(cell))) : uint8_t(0);
 }
 
-VoxelGrid randomGrid(Random& random) {
+VoxelGrid randomGridOfRandomSize(Random& random) {
     VoxelGrid grid({kSide, kSide, kSide});
     GridWriter writer(grid);
     for (int i = 0; i < kSide * kSide * kSide; ++i)
@@ -30,7 +30,7 @@ VoxelGrid randomGrid(Random& random) {
 TEST(WrittenBrick, IsWhatWritingCellByCellMakes) {
     Random random(11);
     for (int i = 0; i < 60; ++i) {
-        VoxelGrid grid = randomGrid(random), expected = grid;
+        VoxelGrid grid = randomGridOfRandomSize(random), expected = grid;
         CellBox box;
         for (int a = 0; a < 3; ++a) {
             box.low[a] = random.between(0, kSide - 1);

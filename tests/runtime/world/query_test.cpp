@@ -31,7 +31,7 @@ struct Cube {
     double distance(glm::dvec3 point) const { return glm::length(point - closest(point)); }
 };
 
-struct Scene {
+struct CubeScene {
     World world;
     std::vector<Cube> cubes;
 };
@@ -50,7 +50,7 @@ glm::dquat turn(Random& random) {
     return glm::angleAxis(between(random, 0.0, 6.28), axis);
 }
 
-Scene randomScene(uint64_t seed) {
+CubeScene randomScene(uint64_t seed) {
     Random random(seed);
     Level level = oneShapeLevel(VoxelGrid({1, 1, 1}), true);
     level.bodies.clear();
@@ -72,7 +72,7 @@ Scene randomScene(uint64_t seed) {
         body.shapes[0].collisionLayer = uint8_t(1 << (i % 3));
         level.bodies.push_back(std::move(body));
     }
-    Scene scene;
+    CubeScene scene;
     scene.world.load(level);
     scene.world.shapes().forEach([&](ShapeHandle handle, const Shape& shape) {
         const Pose pose = shapeToWorld(scene.world, handle);
@@ -135,7 +135,7 @@ bool boxesMeet(const Cube& cube, const QueryShape& box) {
     return false;
 }
 
-bool boxMeetsAny(const Scene& scene, QueryShape box, glm::dvec3 moved) {
+bool boxMeetsAny(const CubeScene& scene, QueryShape box, glm::dvec3 moved) {
     box.position += moved;
     return std::any_of(scene.cubes.begin(), scene.cubes.end(), [&](const Cube& cube) {
         return glm::length(cube.middle - box.position) < glm::length(box.halfSize) + 2.0 * cube.half &&
@@ -151,7 +151,7 @@ double distanceTo(const Cube& cube, const QueryShape& shape, glm::dvec3 moved) {
 }
 
 /// The first time of contact, by conservative advancement: steps of the distance to the nearest cube. Infinite: none.
-double firstTouch(const Scene& scene, const QueryShape& shape, glm::dvec3 direction, double maxDistance,
+double firstTouch(const CubeScene& scene, const QueryShape& shape, glm::dvec3 direction, double maxDistance,
                   double accuracy) {
     const WorldBox bounds = shape.bounds();
     const glm::dvec3 middle = (bounds.low + bounds.high) * 0.5;
@@ -185,7 +185,7 @@ TEST(Query, RaysMatchBruteForce) {
     Random random(1);
     int hits = 0;
     for (uint64_t seed = 0; seed < 5; ++seed) {
-        const Scene scene = randomScene(seed);
+        const CubeScene scene = randomScene(seed);
         for (int i = 0; i < 2000; ++i) {
             const glm::dvec3 origin = pointIn(random, 4.0), direction = glm::normalize(pointIn(random, 1.5) - origin);
             const double maxDistance = between(random, 1.0, 8.0);
@@ -217,7 +217,7 @@ void checkCasts(QueryShapeKind kind, int casts, double accuracy) {
     Random random(uint64_t(kind) + 10);
     int hits = 0;
     for (uint64_t seed = 0; seed < 4; ++seed) {
-        const Scene scene = randomScene(seed + 20);
+        const CubeScene scene = randomScene(seed + 20);
         for (int i = 0; i < casts / 4; ++i) {
             const glm::dvec3 from = pointIn(random, i % 10 ? 4.0 : 1.5);
             const QueryShape shape = randomShape(random, kind, from);
@@ -319,7 +319,7 @@ TEST(Query, BoxCastsStopAtTheFirstContact) {
     Random random(6);
     int hits = 0;
     for (uint64_t seed = 0; seed < 4; ++seed) {
-        const Scene scene = randomScene(seed + 30);
+        const CubeScene scene = randomScene(seed + 30);
         for (int i = 0; i < 500; ++i) {
             const glm::dvec3 from = pointIn(random, i % 10 ? 4.0 : 1.5);
             const QueryShape box = randomShape(random, QueryShapeKind::Box, from);
@@ -348,7 +348,7 @@ TEST(Query, OverlapsMatchBruteForce) {
     Random random(3);
     int found = 0, missed = 0;
     for (uint64_t seed = 0; seed < 4; ++seed) {
-        const Scene scene = randomScene(seed + 40);
+        const CubeScene scene = randomScene(seed + 40);
         for (int i = 0; i < 150; ++i) {
             const QueryShape shape = randomShape(random, QueryShapeKind(i % 3), pointIn(random, 1.8));
             const std::vector<ShapeHandle> shapes = overlappingShapes(scene.world, shape);
@@ -373,7 +373,7 @@ TEST(Query, OverlapsMatchBruteForce) {
 
 TEST(Query, ClosestPointMatchesBruteForce) {
     Random random(4);
-    const Scene scene = randomScene(60);
+    const CubeScene scene = randomScene(60);
     for (int i = 0; i < 1000; ++i) {
         const glm::dvec3 point = pointIn(random, 3.0);
         double expected = 2.0;
@@ -434,7 +434,7 @@ TEST(Query, FiltersRejectShapes) {
 }
 
 TEST(Query, BatchesMatchSingleQueriesOnAnyThreadCount) {
-    const Scene scene = randomScene(80);
+    const CubeScene scene = randomScene(80);
     Random random(5);
     std::vector<RayQuery> rays;
     for (int i = 0; i < 1500; ++i) {
@@ -466,7 +466,7 @@ TEST(Query, BatchesMatchSingleQueriesOnAnyThreadCount) {
 /// In a batch a ray is answered from what all of them share; alone, or among too few, it is not. Very many are answered
 /// in another order.
 TEST(Query, BatchesOfAnySizeMatchSingleQueriesWithFilters) {
-    const Scene scene = randomScene(120);
+    const CubeScene scene = randomScene(120);
     Random random(6);
     std::vector<RayQuery> rays;
     for (int i = 0; i < 1300; ++i) {

@@ -60,7 +60,7 @@ uint64_t baselineHash(const WorldBaseline& baseline) {
     return resolvedHash(world);
 }
 
-void expectSound(const World& world) {
+void expectShapesSound(const World& world) {
     EXPECT_TRUE(voxelAccounting(world).balances());
     world.shapes().forEach([&](ShapeHandle handle, const Shape& shape) {
         EXPECT_EQ(shape.moments, gridMoments(shape.grid, *shape.palette, world.materials()));
@@ -101,7 +101,7 @@ TEST(UndoHistory, UndoAndRedoReachEveryMark) {
         for (size_t i = atMark.size(); i-- > 0;) {
             step({kUndo});
             EXPECT_EQ(resolvedHash(world), atMark[i]) << "seed " << seed << ", undo of " << i;
-            expectSound(world);
+            expectShapesSound(world);
             settle(0.003);  // motion between two undos is undone too
         }
         EXPECT_TRUE(world.applyEdits({kUndo}).empty());
@@ -251,7 +251,7 @@ TEST(UndoHistory, TheJournalOfAnUndoAndOtherEditsOfItsShapesInOneStepDescribesTh
                 expectTrueJournal(changes, world);
                 baseline.update(world, changes);
                 EXPECT_EQ(baselineHash(baseline), resolvedHash(world));
-                expectSound(world);
+                expectShapesSound(world);
             };
             step({kMark, PaintEdit{.position = {2.3, 1.6, 1.6}, .radius = 1.0}, sphereCarve({2.3, 1.6, 1.6}, 0.4)});
             if (isRedo) step({kUndo});
@@ -438,7 +438,7 @@ TEST(UndoHistory, VoxelsOfAnotherMaterialAreListedAsCarved) {
     EXPECT_TRUE(isCarved(world.applyEdits({kMark, WriteVoxelsEdit{shape, {cell, cell + 1}, {other}}})));
     EXPECT_TRUE(isCarved(world.applyEdits({kUndo}))) << "it weighs as before";
     EXPECT_TRUE(isCarved(world.applyEdits({kRedo})));
-    expectSound(world);
+    expectShapesSound(world);
 }
 
 TEST(UndoHistory, DropsTheDamageOfImpactsThatItUndoes) {
