@@ -85,14 +85,32 @@ STANDARD = {
     'optional': 'optional nullopt', 'span': 'span', 'string': 'string to_string', 'string_view': 'string_view',
     'unordered_map': 'unordered_map', 'variant': 'variant visit get_if', 'vector': 'vector',
 }
+LITERALS = {}  # of patterns: see literals_of()
 _HEADER_OF = {name: header for header, names in STANDARD.items() for name in names.split()}
 
 
+def literals_of(word):
+    """Texts in lower case of which a match of the pattern has one; empty: none is known."""
+    plain = re.sub(r'\[(\w)\]', r'\1', re.sub(r'\\[bdw]', ' ', word))
+    plain = re.sub(r'\w[?*]', ' ', plain)
+    longest = [max(re.findall(r'\w+', part), key=len, default='') for part in plain.split('|')]
+    return [text.lower() for text in longest] if all(len(text) > 2 for text in longest) else []
+
+
 def check_words(name, lines, refused):
-    pattern = re.compile('|'.join(f'(?P<w{i}>{word})' for i, word in enumerate(refused)))
+    # Most files have none of the texts: looking for these first takes a tenth of the time of the patterns.
+    text = '\n'.join(lines).lower()
+    words = {}
+    for word, advice in refused.items():
+        literals = LITERALS.setdefault(word, literals_of(word))
+        if not literals or any(literal in text for literal in literals):
+            words[word] = advice
+    if not words:
+        return
+    pattern = re.compile('|'.join(f'(?P<w{i}>{word})' for i, word in enumerate(words)))
     for number, line in enumerate(lines, 1):
         for match in pattern.finditer(line):
-            advice = list(refused.values())[int(match.lastgroup[1:])]
+            advice = list(words.values())[int(match.lastgroup[1:])]
             yield name, number, 'word', f'"{match.group(0)}" is not a word of ours or the field\'s: write {advice}'
 
 
