@@ -200,11 +200,17 @@ void FrameLoop::stepWith(const Edits& hostEdits) {
 }
 
 /// A step in which no time passes. Physics is rebuilt by the next one in which it does, so that what is played follows
-/// from the world alone.
+/// from the world alone. What impacts break waits for that one, unless an undo takes the impacts back.
 void FrameLoop::stepAlone(const Edits& hostEdits) {
     std::fill_n(m_times.ms.begin(), size_t(Stage::Apply), 0.0);
     m_followedStart = kFollowsNone;
+    Edits waiting = std::exchange(m_pending, {}), hostDamage = std::exchange(m_hostMotion.damage, {});
     applyEdits(hostEdits, World::Follows::Nothing);
+    if (m_changes.isRestored) {
+        std::erase_if(waiting, [](const Edit& edit) { return !edit.made; });
+        hostDamage.clear();
+    }
+    m_pending = std::move(waiting), m_hostMotion.damage = std::move(hostDamage);
     m_rebuildPhysics = true;
     recordMotion({}, {});
     publishStep({}, {});

@@ -55,6 +55,7 @@ public:
         if (!m_result.failure && m_isLoaded) stepAlone();
         if (!m_result.failure) endRecording();
         if (!m_result.failure) checkAll();
+        if (!m_result.failure) endScripts();
         if (m_world && m_result.failure) keepLastGame();
         if (m_world) m_api.get_state_hash(m_world, &m_result.hash);
         m_result.seconds = m_time.seconds();
@@ -101,6 +102,12 @@ private:
         m_scripts->add(m_settings.name + ".lua", m_settings.script,
                        {{"seed", std::to_string(m_settings.seed)}, {"steps", std::to_string(m_settings.steps)}});
         return record();
+    }
+
+    /// Calls destroy(), in which an error and what does not hold fail the run, as anywhere else.
+    void endScripts() {
+        m_scripts.reset();
+        if (!m_requests.unmet.empty()) fail("expect", m_requests.unmet);
     }
 
     void oneStep(int step) {

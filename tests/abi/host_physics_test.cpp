@@ -184,6 +184,23 @@ TEST_F(HostPhysics, AnImpactBreaksInTheNextStepWhereTheHostSaysThatTheBodyIs) {
     }
 }
 
+TEST_F(HostPhysics, ApplyEditsLeavesImpactsToTheNextStep) {
+    const rubble_body cube = makeCube(5.0, 10.0);
+    step();
+    const rubble_impact hit = hitOn(cube, 5.0, 10.4, 2e4);
+    ASSERT_EQ(api()->report_impacts(m_world, &hit, 1), RUBBLE_OK) << api()->get_last_error();
+    auto events = sized<rubble_events>();
+    for (int i = 0; i < 2; ++i) {
+        ASSERT_EQ(api()->apply_edits(m_world), RUBBLE_OK) << api()->get_last_error();
+        ASSERT_EQ(api()->get_events(m_world, &events), RUBBLE_OK);
+        EXPECT_EQ(events.removed_count + events.bodies_created_count, 0u);
+    }
+    step();
+    ASSERT_EQ(api()->get_events(m_world, &events), RUBBLE_OK);
+    EXPECT_GT(events.removed_count, 0u);
+    EXPECT_EQ(events.bodies_broken_count, 1u);
+}
+
 TEST_F(HostPhysics, ImpulsesOfEditsAreForTheHost) {
     const rubble_body cube = makeCube(5.0, 10.0);
     step();

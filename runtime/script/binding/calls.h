@@ -18,6 +18,11 @@ inline rubble_world worldOf(lua_State* L) {
     return ScriptContext::of(L).shared.world;
 }
 
+/// Whether a script has made it since the last step: its handle is valid, but there is nothing to read yet.
+inline bool isMadeInThisStep(lua_State* L, uint64_t object) {
+    return ScriptContext::of(L).shared.pending.created.contains(object);
+}
+
 /// Into a field of the interface, and out of one.
 template <size_t N>
 void copy(double (&to)[N], const std::array<double, N>& from) {

@@ -24,6 +24,7 @@ constexpr struct {
     {"color", "r g b intensity"},
     {"direction", "dir"},
     {"emission", "scale"},
+    {"end", "p1"},
     {"high", "max"},
     {"joules", "amount"},
     {"low", "min pos xmin ymin zmin"},
@@ -32,12 +33,14 @@ constexpr struct {
     {"motor_target", "velocity target"},
     {"object", "handle"},
     {"origin", "point"},
+    {"other", "bodyB"},
     {"owner", "body shape"},
-    {"position", "pos point origin transform p0"},
+    {"position", "pos point origin transform p0 pointA"},
     {"radii", "r0 r1 r2"},
-    {"rotation", "transform"},
+    {"rotation", "transform rot"},
     {"shape", "refShape list"},
     {"size", "xmax ymax zmax"},
+    {"speed", "pointA quatA"},
 };
 
 /// "wet_seconds" as "wetSeconds".
@@ -96,17 +99,18 @@ std::string parameterAt(lua_State* L, int index) {
 }
 
 std::string messageOf(lua_State* L, std::string message) {
-    constexpr std::string_view kIs = " is ", kExpected = ", expected ";
+    constexpr std::string_view kIs = " is ", kHas = " has ", kExpected = ", expected ";
     const std::string folder = ScriptContext::of(L).folder + "/";
     for (size_t at = 0; folder.size() > 1 && (at = message.find(folder, at)) != message.npos;)
         message.erase(at, folder.size());
     message = withoutFunction(message);
-    const size_t end = message.find(kIs), expected = message.find(kExpected), why = message.find(": ", expected);
+    const size_t is = message.find(kIs), has = message.find(kHas), end = std::min(is, has);
+    const size_t expected = message.find(kExpected), why = message.find(": ", expected);
     const std::string field = message.substr(0, end);
     const std::string parameter = end == message.npos || field.find(' ') != field.npos ? "" : parameterOf(L, field);
     if (parameter.empty()) return message;
     if (expected == message.npos) return parameter + message.substr(end);
-    const size_t value = end + kIs.size(), wanted = expected + kExpected.size();
+    const size_t value = end + (has < is ? kHas : kIs).size(), wanted = expected + kExpected.size();
     return parameter + ": expected " + message.substr(wanted, why == message.npos ? why : why - wanted) + ", found " +
            message.substr(value, expected - value) + (why == message.npos ? "" : message.substr(why));
 }

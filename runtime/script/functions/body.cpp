@@ -180,7 +180,8 @@ int setDynamic(lua_State* L) {
 
 int isBroken(lua_State* L) {
     auto properties = sized<rubble_body_properties>();
-    lua_pushboolean(L, !readProperties(L, properties) || properties.is_broken);
+    const bool isMade = isMadeInThisStep(L, handleAt(L, 1, "body"));
+    lua_pushboolean(L, !isMade && (!readProperties(L, properties) || properties.is_broken));
     return 1;
 }
 

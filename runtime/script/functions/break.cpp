@@ -118,7 +118,9 @@ void hit(lua_State* L, const rubble_hit& found, const Projectile& projectile, co
 }
 
 int shoot(lua_State* L) {
-    const Vector origin = vectorAt(L, 1, "origin"), along = normalized(vectorAt(L, 2, "dir"));
+    const Vector origin = vectorAt(L, 1, "origin"), given = vectorAt(L, 2, "dir"), along = normalized(given);
+    if (const double far = length(given); !(far > 0.0 && std::isfinite(far)))
+        refuseArgument(L, 2, "dir", "a direction that has a length");
     const Projectile& projectile = projectileAt(L, 3);
     const double strength = numberOr(L, 4, "strength", 1.0);
     if (!(strength > 0.0 && strength <= 100.0)) refuseArgument(L, 4, "strength", "a number above 0, at most 100");
@@ -211,7 +213,7 @@ int paint(lua_State* L) {
         edit.color[0] = 24, edit.color[1] = 21, edit.color[2] = 18;
     else
         refuseArgument(L, 3, "type", "\"spraycan\" or \"explosion\"");
-    const double probability = numberOr(L, 4, "probability", 1.0);
+    const double probability = finiteOr(L, 4, "probability", 1.0);
     if (probability <= 0.0) return 0;
     edit.strength = 190;
     edit.probability = partOf255(probability);
@@ -225,8 +227,8 @@ int paintRgba(lua_State* L) {
     auto edit = sized<rubble_paint>();
     const char* const names[] = {"r", "g", "b"};
     for (int i = 0; i < 3; ++i)
-        edit.color[i] = uint8_t(std::clamp(numberOr(L, 3 + i, names[i], 1.0) * 255.0 + 0.5, 0.0, 255.0));
-    const double opacity = numberOr(L, 6, "a", 1.0), probability = numberOr(L, 7, "probability", 1.0);
+        edit.color[i] = uint8_t(std::clamp(finiteOr(L, 3 + i, names[i], 1.0) * 255.0 + 0.5, 0.0, 255.0));
+    const double opacity = finiteOr(L, 6, "a", 1.0), probability = finiteOr(L, 7, "probability", 1.0);
     if (probability <= 0.0 || opacity <= 0.0) return 0;
     edit.strength = partOf255(opacity);
     edit.probability = partOf255(probability);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "runtime/script/binding/calls.h"
+#include "runtime/script/binding/messages.h"
 #include "runtime/script/binding/vector_math.h"
 #include "runtime/script/functions/vocabulary.h"
 
@@ -25,6 +26,14 @@ rubble_body_constraint constraintAt(lua_State* L, uint32_t kind) {
     return constraint;
 }
 
+/// A limit; 0: none.
+double limitAt(lua_State* L, int index) {
+    const std::string name = parameterAt(L, index);
+    const double limit = finiteOr(L, index, name.c_str(), 0.0);
+    if (limit < 0.0) refuseArgument(L, index, name.c_str(), "0 (no limit) or more");
+    return limit;
+}
+
 /// Holds all three components of a velocity: at most `fastest` of it, by an impulse of at most `strongest`; 0: no
 /// limit.
 void holdAll(lua_State* L, rubble_body_constraint constraint, Vector velocity, double fastest, double strongest) {
@@ -44,8 +53,7 @@ int position(lua_State* L) {
     rubble_body_constraint constraint = constraintAt(L, RUBBLE_CONSTRAINT_VELOCITY);
     const Vector from = vectorAt(L, 3, "pointA"), to = vectorAt(L, 4, "pointB");
     copy(constraint.position, from);
-    holdAll(L, constraint, (to - from) * kStepsPerSecond, numberOr(L, 5, "maxVel", 0.0),
-            numberOr(L, 6, "maxImpulse", 0.0));
+    holdAll(L, constraint, (to - from) * kStepsPerSecond, limitAt(L, 5), limitAt(L, 6));
     return 0;
 }
 
@@ -56,17 +64,18 @@ int orientation(lua_State* L) {
         for (double& each : turn) each = -each;  // the shorter way
     const Vector axis{turn[0], turn[1], turn[2]};
     const double sine = length(axis), angle = 2.0 * std::atan2(sine, turn[3]);
-    holdAll(L, constraint, axis * (sine > 1e-12 ? angle * kStepsPerSecond / sine : 0.0),
-            numberOr(L, 5, "maxAngVel", 0.0), numberOr(L, 6, "maxAngImpulse", 0.0));
+    holdAll(L, constraint, axis * (sine > 1e-12 ? angle * kStepsPerSecond / sine : 0.0), limitAt(L, 5), limitAt(L, 6));
     return 0;
 }
 
 /// One component of a velocity; `first`: the argument of the direction, before speed, least and most impulse.
 int holdOne(lua_State* L, rubble_body_constraint constraint, int first) {
     copy(constraint.direction, vectorAt(L, first, "dir"));
-    constraint.speed = numberAt(L, first + 1, "relVel");
-    constraint.min_force = forceOf(numberOr(L, first + 2, "minImpulse", 0.0));
-    constraint.max_force = forceOf(numberOr(L, first + 3, "maxImpulse", 0.0));
+    const auto numberOf = [&](int index) { return finiteOr(L, index, parameterAt(L, index).c_str(), 0.0); };
+    constraint.speed = finiteAt(L, first + 1, parameterAt(L, first + 1).c_str());
+    const double low = numberOf(first + 2), high = numberOf(first + 3);
+    if (low > high) refuseArgument(L, first + 2, parameterAt(L, first + 2).c_str(), "at most the largest impulse");
+    constraint.min_force = forceOf(low), constraint.max_force = forceOf(high);
     isDone(L, apiOf(L).constrain_bodies(worldOf(L), &constraint));
     return 0;
 }

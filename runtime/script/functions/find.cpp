@@ -176,8 +176,7 @@ int removeTag(lua_State* L) {
 int isHandleValid(lua_State* L) {
     const uint64_t object = handleAt(L, 1, "handle");
     uint64_t value = 0;
-    lua_pushboolean(L, apiOf(L).get_user_value(worldOf(L), object, &value) == RUBBLE_OK ||
-                           ScriptContext::of(L).shared.pending.created.count(object));
+    lua_pushboolean(L, apiOf(L).get_user_value(worldOf(L), object, &value) == RUBBLE_OK || isMadeInThisStep(L, object));
     return 1;
 }
 

@@ -19,8 +19,7 @@ std::vector<double> pointsOf(lua_State* L) {
 int isBroken(lua_State* L) {
     const rubble_joint joint = handleAt(L, 1, "joint");
     uint64_t value = 0;
-    const bool isThere = apiOf(L).get_user_value(worldOf(L), joint, &value) == RUBBLE_OK ||
-                         ScriptContext::of(L).shared.pending.created.count(joint);
+    const bool isThere = apiOf(L).get_user_value(worldOf(L), joint, &value) == RUBBLE_OK || isMadeInThisStep(L, joint);
     lua_pushboolean(L, !isThere);
     return 1;
 }

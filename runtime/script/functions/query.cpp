@@ -78,7 +78,7 @@ uint64_t rejectedAt(lua_State* L, int index, const char* name, uint32_t kind) {
     if (!handle) return 0;
     const rubble_result result = kind == RUBBLE_KIND_BODY ? apiOf(L).get_body_state(worldOf(L), handle, &body)
                                                           : apiOf(L).get_shape_state(worldOf(L), handle, &shape);
-    if (result == RUBBLE_OK || ScriptContext::of(L).shared.pending.created.contains(handle)) return handle;
+    if (result == RUBBLE_OK || isMadeInThisStep(L, handle)) return handle;
     return isDone(L, result) ? handle : 0;
 }
 

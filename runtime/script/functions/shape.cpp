@@ -171,7 +171,8 @@ int setCollisionFilter(lua_State* L) {
 
 int isBroken(lua_State* L) {
     auto properties = sized<rubble_shape_properties>();
-    lua_pushboolean(L, !readProperties(L, properties) || properties.is_broken);
+    const bool isMade = isMadeInThisStep(L, handleAt(L, 1, "shape"));
+    lua_pushboolean(L, !isMade && (!readProperties(L, properties) || properties.is_broken));
     return 1;
 }
 

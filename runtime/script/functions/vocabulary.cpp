@@ -1,6 +1,7 @@
 #include "runtime/script/functions/vocabulary.h"
 
 #include <chrono>
+#include <functional>
 #include <optional>
 
 namespace rubble::script {
@@ -28,6 +29,12 @@ private:
     uint64_t m_allocations;
 };
 
+bool isOfHost(const ScriptWorld& shared, const ScriptFunction& function) {
+    const std::less_equal<const ScriptFunction*> isNotAfter;
+    const std::span<const ScriptFunction> functions = shared.hostFunctions;
+    return !functions.empty() && isNotAfter(functions.data(), &function) && isNotAfter(&function, &functions.back());
+}
+
 /// Calls the function of a row. Upvalues: the row, its number in the vocabulary, or -1.
 int callFunction(lua_State* L) {
     Sandbox& box = Sandbox::of(L);
@@ -38,6 +45,8 @@ int callFunction(lua_State* L) {
     if (index < 0) return function.function(L);
     ScriptContext& context = *static_cast<ScriptContext*>(box.owner());
     ++context.calls[size_t(index)];
+    // In destroy() after a load: what the host's functions work on belongs to the world that came.
+    if (!context.shared.world && isOfHost(context.shared, function)) return 0;
     std::optional<CostMeter> meter;
     if (!context.costs.empty()) meter.emplace(box, context.costs[size_t(index)]);
     CallObserver* const observer = context.shared.observer;

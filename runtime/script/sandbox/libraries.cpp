@@ -14,6 +14,7 @@ int chargeThenCall(lua_State* L) {
     for (int i = lua_gettop(L); i > 0; --i)
         if (lua_type(L, i) == LUA_TSTRING) work += int64_t(lua_rawlen(L, i) >> 4);
     Sandbox::of(L).charge(L, work);
+    Sandbox::of(L).makeRoom(L);
     return lua_tocfunction(L, lua_upvalueindex(1))(L);
 }
 

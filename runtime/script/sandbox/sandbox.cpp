@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <new>
+#include <utility>
 
 #include "runtime/script/sandbox/libraries.h"
 
@@ -78,7 +79,12 @@ std::string placeOf(lua_State* L) {
 }
 
 Sandbox::Sandbox(const SandboxLimits& limits, void* owner, SharedMemory* shared)
-    : m_limits(limits), m_owner(owner), m_shared(shared), m_callWork(limits.work), m_workLeft(limits.work) {
+    : m_limits(limits),
+      m_owner(owner),
+      m_shared(shared ? *shared : m_own),
+      m_callWork(limits.work),
+      m_workLeft(limits.work) {
+    m_sharedRefusals = m_shared.refusals;
     beginFrame();
     m_state = lua_newstate(allocate, this);
     if (!m_state) throw std::bad_alloc();
@@ -98,9 +104,9 @@ void* Sandbox::allocate(void* sandbox, void* block, size_t oldSize, size_t size)
     const size_t held = block ? oldSize : 0;
     Header* const header = block ? static_cast<Header*>(block) - 1 : nullptr;
     if (size == 0) {
-        if (header) box.m_blocks.give(header, oldSize + sizeof(Header));
+        if (header) box.m_shared.blocks.give(header, oldSize + sizeof(Header));
         box.m_memory -= held;
-        if (box.m_shared) box.m_shared->used -= held;
+        box.m_shared.used -= held;
         return nullptr;
     }
     if (size > held) {
@@ -109,13 +115,13 @@ void* Sandbox::allocate(void* sandbox, void* block, size_t oldSize, size_t size)
         box.m_workLeft -= kAllocationWork + int64_t(size >> 5);
         ++box.m_allocations;
     }
-    void* const found = header ? box.m_blocks.resize(header, oldSize + sizeof(Header), size + sizeof(Header))
-                               : box.m_blocks.take(size + sizeof(Header));
+    void* const found = header ? box.m_shared.blocks.resize(header, oldSize + sizeof(Header), size + sizeof(Header))
+                               : box.m_shared.blocks.take(size + sizeof(Header));
     if (!found && size > held) return nullptr;
     auto* const moved = found ? static_cast<Header*>(found) : header;  // Lua relies on it that a block can shrink
     if (!header) moved->number = box.m_allocations;
     box.m_memory += size - held;
-    if (box.m_shared) box.m_shared->used += size - held;
+    box.m_shared.used += size - held;
     box.m_peak = std::max(box.m_peak, box.m_memory);
     return moved + 1;
 }
@@ -130,14 +136,27 @@ bool Sandbox::mayGrow(size_t kind, size_t size, size_t growth) {
     else if (size >= kLargeBlock && isLate())
         m_refusal = timeLimit();
     else if (m_memory + growth > m_limits.memory + m_reserve)
-        m_refusal = "more than its " + bytes(m_limits.memory) + " of memory";
-    else if (m_state && m_shared && m_shared->used + growth > SharedMemory::kScripts * m_limits.memory + m_reserve)
-        m_refusal = "more than the " + bytes(SharedMemory::kScripts * m_limits.memory) + " of memory of all scripts";
+        m_isFull = true, m_refusal = "more than its " + bytes(m_limits.memory) + " of memory";
+    else if (m_state && m_shared.used + growth > SharedMemory::kScripts * m_limits.memory + m_reserve)
+        ++m_shared.refusals, m_refusal = "more than the " + bytes(SharedMemory::kScripts * m_limits.memory) +
+                                         " of memory of all scripts";
     else
         return true;
     m_refusal = "the script wanted " + m_refusal;
     m_workLeft -= int64_t(m_memory >> 5);  // Lua collects all garbage before it gives up
     return false;
+}
+
+void Sandbox::makeRoom(lua_State* L) {
+    const size_t wanted = m_memory + 2 * m_limits.longestString;
+    if (wanted <= m_limits.memory || m_memory <= m_collected + m_limits.longestString / 4) return;
+    charge(L, int64_t(m_memory >> 5));
+    collect(L);
+}
+
+void Sandbox::collect(lua_State* L) {
+    lua_gc(L, LUA_GCCOLLECT);
+    m_collected = m_memory;
 }
 
 void Sandbox::watch(lua_State* thread) const {
@@ -200,6 +219,9 @@ void Sandbox::raiseStop(lua_State* L) {
 }
 
 void Sandbox::beginFrame() {
+    const bool isFull = std::exchange(m_isFull, false) || m_sharedRefusals != m_shared.refusals;
+    m_sharedRefusals = m_shared.refusals;
+    if (isFull && m_memory > m_collected + m_collected / 8) collect(m_state);
     m_frameWork = std::max(m_limits.work, m_limits.workPerFrame);
     m_frameSeconds = 0.0;
 }

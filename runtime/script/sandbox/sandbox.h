@@ -25,7 +25,9 @@ struct SandboxLimits {
 struct SharedMemory {
     static constexpr size_t kScripts = 16;  ///< they may hold as much as so many of them may
 
-    size_t used = 0;  ///< bytes
+    size_t used = 0;        ///< bytes
+    uint64_t refusals = 0;  ///< how often a script wanted more than they may hold together
+    BlockCache blocks;      ///< that wait to be used again: in all as many bytes as one cache may keep
 };
 
 /// What a call into a script came to.
@@ -67,7 +69,8 @@ public:
     /// The limits.
     const SandboxLimits& limits() const { return m_limits; }
 
-    /// From here on all calls together have the work of a frame.
+    /// From here on all calls together have the work of a frame. Garbage is collected if the memory did not suffice in
+    /// the one before.
     void beginFrame();
     /// Starts or goes on with a coroutine, as lua_resume() does, under new limits of work and time: for a start the
     /// function and its arguments lie on its stack. A thread that has failed is ready for another start.
@@ -76,6 +79,9 @@ public:
     /// why.
     bool prepare(lua_CFunction function, void* argument);
 
+    /// Collects garbage where the memory may not suffice for a long text: Lua does it before it gives up an object, but
+    /// not for what a text is put together in. For functions that make texts, at their begin.
+    void makeRoom(lua_State* L);
     /// Counts work of a function of C, before it is done. Stops the script if that is more than it has left.
     void charge(lua_State* L, int64_t work) {
         if (work > m_workLeft) stopForWork(L);
@@ -136,6 +142,7 @@ private:
     static void* allocate(void* sandbox, void* block, size_t oldSize, size_t size);
     static void onCount(lua_State* L, lua_Debug*);
     [[noreturn]] void stopForWork(lua_State* L);
+    void collect(lua_State* L);
     bool mayGrow(size_t kind, size_t size, size_t growth);
     void beginCall(int64_t work);
     double lateSeconds() const;
@@ -146,19 +153,22 @@ private:
 
     SandboxLimits m_limits;
     void* m_owner;
-    SharedMemory* m_shared;
+    SharedMemory m_own;  ///< of a script that shares none
+    SharedMemory& m_shared;
     int64_t m_callWork, m_workLeft;  ///< of the present call: all, and what is left
     int64_t m_frameWork;             ///< what is left of it for calls to come
     double m_frameSeconds = 0.0;     ///< processor time of slow calls of the frame
     size_t m_memory = 0, m_peak = 0;
     bool m_isHost = false;
-    size_t m_reserve = 0;  ///< bytes above the limit, with which an error is told
+    bool m_isFull = false;          ///< it wanted more memory than it may have
+    uint64_t m_sharedRefusals = 0;  ///< those of all scripts when it last collected its garbage
+    size_t m_collected = 0;         ///< bytes that were left when its garbage was last collected for lack of memory
+    size_t m_reserve = 0;           ///< bytes above the limit, with which an error is told
     uint64_t m_allocations = 0;
     double m_startedAt = -1.0;  ///< processor time when the present call was first slow; negative: it never was
     int64_t m_lastLookAt = 0;   ///< nanoseconds of the steady clock
     std::string m_stopReason, m_refusal;
     std::unordered_set<const lua_State*> m_protected;
-    BlockCache m_blocks;
     lua_State* m_state = nullptr;
 };
 

@@ -155,6 +155,7 @@ int gsub(lua_State* L) {
     luaL_argexpected(L, kind == LUA_TNUMBER || kind == LUA_TSTRING || kind == LUA_TFUNCTION || kind == LUA_TTABLE, 3,
                      "string/function/table");
     if (kind == LUA_TNUMBER) luaL_checkstring(L, 3);
+    Sandbox::of(L).makeRoom(L);
     const lua_Integer most = luaL_optinteger(L, 4, lua_Integer(text.size()) + 1);
     const bool isAnchored = !given.empty() && given[0] == '^';
     PatternMatcher matcher(L, text, given.substr(isAnchored));
@@ -192,6 +193,7 @@ int rep(lua_State* L) {
     }
     if (lua_Unsigned(count) > longest / (text.size() + separator) + 1)
         return luaL_error(L, "string.rep: the result is too long: expected at most %d bytes", int(longest));
+    Sandbox::of(L).makeRoom(L);
     return lua_tocfunction(L, lua_upvalueindex(1))(L);
 }
 
@@ -222,6 +224,7 @@ int format(lua_State* L) {
         }
     }
     Sandbox::of(L).charge(L, work);
+    Sandbox::of(L).makeRoom(L);
     return lua_tocfunction(L, lua_upvalueindex(1))(L);
 }
 

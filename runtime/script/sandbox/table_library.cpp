@@ -65,6 +65,7 @@ int concat(lua_State* L) {
     lua_replace(L, 3);
     lua_pushinteger(L, last);
     lua_replace(L, 4);
+    Sandbox::of(L).makeRoom(L);
     return lua_tocfunction(L, lua_upvalueindex(1))(L);
 }
 

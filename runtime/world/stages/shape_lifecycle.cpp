@@ -92,6 +92,7 @@ void detachToNewBody(EditContext& context, ShapeHandle handle) {
     body.pose = shapeToWorld(context.world, handle);
     body.shapes = {handle};
     body.createdStep = context.changes.step;
+    body.broken = context.world.shapes.at(handle).broken;
     inheritMotion(context.world.bodies.at(context.world.shapes.at(handle).body), body);
     const BodyHandle newBody = context.world.bodies.insert(std::move(body));
     Shape& shape = context.world.shapes.at(handle);

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <memory>
 #include <vector>
+
+#include "runtime/script/sandbox/sandbox.h"
 
 namespace rubble::script {
 namespace {
@@ -40,6 +43,20 @@ TEST(BlockCache, WhatItKeepsIsBounded) {
     EXPECT_EQ(cache.kept(), BlockCache::kMaxKept);
     cache.give(cache.take(1 << 20), 1 << 20);
     EXPECT_EQ(cache.kept(), BlockCache::kMaxKept) << "large blocks are not kept";
+}
+
+TEST(BlockCache, ManyScriptsKeepNoMoreThanOne) {
+    SharedMemory shared;
+    std::vector<std::unique_ptr<Sandbox>> boxes;
+    for (int i = 0; i < 8; ++i) {
+        Sandbox& box = *boxes.emplace_back(std::make_unique<Sandbox>(SandboxLimits{}, nullptr, &shared));
+        lua_State* const thread = lua_newthread(box.state());
+        ASSERT_EQ(luaL_loadstring(thread, "local t = {} for i = 1, 20000 do t[i] = {i} end"), LUA_OK);
+        ASSERT_EQ(box.run(thread, 0).state, RunResult::Done);
+    }
+    boxes.clear();
+    EXPECT_EQ(shared.used, 0u);
+    EXPECT_EQ(shared.blocks.kept(), BlockCache::kMaxKept);
 }
 
 }  // namespace

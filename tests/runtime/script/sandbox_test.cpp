@@ -211,5 +211,12 @@ TEST_F(SandboxTest, AWaitingThreadGoesOn) {
     EXPECT_EQ(lua_tointeger(thread, -1), 42);
 }
 
+TEST_F(SandboxTest, GarbageMakesRoomForLongTexts) {
+    EXPECT_EQ(run("local x = {} for i = 1, 70 do x[i] = ('x'):rep(200000) .. i end return #x"), "70");
+    run("pcall(function() local x = {} for i = 1, 200 do x[i] = ('x'):rep(200000) .. i end end)");
+    m_box.beginFrame();
+    EXPECT_LT(m_box.memoryUsed(), size_t(1) << 20) << "what was wanted and did not fit is gone";
+}
+
 }  // namespace
 }  // namespace rubble::script

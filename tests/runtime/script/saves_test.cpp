@@ -216,6 +216,27 @@ TEST(ScriptSaves, ALoadAndALevelCallDestroyWhichDoesNotChangeTheWorldThatComes) 
     EXPECT_LT(environment.gravity[1], 0.0);
 }
 
+int countCalls(lua_State* L) {
+    ++*static_cast<int*>(ScriptContext::of(L).shared.host);
+    return 0;
+}
+
+TEST(ScriptSaves, AfterALoadDestroyCallsNoFunctionOfTheHost) {
+    Yard yard;
+    int calls = 0;
+    const ScriptFunction functions[] = {{"SaveGame(name)", "Counts.", countCalls}};
+    ScriptHostSettings settings;
+    settings.functions = functions, settings.host = &calls;
+    {
+        ScriptHost host(yard.api(), yard.world(), settings);
+        host.add("mod.lua", "SaveGame() function destroy() SaveGame() end");
+        EXPECT_EQ(calls, 1);
+        host.load();
+        EXPECT_EQ(calls, 2) << "its text runs again";
+    }
+    EXPECT_EQ(calls, 3) << "at the end the world is there";
+}
+
 TEST(ScriptSaves, LevelsNameTheirScripts) {
     Yard yard;
     std::ofstream(yard.folder() / "level.lua")

@@ -194,6 +194,23 @@ TEST(Debris, BrokenIsReportedOnce) {
     EXPECT_TRUE(world.applyEdits({cutColumns(1, 2)}).broken.empty());
 }
 
+TEST(Debris, AShapeThatComesOffWholeTakesAlongThatItIsBroken) {
+    Level level = test::oneShapeLevel(solidGrid({8, 8, 8}), true);
+    level.bodies[0].shapes.push_back(level.bodies[0].shapes[0]);
+    level.bodies[0].shapes[1].local.position = {0.0, 0.8, 0.0};
+    World world;
+    world.load(level);
+    world.applyEdits({});
+    const ShapeHandle upper = world.shapes().handleAt(1);
+    const Edit hole = sphereCarve(shapeToWorld(world, upper).position, 0.15);
+    const BodyHandle whole = world.shapes().at(upper).body;
+    EXPECT_EQ(world.applyEdits({hole}).broken, std::vector{whole});
+    world.applyEdits({SetShapeEdit{.shape = upper, .anchorChange = AnchorChange::Boxes}});
+    const BodyHandle own = world.shapes().at(upper).body;
+    ASSERT_NE(own, whole);
+    EXPECT_TRUE(world.bodies().at(own).broken);
+}
+
 TEST(Debris, SplitsReportInitialMotions) {
     DebrisWorld world(withBudgets(1000, 1000, 1000000));
     const FrameChanges changes = world.applyEdits({cutColumns(0, 1)});

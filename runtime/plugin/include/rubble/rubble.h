@@ -1318,8 +1318,8 @@ enum {
      * a hash of the voxels in steps that change some */
     RUBBLE_DELTAS_EDITS = 2,
     /* a bit: what was removed, painted and split, dust, explosions, and bodies that broke, settled and woke. Followers
-     * have them in get_events(), breaks in get_reports(), and draw the dust. Some 80 bytes for each material of each
-     * shape that an edit breaks, before packing */
+     * have them in get_events(), breaks in get_reports(), and draw the dust, but for that of bodies that hit each
+     * other. Some 80 bytes for each material of each shape that an edit breaks, before packing */
     RUBBLE_DELTAS_EVENTS = 4
 };
 
@@ -2031,8 +2031,8 @@ typedef struct rubble_api {
 
     /* ---- edits of bodies and voxels ---- */
 
-    /* [main-thread] Changes place, motion or sleep of a body; see rubble_body_change. Where a static body moves,
-     * get_events() lists its shapes as destroyed and created, under the same handles. */
+    /* [main-thread] Changes place, motion or sleep of a body; see rubble_body_change. Shapes of a
+     * static body that moves keep their handles and meshes: it is among RUBBLE_ROWS_MOVED_BODIES. */
     rubble_result (*set_body)(rubble_world world, const rubble_body_change* change);
     /* [main-thread] Erases a body and all its shapes, without dust or pieces. Their joints break, their lights go out.
      */
@@ -2207,14 +2207,15 @@ typedef struct rubble_api {
     /* [main-thread] Carries out steps of another world: objects, voxels and motion become those, without edits or
      * physics. Each take of the other world is applied once, in their order, from the first after keep_deltas() on;
      * a step() of this world in between ends that. get_events() tells which objects came and went in the last of the
-     * steps; what was removed, painted, split and broken only with RUBBLE_DELTAS_EVENTS. get_reports() has the breaks
-     * then, and is empty otherwise: nothing tells of contacts, joints, fires, water and footsteps of the other world.
-     * It stops a recording, and keep_deltas() of this world. Heat, ropes between their ends, what is still to
-     * split and data of the host are left out, see get_resolved_hash(). Of RUBBLE_DELTAS_EDITS, poses,
-     * velocities and sleep of free bodies that were there before and of characters are left out too: see
-     * get_voxel_hash(). A world with RUBBLE_WORLD_HOST_PHYSICS gets them by set_body_states(), before this call.
-     * RUBBLE_ERROR_FILE: the bytes are wrong or steps are missing, and this world is as after the step before; or a
-     * step has shown that it was another one. What it makes in steps of its own may get other handles than there. */
+     * steps, also a shape that its leader tells of as changed; what was removed, painted, split and broken only with
+     * RUBBLE_DELTAS_EVENTS. get_reports() has the breaks then, and is empty otherwise: nothing tells of contacts,
+     * joints, fires, water and footsteps of the other world. It stops a recording, and keep_deltas() of this world.
+     * Heat, ropes between their ends, what is still to split and data of the host are left out, see
+     * get_resolved_hash(). Of RUBBLE_DELTAS_EDITS, poses, velocities and sleep of free bodies that were there before
+     * and of characters are left out too: see get_voxel_hash(). A world with RUBBLE_WORLD_HOST_PHYSICS gets them by
+     * set_body_states(), before this call. RUBBLE_ERROR_FILE: the bytes are wrong or steps are missing, and this world
+     * is as after the step before; or a step has shown that it was another one. What it makes in steps of its own may
+     * get other handles than there. */
     rubble_result (*apply_deltas)(rubble_world world, const void* data, uint64_t size);
     /* [main-thread] A hash of what RUBBLE_DELTAS_ALL keep equal: all objects, voxels, environment, materials, settings
      * and bounds. How many undo marks are kept is not among them. */
@@ -2401,7 +2402,8 @@ typedef struct rubble_api {
      * moves, comes off, burns or breaks under load, and no dust rises; particles stay where they are. What is made
      * counts as brought by the level, what is taken as never there: parts that touch nothing stay until a later step()
      * cuts their shape, and no light group begins to fail. The next step() begins with physics rebuilt from the world,
-     * as of a loaded game. get_reports() is empty after it. RUBBLE_ERROR_ARGUMENT: a recording runs. */
+     * as of a loaded game. get_reports() is empty after it. What impacts
+     * have broken by then comes off in the next step(). RUBBLE_ERROR_ARGUMENT: a recording runs. */
     rubble_result (*apply_edits)(rubble_world world);
     /* [main-thread] Writes the world as the last step left it as a level, whole or not at all: a .rubble, .vdb or .vox
      * file, as the ending of the UTF-8 path says. vdb_tool: as in load_level(). Names and tags are those that edits

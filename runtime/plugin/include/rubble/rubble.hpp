@@ -541,8 +541,8 @@ public:
         list.kind = RUBBLE_ROWS_FIRES;
         return read_rows<rubble_fire>(list);
     }
-    /** Changes place, motion or sleep of a body; see rubble_body_change. Where a static body moves, get_events() lists
-     * its shapes as destroyed and created, under the same handles. */
+    /** Changes place, motion or sleep of a body; see rubble_body_change. Shapes of a static body that moves keep their
+     * handles and meshes: it is among RUBBLE_ROWS_MOVED_BODIES. */
     void set_body(rubble_body_change change) {
         change.struct_size = sizeof change;
         check(api().set_body(m_handle, &change));
@@ -822,15 +822,15 @@ public:
     }
     /** Carries out steps of another world: objects, voxels and motion become those, without edits or physics. Each take
      * of the other world is applied once, in their order, from the first after keep_deltas() on; a step() of this world
-     * in between ends that. get_events() tells which objects came and went in the last of the steps; what was removed,
-     * painted, split and broken only with RUBBLE_DELTAS_EVENTS. get_reports() has the breaks then, and is empty
-     * otherwise: nothing tells of contacts, joints, fires, water and footsteps of the other world. It stops a
-     * recording, and keep_deltas() of this world. Heat, ropes between their ends, what is still to split and data of
-     * the host are left out, see get_resolved_hash(). Of RUBBLE_DELTAS_EDITS, poses, velocities and sleep of free
-     * bodies that were there before and of characters are left out too: see get_voxel_hash(). A world with
-     * RUBBLE_WORLD_HOST_PHYSICS gets them by set_body_states(), before this call. RUBBLE_ERROR_FILE: the bytes are
-     * wrong or steps are missing, and this world is as after the step before; or a step has shown that it was another
-     * one. What it makes in steps of its own may get other handles than there. */
+     * in between ends that. get_events() tells which objects came and went in the last of the steps, also a shape that
+     * its leader tells of as changed; what was removed, painted, split and broken only with RUBBLE_DELTAS_EVENTS.
+     * get_reports() has the breaks then, and is empty otherwise: nothing tells of contacts, joints, fires, water and
+     * footsteps of the other world. It stops a recording, and keep_deltas() of this world. Heat, ropes between their
+     * ends, what is still to split and data of the host are left out, see get_resolved_hash(). Of RUBBLE_DELTAS_EDITS,
+     * poses, velocities and sleep of free bodies that were there before and of characters are left out too: see
+     * get_voxel_hash(). A world with RUBBLE_WORLD_HOST_PHYSICS gets them by set_body_states(), before this call.
+     * RUBBLE_ERROR_FILE: the bytes are wrong or steps are missing, and this world is as after the step before; or a
+     * step has shown that it was another one. What it makes in steps of its own may get other handles than there. */
     void apply_deltas(const void* data, uint64_t size) {
         check(api().apply_deltas(m_handle, data, size));
     }
@@ -1094,7 +1094,8 @@ public:
      * burns or breaks under load, and no dust rises; particles stay where they are. What is made counts as brought by
      * the level, what is taken as never there: parts that touch nothing stay until a later step() cuts their shape, and
      * no light group begins to fail. The next step() begins with physics rebuilt from the world, as of a loaded game.
-     * get_reports() is empty after it. RUBBLE_ERROR_ARGUMENT: a recording runs. */
+     * get_reports() is empty after it. What impacts have broken by then comes off in the next step().
+     * RUBBLE_ERROR_ARGUMENT: a recording runs. */
     void apply_edits() {
         check(api().apply_edits(m_handle));
     }
