@@ -15,6 +15,7 @@ namespace rubble::script {
 namespace {
 
 constexpr int64_t kAllocationWork = 16;  ///< of one, besides its bytes
+constexpr int kFramesToCollect = 30;     ///< between two collections of garbage for lack of memory
 constexpr size_t kReserve = 64 << 10;
 constexpr size_t kLargeBlock = 4 << 10;      ///< bytes: allocations that look at the time
 constexpr size_t kStringHeader = 25;         ///< what Lua adds to the bytes of a string
@@ -219,9 +220,12 @@ void Sandbox::raiseStop(lua_State* L) {
 }
 
 void Sandbox::beginFrame() {
-    const bool isFull = std::exchange(m_isFull, false) || m_sharedRefusals != m_shared.refusals;
-    m_sharedRefusals = m_shared.refusals;
-    if (isFull && m_memory > m_collected + m_collected / 8) collect(m_state);
+    if (m_framesToCollect > 0) {
+        --m_framesToCollect;
+    } else if (m_isFull || m_sharedRefusals != m_shared.refusals) {
+        collect(m_state);
+        m_isFull = false, m_sharedRefusals = m_shared.refusals, m_framesToCollect = kFramesToCollect;
+    }
     m_frameWork = std::max(m_limits.work, m_limits.workPerFrame);
     m_frameSeconds = 0.0;
 }

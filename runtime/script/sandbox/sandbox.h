@@ -162,6 +162,7 @@ private:
     bool m_isHost = false;
     bool m_isFull = false;          ///< it wanted more memory than it may have
     uint64_t m_sharedRefusals = 0;  ///< those of all scripts when it last collected its garbage
+    int m_framesToCollect = 0;      ///< until beginFrame() may collect garbage again
     size_t m_collected = 0;         ///< bytes that were left when its garbage was last collected for lack of memory
     size_t m_reserve = 0;           ///< bytes above the limit, with which an error is told
     uint64_t m_allocations = 0;
