@@ -110,6 +110,7 @@ int32_t cellOf(double place) {
 
 int getMaterialAtPosition(lua_State* L) {
     const Vector position = vectorAt(L, 2, "pos");
+    if (!std::isfinite(length(position))) refuseArgument(L, 2, "pos", "three finite numbers");
     rubble_shape_state state;
     if (!readShape(L, state)) return pushEntry(L, 0, 0);
     const Vector local = toLocal(placementOf(state.position, state.rotation), position) * (1.0 / state.voxel_size);

@@ -313,7 +313,7 @@ int drawBox(lua_State* L) {
 int extrude(lua_State* L) {
     const rubble_shape shape = handleAt(L, 1, "shape");
     const Cell from = cellAt(L, 2), along = cellAt(L, 5);
-    const int32_t steps = int32_t(std::clamp(numberOr(L, 8, "steps", 1.0), 1.0, 4096.0));
+    const int32_t steps = int32_t(std::clamp(finiteOr(L, 8, "steps", 1.0), 1.0, 4096.0));
     const uint8_t entry = ScriptContext::of(L).brush.entry;
     Cell low, high;
     int axes = 0;
