@@ -150,8 +150,8 @@ bool Sandbox::mayGrow(size_t kind, size_t size, size_t growth) {
 
 void Sandbox::makeRoom(lua_State* L) {
     const size_t wanted = m_memory + 2 * m_limits.longestString;
-    if (wanted <= m_limits.memory || m_memory <= m_collected + m_limits.longestString / 4) return;
-    charge(L, int64_t(m_memory >> 5));
+    if (wanted <= m_limits.memory || m_memory <= m_collected + m_limits.longestString) return;
+    charge(L, int64_t(m_memory >> 7));
     collect(L);
 }
 
