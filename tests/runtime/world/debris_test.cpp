@@ -202,7 +202,7 @@ TEST(Debris, AShapeThatComesOffWholeTakesAlongThatItIsBroken) {
     world.load(level);
     world.applyEdits({});
     const ShapeHandle upper = world.shapes().handleAt(1);
-    const Edit hole = sphereCarve(shapeToWorld(world, upper).position, 0.15);
+    const Edit hole = test::sphereCarve(shapeToWorld(world, upper).position, 0.15);
     const BodyHandle whole = world.shapes().at(upper).body;
     EXPECT_EQ(world.applyEdits({hole}).broken, std::vector{whole});
     world.applyEdits({SetShapeEdit{.shape = upper, .anchorChange = AnchorChange::Boxes}});
