@@ -12,12 +12,12 @@
 
 #include "runtime/assets/file_bytes.h"
 #include "runtime/assets/vox_export_palette.h"
+#include "runtime/assets/vox_import.h"
 
 namespace rubble {
 namespace {
 
-constexpr uint64_t kMaxVoxExportBytes = uint64_t(1) << 30;  // as the import takes
-constexpr int kModelSize = 256;                             // cells a side of one model
+constexpr int kModelSize = 256;  // cells a side of one model
 
 using Bytes = std::vector<uint8_t>;
 
@@ -279,7 +279,7 @@ Result<Done> writeVox(const std::string& path, const Level& level, std::vector<s
     };
     if (std::none_of(level.bodies.begin(), level.bodies.end(), hasVoxels))
         return Error{path + ": expected a shape with voxels, found none: a .vox file holds one at least"};
-    return writeFileAtomically(path, Exporter(level, lost).run(), kMaxVoxExportBytes);
+    return writeFileAtomically(path, Exporter(level, lost).run(), kMaxVoxFileBytes);
 }
 
 }  // namespace rubble

@@ -22,7 +22,6 @@
 namespace rubble {
 namespace {
 
-constexpr uint64_t kMaxVoxFileBytes = uint64_t(1) << 30;  // larger files are refused
 /// What an object takes beside its grid: a body, a shape, their names and tags, lines of the report.
 constexpr uint64_t kObjectMemory = sizeof(LevelBody) + sizeof(LevelShape) + 2048;
 // MagicaVoxel: z up, y away from the viewer. Rubble: y up, z towards the viewer.

@@ -7,6 +7,8 @@
 
 namespace rubble {
 
+constexpr uint64_t kMaxVoxFileBytes = uint64_t(1) << 30;  ///< larger files are refused, and none is written
+
 /// importVox() of a file in memory. `name`: of the file, for messages and for objects without a name. Any bytes give a
 /// valid level or an error.
 Result<Level> importVoxBytes(std::span<const uint8_t> bytes, const std::string& name, const VoxImportSettings& settings,

@@ -12,7 +12,7 @@
 namespace rubble {
 namespace {
 
-/// A wallWithWindows with windows, whose bricks have several nodes each.
+/// A wall with windows, whose bricks have several nodes each.
 StressFixture wallWithWindows() {
     StressFixture f({64, 64, 8});
     f.anchor({{0, 0, 0}, {64, 4, 8}});

@@ -82,6 +82,23 @@ TEST(SameStep, WhatIsHeldOrResizedStaysBroken) {
               "");
 }
 
+TEST(SameStep, WhatIsMadeIsNotBroken) {
+    Yard yard;
+    EXPECT_EQ(yard.run("local s = CreateShape(FindBody('crate'), Transform({0, 2, 0}), FindShape('crate')) "
+                       "assert(IsHandleValid(s) and not IsShapeBroken(s)) SetBrush('cube', 1, 1) "
+                       "DrawShapeBox(s, 0, 0, 0, 3, 3, 3) wait(0) assert(not IsShapeBroken(s))"),
+              "");
+    EXPECT_EQ(yard.logged(RUBBLE_LOG_WARNING), "");
+}
+
+TEST(SameStep, ShotsNeedADirection) {
+    Yard yard;
+    for (const char* direction : {"{0, 0, 0}", "{0/0, 0, 0}"})
+        EXPECT_NE(yard.run(std::string("Shoot({0, 9, 0}, ") + direction + ")").find("Shoot: dir: expected a direction"),
+                  std::string::npos)
+            << direction;
+}
+
 TEST(SameStep, ABodyThatIsPutToSleepKeepsNoVelocity) {
     Yard yard;
     EXPECT_EQ(yard.run("local b = FindBody('crate') SetBodyTransform(b, Transform({0, 9, -5})) "

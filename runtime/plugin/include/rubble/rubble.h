@@ -2031,8 +2031,8 @@ typedef struct rubble_api {
 
     /* ---- edits of bodies and voxels ---- */
 
-    /* [main-thread] Changes place, motion or sleep of a body; see rubble_body_change. Shapes of a
-     * static body that moves keep their handles and meshes: it is among RUBBLE_ROWS_MOVED_BODIES. */
+    /* [main-thread] Changes place, motion or sleep of a body; see rubble_body_change. Shapes of a static
+     * body that moves keep their handles and meshes: it is among RUBBLE_ROWS_MOVED_BODIES. */
     rubble_result (*set_body)(rubble_world world, const rubble_body_change* change);
     /* [main-thread] Erases a body and all its shapes, without dust or pieces. Their joints break, their lights go out.
      */
@@ -2402,8 +2402,8 @@ typedef struct rubble_api {
      * moves, comes off, burns or breaks under load, and no dust rises; particles stay where they are. What is made
      * counts as brought by the level, what is taken as never there: parts that touch nothing stay until a later step()
      * cuts their shape, and no light group begins to fail. The next step() begins with physics rebuilt from the world,
-     * as of a loaded game. get_reports() is empty after it. What impacts
-     * have broken by then comes off in the next step(). RUBBLE_ERROR_ARGUMENT: a recording runs. */
+     * as of a loaded game. What impacts of the step before break waits for it. get_reports() is empty after
+     * apply_edits(). RUBBLE_ERROR_ARGUMENT: a recording runs. */
     rubble_result (*apply_edits)(rubble_world world);
     /* [main-thread] Writes the world as the last step left it as a level, whole or not at all: a .rubble, .vdb or .vox
      * file, as the ending of the UTF-8 path says. vdb_tool: as in load_level(). Names and tags are those that edits

@@ -1094,7 +1094,7 @@ public:
      * burns or breaks under load, and no dust rises; particles stay where they are. What is made counts as brought by
      * the level, what is taken as never there: parts that touch nothing stay until a later step() cuts their shape, and
      * no light group begins to fail. The next step() begins with physics rebuilt from the world, as of a loaded game.
-     * get_reports() is empty after it. What impacts have broken by then comes off in the next step().
+     * What impacts of the step before break waits for it. get_reports() is empty after apply_edits().
      * RUBBLE_ERROR_ARGUMENT: a recording runs. */
     void apply_edits() {
         check(api().apply_edits(m_handle));
