@@ -130,10 +130,13 @@ private:
     /// drops the marks.
     void checkBetween() {
         const bool endsRecording = std::exchange(m_isSecondCheck, true);
+        m_scripts->beforeEdits();
         endsRecording ? endRecording() : finishUndo();
         if (!m_result.failure) checkAll();
         if (m_result.failure || (endsRecording && !record())) return;
-        m_scripts->readEvents();  // of the step that the check has made
+        m_scripts->afterEdits();  // of the step that the check has made, for which scripts may wait
+        m_scripts->readEvents();
+        m_scripts->resumeWaiting();
     }
 
     /// What the step has left, for checks and figures.

@@ -128,8 +128,10 @@ int finishBody(lua_State* L, rubble_shape_settings& settings, const Vector& corn
     made(L, shape, RUBBLE_KIND_SHAPE);
     tint(L, shape, settings.index);
     if (!tag.empty())
-        for (const uint64_t object : {settings.body, shape})
+        for (const uint64_t object : {settings.body, shape}) {
             isDone(L, apiOf(L).set_tag(worldOf(L), object, tag.c_str(), nullptr));
+            ScriptContext::of(L).shared.pending.tags[{object, tag}] = "";
+        }
     pushHandle(L, shape);
     pushHandle(L, settings.body);
     return 2;
@@ -345,7 +347,7 @@ void setFlag(lua_State* L, const char* name, uint32_t bit, uint32_t& flags) {
 }
 
 int settings(lua_State* L) {
-    luaL_checktype(L, 1, LUA_TTABLE);
+    if (!lua_istable(L, 1)) refuseArgument(L, 1, "table", "a table");
     checkOptions(L, 1,
                  {"stress", "fire", "paint_layer", "debris_bodies", "debris_voxels", "awake_debris_bodies",
                   "largest_debris", "min_piece_voxels", "settle_steps", "split_parts", "max_fires", "impact_threshold",
@@ -428,23 +430,32 @@ int freeFlight(lua_State* L) {
     return 0;
 }
 
+constexpr const char* kBoxFields = "angular_velocity spin, position corner, size cells, voxel_size voxel";
+
+constexpr const char* kJointFields =
+    "anchor_radius anchor_radius, brake_torque brake, break_force break_force, drive_torque drive, lower_limit low, "
+    "max_steer_angle steer, motor_max_force force, motor_target speed or target, rope_end rope_end, rope_length "
+    "length, rope_strength strength, rotation axis, spring_damping_ratio damping, spring_hertz hertz, upper_limit high";
+
 constexpr ScriptFunction kFunctions[] = {
     {"Box(tag, corner, cells, entry, options) -> shape, body",
      "A body of a full box; it is static unless options.dynamic. Options: dynamic, asleep, velocity, spin, turned, "
      "voxel.",
-     box},
-    {"Ball(tag, center, cells, entry, options) -> shape, body", "The same as a ball of so many cells across.", ball},
+     box, 0, kBoxFields},
+    {"Ball(tag, center, cells, entry, options) -> shape, body", "The same as a ball of so many cells across.", ball, 0,
+     kBoxFields},
     {"Joint(kind, first, second, pos, options) -> joint",
      "\"ball\", \"hinge\", \"fixed\", \"prismatic\", \"rope\" or \"wheel\" between two shapes, or a shape and 0, the "
      "world. "
      "Options: axis, rope_end, length, strength, break_force, low, high, speed, target, force, hertz, damping, "
      "friction, "
      "drive, brake, steer, anchor_radius.",
-     joint},
+     joint, 0, kJointFields},
     {"CollideAs(shape, kind)", "What physics takes a shape for: \"voxels\", \"sphere\", \"cylinder x\", y or z.",
      collideAs},
     {"Drive(body, throttle, steer, brake)", "Drives the wheels of a body, -1 to 1.", drive},
-    {"Water(low, high, options) -> water", "Water in a box; options: flow.", water},
+    {"Water(low, high, options) -> water", "Water in a box; options: flow.", water, 0,
+     "depth high, outline low, surface_height high"},
     {"RemoveWater(water)", "Removes it.", removeWater},
     {"Character(pos) -> character", "Who walks, with the feet at a place.", character},
     {"Walk(character, velocity, jumps)", "Where it goes, in m/s, until the next such call.", walk},

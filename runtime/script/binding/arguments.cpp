@@ -13,6 +13,15 @@ namespace {
 
 const char kMetatables[3] = {};  ///< their addresses are keys in the registry
 
+/// The first bytes of a text, with its zero bytes as "\\0": what reads a message ends at one.
+std::string shownText(lua_State* L, int index) {
+    size_t length = 0;
+    const char* const bytes = lua_tolstring(L, index, &length);
+    std::string shown;
+    for (size_t i = 0; i < std::min<size_t>(length, 40); ++i) shown += bytes[i] ? std::string(1, bytes[i]) : "\\0";
+    return shown;
+}
+
 /// What a message says that was found.
 std::string described(lua_State* L, int index) {
     switch (lua_type(L, index)) {
@@ -29,7 +38,7 @@ std::string described(lua_State* L, int index) {
             return text;
         }
         case LUA_TSTRING:
-            return "\"" + std::string(lua_tostring(L, index)).substr(0, 40) + "\"";
+            return "\"" + shownText(L, index) + "\"";
         case LUA_TTABLE:
             return "a table of " + std::to_string(lua_rawlen(L, index)) + " values";
         default:
@@ -148,6 +157,7 @@ Placement poseAt(lua_State* L, int index, const char* name) {
     Placement placement = placementAt(L, index, name);
     double squared = 0.0;
     for (const double each : placement.rotation) squared += each * each;
+    if (squared == 0.0) refuseArgument(L, index, name, "a transform {pos =, rot =} with a rotation that is not 0");
     const double length = std::sqrt(squared);
     if (std::abs(squared - 1.0) > kExact && std::abs(length - 1.0) <= kNear)
         for (double& each : placement.rotation) each /= length;

@@ -53,6 +53,15 @@ std::string asParameter(const std::string& field) {
     return name;
 }
 
+/// What the options of a function call a field; "": it has none.
+std::string optionOf(const ScriptFunction& function, const std::string& field) {
+    if (!function.fields) return "";
+    std::istringstream pairs(function.fields);
+    for (std::string pair; std::getline(pairs >> std::ws, pair, ',');)
+        if (pair.starts_with(field + " ")) return pair.substr(field.size() + 1);
+    return asParameter(field);
+}
+
 /// The parameter that a field as "rays[0].origin[1]" was made from; "": none that is known.
 std::string parameterOf(lua_State* L, std::string field) {
     const std::vector<std::string> all = runningFunction(L).parameters();
@@ -60,11 +69,16 @@ std::string parameterOf(lua_State* L, std::string field) {
         return std::find(all.begin(), all.end(), name) != all.end();
     };
     size_t number = 0;
+    if (field.starts_with("its ")) field.erase(0, 4);
+    const std::string list = field.substr(0, field.find('['));
+    const int rowNumber = std::atoi(field.c_str() + std::min(list.size() + 1, field.size())) + 1;
     if (field.ends_with(']')) {
         number = size_t(std::atoi(field.c_str() + field.rfind('[') + 1));
         field.resize(field.rfind('['));
     }
-    field = field.substr(field.find_last_of(".>") + 1);
+    const size_t last = field.find_last_of(".>") + 1;
+    field.erase(0, last);
+    if (last > 0 && isParameter(list)) return list + ", row " + std::to_string(rowNumber) + ", " + field;
     if (const std::string name = asParameter(field); isParameter(name)) return name;
     std::vector<std::string> names;
     for (const auto& row : kNames) {
@@ -72,7 +86,8 @@ std::string parameterOf(lua_State* L, std::string field) {
         for (std::string name; words >> name;)
             if (isParameter(name)) names.push_back(name);
     }
-    return names.empty() ? "" : names[number < names.size() ? number : 0];
+    if (names.empty()) return optionOf(runningFunction(L), field);
+    return names[number < names.size() ? number : 0];
 }
 
 std::string withoutFunction(const std::string& message) {
@@ -107,7 +122,8 @@ std::string messageOf(lua_State* L, std::string message) {
     const size_t is = message.find(kIs), has = message.find(kHas), end = std::min(is, has);
     const size_t expected = message.find(kExpected), why = message.find(": ", expected);
     const std::string field = message.substr(0, end);
-    const std::string parameter = end == message.npos || field.find(' ') != field.npos ? "" : parameterOf(L, field);
+    const bool isField = end != message.npos && field.find(' ', field.starts_with("its ") ? 4 : 0) == field.npos;
+    const std::string parameter = isField ? parameterOf(L, field) : "";
     if (parameter.empty()) return message;
     if (expected == message.npos) return parameter + message.substr(end);
     const size_t value = end + (has < is ? kHas : kIs).size(), wanted = expected + kExpected.size();

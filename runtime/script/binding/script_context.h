@@ -167,6 +167,9 @@ struct ScriptFunction {
     const char* meaning;    ///< one sentence
     lua_CFunction function;
     int64_t stepWork = 0;  ///< of each call, for chargeStep(); what depends on the arguments it charges itself
+    /// Where options of tables become fields of the interface, for messages: what they are called there, as
+    /// "spring_hertz hertz, ...". All others as "sunColor". nullptr: there are none.
+    const char* fields = nullptr;
 
     /// The name in its signature.
     std::string name() const {

@@ -1,6 +1,8 @@
+#include <cmath>
 #include <set>
 
 #include "runtime/script/binding/calls.h"
+#include "runtime/script/binding/vector_math.h"
 #include "runtime/script/functions/vocabulary.h"
 
 namespace rubble::script {
@@ -153,6 +155,10 @@ int getPointCount(lua_State* L) {
 int getPoint(lua_State* L) {
     const std::vector<double> points = pointsOf(L);
     const double index = numberAt(L, 2, "index");
+    if (points.empty()) {  // it is gone
+        pushVector(L, Vector{}.data());
+        return 1;
+    }
     if (!(index >= 1.0 && index * 3.0 <= double(points.size())))
         refuseArgument(L, 2, "index", "a point of the rope, from 1 on");
     pushVector(L, points.data() + size_t(index - 1.0) * 3);
@@ -162,6 +168,7 @@ int getPoint(lua_State* L) {
 int breakRope(lua_State* L) {
     const std::vector<double> points = pointsOf(L);
     const Vector at = vectorAt(L, 2, "pos");
+    if (!std::isfinite(dot(at, at))) refuseArgument(L, 2, "pos", "a vector of finite numbers");
     if (points.empty()) return 0;
     size_t nearest = 0;
     double least = -1.0;

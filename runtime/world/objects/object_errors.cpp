@@ -150,7 +150,10 @@ std::string objectError(const Character& c) {
 }
 
 std::string nameError(const char* what, std::string_view text) {
-    return RangeCheck().text(what, text).number("its bytes", double(text.size()), ranges::kNameBytes).error();
+    const std::string error = RangeCheck().text(what, text).error();
+    if (!error.empty() || text.size() <= size_t(ranges::kNameBytes.high)) return error;
+    return std::string(what) + " has " + std::to_string(text.size()) + " bytes, expected at most " +
+           std::to_string(size_t(ranges::kNameBytes.high));
 }
 
 std::string tagError(std::string_view tag) {

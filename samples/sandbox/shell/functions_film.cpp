@@ -117,10 +117,10 @@ constexpr ScriptFunction kFunctions[] = {
     {"SetEnvironment(air)",
      "Sky, sun and air: fields of rubble_environment, as fogDensity, others stay; sun: a direction from which "
      "apply_sky_model() finds the colours.",
-     setEnvironment},
+     setEnvironment, 0, ""},
     {"GetEnvironment() -> air", "The present sky, sun and air, as SetEnvironment() takes them.", getEnvironment},
     {"SetRules(rules)", "How the world breaks and burns: stress, strength, contactTime, fireSpread, fireTime.",
-     setRules},
+     setRules, 0, "fire_burn_time fireTime, strength_scale strength"},
 };
 
 }  // namespace

@@ -205,10 +205,12 @@ int createNail(lua_State* L) {
 constexpr ScriptFunction kFunctions[] = {
     {"CreateModel(model, transform, dynamic) -> body, shape",
      "A body of boxes {x, y, z, x1, y1, z1, entry, shades}: size, voxel (m), origin (cells), palette, boxes.",
-     createModel},
+     createModel, 0, "position transform, rotation transform, voxel_size voxel"},
     {"CreateRope(shapeA, posA, shapeB, posB, length, strength) -> joint",
-     "A rope; length 0: as long as it is, strength 0: it never breaks.", createRope},
-    {"CreateNail(shapeA, shapeB, pos, strength) -> joint", "Holds two shapes together at a place.", createNail},
+     "A rope; length 0: as long as it is, strength 0: it never breaks.", createRope, 0,
+     "position posA, rope_end posB, rope_length length, rope_strength strength"},
+    {"CreateNail(shapeA, shapeB, pos, strength) -> joint", "Holds two shapes together at a place.", createNail, 0,
+     "break_force strength"},
 };
 
 }  // namespace

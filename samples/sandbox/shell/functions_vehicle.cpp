@@ -107,7 +107,7 @@ int createLight(lua_State* L) {
 }
 
 int createWater(lua_State* L) {
-    luaL_checktype(L, 1, LUA_TTABLE);
+    requireTable(L, 1, "outline");
     std::vector<double> outline;
     const int count = int(std::min<lua_Unsigned>(lua_rawlen(L, 1), 1000));
     for (int i = 1; i <= count; ++i) {
@@ -154,13 +154,16 @@ constexpr ScriptFunction kFunctions[] = {
     {"CreateJoint(kind, shapeA, shapeB, transform, options) -> joint",
      "A joint; its axis is the x axis of the transform. Options: min, max, hertz, damping, friction, breakForce, "
      "breakTorque, reach, collides; of a wheel drive, brake, maxSpin, steer, steerRate.",
-     createJoint},
+     createJoint, 0,
+     "anchor_radius reach, brake_torque brake, drive_torque drive, lower_limit min, max_steer_angle steer, position "
+     "transform, rotation transform, spring_damping_ratio damping, spring_hertz hertz, upper_limit max"},
     {"DriveWheels(body, throttle, steer, brake)", "Drives the wheels of a chassis: -1 to 1, -1 (right) to 1, 0 to 1.",
      driveWheels},
     {"CreateLight(shape, transform, color, options) -> light",
      "A light on a shape, in its space; color in W/sr. Options: angle (half of a cone's, radians), reach, radius, off.",
-     createLight},
-    {"CreateWater(outline, surface, depth)", "Water within corners {x, y, z}.", createWater},
+     createLight, 0, "cone_inner angle, cone_outer angle"},
+    {"CreateWater(outline, surface, depth)", "Water within corners {x, y, z}.", createWater, 0,
+     "surface_height surface"},
     {"SetCollisionShape(shape, kind)", "\"voxels\", \"sphere\", \"cylinder x\", \"cylinder y\" or \"cylinder z\".",
      setCollisionShape},
     {"GetStateHash() -> number", "A hash of the world: equal worlds have equal hashes.", getStateHash},
