@@ -213,7 +213,8 @@ constexpr ScriptFunction kFunctions[] = {
     {"IsBodyDynamic(body) -> boolean", "Whether it moves freely.", isDynamic},
     {"SetBodyDynamic(body, dynamic)", "Lets it move freely, or holds it where it is.", setDynamic, 200},
     {"IsBodyBroken(body) -> boolean",
-     "Whether it has lost voxels, or is gone; saves keep that, and an undo takes it back.", isBroken},
+     "Whether it has lost voxels, or is gone; saved games keep that, levels do not, and an undo takes it back.",
+     isBroken},
     {"ApplyBodyImpulse(body, pos, impulse)", "Pushes it at a place of the world, in N s.", applyImpulse, 30},
 };
 

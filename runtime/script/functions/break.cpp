@@ -238,8 +238,8 @@ int paintRgba(lua_State* L) {
 
 constexpr ScriptFunction kFunctions[] = {
     {"MakeHole(pos, r0, r1, r2, silent) -> voxels",
-     "Removes voxels in the next step: soft materials within r0 metres, medium within r1, hard within r2. "
-     "Gives how many that are; onBreak() tells what went.",
+     "Removes voxels in the next step: soft materials within r0 metres, medium within r1, hard within r2, "
+     "which is no larger than the one before. Gives how many that are; onBreak() tells what went.",
      makeHole},
     {"MakeHoleLine(p0, p1, r0, r1, r2)",
      "The same along a line from p0 to p1: a cut, or a long thin hole. Gives nothing.", makeHoleLine},
