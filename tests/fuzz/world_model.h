@@ -36,6 +36,7 @@ private:
     Handles bodies() const;
     Handles shapes() const;
     void requireSums() const;
+    bool isBurning(rubble_shape shape) const;
     std::vector<uint8_t> voxels(const rubble_shape_state& shape) const;
 
     const rubble_api& m_api;
