@@ -129,9 +129,12 @@ private:
         if (m_item->isOnBaseline) low.y = -(*font)->ascent() * m_item->fontSize;
         const float texels = kGlyphEm / m_item->fontSize;
         const float outline = std::min(m_item->outline * texels, float(kGlyphSpread) - 1.0f);
-        if (m_item->shadowColor.a > 0.0f)
-            addGlyphs(**font, layout, low + m_item->shadowOffset, m_item->shadowColor, outline,
-                      std::min(m_item->shadowBlur * texels, kTexelsOfBlur));
+        if (m_item->shadowColor.a > 0.0f) {
+            // The field ends so far from a letter: what is blurred more is grown less, or else its end would be seen.
+            const float blur = std::min(m_item->shadowBlur * texels, kTexelsOfBlur);
+            addGlyphs(**font, layout, low + m_item->shadowOffset, m_item->shadowColor,
+                      std::min(outline, float(kGlyphSpread) - blur), blur);
+        }
         if (outline > 0.0f) addGlyphs(**font, layout, low, m_item->outlineColor, outline, 0.0f);
         addGlyphs(**font, layout, low, m_item->color, 0.0f, 0.0f);
     }

@@ -145,7 +145,11 @@ lua_State* Script::takeThread(int& reference) {
         return thread;
     }
     NewThread made;
-    if (isStopped() || !m_sandbox.prepare(makeThread, &made)) return nullptr;
+    if (isStopped()) return nullptr;
+    if (!m_sandbox.prepare(makeThread, &made)) {
+        m_sandbox.stopRefused(m_context.name);
+        return nullptr;
+    }
     reference = made.reference;
     return made.thread;
 }
@@ -272,7 +276,10 @@ void Script::lookFor(Callback callback) {
 lua_State* Script::begin(Callback callback, int& reference) {
     if (!has(callback) || isStopped()) return nullptr;
     lua_State* thread = takeThread(reference);
-    if (!thread) return nullptr;
+    if (!thread) {
+        report(m_sandbox.stopReason());
+        return nullptr;
+    }
     pushCallback(callback);
     lua_xmove(m_names, thread, 1);
     return thread;
@@ -283,8 +290,9 @@ void Script::startAll() {
     started.swap(m_context.started);
     for (const int list : started) {
         int reference = 0;
-        lua_State* thread = isStopped() ? nullptr : takeThread(reference);
-        if (!thread) return;
+        if (isStopped()) return;
+        lua_State* thread = takeThread(reference);
+        if (!thread) return report(m_sandbox.stopReason());
         const int count = pushTrusted(thread, [&](lua_State* L) {
             lua_rawgeti(L, LUA_REGISTRYINDEX, list);
             lua_rawgeti(L, 1, 0);

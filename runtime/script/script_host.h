@@ -122,7 +122,7 @@ private:
     using SavedTables = std::map<std::string, std::map<std::string, std::string>>;
     std::vector<LevelScriptName> namedScripts();
     void followLevel(SavedTables restored, bool isAgain);
-    std::string folderOfScript(const std::string& path) const;
+    std::string folderOfScript(const std::string& name) const;
     void addLevelScript(const LevelScriptName& name, SavedTables& restored, bool isAgain);
     bool hasRoom(const std::string& path);
     Script& make(std::list<Script>::iterator before, const std::string& name, uint64_t number);

@@ -228,7 +228,8 @@ void ScriptHost::endLevelScript(const LevelScriptName& name) {
 }
 
 /// Where a script of the level lies; "": nowhere.
-std::string ScriptHost::folderOfScript(const std::string& path) const {
+std::string ScriptHost::folderOfScript(const std::string& name) const {
+    const std::string path = withoutModFolder(name);
     if (!isScriptName(path) || !staysInside(path)) return "";
     for (const std::string& folder : {m_settings.levelFolder, m_settings.folder})
         if (!folder.empty() && !leadsOutside(folder, path) && isFile(folder + "/" + path)) return folder;
@@ -251,7 +252,7 @@ void ScriptHost::addLevelScript(const LevelScriptName& named, SavedTables& resto
     const auto& [path, parameters] = named;
     std::ifstream file;
     const std::string folder = folderOfScript(path);
-    if (!folder.empty()) file.open(folder + "/" + path, std::ios::binary);
+    if (!folder.empty()) file.open(folder + "/" + withoutModFolder(path), std::ios::binary);
     if (!file.is_open()) {
         if (m_shared.log)
             m_shared.log(RUBBLE_LOG_ERROR, "the level names the script " + quoted(path) + ": expected " +

@@ -85,7 +85,7 @@ void playStep(ScriptHost& host, const OffscreenView* view) {
     if (view) host.draw(view->renderer(), view->view(), 1.0 / 60.0);
 }
 
-/// Lua from standard input, each statement in a step of its own.
+/// Lua from standard input, each statement in a step of its own, or in as many as it waits.
 void readLines(ScriptHost& host, const OffscreenView* view, const Options& options) {
     Script* script = &host.add("line", "", parametersOf(options));
     const char* home = std::getenv("HOME");
@@ -97,6 +97,7 @@ void readLines(ScriptHost& host, const OffscreenView* view, const Options& optio
         script->evaluate(isExpression ? "return " + *text : *text, answer);
         if (!answer.empty()) fmt::print("{}\n", answer);
         playStep(host, view);
+        for (int i = 1; script->owesAnswer() && i < options.steps && !interrupted; ++i) playStep(host, view);
         const std::string late = script->takeAnswer();
         if (!late.empty()) fmt::print("{}\n", late);
         if (script->isStopped()) {
@@ -176,6 +177,7 @@ private:
     bool isChanged(const std::string& path) {
         std::error_code missing;
         const fs::file_time_type now = fs::last_write_time(path, missing);
+        if (missing) return false;  // an editor may be about to write it
         const auto [known, isNew] = m_times.try_emplace(path, now);
         return std::exchange(known->second, now) != now && !isNew;
     }

@@ -243,7 +243,7 @@ int run(const Options& options) {
     int failed = 0;
     for (const fs::path& scenario : findScenarios(options.scenario)) {
         if (!fs::exists(scenario)) {
-            fmt::print(stderr, "stress: expected a scenario that --list shows, or a file, found {}\n",
+            fmt::print(stderr, "stress: expected a scenario that --list shows, or a file that ends in .lua, found {}\n",
                        options.scenario);
             return 2;
         }

@@ -8,12 +8,10 @@
 #include "runtime/script/binding/script_context.h"
 
 namespace rubble::script {
-namespace {
-
-/// How mods of Teardown begin the paths of their own files.
-constexpr std::string_view kModFolder = "MOD/";
-
-}  // namespace
+std::string withoutModFolder(const std::string& path) {
+    constexpr std::string_view kModFolder = "MOD/";
+    return path.starts_with(kModFolder) ? path.substr(kModFolder.size()) : path;
+}
 
 bool staysInside(const std::string& path) {
     return !path.empty() && path[0] != '/' && path.find('\\') == path.npos && path.find("..") == path.npos &&
@@ -35,7 +33,7 @@ bool isFile(const std::string& path) {
 
 std::string fileAt(lua_State* L, int index, const char* name) {
     const std::string given = textAt(L, index, name), &folder = ScriptContext::of(L).folder;
-    const std::string file = given.starts_with(kModFolder) ? given.substr(kModFolder.size()) : given;
+    const std::string file = withoutModFolder(given);
     if (folder.empty() || !staysInside(file) || leadsOutside(folder, file))
         luaL_error(L, "%s: %s: expected a file inside of the folder that the host gives to scripts, found \"%s\"",
                    runningFunction(L).name().c_str(), name, given.c_str());

@@ -5,6 +5,9 @@
 
 namespace rubble::script {
 
+/// A path of a mod without "MOD/", with which those of Teardown begin.
+std::string withoutModFolder(const std::string& path);
+
 /// Whether a path stays inside of a folder: no root, no "..", no backslash.
 bool staysInside(const std::string& path);
 

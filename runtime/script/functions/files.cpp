@@ -1,6 +1,7 @@
 // Texts of the scripts' folder, and tables that saves keep.
 #include "runtime/script/binding/files.h"
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -46,7 +47,9 @@ int requireFile(lua_State* L) {
     if (!name.ends_with(".lua")) name += ".lua";
     lua_settop(L, 0);
     lua_pushlstring(L, name.data(), name.size());
-    const std::string path = fileAt(L, 1, "name");
+    const std::string path = std::filesystem::path(fileAt(L, 1, "name")).lexically_normal().string();
+    lua_pushlstring(L, path.data(), path.size());
+    lua_replace(L, 1);  // a file has one path, and many names
     pushLoaded(L);
     lua_pushvalue(L, 1);
     if (lua_rawget(L, 2) == LUA_TLIGHTUSERDATA)

@@ -112,7 +112,9 @@ int debugWatch(lua_State* L) {
     lua_settop(L, 2);
     pushText(L, 2);
     auto& watches = ScriptContext::of(L).shared.watches;
-    if (watches.size() < 1000 || watches.count(name)) watches[name] = std::string(lua_tostring(L, -1)).substr(0, 1000);
+    if (watches.size() >= 1000 && !watches.count(name)) return 0;
+    std::string& line = watches[name] = std::string(lua_tostring(L, -1)).substr(0, 1000);
+    std::replace(line.begin(), line.end(), '\n', ' ');
     return 0;
 }
 

@@ -34,6 +34,7 @@ int resumeWrapped(lua_State* L) {
     const int status = lua_status(thread);
     if (status != LUA_OK && status != LUA_YIELD) {
         lua_resetthread(thread);  // closes what waits for it
+        lua_settop(thread, 0);    // and leaves the error, which the next call would start
         if (Sandbox::of(L).isStopped()) Sandbox::raiseStop(L);
     }
     return lua_error(L);

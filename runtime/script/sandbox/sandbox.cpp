@@ -259,7 +259,7 @@ RunResult Sandbox::run(lua_State* thread, int arguments) {
         return result;
     }
     result = {RunResult::Failed};
-    if (status == LUA_ERRMEM && !isStopped()) m_stopReason = placeOf(thread) + ": " + m_refusal + " and was stopped";
+    if (status == LUA_ERRMEM && !isStopped()) stopRefused(placeOf(thread));
     result.error = isStopped() ? m_stopReason : errorOf(thread, status);
     if (isStopped()) return result;  // hooks are off in a thread whose hook has failed: nothing may run in it
     lua_resetthread(thread);         // closes what waits for it

@@ -94,6 +94,8 @@ public:
     }
     /// Stops the script for good. `reason` follows "the script": "wanted more than ...".
     [[noreturn]] void stop(lua_State* L, const std::string& reason);
+    /// The same outside of run(), where prepare() has failed for what the script cannot go on without. `place`: of it.
+    void stopRefused(const std::string& place) { m_stopReason = place + ": " + m_refusal + " and was stopped"; }
     /// Whether it was stopped. A function of C that has caught an error passes it on then by raiseStop().
     bool isStopped() const { return !m_stopReason.empty(); }
     /// Passes a stop on.

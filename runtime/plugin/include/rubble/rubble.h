@@ -2042,8 +2042,9 @@ typedef struct rubble_api {
     /* [main-thread] Gives the cells of a box, which lies within the shape's grid, other voxels: one byte each as
      * read_voxels() gives them, RUBBLE_VOXEL_INDEX only; `size` is the number of cells. Copied by the call, with the
      * box's mask. Who draws in what read_voxels() gave names the changed cells there: the others would go back to what
-     * the last step left, and undo a carve() of this one. Cells that change lose their paint. Voxels that then touch
-     * nothing that holds them come off in the same step, and so does what hung on voxels that are gone. */
+     * the last step left, and undo a carve() of this one. Cells that change lose their paint; no event and no
+     * dust tells of voxels that are gone by it. Voxels that then touch nothing that holds them come off in the same
+     * step, and so does what hung on voxels that are gone. */
     rubble_result (*write_voxels)(rubble_world world, const rubble_voxel_box* box, const uint8_t* voxels,
                                   uint64_t size);
 
