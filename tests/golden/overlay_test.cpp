@@ -194,6 +194,21 @@ TEST_F(OverlayDrawing, ErrorsNameTheItem) {
     EXPECT_TRUE(isRed(at(draw(camera()), 20, 24))) << "a refused overlay leaves the one before";
 }
 
+TEST_F(OverlayDrawing, TheSoftShadowOfAWideOutlineHasNoEdges) {
+    OverlayItem text = textAt({70, 20}, "I", 40, glm::vec4(0.0f));
+    text.outline = 20, text.outlineColor.a = 0.0f;
+    text.shadowColor = kRed, text.shadowBlur = 20;
+    const Image plain = drawWith({}), shown = drawWith({text});
+    int strongest = 0, largestJump = 0;
+    for (int x = 1; x < kSize.x; ++x) {
+        const auto red = [&](int column) { return at(shown, column, 45).r - at(plain, column, 45).r; };
+        strongest = std::max(strongest, red(x));
+        largestJump = std::max(largestJump, std::abs(red(x) - red(x - 1)));
+    }
+    EXPECT_GT(strongest, 40);
+    EXPECT_LE(largestJump, 30);
+}
+
 TEST_F(OverlayDrawing, AllOfItInAnImage) {
     const char* folder = std::getenv("RUBBLE_IMAGES");
     if (!folder) GTEST_SKIP() << "RUBBLE_IMAGES=FOLDER writes the image";

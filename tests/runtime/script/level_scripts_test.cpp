@@ -68,6 +68,14 @@ TEST_F(LevelScripts, AreLeftAloneByAHostThatDoesNotRunThem) {
     EXPECT_EQ(news(), "");
 }
 
+TEST_F(LevelScripts, MayBeNamedAsModsNameThem) {
+    std::ofstream(m_yard.folder() / "mod.lua") << "x = 1";
+    m_yard.host().addLevelScripts();
+    name({{"MOD/mod.lua", nullptr}});
+    EXPECT_EQ(m_yard.host().scripts().size(), 1u);
+    EXPECT_EQ(news(), "");
+}
+
 TEST_F(LevelScripts, ThatCannotBeReadAreToldOnce) {
     m_yard.host().addLevelScripts();
     name({{"none.lua", nullptr}});

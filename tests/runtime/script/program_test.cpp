@@ -92,6 +92,11 @@ TEST(LuaProgram, GivesParametersToTextsAndLines) {
     EXPECT_EQ(output("", "--steps 1 --param n=9 --param m=2 " + script), "mod.lua: 11\n");
 }
 
+TEST(LuaProgram, ALineTakesTheTimeThatItWaits) {
+    const std::string text = output("printf 'wait(0.5) return 7\nGetTime()\n' |", "");
+    EXPECT_NE(text.find("> 7\n> 0.5"), std::string::npos) << text;
+}
+
 TEST(LuaProgram, ReadsStatementsOfSeveralLines) {
     const std::string text = output("printf 'for i = 1, 2 do\nprint(i * 11)\nend\n(1 +\n1)\nx = = 1\n3\n' |", "");
     EXPECT_NE(text.find("line: 22\n"), std::string::npos) << text;

@@ -130,6 +130,9 @@ TEST_F(SandboxTest, Coroutines) {
               "2 20 dead false cannot resume dead coroutine");
     EXPECT_EQ(run("local w = coroutine.wrap(function() error('inside', 0) end) w()"), "error: test:1: inside")
         << "what has no place gets that of the call";
+    EXPECT_EQ(run("local w = coroutine.wrap(function() error(function() return 'called' end) end) pcall(w) "
+                  "return pcall(w)"),
+              "false cannot resume dead coroutine");
     EXPECT_EQ(run("local c = coroutine.create(function() local x <close> = setmetatable({}, {__close = function() "
                   "closed = true end}) coroutine.yield() end) coroutine.resume(c) coroutine.close(c) return closed"),
               "true");

@@ -321,7 +321,9 @@ TEST(ScriptFiles, RequireRunsAFileOnce) {
     std::ofstream(yard.folder() / "once.lua") << "SetInt('runs', GetInt('runs') + 1) return {n = 1}";
     std::ofstream(yard.folder() / "self.lua") << "require('self')";
     std::ofstream(yard.folder() / "bad.lua") << "local x = = 1";
-    EXPECT_EQ(yard.run("assert(require('once') == require('once.lua') and GetInt('runs') == 1)"), "");
+    EXPECT_EQ(yard.run("assert(require('once') == require('once.lua') and require('./once') == require('MOD/once'))"
+                       "assert(require('once') == require('./once') and GetInt('runs') == 1)"),
+              "");
     EXPECT_NE(yard.run("require('self')").find("does not require itself"), std::string::npos);
     EXPECT_NE(yard.run("require('bad')").find("bad.lua:1"), std::string::npos);
     EXPECT_NE(yard.run("require('../once')").find("inside of the folder"), std::string::npos);

@@ -213,6 +213,17 @@ TEST(Script, AFullMemoryDoesNotReachTheHost) {
     EXPECT_EQ(yard.host().step(), RUBBLE_OK);
 }
 
+TEST(Script, IsStoppedWhereItsMemoryHasNoRoomForACallback) {
+    SandboxLimits limits;
+    limits.memory = 1 << 20;
+    Yard yard(limits);
+    Script& script =
+        yard.host().add("many.lua", "function update() for i = 1, 200 do start(function() wait(100) end) end end");
+    for (int i = 0; i < 60; ++i) yard.host().step();
+    EXPECT_TRUE(script.isStopped()) << "it would go on without some of its callbacks";
+    EXPECT_EQ(script.error(), "many.lua: the script wanted more than its 1048576 bytes of memory and was stopped");
+}
+
 TEST(Script, OneThatDoesNothingCostsNothing) {
     Yard plain, scripted;
     Script& script = scripted.host().add("nothing.lua", "local x = 1");
