@@ -13,6 +13,7 @@
 
 #include "editor/core/joints.h"
 #include "editor/ui/host/scripted_ui.h"
+#include "editor/ui/state/files.h"
 #include "editor/ui/state/keys.h"
 #include "editor/ui/view/load_probe.h"
 #include "tests/editor/editor_level.h"
@@ -106,6 +107,28 @@ TEST_F(Window, AFormChoosesAndRuns) {
     EXPECT_NE(document().hash(), before);
     EXPECT_EQ(document().done().back(), "create size=4,4,4 name=block");
     EXPECT_FALSE(m_ui->stage().ui().commands().isOpen());
+}
+
+TEST_F(Window, AFormListsTheFilesThatItTakes) {
+    const rubble::TempFolder folder;
+    play("save " + (folder / "Crate.rubble"));
+    std::filesystem::create_directory(folder / "models");
+    for (const char* other : {"a.png", ".hidden.rubble", "b.VOX"}) std::ofstream(folder / other) << "no level";
+    const auto names = [&](const std::string& path) {
+        std::string all;
+        for (const FileEntry& each : listFiles(folder / "", ".rubble .vox", path))
+            all += each.name + (each.isFolder ? "/ " : " ");
+        return all;
+    };
+    EXPECT_EQ(names(folder / ""), "models/ b.VOX Crate.rubble ");
+    EXPECT_EQ(names(folder / "cra"), "Crate.rubble ");
+    EXPECT_EQ(names(folder / "other"), "models/ b.VOX Crate.rubble ") << "a new name";
+    EXPECT_TRUE(listFiles(folder / "none/", ".vox", "").empty());
+    EXPECT_EQ(folderOf("models/car.vox", "./"), "models/");
+    EXPECT_EQ(folderOf("car.vox", "./"), "./");
+    play("new\nui form open file=" + (folder / "") + "\nui at 200 213\nui click\nui at 148 471\nui click");
+    EXPECT_EQ(document().path(), folder / "Crate.rubble");
+    EXPECT_EQ(voxels(), 4096u);
 }
 
 TEST_F(Window, PlayLeavesNothingBehind) {

@@ -184,7 +184,7 @@ std::vector<Command> bodyCommands() {
          "bodies",
          Kind::Edit,
          "Places what a .vox, .vdb or .rubble file holds, or makes voxels of a mesh: .obj, .ply or .glb.",
-         {{"file", Type::Text, "its path", kRequired},
+         {{"file", Type::Text, "its path", kRequired, 0, 0, ".vox .vdb .rubble .obj .ply .glb"},
           {"at", Type::Point, "where its origin comes", "0,0,0"},
           kTurn,
           {"voxels", Type::Whole, "of a mesh: voxels along its longest side; 0: as long as the file says", "64", 0,

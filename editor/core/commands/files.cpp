@@ -44,7 +44,8 @@ std::vector<Command> fileCommands() {
          Kind::View,
          "Writes a copy for other programs: .vox, .obj or .glb, .rubble or .vdb; .png: what the view shows; .json: a "
          "trace of its times.",
-         {{"file", Type::Text, "its path, whose ending says the format", kRequired},
+         {{"file", Type::Text, "its path, whose ending says the format", kRequired, 0, 0,
+           ".vox .obj .glb .rubble .vdb .png .json"},
           {"what", Type::Objects, "the shapes, of .obj and .glb", "all"}},
          exportLevel,
          "export crate.glb crate"},

@@ -12,7 +12,7 @@
 namespace editor {
 namespace {
 
-const Parameter kFile{"file", Type::Text, "a PNG file", kRequired};
+const Parameter kFile{"file", Type::Text, "a PNG file", kRequired, 0, 0, ".png"};
 
 void setColors(rubble::World& world, rubble_shape shape, const std::vector<Rgb>& colors, uint32_t first) {
     std::vector<rubble_palette_entry> entries = world.get_palette(paletteRange(shape, first, uint32_t(colors.size())));

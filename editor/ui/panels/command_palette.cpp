@@ -67,6 +67,10 @@ void drawField(const Parameter& parameter, std::string& value) {
     ImGui::InputTextWithHint(id.c_str(), hint.c_str(), &value);
 }
 
+bool isFile(const Parameter& parameter) {
+    return parameter.type == Type::Text && !parameter.choices.empty();
+}
+
 std::string tipOf(const Parameter& parameter) {
     std::string tip(parameter.help);
     if (parameter.type == Type::Number || parameter.type == Type::Whole)
@@ -165,6 +169,21 @@ void CommandPalette::drawList(Session& session) {
     m_isOpen = false;
 }
 
+/// The files that a parameter may name, for the first one that names a file. True: one was clicked twice.
+bool CommandPalette::drawFiles(Session& session) {
+    for (size_t i = 0; i < m_values.size(); ++i) {
+        const Parameter& parameter = m_chosen->parameters[i];
+        if (!isFile(parameter)) continue;
+        const float height = std::max(ImGui::GetContentRegionAvail().y, 8 * ImGui::GetTextLineHeightWithSpacing());
+        ImGui::BeginChild("list of files", {0, height});
+        const bool isChosen =
+            m_files.draw(m_values[i], parameter.choices, folderOf(session.editor().document().path(), "./"));
+        ImGui::EndChild();
+        return isChosen;
+    }
+    return false;
+}
+
 void CommandPalette::drawForm(Session& session) {
     const Command& command = *m_chosen;
     ImGui::PushFont(boldFont());
@@ -177,20 +196,23 @@ void CommandPalette::drawForm(Session& session) {
         const Parameter& parameter = command.parameters[i];
         property(std::string(parameter.name).c_str(), tipOf(parameter).c_str());
         if (i == 0 && m_mustFocus) ImGui::SetKeyboardFocusHere();
-        ImGui::SetNextItemWidth(210 * uiScale());
+        ImGui::SetNextItemWidth(isFile(parameter) ? -1 : 210 * uiScale());
         drawField(parameter, m_values[i]);
+        if (isFile(parameter)) continue;
         ImGui::SameLine(312 * uiScale());
         ImGui::PushTextWrapPos(0.0f);
         ImGui::TextDisabled("%s", std::string(parameter.help).c_str());
         ImGui::PopTextWrapPos();
     }
     m_mustFocus = false;
+    const bool isFileChosen = drawFiles(session);
     ImGui::EndChild();
     if (m_error.empty())
         ImGui::TextDisabled("e.g. %s", std::string(command.example).c_str());
     else
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(theme::kError), "%s", m_error.c_str());
-    const bool runs = ImGui::Button("Run") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
+    const bool runs =
+        ImGui::Button("Run") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) || isFileChosen;
     tooltip("Enter");
     ImGui::SameLine();
     if (ImGui::Button("Back")) m_chosen = nullptr, m_mustFocus = true;

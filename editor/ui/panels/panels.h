@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/ui/panels/file_list.h"
 #include "editor/ui/state/session.h"
 #include "editor/ui/view/viewport.h"
 
@@ -103,11 +104,13 @@ public:
 private:
     void drawList(Session& session);
     void drawForm(Session& session);
+    bool drawFiles(Session& session);
     void choose(const Command& command);
 
     const Command* m_chosen = nullptr;
     std::vector<std::string> m_values;  ///< of the form, as they are typed; empty: left out
     std::string m_error;
+    FileList m_files;
     int m_marked = 0;
     bool m_isOpen = false, m_mustFocus = false;
 };
