@@ -37,7 +37,7 @@ struct Parameter {
     std::string_view help;       ///< one line, for tooltips
     std::string_view otherwise;  ///< what is taken where it is left out, as it is typed; kRequired, kOptional
     double low = -1e6, high = 1e6;
-    std::string_view choices = {};  ///< of Type::Choice, separated by spaces; of a Type::Text that is a file its endings
+    std::string_view choices = {};  ///< of Type::Choice, separated by spaces; endings of a Type::Text that is a file
 };
 
 /// A parameter that must be given.

@@ -83,8 +83,8 @@ void GlassShadowPass::listBodies(const FrameContext& frame) {
 bool GlassShadowPass::hasChangedAround(const FrameContext& frame) const {
     const auto& instances = frame.scene.bodies().instances();
     for (const DirtyRegions::Box& box : frame.scene.dirtyRegions().boxes()) {
-        const glm::dvec3 low = glm::dvec3(box.low) * DirtyRegions::kBrickMetres,
-                         high = glm::dvec3(box.high) * DirtyRegions::kBrickMetres;
+        const glm::dvec3 low = glm::dvec3(box.low) * DirtyRegions::kWordMetres,
+                         high = glm::dvec3(box.high) * DirtyRegions::kWordMetres;
         const glm::vec3 middle(0.5 * (low + high) - frame.scene.origin());
         const float radius = 0.5f * float(glm::distance(low, high));
         for (const int body : m_bodies)

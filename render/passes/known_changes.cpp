@@ -19,8 +19,8 @@ constexpr float kKeptChange = 0.04f;  ///< relative: the longest history survive
 /// tests/reference/ghost_test.cpp.
 constexpr float kUnknownShare = 0.04f;
 
-glm::vec3 cornerMetres(glm::ivec3 brick, const Scene& scene) {
-    return glm::vec3(glm::dvec3(brick) * DirtyRegions::kBrickMetres - scene.origin());
+glm::vec3 cornerMetres(glm::ivec3 word, const Scene& scene) {
+    return glm::vec3(glm::dvec3(word) * DirtyRegions::kWordMetres - scene.origin());
 }
 
 void addTexels(std::vector<glm::vec4>& texels, const LightGrid::Sent& sent, const Scene& scene) {
@@ -32,8 +32,10 @@ void addTexels(std::vector<glm::vec4>& texels, const LightGrid::Sent& sent, cons
 /// The regions in which shadow casters have changed.
 void setDirtyRegions(const Program& program, const Scene& scene) {
     std::vector<glm::vec4> corners;
-    for (const DirtyRegions::Box& box : scene.dirtyRegions().boxes())
-        for (const glm::ivec3& corner : {box.low, box.high}) corners.emplace_back(cornerMetres(corner, scene), 0.0f);
+    for (const DirtyRegions::Box& box : scene.dirtyRegions().boxes()) {
+        corners.emplace_back(cornerMetres(box.low, scene), box.area);
+        corners.emplace_back(cornerMetres(box.high, scene), 0.0f);
+    }
     program.set("uDirtyCornerCount", int(corners.size()));
     if (!corners.empty()) program.set("uDirtyCorners[0]", std::span<const glm::vec4>(corners));
 }

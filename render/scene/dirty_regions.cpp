@@ -1,36 +1,61 @@
 #include "render/scene/dirty_regions.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <glm/common.hpp>
 #include <limits>
 
 namespace rubble {
 namespace {
 
-/// Bricks between a brick and a box along the axis where they are farthest apart; 0 if they touch.
-int chebyshevDistance(const DirtyRegions::Box& box, glm::ivec3 brick) {
-    const glm::ivec3 gap = glm::max(glm::max(box.low - brick - 1, brick - box.high), glm::ivec3(0));
-    return std::max(gap.x, std::max(gap.y, gap.z));
+DirtyRegions::Box unionOf(const DirtyRegions::Box& a, const DirtyRegions::Box& b) {
+    return {glm::min(a.low, b.low), glm::max(a.high, b.high), a.area + b.area};
+}
+
+/// Words in a box: more than 2^53 do not occur within what has changed in a frame.
+double volumeOf(const DirtyRegions::Box& box) {
+    const glm::dvec3 size(box.high - box.low);
+    return size.x * size.y * size.z;
+}
+
+/// The box of some words of a brick, a bit each: x + 4 y + 16 z.
+DirtyRegions::Box boxOf(uint64_t words) {
+    DirtyRegions::Box box{glm::ivec3(kShadowBrickWords), glm::ivec3(0)};
+    for (; words; words &= words - 1) {
+        const int word = std::countr_zero(words);
+        const glm::ivec3 at(word & 3, word >> 2 & 3, word >> 4);
+        box.low = glm::min(box.low, at);
+        box.high = glm::max(box.high, at + 1);
+    }
+    return box;
 }
 
 }  // namespace
 
-void DirtyRegions::add(glm::ivec3 brick) {
-    Box* nearest = nullptr;
-    int smallest = std::numeric_limits<int>::max();
-    for (Box& box : m_boxes)
-        if (const int distance = chebyshevDistance(box, brick); distance < smallest)
-            smallest = distance, nearest = &box;
-    if (!nearest || (smallest > 0 && m_boxes.size() < kMaxRegions)) {
-        m_boxes.push_back({brick, brick + 1});
-        return;
-    }
-    nearest->low = glm::min(nearest->low, brick);
-    nearest->high = glm::max(nearest->high, brick + 1);
+void DirtyRegions::add(const Box& box) {
+    Box* best = nullptr;
+    double smallest = std::numeric_limits<double>::max();
+    for (Box& each : m_boxes)
+        if (const double growth = volumeOf(unionOf(each, box)) - volumeOf(each); growth < smallest)
+            smallest = growth, best = &each;
+    const bool joins = best && (smallest <= volumeOf(box) || m_boxes.size() == kMaxRegions);
+    if (joins)
+        *best = unionOf(*best, box);
+    else
+        m_boxes.push_back(box);
 }
 
 void DirtyRegions::add(const std::vector<ShadowPatch>& patches) {
-    for (const ShadowPatch& patch : patches) add(patch.brick);
+    constexpr float kFace = kShadowCell * kShadowCell, kSides = 2.0f;  // where a piece was, and where it is
+    for (const ShadowPatch& patch : patches) {
+        if (!patch.change.words) continue;
+        Box box = boxOf(patch.change.words);
+        box.low += patch.brick * kShadowBrickWords;
+        box.high += patch.brick * kShadowBrickWords;
+        box.area = kSides * kFace * std::pow(float(patch.change.cells), 2.0f / 3.0f);
+        add(box);
+    }
 }
 
 DirtyRegions DirtyRegions::begin(const DirtyRegions& last) const {

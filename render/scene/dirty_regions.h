@@ -12,12 +12,14 @@ namespace rubble {
 class DirtyRegions {
 public:
     static constexpr size_t kMaxRegions = shared::kMaxDirtyRegions;
-    static constexpr double kBrickMetres = 1.6;  ///< side of a brick of the shadow volume
+    static constexpr double kWordMetres = 0.4;  ///< side of a word of the shadow volume
     struct Box {
-        glm::ivec3 low, high;  ///< bricks of the shadow volume, high excluded
+        glm::ivec3 low, high;  ///< words of the shadow volume, high excluded
+        float area = 0.0f;     ///< square metres: about as much of what has changed in it is seen from one side
     };
 
-    /// Adds the bricks of these patches. A brick next to a box joins it; at kMaxRegions it joins the nearest one.
+    /// Adds what has changed in these patches, a box of words for each. It joins another one where both together hold
+    /// no more than they do, and at kMaxRegions the one that grows least.
     void add(const std::vector<ShadowPatch>& patches);
     /// These, as those of the moment after `last`.
     DirtyRegions begin(const DirtyRegions& last) const;
@@ -29,7 +31,7 @@ public:
     const std::vector<Box>& boxes() const { return m_boxes; }
 
 private:
-    void add(glm::ivec3 brick);
+    void add(const Box& box);
 
     std::vector<Box> m_boxes;
     bool m_followOthers = false;

@@ -20,6 +20,8 @@ using shared::kAlwaysWeighed;
 using shared::kTexelsPerLight;
 using shared::kTilePixels;
 constexpr int kSlices = 12;        ///< of depth: two per doubling from 1 m on; the last one has no end
+constexpr double kSameFire = 1.0;  ///< metres between a fire and what it is in the next frame, at most
+constexpr int kDiffuseFrames = 1;  ///< as kOldestLightChange of render/passes/known_changes.h
 constexpr float kAnyDepth = 8.0f;  ///< metres: depth at which lights of a tile at any depth are compared
 
 int sliceAt(float depth) {
@@ -146,6 +148,29 @@ std::optional<glm::ivec2> tilesAlong(float along, float depth, float radius, con
     }
     if (high < low) return {};
     return glm::ivec2(low, high);
+}
+
+/// The fires that are in one list and have none near them in the other. They have no handles, and flicker all the time:
+/// one that is still there counts as the same.
+std::vector<LightGrid::Sent> firesWithout(std::span<const LightGrid::Sent> fires,
+                                          std::span<const LightGrid::Sent> others) {
+    std::vector<LightGrid::Sent> without;
+    std::vector<bool> isTaken(others.size());
+    for (const LightGrid::Sent& fire : fires) {
+        if (!isFire(fire)) continue;
+        size_t nearest = others.size();
+        double least = kSameFire;
+        for (size_t i = 0; i < others.size(); ++i) {
+            if (isTaken[i] || !isFire(others[i])) continue;
+            const double away = glm::distance(fire.light.position, others[i].light.position);
+            if (away < least) least = away, nearest = i;
+        }
+        if (nearest < others.size())
+            isTaken[nearest] = true;
+        else
+            without.push_back(fire);
+    }
+    return without;
 }
 
 }  // namespace
@@ -282,10 +307,14 @@ float LightGrid::Change::range() const {
                     before.light.reach + float(glm::distance(before.light.position, after.light.position)));
 }
 
-/// A light's new change takes the place of its last one.
+/// A light's new change takes the place of its last one, and where there is no room that of the oldest one that no
+/// longer counts for diffuse light.
 void LightGrid::addChange(const Sent& before, const Sent& after) {
     if (!isFire(after))
         std::erase_if(m_changes, [&](const Change& old) { return old.after.light.light == after.light.light; });
+    const auto oldest = std::max_element(m_changes.begin(), m_changes.end(),
+                                         [](const Change& a, const Change& b) { return a.frames < b.frames; });
+    if (m_changes.size() == kMaxChanges && oldest->frames > kDiffuseFrames) m_changes.erase(oldest);
     if (m_changes.size() < kMaxChanges) {
         m_changes.push_back({before, after, 0, !isFire(after) && !m_differences.empty()});
         return;
@@ -325,8 +354,7 @@ void LightGrid::findDifferences(std::vector<Sent> now) {
     m_drawn = std::move(now);
 }
 
-/// Lights are compared with what they were when their last change counted, so that slow changes count in the end. Fires
-/// have no handles: if their number has changed, all of them count.
+/// Lights are compared with what they were when their last change counted, so that slow changes count in the end.
 void LightGrid::recordChanges(std::span<const SnapshotLight> lights) {
     for (Change& change : m_changes) ++change.frames;
     std::erase_if(m_changes, [](const Change& change) { return change.frames >= kMaxChangeFrames; });
@@ -335,18 +363,19 @@ void LightGrid::recordChanges(std::span<const SnapshotLight> lights) {
     now.reserve(lights.size());
     std::transform(lights.begin(), lights.end(), std::back_inserter(now), sentBy);
     findDifferences(now);
-    const bool firesChanged = std::count_if(m_lastLights.begin(), m_lastLights.end(), isFire) !=
-                              std::count_if(now.begin(), now.end(), isFire);
     std::vector<std::pair<uint64_t, const Sent*>> gone;
     for (const Sent& each : m_lastLights)
         if (!isFire(each)) gone.emplace_back(each.light.light.bits, &each);
     std::sort(gone.begin(), gone.end());
     std::vector<std::pair<Sent, Sent>> changed;
+    for (const Sent& lit : firesWithout(now, m_lastLights)) changed.emplace_back(outAt(lit), lit);
+    for (const Sent& out : firesWithout(m_lastLights, now)) changed.emplace_back(out, outAt(out));
     for (Sent& each : now) {
+        if (isFire(each)) continue;
         const auto last =
             std::lower_bound(gone.begin(), gone.end(), std::pair(each.light.light.bits, (const Sent*)nullptr));
-        if (isFire(each) || last == gone.end() || last->first != each.light.light.bits) {
-            if (!isFire(each) || firesChanged) changed.emplace_back(outAt(each), each);
+        if (last == gone.end() || last->first != each.light.light.bits) {
+            changed.emplace_back(outAt(each), each);
             continue;
         }
         if (differs(*last->second, each))
@@ -355,8 +384,6 @@ void LightGrid::recordChanges(std::span<const SnapshotLight> lights) {
             each = *last->second;
         last->second = nullptr;
     }
-    for (const Sent& each : m_lastLights)
-        if (isFire(each) && firesChanged) changed.emplace_back(each, outAt(each));
     for (const auto& [bits, last] : gone)
         if (last) changed.emplace_back(*last, outAt(*last));
     if (!changed.empty()) m_framesSinceChange = 0;

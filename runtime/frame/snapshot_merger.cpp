@@ -89,10 +89,13 @@ void SnapshotMerger::addShadow(ShadowPatch&& patch) {
     ShadowPatch* earlier = m_shadow.find(patch.brick);
     const bool wasEmpty = earlier ? earlier->wasEmpty : patch.wasEmpty;
     if (!patch.content && (wasEmpty || m_all->shadowReplacesAll)) return m_shadow.erase(patch.brick);
-    if (earlier)
+    if (earlier) {
         earlier->content = std::move(patch.content);
-    else
+        earlier->change.words |= patch.change.words;
+        earlier->change.cells += patch.change.cells;
+    } else {
         m_shadow.set(std::move(patch));
+    }
 }
 
 /// What a snapshot holds all of, or nothing.

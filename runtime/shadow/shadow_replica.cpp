@@ -338,8 +338,9 @@ void ShadowReplica::rebuildBrick(BrickEntry& entry, ShadowPatches& out) {
     state.isTransient = state.moving != kNone;
     if (content == state.published) return;
     const bool wasEmpty = !state.published;
+    const ShadowChange change = changeBetween(state.published.get(), content.get());
     state.published = std::move(content);
-    out.patches.push_back({brick, state.published, wasEmpty});
+    out.patches.push_back({brick, state.published, wasEmpty, change});
 }
 
 bool ShadowReplica::update(ShadowPatches& out, const MustStop& mustStop) {

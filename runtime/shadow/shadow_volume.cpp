@@ -1,6 +1,7 @@
 #include "runtime/shadow/shadow_volume.h"
 
 #include <algorithm>
+#include <bit>
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -182,6 +183,16 @@ bool sameCells(const ShadowBrick& brick, const ShadowWords& cells) {
     for (int i = 0; i < 64; ++i)
         if (brick.cells(i) != cells[size_t(i)]) return false;
     return true;
+}
+
+ShadowChange changeBetween(const ShadowBrick* before, const ShadowBrick* after) {
+    ShadowChange change{0, 0};
+    for (int i = 0; i < 64; ++i) {
+        const uint64_t cells = (before ? before->cells(i) : 0) ^ (after ? after->cells(i) : 0);
+        change.words |= uint64_t(cells != 0) << i;
+        change.cells += uint32_t(std::popcount(cells));
+    }
+    return change;
 }
 
 }  // namespace rubble

@@ -38,14 +38,24 @@ inline glm::ivec3 emptyBox(const ShadowBrick& brick, int word, int octant) {
     return glm::ivec3(int(texel & 3), int(texel >> 16 & 3), int(texel >> 32 & 3)) + 1;
 }
 
+/// How much of a brick has changed, at the most.
+struct ShadowChange {
+    uint64_t words = ~0ull;  ///< those whose cells differ, a bit each
+    uint32_t cells = 4096;   ///< that differ
+};
+/// What differs between two bricks; null: an empty one.
+ShadowChange changeBetween(const ShadowBrick* before, const ShadowBrick* after);
+
 inline constexpr float kShadowCell = 0.1f;  ///< metres
 inline constexpr int kShadowBrickCells = 16;
+inline constexpr int kShadowBrickWords = 4;  ///< along each axis
 
 /// A brick of the world's shadow volume that an update changed. Coordinates in bricks, of any sign. Null: empty now.
 struct ShadowPatch {
     glm::ivec3 brick;
     ShadowBrickRef content;
     bool wasEmpty = false;  ///< there was nothing before: if it is empty again, nobody needs to hear of it
+    ShadowChange change = {};
 };
 
 /// A publication of the worker: the bricks that differ from the one before.

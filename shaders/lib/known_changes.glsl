@@ -8,7 +8,8 @@
 #include "lib/constants.glsl"
 
 uniform int uDirtyCornerCount;
-uniform vec4 uDirtyCorners[2 * kMaxDirtyRegions];  // low and high corners of changed boxes by turns, world
+uniform vec4 uDirtyCorners[2 * kMaxDirtyRegions];  // boxes in which voxels have changed, world: low corner, w
+                                               // square metres of what has changed as it is seen; high corner
 uniform int uChangedLightTexels;
 uniform int uNewLightTexels;  // the first of them: changes since the previous frame; behind them older ones
 // The share of a change of lights that stays in a history which was made that of the lights of now
@@ -29,7 +30,8 @@ uniform float uLateSkylightChange;  // the largest of that and of frames before 
 uniform float uMaxHistory;          // frames
 
 const float kSampleDeviation = 0.25;  // s: of a sample of light after the spatial filter
-const float kResetDistance = 1.2;     // metres around changed voxels within which all history is dropped
+const float kResetDistance = 1.2;     // metres around changed voxels within which all history is dropped, at most
+const float kCompact = 0.3;           // share of a box that has changed, from which on it counts as changed as a whole
 const float kReflected = 0.4;         // share of the light of a place that may come from one shape beside it
 const float kMinFalloff = 0.1;        // share of a light's intensity that reaches places beside its beam, by bounces
 
@@ -38,8 +40,13 @@ float historyLeftAfter(float relativeChange) {
     return min(ratio * ratio / uMaxHistory, 1.0);
 }
 
-/// Around voxels that have changed: by the share of directions in which their boxes are seen, squared, as little has
-/// changed in most of a small box.
+/// The share of a box that has changed, as it is seen from outside. halfDiagonal2: squared.
+float changedShare(float area, float halfDiagonal2) {
+    return min(area / halfDiagonal2, 1.0);
+}
+
+/// Around voxels that have changed: by the share of directions in which they are seen, squared, as little has changed
+/// in most of a small box. Where pieces fly about in a large box, nobody knows which place in it is near one.
 float historyNearVoxels(vec3 position) {
     float share = 0.0;
     int i = loopBegin();
@@ -48,9 +55,9 @@ float historyNearVoxels(vec3 position) {
         vec3 low = uDirtyCorners[i].xyz, high = uDirtyCorners[i + 1].xyz;
         vec3 outside = max(max(low - position, position - high), vec3(0.0)), away = 0.5 * (low + high) - position,
              halfSize = 0.5 * (high - low);
-        if (dot(outside, outside) < kResetDistance * kResetDistance) return 0.0;
-        float radius2 = dot(halfSize, halfSize);
-        share += radius2 / (dot(away, away) + radius2);
+        float box2 = dot(halfSize, halfSize), changed = changedShare(uDirtyCorners[i].w, box2), area = changed * box2;
+        if (changed > kCompact && dot(outside, outside) < min(area, kResetDistance * kResetDistance)) return 0.0;
+        share += area / (max(dot(away, away), (1.0 - changed) * box2) + area);
     } while ((i += 2) < uDirtyCornerCount);
     return historyLeftAfter(share * share);
 }
@@ -130,6 +137,24 @@ vec3 changeByLights(vec3 position, int first, int end) {
     return change;
 }
 
+/// The share of what has changed in the boxes through which a line passes, or beside which within `margin`: see
+/// meetsChange().
+float shareOfChange(vec3 origin, vec3 ray, float margin) {
+    vec3 inverse = 1.0 / (ray + vec3(equal(ray, vec3(0.0))) * 1e-6);
+    float share = 0.0;
+    int i = loopBegin();
+    do {
+        if (uDirtyCornerCount == 0) break;
+        vec3 low = uDirtyCorners[i].xyz - origin, high = uDirtyCorners[i + 1].xyz - origin;
+        vec3 halfSize = 0.5 * (high - low);
+        vec3 wider = vec3(margin * length(0.5 * (low + high)));
+        vec3 a = (low - wider) * inverse, b = (high + wider) * inverse, enter = min(a, b), leave = max(a, b);
+        bool isMet = max(max(enter.x, enter.y), max(enter.z, 0.0)) <= min(min(leave.x, leave.y), min(leave.z, 1.0));
+        share += isMet ? changedShare(uDirtyCorners[i].w, dot(halfSize, halfSize)) : 0.0;
+    } while ((i += 2) < uDirtyCornerCount);
+    return min(share, 1.0);
+}
+
 /// Irradiance of the lights before which changed voxels lie.
 vec3 changeByShadows(vec3 position) {
     vec3 change = vec3(0.0);
@@ -137,8 +162,11 @@ vec3 changeByShadows(vec3 position) {
     do {
         if (uShadowedLightTexels == 0) break;
         vec3 toLight = uShadowedLights[i].xyz - position;
-        if (meetsChange(position, toLight, uShadowedLights[i + 1].w / max(length(toLight), 0.05)))
-            change += irradianceOf(uShadowedLights[i], uShadowedLights[i + 1], uShadowedLights[i + 2], position);
+        float share = shareOfChange(position, toLight, uShadowedLights[i + 1].w / max(length(toLight), 0.05));
+        if (share > 0.0) {
+            vec3 light = irradianceOf(uShadowedLights[i], uShadowedLights[i + 1], uShadowedLights[i + 2], position);
+            change += share * light;
+        }
     } while ((i += 3) < uShadowedLightTexels);
     return change;
 }

@@ -32,7 +32,7 @@ SHARED_CONSTANT int kOutlineRuns = 16;    // such boxes in a larger one
 SHARED_CONSTANT int kMaxWaterCovers = 4;  // waters that take what a water shares with them
 
 // Lengths of uniform arrays, and the size of a texel of the history confidence in pixels.
-SHARED_CONSTANT int kMaxDirtyRegions = 8;
+SHARED_CONSTANT int kMaxDirtyRegions = 16;
 SHARED_CONSTANT int kMaxLightChanges = 16;
 SHARED_CONSTANT int kMaxLookChanges = 8;
 SHARED_CONSTANT int kMaxMovingBodies = 8;
