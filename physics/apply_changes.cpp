@@ -66,6 +66,23 @@ void updateWaters(PhysicsBodies& bodies, WaterVolumes& waters, const FrameChange
     }
 }
 
+/// Puts those to sleep again that the changes have woken though World says that they sleep: all where it only undid or
+/// redid, else those that it has placed or put to sleep itself.
+void keepAsleep(PhysicsBodies& bodies, const FrameChanges& changes, const World& world) {
+    const auto keep = [&](BodyHandle handle) {
+        const Body* kept = world.bodies().find(handle);
+        DynamicBody* body = bodies.find(handle);
+        if (!kept || !kept->asleep || !body || body->asleep() || body->quarantined()) return;
+        bodies.putToSleep(*body);
+        body->settled = kept->settled;
+    };
+    for (const auto* list : {&changes.bodiesCreated, &changes.teleported})
+        for (const BodyHandle handle : *list) keep(handle);
+    if (changes.keepsSleep)
+        for (const uint32_t slot : bodies.awake()) keep(bodies.handles()[slot]);
+    bodies.removeEnded();
+}
+
 }  // namespace
 
 void PhysicsWorld::Impl::setGravity(const World& world) {
@@ -100,6 +117,7 @@ void PhysicsWorld::Impl::applyChanges(const FrameChanges& changes, const World& 
             if (DynamicBody* body = bodies.find(handle); body && !world.bodies().at(handle).asleep) bodies.wake(*body);
     }
     joints.apply(changes, world, bodies);
+    keepAsleep(bodies, changes, world);
 }
 
 void PhysicsWorld::Impl::applyImpulses(const FrameChanges& changes) {

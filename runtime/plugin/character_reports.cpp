@@ -42,7 +42,7 @@ void CharacterReports::walk(const CharacterMove& move, Seen& seen, const World& 
     const bool landed = !seen.grounded && seen.fallSpeed > kLandingSpeed;
     seen.walked += speed / double(kStepsPerSecond);
     if (!landed && seen.walked < stride) return;
-    seen.walked = 0.0;
+    seen.walked = landed ? 0.0 : std::fmod(seen.walked, stride);
     m_footsteps.push_back(footstepAt(move, world));
     m_footsteps.back().landed = landed;
     m_footsteps.back().speed = landed ? seen.fallSpeed : speed;

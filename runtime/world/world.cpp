@@ -94,6 +94,7 @@ FrameChanges World::applyEdits(const Edits& edits, const Edits& damage, Follows 
         EditStep(m_data, changes).run(all);
     const bool isOnlyHistory = wasUndoOrRedo && (changes.entries() == restored || !hasOtherEdits(all));
     for (UndoHistory& undo : m_undo) undo.recordStep(m_data, changes, isOnlyHistory);
+    changes.keepsSleep = isOnlyHistory;
     keepNetChanges(changes, m_data);
     return changes;
 }

@@ -136,13 +136,13 @@ TEST_F(HostPhysics, ChangesAreListedWithTheirKinds) {
     ASSERT_EQ(api()->carve(m_world, &carve), RUBBLE_OK);
     step();
     ASSERT_EQ(rigids().size(), 1u);
-    EXPECT_EQ(rigids()[0].changes, uint32_t(RUBBLE_RIGID_SOLID));
+    EXPECT_EQ(rigids()[0].changes, uint32_t(RUBBLE_RIGID_SOLID | RUBBLE_RIGID_MOVED)) << "its centre is another";
     EXPECT_GT(boxes(cube).size(), 2u);
     const double mass = rigids()[0].mass;
     ASSERT_EQ(api()->destroy_shape(m_world, shape), RUBBLE_OK);
     step();
     ASSERT_EQ(rigids().size(), 1u) << "a body that lost a shape";
-    EXPECT_EQ(rigids()[0].changes, uint32_t(RUBBLE_RIGID_SOLID));
+    EXPECT_EQ(rigids()[0].changes, uint32_t(RUBBLE_RIGID_SOLID | RUBBLE_RIGID_MOVED));
     EXPECT_LT(rigids()[0].mass, mass);
     change.body = make(bodyAt(30.0, 0.0, RUBBLE_BODY_STATIC)), change.fields = RUBBLE_SET_POSE;
     second.body = change.body;
@@ -160,6 +160,24 @@ TEST_F(HostPhysics, ChangesAreListedWithTheirKinds) {
     step();
     ASSERT_EQ(rigids().size(), 1u) << "and weighs more";
     EXPECT_EQ(rigids()[0].changes, uint32_t(RUBBLE_RIGID_MOVED | RUBBLE_RIGID_SOLID));
+}
+
+TEST_F(HostPhysics, WhatAnEditWakesIsListed) {
+    const rubble_body cube = makeCube(5.0, 10.0);
+    step();
+    rubble_body_state state = {};
+    ASSERT_EQ(api()->get_body_state(m_world, cube, &state), RUBBLE_OK);
+    state.flags |= RUBBLE_BODY_ASLEEP;
+    ASSERT_EQ(api()->set_body_states(m_world, &state, 1), RUBBLE_OK);
+    step();
+    EXPECT_TRUE(rigids().empty()) << "the host knows what it said";
+    auto carve = sized<rubble_carve>();
+    carve.position[0] = 5.0, carve.position[1] = 10.0, carve.radii[0] = carve.radii[1] = carve.radii[2] = 0.3;
+    ASSERT_EQ(api()->carve(m_world, &carve), RUBBLE_OK);
+    step();
+    ASSERT_EQ(rigids().size(), 1u);
+    EXPECT_EQ(rigids()[0].changes, uint32_t(RUBBLE_RIGID_MOVED | RUBBLE_RIGID_SOLID));
+    EXPECT_FALSE(rigids()[0].flags & RUBBLE_BODY_ASLEEP);
 }
 
 /// What flies breaks where it is now, and its pieces fly on from there.

@@ -45,12 +45,16 @@ std::vector<ChangedBody> changedBodies(const FrameChanges& changes, const World&
         if (const Shape* found = world.shapes().find(shape)) add(found->body, RUBBLE_RIGID_SOLID);
     };
     for (const BodyHandle body : changes.bodiesCreated) add(body, RUBBLE_RIGID_NEW);
-    for (const BodyHandle body : changes.teleported) add(body, RUBBLE_RIGID_MOVED);
+    for (const auto* list : {&changes.teleported, &changes.woken})
+        for (const BodyHandle body : *list) add(body, RUBBLE_RIGID_MOVED);
     for (const BodyHandle body : changes.lostShapes) add(body, RUBBLE_RIGID_SOLID);
     for (const auto* list : {&changes.shapesCreated, &changes.carved, &changes.filters})
         for (const ShapeHandle shape : *list)
             if (list != &changes.shapesCreated || !changes.isRelocated(shape)) addOwner(shape);
     sortChanges(out);
+    for (ChangedBody& each : out)  // about another centre a body that turns has another velocity
+        if (each.changes & RUBBLE_RIGID_SOLID && !world.bodies().at(each.body).isStatic)
+            each.changes |= RUBBLE_RIGID_MOVED;
     return out;
 }
 

@@ -65,11 +65,9 @@ void runStressAnalysis(EditContext& context) {
     for (const ShapeHandle handle : context.changes.shapesCreated)
         if (context.world.shapes.find(handle)) context.world.addStress(handle);
     for (const auto& [slot, each] : context.editStates) {
-        if (WorldStress::Entry* entry = each.otherMaterials ? stress.find(each.shape) : nullptr) {
-            entry->palette = nullptr;  // the strengths are looked up again
-            entry->cracks.clear();
-            entry->analysis.restart();
-            stress.wake(each.shape);
+        if (each.otherMaterials && stress.find(each.shape)) {  // begun again: its graph has the old weights
+            stress.remove(each.shape);
+            context.world.addStress(each.shape);
         }
         if (WorldStress::Entry* entry = stress.find(each.shape);
             entry && !(each.carved.empty() && each.filled.empty())) {

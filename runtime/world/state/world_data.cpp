@@ -140,8 +140,8 @@ void WorldData::addStress(ShapeHandle handle) {
     if (!shape.loadBearing || !bodies.at(shape.body).isStatic) return;
     if (shape.grid.brickCount() > settings.stress.largestShape) {
         logWarning("stress: shape \"" + shape.name + "\" has " + std::to_string(shape.grid.brickCount()) +
-                   " bricks and is not analysed: it never breaks under its load. To include it, raise "
-                   "largestShape of the stress settings, which is " +
+                   " bricks and is not analysed: it never breaks under its load. To include it, raise the "
+                   "setting largest_stressed, which is " +
                    std::to_string(settings.stress.largestShape));
         return;
     }

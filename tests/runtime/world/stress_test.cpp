@@ -113,6 +113,28 @@ TEST(Stress, CutsTriggerANewAnalysis) {
     EXPECT_NEAR(cracks[0].position.x, 0.6, 0.11);
 }
 
+TEST(Stress, OtherMaterialsTriggerANewAnalysis) {
+    for (const bool byPalette : {false, true}) {
+        World world;
+        world.setSettings(stressOn(1.5 * shareAtWall(80, 8, 0.1, 1.0)));
+        world.load(cantilever(80, 8));
+        for (int step = 0; step < 60; ++step) EXPECT_TRUE(world.applyEdits({}).cracks.empty());
+        const auto& materials = world.materials().materials;
+        const uint8_t concrete = world.materials().find("concrete");
+        Material weak = materials[concrete];
+        weak.name = byPalette ? "weak concrete" : "concrete";
+        weak.tensileStrength *= 0.5f;
+        const auto row = uint8_t(byPalette ? materials.size() : concrete);
+        ShapeHandle beam;
+        world.shapes().forEach([&](ShapeHandle handle, const Shape&) { beam = handle; });
+        Edits edits{SetMaterialsEdit{row, {weak}}};
+        if (byPalette) edits.push_back(SetPaletteEdit{beam, false, 1, {{.material = row}}});
+        size_t cracks = world.applyEdits(edits).cracks.size();
+        for (int step = 0; step < 60; ++step) cracks += world.applyEdits({}).cracks.size();
+        EXPECT_GT(cracks, 0u) << (byPalette ? "by its palette" : "by the table");
+    }
+}
+
 TEST(Stress, TheSameEditsGiveTheSameHashes) {
     World first, second;
     for (World* world : {&first, &second}) {

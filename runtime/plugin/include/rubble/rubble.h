@@ -406,8 +406,9 @@ typedef struct rubble_prefab {
     uint32_t reserved;
     const char* path;     /* .rubble, .vox or .vdb; null: `data` */
     const char* vdb_tool; /* for .vdb: as in load_level() */
-    const void* data;     /* a .rubble or .vox file in memory; not read after the call. The world keeps what it has read
-                           * of such files, here and from `path`, up to 64 MiB: placed again, they are not read again */
+    /* a .rubble or .vox file in memory; not read after the call. The world keeps what it has made of such files, here
+     * and from `path`, up to 64 MiB: of the same bytes again nothing is made */
+    const void* data;
     uint64_t size;        /* bytes of `data` */
     double position[3];   /* of the level's origin, world */
     double rotation[4];   /* of the level's axes */
@@ -556,7 +557,8 @@ typedef struct rubble_material {
     double restitution;          /* speed after an impact over that before, 0 to 1; the same */
     double heat_capacity;        /* J/(kg K), 0 to 1e6 */
     double ignition_temperature; /* K, 0 to 1e5; 0: does not burn */
-    double burn_time;            /* s until a voxel that burns is gone, 0 to 1e6 */
+    double burn_time;            /* s in which the surface of what burns recedes by about a voxel, 0 to 1e6; of small
+                                  * things more goes at once: fewer than 8 voxels of a brick burn as fast as 8 */
 } rubble_material;
 
 /* ---- bricks: copies that a host keeps of shapes ---- */
@@ -678,8 +680,9 @@ typedef struct rubble_heat {
     uint32_t flags;     /* RUBBLE_HEAT_... */
     double position[3]; /* centre, world */
     double radius;      /* metres, 0.001 to 1000; 0: 0.5 */
-    /* in all, 0 to 1e15. A wooden floor of 5 or 10 cm voxels ignites at about 300 to 370 kJ for each square metre of
-     * the sphere's cross-section, with radii of 0.5 to 1.5 m; a smaller sphere, or larger voxels, need more */
+    /* in all, 0 to 1e15. A wooden floor of 5 or 10 cm voxels ignites at about 200 to 800 kJ for each square metre of
+     * the sphere's cross-section, with radii of 0.5 to 1.5 m: a floor of one voxel at the least, thick ones, of which
+     * more lies in the sphere, at more; a smaller sphere, or larger voxels, need more */
     double joules;
     rubble_shape shape; /* heats this shape only; 0: all shapes */
     uint64_t reserved;
@@ -753,7 +756,9 @@ typedef struct rubble_joint_settings {
     double rope_length, rope_radius;
     double rope_stretch;                /* relative elongation under 10 kN, as of a critically damped spring */
     double rope_strength;               /* N at which the rope breaks; 0: never */
-    double drive_torque, brake_torque;  /* wheel: N m at full throttle and at full brake, see drive_wheels() */
+    /* wheel: N m at full throttle and at full brake, see drive_wheels(). From the first call of that on a hundredth of
+     * the larger one holds against rolling, as tyres do */
+    double drive_torque, brake_torque;
     double max_spin;                    /* wheel: rad/s forward, half of it backward; 0: 60 */
     double max_steer_angle, steer_rate; /* wheel: radians to each side, at most 1.5; rad/s of steering, 0: 2 */
 } rubble_joint_settings;
@@ -985,7 +990,8 @@ typedef struct rubble_break_report {
 } rubble_break_report;
 
 enum {
-    RUBBLE_REPORT_JOINT_VOXEL_GONE = 0, /* the voxel that held an end was removed */
+    /* the voxel that held an end was removed; a rope of which only an end comes loose goes on, and is not told of */
+    RUBBLE_REPORT_JOINT_VOXEL_GONE = 0,
     RUBBLE_REPORT_JOINT_OVERLOADED = 1, /* by its force or torque; the first part of a rope keeps the handle */
     RUBBLE_REPORT_JOINT_REMOVED = 2,    /* by an edit */
     RUBBLE_REPORT_JOINT_CUT = 3,        /* a rope was cut; its first part keeps the handle */
@@ -1416,7 +1422,9 @@ enum {
 enum {
     RUBBLE_RIGID_NEW = 1,   /* it is to be made */
     RUBBLE_RIGID_SOLID = 2, /* its voxels are others: mass, centre, inertia and boxes */
-    RUBBLE_RIGID_MOVED = 4  /* an edit has set its pose or motion, put it to sleep, woken it or changed its kind */
+    /* an edit has set its pose or motion, put it to sleep, woken it or changed its kind; of free bodies also with
+     * RUBBLE_RIGID_SOLID: about another centre what turns has another velocity */
+    RUBBLE_RIGID_MOVED = 4
 };
 
 /* A row of get_rigid_bodies(). In a world with RUBBLE_WORLD_HOST_PHYSICS, a frame of the host is: step(); rigid bodies
@@ -1748,7 +1756,7 @@ typedef struct rubble_api {
     /* [main-thread] Replaces the whole world by a level: a .rubble, .vdb or .vox file, told apart by the ending
      * of the UTF-8 path. vdb_tool: path of the program rubble-vdb, which is run as a child process for .vdb
      * files; may be null for others. Drops the edits that wait in the queue, with a warning in the log, and stops a
-     * recording. Until the next step() get_events() is empty. Bodies begin
+     * recording. Until the next step() get_events() is empty, and draw() shows what was there before. Bodies begin
      * asleep where the level has them, in the air too, until something wakes them: a hit, an impulse (one of length 0
      * is enough), or an edit that changes what they touch. Those to which the level gives a velocity begin awake.
      * RUBBLE_ERROR_FILE says what is wrong with the file and where, or that there is not enough memory for what it
@@ -2146,8 +2154,9 @@ typedef struct rubble_api {
 
     /* [main-thread] Replaces entries of a shape's palette from the next step on: `range->count` rows. Voxels look,
      * weigh, break, burn and slide as their new material does; those that change their light group count in the new
-     * one. Shapes that share the palette keep theirs, but with RUBBLE_PALETTE_ALL_EQUAL. Paint that blends takes
-     * entries that no voxel has: those without a material, then those that equal another one, then any. */
+     * one. Shapes that share the palette keep theirs, but with RUBBLE_PALETTE_ALL_EQUAL. Voxels that were painted
+     * or have charred are of entries of their own, which stay as they are. Paint that blends takes entries that no
+     * voxel has: those without a material, then those that equal another one, then any. */
     rubble_result (*set_palette)(rubble_world world, const rubble_palette_range* range,
                                  const rubble_palette_entry* entries);
     /* [main-thread] Reads entries of a shape's palette: `range->count` rows. */

@@ -91,10 +91,10 @@ public:
     /** Replaces the whole world by a level: a .rubble, .vdb or .vox file, told apart by the ending of the UTF-8 path.
      * vdb_tool: path of the program rubble-vdb, which is run as a child process for .vdb files; may be null for others.
      * Drops the edits that wait in the queue, with a warning in the log, and stops a recording. Until the next step()
-     * get_events() is empty. Bodies begin asleep where the level has them, in the air too, until something wakes them:
-     * a hit, an impulse (one of length 0 is enough), or an edit that changes what they touch. Those to which the level
-     * gives a velocity begin awake. RUBBLE_ERROR_FILE says what is wrong with the file and where, or that there is not
-     * enough memory for what it describes; the world is then unchanged. */
+     * get_events() is empty, and draw() shows what was there before. Bodies begin asleep where the level has them, in
+     * the air too, until something wakes them: a hit, an impulse (one of length 0 is enough), or an edit that changes
+     * what they touch. Those to which the level gives a velocity begin awake. RUBBLE_ERROR_FILE says what is wrong with
+     * the file and where, or that there is not enough memory for what it describes; the world is then unchanged. */
     void load_level(const char* path, const char* vdb_tool = nullptr) {
         check(api().load_level(m_handle, path, vdb_tool));
     }
@@ -736,8 +736,9 @@ public:
     }
     /** Replaces entries of a shape's palette from the next step on: `range->count` rows. Voxels look, weigh, break,
      * burn and slide as their new material does; those that change their light group count in the new one. Shapes that
-     * share the palette keep theirs, but with RUBBLE_PALETTE_ALL_EQUAL. Paint that blends takes entries that no voxel
-     * has: those without a material, then those that equal another one, then any. */
+     * share the palette keep theirs, but with RUBBLE_PALETTE_ALL_EQUAL. Voxels that were painted or have charred are of
+     * entries of their own, which stay as they are. Paint that blends takes entries that no voxel has: those without a
+     * material, then those that equal another one, then any. */
     void set_palette(rubble_palette_range range, const rubble_palette_entry* entries) {
         range.struct_size = sizeof range;
         range.entry_size = sizeof(rubble_palette_entry);
