@@ -43,6 +43,13 @@ protected:
                      change.shape = m_shape, change.fields = RUBBLE_SHAPE_DENSITY, change.density = 2.0;
                      return api()->set_shape(m_world, &change);
                  }},
+                {"gravity scale and damping",
+                 [&] {
+                     auto change = sized<rubble_body_change>();
+                     change.body = m_body, change.fields = RUBBLE_SET_GRAVITY_SCALE | RUBBLE_SET_DAMPING;
+                     change.gravity_scale = 0.5, change.linear_damping = 0.1;
+                     return api()->set_body(m_world, &change);
+                 }},
                 {"water around it",
                  [&] {
                      static constexpr double kOutline[8] = {15, -5, 25, -5, 25, 5, 15, 5};

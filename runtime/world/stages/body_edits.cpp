@@ -86,7 +86,8 @@ void apply(EditContext& context, const SetBodyEdit& edit) {
             context.changes.teleported.push_back(edit.body);
         return;
     }
-    context.wakeBody(edit.body);
+    const bool isMadeAsleep = context.isNew(edit.body) && body.asleep;
+    if (!isMadeAsleep || edit.setsVelocity || edit.setsSleep) context.wakeBody(edit.body);
     if (edit.setsVelocity) body.velocity = edit.velocity, body.angularVelocity = edit.angularVelocity;
     if (edit.setsSleep && edit.asleep) {
         body.velocity = body.angularVelocity = glm::dvec3(0.0);

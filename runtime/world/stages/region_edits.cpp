@@ -11,7 +11,7 @@ void apply(EditContext& context, const SetCollisionFilterEdit& edit) {
     shape->collisionLayer = edit.layer;
     shape->collisionMask = edit.mask;
     context.changes.filters.push_back(edit.shape);
-    context.wakeBody(shape->body);
+    if (!context.isNew(shape->body)) context.wakeBody(shape->body);  // a body that is made asleep stays so
 }
 
 void apply(EditContext& context, const SetCollisionShapeEdit& edit) {
@@ -19,7 +19,7 @@ void apply(EditContext& context, const SetCollisionShapeEdit& edit) {
     if (!shape) return context.warnStale("set_collision_shape: the handle of its shape is stale; nothing was changed");
     shape->collisionShape = edit.kind;
     context.changes.filters.push_back(edit.shape);
-    context.wakeBody(shape->body);
+    if (!context.isNew(shape->body)) context.wakeBody(shape->body);  // a body that is made asleep stays so
 }
 
 void apply(EditContext& context, const AddWaterEdit& edit) {
