@@ -13,7 +13,7 @@ DirtyRegions::Box unionOf(const DirtyRegions::Box& a, const DirtyRegions::Box& b
     return {glm::min(a.low, b.low), glm::max(a.high, b.high), a.area + b.area};
 }
 
-/// Words in a box: more than 2^53 do not occur within what has changed in a frame.
+/// Words in a box, as a double: a box may be as large as the world.
 double volumeOf(const DirtyRegions::Box& box) {
     const glm::dvec3 size(box.high - box.low);
     return size.x * size.y * size.z;

@@ -17,6 +17,16 @@ std::vector<glm::ivec3> bricksOf(const std::vector<BrickPlace>* places) {
     return out;
 }
 
+TEST(ShadowChange, SaysWhichWordsAndHowManyCells) {
+    const ShadowBrickRef one = brickOf(0b0110), other = brickOf(0b1010);
+    EXPECT_EQ(changeBetween(one.get(), other.get()).words, 1u);
+    EXPECT_EQ(changeBetween(one.get(), other.get()).cells, 2u);
+    EXPECT_EQ(changeBetween(nullptr, one.get()).cells, 2u);
+    EXPECT_EQ(changeBetween(one.get(), nullptr).words, 1u);
+    EXPECT_EQ(changeBetween(one.get(), one.get()).words, 0u);
+    EXPECT_EQ(changeBetween(nullptr, nullptr).cells, 0u);
+}
+
 TEST(ShadowCopy, ListsWhatChangedSinceAVersion) {
     ShadowCopy copy;
     const glm::ivec3 low(-1, 0, 0), high(4, 0, 2);
