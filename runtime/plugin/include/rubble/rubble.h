@@ -409,9 +409,9 @@ typedef struct rubble_prefab {
     /* a .rubble or .vox file in memory; not read after the call. The world keeps what it has made of such files, here
      * and from `path`, up to 64 MiB: of the same bytes again nothing is made */
     const void* data;
-    uint64_t size;        /* bytes of `data` */
-    double position[3];   /* of the level's origin, world */
-    double rotation[4];   /* of the level's axes */
+    uint64_t size;      /* bytes of `data` */
+    double position[3]; /* of the level's origin, world */
+    double rotation[4]; /* of the level's axes */
 } rubble_prefab;
 
 /* A row of create_prefab(). */
@@ -754,8 +754,8 @@ typedef struct rubble_joint_settings {
     double rope_end[3];               /* world: the rope's second end */
     /* metres; length 0: the distance of its ends, a shorter one pulls them together at 0.2 m/s; radius 0: 0.03 */
     double rope_length, rope_radius;
-    double rope_stretch;                /* relative elongation under 10 kN, as of a critically damped spring */
-    double rope_strength;               /* N at which the rope breaks; 0: never */
+    double rope_stretch;  /* relative elongation under 10 kN, as of a critically damped spring */
+    double rope_strength; /* N at which the rope breaks; 0: never */
     /* wheel: N m at full throttle and at full brake, see drive_wheels(). From the first call of that on a hundredth of
      * the larger one holds against rolling, as tyres do */
     double drive_torque, brake_torque;
