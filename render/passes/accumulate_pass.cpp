@@ -6,6 +6,7 @@
 #include "render/passes/history_left_pass.h"
 #include "render/passes/known_changes.h"
 #include "render/passes/relight_pass.h"
+#include "render/scene/light_grid.h"
 #include "render/scene/scene.h"
 
 namespace rubble {
@@ -32,7 +33,7 @@ void AccumulatePass::findChanges(const FrameContext& frame, const History& light
         program.set("uHistoryValid", int(light.valid && surface.valid && fast.valid));
         program.set("uDepth", frame.targets.at(Target::Depth));
         program.set("uHasGlass", int(frame.scene.hasGlass()));
-        setKnownChanges(program, frame, kOldestLightChange);
+        setKnownChanges(program, frame, LightGrid::kOldestForAccumulation);
         RelightPass::bind(program, frame);
     });
 }

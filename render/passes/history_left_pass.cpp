@@ -2,6 +2,7 @@
 
 #include "render/passes/fullscreen.h"
 #include "render/passes/known_changes.h"
+#include "render/scene/light_grid.h"
 #include "render/scene/scene.h"
 
 namespace rubble {
@@ -15,7 +16,7 @@ bool HistoryLeftPass::needed(const FrameContext& frame) {
     if (!frame.settings.temporal || !frame.settings.rejectStaleHistory || !hasHistory(Target::Surface) ||
         !hasHistory(Target::AccumulatedLight) || !hasHistory(Target::Radiance))
         return false;
-    return frame.scene.dirtyRegions().followOthers() || hasKnownChanges(frame, kOldestLightChange);
+    return frame.scene.dirtyRegions().followOthers() || hasKnownChanges(frame, LightGrid::kOldestForAccumulation);
 }
 
 void HistoryLeftPass::draw(const FrameContext& frame) const {
@@ -27,7 +28,7 @@ void HistoryLeftPass::draw(const FrameContext& frame) const {
         program.set("uRadianceHistory", targets.previousOrNone(Target::Radiance));
         program.set("uDiffuseFractionHistory", targets.previousOrNone(Target::DiffuseFraction));
         setLastConfidence(program, frame);
-        setKnownChanges(program, frame, kOldestLightChange);
+        setKnownChanges(program, frame, LightGrid::kOldestForAccumulation);
     });
 }
 

@@ -4,10 +4,6 @@
 
 namespace rubble {
 
-/// Frames for which changed lights count for accumulation. In the first frame with a new light, indirect light still
-/// comes from the frame before: its history is not kept either.
-inline constexpr int kOldestLightChange = 1;
-
 /// Whether anything has changed that setKnownChanges() would set. [render-thread]
 bool hasKnownChanges(const FrameContext& frame, int oldestLight = 0);
 /// Sets the uniforms of lib/known_changes.glsl: what voxels, looks of shapes and light from sun and sky have changed

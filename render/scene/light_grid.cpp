@@ -21,7 +21,6 @@ using shared::kTexelsPerLight;
 using shared::kTilePixels;
 constexpr int kSlices = 12;        ///< of depth: two per doubling from 1 m on; the last one has no end
 constexpr double kSameFire = 1.0;  ///< metres between a fire and what it is in the next frame, at most
-constexpr int kDiffuseFrames = 1;  ///< as kOldestLightChange of render/passes/known_changes.h
 constexpr float kAnyDepth = 8.0f;  ///< metres: depth at which lights of a tile at any depth are compared
 
 int sliceAt(float depth) {
@@ -308,13 +307,13 @@ float LightGrid::Change::range() const {
 }
 
 /// A light's new change takes the place of its last one, and where there is no room that of the oldest one that no
-/// longer counts for diffuse light.
+/// longer counts for accumulation.
 void LightGrid::addChange(const Sent& before, const Sent& after) {
     if (!isFire(after))
         std::erase_if(m_changes, [&](const Change& old) { return old.after.light.light == after.light.light; });
     const auto oldest = std::max_element(m_changes.begin(), m_changes.end(),
                                          [](const Change& a, const Change& b) { return a.frames < b.frames; });
-    if (m_changes.size() == kMaxChanges && oldest->frames > kDiffuseFrames) m_changes.erase(oldest);
+    if (m_changes.size() == kMaxChanges && oldest->frames > kOldestForAccumulation) m_changes.erase(oldest);
     if (m_changes.size() < kMaxChanges) {
         m_changes.push_back({before, after, 0, !isFire(after) && !m_differences.empty()});
         return;

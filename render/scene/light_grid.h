@@ -49,6 +49,9 @@ public:
     const std::vector<Sent>& sent() const { return m_lastLights; }
     /// If there are more changes, the last one counts as reaching everywhere.
     static constexpr size_t kMaxChanges = shared::kMaxLightChanges;
+    /// Frames for which changes count for accumulation. In the first frame with a new light, indirect light still comes
+    /// from the frame before: its history is not kept either.
+    static constexpr int kOldestForAccumulation = 1;
     static constexpr int kMaxChangeFrames = 32;  ///< frames after which a change is dropped
     /// The changes of the last frames. After a cut there are none, as no history is left.
     std::span<const Change> changes() const { return m_isCut ? std::span<const Change>() : m_changes; }

@@ -92,7 +92,7 @@ void SnapshotMerger::addShadow(ShadowPatch&& patch) {
     if (earlier) {
         earlier->content = std::move(patch.content);
         earlier->change.words |= patch.change.words;
-        earlier->change.cells += patch.change.cells;
+        earlier->change.cells = std::min(earlier->change.cells + patch.change.cells, ShadowChange{}.cells);
     } else {
         m_shadow.set(std::move(patch));
     }

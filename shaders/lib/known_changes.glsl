@@ -8,8 +8,8 @@
 #include "lib/constants.glsl"
 
 uniform int uDirtyCornerCount;
-uniform vec4 uDirtyCorners[2 * kMaxDirtyRegions];  // boxes in which voxels have changed, world: low corner, w
-                                               // square metres of what has changed as it is seen; high corner
+// Boxes in which voxels have changed, world: low corner, w square metres of the change as it is seen; high corner.
+uniform vec4 uDirtyCorners[2 * kMaxDirtyRegions];
 uniform int uChangedLightTexels;
 uniform int uNewLightTexels;  // the first of them: changes since the previous frame; behind them older ones
 // The share of a change of lights that stays in a history which was made that of the lights of now

@@ -1,22 +1,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <sstream>
 
 #include "editor/ui/panels/panels.h"
 #include "editor/ui/panels/widgets.h"
 #include "editor/ui/state/keys.h"
+#include "editor/ui/state/text.h"
 #include "editor/ui/state/theme.h"
 
 namespace editor {
 namespace {
-
-std::string lower(std::string_view text) {
-    std::string all(text);
-    std::transform(all.begin(), all.end(), all.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return all;
-}
 
 /// How well a command answers to one word; 0: not at all.
 int scoreOf(const Command& command, const std::string& word) {
@@ -133,6 +127,7 @@ void CommandPalette::choose(const Command& command) {
     m_chosen = &command;
     m_values.assign(command.parameters.size(), "");
     m_error.clear();
+    m_files = {};  // reads its folder again
     m_mustFocus = true;
 }
 

@@ -1,9 +1,10 @@
 #include "editor/ui/state/files.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <sstream>
+
+#include "editor/ui/state/text.h"
 
 namespace editor {
 namespace {
@@ -11,11 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr size_t kMaxEntries = 2000;
-
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return text;
-}
 
 bool hasOneOf(const std::string& name, std::string_view endings) {
     std::istringstream words{std::string(endings)};

@@ -114,12 +114,12 @@ std::string parameterAt(lua_State* L, int index) {
 }
 
 std::string messageOf(lua_State* L, std::string message) {
-    constexpr std::string_view kIs = " is ", kHas = " has ", kMeans = " names ", kExpected = ", expected ";
+    constexpr std::string_view kIs = " is ", kHas = " has ", kNaming = " names ", kExpected = ", expected ";
     const std::string folder = ScriptContext::of(L).folder + "/";
     for (size_t at = 0; folder.size() > 1 && (at = message.find(folder, at)) != message.npos;)
         message.erase(at, folder.size());
     message = withoutFunction(message);
-    const size_t is = message.find(kIs), has = message.find(kHas), end = std::min({is, has, message.find(kMeans)});
+    const size_t is = message.find(kIs), has = message.find(kHas), end = std::min({is, has, message.find(kNaming)});
     const size_t expected = message.find(kExpected), why = message.find(": ", expected);
     const std::string field = message.substr(0, end);
     const bool isField = end != message.npos && field.find(' ', field.starts_with("its ") ? 4 : 0) == field.npos;

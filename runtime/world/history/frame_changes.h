@@ -168,7 +168,7 @@ struct FrameChanges {
     bool materialsChanged = false;           ///< read them from the World; shapes that are of them are in `carved`
     bool settingsChanged = false;            ///< read them from the World; not for the limit of undo marks alone
     bool isRestored = false;                 ///< by an undo or redo: what is known of the motion before is of no use
-    bool keepsSleep = false;                 ///< by these alone: who slept there sleeps, whatever changes around them
+    bool keepsSleep = false;                 ///< the step did nothing else: nobody is woken by what it brought back
     std::vector<RefusedHandle> refused;      ///< in the order of their edits; nothing else has to follow them
 
     /// Whether `relocated` has a shape.
