@@ -269,7 +269,8 @@ void PhysicsBodies::putToSleep(DynamicBody& body) {
 }
 
 void PhysicsBodies::removeEnded() {
-    for (const uint32_t slot : m_ended) m_awake.remove(*m_dynamics[slot]);
+    for (const uint32_t slot : m_ended)
+        if (m_dynamics[slot]->asleep()) m_awake.remove(*m_dynamics[slot]);  // else something has woken it since
 }
 
 void PhysicsBodies::quarantineInvalid() {

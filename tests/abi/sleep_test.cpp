@@ -106,5 +106,29 @@ TEST_F(AbiSleep, WhatIsPutToSleepSleepsBesideOtherEditsOfItsStep) {
     }
 }
 
+TEST_F(AbiSleep, WhatIsPutToSleepOnAJointWithSomethingAwakeFallsWithIt) {
+    for (const Edit& edit : edits()) {
+        if (std::string(edit.what) == "hand" || std::string(edit.what) == "water around it") continue;  // they hold
+        const rubble_body other = make(bodyAt(21.0, 10.0, 0));
+        auto ball = sized<rubble_joint_settings>();
+        ball.kind = RUBBLE_JOINT_BALL;
+        ball.shapes[1] = make(shapeOn(other, RUBBLE_SHAPE_BOX, 8));
+        hang(0);
+        ball.shapes[0] = m_shape;
+        ball.position[0] = 20.9, ball.position[1] = 10.4, ball.position[2] = 0.4;
+        ASSERT_EQ(api()->add_joint(m_world, &ball), RUBBLE_OK) << api()->get_last_error();
+        step();
+        ASSERT_EQ(edit.apply(), RUBBLE_OK) << edit.what << ": " << api()->get_last_error();
+        auto change = sized<rubble_body_change>();
+        change.body = m_body, change.fields = RUBBLE_SET_ASLEEP;
+        ASSERT_EQ(api()->set_body(m_world, &change), RUBBLE_OK);
+        step(40);
+        EXPECT_FALSE(isAsleep()) << edit.what;
+        EXPECT_LT(state().position[1], 9.5) << edit.what;
+        for (const rubble_body body : {m_body, other}) ASSERT_EQ(api()->destroy_body(m_world, body), RUBBLE_OK);
+        step();
+    }
+}
+
 }  // namespace
 }  // namespace rubble
