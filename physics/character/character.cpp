@@ -349,6 +349,7 @@ private:
     /// Sets the velocity that it wishes on the ground. In the air its velocity along the wish tends to that, and
     /// nothing slows it down otherwise: who jumps on a train, or walks off its side, goes on with it.
     void accelerate() {
+        if (m_c.grounded && m_around.gravity.y > 0.0) leaveGround();
         const glm::dvec3 wish = clampedLength(horizontal(m_c.wish), m_c.crouched ? m_c.crouchSpeed : m_c.walkSpeed);
         if (m_c.grounded && !m_c.wantsJump) {
             m_c.velocity = horizontal(m_c.velocity);
@@ -385,8 +386,8 @@ private:
         const CharacterHit hit = m_queries.sweep(m_c.position, -kUp * queryDistance);
         const bool fallsAway = m_groundFalls && hit.object == m_ground;
         const double rising = walks ? 0.0 : m_c.velocity.y - velocityOf(hit.object, hit.point).y;
-        if (!hit.hit || m_c.swimming || rising > kMaxLandingRise) return;
-        if (!hit.isFlat) return;
+        if (!hit.hit || !hit.isFlat || m_c.swimming || rising > kMaxLandingRise) return;
+        if (m_around.gravity.y > 0.0) return;  // it falls upward
         const double drop = hit.t * queryDistance;
         if (drop > kSkin && !fallsAway) m_c.position.y -= drop - kSkin;
         m_c.grounded = true;

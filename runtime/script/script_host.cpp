@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kStep = 1.0 / 60.0;
 
-constexpr const char* kJointReports[] = {"voxel gone", "overloaded", "removed", "cut", "moved"};
+constexpr const char* kJointReports[] = {"voxel gone", "overloaded", "removed", "cut", "moved", "loose"};
 
 int pushAll(lua_State* L, std::initializer_list<uint64_t> handles) {
     for (const uint64_t handle : handles) pushHandle(L, handle);

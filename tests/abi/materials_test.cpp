@@ -147,7 +147,9 @@ TEST_F(AbiMaterials, BadRowsAreRefused) {
     refused(0, good, RUBBLE_ERROR_ARGUMENT, "first is 0, expected 1 to 20");
     refused(21, good, RUBBLE_ERROR_ARGUMENT, "first is 21, expected 1 to 20");
     rubble_material wrong = good;
-    wrong.name = nullptr;
+    wrong.struct_size = 4;
+    refused(5, wrong, RUBBLE_ERROR_STRUCT_SIZE, "set_materials: materials[0]->struct_size is 4");
+    wrong = good, wrong.name = nullptr;
     refused(5, wrong, RUBBLE_ERROR_NULL, "materials[0].name is null");
     wrong.name = "";
     refused(5, wrong, RUBBLE_ERROR_ARGUMENT, "name");

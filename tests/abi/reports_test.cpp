@@ -125,6 +125,33 @@ TEST_F(AbiReports, AJointThatIsRemovedIsReported) {
     EXPECT_EQ(reports().joints[0].what, uint32_t(RUBBLE_REPORT_JOINT_VOXEL_GONE));
 }
 
+TEST_F(AbiReports, AnEndOfARopeThatComesLooseIsReported) {
+    const rubble_body crate = addCrate(2.0);
+    ask(RUBBLE_REPORT_JOINT);
+    auto rope = sized<rubble_joint_settings>();
+    rope.kind = RUBBLE_JOINT_ROPE;
+    rope.shapes[0] = m_crate;
+    rope.position[0] = rope.position[2] = 0.8, rope.position[1] = 3.1;
+    rope.rope_end[0] = rope.rope_end[2] = 0.8, rope.rope_end[1] = 5.0;
+    rubble_joint joint = 0;
+    ASSERT_EQ(api()->create_joint(m_world, &rope, &joint), RUBBLE_OK) << api()->get_last_error();
+    step();
+    auto now = sized<rubble_joint_properties>();
+    ASSERT_EQ(api()->get_joint_properties(m_world, joint, &now), RUBBLE_OK);
+    EXPECT_EQ(now.flags, 0u) << "its second end is on the world";
+    ASSERT_EQ(api()->destroy_body(m_world, crate), RUBBLE_OK);
+    step();
+    ASSERT_EQ(reports().joint_count, 1u);
+    const rubble_joint_report loose = reports().joints[0];
+    EXPECT_EQ(loose.joint, joint);
+    EXPECT_EQ(loose.what, uint32_t(RUBBLE_REPORT_JOINT_LOOSE));
+    EXPECT_EQ(loose.from, m_crate);
+    EXPECT_EQ(loose.to, 0u);
+    EXPECT_NEAR(loose.position[1], 3.1, 0.1);
+    ASSERT_EQ(api()->get_joint_properties(m_world, joint, &now), RUBBLE_OK);
+    EXPECT_EQ(now.flags, uint32_t(RUBBLE_JOINT_FIRST_LOOSE));
+}
+
 TEST_F(AbiReports, FiresAreReportedWhenTheyAreLitAndWhenTheyGoOut) {
     addCrate(0.0);
     ask(RUBBLE_REPORT_FIRE);

@@ -81,7 +81,7 @@ void setMaterial(Editor& editor, const Arguments& arguments) {
     read("bounce", material.restitution);
     read("ignites_at", material.ignition_temperature);
     read("burns_for", material.burn_time);
-    world.set_materials(index ? index : world.get_material_count(), &material, 1);
+    world.set_materials(index ? index : world.get_material_count(), {material});
 }
 
 void listMaterials(Editor& editor, const Arguments&) {

@@ -76,6 +76,19 @@ inline rubble_environment apply_sky_model(rubble_environment environment, const 
     check(api().apply_sky_model(&environment, sun_direction));
     return environment;
 }
+
+/** rubble.h's get_layers(). */
+inline uint32_t get_layers() {
+    uint32_t layers = 0;
+    check(api().get_layers(&layers));
+    return layers;
+}
+
+/** rubble.h's measure_text(): width and height in `out`. */
+inline void measure_text(rubble_overlay_item item, double (&out)[2]) {
+    item.struct_size = sizeof item;
+    check(api().measure_text(&item, out));
+}
 '''
 
 CLASS = '''
@@ -152,10 +165,18 @@ def method(function, sized, kinds):
     given = arguments[:-3] if is_list else arguments[:-1] if is_read else arguments
     # an array in, and perhaps one row out for each of its rows
     counted = not is_list and any(argument["name"] == "count" for argument in given)
+    sized_rows = [first["name"] for first, second in zip(given, given[1:])
+                  if second["name"] == "count" and pointee(first["type"]) in sized]
     for argument in given:
         kind, name = argument["type"], argument["name"]
         passed.append(name)
-        if argument["array"]:
+        if name in sized_rows:
+            taken.append((False, f"std::vector<{pointee(kind)}> {name}"))
+            before.append(f"for ({pointee(kind)}& row : {name}) row.struct_size = sizeof row;")
+            passed[-1:] = [f"{name}.data()", f"uint32_t({name}.size())"]
+        elif sized_rows and name == "count":
+            passed.pop()
+        elif argument["array"]:
             taken.append((False, f"{kind} (&{name})[{argument['array']}]"))
         elif kind == "const rubble_query_filter*":
             taken.append((True, "rubble_query_filter filter = {}"))

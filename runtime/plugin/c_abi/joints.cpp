@@ -182,6 +182,8 @@ rubble_result getJointProperties(rubble_world world, rubble_joint joint, rubble_
         values.kind = uint32_t(found->kind);
         if (found->collides) values.flags |= RUBBLE_JOINT_COLLIDES;
         if (found->limits.on) values.flags |= RUBBLE_JOINT_LIMITED;
+        if (found->ends[0].isFree) values.flags |= RUBBLE_JOINT_FIRST_LOOSE;
+        if (found->ends[1].isFree) values.flags |= RUBBLE_JOINT_SECOND_LOOSE;
         values.motor = uint32_t(found->motor.mode);
         values.motor_target = found->motor.target;
         values.motor_max_force = found->motor.maxForce;

@@ -68,8 +68,11 @@ rubble_result setMaterials(rubble_world world, uint32_t first, const rubble_mate
         const size_t stride = isRefused() ? 0 : materials->struct_size;  // all rows are of one size
         const auto* row = reinterpret_cast<const char*>(materials);
         for (uint32_t i = 0; i < count && !isRefused(); ++i, row += stride) {
-            edit.materials.push_back(readMaterial(readStruct(reinterpret_cast<const rubble_material*>(row), "row")));
-            if (isRefused()) Call::current().locate(fmt::format("materials[{}].", i));
+            const std::string name = fmt::format("materials[{}]", i);
+            const auto given = readStruct(reinterpret_cast<const rubble_material*>(row), name.c_str());
+            if (isRefused()) break;
+            edit.materials.push_back(readMaterial(given));
+            if (isRefused()) Call::current().locate(name + ".");
         }
         if (!isRefused()) requireNoError(editError(edit));
         push(hosted, std::move(edit));

@@ -91,9 +91,11 @@ rubble_result setOverlay(rubble_renderer renderer, const rubble_overlay_item* it
         const size_t stride = count ? items->struct_size : 0;  // all are of one size
         const auto* row = reinterpret_cast<const char*>(items);
         for (uint32_t i = 0; i < count; ++i, row += stride) {
-            const auto given = readStruct(reinterpret_cast<const rubble_overlay_item*>(row), "item");
-            if (!isRefused()) read.push_back(readItem(given));
-            if (isRefused()) return Call::current().locate(fmt::format("items[{}].", i));
+            const std::string name = fmt::format("items[{}]", i);
+            const auto given = readStruct(reinterpret_cast<const rubble_overlay_item*>(row), name.c_str());
+            if (isRefused()) return;
+            read.push_back(readItem(given));
+            if (isRefused()) return Call::current().locate(name + ".");
         }
         const auto set = hosted.renderer->overlay().set(std::move(read));
         if (set) return;

@@ -120,8 +120,11 @@ void ReportRows::fillJoints(const FrameChanges& changes) {
         m_joints.push_back({broken.joint.bits, whatHappened(broken.reason), 0, {}, 0, 0});
         writeVector(m_joints.back().position, broken.position);
     }
-    for (const JointMoved& moved : changes.jointsMoved)
-        m_joints.push_back({moved.joint.bits, RUBBLE_REPORT_JOINT_MOVED, 0, {}, moved.from.bits, moved.to.bits});
+    for (const JointMoved& moved : changes.jointsMoved) {
+        const uint32_t what = moved.to ? RUBBLE_REPORT_JOINT_MOVED : RUBBLE_REPORT_JOINT_LOOSE;
+        m_joints.push_back({moved.joint.bits, what, 0, {}, moved.from.bits, moved.to.bits});
+        writeVector(m_joints.back().position, moved.position);
+    }
 }
 
 void ReportRows::fillFires(const World& world) {

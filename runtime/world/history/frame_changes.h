@@ -89,10 +89,11 @@ struct FireEvent {
     glm::dvec3 position;  ///< world, metres
 };
 
-/// An end of a joint that followed its voxel into another shape.
+/// An end of a joint that followed its voxel into another shape, or of a rope that came loose.
 struct JointMoved {
     JointHandle joint;
-    ShapeHandle from, to;
+    ShapeHandle from, to;      ///< to: null: it came loose
+    glm::dvec3 position{0.0};  ///< world, where it came loose
 };
 
 /// A joint that is gone. Of a rope that was cut the first part keeps the handle.

@@ -32,6 +32,7 @@ void releaseEnd(EditContext& context, JointHandle handle, size_t end, JointBreak
     const glm::dvec3 place = jointToWorld(context.world, joint.ends[end]).position;
     if (joint.kind != JointKind::Rope || joint.ends[1 - end].isFree) return breakJoint(context, handle, reason, place);
     context.world.jointIndex.remove(handle, joint);
+    context.changes.jointsMoved.push_back({handle, joint.ends[end].shape, {}, place});
     joint.ends[end] = {.frame = {place}, .isFree = true};
     context.world.jointIndex.add(handle, joint);
     context.changes.jointsChanged.push_back(handle);

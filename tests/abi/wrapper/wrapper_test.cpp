@@ -87,6 +87,18 @@ TEST_F(Wrapper, ListsWhoseLengthStandsElsewhereAreWhole) {
     EXPECT_EQ(world.read_bricks(range.shape, bricks, 2).size(), 2u * RUBBLE_BRICK_BYTES);
 }
 
+TEST_F(Wrapper, RowsThatGoInGetTheirSize) {
+    rubble::World world = makeWorld();
+    world.load_level(m_path.c_str());
+    world.step();
+    std::vector<rubble_material> materials{world.get_material(1), world.get_material(2)};
+    for (rubble_material& each : materials) each.struct_size = 0, each.density = 123.0;
+    world.set_materials(1, materials);
+    world.step();
+    EXPECT_EQ(world.get_material(2).density, 123.0);
+    EXPECT_TRUE(rubble::get_layers() & RUBBLE_LAYER_PHYSICS);
+}
+
 TEST_F(Wrapper, RaysFindTheSlab) {
     rubble::World world = makeWorld();
     world.load_level(m_path.c_str());

@@ -85,6 +85,25 @@ TEST(CharacterMotion, WhoseGroundStopsRisingFliesOn) {
     EXPECT_NEAR(highest - from, 5.0 * 5.0 / (2.0 * 9.81), 0.01);
 }
 
+TEST(CharacterMotion, WhoStandsFallsUpwardWhenGravityTurns) {
+    Walk scene;
+    scene.addFloor();
+    scene.load();
+    scene.walk(10);
+    ASSERT_TRUE(scene.me().grounded);
+    Environment turned = scene.world.environment();
+    turned.gravity = -turned.gravity;
+    scene.edits.push_back(SetEnvironmentEdit{turned});
+    scene.walk(60);
+    EXPECT_FALSE(scene.me().grounded);
+    EXPECT_NEAR(scene.me().position.y, 0.5 * 9.81, 0.1);
+    turned.gravity = -turned.gravity;
+    scene.edits.push_back(SetEnvironmentEdit{turned});
+    scene.walk(240);
+    EXPECT_TRUE(scene.me().grounded);
+    EXPECT_NEAR(scene.me().position.y, 0.0, 0.02);
+}
+
 /// Two of the same mass that walk against each other stop; the lighter of two gives way.
 TEST(CharacterMotion, CharactersPushEachOtherApart) {
     for (const double mass : {80.0, 40.0, 0.0}) {

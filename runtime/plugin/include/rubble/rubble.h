@@ -323,7 +323,9 @@ enum {
     RUBBLE_SET_DAMPING = 128 /* linear_damping and angular_damping */
 };
 
-/* Changes where a body is and how it moves. Nothing that it meets on the way holds it back. */
+/* Changes where a body is and how it moves. Nothing that it meets on the way holds it back. A static body has no
+ * velocity while it is moved: what stands on one that goes up by more than 0.1 m/s sinks in. A lift is a free body, see
+ * constrain_bodies(). */
 typedef struct rubble_body_change {
     uint32_t struct_size;
     uint32_t fields; /* RUBBLE_SET_...: what changes; the other values are not read */
@@ -725,7 +727,10 @@ enum {
 };
 enum {
     RUBBLE_JOINT_COLLIDES = 1, /* the two shapes collide with each other */
-    RUBBLE_JOINT_LIMITED = 2   /* lower_limit and upper_limit apply */
+    RUBBLE_JOINT_LIMITED = 2,  /* lower_limit and upper_limit apply */
+    /* an end of a rope that hangs free; in rubble_joint_properties alone */
+    RUBBLE_JOINT_FIRST_LOOSE = 4,
+    RUBBLE_JOINT_SECOND_LOOSE = 8
 };
 
 /* A joint between two shapes in their present poses. Each side is attached to a voxel of its shape: it stays with
@@ -788,7 +793,7 @@ typedef struct rubble_joint_state {
     rubble_joint joint;
     uint32_t kind;                            /* RUBBLE_JOINT_BALL ... */
     uint32_t rope_point_count;                /* for get_rope_points(); 0 for other joints */
-    rubble_shape shapes[2];                   /* 0: the world */
+    rubble_shape shapes[2];                   /* 0: the world, or a loose end of a rope, see RUBBLE_JOINT_FIRST_LOOSE */
     double first_anchor[3], second_anchor[3]; /* where it holds its two sides, world */
     double rope_length;                       /* metres */
 } rubble_joint_state;
@@ -990,12 +995,12 @@ typedef struct rubble_break_report {
 } rubble_break_report;
 
 enum {
-    /* the voxel that held an end was removed; a rope of which only an end comes loose goes on, and is not told of */
-    RUBBLE_REPORT_JOINT_VOXEL_GONE = 0,
+    RUBBLE_REPORT_JOINT_VOXEL_GONE = 0, /* the voxel that held an end was removed, of a rope that of its last end */
     RUBBLE_REPORT_JOINT_OVERLOADED = 1, /* by its force or torque; the first part of a rope keeps the handle */
     RUBBLE_REPORT_JOINT_REMOVED = 2,    /* by an edit */
     RUBBLE_REPORT_JOINT_CUT = 3,        /* a rope was cut; its first part keeps the handle */
-    RUBBLE_REPORT_JOINT_MOVED = 4       /* an end of it is on another shape now */
+    RUBBLE_REPORT_JOINT_MOVED = 4,      /* an end of it is on another shape now */
+    RUBBLE_REPORT_JOINT_LOOSE = 5       /* an end of a rope hangs free now, the other one holds */
 };
 
 /* What became of a joint. */
@@ -1003,8 +1008,8 @@ typedef struct rubble_joint_report {
     rubble_joint joint;
     uint32_t what; /* RUBBLE_REPORT_JOINT_VOXEL_GONE ... */
     uint32_t reserved;
-    double position[3];    /* world, where it was; of a joint that moved, 0 */
-    rubble_shape from, to; /* of a joint that moved; else 0 */
+    double position[3];    /* world, where it was or came loose; of a joint that moved, 0 */
+    rubble_shape from, to; /* of a joint that moved; from: of an end that came loose too; else 0 */
 } rubble_joint_report;
 
 /* A part of a shape of at most 8 x 8 x 8 voxels that get_fires() lists since the last step, or no longer. One that

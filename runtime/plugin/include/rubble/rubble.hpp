@@ -72,6 +72,19 @@ inline rubble_environment apply_sky_model(rubble_environment environment, const 
     return environment;
 }
 
+/** rubble.h's get_layers(). */
+inline uint32_t get_layers() {
+    uint32_t layers = 0;
+    check(api().get_layers(&layers));
+    return layers;
+}
+
+/** rubble.h's measure_text(): width and height in `out`. */
+inline void measure_text(rubble_overlay_item item, double (&out)[2]) {
+    item.struct_size = sizeof item;
+    check(api().measure_text(&item, out));
+}
+
 /** A world, destroyed at the end of its life. Moves, but is not copied. */
 class World {
 public:
@@ -864,8 +877,9 @@ public:
     /** Replaces rows of the table of materials from the next step on, or adds rows behind its last one: row `first` and
      * those behind it, 1 to 255. All that is of them weighs, breaks, burns and slides as they say. Rows are never
      * removed, because palettes hold their numbers; row 0 is that of no material. */
-    void set_materials(uint32_t first, const rubble_material* materials, uint32_t count) {
-        check(api().set_materials(m_handle, first, materials, count));
+    void set_materials(uint32_t first, std::vector<rubble_material> materials) {
+        for (rubble_material& row : materials) row.struct_size = sizeof row;
+        check(api().set_materials(m_handle, first, materials.data(), uint32_t(materials.size())));
     }
     /** A row of the table. RUBBLE_ERROR_ARGUMENT: there is no such row. */
     rubble_material get_material(uint32_t index) const {
@@ -1175,8 +1189,9 @@ public:
      * are copied. All have the struct_size of the first one; 65536 at most. The first draw() with an overlay builds its
      * program. RUBBLE_ERROR_FILE: a font cannot be read. RUBBLE_ERROR_ARGUMENT: an image is not there, among others.
      * Then the items are as before. */
-    void set_overlay(const rubble_overlay_item* items, uint32_t count) {
-        check(api().set_overlay(m_handle, items, count));
+    void set_overlay(std::vector<rubble_overlay_item> items) {
+        for (rubble_overlay_item& row : items) row.struct_size = sizeof row;
+        check(api().set_overlay(m_handle, items.data(), uint32_t(items.size())));
     }
     /** Gives an image a name for items, or replaces it. The pixels are copied. RUBBLE_ERROR_CAPACITY: there would be
      * more than 4096 images of this renderer, or more than 1 GiB of pixels. */
