@@ -25,7 +25,7 @@ enum class Callback : uint8_t {
     Contact,    ///< onContact(bodyA, bodyB, pos, normal, impulse)
     LightOut,   ///< onLightOut(group)
     Fire,       ///< onFire(shape, pos, lit)
-    Joint,      ///< onJoint(joint, what, from, to); what: "voxel gone", "overloaded", "removed", "cut", "moved", "loose"
+    Joint,      ///< onJoint(joint, what, from, to); "voxel gone", "overloaded", "removed", "cut", "moved" or "loose"
     Trigger,    ///< onTrigger(trigger, body, entered)
     Draw,       ///< draw(dt), each frame, after tick()
     Load,       ///< onLoad(), in place of init() after a load and a reload
