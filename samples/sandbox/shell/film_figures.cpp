@@ -90,6 +90,7 @@ std::string FilmFigures::table() const {
     out += row("allocations a step", collect([](const Step& step) { return double(step.allocations); }), 0.0, 0);
     out += row("shadow age, steps", collect([](const Step& step) { return double(step.stats.shadow_lag); }), 0.0, 0);
     out += row("bodies awake", collect([](const Step& step) { return double(step.stats.bodies_awake); }), 0.0, 0);
+    out += row("contact points", collect([](const Step& step) { return double(step.stats.contacts); }), 0.0, 0);
     return out + worstSteps();
 }
 
