@@ -24,8 +24,10 @@ void ContactDetection::find(PhysicsBodies& bodies, const JointTable& joints, con
     m_pushed.clear();
     m_leftOut = 0;
     for (const uint32_t slot : bodies.awake()) bodies.at(slot).pairsFound = false;
+    // The solve ends with a pass that lets nothing come nearer than it may in one more substep.
+    const double reach = settings.stepSeconds + settings.stepSeconds / settings.substeps;
     const auto wakeMore = [&] {
-        const bool any = wakeHit(bodies, settings.stepSeconds);
+        const bool any = wakeHit(bodies, reach);
         return Loads::wakeBorne(bodies, m_narrowphase.manifolds(), gravity) || any;
     };
     for (bool more = true; more; more = wakeMore()) {
@@ -53,23 +55,23 @@ void ContactDetection::find(PhysicsBodies& bodies, const JointTable& joints, con
     }
 }
 
-/// The velocity, away from the hitter, at which it reaches the other within the step: its own, or what it gets from the
+/// The velocity, away from the hitter, at which it reaches the other within the time: its own, or what it gets from the
 /// hit that has woken it. A hit goes through all that touches, or what sleeps would bear it like a wall.
-glm::dvec3 ContactDetection::pushOf(const Manifold& manifold, const DynamicBody& hitter, double stepSeconds) const {
+glm::dvec3 ContactDetection::pushOf(const Manifold& manifold, const DynamicBody& hitter, double seconds) const {
     const double side = manifold.objects.second->dynamic == &hitter ? 1.0 : -1.0;  // of normals, from the hitter on
-    glm::dvec3 push = approachVelocity(manifold, stepSeconds) * side;
+    glm::dvec3 push = approachVelocity(manifold, seconds) * side;
     const auto pushed = m_pushed.find(hitter.handle().slot());
     if (pushed == m_pushed.end()) return push;
     for (const ManifoldPoint& point : manifold.all()) {
         const glm::dvec3 away = glm::dvec3(point.normal) * side;
         const double speed = glm::dot(pushed->second, away);
-        if (speed * stepSeconds > double(point.separation) && speed > glm::length(push)) push = away * speed;
+        if (speed * seconds > double(point.separation) && speed > glm::length(push)) push = away * speed;
     }
     return push;
 }
 
 /// Wakes sleeping bodies that are about to be hit, in time for the solve; true if there were any.
-bool ContactDetection::wakeHit(PhysicsBodies& bodies, double stepSeconds) {
+bool ContactDetection::wakeHit(PhysicsBodies& bodies, double seconds) {
     bool any = false;
     for (const Manifold* manifold : m_narrowphase.manifolds()) {
         DynamicBody *a = manifold->objects.first->dynamic, *b = manifold->objects.second->dynamic;
@@ -79,7 +81,7 @@ bool ContactDetection::wakeHit(PhysicsBodies& bodies, double stepSeconds) {
         if (sleeper.quarantined()) continue;
         const double share = hitter.mass().mass / (hitter.mass().mass + sleeper.mass().mass);
         const double wakeSpeed = sleeper.settled ? kSettledWakeSpeed : kWakeSpeed;
-        const glm::dvec3 push = pushOf(*manifold, hitter, stepSeconds);
+        const glm::dvec3 push = pushOf(*manifold, hitter, seconds);
         if (glm::length(push) * share <= wakeSpeed || !bodies.wakeOrWait(sleeper, false)) continue;
         float restitution = 0.0f;
         for (const ManifoldPoint& point : manifold->all()) restitution = std::max(restitution, point.restitution);

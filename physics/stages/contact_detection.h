@@ -30,8 +30,8 @@ public:
     size_t leftOut() const { return m_leftOut; }
 
 private:
-    bool wakeHit(PhysicsBodies& bodies, double stepSeconds);
-    glm::dvec3 pushOf(const Manifold& manifold, const DynamicBody& hitter, double stepSeconds) const;
+    bool wakeHit(PhysicsBodies& bodies, double seconds);
+    glm::dvec3 pushOf(const Manifold& manifold, const DynamicBody& hitter, double seconds) const;
 
     Narrowphase m_narrowphase;
     Crowds m_crowds;

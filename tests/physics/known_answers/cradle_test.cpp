@@ -44,6 +44,25 @@ TEST(Cradle, ARowThatSleepsHandsOnWhatHitsIt) {
     }
 }
 
+/// Wherever in a step the hit comes.
+TEST(Cradle, AHitOnASleeperKeepsItsMomentumInEachPhaseOfAStep) {
+    for (const double speed : {0.5, 1.0, 2.0, 5.0, 10.0})
+        for (int phase = 0; phase < 50; ++phase) {
+            PhysicsScene scene;
+            scene.level.environment.gravity = {0, 0, 0};
+            const uint8_t entry = known::setMaterial(scene, 7, 0.0f, 0.0f);
+            scene.add(solidGrid({8, 8, 8}, entry), {-0.8 - speed * (5.0 + 0.02 * phase) / 60.0, 0, 0}, false);
+            scene.add(solidGrid({8, 8, 8}, entry), {0, 0, 0}, false);
+            scene.level.bodies[0].velocity.x = float(speed);
+            scene.load(false);  // the second is asleep
+            for (int i = 0; i < 10; ++i) {
+                scene.step(1);
+                const double momentum = double(scene.body(0).velocity.x) + double(scene.body(1).velocity.x);
+                EXPECT_NEAR(momentum / speed, 1.0, 0.02) << speed << " m/s, phase " << phase << ", step " << i;
+            }
+        }
+}
+
 TEST(Cradle, ARowThatLosesSpeedGainsNoEnergyAndKeepsItsMomentum) {
     for (const float restitution : {0.3f, 0.8f}) {
         PhysicsScene scene(known::sleepless({}));
