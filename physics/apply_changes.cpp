@@ -66,20 +66,29 @@ void updateWaters(PhysicsBodies& bodies, WaterVolumes& waters, const FrameChange
     }
 }
 
-/// Puts those to sleep again that the changes have woken though World says that they sleep: all where it only undid or
-/// redid, else those that it has placed or put to sleep itself.
+/// After an undo or redo: what is known of the steps before is of another past. That of joints forgets PhysicsJoints.
+void forgetMotion(PhysicsBodies& bodies, ContactDetection& contacts, const World& world) {
+    contacts.forget();
+    for (const BodyHandle handle : bodies.handles())
+        if (DynamicBody* body = bodies.find(handle); body && !body->quarantined()) body->forgetMotion(world);
+}
+
+/// Puts those to sleep again that the changes have woken, or let wait to wake, though World says that they sleep: all
+/// where it only undid or redid, else those that it has placed or put to sleep itself.
 void keepAsleep(PhysicsBodies& bodies, const FrameChanges& changes, const World& world) {
     const auto keep = [&](BodyHandle handle) {
         const Body* kept = world.bodies().find(handle);
         DynamicBody* body = bodies.find(handle);
-        if (!kept || !kept->asleep || !body || body->asleep() || body->quarantined()) return;
+        if (!kept || !kept->asleep || !body || body->quarantined()) return;
+        if (!kept->waitsToWake) bodies.budget().forget(*body);
+        if (body->asleep()) return;
         bodies.putToSleep(*body);
         body->settled = kept->settled;
     };
     for (const auto* list : {&changes.bodiesCreated, &changes.teleported})
         for (const BodyHandle handle : *list) keep(handle);
     if (changes.keepsSleep)
-        for (const uint32_t slot : bodies.awake()) keep(bodies.handles()[slot]);
+        for (const BodyHandle handle : bodies.handles()) keep(handle);
     bodies.removeEnded();
 }
 
@@ -116,6 +125,7 @@ void PhysicsWorld::Impl::applyChanges(const FrameChanges& changes, const World& 
         for (const BodyHandle handle : changes.woken)
             if (DynamicBody* body = bodies.find(handle); body && !world.bodies().at(handle).asleep) bodies.wake(*body);
     }
+    if (changes.isRestored) forgetMotion(bodies, contacts, world);
     joints.apply(changes, world, bodies);
     keepAsleep(bodies, changes, world);
 }

@@ -99,12 +99,23 @@ bool DynamicBody::update(const World& world, const FrameChanges& changes) {
         motion.rotation = center.rotation;
         setPose();
     }
-    object.isNew = true;
-    touching = isAsLoaded = false;
-    held = stuckSteps = 0;
-    sleepLoad = {};
+    isAsLoaded = false;
+    forgetContacts();
     setAsleep(false);
     return true;
+}
+
+void DynamicBody::forgetMotion(const World& world) {
+    if (!m_asleep) takeState(world);
+    forgetContacts();
+    setAsleep(m_asleep);
+}
+
+void DynamicBody::forgetContacts() {
+    object.isNew = true;
+    touching = false;
+    held = stuckSteps = 0;
+    sleepLoad = {};
 }
 
 ColliderPart* DynamicBody::partOf(ShapeHandle shape) const {

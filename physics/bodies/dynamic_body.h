@@ -37,6 +37,9 @@ public:
     /// without a change, if it has other shapes now or shapes of other size.
     bool update(const World& world, const FrameChanges& changes);
 
+    /// Forgets what it did: it goes on from what World knows, as if it had been made so, awake or asleep as it is.
+    void forgetMotion(const World& world);
+
     /// The part of its collider that is one of its shapes; null: it is none of them.
     ColliderPart* partOf(ShapeHandle shape) const;
     /// The shapes of the collider's parts, in their order.
@@ -114,6 +117,7 @@ public:
 private:
     /// Takes mass, frame and motion from World and moves the collider's parts to the new centre of mass.
     void takeState(const World& world);
+    void forgetContacts();
 
     BodyHandle m_handle;
     std::vector<ShapeHandle> m_shapes;  ///< of the collider's parts

@@ -88,6 +88,11 @@ void Narrowphase::begin() {
     set.usedBatches = set.usedPairs = 0;
 }
 
+void Narrowphase::forget() {
+    begin();
+    m_resting.clear();
+}
+
 /// The contacts of a pair, from the voxels of its objects.
 void Narrowphase::findPairContacts(std::span<const ObjectPair> pairs, size_t number,
                                    const NarrowphaseSettings& settings, double displacement, Batch& batch, Pair& pair) {

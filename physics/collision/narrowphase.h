@@ -25,6 +25,8 @@ public:
     std::span<Manifold* const> manifolds() const { return m_sets[m_now].list; }
     /// Keeps the impulses of contacts of which nothing is awake any more. To be called when bodies have fallen asleep.
     void keepResting() { m_resting.keep(manifolds()); }
+    /// Forgets the contacts of all steps: the next one finds them as if it were the first.
+    void forget();
     /// How many pairs it was given in this step.
     size_t candidates() const { return m_sets[m_now].usedPairs; }
     /// Bricks of large bodies that may touch something and were not searched in this step.

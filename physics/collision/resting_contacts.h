@@ -19,6 +19,8 @@ public:
     bool find(const CollisionObject& first, const CollisionObject& second, LoneManifold& out) const;
     /// Forgets what was kept of the pairs of which this is the first object.
     void forget(const CollisionObject& first);
+    /// Forgets all.
+    void clear() { m_pairs.clear(); }
 
 private:
     struct Point {

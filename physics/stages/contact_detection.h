@@ -20,6 +20,8 @@ public:
     void recordTouching(PhysicsBodies& bodies) const;
     /// Keeps the impulses of contacts of which nothing is awake any more. To be called when bodies have fallen asleep.
     void keepResting() { m_narrowphase.keepResting(); }
+    /// Forgets the contacts of all steps before.
+    void forget() { m_narrowphase.forget(); }
     /// The manifolds of this step, sorted by the numbers of their objects.
     std::span<Manifold* const> manifolds() const { return m_narrowphase.manifolds(); }
     /// How many pairs were tested in the last step.

@@ -208,7 +208,7 @@ void PhysicsJoints::forgetMotion(const FrameChanges& changes, const PhysicsBodie
         if (changes.isRestored || !body || body->isPlaced) forgetJointsOf(handle);
     }
     if (!changes.isRestored) return;
-    for (const BodyHandle body : changes.bodiesCreated) forgetJointsOf(body);
+    for (const uint32_t slot : bodies.awake()) forgetJointsOf(bodies.handles()[slot]);
     for (const JointHandle joint : changes.jointsChanged) forget(joint.slot());
 }
 
