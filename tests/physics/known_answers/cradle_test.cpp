@@ -45,7 +45,7 @@ TEST(Cradle, ARowThatSleepsHandsOnWhatHitsIt) {
 }
 
 /// Wherever in a step the hit comes.
-TEST(Cradle, AHitOnASleeperKeepsItsMomentumInEachPhaseOfAStep) {
+TEST(Cradle, AHitOnASleeperKeepsItsMomentumWheneverItComes) {
     for (const double speed : {0.5, 1.0, 2.0, 5.0, 10.0})
         for (int phase = 0; phase < 50; ++phase) {
             PhysicsScene scene;
