@@ -63,7 +63,7 @@ void PhysicsWorld::step() {
             if (reports && body.inWater) reports->addInWater(body, impl.waters.inSlot(body.waterSlot));
             impl.bodies.limits().clamp(body);  // contacts are searched along the motion
         }
-        impl.contacts.find(impl.bodies, impl.joints.table(), settings, impl.gravity);
+        impl.contacts.find(impl.bodies, impl.joints, settings, impl.gravity);
         impl.contacts.recordTouching(impl.bodies);
         impl.solver.solve(impl.bodies, impl.contacts.manifolds(), impl.joints, impl.gravity, settings);
         for (const uint32_t slot : impl.bodies.awake())

@@ -10,12 +10,17 @@ namespace rubble {
 namespace {
 
 constexpr double kWakeSpeed = 0.15;        ///< m/s that a hit must give a sleeping body to wake it
+constexpr double kPassedOnSpeed = 0.08;    ///< the same of a hit that something which it has woken passes on
 constexpr double kSettledWakeSpeed = 0.6;  ///< the same for a settled one
+
+bool mayTouchSleepers(const DynamicBody& body) {
+    return body.newlyAwake || !body.sleepersTouched.empty();
+}
 
 }  // namespace
 
 /// What is woken has contacts of its own, so the search goes on until nothing more wakes.
-void ContactDetection::find(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings,
+void ContactDetection::find(PhysicsBodies& bodies, const PhysicsJoints& joints, const PhysicsSettings& settings,
                             glm::dvec3 gravity) {
     const NarrowphaseSettings narrow{.margin = settings.contactMargin,
                                      .seconds = settings.stepSeconds,
@@ -28,9 +33,10 @@ void ContactDetection::find(PhysicsBodies& bodies, const JointTable& joints, con
     const double reach = settings.stepSeconds + settings.stepSeconds / settings.substeps;
     const auto wakeMore = [&] {
         const bool any = wakeHit(bodies, reach);
+        if (any) joints.wakeJointed(bodies);
         return Loads::wakeBorne(bodies, m_narrowphase.manifolds(), gravity) || any;
     };
-    for (bool more = true; more; more = wakeMore()) {
+    for (bool more = true, isFirst = true; more; more = wakeMore(), isFirst = false) {
         m_moving.clear();
         for (const uint32_t slot : bodies.awake()) {
             DynamicBody& body = bodies.at(slot);
@@ -46,12 +52,13 @@ void ContactDetection::find(PhysicsBodies& bodies, const JointTable& joints, con
         for (CollisionObject* object : m_moving) bodies.broadphase().move(*object);
         m_pairs.clear();
         m_leftOut += bodies.broadphase().findPairs(m_moving, m_pairs);
-        if (!joints.empty()) joints.removeNonColliding(m_pairs);
+        if (!joints.table().empty()) joints.table().removeNonColliding(m_pairs);
         const size_t found = m_pairs.size();
         m_crowds.thin(m_pairs);
         m_leftOut += found - m_pairs.size();
         for (CollisionObject* object : m_moving) object->dynamic->pairsFound = true;
         m_narrowphase.collide(m_pairs, narrow, settings.parallelFor ? settings.parallelFor : ParallelFor(serialFor));
+        if (isFirst) notePushes(reach);
     }
 }
 
@@ -64,10 +71,34 @@ glm::dvec3 ContactDetection::pushOf(const Manifold& manifold, const DynamicBody&
     if (pushed == m_pushed.end()) return push;
     for (const ManifoldPoint& point : manifold.all()) {
         const glm::dvec3 away = glm::dvec3(point.normal) * side;
-        const double speed = glm::dot(pushed->second, away);
+        const double speed = glm::dot(pushed->second.velocity, away);
         if (speed * seconds > double(point.separation) && speed > glm::length(push)) push = away * speed;
     }
     return push;
+}
+
+/// Notes what hits give to bodies that are awake and touch sleeping ones, or may do so as they have just woken.
+void ContactDetection::notePushes(double seconds) {
+    for (const Manifold* manifold : m_narrowphase.manifolds()) {
+        const DynamicBody *a = manifold->objects.first->dynamic, *b = manifold->objects.second->dynamic;
+        if (!a || !b || a->asleep() || b->asleep()) continue;
+        if (!mayTouchSleepers(*a) && !mayTouchSleepers(*b)) continue;
+        const glm::dvec3 approach = approachVelocity(*manifold, seconds);
+        if (approach == glm::dvec3(0.0)) continue;
+        notePush(*a, a->motion.velocity, approach, *manifold, b->mass().mass);
+        notePush(*b, b->motion.velocity, -approach, *manifold, a->mass().mass);
+    }
+}
+
+/// Notes that a body of a velocity is pushed by what comes at it with another mass and a velocity relative to its own.
+void ContactDetection::notePush(const DynamicBody& body, glm::dvec3 velocity, glm::dvec3 push, const Manifold& manifold,
+                                double mass) {
+    float restitution = 0.0f;
+    for (const ManifoldPoint& point : manifold.all()) restitution = std::max(restitution, point.restitution);
+    const double together = mass + body.mass().mass;
+    const Push pushed{velocity + push * (mass / together * (1.0 + double(restitution))), together};
+    Push& known = m_pushed.try_emplace(body.handle().slot(), pushed).first->second;
+    if (glm::length(pushed.velocity) > glm::length(known.velocity)) known = pushed;
 }
 
 /// Wakes sleeping bodies that are about to be hit, in time for the solve; true if there were any.
@@ -79,13 +110,15 @@ bool ContactDetection::wakeHit(PhysicsBodies& bodies, double seconds) {
         DynamicBody& sleeper = a->asleep() ? *a : *b;
         const DynamicBody& hitter = a->asleep() ? *b : *a;
         if (sleeper.quarantined()) continue;
-        const double share = hitter.mass().mass / (hitter.mass().mass + sleeper.mass().mass);
-        const double wakeSpeed = sleeper.settled ? kSettledWakeSpeed : kWakeSpeed;
+        const auto passedOn = m_pushed.find(hitter.handle().slot());
+        const double mass = passedOn == m_pushed.end() ? hitter.mass().mass : passedOn->second.mass;
+        const double share = mass / (mass + sleeper.mass().mass);
+        const double wakeSpeed = sleeper.settled              ? kSettledWakeSpeed
+                                 : passedOn == m_pushed.end() ? kWakeSpeed
+                                                              : kPassedOnSpeed;
         const glm::dvec3 push = pushOf(*manifold, hitter, seconds);
         if (glm::length(push) * share <= wakeSpeed || !bodies.wakeOrWait(sleeper, false)) continue;
-        float restitution = 0.0f;
-        for (const ManifoldPoint& point : manifold->all()) restitution = std::max(restitution, point.restitution);
-        m_pushed[sleeper.handle().slot()] = push * (share * (1.0 + double(restitution)));
+        notePush(sleeper, glm::dvec3(0.0), push, *manifold, mass);
         any = true;
     }
     return any;

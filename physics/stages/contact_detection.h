@@ -5,8 +5,8 @@
 
 #include "physics/collision/crowd.h"
 #include "physics/collision/narrowphase.h"
-#include "physics/joints/joint_table.h"
 #include "physics/stages/physics_bodies.h"
+#include "physics/stages/physics_joints.h"
 #include "physics/stages/physics_settings.h"
 
 namespace rubble {
@@ -15,7 +15,7 @@ namespace rubble {
 class ContactDetection {
 public:
     /// Finds the contacts of all awake bodies, and wakes what they hit hard, or bear if they have just woken.
-    void find(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings, glm::dvec3 gravity);
+    void find(PhysicsBodies& bodies, const PhysicsJoints& joints, const PhysicsSettings& settings, glm::dvec3 gravity);
     /// Notes in the bodies which are touching, and which sleeping bodies each touches.
     void recordTouching(PhysicsBodies& bodies) const;
     /// Keeps the impulses of contacts of which nothing is awake any more. To be called when bodies have fallen asleep.
@@ -32,6 +32,8 @@ public:
     size_t leftOut() const { return m_leftOut; }
 
 private:
+    void notePushes(double seconds);
+    void notePush(const DynamicBody& body, glm::dvec3 velocity, glm::dvec3 push, const Manifold& manifold, double mass);
     bool wakeHit(PhysicsBodies& bodies, double seconds);
     glm::dvec3 pushOf(const Manifold& manifold, const DynamicBody& hitter, double seconds) const;
 
@@ -39,8 +41,12 @@ private:
     Crowds m_crowds;
     std::vector<CollisionObject*> m_moving;  ///< whose pairs are searched
     std::vector<ObjectPair> m_pairs;
-    /// By slot: about the velocity that a hit of this step gives to a body that it woke, m/s.
-    std::map<uint32_t, glm::dvec3> m_pushed;
+    /// What a hit gives to a body that it woke, or that touches sleeping ones.
+    struct Push {
+        glm::dvec3 velocity;  ///< about, m/s
+        double mass;          ///< kg, of it and of all that comes along from the hitter on
+    };
+    std::map<uint32_t, Push> m_pushed;  ///< of this step, by slot
     size_t m_leftOut = 0;
 };
 
