@@ -22,6 +22,7 @@ struct EditorSettings {
     std::function<std::string(const std::string& path)> writeView;
     /// The same of the times of its last frames, as a trace in JSON.
     std::function<std::string(const std::string& path)> writeTrace;
+    bool isForced = false;  ///< each save overwrites what another program has written
 };
 
 /// What a command came to.
