@@ -176,7 +176,9 @@ private:
             }
             points.push_back(indexOf(point));
         }
-        for (unsigned i = 0; i < from.mNumFaces && m_error.empty(); ++i) addTriangle(from, from.mFaces[i], points);
+        const bool isMirrored = aiMatrix3x3(pose).Determinant() < 0.0f;
+        for (unsigned i = 0; i < from.mNumFaces && m_error.empty(); ++i)
+            addTriangle(from, from.mFaces[i], points, isMirrored);
     }
 
     /// The point at a place, which is made if it is new.
@@ -187,7 +189,7 @@ private:
         return found->second;
     }
 
-    void addTriangle(const aiMesh& from, const aiFace& face, const std::vector<uint32_t>& points) {
+    void addTriangle(const aiMesh& from, const aiFace& face, const std::vector<uint32_t>& points, bool isMirrored) {
         if (face.mNumIndices != 3) return;
         MeshTriangle triangle;
         triangle.material = from.mMaterialIndex < m_mesh.materials.size() ? from.mMaterialIndex : 0;
@@ -195,7 +197,7 @@ private:
         const bool hasPlaces = channel < AI_MAX_NUMBER_OF_TEXTURECOORDS && from.HasTextureCoords(channel);
         const bool hasColors = from.HasVertexColors(0);
         for (size_t c = 0; c < 3; ++c) {
-            const unsigned vertex = face.mIndices[c];
+            const unsigned vertex = face.mIndices[isMirrored ? 2 - c : c];  // so that the same side is outside
             if (vertex >= points.size()) {
                 m_error = fmt::format("expected a vertex below {}, found {}", points.size(), vertex);
                 return;
