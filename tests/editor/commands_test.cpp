@@ -103,6 +103,7 @@ TEST(Commands, SayWhatIsWrong) {
         {"sphere 1,2,3 do=melt", "sphere: do: expected one of: add erase paint replace, found 'melt'"},
         {"sphere 1,2,3 center=4,5,6", "sphere: center: expected one value, found another: '4,5,6'"},
         {"sphere 1,2,3 shape=house", "sphere: shape: expected a shape, found none by 'house'"},
+        {"set_joint what=crate", "set_joint: what: expected a joint, found a body by 'crate'"},
         {"undo 1 2", "undo: expected at most 1 values, found '2' beyond them"},
         {"entry 5 color=red shape=crate", "entry: color: expected a colour #rrggbb, found 'red'"},
         {"entry 5 material=cheese shape=crate", "entry: material: expected a material of the level, found 'cheese'"},
