@@ -76,7 +76,8 @@ int drawImages(const Options& options) {
     try {
         ScriptedUi ui({.vdbTool = options.vdbTool,
                        .journals = options.journals,
-                       .preset = options.preset.empty() ? "draft" : options.preset},
+                       .preset = options.preset.empty() ? "draft" : options.preset,
+                       .isForced = options.isForced},
                       width, height);
         ui.setFolder(options.screenshots);
         if (!options.level.empty() && !ui.stage().session().run("open", {{"file", options.level}}))
@@ -99,7 +100,8 @@ int openWindow(const Options& options) {
     const std::string journals = options.journals.empty() ? userJournals() : options.journals;
     const std::string preset = options.preset.empty() ? "fast" : options.preset;
     const std::string error =
-        runWindow({.vdbTool = options.vdbTool, .journals = journals, .preset = preset}, options.level);
+        runWindow({.vdbTool = options.vdbTool, .journals = journals, .preset = preset, .isForced = options.isForced},
+                  options.level);
     return error.empty() ? 0 : fail(error);
 }
 

@@ -304,5 +304,38 @@ TEST(Document, TheProgramEditsAFileAndListsItsCommands) {
         EXPECT_NE(said.find("  " + std::string(command.name) + " "), std::string::npos) << command.name;
 }
 
+TEST(Document, TheProgramSaysWhatItsOptionsTake) {
+    const ExampleFolder folder;
+    const std::pair<const char*, const char*> cases[] = {
+        {"--journal model.rubble list", "--journal: expected a folder that can be made, found model.rubble"},
+        {"--screenshots out --size 99999x99999", "--size: expected WIDTHxHEIGHT from 640x400 to 8192x8192"},
+        {"--screenshots out --size 800x600x", "found 800x600x"},
+        {"--screenshots model.rubble", "--screenshots: expected a folder"},
+    };
+    for (const auto& [options, message] : cases) {
+        const std::string line = std::string(RUBBLE_EDITOR_PROGRAM) + " " + options + " > said 2>&1";
+        EXPECT_NE(std::system(line.c_str()), 0) << options;
+        std::ifstream file("said");
+        const std::string said((std::istreambuf_iterator<char>(file)), {});
+        EXPECT_NE(said.find(message), said.npos) << options << ": " << said;
+    }
+}
+
+TEST(Document, ForceOnTheCommandLineHoldsForSave) {
+    const ExampleFolder folder;
+    {
+        Editor crashed({.journals = "living"});
+        runAll(crashed, {"open model.rubble", "create 3,3,3 2,0,0"});
+        std::filesystem::copy("living", "left", std::filesystem::copy_options::recursive);
+    }
+    Editor other;
+    runAll(other, {"create 5,5,5", "save model.rubble"});
+    const std::string line = std::string(RUBBLE_EDITOR_PROGRAM) + " model.rubble --journal left --recover save";
+    EXPECT_NE(std::system((line + " > said 2>&1").c_str()), 0) << "another program has written it";
+    EXPECT_EQ(std::system((line + " --force > said 2>&1").c_str()), 0);
+    runAll(other, {"open model.rubble"});
+    EXPECT_EQ(other.world().get_voxel_accounting().standing, 64u + 27u);
+}
+
 }  // namespace
 }  // namespace editor
