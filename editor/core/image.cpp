@@ -3,10 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <map>
 
 #include "editor/core/arguments.h"
@@ -66,9 +62,9 @@ Rgb meanOf(const std::vector<Counted>& all, const Part& part) {
 }  // namespace
 
 Image readImage(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw Refused(fmt::format("{}: {}", path, std::strerror(errno)));
-    const std::vector<uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
+    std::vector<uint8_t> bytes;
+    if (const std::string wrong = rubble::readImageBytes(path, bytes); !wrong.empty())
+        throw Refused(fmt::format("{}: {}", path, wrong));
     Image image;
     const std::string error = rubble::readPngPixels(bytes, [&](uint32_t width, uint32_t height) {
         if (width > kMaxSide || height > kMaxSide)

@@ -3,14 +3,37 @@
 #include <png.h>
 
 #include <algorithm>
-#include <array>
+#include <cerrno>
 #include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace rubble {
+
+/// Reads the bytes of an image's file: a regular one of at most 256 MiB. Returns what is wrong with it, or "".
+inline std::string readImageBytes(const std::string& path, std::vector<uint8_t>& out) {
+    constexpr uintmax_t kMaxBytes = uintmax_t(256) << 20;
+    std::error_code wrong;
+    const bool isRegular = std::filesystem::is_regular_file(path, wrong);
+    if (wrong) return wrong.message();
+    if (!isRegular) return "expected a regular file, found another kind";
+    const uintmax_t size = std::filesystem::file_size(path, wrong);
+    if (wrong) return wrong.message();
+    if (size > kMaxBytes) return "expected at most 256 MiB, found " + std::to_string(size >> 20);
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return std::strerror(errno);
+    out.resize(size_t(size));
+    file.read(reinterpret_cast<char*>(out.data()), std::streamsize(size));
+    out.resize(size_t(file.gcount()));
+    return "";
+}
 
 /// A PNG file without the chunks that say how its values were bent: libpng would bend them back.
 inline std::vector<uint8_t> withoutGamma(std::span<const uint8_t> png) {

@@ -115,6 +115,14 @@ TEST(Images, AHeightMapIsAsHighAsItIsBright) {
     EXPECT_FALSE(editor.run(std::string("height_map nowhere.png")).isDone);
 }
 
+TEST(Images, AreRegularFiles) {
+    Editor editor;
+    for (const char* path : {"/dev/zero", "."}) {
+        const Outcome outcome = editor.run(std::string("height_map ") + path);
+        EXPECT_NE(outcome.text.find("expected a regular file"), outcome.text.npos) << outcome.text;
+    }
+}
+
 TEST(Images, OfSixteenBitsAreAsBrightAsOfEight) {
     rubble::TempFolder folder;
     const std::string file = folder / "deep.png";

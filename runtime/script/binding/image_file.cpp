@@ -1,9 +1,5 @@
 #include "runtime/script/binding/image_file.h"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 #include "runtime/assets/png_pixels.h"
@@ -12,9 +8,8 @@ namespace rubble::script {
 
 std::string readPng(const std::string& path, size_t maxBytes, UiImage& out) {
     constexpr uint32_t kMaxSide = 4096;
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return std::strerror(errno);
-    const std::vector<uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
+    std::vector<uint8_t> bytes;
+    if (std::string wrong = readImageBytes(path, bytes); !wrong.empty()) return wrong;
     std::string refusal;
     const std::string error = readPngPixels(bytes, [&](uint32_t width, uint32_t height) -> void* {
         const size_t size = size_t(4) * width * height;
