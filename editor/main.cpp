@@ -59,11 +59,11 @@ int fail(const std::string& error) {
 
 /// The interface without a display, driven by a script: images in a folder.
 int drawImages(const Options& options) {
-    int width = 0, height = 0;
-    if (sscanf(options.size.c_str(), "%dx%d", &width, &height) != 2 || width < 640 || height < 400 || width > 8192 ||
-        height > 8192)
-        return fail("--size: expected WIDTHxHEIGHT, at least 640x400, found " + options.size);
-    std::string text = kShowcase;
+    int width = 0, height = 0, end = 0;
+    if (sscanf(options.size.c_str(), "%4dx%4d%n", &width, &height, &end) != 2 || size_t(end) != options.size.size() ||
+        width < 640 || height < 400 || width > 8192 || height > 8192)
+        return fail("--size: expected WIDTHxHEIGHT from 640x400 to 8192x8192, found " + options.size);
+    std::string text = options.level.empty() ? kShowcase : kLevelShowcase;
     if (!options.uiScript.empty()) {
         std::ostringstream read;
         read << std::ifstream(options.uiScript, std::ios::binary).rdbuf();
@@ -71,12 +71,13 @@ int drawImages(const Options& options) {
         if (text.find_first_not_of(" \t\r\n") == text.npos)
             return fail(options.uiScript + ": expected lines, found none");
     }
-    if (const std::string error = imageFolderError(options.screenshots); !error.empty())
+    if (const std::string error = folderError(options.screenshots); !error.empty())
         return fail("--screenshots: " + error);
     try {
         ScriptedUi ui({.vdbTool = options.vdbTool,
                        .journals = options.journals,
-                       .preset = options.preset.empty() ? "draft" : options.preset},
+                       .preset = options.preset.empty() ? "draft" : options.preset,
+                       .isForced = options.isForced},
                       width, height);
         ui.setFolder(options.screenshots);
         if (!options.level.empty() && !ui.stage().session().run("open", {{"file", options.level}}))
@@ -99,7 +100,8 @@ int openWindow(const Options& options) {
     const std::string journals = options.journals.empty() ? userJournals() : options.journals;
     const std::string preset = options.preset.empty() ? "fast" : options.preset;
     const std::string error =
-        runWindow({.vdbTool = options.vdbTool, .journals = journals, .preset = preset}, options.level);
+        runWindow({.vdbTool = options.vdbTool, .journals = journals, .preset = preset, .isForced = options.isForced},
+                  options.level);
     return error.empty() ? 0 : fail(error);
 }
 
@@ -126,9 +128,10 @@ void takeFirstCommand(Options& options) {
 
 int run(const Options& options) {
     if (options.lists) return listCommands();
+    if (const std::string error = folderError(options.journals); !error.empty()) return fail("--journal: " + error);
     if (!options.screenshots.empty() || !options.uiScript.empty()) return drawImages(options);
     if (!options.isBatch()) return openWindow(options);
-    Editor editor({.vdbTool = options.vdbTool, .journals = journalsOf(options)});
+    Editor editor({.vdbTool = options.vdbTool, .journals = journalsOf(options), .isForced = options.isForced});
     const auto call = [&](const char* command, const std::string& file) {
         return tell(editor.run(Line{command, {{"file", file}}}));
     };
@@ -140,8 +143,7 @@ int run(const Options& options) {
     for (const std::string& line : options.commands)
         if (!tell(editor.run(line))) return 1;
     if (options.output.empty()) return 0;
-    return tell(editor.run(Line{"save", {{"file", options.output}, {"force", options.isForced ? "yes" : "no"}}})) ? 0
-                                                                                                                  : 1;
+    return call("save", options.output) ? 0 : 1;
 }
 
 }  // namespace

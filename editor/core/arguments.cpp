@@ -19,13 +19,23 @@ bool isSpace(char c) {
 std::string takeWord(std::string_view text, size_t& at) {
     std::string word;
     for (bool isQuoted = false; at < text.size() && (isQuoted || !isSpace(text[at])); ++at) {
-        if (text[at] == '"')
+        const bool isDouble = isQuoted && text.substr(at, 2) == "\"\"";
+        at += isDouble;
+        if (text[at] == '"' && !isDouble)
             isQuoted = !isQuoted;
         else
             word += text[at];
         if (isQuoted && at + 1 == text.size()) throw Refused(fmt::format("expected a second '\"' in: {}", text));
     }
     return word;
+}
+
+/// In quotes where it would else be taken apart; needs: whether it is for another reason.
+std::string quoted(const std::string& value, bool needs) {
+    if (!needs && !value.empty() && value.find_first_of(" \t\r\n\"") == value.npos) return value;
+    std::string text = "\"";
+    for (const char c : value) text += c == '"' ? "\"\"" : std::string(1, c);
+    return text + '"';
 }
 
 bool isNumber(std::string_view text, double& out) {
@@ -108,6 +118,16 @@ Line readLine(std::string_view text) {
             line.given.push_back({"", word});
     }
     return line;
+}
+
+std::string textOf(const Line& line) {
+    std::string text = quoted(line.command, false);
+    for (const Given& each : line.given) {
+        const bool hasName = !each.name.empty() || each.value.starts_with("tag:");
+        text += " " + (each.name.empty() ? "" : each.name + "=");
+        text += quoted(each.value, !hasName && each.value.find('=') != each.value.npos);
+    }
+    return text;
 }
 
 Arguments::Arguments(const Command& command, const std::vector<Given>& given)

@@ -58,8 +58,10 @@ struct Line {
     std::string command;
     std::vector<Given> given;
 };
-/// Takes a line apart. Throws Refused where a quote does not end.
+/// Takes a line apart. In quotes "" stands for a quote. Throws Refused where a quote does not end.
 Line readLine(std::string_view text);
+/// A line that readLine() takes apart to the same.
+std::string textOf(const Line& line);
 
 /// The checked values of a call of a command.
 class Arguments {

@@ -124,6 +124,7 @@ void Document::makeStep(const std::string& name, const std::function<void()>& wo
         m_world.apply_edits();
         takeBack();
         forgetUndone();
+        m_messages.resize(messages);  // of what is not there
         throw;
     }
     forgetUndone();
@@ -152,6 +153,7 @@ void Document::carryOut(const std::string& name) {
     if (m_undone.empty()) return edit(name, [] {});
     requireEditing("an edit");
     requireDecision("an edit");
+    const size_t messages = m_messages.size();
     m_world.apply_edits();
     if (!m_world.has_changed()) return requireNoRefusals();
     forgetUndone();
@@ -159,6 +161,7 @@ void Document::carryOut(const std::string& name) {
         requireNoRefusals();
     } catch (...) {
         takeBack();
+        m_messages.resize(messages);
         throw;
     }
     m_done.push_back(name), m_doneMarks.push_back(1);
@@ -213,7 +216,7 @@ void Document::play(bool wakes) {
     if (wakes) wakeAll();
     m_world.apply_edits();
     forgetUndone();
-    keepInJournal([](Journal& journal) { journal.markPlay(true); });
+    keepInJournal([](Journal& journal) { journal.beginPlay(); });
     keepChanges();
     m_isPlaying = true;
     m_playedSteps = 0;
@@ -255,10 +258,10 @@ void Document::rewind(uint64_t steps) {
     keepDeltas();
 }
 
-void Document::endPlay() {
+void Document::endPlay(bool isKept) {
     m_isPlaying = false;
     keepChanges();
-    keepInJournal([](Journal& journal) { journal.markPlay(false); });
+    keepInJournal([=](Journal& journal) { journal.endPlay(isKept); });
     keepDeltas();
 }
 
@@ -270,7 +273,7 @@ void Document::stop(bool keeps) {
         takeBack();
         m_playMarks.pop_back();
     }
-    endPlay();
+    endPlay(keeps && !m_playMarks.empty());
     if (m_playMarks.empty()) return;
     (keeps ? m_done : m_undone).push_back(fmt::format("play {} steps", m_playedSteps));
     (keeps ? m_doneMarks : m_undoneMarks).push_back(m_playMarks.size());

@@ -96,7 +96,7 @@ private:
     void begin(const std::string& path);
     void beginHistory();
     void makeStep(const std::string& name, const std::function<void()>& work);
-    void endPlay();
+    void endPlay(bool isKept);
     void openJournal();
     void beginJournal(size_t recovered = 0);
     void keepInJournal(const std::function<void(Journal&)>& write);

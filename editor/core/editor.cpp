@@ -9,17 +9,6 @@
 #include "runtime/script/script_name.h"
 
 namespace editor {
-namespace {
-
-/// A call as the history names it.
-std::string titleOf(const Line& line) {
-    std::string title = line.command;
-    for (const Given& each : line.given) title += " " + (each.name.empty() ? "" : each.name + "=") + each.value;
-    return title;
-}
-
-}  // namespace
-
 Editor::Editor(EditorSettings settings)
     : m_settings(std::move(settings)), m_document(m_settings.worldFlags, m_settings.journals, m_settings.watcher) {}
 
@@ -60,7 +49,7 @@ void Editor::runCommand(const Command& command, const Line& line) {
     const auto work = [&] { command.run(*this, arguments); };
     const bool isEdit = command.kind == Kind::Edit || (command.kind == Kind::Tool && !m_document.isPlaying());
     if (isEdit)
-        m_document.edit(titleOf(line), work);
+        m_document.edit(textOf(line), work);
     else
         work();
     dropStale();

@@ -22,6 +22,7 @@ struct EditorSettings {
     std::function<std::string(const std::string& path)> writeView;
     /// The same of the times of its last frames, as a trace in JSON.
     std::function<std::string(const std::string& path)> writeTrace;
+    bool isForced = false;  ///< each save overwrites what another program has written
 };
 
 /// What a command came to.
@@ -83,6 +84,8 @@ public:
 private:
     void runCommand(const Command& command, const Line& line);
     Outcome runLines(const std::string& path);
+    /// What a part of a value names that a command does not take.
+    std::string foundInstead(const std::string& part) const;
     std::vector<uint64_t> objectsOf(const std::string& part, std::initializer_list<uint32_t> kinds) const;
 
     EditorSettings m_settings;

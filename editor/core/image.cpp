@@ -1,15 +1,12 @@
 #include "editor/core/image.h"
 
 #include <fmt/format.h>
-#include <png.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <map>
 
 #include "editor/core/arguments.h"
+#include "runtime/assets/png_pixels.h"
 
 namespace editor {
 namespace {
@@ -65,23 +62,20 @@ Rgb meanOf(const std::vector<Counted>& all, const Part& part) {
 }  // namespace
 
 Image readImage(const std::string& path) {
-    png_image png{};
-    png.version = PNG_IMAGE_VERSION;
-    const auto refuse = [&] {
-        throw Refused(fmt::format("{}: expected a PNG file, found one that cannot be read: {}", path, png.message));
-    };
-    if (!std::ifstream(path)) throw Refused(fmt::format("{}: {}", path, std::strerror(errno)));
-    if (!png_image_begin_read_from_file(&png, path.c_str())) refuse();
+    std::vector<uint8_t> bytes;
+    if (const std::string wrong = rubble::readImageBytes(path, bytes); !wrong.empty())
+        throw Refused(fmt::format("{}: {}", path, wrong));
     Image image;
-    if (png.width > kMaxSide || png.height > kMaxSide) {
-        png_image_free(&png);
-        throw Refused(fmt::format("{}: expected at most {} x {} pixels, found {} x {}", path, kMaxSide, kMaxSide,
-                                  png.width, png.height));
-    }
-    png.format = PNG_FORMAT_RGBA;
-    image.size = {int(png.width), int(png.height)};
-    image.pixels.resize(size_t(png.width) * png.height);
-    if (!png_image_finish_read(&png, nullptr, image.pixels.data(), 0, nullptr)) refuse();
+    const std::string error = rubble::readPngPixels(bytes, [&](uint32_t width, uint32_t height) {
+        if (width > kMaxSide || height > kMaxSide)
+            throw Refused(fmt::format("{}: expected at most {} x {} pixels, found {} x {}", path, kMaxSide, kMaxSide,
+                                      width, height));
+        image.size = {int(width), int(height)};
+        image.pixels.resize(size_t(width) * height);
+        return image.pixels.data();
+    });
+    if (!error.empty())
+        throw Refused(fmt::format("{}: expected a PNG file, found one that cannot be read: {}", path, error));
     return image;
 }
 

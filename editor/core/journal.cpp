@@ -67,6 +67,8 @@ uint64_t numberAt(const uint8_t* bytes) {
 Journal::Journal(std::string folder) : m_folder(std::move(folder)) {
     std::error_code code;
     fs::create_directories(m_folder, code);
+    if (code)
+        throw Refused(fmt::format("journal: {}: expected a folder that can be made: {}", m_folder, code.message()));
     const std::string lock = m_folder + "/lock";
     m_lock = ::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
     if (m_lock < 0) fail(lock, "cannot open");
@@ -152,8 +154,12 @@ std::optional<Recovery> Journal::look() const {
     if (last() == 0) return std::nullopt;
     const Content content = read();
     size_t changes = 0;
+    bool isPlaying = false;
     for (const Record& each : content.records) {
-        if (each.kind == Kind::Change) ++changes;
+        if (each.kind == Kind::PlayBegins) isPlaying = true;
+        if (each.kind == Kind::PlayEnds) isPlaying = false;
+        if (each.kind == Kind::Change && !isPlaying) ++changes;
+        if (each.kind == Kind::PlayEnds && each.bytes != std::vector<uint8_t>{false}) ++changes;
         if (each.kind == Kind::Recovered && each.bytes.size() == 8) changes += numberAt(each.bytes.data());
     }
     if (changes == 0 && !content.isTailLost) return std::nullopt;
@@ -198,8 +204,12 @@ void Journal::discard() {
     m_found.reset();
 }
 
-void Journal::markPlay(bool begins) {
-    write(begins ? Kind::PlayBegins : Kind::PlayEnds, {});
+void Journal::beginPlay() {
+    write(Kind::PlayBegins, {});
+}
+
+void Journal::endPlay(bool isKept) {
+    write(Kind::PlayEnds, {isKept});
 }
 
 void Journal::add(const std::vector<uint8_t>& deltas) {

@@ -27,7 +27,7 @@ struct JournalLevel {
 /// What a journal holds of a level that was not closed.
 struct Recovery {
     JournalLevel level;
-    size_t changes = 0;       ///< records since it was opened or saved
+    size_t changes = 0;       ///< that come back: those since it was opened or saved, a play that was kept as one
     bool isTailLost = false;  ///< a record is damaged, as by a power failure: it and what follows are left out
 };
 
@@ -54,8 +54,10 @@ public:
     /// Begins again: the world as it is now is the base, and it keeps deltas from now on. What was there is removed.
     /// recovered: how many changes of the base are not in the level's file, so that closing keeps the journal.
     void begin(rubble::World& world, const JournalLevel& level, size_t recovered = 0);
-    /// Play begins or has ended: a crash in between comes back to its beginning.
-    void markPlay(bool begins);
+    /// Play begins: a crash before it ends comes back to here.
+    void beginPlay();
+    /// Play has ended; isKept: what became of the level is one change of it, else the level is as it was.
+    void endPlay(bool isKept);
     /// Adds what the world's steps came to, as its deltas. When this returns, the system has it, so that it outlives
     /// this process; within a second a thread brings it to the disk.
     void add(const std::vector<uint8_t>& deltas);

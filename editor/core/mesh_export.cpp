@@ -70,7 +70,7 @@ std::string objOf(const std::vector<Mesh>& meshes) {
                 const rubble_mesh_vertex& vertex = (*part)[i];
                 const glm::dvec3 at =
                     corner + turn * glm::dvec3(vertex.position[0], vertex.position[1], vertex.position[2]);
-                fmt::format_to(std::back_inserter(out), "v {:.6g} {:.6g} {:.6g} {:.4f} {:.4f} {:.4f}\n", at.x, at.y,
+                fmt::format_to(std::back_inserter(out), "v {:.9g} {:.9g} {:.9g} {:.4f} {:.4f} {:.4f}\n", at.x, at.y,
                                at.z, vertex.color[0] / 255.0, vertex.color[1] / 255.0, vertex.color[2] / 255.0);
             }
         const size_t count = mesh.opaque.size() + mesh.transparent.size();

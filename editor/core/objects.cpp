@@ -111,7 +111,9 @@ std::vector<uint64_t> Editor::objects(const Arguments& arguments, std::string_vi
         const size_t end = std::min(text.find(',', begin), text.size());
         const std::string part = text.substr(begin, end - begin);
         std::vector<uint64_t> found = objectsOf(part, kinds);
-        if (found.empty()) arguments.refuse(parameter, fmt::format("a {}, found none by '{}'", namesOf(kinds), part));
+        if (found.empty())
+            arguments.refuse(parameter,
+                             fmt::format("a {}, found {} by '{}'", namesOf(kinds), foundInstead(part), part));
         if (arguments.command().kind == Kind::Edit && arguments.command().name != "unlock") {
             std::erase_if(found, [&](uint64_t each) { return isLocked(m_document.world(), each); });
             if (found.empty())
@@ -121,6 +123,16 @@ std::vector<uint64_t> Editor::objects(const Arguments& arguments, std::string_vi
         begin = end + 1;
     }
     return all;
+}
+
+std::string Editor::foundInstead(const std::string& part) const {
+    const std::vector<uint64_t> others =
+        part == "all"
+            ? std::vector<uint64_t>{}
+            : objectsOf(part, {RUBBLE_KIND_BODY, RUBBLE_KIND_SHAPE, RUBBLE_KIND_LIGHT, RUBBLE_KIND_LIGHT_GROUP,
+                               RUBBLE_KIND_WATER, RUBBLE_KIND_TRIGGER, RUBBLE_KIND_CHARACTER, RUBBLE_KIND_JOINT});
+    const int kind = others.empty() ? -1 : kindOf(m_document.world(), others.front());
+    return kind < 0 ? "none" : fmt::format("a {}", nameOfKind(uint32_t(kind)));
 }
 
 std::vector<uint64_t> Editor::objectsOf(const std::string& part, Kinds kinds) const {

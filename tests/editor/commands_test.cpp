@@ -103,6 +103,7 @@ TEST(Commands, SayWhatIsWrong) {
         {"sphere 1,2,3 do=melt", "sphere: do: expected one of: add erase paint replace, found 'melt'"},
         {"sphere 1,2,3 center=4,5,6", "sphere: center: expected one value, found another: '4,5,6'"},
         {"sphere 1,2,3 shape=house", "sphere: shape: expected a shape, found none by 'house'"},
+        {"set_joint what=crate", "set_joint: what: expected a joint, found a body by 'crate'"},
         {"undo 1 2", "undo: expected at most 1 values, found '2' beyond them"},
         {"entry 5 color=red shape=crate", "entry: color: expected a colour #rrggbb, found 'red'"},
         {"entry 5 material=cheese shape=crate", "entry: material: expected a material of the level, found 'cheese'"},
@@ -119,6 +120,7 @@ TEST(Commands, SayWhatIsWrong) {
         {"rotate 0,180,0 0,0,-1000000 crate", "rotate: about: expected what stays within 1000000 m"},
         {"save \"\"", "save: file: expected a path, found ''"},
         {"save nofolder/c.rubble", "save: save_level: nofolder/c.rubble: cannot write: No such file or directory"},
+        {"export o.ply", "export: file: expected a name that ends in one of: .vox .obj .glb .rubble .vdb .png .json"},
         {"palette_image none.png shape=crate", "palette_image: none.png: No such file or directory"},
         {"name a,b crate", "name: name: expected no comma"},
         {"create 4,4,4 name=selected", "create: name: expected no comma"},
@@ -323,6 +325,34 @@ TEST(Commands, AreTakenApartAsTyped) {
     EXPECT_EQ(line.given[0].name + "|" + line.given[0].value, "|a big crate");
     EXPECT_EQ(line.given[1].name + "|" + line.given[1].value, "what|tag:old");
     EXPECT_EQ(line.given[2].name + "|" + line.given[2].value, "value|x = y");
+    EXPECT_EQ(readLine("name \"6\"\" wide\"").given.at(0).value, "6\" wide");
+    EXPECT_EQ(readLine("name \"\"").given.at(0).value, "");
+}
+
+TEST(Commands, AreTakenApartAgainAsTheHistoryShowsThem) {
+    for (const char* value : {"a", "", "block 1", "6\" wide", "\"", "\"\"", "a=b", "tag:old=3", "tag:a b", " ", "a\tb"})
+        for (const char* name : {"", "name"}) {
+            const Line line{"name", {{name, value}, {"what", "b c"}}};
+            const Line again = readLine(textOf(line));
+            ASSERT_EQ(again.given.size(), 2u) << textOf(line);
+            EXPECT_EQ(again.command, "name");
+            EXPECT_EQ(again.given[0].name, name) << textOf(line);
+            EXPECT_EQ(again.given[0].value, value) << textOf(line);
+            EXPECT_EQ(again.given[1].value, "b c");
+        }
+    Editor editor, again;
+    runAll(editor, {"create 4,4,4 name=\"a \"\"big\"\" crate\"", "tag \"a b\" \"\" selected"});
+    for (const std::string& line : editor.document().done()) ASSERT_TRUE(again.run(line).isDone) << line;
+    EXPECT_EQ(again.document().hash(), editor.document().hash());
+}
+
+TEST(Commands, ThatFailLeaveNoMessageBehind) {
+    Editor editor;
+    runAll(editor, {"create 8,8,8 name=a"});
+    const Outcome failed = editor.run(std::string("joint hinge a world 5,5,5 name=j"));
+    EXPECT_FALSE(failed.isDone);
+    EXPECT_EQ(failed.text.find("stale"), failed.text.npos) << failed.text;
+    for (const char* line : {"create 4,4,4 3,0,0", "undo", "redo"}) EXPECT_EQ(editor.run(std::string(line)).text, "");
 }
 
 }  // namespace

@@ -249,7 +249,7 @@ TEST(Document, RandomCommandsWithUndoAndRedoEqualAStraightReplay) {
 void expectSameHashAfterOpening(Editor& editor) {
     const rubble::TempFolder folder;
     const uint64_t written = editor.document().hash();
-    for (const char* name : {"first.rubble", "second.rubble"}) {
+    for (const char* name : {"first.rubble", "second.vdb", "third.rubble"}) {
         const std::string path = folder / name;
         runAll(editor, {fmt::format("save {}", path).c_str(), fmt::format("open {}", path).c_str()});
         ASSERT_EQ(editor.document().hash(), written) << name;
@@ -263,12 +263,14 @@ TEST(Document, WhatIsSavedAndOpenedHasTheSameHash) {
              {"create 4,4,4 0,9,0 static=yes"},
              {"create 4,4,4 name=a", "create 4,4,4 1,0,0 name=b", "joint ball a world 0,0,0", "name a b"},
              {"create 4,4,4 name=a", "box 0,0,0 1,1,1 erase shape=a", "rotate 0,33,10"},
+             {"create 4,4,4 name=bulb", "light_group g", "entry 5 glow=3 group=g shape=bulb",
+              "create 4,4,4 3,0,0 name=plug", "set_light_group g supply=plug cell=1,2,3", "play", "step 5", "stop"},
          }) {
-        Editor editor;
+        Editor editor({.vdbTool = RUBBLE_VDB_PROGRAM});
         runAll(editor, lines);
         expectSameHashAfterOpening(editor);
     }
-    Editor all;
+    Editor all({.vdbTool = RUBBLE_VDB_PROGRAM});
     makeTestLevel(all);
     expectSameHashAfterOpening(all);
 }
@@ -278,7 +280,7 @@ TEST(Document, RandomLevelsHaveTheSameHashAfterOpening) {
     for (uint32_t seed = 0; seed < levels; ++seed) {
         SCOPED_TRACE(seed);
         RandomCommands random(seed);
-        Editor editor;
+        Editor editor({.vdbTool = RUBBLE_VDB_PROGRAM});
         for (const std::string& line : RandomCommands::first()) runAll(editor, {line.c_str()});
         for (int i = 0; i < 40; ++i) editor.run(random.below(8) ? random.next() : "undo");
         expectSameHashAfterOpening(editor);
@@ -300,6 +302,39 @@ TEST(Document, TheProgramEditsAFileAndListsItsCommands) {
     const std::string said((std::istreambuf_iterator<char>(file)), {});
     for (const Command& command : allCommands())
         EXPECT_NE(said.find("  " + std::string(command.name) + " "), std::string::npos) << command.name;
+}
+
+TEST(Document, TheProgramSaysWhatItsOptionsTake) {
+    const ExampleFolder folder;
+    const std::pair<const char*, const char*> cases[] = {
+        {"--journal model.rubble list", "--journal: expected a folder that can be made, found model.rubble"},
+        {"--screenshots out --size 99999x99999", "--size: expected WIDTHxHEIGHT from 640x400 to 8192x8192"},
+        {"--screenshots out --size 800x600x", "found 800x600x"},
+        {"--screenshots model.rubble", "--screenshots: expected a folder"},
+    };
+    for (const auto& [options, message] : cases) {
+        const std::string line = std::string(RUBBLE_EDITOR_PROGRAM) + " " + options + " > said 2>&1";
+        EXPECT_NE(std::system(line.c_str()), 0) << options;
+        std::ifstream file("said");
+        const std::string said((std::istreambuf_iterator<char>(file)), {});
+        EXPECT_NE(said.find(message), said.npos) << options << ": " << said;
+    }
+}
+
+TEST(Document, ForceOnTheCommandLineHoldsForSave) {
+    const ExampleFolder folder;
+    {
+        Editor crashed({.journals = "living"});
+        runAll(crashed, {"open model.rubble", "create 3,3,3 2,0,0"});
+        std::filesystem::copy("living", "left", std::filesystem::copy_options::recursive);
+    }
+    Editor other;
+    runAll(other, {"create 5,5,5", "save model.rubble"});
+    const std::string line = std::string(RUBBLE_EDITOR_PROGRAM) + " model.rubble --journal left --recover save";
+    EXPECT_NE(std::system((line + " > said 2>&1").c_str()), 0) << "another program has written it";
+    EXPECT_EQ(std::system((line + " --force > said 2>&1").c_str()), 0);
+    runAll(other, {"open model.rubble"});
+    EXPECT_EQ(other.world().get_voxel_accounting().standing, 64u + 27u);
 }
 
 }  // namespace

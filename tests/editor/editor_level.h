@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -75,6 +77,24 @@ inline void writePng(const std::string& path, uint32_t width, uint32_t height, c
     png.format = PNG_FORMAT_RGBA;
     png.width = width, png.height = height;
     ASSERT_TRUE(png_image_write_to_file(&png, path.c_str(), 0, pixels.data(), 0, nullptr)) << png.message;
+}
+
+/// Writes an image of 16 bits a value, gray or, with two channels, gray with opacity; gamma 0: of none.
+inline void writeDeepPng(const std::string& path, uint32_t width, uint32_t height, int channels,
+                         const std::vector<uint16_t>& values, double gamma = 0.0) {
+    const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "wb"), &std::fclose);
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    png_init_io(png, file.get());
+    png_set_IHDR(png, info, width, height, 16, channels == 2 ? PNG_COLOR_TYPE_GRAY_ALPHA : PNG_COLOR_TYPE_GRAY,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (gamma > 0.0) png_set_gAMA(png, info, gamma);
+    png_write_info(png, info);
+    png_set_swap(png);
+    for (uint32_t y = 0; y < height; ++y)
+        png_write_row(png, reinterpret_cast<png_const_bytep>(values.data() + size_t(y) * width * size_t(channels)));
+    png_write_end(png, info);
+    png_destroy_write_struct(&png, &info);
 }
 
 /// Where the examples find their files: the folder in which a test runs, until it ends.

@@ -74,6 +74,21 @@ TEST(Journal, ComesBackToBeforeAPlayThatHadNotEndedAndKeepsOneThatHad) {
     EXPECT_EQ(second.document().hash(), ruin);
 }
 
+TEST(Journal, CountsWhatComesBack) {
+    Crashed crashed;
+    const auto changes = [&] {
+        return Editor({.journals = crashed.copy()}).document().recovery().value_or(Recovery{}).changes;
+    };
+    runAll(crashed.editor(), {"play", "step 3", "stop"});
+    EXPECT_EQ(changes(), 0u);
+    runAll(crashed.editor(), {"create 4,4,4 0,2,0 name=crate", "play", "step 30"});
+    EXPECT_EQ(changes(), 1u) << "a play that has not ended is left out";
+    runAll(crashed.editor(), {"stop"});
+    EXPECT_EQ(changes(), 1u);
+    runAll(crashed.editor(), {"play", "step 30", "keep", "move 1,0,0 crate"});
+    EXPECT_EQ(changes(), 3u) << "one that was kept is a step of the history";
+}
+
 TEST(Journal, BelongsToALevelAndBeginsAgainWhenItIsSaved) {
     Crashed crashed;
     const std::string file = crashed.file("level.rubble");
@@ -204,6 +219,10 @@ TEST(Journal, AFileThatAnotherProgramHasWrittenIsNotOverwrittenUnasked) {
     EXPECT_FALSE(outcome.isDone);
     EXPECT_NE(outcome.text.find("has been written by another program"), outcome.text.npos) << outcome.text;
     runAll(editor, {"save force=yes", "save"});
+    Editor forced({.isForced = true});
+    runAll(forced, {("open " + file).c_str(), "create 4,4,4"});
+    runAll(other, {"create 3,3,3 6,0,0", "save force=yes"});
+    runAll(forced, {"save"});
 }
 
 /// The program, fed with lines; what it says comes back.

@@ -175,6 +175,14 @@ TEST_F(MeshImport, TexturesInsideOfGlbFilesAreRead) {
     EXPECT_EQ(real.shape.voxel_count, 60u * 60 * 60) << "its node doubles its 3 m";
 }
 
+TEST_F(MeshImport, TexturesOfSixteenBitsAreAsBrightAsOfEight) {
+    writeDeepPng(m_folder / "gray.png", 1, 1, 1, {32896});
+    writeGlb(m_folder / "cube.glb", cube(1.0, {}), contentOf(m_folder / "gray.png"));
+    Imported got(m_folder / "cube.glb", "voxels=4");
+    ASSERT_TRUE(got.outcome.isDone) << got.outcome.text;
+    EXPECT_EQ(paletteOf(got.editor.world(), got.shape.shape)[1].color[0], 128);
+}
+
 TEST_F(MeshImport, ColoursOfVerticesAreMixed) {
     const TestMesh mesh = cube(2.0, {});
     std::vector<std::array<unsigned char, 3>> colors(mesh.points.size(), {200, 100, 40});
@@ -267,6 +275,43 @@ TEST_F(MeshImport, BrokenAndLyingFilesAreRefused) {
     EXPECT_FALSE(Editor().run(fmt::format("import {}", m_folder / "cube.obj")).isDone) << "without rubble-vdb";
 }
 
+TEST_F(MeshImport, NumbersMayBeginOrEndWithTheirPoint) {
+    for (const std::string ending : {".obj", ".ply"})
+        for (const char* number : {".5", "5.e-1", "+.5", ".05e1", "0.5"}) {
+            std::string text = ending == ".obj" ? ""
+                                                : "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+                                                  "property float y\nproperty float z\nelement face 4\n"
+                                                  "property list uchar int vertex_indices\nend_header\n";
+            const bool isObj = ending == ".obj";
+            const char* begin = isObj ? "v " : "";
+            text += fmt::format("{0}{1} 0 0\n{0}0 {1} 0.\n{0}0 0 {1}\n{0}0. 0 0\n", begin, number);
+            text +=
+                isObj ? "vn .5 .5 .5\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n" : "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+            std::ofstream(m_folder / ("half" + ending)) << text;
+            const Imported got(m_folder / ("half" + ending), "voxels=0 voxel=0.05");
+            EXPECT_TRUE(got.outcome.isDone) << ending << " " << number << ": " << got.outcome.text;
+            EXPECT_EQ(got.shape.size[1], 12) << number;
+        }
+}
+
+TEST_F(MeshImport, ListsOfPlyFilesHaveLengths) {
+    const auto write = [&](const std::string& format, const std::string& count, const std::string& body) {
+        const std::string path = m_folder / "list.ply";
+        std::ofstream(path, std::ios::binary)
+            << "ply\nformat " << format << " 1.0\nelement vertex 1\nproperty float x\nelement face 1\nproperty list "
+            << count << " int vertex_indices\nend_header\n"
+            << body;
+        return path;
+    };
+    const std::string zeros(4, '\0');
+    expectRefused(write("ascii", "char", "0\n-3 0 1 2\n"), "face 0: expected a list of 0 to 7 numbers, found '-3'");
+    expectRefused(write("ascii", "uint", "0\n4000000000 0 1 2\n"), "face 0: expected a list of 0 to 7 numbers");
+    expectRefused(write("ascii", "int", "0\nthree 0 1 2\n"), "found 'three'");
+    expectRefused(write("binary_little_endian", "char", zeros + "\xfd" + zeros), "0 to 4 numbers, found '-3'");
+    expectRefused(write("binary_big_endian", "short", zeros + "\x01" + zeros), "0 to 3 numbers, found '256'");
+    expectRefused(write("binary_little_endian", "float", zeros + zeros + "\xff\x7f\x7f\x7f"), "list.ply: ");
+}
+
 /// A .glb file of one triangle with these nodes, of which the last has it, and with these indices.
 void writeNodes(const std::string& path, const std::vector<std::string>& nodes, const std::string& more = "",
                 uint16_t lastIndex = 2) {
@@ -335,6 +380,68 @@ TEST_F(MeshImport, EndingsMayBeOfCapitals) {
     }
     EXPECT_EQ(contentOf(m_folder / "OUT.GLB").substr(0, 4), "glTF");
     EXPECT_NE(contentOf(m_folder / "OUT.OBJ").find("\nv "), std::string::npos);
+}
+
+/// Exports a level's shape, imports it again and expects the same voxels at the same place.
+void expectSameAfterImport(Editor& editor, const std::string& file) {
+    SCOPED_TRACE(file);
+    runAll(editor, {"trim part", fmt::format("export \"{}\"", file).c_str()});
+    Imported got(file, "voxels=0");
+    ASSERT_TRUE(got.outcome.isDone) << got.outcome.text;
+    runAll(got.editor, {"trim"});
+    const rubble_shape_state wanted = editor.world().get_shape_states(0).at(0),
+                             found = got.editor.world().get_shape_states(0).at(0);
+    EXPECT_FALSE(got.says("leak") || got.says("lost")) << got.outcome.text;
+    ASSERT_EQ(found.voxel_count, wanted.voxel_count);
+    for (size_t a = 0; a < 3; ++a) {
+        ASSERT_EQ(found.size[a], wanted.size[a]);
+        EXPECT_NEAR(found.position[a], wanted.position[a], 0.005);
+    }
+    const Cells all{glm::ivec3(0), {found.size[0], found.size[1], found.size[2]}};
+    std::vector<uint8_t> before = readCells(editor.world(), wanted.shape, all),
+                         after = readCells(got.editor.world(), found.shape, all);
+    for (std::vector<uint8_t>* each : {&before, &after})
+        for (uint8_t& index : *each) index = index != 0;
+    EXPECT_EQ(before, after);
+}
+
+TEST_F(MeshImport, WhatIsExportedComesBackEqual) {
+    for (const char* size : {"1,1,1", "3,3,3", "2,3,4", "9,5,17", "16,7,1"})
+        for (const char* at : {"0,0,0", "0.05,0.03,-0.07", "-123.45,6.78,999.99"})
+            for (const char* ending : {".obj", ".glb"}) {
+                SCOPED_TRACE(fmt::format("{} at {}", size, at));
+                Editor editor;
+                runAll(editor, {fmt::format("create {} {} name=part", size, at).c_str()});
+                expectSameAfterImport(editor, m_folder / "part" + std::string(ending));
+            }
+    for (const char* ending : {".obj", ".glb"}) {
+        Editor editor;
+        runAll(editor, {"create 21,13,9 1.03,2,3 name=part", "sphere 0,0,0 6 erase shape=part",
+                        "box 10,3,2 14,9,12 erase shape=part", "box 3,10,4 9,12,4 erase shape=part",
+                        "box 17,10,3 19,11,5 erase shape=part", "box 16,2,2 18,8,6 paint 9 shape=part"});
+        expectSameAfterImport(editor, m_folder / "part" + std::string(ending));
+        runAll(editor,
+               {"rotate 20,30,40 what=part", ("export " + (m_folder / "turned") + std::string(ending)).c_str()});
+        const Imported turned(m_folder / "turned" + std::string(ending), "voxels=0");
+        EXPECT_FALSE(turned.says("leak")) << turned.outcome.text;
+        const double before = double(editor.world().get_voxel_accounting().standing);
+        EXPECT_NEAR(double(turned.shape.voxel_count), before, 0.03 * before);
+    }
+}
+
+TEST_F(MeshImport, SurfacesThroughCentresOfCellsCountThemOnce) {
+    for (const double at : {0.0, 0.05}) {
+        TestMesh two = cube(0.3, {});
+        const TestMesh other = cube(0.3, {});
+        for (const glm::dvec3& each : other.points) two.points.push_back(each + glm::dvec3(0.6 + at));
+        for (std::vector<int> face : other.faces) {
+            for (int& point : face) point += int(other.points.size());
+            two.faces.push_back(face);
+        }
+        two.places.clear();
+        writeObj(m_folder / "two.obj", two);
+        EXPECT_EQ(Imported(m_folder / "two.obj", "voxels=0").shape.voxel_count, 54u) << at;
+    }
 }
 
 TEST_F(MeshImport, SaysWhereMeshesAreTooFarAway) {

@@ -115,5 +115,29 @@ TEST(Images, AHeightMapIsAsHighAsItIsBright) {
     EXPECT_FALSE(editor.run(std::string("height_map nowhere.png")).isDone);
 }
 
+TEST(Images, AreRegularFiles) {
+    Editor editor;
+    for (const char* path : {"/dev/zero", "."}) {
+        const Outcome outcome = editor.run(std::string("height_map ") + path);
+        EXPECT_NE(outcome.text.find("expected a regular file"), outcome.text.npos) << outcome.text;
+    }
+}
+
+TEST(Images, OfSixteenBitsAreAsBrightAsOfEight) {
+    rubble::TempFolder folder;
+    const std::string file = folder / "deep.png";
+    for (const double gamma : {0.0, 1.0, 0.45455}) {
+        SCOPED_TRACE(gamma);
+        writeDeepPng(file, 3, 1, 1, {0, 32896, 65535}, gamma);
+        Editor editor;
+        EXPECT_EQ(editor.run("height_map " + file + " 20 name=hills").text, "3 x 1 pixels: 31 voxels") << "1, 10, 20";
+        writeDeepPng(file, 3, 1, 2, {32896, 65535, 51400, 65535, 7, 0}, gamma);
+        EXPECT_EQ(editor.run("extrude_image " + file + " name=plate").text, "3 x 1 pixels: 2 voxels, 2 colours");
+        const std::vector<Look> looks = looksOf(editor, "plate");
+        EXPECT_EQ(looks.at(0)[0], 128);
+        EXPECT_EQ(looks.at(1)[0], 200);
+    }
+}
+
 }  // namespace
 }  // namespace editor

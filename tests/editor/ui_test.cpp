@@ -192,6 +192,11 @@ TEST_F(Window, KeysOfTheUserComeFirst) {
         std::ofstream(path) << wrong << "\n";
         EXPECT_NE(loadKeys(path).find("keys.txt:1: "), std::string::npos) << wrong;
     }
+    std::ofstream(path) << "F5 lock\nF6 melt\n\nCtrl+Foo lock\nF7 unlock\n";
+    const std::string errors = loadKeys(path);
+    EXPECT_NE(errors.find("keys.txt:2: expected a command, found 'melt'\n"), errors.npos) << errors;
+    EXPECT_NE(errors.find("keys.txt:4: expected keys"), errors.npos) << errors;
+    EXPECT_EQ(keyOf("lock") + keyOf("unlock"), "F5F7") << "the other lines hold";
     EXPECT_EQ(loadKeys(folder / "none.txt"), "");
     EXPECT_EQ(keyOf("duplicate"), "Shift+D");
 }
@@ -377,6 +382,38 @@ TEST_F(Window, AnImageShowsTheLevelAndThePanels) {
     m_ui->setFolder(folder.path());
     play("ui tab Palette\nui screenshot window.png");
     EXPECT_GT(std::filesystem::file_size(std::filesystem::path(folder.path()) / "window.png"), 20000u);
+}
+
+TEST_F(Window, ClosesAtOnceWhereNothingIsLostElseAtTheSecondTime) {
+    const rubble::TempFolder folder;
+    Session& session = m_ui->stage().session();
+    EXPECT_FALSE(session.mayClose()) << "a crate is not saved";
+    EXPECT_TRUE(session.mayClose());
+    play("save " + (folder / "level.rubble"));
+    EXPECT_TRUE(session.mayClose());
+    play("move 1,0,0 crate");
+    EXPECT_FALSE(session.mayClose()) << "what was said of other changes long ago does not count";
+    play("select crate");
+    EXPECT_FALSE(session.mayClose());
+    EXPECT_TRUE(session.mayClose());
+    play("save\nundo 2");
+    EXPECT_FALSE(session.mayClose()) << "the file has what was undone";
+    play("new");
+    EXPECT_TRUE(session.mayClose());
+}
+
+TEST_F(Window, TheShowcaseOfALevelLeavesItAsItIs) {
+    const rubble::TempFolder folder;
+    for (const char* lines : {"create 8,8,8 2,1,0 name=ball form=sphere", "new"}) {
+        play(lines);
+        const uint64_t before = document().hash();
+        const size_t steps = document().done().size();
+        m_ui->setFolder(folder.path().string());
+        play(kLevelShowcase);
+        EXPECT_EQ(document().hash(), before);
+        EXPECT_EQ(document().done().size(), steps);
+        EXPECT_TRUE(std::filesystem::exists(folder / "07_commands.png"));
+    }
 }
 
 TEST(Load, ABeamIsWeakestAtItsRoot) {

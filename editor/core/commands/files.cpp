@@ -1,6 +1,9 @@
 // What is written for other programs.
 #include <fmt/format.h>
 
+#include <sstream>
+#include <string>
+
 #include "editor/core/editor.h"
 #include "editor/core/mesh_export.h"
 #include "runtime/script/script_name.h"
@@ -10,8 +13,18 @@ namespace {
 
 using rubble::script::hasEnding;
 
+constexpr const char* kEndings = ".vox .obj .glb .rubble .vdb .png .json";
+
+void requireEnding(const Arguments& arguments, const std::string& path) {
+    std::istringstream words(kEndings);
+    for (std::string ending; words >> ending;)
+        if (hasEnding(path, ending.c_str())) return;
+    arguments.refuse("file", fmt::format("a name that ends in one of: {}, found '{}'", kEndings, path));
+}
+
 void exportLevel(Editor& editor, const Arguments& arguments) {
     const std::string& path = arguments.text("file");
+    requireEnding(arguments, path);
     const bool isImage = hasEnding(path, ".png"), isTrace = hasEnding(path, ".json");
     if (isImage || isTrace) {
         const auto& write = isImage ? editor.settings().writeView : editor.settings().writeTrace;
@@ -44,8 +57,7 @@ std::vector<Command> fileCommands() {
          Kind::View,
          "Writes a copy for other programs: .vox, .obj or .glb, .rubble or .vdb; .png: what the view shows; .json: a "
          "trace of its times.",
-         {{"file", Type::Text, "its path, whose ending says the format", kRequired, 0, 0,
-           ".vox .obj .glb .rubble .vdb .png .json"},
+         {{"file", Type::Text, "its path, whose ending says the format", kRequired, 0, 0, kEndings},
           {"what", Type::Objects, "the shapes, of .obj and .glb", "all"}},
          exportLevel,
          "export crate.glb crate"},

@@ -21,7 +21,8 @@ void save(Editor& editor, const Arguments& arguments) {
     if (path.empty())
         arguments.refuse("file",
                          arguments.has("file") ? "a path, found ''" : "a path, found none: the level has no file yet");
-    editor.document().save(path, editor.settings().vdbTool, arguments.flag("force"));
+    const bool isForced = arguments.flag("force") || editor.settings().isForced;
+    editor.document().save(path, editor.settings().vdbTool, isForced);
     editor.say("saved " + path);
 }
 

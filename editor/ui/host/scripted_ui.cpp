@@ -88,7 +88,7 @@ const ScriptedUi::Verb ScriptedUi::kVerbs[] = {
     {"screenshot", "FILE: writes an image of the window", &ScriptedUi::writeImage},
 };
 
-std::string imageFolderError(const std::string& folder) {
+std::string folderError(const std::string& folder) {
     return folder.empty() ? "" : rubble::makeOutFolder(folder);
 }
 

@@ -8,7 +8,7 @@
 namespace editor {
 
 /// Makes the folder of images and tries to write there; "" names none. What is wrong, or "".
-std::string imageFolderError(const std::string& folder);
+std::string folderError(const std::string& folder);
 
 /// The window without a window: its images are drawn into memory, and its mouse is moved by lines of a script. Lines
 /// that begin with `ui` drive the interface, see kVerbs in scripted_ui.cpp; all others are commands.
@@ -71,7 +71,9 @@ private:
     float m_x = -1.0f, m_y = -1.0f;
 };
 
-/// The script of the images that show what the window can do.
+/// The script of the images that show what the window can do, with a level of its own.
 extern const char* const kShowcase;
+/// The same with the level that is open, whatever is in it.
+extern const char* const kLevelShowcase;
 
 }  // namespace editor

@@ -129,4 +129,43 @@ ui camera -5,6,-7 0.5,0.5,4
 ui screenshot 12_imported.png
 )";
 
+const char* const kLevelShowcase = R"(
+ui screenshot 01_level.png
+ui overlay anchors
+ui overlay joints
+ui overlay lights
+ui overlay groups
+ui tab View
+ui screenshot 02_overlays.png
+ui overlay anchors no
+ui overlay joints no
+ui overlay lights no
+ui overlay groups no
+ui tab Palette
+ui brush sphere add size=4
+ui at 600 300
+ui screenshot 03_brush.png
+ui leave
+ui mode select
+ui tab Sky
+ui tab Messages
+ui screenshot 04_sky.png
+ui tab Properties
+ui overlay contacts
+play
+ui play 60
+ui tab Profiler
+ui screenshot 05_play.png
+ui overlay contacts no
+stop
+ui tab Replay
+ui replay 30
+ui screenshot 06_replay.png
+ui live
+ui tab History
+ui commands light
+ui screenshot 07_commands.png
+ui close
+)";
+
 }  // namespace editor

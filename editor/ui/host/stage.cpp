@@ -25,8 +25,8 @@ Stage::Stage(const StageSettings& settings, GlLoader loader) {
     };
     const auto writer = [this](const std::string& path) { return m_ui->writeView(path); };
     const auto tracer = [this](const std::string& path) { return m_ui->writeTrace(path); };
-    m_editor.emplace(
-        EditorSettings{RUBBLE_WORLD_WAIT_FOR_SHADOW, settings.vdbTool, settings.journals, watcher, writer, tracer});
+    m_editor.emplace(EditorSettings{RUBBLE_WORLD_WAIT_FOR_SHADOW, settings.vdbTool, settings.journals, watcher, writer,
+                                    tracer, settings.isForced});
     m_context = std::make_unique<Context>();
     applyTheme(settings.scale);
     m_painter.emplace();

@@ -16,6 +16,7 @@ struct StageSettings {
     std::string preset = "draft";  ///< of the renderer, see rubble_renderer_settings
     std::string programCache;      ///< a folder for compiled programs; empty: none
     float scale = 1.0f;            ///< pixels of the display by those of a plain one
+    bool isForced = false;         ///< see EditorSettings
 };
 
 /// The editor with its interface, over a GL that the host has made current: all but windows and events.

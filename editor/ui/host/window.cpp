@@ -143,17 +143,10 @@ private:
         glfwSetWindowTitle(m_window, (path.substr(path.find_last_of('/') + 1) + " - Rubble").c_str());
     }
 
-    /// The first attempt to close a level that has changed asks for a second one.
     bool isClosed() {
         if (!glfwWindowShouldClose(m_window)) return false;
-        if (m_isWarned || session().editor().document().done().empty()) return true;
-        if (!session().editor().document().isPlaying() && !session().editor().document().isChanged()) return true;
-        m_isWarned = true;
+        if (session().mayClose()) return true;
         glfwSetWindowShouldClose(m_window, GLFW_FALSE);
-        session().say(Message::Kind::Error,
-                      "The level has changes that are not saved. Close again to lose them, or Ctrl+S.");
-        session().tabs.bottom = "Messages";
-        session().tabs.isAsked = true;
         m_events.framesDue = kFramesOfEvent;
         return false;
     }
@@ -163,7 +156,6 @@ private:
     Stage m_stage;
     double m_last = 0.0;
     uint64_t m_titled = 0;
-    bool m_isWarned = false;
 };
 
 /// To each user once.

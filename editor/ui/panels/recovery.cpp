@@ -27,7 +27,8 @@ void drawRecovery(Session& session) {
     ImGui::Spacing();
     const std::string level = found->level.path.empty() ? "a level without a file" : found->level.path;
     ImGui::TextWrapped("%s",
-                       fmt::format("An editor of {} ended before it could save {} changes.{}", level, found->changes,
+                       fmt::format("An editor of {} ended before it could save {} change{}.{}", level, found->changes,
+                                   found->changes == 1 ? "" : "s",
                                    found->isTailLost ? " The journal is damaged, and what came later is lost." : "")
                            .c_str());
     ImGui::Spacing();

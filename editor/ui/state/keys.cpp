@@ -154,6 +154,7 @@ KeyPress readKeys(std::string_view shown) {
 std::string loadKeys(const std::string& path) {
     g_ownKeys.clear();
     std::ifstream file(path);
+    std::string errors;
     int number = 0;
     for (std::string line; std::getline(file, line);) {
         ++number;
@@ -161,10 +162,10 @@ std::string loadKeys(const std::string& path) {
         try {
             g_ownKeys.push_back(readOwn(line));
         } catch (const Refused& error) {
-            return fmt::format("{}:{}: {}", path, number, error.what());
+            errors += fmt::format("{}{}:{}: {}", errors.empty() ? "" : "\n", path, number, error.what());
         }
     }
-    return "";
+    return errors;
 }
 
 std::string userKeys() {

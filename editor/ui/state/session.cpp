@@ -15,16 +15,6 @@ namespace {
 constexpr size_t kMaxMessages = 500;
 constexpr int kMaxSteps = 4;  ///< of play in one frame
 
-std::string quoted(const std::string& value) {
-    return value.empty() || value.find(' ') != value.npos ? '"' + value + '"' : value;
-}
-
-std::string textOf(const Line& line) {
-    std::string text = line.command;
-    for (const Given& each : line.given) text += " " + (each.name.empty() ? "" : each.name + "=") + quoted(each.value);
-    return text;
-}
-
 }  // namespace
 
 std::string numberText(double number) {
@@ -171,6 +161,18 @@ std::vector<rubble_shape> Session::hiddenShapes(bool isReplay) {
         }
     }
     return there;
+}
+
+bool Session::mayClose() {
+    const Document& document = m_editor.document();
+    const bool isUntouched = document.done().empty() && document.undone().empty();  // what was recovered is kept
+    if (isUntouched || m_warnedVersion == m_version) return true;
+    if (!document.isChanged() && !(document.isPlaying() && !document.done().empty())) return true;
+    m_warnedVersion = m_version;
+    say(Message::Kind::Error, "The level has changes that are not saved. Close again to lose them, or Ctrl+S.");
+    tabs.bottom = "Messages";
+    tabs.isAsked = true;
+    return false;
 }
 
 void Session::togglePlay() {

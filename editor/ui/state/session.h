@@ -78,6 +78,10 @@ public:
     /// Lets seconds pass on the clock; plays the steps that are due. True: something has moved.
     bool advance(double seconds);
 
+    /// Whether the window may close: nothing is lost, or this was asked before and nothing was done since. Else it says
+    /// what would be lost.
+    bool mayClose();
+
     /// Grows with everything that may have changed the level or what is selected.
     uint64_t version() const { return m_version; }
     /// The editor.
@@ -117,6 +121,7 @@ private:
     Editor& m_editor;
     std::deque<Message> m_messages;
     uint64_t m_version = 1;
+    uint64_t m_warnedVersion = 0;  ///< for which mayClose() has said what would be lost
     double m_due = 0.0;
     bool m_isPreviewing = false;
 };

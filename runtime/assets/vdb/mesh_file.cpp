@@ -1,10 +1,11 @@
 #include "runtime/assets/vdb/mesh_file.h"
 
 // The only file that includes Assimp, which reads the formats.
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
-#include <png.h>
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
@@ -12,9 +13,12 @@
 #include <filesystem>
 #include <glm/common.hpp>
 #include <map>
+#include <new>
+#include <utility>
 
 #include "runtime/assets/assets.h"
 #include "runtime/assets/file_bytes.h"
+#include "runtime/assets/png_pixels.h"
 #include "runtime/assets/vdb/glb_header.h"
 #include "runtime/assets/vdb/ply_header.h"
 #include "runtime/voxel/palette.h"
@@ -45,15 +49,47 @@ glm::vec3 colorOf(const aiColor4D& color, bool isLinear) {
 
 /// A PNG file in memory; false: it is none.
 bool readPng(const void* bytes, size_t size, MeshTexture& out) {
-    png_image png{};
-    png.version = PNG_IMAGE_VERSION;
-    if (!png_image_begin_read_from_memory(&png, bytes, size)) return false;
-    if (png.width > kMaxTextureSide || png.height > kMaxTextureSide) return png_image_free(&png), false;
-    png.format = PNG_FORMAT_RGBA;
-    out.size = {int(png.width), int(png.height)};
-    out.pixels.resize(size_t(png.width) * png.height);
-    return png_image_finish_read(&png, nullptr, out.pixels.data(), 0, nullptr) != 0;
+    const std::string error =
+        readPngPixels({static_cast<const uint8_t*>(bytes), size}, [&](uint32_t width, uint32_t height) {
+            if (width > kMaxTextureSide || height > kMaxTextureSide) return static_cast<void*>(nullptr);
+            out.size = {int(width), int(height)};
+            out.pixels.resize(size_t(width) * height);
+            return static_cast<void*>(out.pixels.data());
+        });
+    return error.empty() && !out.pixels.empty();
 }
+
+/// A .obj file whose numbers have a digit before the point, without which Assimp does not count them.
+std::vector<uint8_t> withLeadingDigits(const std::vector<uint8_t>& obj) {
+    std::vector<uint8_t> out;
+    out.reserve(obj.size());
+    bool isOfPoint = false;  // the line, which may go on after a backslash
+    const auto at = [&](size_t i) { return i < obj.size() ? char(obj[i]) : '\n'; };
+    for (size_t i = 0; i < obj.size(); ++i) {
+        const char before = i ? at(i - 1) : '\n', each = at(i);
+        const bool isContinued = i > 1 && (at(i - 2) == '\\' || (at(i - 2) == '\r' && i > 2 && at(i - 3) == '\\'));
+        if (before == '\n' && !isContinued) isOfPoint = each == 'v';
+        if (isOfPoint && each == '.' && (before == ' ' || before == '\t') && at(i + 1) >= '0' && at(i + 1) <= '9')
+            out.push_back('0');
+        out.push_back(uint8_t(each));
+    }
+    return out;
+}
+
+/// Gives Assimp one file from memory, and others from the disk.
+class OneFileInMemory : public Assimp::DefaultIOSystem {
+public:
+    OneFileInMemory(std::string path, std::vector<uint8_t> bytes)
+        : m_path(std::move(path)), m_bytes(std::move(bytes)) {}
+    Assimp::IOStream* Open(const char* path, const char* mode) override {
+        if (m_path != path) return DefaultIOSystem::Open(path, mode);
+        return new Assimp::MemoryIOStream(m_bytes.data(), m_bytes.size());
+    }
+
+private:
+    std::string m_path;
+    std::vector<uint8_t> m_bytes;
+};
 
 /// Takes over what Assimp has read.
 class MeshReader {
@@ -140,7 +176,9 @@ private:
             }
             points.push_back(indexOf(point));
         }
-        for (unsigned i = 0; i < from.mNumFaces && m_error.empty(); ++i) addTriangle(from, from.mFaces[i], points);
+        const bool isMirrored = aiMatrix3x3(pose).Determinant() < 0.0f;
+        for (unsigned i = 0; i < from.mNumFaces && m_error.empty(); ++i)
+            addTriangle(from, from.mFaces[i], points, isMirrored);
     }
 
     /// The point at a place, which is made if it is new.
@@ -151,7 +189,7 @@ private:
         return found->second;
     }
 
-    void addTriangle(const aiMesh& from, const aiFace& face, const std::vector<uint32_t>& points) {
+    void addTriangle(const aiMesh& from, const aiFace& face, const std::vector<uint32_t>& points, bool isMirrored) {
         if (face.mNumIndices != 3) return;
         MeshTriangle triangle;
         triangle.material = from.mMaterialIndex < m_mesh.materials.size() ? from.mMaterialIndex : 0;
@@ -159,7 +197,7 @@ private:
         const bool hasPlaces = channel < AI_MAX_NUMBER_OF_TEXTURECOORDS && from.HasTextureCoords(channel);
         const bool hasColors = from.HasVertexColors(0);
         for (size_t c = 0; c < 3; ++c) {
-            const unsigned vertex = face.mIndices[c];
+            const unsigned vertex = face.mIndices[isMirrored ? 2 - c : c];  // so that the same side is outside
             if (vertex >= points.size()) {
                 m_error = fmt::format("expected a vertex below {}, found {}", points.size(), vertex);
                 return;
@@ -214,11 +252,14 @@ Result<Mesh> readMesh(const std::string& path) {
         !error.empty())
         return Error{path + ": " + error};
     Assimp::Importer importer;
+    if (ending == ".obj") importer.SetIOHandler(new OneFileInMemory(path, withLeadingDigits(*bytes)));  // it takes it
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     // Validation comes first: the other steps trust what they are given.
     const aiScene* const scene = importer.ReadFile(
         path, aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_FlipUVs);
-    if (!scene || !scene->mRootNode) return Error{fmt::format("{}: {}", path, importer.GetErrorString())};
+    const std::string said = importer.GetErrorString();
+    if (said == std::bad_alloc().what()) throw std::bad_alloc();
+    if (!scene || !scene->mRootNode) return Error{fmt::format("{}: {}", path, said)};
     Result<Mesh> mesh = MeshReader(*scene, path).read();
     return mesh ? std::move(mesh) : Error{path + ": " + mesh.error()};
 }

@@ -9,7 +9,8 @@ namespace rubble {
 struct MeshParts {
     std::vector<bool> isOpen;  ///< by triangle: whether its part has open edges
     size_t count = 0, open = 0;
-    size_t openEdges = 0;  ///< those of an odd number of triangles
+    size_t openEdges = 0;  ///< those of an odd number of triangles, but for seams: several short ones along a long one
+    bool isTurnedAlike = true;  ///< neighbours have the same side outside
 };
 
 /// Tells closed parts, which have an inside, from others.

@@ -80,7 +80,7 @@ struct LightGroup {
     uint32_t flickerSteps = 0;  ///< how long it flickers before it goes out
     uint64_t failingSince = 0;  ///< step at which it began to flicker; 0: it does not
     bool dark = false;          ///< in this step of its flickering
-    ShapeHandle supply;         ///< handle of supplyShape in a World; empty: needs none, or was never connected
+    ShapeHandle supply;         ///< handle of supplyShape in a World; empty: needs none, or the level lacks that shape
 };
 
 /// Sky, sun, air and camera exposure of a level.

@@ -69,16 +69,15 @@ void countGroupVoxels(WorldData& world) {
     });
 }
 
-/// A group whose supply is not connected in the level needs none.
+/// A supply from which no wire leads yet stays: its group shines until wire is looked for in that shape.
 void connectPowerSupplies(WorldData& world, const ShapeReferences& shapes) {
     world.groups.forEach([&](LightGroupHandle handle, LightGroup& group) {
         group.supply = shapes.find(group.supplyShape);
         if (!group.supply && group.supplyShape.empty()) return;
         if (group.supply) group.supplyShape = world.shapes.at(group.supply).name;
         if (group.out || group.failingSince || isPowered(world, handle, group)) return;
-        logWarning("light group '" + group.name +
-                   "': expected wire from its supply to its voxels, found none: it needs no supply");
-        group.supply = {};
+        logWarning("light group '" + group.name + "': expected wire from its supply to its voxels, found none: it " +
+                   (group.supply ? "goes out when that shape loses wire or a piece" : "needs no supply"));
     });
 }
 

@@ -193,13 +193,18 @@ TEST(LightEdits, ItFlickersTheSameEveryTimeBeforeItIsOut) {
     }
 }
 
-TEST(LightEdits, AnUnconnectedSupplyIsIgnored) {
+TEST(LightEdits, AnUnconnectedSupplyFailsWhenItsShapeLosesWire) {
     Level level = wiredLight(0);
     level.lightGroups[0].supplyCell = {10, 30, 2};
     World world;
     world.load(level);
-    EXPECT_TRUE(world.applyEdits({test::sphereCarve({1.2, 2.05, 0.6}, 0.2)}).groupsOut.empty());
+    EXPECT_TRUE(world.applyEdits({test::sphereCarve({2.2, 0.6, 0.3}, 0.2)}).groupsOut.empty()) << "beside the wire";
     EXPECT_TRUE(anyGlow(world));
+    EXPECT_EQ(world.applyEdits({test::sphereCarve({1.2, 2.05, 0.6}, 0.2)}).groupsOut.size(), 1u);
+    level.lightGroups[0].supplyShape = "gone";
+    world.load(level);
+    EXPECT_TRUE(world.applyEdits({test::sphereCarve({1.2, 2.05, 0.6}, 0.2)}).groupsOut.empty());
+    EXPECT_TRUE(anyGlow(world)) << "without its shape it needs none";
 }
 
 LightHandle firstHandle(const World& world) {
