@@ -39,7 +39,7 @@ std::map<size_t, std::vector<std::string>> houseSteps() {
 /// An editor in a folder of its own that has done the first steps of the page.
 class HouseDocument : public testing::Test {
 protected:
-    /// Does a step, whose commands must all work; what they said.
+    /// Does a step, whose commands must all work; what its lines `hash` said.
     std::string follow(size_t step) {
         std::string said;
         for (const std::string& line : steps[step]) {
