@@ -75,7 +75,7 @@ void drawGroups(Session& session, Wires& wires) {
     const rubble::World& world = session.world();
     for (const rubble_light_group group : world.get_objects(RUBBLE_KIND_LIGHT_GROUP)) {
         const rubble_light_group_state state = world.get_light_group(group);
-        const ImU32 color = state.flags & RUBBLE_GROUP_ON ? kGlow : kAsleep;
+        const ImU32 color = (state.flags & (RUBBLE_GROUP_ON | RUBBLE_GROUP_OUT)) == RUBBLE_GROUP_ON ? kGlow : kAsleep;
         std::vector<glm::dvec3> ends;
         glm::dvec3 begin(0.0);
         for (const rubble_light light : world.get_lights())
