@@ -26,6 +26,7 @@ void ContactDetection::find(PhysicsBodies& bodies, const PhysicsJoints& joints, 
                                      .seconds = settings.stepSeconds,
                                      .sweepThreshold = settings.continuous ? settings.sweepThreshold : 1e300};
     m_narrowphase.begin();
+    for (const uint32_t slot : m_pushed) m_pushes[slot] = {};
     m_pushed.clear();
     m_leftOut = 0;
     for (const uint32_t slot : bodies.awake()) bodies.at(slot).pairsFound = false;
@@ -67,11 +68,11 @@ void ContactDetection::find(PhysicsBodies& bodies, const PhysicsJoints& joints, 
 glm::dvec3 ContactDetection::pushOf(const Manifold& manifold, const DynamicBody& hitter, double seconds) const {
     const double side = manifold.objects.second->dynamic == &hitter ? 1.0 : -1.0;  // of normals, from the hitter on
     glm::dvec3 push = approachVelocity(manifold, seconds) * side;
-    const auto pushed = m_pushed.find(hitter.handle().slot());
-    if (pushed == m_pushed.end()) return push;
+    const Push* const pushed = pushOn(hitter);
+    if (!pushed) return push;
     for (const ManifoldPoint& point : manifold.all()) {
         const glm::dvec3 away = glm::dvec3(point.normal) * side;
-        const double speed = glm::dot(pushed->second.velocity, away);
+        const double speed = glm::dot(pushed->velocity, away);
         if (speed * seconds > double(point.separation) && speed > glm::length(push)) push = away * speed;
     }
     return push;
@@ -97,8 +98,16 @@ void ContactDetection::notePush(const DynamicBody& body, glm::dvec3 velocity, gl
     for (const ManifoldPoint& point : manifold.all()) restitution = std::max(restitution, point.restitution);
     const double together = mass + body.mass().mass;
     const Push pushed{velocity + push * (mass / together * (1.0 + double(restitution))), together};
-    Push& known = m_pushed.try_emplace(body.handle().slot(), pushed).first->second;
-    if (glm::length(pushed.velocity) > glm::length(known.velocity)) known = pushed;
+    const uint32_t slot = body.handle().slot();
+    if (const Push* known = pushOn(body); known && glm::length(pushed.velocity) <= glm::length(known->velocity)) return;
+    if (!pushOn(body)) m_pushed.push_back(slot);
+    if (m_pushes.size() <= slot) m_pushes.resize(slot + 1);
+    m_pushes[slot] = pushed;
+}
+
+const ContactDetection::Push* ContactDetection::pushOn(const DynamicBody& body) const {
+    const uint32_t slot = body.handle().slot();
+    return slot < m_pushes.size() && m_pushes[slot].mass > 0.0 ? &m_pushes[slot] : nullptr;
 }
 
 /// Wakes sleeping bodies that are about to be hit, in time for the solve; true if there were any.
@@ -110,12 +119,10 @@ bool ContactDetection::wakeHit(PhysicsBodies& bodies, double seconds) {
         DynamicBody& sleeper = a->asleep() ? *a : *b;
         const DynamicBody& hitter = a->asleep() ? *b : *a;
         if (sleeper.quarantined()) continue;
-        const auto passedOn = m_pushed.find(hitter.handle().slot());
-        const double mass = passedOn == m_pushed.end() ? hitter.mass().mass : passedOn->second.mass;
+        const Push* const passedOn = pushOn(hitter);
+        const double mass = passedOn ? passedOn->mass : hitter.mass().mass;
         const double share = mass / (mass + sleeper.mass().mass);
-        const double wakeSpeed = sleeper.settled              ? kSettledWakeSpeed
-                                 : passedOn == m_pushed.end() ? kWakeSpeed
-                                                              : kPassedOnSpeed;
+        const double wakeSpeed = sleeper.settled ? kSettledWakeSpeed : passedOn ? kPassedOnSpeed : kWakeSpeed;
         const glm::dvec3 push = pushOf(*manifold, hitter, seconds);
         if (glm::length(push) * share <= wakeSpeed || !bodies.wakeOrWait(sleeper, false)) continue;
         notePush(sleeper, glm::dvec3(0.0), push, *manifold, mass);

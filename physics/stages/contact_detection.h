@@ -1,5 +1,4 @@
 #pragma once
-#include <map>
 #include <span>
 #include <vector>
 
@@ -32,21 +31,24 @@ public:
     size_t leftOut() const { return m_leftOut; }
 
 private:
+    /// What a hit gives to a body that it woke, or that touches sleeping ones.
+    struct Push {
+        glm::dvec3 velocity{0.0};  ///< about, m/s
+        double mass = 0.0;         ///< kg, of it and of all that comes along from the hitter on; 0: there is none
+    };
     void notePushes(double seconds);
     void notePush(const DynamicBody& body, glm::dvec3 velocity, glm::dvec3 push, const Manifold& manifold, double mass);
     bool wakeHit(PhysicsBodies& bodies, double seconds);
     glm::dvec3 pushOf(const Manifold& manifold, const DynamicBody& hitter, double seconds) const;
+    /// Null: nothing has pushed it in this step.
+    const Push* pushOn(const DynamicBody& body) const;
 
     Narrowphase m_narrowphase;
     Crowds m_crowds;
     std::vector<CollisionObject*> m_moving;  ///< whose pairs are searched
     std::vector<ObjectPair> m_pairs;
-    /// What a hit gives to a body that it woke, or that touches sleeping ones.
-    struct Push {
-        glm::dvec3 velocity;  ///< about, m/s
-        double mass;          ///< kg, of it and of all that comes along from the hitter on
-    };
-    std::map<uint32_t, Push> m_pushed;  ///< of this step, by slot
+    std::vector<Push> m_pushes;      ///< of this step, by slot
+    std::vector<uint32_t> m_pushed;  ///< slots of those that there are
     size_t m_leftOut = 0;
 };
 
