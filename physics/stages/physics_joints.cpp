@@ -195,7 +195,8 @@ void PhysicsJoints::apply(const FrameChanges& changes, const World& world, Physi
         for (const uint32_t rope : m_table.ropes()) m_table.at(rope)->restSteps = 0;
 }
 
-/// Of joints whose body a host has put elsewhere, and of those that an undo or redo has changed, or the bodies of.
+/// Of joints whose body a host has put elsewhere. After an undo or redo also of those that it has changed, or whose
+/// body it has changed, and of those on bodies that are awake.
 void PhysicsJoints::forgetMotion(const FrameChanges& changes, const PhysicsBodies& bodies) {
     const auto forget = [&](uint32_t slot) {
         if (JointProxy* joint = m_table.at(slot)) rubble::forgetMotion(*joint);
@@ -208,6 +209,7 @@ void PhysicsJoints::forgetMotion(const FrameChanges& changes, const PhysicsBodie
         if (changes.isRestored || !body || body->isPlaced) forgetJointsOf(handle);
     }
     if (!changes.isRestored) return;
+    for (const BodyHandle body : changes.bodiesCreated) forgetJointsOf(body);
     for (const uint32_t slot : bodies.awake()) forgetJointsOf(bodies.handles()[slot]);
     for (const JointHandle joint : changes.jointsChanged) forget(joint.slot());
 }

@@ -7,7 +7,7 @@
 
 namespace editor {
 
-/// Makes the folder of images and tries to write there; "" names none. What is wrong, or "".
+/// Makes a folder and tries to write there; "" names none. What is wrong, or "".
 std::string folderError(const std::string& folder);
 
 /// The window without a window: its images are drawn into memory, and its mouse is moved by lines of a script. Lines
