@@ -27,18 +27,21 @@ fs::path keptLevel(const SandboxOptions& options, const std::string& name, bool&
     return path;
 }
 
-/// The path of the level that the game plays: the town is written once, and again when this program is newer.
+/// The path of the level that the game plays: the town of four blocks is written once, and again when this program is
+/// newer.
 Result<std::string> levelFile(const SandboxOptions& options) {
     if (!options.level.empty() && options.time.empty()) return options.level;
-    const std::string own = options.yard ? "yard" : "town";
+    const std::string own = options.yard ? "yard" : "district";
     const std::string name = (options.level.empty() ? own : fs::path(options.level).stem().string()) + "-" +
                              std::to_string(options.seed) + "-" + (options.time.empty() ? "own" : options.time);
     bool isFresh = false;
     const fs::path path = keptLevel(options, name, isFresh);
     if (options.level.empty() && isFresh) return path.string();
-    Result<SandboxStage> stage = loadStage(options);
+    SandboxOptions staged = options;
+    staged.district = options.level.empty() && options.model.empty() && options.scene.empty() && !options.yard;
+    Result<SandboxStage> stage = loadStage(staged);
     if (!stage) return Error{stage.error()};
-    if (options.level.empty() && !options.yard) addTownVehicles(stage->level);
+    if (staged.district) addDistrictVehicles(stage->level);
     const Result<Done> written = writeRubble(path.string(), stage->level);
     if (!written) return Error{written.error()};
     return path.string();

@@ -25,7 +25,7 @@ bool SandboxOptions::wantsWindow() const {
 }
 
 bool SandboxOptions::wantsFilm() const {
-    const bool isTown = scene.empty() && model.empty() && level.empty() && time.empty() && !yard;
+    const bool isTown = scene.empty() && model.empty() && level.empty() && time.empty() && !yard && !district;
     return isTown && !wantsWindow() && !noRender && !allPasses && !map && !frames && pass == "final";
 }
 
@@ -73,6 +73,8 @@ void addSceneOptions(CLI::App& app, SandboxOptions& options) {
     app.add_option("--model", options.model, "put this .vox, .vdb or .rubble on the street and demolish it")
         ->check(CLI::ExistingFile);
     app.add_option("--level", options.level, "open this level instead of the town")->check(CLI::ExistingFile);
+    app.add_flag("--district", options.district,
+                 "the town of four blocks that the game has, not its first block alone");
     app.add_flag("--yard", options.yard, "a yard with vehicles to drive instead of the town");
     app.add_option("--scene", options.scene, "a scripted scene instead of the town; all: one after the other");
     app.add_option("--write", options.write, "write the level to this .rubble file, and play nothing");

@@ -8,6 +8,7 @@ namespace rubble {
 struct SandboxOptions {
     std::string model;        ///< .vox, .vdb or .rubble to put on the street instead of the house
     std::string level;        ///< a whole level to open instead of the town
+    bool district = false;    ///< the town of four blocks instead of its first one
     bool yard = false;        ///< the yard with the vehicles instead of the town
     std::string scene;        ///< one of the scripted scenes instead of the town; "all": one after the other
     std::string write;        ///< where the level goes to, as .rubble; nothing is played then

@@ -9,6 +9,7 @@
 #include "runtime/assets/assets.h"
 #include "runtime/core/log.h"
 #include "samples/scenes/demolition.h"
+#include "samples/scenes/district.h"
 #include "samples/scenes/environment.h"
 #include "samples/scenes/placement.h"
 #include "samples/scenes/scene.h"
@@ -64,11 +65,13 @@ Result<SandboxStage> anyStage(const SandboxOptions& options) {
     const std::string vdbTool = options.tools + "/rubble-vdb";
     if (!options.scene.empty()) return sceneStage(options);
     if (!options.model.empty()) return modelStage(options, vdbTool);
-    if (options.yard) {
+    if (options.yard || options.district) {
         SandboxStage stage;
-        stage.level = makeYard(options.seed);
+        stage.level = options.yard ? makeYard(options.seed) : makeDistrict(options.seed);
         stage.script = [](int) { return Edits(); };
-        stage.camera = [](double) { return scenes::lookAt({30.0, 9.0, 50.0}, {25.0, 1.0, 26.0}); };
+        const Pose camera = options.yard ? scenes::lookAt({30.0, 9.0, 50.0}, {25.0, 1.0, 26.0})
+                                         : scenes::lookAt({150.0, 46.0, 150.0}, {70.0, 0.0, 62.0});
+        stage.camera = [camera](double) { return camera; };
         stage.verticalFov = kDemolitionFov;
         return stage;
     }

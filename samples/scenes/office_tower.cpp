@@ -1,5 +1,7 @@
 #include "samples/scenes/office_tower.h"
 
+#include <fmt/format.h>
+
 #include "runtime/core/random.h"
 #include "samples/scenes/building.h"
 #include "samples/scenes/lettering.h"
@@ -12,6 +14,8 @@ constexpr int kSide = OfficeTower::kSide, kHeight = OfficeTower::kHeight, kStore
               kColumn = OfficeTower::kColumn;
 constexpr auto& kColumns = OfficeTower::kColumns;
 constexpr int kRoof = kFooting + kStoreys * kHeight;
+constexpr int kShaftLow = 24, kShaftHigh = 40;  // outer sides of the lift shaft
+constexpr ivec3 kGrid{kSide, kRoof + 30, kSide + 1};
 
 struct TowerSwatches {
     explicit TowerSwatches(Canvas& c)
@@ -76,7 +80,7 @@ void drawOffice(Canvas& c, int y, const TowerSwatches& s) {
 }
 
 void drawLiftShaft(Canvas& c, int y, const TowerSwatches& s) {
-    constexpr int kLow = 24, kHigh = 40;
+    constexpr int kLow = kShaftLow, kHigh = kShaftHigh;
     for (int k = 0; k < 2; ++k) {
         c.box({kLow, y, kLow + k}, {kHigh, y + kHeight, kLow + k + 1}, s.concrete);
         c.box({kLow, y, kHigh - 1 - k}, {kHigh, y + kHeight, kHigh - k}, s.concrete);
@@ -105,10 +109,7 @@ void drawRoof(Level& level, Canvas& c, const TowerSwatches& s) {
     drawLettering(c, {15, kRoof + 8, kSide}, "RUBBLE", 1, glow);
 }
 
-}  // namespace
-
-void addOfficeTower(Level& level, ivec3 cell) {
-    Canvas c({kSide, kRoof + 30, kSide + 1});
+void drawTower(Level& level, Canvas& c) {
     const TowerSwatches s(c);
     c.box({0, 0, 0}, {kSide, kFooting, kSide}, s.slab);
     const WallFrames walls = wallFrames({0, 0, 0}, {kSide, 0, kSide});
@@ -127,7 +128,68 @@ void addOfficeTower(Level& level, ivec3 cell) {
                     c.box({x, y + kHeight - 1, z}, {x + kColumn, y + kHeight, z + kColumn}, s.concrete);
     }
     drawRoof(level, c, s);
+}
+
+/// Opens the floors in the shaft, and draws a wire up its front wall to a light over the door of each storey.
+void openShaft(Level& level, Canvas& c) {
+    c.clear({kShaftLow + 2, kFooting, kShaftLow + 2}, {kShaftHigh - 2, kRoof - 3, kShaftHigh - 2});
+    constexpr int kX = kShaftLow + 1, kZ = kShaftHigh - 2;
+    const uint32_t group = addLightGroup(level, "lift power", 0.9f);
+    LightGroup& record = level.lightGroups[group - 1];
+    record.supplyShape = "tower";
+    record.supplyCell = {kX, kFooting, kZ};
+    const Swatch wire = c.addSurface(kCable), glow = c.addSurface(kBulbGlow, 100, group);
+    c.box({kX, kFooting, kZ}, {kX + 1, kRoof - 3, kZ + 1}, wire);
+    for (int storey = 0; storey < kStoreys; ++storey) {
+        const int y = kFooting + storey * kHeight + 22;
+        c.box({kX, y, kZ}, {kX + 6, y + 1, kZ + 1}, wire);
+        c.box({kX + 5, y, kZ + 1}, {kX + 10, y + 1, kZ + 2}, glow);
+        addLight(level, "tower", group, LightKind::Sphere, glm::dvec3(kX + 7.5, y + 0.5, kZ + 3.5), kWarmLight * 4.0f,
+                 5.0f, 0.15f);
+    }
+}
+
+/// A cabin that is open toward the doors, on a prismatic joint. Its brake is the motor of speed 0.
+void addLiftCabin(Level& level, ivec3 corner) {
+    constexpr int kSize = 10, kCabinHeight = 21, kGap = (kShaftHigh - kShaftLow - 4 - kSize) / 2 + 2;
+    Canvas c({kSize, kCabinHeight, kSize});
+    const Swatch side = c.addSurface(kPlasticGrey), floor = c.addSurface(kRoofFelt), panel = c.addSurface(kTimber),
+                 lit = c.addSurface(kBulbGlow);
+    c.box({0, 0, 0}, {kSize, 1, kSize}, floor);
+    c.box({0, 1, 0}, {kSize, kCabinHeight, 1}, panel);
+    for (const int x : {0, kSize - 1}) c.box({x, 1, 0}, {x + 1, kCabinHeight, kSize}, side);
+    c.box({0, kCabinHeight - 1, 0}, {kSize, kCabinHeight, kSize}, side);
+    c.box({3, kCabinHeight - 2, 3}, {7, kCabinHeight - 1, 7}, lit);
+    LevelShape cabin = c.finish("lift");
+    cabin.tags = {fmt::format("lift={} {}", kStoreys, kHeight * kVoxel)};
+    const ivec3 inTower(kShaftLow + kGap, kFooting, kShaftLow + kGap);
+    addDynamic(level, std::move(cabin), corner + inTower);
+    const glm::dquat upright(kSqrtHalf, 0.0, 0.0, kSqrtHalf);  // turns x, the axis of the joint's frame, to y
+    const glm::dvec3 pivot = kVoxel * glm::dvec3(kSize / 2.0, 5.0, -1.0);  // at the shaft's wall
+    LevelJoint guide{{.name = "lift guide", .kind = JointKind::Prismatic}, {"tower", "lift"}};
+    guide.joint.ends[0].frame = {pivot + kVoxel * glm::dvec3(inTower), upright};
+    guide.joint.ends[1].frame = {pivot, upright};
+    guide.joint.ends[0].radius = guide.joint.ends[1].radius = 0.3;
+    guide.joint.limits = {true, 0.0, (kStoreys - 1) * kHeight * kVoxel};
+    guide.joint.motor = {MotorMode::Speed, 0.0, 3.0e4};
+    level.joints.push_back(guide);
+}
+
+}  // namespace
+
+void addOfficeTower(Level& level, ivec3 cell) {
+    Canvas c(kGrid);
+    drawTower(level, c);
     addStatic(level, c.finish("tower"), cell - ivec3(0, kFooting, 0));
+}
+
+void addOfficeTowerWithLift(Level& level, ivec3 cell) {
+    Canvas c(kGrid);
+    drawTower(level, c);
+    openShaft(level, c);
+    const ivec3 corner = cell - ivec3(0, kFooting, 0);
+    addStatic(level, c.finish("tower"), corner);
+    addLiftCabin(level, corner);
 }
 
 }  // namespace rubble::scenes

@@ -12,5 +12,9 @@ struct OfficeTower {
 
 /// A static tower of nine storeys on columns, with a lift shaft; `cell` is where its low corner meets the ground.
 void addOfficeTower(Level& level, ivec3 cell);
+/// The same with a lift: a body "lift" with the tag "lift=STOREYS HEIGHT" (in metres), which slides on a joint with a
+/// motor, and a light over each of its doors. A wire in the shaft feeds these; where they are out the lift has no
+/// power.
+void addOfficeTowerWithLift(Level& level, ivec3 cell);
 
 }  // namespace rubble::scenes

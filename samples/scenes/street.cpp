@@ -11,8 +11,8 @@ namespace {
 
 using Surface = GroundPlan::Surface;
 constexpr int kTile = 160;
-constexpr int kRockTop = 8;
-constexpr int kGroundHeight = kGroundDepth + 4;  // space for tufts of grass
+constexpr int kSoil = 8;       // cells of dirt over the rock
+constexpr int kTuftSpace = 4;  // cells over the ground
 
 struct GroundSwatches {
     explicit GroundSwatches(Canvas& c)
@@ -118,19 +118,19 @@ bool besideRoad(const GroundPlan& plan, int x, int z) {
 Column columnAt(const GroundPlan& plan, const GroundSwatches& s, int x, int z) {
     const Surface surface = surfaceAt(plan, x, z);
     const ivec3 cell(x, 0, z);
-    if (surface == Surface::Road) return {kGroundDepth - kRoadDrop, roadCell(plan, s, cell)};
+    if (surface == Surface::Road) return {plan.depth - kRoadDrop, roadCell(plan, s, cell)};
     if (surface == Surface::Paving && besideRoad(plan, x, z)) {
         const bool seam = (x + z) % 10 == 0;
-        return {kGroundDepth, PaletteBuilder::pick(seam                              ? s.joint
-                                                   : hashCell(x, 2, z, 331) % 4 == 0 ? s.kerbWorn
-                                                                                     : s.kerb,
-                                                   cell)};
+        return {plan.depth, PaletteBuilder::pick(seam                              ? s.joint
+                                                 : hashCell(x, 2, z, 331) % 4 == 0 ? s.kerbWorn
+                                                                                   : s.kerb,
+                                                 cell)};
     }
-    if (surface == Surface::Paving) return {kGroundDepth, pavingCell(s, cell)};
+    if (surface == Surface::Paving) return {plan.depth, pavingCell(s, cell)};
     if (surface == Surface::Concrete)
-        return {kGroundDepth, PaletteBuilder::pick(x % 20 == 0 || z % 20 == 0 ? s.joint : s.concrete, cell)};
-    if (surface == Surface::Earth) return {kGroundDepth, PaletteBuilder::pick(s.dirt, cell)};
-    return {kGroundDepth, lawnCell(s, cell)};
+        return {plan.depth, PaletteBuilder::pick(x % 20 == 0 || z % 20 == 0 ? s.joint : s.concrete, cell)};
+    if (surface == Surface::Earth) return {plan.depth, PaletteBuilder::pick(s.dirt, cell)};
+    return {plan.depth, lawnCell(s, cell)};
 }
 
 void drawColumn(Canvas& canvas, const GroundPlan& plan, const GroundSwatches& s, ivec3 corner, int x, int z) {
@@ -138,11 +138,11 @@ void drawColumn(Canvas& canvas, const GroundPlan& plan, const GroundSwatches& s,
     const Column column = columnAt(plan, s, gx, gz);
     const Surface surface = surfaceAt(plan, gx, gz);
     const bool stone = surface == Surface::Road || surface == Surface::Paving || surface == Surface::Concrete;
-    for (int y = kRockTop; y < column.top - 1; ++y)
+    for (int y = plan.depth - kSoil; y < column.top - 1; ++y)
         canvas.set({x, y, z}, stone && y == column.top - 2 ? s.asphalt : s.dirt);
     canvas.setEntry({x, column.top - 1, z}, column.entry);
     for (const CellBox& box : plan.foundations)
-        if (inside(box, gx, gz)) canvas.clear({x, kGroundDepth + box.low.y, z}, {x + 1, kGroundHeight, z + 1});
+        if (inside(box, gx, gz)) canvas.clear({x, plan.depth + box.low.y, z}, {x + 1, plan.depth + kTuftSpace, z + 1});
 }
 
 /// Tufts of grass and flowers, in patches.
@@ -150,22 +150,23 @@ void drawTufts(Canvas& canvas, const GroundPlan& plan, const GroundSwatches& s, 
     for (int z = 0; z < size.z; ++z)
         for (int x = 0; x < size.x; ++x) {
             const int gx = corner.x + x, gz = corner.z + z;
-            if (surfaceAt(plan, gx, gz) != Surface::Lawn || !canvas.at({x, kGroundDepth - 1, z})) continue;
+            if (surfaceAt(plan, gx, gz) != Surface::Lawn || !canvas.at({x, plan.depth - 1, z})) continue;
             const uint32_t dice = hashCell(gx, 5, gz, 341);
             if (int(dice % 1000) >= std::max(2, softNoise(gx, gz, 19, 342) - 150) / 2) continue;
             const bool flower = dice >> 20 & 1 && softNoise(gx, gz, 40, 343) > 185;
             const int height = 1 + int(dice >> 24 & 1);
-            canvas.box({x, kGroundDepth, z}, {x + 1, kGroundDepth + height, z + 1}, s.grass);
-            if (flower) canvas.set({x, kGroundDepth + height, z}, s.flowers);
+            canvas.box({x, plan.depth, z}, {x + 1, plan.depth + height, z + 1}, s.grass);
+            if (flower) canvas.set({x, plan.depth + height, z}, s.flowers);
         }
 }
 
 LevelShape groundTile(const GroundPlan& plan, ivec3 corner) {
-    const ivec3 size(std::min(kTile, plan.size.x - corner.x), kGroundHeight, std::min(kTile, plan.size.z - corner.z));
+    const ivec3 size(std::min(kTile, plan.size.x - corner.x), plan.depth + kTuftSpace,
+                     std::min(kTile, plan.size.z - corner.z));
     Canvas canvas(size);
     const GroundSwatches swatches(canvas);
     // Rock has one entry, so that each of its bricks is uniform and stored as one byte.
-    canvas.fill(ivec3(0), {size.x, kRockTop, size.z}, [&](ivec3) { return swatches.rock.first; });
+    canvas.fill(ivec3(0), {size.x, plan.depth - kSoil, size.z}, [&](ivec3) { return swatches.rock.first; });
     for (int z = 0; z < size.z; ++z)
         for (int x = 0; x < size.x; ++x) drawColumn(canvas, plan, swatches, corner, x, z);
     drawTufts(canvas, plan, swatches, corner, size);
@@ -175,12 +176,54 @@ LevelShape groundTile(const GroundPlan& plan, ivec3 corner) {
     return shape;
 }
 
+/// A slope beyond one edge of the ground: the box low..high of its cells, in which it falls to the ground's bottom over
+/// `width` cells. Roads and pavements that meet the edge run on.
+LevelShape slope(const GroundPlan& plan, std::string name, ivec3 low, ivec3 high, int width) {
+    Canvas canvas({high.x - low.x, plan.depth + kTuftSpace, high.z - low.z});
+    const GroundSwatches s(canvas);
+    const GroundPlan unmarked;
+    const auto mirrored = [](int at, int size) { return at < 0 ? -1 - at : at >= size ? 2 * size - 1 - at : at; };
+    for (int z = low.z; z < high.z; ++z)
+        for (int x = low.x; x < high.x; ++x) {
+            const ivec3 edge(std::clamp(x, 0, plan.size.x - 1), 0, std::clamp(z, 0, plan.size.z - 1));
+            const ivec3 cell(mirrored(x, plan.size.x), 0, mirrored(z, plan.size.z));
+            const int out = std::max({std::abs(x - edge.x), std::abs(z - edge.z)});
+            const Surface surface = surfaceAt(plan, edge.x, edge.z);
+            const bool isRoad = surface == Surface::Road;
+            const int share = 256 * out * out * (3 * width - 2 * out) / (width * width * width);  // of the fall
+            const int dither = surface == Surface::Lawn ? int(hashCell(x + width, 6, z + width, 351) >> 24) : 128;
+            const int top = std::max(1, plan.depth - (plan.depth * share + dither) / 256 - (isRoad ? kRoadDrop : 0));
+            canvas.box({x - low.x, 0, z - low.z}, {x - low.x + 1, top - 1, z - low.z + 1}, s.dirt);
+            canvas.setEntry({x - low.x, top - 1, z - low.z}, isRoad                       ? roadCell(unmarked, s, cell)
+                                                             : surface == Surface::Paving ? pavingCell(s, cell)
+                                                                                          : lawnCell(s, cell));
+        }
+    LevelShape shape = canvas.finish(std::move(name));
+    shape.local.position = glm::dvec3(low) * kVoxel;
+    return shape;
+}
+
 }  // namespace
+
+void addSlopes(Level& level, const GroundPlan& plan, int width) {
+    const ivec3 size = plan.size;
+    LevelBody body;
+    body.name = "slopes";
+    body.pose.position.y = -plan.depth * kVoxel;
+    const auto add = [&](const char* name, ivec3 low, ivec3 high) {
+        body.shapes.push_back(slope(plan, name, low, high, width));
+    };
+    add("slope west", {-width, 0, -width}, {0, 0, size.z + width});
+    add("slope east", {size.x, 0, -width}, {size.x + width, 0, size.z + width});
+    add("slope north", {0, 0, -width}, {size.x, 0, 0});
+    add("slope south", {0, 0, size.z}, {size.x, 0, size.z + width});
+    level.bodies.push_back(std::move(body));
+}
 
 void addGround(Level& level, const GroundPlan& plan) {
     LevelBody body;
     body.name = "ground";
-    body.pose.position.y = -kGroundDepth * kVoxel;
+    body.pose.position.y = -plan.depth * kVoxel;
     for (int z = 0; z < plan.size.z; z += kTile)
         for (int x = 0; x < plan.size.x; x += kTile) body.shapes.push_back(groundTile(plan, {x, 0, z}));
     level.bodies.push_back(std::move(body));

@@ -22,6 +22,10 @@ inline constexpr SurfaceStyle kConcrete{"concrete", {0x8f8d86, 0xa09d94, 0x97948
 inline constexpr SurfaceStyle kConcreteDark{"concrete", {0x74726c, 0x6b6963}, 235};
 inline constexpr SurfaceStyle kRebar{"metal", {0x7a5138, 0x6c4a36}, 190, 120};
 
+inline constexpr SurfaceStyle kLimestone{"brick", {0xb9b09c, 0xc2baa6, 0xaea58f, 0xbbb3a1}, 225, 0, 10, 255, 4};
+inline constexpr SurfaceStyle kMarble{"brick", {0xcfcac0, 0xd6d1c8, 0xc4beb3}, 70, 0, 14, 255, 3};
+inline constexpr SurfaceStyle kBone{"plaster", {0xd8cfb6, 0xcfc5aa, 0xdfd7c1}, 200, 0, 10, 255, 5};
+
 // Wood
 inline constexpr SurfaceStyle kTimber{"wood", {0x7a5a3c, 0x8b6845, 0x6b4c31}, 205};
 inline constexpr SurfaceStyle kFloorBoard{"wood", {0x9a6f45, 0x8b6845, 0xa5794c, 0x82603d}, 150, 0, 12};
@@ -61,10 +65,13 @@ inline constexpr SurfaceStyle kLeaves{"foliage", {0x4e7a36, 0x6b9440, 0x5a8639, 
 inline constexpr SurfaceStyle kLeavesDark{"foliage", {0x3f6330, 0x4a7136, 0x567f3b}, 225, 0, 10, 255, 9};
 inline constexpr SurfaceStyle kLeavesAutumn{"foliage", {0xb5802e, 0xc08f38, 0xa66a28, 0xbf9c45}, 225, 0, 10, 255, 8};
 inline constexpr SurfaceStyle kHedge{"foliage", {0x3f5f30, 0x496c36, 0x53783b}, 230, 0, 10, 255, 9};
+inline constexpr SurfaceStyle kHay{"foliage", {0xbfa050, 0xcab062, 0xb08f42}, 245, 0, 10, 255, 9};
 inline constexpr SurfaceStyle kFlowers{"foliage", {0xb9473f, 0xd0a040, 0xc9c2b4, 0x8b5a9a}, 220, 0, 10, 255, 0};
 
 // Metal, glass, plastic, cloth
 inline constexpr SurfaceStyle kSteel{"metal", {0x6f7780, 0x78818a, 0x666e77}, 130, 150, 40, 255, 4};
+inline constexpr SurfaceStyle kBridgePaint{"metal", {0x5f7f73, 0x67887b, 0x58776b}, 150, 60, 30, 255, 4};
+inline constexpr SurfaceStyle kStationRed{"metal", {0xb8352b, 0xb03228}, 90, 20, 30, 255, 2};
 inline constexpr SurfaceStyle kTankPaint{"metal", {0x8fa3a6, 0x98abad, 0x869a9e}, 150, 60, 30, 255, 4};
 inline constexpr SurfaceStyle kRust{"metal", {0x8a5a3a, 0x7a4a30, 0x96643f}, 230, 60};
 inline constexpr SurfaceStyle kDarkSteel{"metal", {0x3d4246, 0x454a4f}, 140, 160, 40};
@@ -81,6 +88,7 @@ inline constexpr SurfaceStyle kGlassBlue{"glass", {0x2a55d0, 0x2f66d8}, 12, 0, 1
 inline constexpr SurfaceStyle kGlassGold{"glass", {0xf0b42c, 0xe8a428}, 12, 0, 16, 50, 3};
 inline constexpr SurfaceStyle kGlassGreen{"glass", {0x2fa04a, 0x3aac50}, 12, 0, 16, 60, 3};
 inline constexpr SurfaceStyle kGlassViolet{"glass", {0x8a3ab0, 0x7c36a8}, 12, 0, 16, 60, 3};
+inline constexpr SurfaceStyle kCable{"wire", {0x2f2f33}, 180, 0, 10, 255, 0};
 inline constexpr SurfaceStyle kTyre{"plastic", {0x2b2b2d, 0x303032}, 235, 0, 10, 255, 3};
 inline constexpr SurfaceStyle kRubber{"rubber", {0x2b2b2d, 0x303032}, 235, 0, 10, 255, 3};
 inline constexpr SurfaceStyle kPlasticBlack{"plastic", {0x2e2f31, 0x343538}, 170, 0, 12, 255, 3};
@@ -106,6 +114,7 @@ inline constexpr SurfaceStyle kStreetLightGlow{"glass", {0x9a8468}, 120, 0, 10, 
 inline constexpr SurfaceStyle kBulbGlow{"glass", {0xffd9a8}, 120, 0, 10, 255, 0, 7.0f};
 inline constexpr SurfaceStyle kShopGlow{"glass", {0xfff0dc}, 120, 0, 10, 255, 0, 5.0f};
 inline constexpr SurfaceStyle kSignGlow{"glass", {0x1a7068}, 120, 0, 10, 255, 0, 28.0f};
+inline constexpr SurfaceStyle kSignAmber{"glass", {0x9a6a18}, 120, 0, 10, 255, 0, 14.0f};
 inline constexpr SurfaceStyle kHeadlight{"glass", {0xe8e6dc}, 40, 0, 20, 255, 0, 0.6f};
 inline constexpr SurfaceStyle kTaillight{"glass", {0xb01810}, 60, 0, 16, 255, 0, 0.4f};
 

@@ -5,6 +5,7 @@
 #include "runtime/core/random.h"
 #include "samples/scenes/fence.h"
 #include "samples/scenes/furniture.h"
+#include "samples/scenes/harbour.h"
 #include "samples/scenes/house.h"
 #include "samples/scenes/neighbourhood.h"
 #include "samples/scenes/plot.h"
@@ -24,53 +25,6 @@ constexpr ivec3 kHouse{200, 0, 70}, kPier{388, 0, 300};
 void addPlace(Level& level, const char* kind, glm::dvec3 at, double degrees) {
     const glm::dquat turn = glm::angleAxis(glm::radians(degrees), glm::dvec3(0, 1, 0));
     level.locations.emplace_back(std::string("vehicle ") + kind, Pose{at, turn});
-}
-
-/// Quay walls around the basin, with fenders and bollards.
-void addQuay(Level& level) {
-    constexpr int kWall = 6;
-    const ivec3 size = kBasin.high - kBasin.low + ivec3(0, 1, 0);
-    Canvas c(size);
-    const Swatch stone = c.addSurface(kConcreteDark), rim = c.addSurface(kKerb), mud = c.addSurface(kConcrete, 70),
-                 fender = c.addSurface(kRubber), iron = c.addSurface(kDarkSteel), moss = c.addSurface(kMoss, 80);
-    c.box({0, 0, 0}, {size.x, 1, size.z}, mud);
-    c.fill({0, 1, 0}, size, [&](ivec3 cell) {
-        const int edge = std::min({cell.x, size.x - 1 - cell.x, cell.z, size.z - 1 - cell.z});
-        if (edge >= kWall) return uint8_t(0);
-        if (cell.y >= size.y - 2) return PaletteBuilder::pick(rim, cell);
-        const bool isWet = cell.y < size.y - 3 && hashCell(cell.x / 3, cell.y, cell.z / 3, 11) % 5 < 2;
-        return PaletteBuilder::pick(isWet && edge == kWall - 1 ? moss : stone, cell);
-    });
-    for (int z = 20; z < size.z - 20; z += 30) {
-        for (const int x : {kWall, size.x - kWall - 2}) c.box({x, 6, z}, {x + 2, size.y - 2, z + 3}, fender);
-        c.box({2, size.y - 1, z + 12}, {4, size.y, z + 14}, iron);
-    }
-    addStatic(level, c.finish("quay"), kBasin.low);
-    const double low = (kBasin.low.x + kWall) * kVoxel, high = (kBasin.high.x - kWall) * kVoxel,
-                 near = (kBasin.low.z + kWall) * kVoxel, far = (kBasin.high.z - kWall) * kVoxel;
-    level.waters.push_back({.name = "harbour",
-                            .outline = {{low, near}, {high, near}, {high, far}, {low, far}},
-                            .surface = kSurface,
-                            .depth = kSurface - (kBasin.low.y + 1) * kVoxel,
-                            .color = {0.20f, 0.42f, 0.44f},
-                            .clarity = 1.6f,
-                            .waves = {.height = 0.02f, .length = 1.9f, .speed = 0.5f, .direction = 0.7f}});
-}
-
-/// A pier of planks on piles, from the quay over the water.
-void addPier(Level& level) {
-    constexpr ivec3 kSize{100, 18, 24};
-    Canvas c(kSize);
-    const Swatch board = c.addSurface(kFenceWood), pile = c.addSurface(kBark), beam = c.addSurface(kTimber);
-    for (int x = 24; x < kSize.x; x += 24)
-        for (const int z : {2, kSize.z - 5}) c.box({x, 0, z}, {x + 3, x + 24 < kSize.x ? 14 : 18, z + 3}, pile);
-    for (const int z : {2, kSize.z - 5}) c.box({0, 13, z}, {kSize.x, 14, z + 3}, beam);
-    c.fill({0, 14, 0}, {kSize.x, 15, kSize.z}, [&](ivec3 cell) {
-        return cell.x % 4 == 3 ? uint8_t(0) : PaletteBuilder::pickFor(board, hashCell(cell.x / 4, 0, 0, 23));
-    });
-    for (int z = 0; z < kSize.z; ++z) c.box({3, 14, z}, {4, 15, z + 1}, board);
-    for (const int z : {4, kSize.z - 6}) c.box({0, 14, z}, {kSize.x, 15, z + 2}, board);  // holds the planks together
-    addStatic(level, c.finish("pier"), kPier - ivec3(0, 13, 0));
 }
 
 /// A round heap of earth.
@@ -113,8 +67,8 @@ Level makeYard(uint64_t seed) {
     ground.lanesAlongX = {{{0, 0, 429}, {380, 0, 431}}};
     ground.foundations = {kBasin};
     Level level = makePlot("yard", ground, seed);
-    addQuay(level);
-    addPier(level);
+    addQuay(level, "quay", kBasin, kSurface);
+    addPier(level, "pier", kPier, 13);
     HouseStyle style;
     style.rooms = false;
     addHouse(level, "house", kHouse, style);
@@ -137,12 +91,14 @@ Level makeYard(uint64_t seed) {
     return level;
 }
 
-void addTownVehicles(Level& level) {
+void addDistrictVehicles(Level& level) {
     addPlace(level, "car", {40.5, -0.18, 53.8}, -90.0);
     addPlace(level, "truck", {4.4, -0.18, 22.0}, 180.0);
     addPlace(level, "van", {9.5, -0.18, 39.8}, 0.0);
     addPlace(level, "forklift", {33.0, 0.02, 28.0}, 0.0);
     addPlace(level, "excavator", {20.0, 0.02, 22.0}, 70.0);
+    addPlace(level, "crane", {116.0, 0.02, 41.5}, 20.0);
+    addPlace(level, "boat", {26.0, -0.35 - kDraught, 103.0}, -90.0);
 }
 
 }  // namespace rubble

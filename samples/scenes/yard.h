@@ -9,7 +9,7 @@ namespace rubble {
 /// Locations: "player", and "vehicle KIND" for each of the game's vehicles.
 Level makeYard(uint64_t seed);
 
-/// Adds the places of the vehicles of the game's town.
-void addTownVehicles(Level& level);
+/// Adds the places of the vehicles of makeDistrict().
+void addDistrictVehicles(Level& level);
 
 }  // namespace rubble

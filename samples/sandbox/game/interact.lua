@@ -1,5 +1,6 @@
--- What E does: pushes doors, takes small things into the hand, switches lamps, drives vehicles.
+-- What E does: pushes doors, takes small things into the hand, switches lamps, drives vehicles, calls lifts.
 local feel = require("feel")
+local lift = require("lift")
 local vehicles = require("vehicles/vehicles")
 
 local interact = {held = 0, contract = nil}  -- contract: what offers a deed before all others
@@ -34,6 +35,8 @@ function interact.offer(aim)
     end
     if aim.hit and aim.dist < kRideReach and vehicles.of(aim.body) then return vehicles.offer(aim.body) end
     if not aim.hit or aim.dist > kReach or not IsHandleValid(aim.shape) then return nil end
+    local text, deed = lift.offer(aim)
+    if text then return text, deed end
     local hinge = hingeOf(aim.shape)
     if hinge and IsBodyDynamic(aim.body) then
         return "Push the door", function()

@@ -70,6 +70,13 @@ TEST(Game, ABotPlaysByGamepadBindsKeysPlacesThingsAndTakesPhotos) {
     EXPECT_TRUE(readPng((out / "photo-001.png").string()));
 }
 
+TEST(Game, TheLiftOfTheTowerRidesWhileItHasPower) {
+    const fs::path out = freshFolder("lift");
+    const std::string level = (out / "district.rubble").string();
+    ASSERT_EQ(std::system((RUBBLE_BINARY_DIR "/bin/sandbox --district --write " + level + " >/dev/null").c_str()), 0);
+    EXPECT_EQ(playGame("bot_lift.lua", out, RUBBLE_SOURCE_DIR "/samples/sandbox/game", level), 0) << logOf(out);
+}
+
 TEST(Game, ContractsAreWonAndLost) {
     EXPECT_EQ(playGame("bot_contracts.lua", freshFolder("contracts"), RUBBLE_SOURCE_DIR "/samples/sandbox/game"), 0);
 }

@@ -6,6 +6,7 @@
 
 #include "runtime/core/hash.h"
 #include "samples/scenes/canvas.h"
+#include "tests/samples/scenes/level_shapes.h"
 
 namespace rubble {
 namespace {
@@ -27,12 +28,6 @@ uint64_t hashShapes(const Level& level) {
             hash = hashBytes(numbers, sizeof numbers, hash);
         }
     return hash;
-}
-
-template <class F>
-void forEachShape(const Level& level, F&& f) {
-    for (const LevelBody& body : level.bodies)
-        for (const LevelShape& shape : body.shapes) f(body, shape);
 }
 
 TEST(Town, IsTheSameForTheSameSeed) {
