@@ -14,14 +14,6 @@ constexpr const char* kNoFog = "fog is not drawn";
 /// Frames averaged while nothing changes, and while anything does: light through a new hole takes no longer to appear.
 constexpr int kMaxHistory = 128, kMaxHistoryAfterChange = 12;
 
-/// Height over the render origin of the water that the camera is in; far below everything if it is in none.
-float surfaceOverCamera(const FrameContext& frame) {
-    const glm::dvec3 camera = glm::dvec3(frame.block.cameraPosition) + frame.scene.origin();
-    for (const Water& water : frame.scene.waters())
-        if (water.contains(camera)) return float(water.surface - frame.scene.origin().y);
-    return -1e9f;
-}
-
 }  // namespace
 
 FogPass::FogPass(ShaderLibrary& shaders)
@@ -69,7 +61,9 @@ void FogPass::drawOver(const FrameContext& frame, const Texture& fog) const {
     if (!m_over) return;
     drawFullscreen(frame, m_over, {{&frame.targets.at(Target::Radiance)}}, [&](const Program& program) {
         program.set("uLight", fog);
-        program.set("uWaterSurface", surfaceOverCamera(frame));
+        const glm::dvec3 camera = glm::dvec3(frame.block.cameraPosition) + frame.scene.origin();
+        const double surface = frame.scene.waterSurfaceOver(camera).value_or(-1e9);
+        program.set("uWaterSurface", float(surface - frame.scene.origin().y));
         program.set("uDepth", frame.targets.at(Target::Depth));
     });
 }

@@ -75,13 +75,15 @@ ParticlesPass::ParticlesPass(ShaderLibrary& shaders)
 void ParticlesPass::sortInstances(const FrameContext& frame, float alpha) {
     const auto& particles = frame.scene.particles();
     const glm::vec3 camera(frame.block.cameraPosition), forward(frame.block.cameraForward);
+    // From under water the surface shows no particles above it: rays that it sends do not meet them.
+    const double top = frame.scene.waterSurfaceOver(glm::dvec3(camera) + frame.scene.origin()).value_or(1e9);
     for (auto* order : {&m_solidOrder, &m_softOrder}) order->clear();
     m_instances.clear();
     for (size_t i = 0; i < particles.size(); ++i) {
         const SnapshotParticle& p = particles[i];
         const float depth = glm::dot(glm::vec3(p.position - frame.scene.origin()) - camera, forward);
         auto& order = p.kind == ParticleKind::Crumb || p.kind == ParticleKind::Glint ? m_solidOrder : m_softOrder;
-        if (depth > -p.radius) order.emplace_back(-depth, int(i));
+        if (depth > -p.radius && p.position.y < top) order.emplace_back(-depth, int(i));
     }
     for (auto* order : {&m_solidOrder, &m_softOrder}) {
         std::sort(order->begin(), order->end());

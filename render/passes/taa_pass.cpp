@@ -20,6 +20,9 @@ void TaaPass::draw(const FrameContext& frame) const {
         program.set("uHasConfidence", int(confidence && frame.settings.rejectStaleHistory));
         program.set("uHistoryConfidence", confidence);
         setLastConfidence(program, frame);
+        const Texture& mirrors = frame.targets.orNone(Target::AccumulatedReflection);
+        program.set("uMirrorsMayChange", int(mirrors && hasKnownChanges(frame)));
+        program.set("uMirrorHistory", mirrors);
         program.set("uSurface", surface.current);
         program.set("uSurfaceHistory", surface.previous);
         program.set("uMotion", frame.targets.at(Target::Motion));

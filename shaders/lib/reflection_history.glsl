@@ -15,13 +15,13 @@
 #include "lib/mirror.glsl"
 
 uniform sampler2D uNoisyReflection;    // rgb radiance, a metres to the hit
-uniform sampler2D uReflectionHistory;  // rgb mean radiance, a frames
+uniform sampler2D uReflectionHistory;  // as `accumulated`
 uniform sampler2D uMomentHistory;      // as `moments`
 uniform sampler2D uSurfaceHistory;     // lib/surface_history.glsl
 uniform bool uHistoryValid;
 
 in vec2 uv;
-layout(location = 0) out vec4 accumulated;  // rgb mean radiance, a frames
+layout(location = 0) out vec4 accumulated;  // rgb mean radiance, a frames, negative where the image has changed
 layout(location = 1) out vec4 moments;      // x mean squared luminance, y radius over which the lobe blurs, pixels
 
 const float kMaxFrames = 24.0;
@@ -80,6 +80,7 @@ vec4 reprojectHistory(Mirror m, Surface s, vec3 last, out vec4 lastMoments) {
         ivec2 p;
         float w = tapWeight(taps, i, p);
         vec4 surface = texelFetch(uSurfaceHistory, p, 0), there = texelFetch(uReflectionHistory, p, 0);
+        there.a = abs(there.a);
         if (there.a > 0.0 && abs(surface.x - last.z) <= tolerance && dot(unpackNormal(surface.y), m.normal) >= 0.98) {
             sum += w * there;
             lastMoments += w * texelFetch(uMomentHistory, p, 0);
@@ -93,6 +94,8 @@ vec4 reprojectHistory(Mirror m, Surface s, vec3 last, out vec4 lastMoments) {
 
 /// The frames of history that are left to a mirror. seen: the place that it shows, of this luminance.
 float framesLeft(Mirror m, vec3 seen, float lum);
+/// Whether a mirror is known to show something else than in the previous frame. metres: to what it shows.
+bool isImageChanged(Mirror m, float metres);
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -100,7 +103,8 @@ void main() {
     Surface s = readSurface(pixel);
     Mirror m = mirrorAt(pixel, uv);
     float lum = luminance(now.rgb);
-    accumulated = vec4(now.rgb, 1.0);
+    float sign_ = now.a > 0.0 && isImageChanged(m, now.a) ? -1.0 : 1.0;
+    accumulated = vec4(now.rgb, sign_);
     moments = vec4(min(lum * lum, 6e4), 0.0, 0.0, 1.0);
     if (m.roughness <= kGlossy.x) return;
     Around around = gatherAround(pixel);
@@ -116,6 +120,6 @@ void main() {
     vec3 seen = m.position + reflect(-m.view, m.normal) * around.metres;
     float frames = min(min(history.a, framesLeft(m, seen, luminance(history.rgb))) + 1.0, limit);
     accumulated = stochasticRoundToHalf(vec4(mix(history.rgb, now.rgb, 1.0 / frames), 0.0), pixel, 8);
-    accumulated.a = frames;
+    accumulated.a = frames * sign_;
     moments.x = mix(lastMoments.x, moments.x, 1.0 / frames);
 }

@@ -14,10 +14,9 @@ void main() {
     vec3 toPixel = viewRay(uv);
     float stretch = length(toPixel);
     float depth = min(texelFetch(uDepth, ivec2(gl_FragCoord.xy), 0).r * stretch, kMaxFogDistance);
-    // The part of the ray that lies in water has no fog.
-    float upward = toPixel.y / stretch, start = viewOrigin(uv).y,
-          under = uWaterSurface - start;
-    float inWater = under <= 0.0 ? 0.0 : upward > 0.0 ? min(under / upward, depth) : depth;
-    float left = exp(fogOpticalDepth(start, upward, inWater) - fogOpticalDepth(start, upward, depth));
+    // A ray that begins in water is bent or mirrored at the surface: passes/water.frag follows it, through the fog too.
+    float start = viewOrigin(uv).y, upward = toPixel.y / stretch;
+    bool isInWater = start + toPixel.y * kWaterPort < uWaterSurface;
+    float left = isInWater ? 1.0 : exp(-fogOpticalDepth(start, upward, depth));
     color = vec4(texture(uLight, uv).rgb * frame.fogTint.rgb * (1.0 - left), left);
 }

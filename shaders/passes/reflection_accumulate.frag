@@ -2,3 +2,4 @@
 #include "lib/reflection_history.glsl"
 
 float framesLeft(Mirror m, vec3 seen, float lum) { return kMaxFrames; }
+bool isImageChanged(Mirror m, float metres) { return false; }

@@ -9,7 +9,7 @@
 #include "lib/surface_history.glsl"
 #include "lib/atrous.glsl"
 
-uniform sampler2D uReflection;  // rgb radiance, a frames of history
+uniform sampler2D uReflection;  // rgb radiance, a frames of history or those times -1
 uniform sampler2D uMoments;     // x mean squared luminance, y radius of the lobe's blur, pixels
 uniform sampler2D uSurface;     // lib/surface_history.glsl
 uniform int uStride;            // pixels
@@ -39,7 +39,7 @@ void main() {
             vec4 there = texelFetch(uSurface, p, 0), light = texelFetch(uReflection, p, 0);
             vec2 m = texelFetch(uMoments, p, 0).xy;
             float w = i == 0 ? kCentreWeight
-                      : light.a > 0.0 && there.y == surface.y
+                      : light.a != 0.0 && there.y == surface.y
                           ? planeWeight(plane, vec2(p - pixel), there.x) *
                                 max(0.0, 1.0 - length(vec2(away)) / (2.0 * min(radius, m.y) + 1e-3))
                           : 0.0;
@@ -48,12 +48,12 @@ void main() {
             weights[i] = w;
             lum += w * l;
             squares += w * l * l;
-            temporal += w * max(m.x - l * l, 0.0) / max(light.a, 1.0);
+            temporal += w * max(m.x - l * l, 0.0) / max(abs(light.a), 1.0);
             total += w;
         }
         lum /= total;
         float spatial = max(squares / total - lum * lum, 0.0);
-        float deviation = sqrt(mix(spatial, temporal / total, clamp((centre.a - 3.0) / 6.0, 0.0, 1.0)));
+        float deviation = sqrt(mix(spatial, temporal / total, clamp((abs(centre.a) - 3.0) / 6.0, 0.0, 1.0)));
         float share = 2.0 * deviation / max(lum, 1e-5) + 0.025, centreLum = luminance(centre.rgb);
         for (int i = 1; i < kTaps; ++i) {
             float l = luminance(taps[i].rgb), w = weights[i] / (kCentreWeight + float(kTaps - 1));

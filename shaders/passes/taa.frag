@@ -30,6 +30,8 @@ uniform bool uHasGlass;
 uniform sampler2D uGlassSurface;
 uniform sampler2D uHistoryConfidence;  // passes/light_change.frag
 uniform bool uHasConfidence;
+uniform sampler2D uMirrorHistory;  // as `accumulated` in lib/reflection_history.glsl
+uniform bool uMirrorsMayChange;    // else it is not read
 uniform sampler2D uSurface;  // lib/surface_history.glsl
 uniform sampler2D uSurfaceHistory;
 
@@ -199,6 +201,7 @@ void main() {
     vec3 history = toYCoCg(compress(sampleHistory(before)));
     Steadiness last = unpackSteadiness(texelFetch(uHistory, ivec2(before * frame.displaySize.xy), 0).a);
     vec3 confidence = uHasConfidence ? texture(uHistoryConfidence, uv).xyz : vec3(1.0);
+    if (uMirrorsMayChange && texelFetch(uMirrorHistory, ivec2(place), 0).a < 0.0) confidence.y = 0.0;
     float frames = n.depth >= kSkyDepth ? kLongHistory : n.frames;
     bool isSteady =
         covered == 0.0 && length(motion * frame.targetSize.xy) < 0.05 && min(confidence.y, confidence.z) > 0.5;

@@ -217,10 +217,24 @@ struct Layer {
 };
 
 vec3 through(Layer layer, vec3 radiance) { return radiance * layer.left + layer.added; }
+Layer through(Layer layer, Layer behind) { return Layer(layer.left * behind.left, through(layer, behind.added)); }
 
 /// A path of `metres` in the water, if it begins at a depth.
 Layer waterLayer(float metres, float depth, float upward) {
     return Layer(exp(-uExtinction * metres), inscattered(metres, depth, upward));
+}
+
+/// The image without the haze that lies before it. ray: of the pixel; depth: linear.
+vec3 withoutHaze(vec3 radiance, vec3 ray, float depth) {
+    float stretch = length(ray), haze = depth < kSkyDepth ? hazeAmount(stretch * depth) : 0.0;
+    if (haze >= 0.9) return radiance;  // little is left of it
+    return max(radiance - hazeRadiance(ray / stretch) * haze, vec3(0.0)) / (1.0 - haze);
+}
+
+/// The haze before the water.
+Layer hazeLayer(vec3 direction, float metres) {
+    float haze = hazeAmount(metres);
+    return Layer(vec3(1.0 - haze), hazeRadiance(direction) * haze);
 }
 
 /// What is seen through the surface from above: rgb colour, w its linear depth. bend: by how much the waves turn the
@@ -237,7 +251,8 @@ vec4 seenBelow(vec3 origin, vec3 ray, vec3 bend, WaterPath path) {
         bent = pixel;
         depth = path.end;
     }
-    return vec4(texelFetch(uBackground, bent, 0).rgb, min(depth, path.end));
+    vec3 radiance = withoutHaze(texelFetch(uBackground, bent, 0).rgb, ray, depth);
+    return vec4(radiance, min(depth, path.end));
 }
 
 /// Radiance that a ray from the surface brings. t: metres to what it meets.
@@ -365,19 +380,22 @@ void main() {
         beforePane = underSurface(waterLayer(toPane, 0.0, c.passed.y), c, sheen);
         seen = vec4(below.rgb, min(kHistoryWeight, seen.a));
     } else {
+        seen.rgb = withoutHaze(seen.rgb, ray, behind);
         float depth = uSurface - origin.y - ray.y * path.begin;
         water = waterLayer(metres, depth, direction.y);
         beforePane = waterLayer(toPane, depth, direction.y);
         if (path.isThroughTop) {
             Layer surface = surfaceFromBelow(c, sent);
-            if (pane > path.end) beforePane = Layer(water.left * surface.left, through(water, surface.added));
+            if (pane > path.end) beforePane = through(water, surface);
             seen = vec4(halfRange(through(surface, sent.radiance)), min(kHistoryWeight, seen.a));
         }
         float line = path.begin <= 0.0 ? 0.5 + 0.5 * smoothstep(0.0, kMeniscus, -over) : 1.0;
         water = Layer(water.left * line, water.added * line);
         beforePane = Layer(beforePane.left * line, beforePane.added * line);
     }
-    color = vec4(halfRange(through(water, seen.rgb)), seen.a);
+    Layer haze = hazeLayer(direction, path.begin * stretch);
+    beforePane = through(haze, beforePane);
+    color = vec4(halfRange(through(haze, through(water, seen.rgb))), seen.a);
     if (!uHasPanes) return;
     paneLight = texelFetch(uPaneLightBehind, pixel, 0);
     if (pane <= path.begin) return;

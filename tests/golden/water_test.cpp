@@ -281,20 +281,55 @@ TEST_F(WaterTest, ShowsSnellsWindowFromBelow) {
     EXPECT_LT(at(-60.0), 0.6 * open);
 }
 
-/// A camera that dips into the water sees the pool before and after: neither an empty pool nor a smear.
+/// Neither in it nor, beyond its surface, straight before a camera in it.
 TEST_F(WaterTest, HasNoFogInIt) {
-    const Camera under = lookingAt({-3.0, 1.0, 0.5}, {4.0, 0.2, 0.0});
-    glm::dvec3 light[2];
+    const Camera down = lookingAt({-3.0, 1.0, 0.5}, {4.0, 0.2, 0.0}),
+                 mirrored = lookingAt({-3.0, 1.0, 0.5}, {4.0, 2.6, 0.0});
+    glm::dvec3 light[2][2];
     for (const bool isFoggy : {false, true}) {
         Environment environment = poolScene().environment;
         environment.fogDensity = isFoggy ? 0.2f : 0.0f;
         start({poolWater()}, {}, kSize, environment);
-        draw(under, 12);
-        light[isFoggy] = mean({60, 5}, {100, 35});
+        draw(down, 12);
+        light[0][isFoggy] = mean({60, 5}, {100, 35});
+        draw(mirrored, 12);
+        light[1][isFoggy] = mean({60, 60}, {100, 80});
     }
-    EXPECT_NEAR(light[1].g, light[0].g, 0.05 * light[0].g) << "looking down";
+    EXPECT_NEAR(light[0][1].g, light[0][0].g, 0.05 * light[0][0].g) << "looking down";
+    EXPECT_NEAR(light[1][1].g, light[1][0].g, 0.05 * light[1][0].g) << "where the surface mirrors the pool";
 }
 
+TEST_F(WaterTest, IsVeiledByHazeAsWhatIsBesideIt) {
+    Environment environment = poolScene().environment;
+    environment.fogDistance = 0.7f;
+    start({poolWater()}, {}, kSize, environment);
+    draw(lookingAt({-9.0, 6.0, 0.0}, {0.0, 1.8, 0.0}), 4);
+    const glm::dvec3 water = mean({60, 40}, {100, 50}), beside = mean({2, 40}, {12, 50});
+    EXPECT_NEAR(water.g, beside.g, 0.03 * beside.g);
+    EXPECT_NEAR(water.r, beside.r, 0.03 * beside.r);
+}
+
+/// From under water no particle above the surface is seen straight through it, and those in the water are.
+TEST_F(WaterTest, HidesParticlesAboveACameraInIt) {
+    const Camera under = lookingAt({-3.0, 1.0, 0.5}, {4.0, 2.0, 0.5});
+    const auto drawn = [&](double height) {
+        start({poolWater()});
+        FrameSnapshot step;
+        step.version = step.newestStep = 61;
+        SnapshotParticle smoke{
+            ParticleKind::Smoke, {1.0, height, 0.5}, glm::vec3(0.0f), glm::vec3(0.01f), 0.6f, 1.0f, 0.1f, 7u};
+        step.particles = {smoke};
+        step.particlesChanged = true;
+        renderer->apply(std::move(step));
+        draw(under, 8);
+        return mean({70, 30}, {90, 65}).g;
+    };
+    const double none = drawn(-50.0);
+    EXPECT_NEAR(drawn(kSurface + 0.3), none, 0.02 * none);
+    EXPECT_LT(drawn(kSurface - 0.4), 0.9 * none);
+}
+
+/// A camera that dips into the water sees the pool before and after: neither an empty pool nor a smear.
 TEST_F(WaterTest, ChangesLittleWhileTheCameraDipsIn) {
     RenderSettings settings;
     settings.temporal = false;
