@@ -250,10 +250,7 @@ void Renderer::Impl::drawImage(const FrameContext& frame, const View& view) {
         run("particles", Depth | DepthBuffer, Radiance, [&] { drawLazily(particles, frame, stepAlpha); });
     if (settings.glare && LocalLightsPass::needed(frame) && !lightGrid->empty())
         run("glare", Depth, Radiance, [&] { drawLazily(glare, frame); });
-    run("taa",
-        Radiance | Motion | Surface | GlassSurface | HistoryConfidence | AccumulatedReflection | kLightHistory |
-            previous(Resolved),
-        Resolved, [&] { taa.draw(frame); });
+    run("taa", Radiance | kSteadiness | previous(Resolved), Resolved, [&] { taa.draw(frame); });
     if (settings.bloom > 0.0f)
         run("bloom", Resolved, Bloom0 | Bloom1 | Bloom2 | Bloom3 | Bloom4, [&] { bloom.draw(frame); });
     run("exposure", Resolved | previous(Exposure), Exposure, [&] { exposure.draw(frame, view.hasFixedExposure); });

@@ -197,5 +197,8 @@ inline constexpr TargetSet kBounceHistory =
     Target::HistoryLeft | previous(Target::Radiance | Target::DiffuseFraction | Target::Surface);
 /// What makes the history of light that of the lights of now.
 inline constexpr TargetSet kRelighting = Target::ChangedLight | Target::LightOffset;
+/// What tells anti-aliasing whether a pixel shows what it showed before.
+inline constexpr TargetSet kSteadiness = Target::Motion | Target::Surface | Target::GlassSurface |
+                                         Target::HistoryConfidence | Target::AccumulatedReflection | kLightHistory;
 
 }  // namespace rubble

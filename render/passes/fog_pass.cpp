@@ -6,6 +6,7 @@
 #include "render/passes/local_lights_pass.h"
 #include "render/scene/light_grid.h"
 #include "render/scene/scene.h"
+#include "render/scene/water_area.h"
 
 namespace rubble {
 namespace {
@@ -62,7 +63,7 @@ void FogPass::drawOver(const FrameContext& frame, const Texture& fog) const {
     drawFullscreen(frame, m_over, {{&frame.targets.at(Target::Radiance)}}, [&](const Program& program) {
         program.set("uLight", fog);
         const glm::dvec3 camera = glm::dvec3(frame.block.cameraPosition) + frame.scene.origin();
-        const double surface = frame.scene.waterSurfaceOver(camera).value_or(-1e9);
+        const double surface = waterSurfaceOver(frame.scene.waters(), camera).value_or(-1e9);
         program.set("uWaterSurface", float(surface - frame.scene.origin().y));
         program.set("uDepth", frame.targets.at(Target::Depth));
     });

@@ -7,6 +7,7 @@
 #include "render/gl/draw_state.h"
 #include "render/passes/gbuffer_pass.h"
 #include "render/scene/scene.h"
+#include "render/scene/water_area.h"
 #include "runtime/core/constants.h"
 #include "runtime/core/random.h"
 
@@ -76,7 +77,7 @@ void ParticlesPass::sortInstances(const FrameContext& frame, float alpha) {
     const auto& particles = frame.scene.particles();
     const glm::vec3 camera(frame.block.cameraPosition), forward(frame.block.cameraForward);
     // From under water the surface shows no particles above it: rays that it sends do not meet them.
-    const double top = frame.scene.waterSurfaceOver(glm::dvec3(camera) + frame.scene.origin()).value_or(1e9);
+    const double top = waterSurfaceOver(frame.scene.waters(), glm::dvec3(camera) + frame.scene.origin()).value_or(1e9);
     for (auto* order : {&m_solidOrder, &m_softOrder}) order->clear();
     m_instances.clear();
     for (size_t i = 0; i < particles.size(); ++i) {

@@ -47,12 +47,6 @@ public:
     const Environment& environment() const { return m_environment; }
     /// All waters.
     const std::vector<Water>& waters() const { return m_waters; }
-    /// Height in the world of the surface of the water that a place is in; nothing if it is in none.
-    std::optional<double> waterSurfaceOver(glm::dvec3 place) const {
-        for (const Water& water : m_waters)
-            if (water.contains(place)) return water.surface;
-        return {};
-    }
     /// Their outlines, by the same index.
     const WaterOutlines& waterOutlines() const { return m_outlines; }
     /// Rings on all waters.

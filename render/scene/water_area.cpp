@@ -63,4 +63,10 @@ WaterArea waterArea(const Water& water, const FrameBlock& block, glm::dvec3 orig
     return std::move(outline).area();
 }
 
+std::optional<double> waterSurfaceOver(const std::vector<Water>& waters, glm::dvec3 place) {
+    for (const Water& water : waters)
+        if (water.contains(place)) return water.surface;
+    return {};
+}
+
 }  // namespace rubble

@@ -1,4 +1,7 @@
 #pragma once
+#include <optional>
+#include <vector>
+
 #include "render/frame/pixel_rect.h"
 #include "render/scene/convex_polygon.h"
 #include "runtime/frame/frame_snapshot.h"
@@ -20,5 +23,7 @@ struct WaterArea {
 
 /// origin: of the renderer, world.
 WaterArea waterArea(const Water& water, const FrameBlock& block, glm::dvec3 origin);
+/// Height in the world of the surface of the water that a place is in; nothing if it is in none.
+std::optional<double> waterSurfaceOver(const std::vector<Water>& waters, glm::dvec3 place);
 
 }  // namespace rubble
