@@ -12,7 +12,7 @@ class Editor;
 /// When a command may run, and what becomes of it.
 enum class Kind : uint8_t {
     Edit,    ///< changes the level: a step of the history; refused during play
-    Tool,    ///< breaks things: during play in its next step, else as Edit
+    Tool,    ///< breaks or drives things: during play in its next step, else as Edit
     View,    ///< changes the level nothing: what is selected, which files there are
     Session  ///< undo, play, files: no step of its own
 };
