@@ -61,6 +61,8 @@ std::vector<Command> imageCommands();
 std::vector<Command> lightCommands();
 /// Joints and ropes.
 std::vector<Command> jointCommands();
+/// Shapes that are linked to files.
+std::vector<Command> modelCommands();
 /// Sky, sun, fog, gravity.
 std::vector<Command> environmentCommands();
 /// Water and triggers.

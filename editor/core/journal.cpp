@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -63,6 +64,13 @@ uint64_t numberAt(const uint8_t* bytes) {
 }
 
 }  // namespace
+
+std::optional<FileState> fileStateOf(const std::string& path) {
+    struct stat now {};
+    if (path.empty() || ::stat(path.c_str(), &now) != 0) return std::nullopt;
+    return FileState{uint64_t(now.st_size), uint64_t(now.st_dev), uint64_t(now.st_ino), now.st_mtim.tv_sec,
+                     now.st_mtim.tv_nsec};
+}
 
 Journal::Journal(std::string folder) : m_folder(std::move(folder)) {
     std::error_code code;

@@ -25,8 +25,13 @@ std::string caseName(const testing::TestParamInfo<Command>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryCommand, testing::ValuesIn(allCommands().begin(), allCommands().end()), caseName);
 
-/// What an example of undo, redo and play needs before it.
+/// What an example of undo, redo, play and models needs before it.
 void prepare(Editor& editor, std::string_view command) {
+    if (command.ends_with("_models")) runAll(editor, {"import model.rubble 0,9,0"});
+    if (command == "reload_models") {
+        Editor model;
+        runAll(model, {"create 5,5,5 name=cube", "save model.rubble force=yes"});
+    }
     if (command == "redo") runAll(editor, {"undo"});
     if (command == "step" || command == "stop" || command == "keep" || command == "rewind") runAll(editor, {"play"});
 }

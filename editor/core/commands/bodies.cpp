@@ -6,10 +6,9 @@
 #include <set>
 
 #include "editor/core/cells.h"
-#include "editor/core/child_process.h"
 #include "editor/core/editor.h"
 #include "editor/core/material_colors.h"
-#include "editor/core/mesh_import.h"
+#include "editor/core/models.h"
 #include "editor/core/rotation.h"
 
 namespace editor {
@@ -88,32 +87,27 @@ void addShape(Editor& editor, const Arguments& arguments) {
     editor.selection() = {{made}, {}};
 }
 
-/// Makes a level of a mesh in a folder, and tells what became what.
-std::string bakedMesh(Editor& editor, const Arguments& arguments, const ScratchFolder& folder) {
+MeshOptions meshOptions(const Arguments& arguments) {
     MeshOptions options;
     options.voxels = arguments.whole("voxels");
     options.voxel = arguments.number("voxel");
     options.shell = arguments.whole("shell");
     options.isZUp = arguments.text("up") == "z";
     options.isSmooth = arguments.flag("smooth");
-    const std::string baked = folder / "mesh.rubble";
-    for (const std::string& line : bakeMesh(arguments.text("file"), baked, editor.settings().vdbTool, options))
-        editor.say(line);
-    return baked;
+    return options;
 }
 
 void import(Editor& editor, const Arguments& arguments) {
-    const ScratchFolder folder;
-    const std::string& file = arguments.text("file");
-    const std::string path = isMeshFile(file) ? bakedMesh(editor, arguments, folder) : file;
-    rubble_prefab prefab{};
-    prefab.path = path.c_str();
-    prefab.vdb_tool = editor.settings().vdbTool.c_str();
-    put(prefab.position, arguments.point("at"));
-    put(prefab.rotation, rotationOf(arguments.point("turn")));
+    const ModelSource source{arguments.text("file"), meshOptions(arguments)};
+    const Place place{arguments.point("at"), rotationOf(arguments.point("turn"))};
+    std::vector<std::string> report;
+    const std::vector<rubble_prefab_row> rows =
+        placeModel(editor.world(), source, editor.settings().vdbTool, place, report);
+    for (const std::string& line : report) editor.say(line);
+    if (arguments.flag("link")) linkModels(editor, source, place, rows);
     editor.selection() = {};
     uint32_t bodies = 0, shapes = 0;
-    for (const rubble_prefab_row& row : editor.world().create_prefab(prefab)) {
+    for (const rubble_prefab_row& row : rows) {
         shapes += row.kind == RUBBLE_PREFAB_SHAPE;
         if (row.kind != RUBBLE_PREFAB_BODY) continue;
         ++bodies;
@@ -175,6 +169,7 @@ rubble_body copyOf(rubble::World& world, rubble_body from, glm::dvec3 by) {
         put(shape.rotation, inverse * quaternionOf(each.rotation));
         const rubble_shape copy = world.create_shape(shape);
         if (const std::string name = nameOf(world, each.shape); !name.empty()) world.set_name(copy, name.c_str());
+        copyLink(world, each.shape, copy);
     }
     if (const std::string name = nameOf(world, from); !name.empty()) world.set_name(made, name.c_str());
     return made;
@@ -228,7 +223,8 @@ std::vector<Command> bodyCommands() {
           {"voxel", Type::Number, "of a mesh: metres along an edge of a voxel", "0.1", 0.001, 10},
           {"shell", Type::Whole, "of a mesh: voxels that its walls are thick; 0: solid", "0", 0, 64},
           {"up", Type::Choice, "of a mesh: the axis that is up in the file", "y", 0, 0, "y z"},
-          {"smooth", Type::Flag, "of a mesh: mixes the pixels of textures; else the nearest one counts", "no"}},
+          {"smooth", Type::Flag, "of a mesh: mixes the pixels of textures; else the nearest one counts", "no"},
+          {"link", Type::Flag, "whether shapes stay linked to the file, for reload_models", "yes"}},
          import,
          "import model.rubble 0,2,0"},
         {"delete",

@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "editor/core/joints.h"
+#include "editor/core/models.h"
 #include "editor/core/rotation.h"
 #include "editor/ui/panels/panels.h"
 #include "editor/ui/panels/widgets.h"
@@ -63,6 +64,21 @@ void drawBody(Session& session, rubble_body handle) {
     ImGui::TextUnformatted(stands ? "static" : body.flags & RUBBLE_BODY_ASLEEP ? "asleep" : "awake");
 }
 
+/// The file to which a shape is linked.
+void drawModel(Session& session, rubble_shape handle, const std::string& what) {
+    if (!isLinked(session.world(), handle)) return;
+    property("model", "The file that it came from, and is linked to");
+    ImGui::TextUnformatted(session.world().get_tag(handle, kModelTag).data());
+    if (ImGui::Button("Reload")) session.run("reload_models", {{"what", what}});
+    commandTooltip("reload_models");
+    ImGui::SameLine();
+    if (ImGui::Button("Revert")) session.run("reload_models", {{"what", what}, {"revert", "yes"}});
+    commandTooltip("reload_models");
+    ImGui::SameLine();
+    if (ImGui::Button("Unlink")) session.run("unlink_models", {{"what", what}});
+    commandTooltip("unlink_models");
+}
+
 void drawShape(Session& session, rubble_shape handle) {
     const rubble_shape_state shape = session.world().get_shape_state(handle);
     const rubble_shape_properties own = session.world().get_shape_properties(handle);
@@ -88,6 +104,7 @@ void drawShape(Session& session, rubble_shape handle) {
         session.run("shape", {{"bears_load", bears ? "yes" : "no"}, {"shape", what}});
     property("anchors", "Boxes of cells that hold it to the world");
     ImGui::Text("%u", own.anchor_count);
+    drawModel(session, handle, what);
     if (own.is_piece) ImGui::TextDisabled("a piece that came off another shape");
     ImGui::PopID();
 }
