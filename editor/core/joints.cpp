@@ -57,18 +57,26 @@ rubble_joint_settings settingsOf(const rubble::World& world, rubble_joint joint)
     return settings;
 }
 
-rubble_joint remakeJoint(rubble::World& world, rubble_joint joint, const rubble_joint_settings& settings) {
-    const std::vector<char> name = world.get_name(joint), tags = world.get_tags(joint);
-    world.remove_joint(joint);
-    const rubble_joint made = world.create_joint(settings);
-    if (!name.empty() && name.front()) world.set_name(made, name.data());
-    for (auto begin = tags.begin(); begin != tags.end();) {
-        const auto end = std::find(begin, tags.end(), '\0');
+JointCopy copyOf(const rubble::World& world, rubble_joint joint) {
+    return {settingsOf(world, joint), world.get_name(joint), world.get_tags(joint)};
+}
+
+void nameJoint(rubble::World& world, rubble_joint joint, const JointCopy& copy) {
+    if (!copy.name.empty() && copy.name.front()) world.set_name(joint, copy.name.data());
+    for (auto begin = copy.tags.begin(); begin != copy.tags.end();) {
+        const auto end = std::find(begin, copy.tags.end(), '\0');
         const std::string tag(begin, end);
         const size_t equals = tag.find('=');
-        world.set_tag(made, tag.substr(0, equals).c_str(), equals == tag.npos ? "" : tag.substr(equals + 1).c_str());
-        begin = end == tags.end() ? end : end + 1;
+        world.set_tag(joint, tag.substr(0, equals).c_str(), equals == tag.npos ? "" : tag.substr(equals + 1).c_str());
+        begin = end == copy.tags.end() ? end : end + 1;
     }
+}
+
+rubble_joint remakeJoint(rubble::World& world, rubble_joint joint, const rubble_joint_settings& settings) {
+    const JointCopy copy = copyOf(world, joint);
+    world.remove_joint(joint);
+    const rubble_joint made = world.create_joint(settings);
+    nameJoint(world, made, copy);
     return made;
 }
 

@@ -3,6 +3,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <rubble/rubble.hpp>
+#include <vector>
 
 namespace editor {
 
@@ -17,6 +18,15 @@ std::optional<glm::dquat> wheelFrame(glm::dvec3 axis, glm::dvec3 up);
 /// A joint with a frame as create_joint() takes it. Its limits and target are those from the pose in which its shapes
 /// are now, and a wheel's suspension rests there.
 rubble_joint_settings settingsOf(const rubble::World& world, rubble_joint joint);
+/// All that a joint is, but for its handle.
+struct JointCopy {
+    rubble_joint_settings settings{};  ///< as settingsOf() gives them
+    std::vector<char> name, tags;      ///< as rubble.hpp gives them
+};
+/// That of a joint that hasFrame().
+JointCopy copyOf(const rubble::World& world, rubble_joint joint);
+/// Gives a joint its name and tags.
+void nameJoint(rubble::World& world, rubble_joint joint, const JointCopy& copy);
 /// Makes a joint again with other settings, as an edit: with its name and tags, but with another handle.
 rubble_joint remakeJoint(rubble::World& world, rubble_joint joint, const rubble_joint_settings& settings);
 

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -15,6 +16,7 @@
 
 #include "editor/core/cells.h"
 #include "editor/core/child_process.h"
+#include "editor/core/joints.h"
 #include "editor/core/palette.h"
 #include "editor/core/rotation.h"
 
@@ -198,6 +200,12 @@ private:
     std::map<rubble_shape, Content> m_contents;
 };
 
+/// How messages name an object.
+std::string shownName(const rubble::World& world, uint64_t object) {
+    const std::string own = nameOf(world, object);
+    return own.empty() ? fmt::format("#{}", object) : own;
+}
+
 /// Brings one shape up to date.
 class ShapeUpdate {
 public:
@@ -232,6 +240,7 @@ public:
         m_next.corner = toBody(body, cornerOf(before, first));
         const Cells grid = gridOf(world, m_shape);
         const Cells target{first - m_content.solid.low, gridOf(m_file.world(), m_part).size};
+        const std::vector<KeptJoint> joints = jointsOf();
         setPalette();
         write(grid, target);
         m_editor.document().applyNow();
@@ -247,9 +256,43 @@ public:
             world.set_shape(change);
         }
         setLink(world, m_shape, m_next);
+        m_editor.document().applyNow();
+        for (const KeptJoint& each : joints)
+            if (!isAlive(each) && !isMadeAgain(each)) lostJoints.push_back(each.name);
     }
 
+    std::vector<std::string> lostJoints;  ///< by apply()
+
 private:
+    struct KeptJoint {
+        rubble_joint handle;
+        std::string name;
+        std::optional<JointCopy> copy;  ///< none: it cannot be made again
+    };
+
+    std::vector<KeptJoint> jointsOf() const {
+        const rubble::World& world = m_editor.world();
+        std::vector<KeptJoint> joints;
+        for (const rubble_joint each : world.get_objects_of(m_shape, RUBBLE_KIND_JOINT)) {
+            joints.push_back({each, shownName(world, each), std::nullopt});
+            if (hasFrame(world, each)) joints.back().copy = copyOf(world, each);
+        }
+        return joints;
+    }
+    bool isAlive(const KeptJoint& joint) const { return kindOf(m_editor.world(), joint.handle) >= 0; }
+    /// A joint whose voxel is gone holds on to another one in its reach, if there is one.
+    bool isMadeAgain(const KeptJoint& joint) {
+        if (!joint.copy) return false;
+        const rubble_joint made = m_editor.world().create_joint(joint.copy->settings);
+        try {
+            m_editor.document().applyNow();
+        } catch (const Refused&) {
+            return false;
+        }
+        nameJoint(m_editor.world(), made, *joint.copy);
+        return true;
+    }
+
     void setPalette() {
         std::vector<rubble_palette_entry> entries = m_file.world().get_palette(paletteRange(m_part, 1, 255));
         m_editor.world().set_palette(paletteRange(m_shape, 1, 255), entries.data());
@@ -275,12 +318,6 @@ private:
     glm::ivec3 m_moved{0};  ///< cells by which the file's shape begins elsewhere
     bool m_hasOtherVoxels = false;
 };
-
-/// How messages name a shape.
-std::string shownName(const rubble::World& world, rubble_shape shape) {
-    const std::string own = nameOf(world, shape);
-    return own.empty() ? fmt::format("#{}", shape) : own;
-}
 
 }  // namespace
 
@@ -404,6 +441,7 @@ ModelReport reloadModel(Editor& editor, const LinkedShapes& linked, bool reverts
             update.apply(), ++report.updated;
         else
             ++report.equal;
+        std::ranges::move(update.lostJoints, std::back_inserter(report.lostJoints));
     }
     return report;
 }

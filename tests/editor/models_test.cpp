@@ -160,6 +160,22 @@ TEST(Models, AreRevertedWhereTheyWere) {
         << "room around its voxels is no edit";
 }
 
+TEST(Models, KeepTheirJointsWhereAVoxelIsInReach) {
+    const ExampleFolder folder;
+    writeChair("chair.rubble");
+    Editor editor;
+    runAll(editor,
+           {"import chair.rubble", "create 2,2,2 -0.3,0.6,0 name=cup", "joint ball cup seat -0.3,0.6,0 name=glue",
+            "joint ball back seat 0.3,0.6,0.3 name=screw", "tag old yes glue"});
+    writeChair("chair.rubble", {"box 0,1,0 7,1,7 erase shape=seat", "box 3,0,0 7,1,7 erase shape=seat"});
+    const std::string answer = answerOf(editor, "reload_models");
+    EXPECT_EQ(answer.substr(0, answer.find('\n')),
+              "chair.rubble: 1 shape brought up to date, 1 as in the file, 1 lost of their joints: screw");
+    ASSERT_EQ(editor.world().get_joint_states().size(), 1u);
+    const rubble_joint glue = editor.world().find_by_name(RUBBLE_KIND_JOINT, "glue").at(0);
+    EXPECT_STREQ(editor.world().get_tag(glue, "old").data(), "yes");
+}
+
 TEST(Models, ThatAreGoneOrBrokenChangeNothing) {
     const ExampleFolder folder;
     writeChair("chair.rubble");

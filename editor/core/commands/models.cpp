@@ -24,6 +24,7 @@ std::string describe(const std::string& file, const ModelReport& report) {
     };
     add(report.kept, "kept as edited here");
     add(report.gone, "no longer in the file");
+    add(report.lostJoints, "lost of their joints");
     add(report.otherVoxels, "kept, because its voxels have another size in the file");
     return text;
 }
