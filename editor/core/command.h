@@ -9,6 +9,9 @@ namespace editor {
 
 class Editor;
 
+/// What is drawn where no entry of the palette is said: 5, wood.
+inline constexpr std::string_view kDefaultEntry = "5";
+
 /// When a command may run, and what becomes of it.
 enum class Kind : uint8_t {
     Edit,    ///< changes the level: a step of the history; refused during play

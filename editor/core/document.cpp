@@ -280,7 +280,13 @@ void Document::openJournal() {
     for (int i = 1; !m_journal && i <= (m_path.empty() ? kUntitled : 1); ++i) try {
             m_journal = std::make_unique<Journal>(i == 1 ? folder : fmt::format("{}-{}", folder, i));
         } catch (const Refused& error) {
-            if (!m_path.empty() || i == kUntitled) m_messages.emplace_back(error.what());
+            if (!m_path.empty())
+                m_messages.emplace_back(error.what());
+            else if (i == kUntitled)
+                m_messages.push_back(
+                    fmt::format("a crash would lose this new level until it is saved: all {} folders for journals of "
+                                "levels without a file are taken; the last says: {}",
+                                kUntitled, error.what()));
         }
     if (!m_journal) return keepDeltas();
     if (const std::optional<Recovery> found = m_journal->found())

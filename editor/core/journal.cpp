@@ -85,7 +85,7 @@ Journal::Journal(std::string folder) : m_folder(std::move(folder)) {
         return;
     }
     ::close(m_lock);
-    throw Refused(fmt::format("journal: {}: another editor has this level open", m_folder));
+    throw Refused(fmt::format("journal: another editor has this level open, whose journal is in {}", m_folder));
 }
 
 Journal::~Journal() {

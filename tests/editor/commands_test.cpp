@@ -88,6 +88,27 @@ TEST_P(EveryCommand, RefusesAParameterThatItDoesNotHave) {
     EXPECT_NE(outcome.text.find("found 'no_such_parameter'"), std::string::npos) << outcome.text;
 }
 
+TEST(Commands, OfAScriptSpeakOnce) {
+    const ExampleFolder folder;
+    std::ofstream("inner.txt") << "create 4,4,4\nsave inner.rubble\n";
+    std::ofstream("outer.txt") << "save outer.rubble\nscript inner.txt\nhide all\n";
+    Editor editor;
+    const Outcome outcome = editor.run(std::string("script inner.txt"));
+    EXPECT_EQ(outcome.text, "saved inner.rubble");
+    EXPECT_EQ(editor.run(std::string("script outer.txt")).text,
+              "saved outer.rubble\nsaved inner.rubble\n2 of 2 shapes hidden");
+}
+
+TEST(Commands, DrawOneEntryUnlessAnotherIsSaid) {
+    for (const char* name : {"create", "add_shape", "voxel", "box", "sphere", "line", "face", "flood", "paint_selected",
+                             "fill_selected"}) {
+        const std::vector<Parameter>& all = findCommand(name)->parameters;
+        const auto index = std::ranges::find(all, "index", &Parameter::name);
+        ASSERT_NE(index, all.end()) << name;
+        EXPECT_EQ(index->otherwise, "5") << name;
+    }
+}
+
 TEST(Commands, HaveNamesOfTheirOwn) {
     std::set<std::string_view> names;
     for (const Command& command : allCommands()) EXPECT_TRUE(names.insert(command.name).second) << command.name;

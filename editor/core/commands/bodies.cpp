@@ -188,14 +188,14 @@ void duplicate(Editor& editor, const Arguments& arguments) {
 }
 
 std::vector<Parameter> shapeParameters() {
-    return {
-        {"size", Type::Cell, "cells along each axis", "8,8,8", 1, 4096},
-        {"at", Type::Point, "where it comes, in metres", "0,0,0"},
-        {"index", Type::Whole, "entry of the palette, as a material: 5 wood, 7 brick, 9 metal, 15 glass", "5", 1, 255},
-        {"name", Type::Text, "by which others find it", ""},
-        {"form", Type::Choice, "what is filled", "box", 0, 0, "box sphere cylinder_x cylinder_y cylinder_z"},
-        {"voxel", Type::Number, "side of a voxel in metres", "0.1", 0.001, 10},
-        kTurn};
+    return {{"size", Type::Cell, "cells along each axis", "8,8,8", 1, 4096},
+            {"at", Type::Point, "where it comes, in metres", "0,0,0"},
+            {"index", Type::Whole, "entry of the palette, as a material: 5 wood, 7 brick, 9 metal, 15 glass",
+             kDefaultEntry, 1, 255},
+            {"name", Type::Text, "by which others find it", ""},
+            {"form", Type::Choice, "what is filled", "box", 0, 0, "box sphere cylinder_x cylinder_y cylinder_z"},
+            {"voxel", Type::Number, "side of a voxel in metres", "0.1", 0.001, 10},
+            kTurn};
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ void discard(Editor& editor, const Arguments&) {
 void runScript(Editor& editor, const Arguments& arguments) {
     const Outcome outcome = editor.runFile(arguments.text("file"));
     if (!outcome.isDone) throw Refused(outcome.text);
-    editor.say(outcome.text);
+    editor.say(outcome.text.substr(0, outcome.text.find_last_not_of('\n') + 1));
 }
 
 /// How often something is to be done of which there are so many; one is refused by what does it.

@@ -41,6 +41,13 @@ void drawPlace(Session& session, const rubble_body_state& body) {
                     {{"at", pointText(vectorOf(body.position))}, {"turn", pointText(vectorOf(turn))}, {"what", what}});
 }
 
+/// While the level is edited nothing moves, asleep or awake.
+const char* stateOf(Session& session, const rubble_body_state& body) {
+    if (body.flags & RUBBLE_BODY_STATIC) return "static";
+    if (!session.editor().document().isPlaying()) return "free: moves in play";
+    return body.flags & RUBBLE_BODY_ASLEEP ? "asleep" : "awake";
+}
+
 void drawBody(Session& session, rubble_body handle) {
     const rubble_body_state body = session.world().get_body_state(handle);
     const rubble_body_properties properties = session.world().get_body_properties(handle);
@@ -61,7 +68,7 @@ void drawBody(Session& session, rubble_body handle) {
     property("mass", "From its voxels and their materials");
     ImGui::Text("%.1f kg", properties.mass);
     property("state", "Whether physics moves it");
-    ImGui::TextUnformatted(stands ? "static" : body.flags & RUBBLE_BODY_ASLEEP ? "asleep" : "awake");
+    ImGui::TextUnformatted(stateOf(session, body));
 }
 
 /// The file to which a shape is linked.
