@@ -12,7 +12,7 @@ namespace editor {
 
 /// The tag of a shape that is linked to a file. Its value is the file's path from the level's folder, or from the
 /// current one while the level has no file. A second tag, model_link, says what came in.
-inline constexpr const char* kModelTag = "model";
+inline constexpr const char* kModelTag = "model_file";
 
 /// A file whose shapes can be placed: .vox, .vdb, .rubble, or a mesh, and how that becomes voxels.
 struct ModelSource {

@@ -75,7 +75,7 @@ std::vector<Command> modelCommands() {
          "models",
          Kind::Edit,
          "Reads the files again from which shapes came: those that were not edited here become as they are there.",
-         {{"file", Type::Text, "one of them, as the tag model says it; else all", kOptional, 0, 0,
+         {{"file", Type::Text, "one of them, as the tag model_file says it; else all", kOptional, 0, 0,
            ".vox .vdb .rubble .obj .ply .glb"},
           {"what", Type::Objects, "the shapes", "all"},
           {"revert", Type::Flag, "whether those that were edited here become as they are there, too", "no"}},

@@ -93,6 +93,7 @@ void drawShape(Session& session, rubble_shape handle) {
     heading("Shape");
     ImGui::PushID("shape");
     drawName(session, handle);
+    drawModel(session, handle, what);
     property("grid", "Cells along each axis");
     ImGui::Text("%d x %d x %d", shape.size[0], shape.size[1], shape.size[2]);
     property("voxels", "That are not empty");
@@ -111,7 +112,6 @@ void drawShape(Session& session, rubble_shape handle) {
         session.run("shape", {{"bears_load", bears ? "yes" : "no"}, {"shape", what}});
     property("anchors", "Boxes of cells that hold it to the world");
     ImGui::Text("%u", own.anchor_count);
-    drawModel(session, handle, what);
     if (own.is_piece) ImGui::TextDisabled("a piece that came off another shape");
     ImGui::PopID();
 }
