@@ -12,6 +12,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <sstream>
 
 #include "editor/core/cells.h"
@@ -64,9 +65,14 @@ void forEachLayer(const rubble::World& world, rubble_shape shape, Cells box, F&&
 Content contentOf(const rubble::World& world, rubble_shape shape) {
     Content content;
     forEachLayer(world, shape, gridOf(world, shape), [&](const Cells& layer, const std::vector<uint8_t>& voxels) {
-        for (size_t i = 0; i < voxels.size(); ++i) {
-            const glm::ivec3 cell = layer.low + glm::ivec3(int(i) % layer.size.x, int(i) / layer.size.x, 0);
-            if (voxels[i]) content.solid = joined(content.solid, {cell, glm::ivec3(1)});
+        const auto isSolid = [](uint8_t voxel) { return voxel != 0; };
+        for (int y = 0; y < layer.size.y; ++y) {
+            const std::span row(voxels.data() + size_t(y) * size_t(layer.size.x), size_t(layer.size.x));
+            const auto first = std::ranges::find_if(row, isSolid);
+            if (first == row.end()) continue;
+            const auto last = std::find_if(row.rbegin(), row.rend(), isSolid);
+            content.solid = joined(content.solid, between(layer.low + glm::ivec3(first - row.begin(), y, 0),
+                                                          layer.low + glm::ivec3(row.rend() - last - 1, y, 0)));
         }
     });
     const std::vector<uint64_t> entries = hashesOfEntries(world, shape);
