@@ -206,10 +206,12 @@ private:
     std::map<rubble_shape, Content> m_contents;
 };
 
-/// How messages name an object.
+/// How messages name an object: a shape without a name by that of its body.
 std::string shownName(const rubble::World& world, uint64_t object) {
-    const std::string own = nameOf(world, object);
-    return own.empty() ? fmt::format("#{}", object) : own;
+    std::string name = nameOf(world, object);
+    if (name.empty() && kindOf(world, object) == RUBBLE_KIND_SHAPE)
+        name = nameOf(world, world.get_shape_state(object).body);
+    return name.empty() ? fmt::format("#{}", object) : name;
 }
 
 /// Brings one shape up to date.
