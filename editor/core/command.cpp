@@ -9,10 +9,11 @@ namespace {
 std::vector<Command> gather() {
     std::vector<Command> all;
     for (const auto subject :
-         {sessionCommands,     fileCommands,        selectionCommands,     viewCommands,   voxelCommands,
-          clipboardCommands,   shapeCommands,       shapePropertyCommands, bodyCommands,   placementCommands,
-          paletteCommands,     paletteToolCommands, imageCommands,         lightCommands,  jointCommands,
-          environmentCommands, regionCommands,      nameCommands,          scriptCommands, toolCommands}) {
+         {sessionCommands,     fileCommands,        selectionCommands,     viewCommands,  voxelCommands,
+          clipboardCommands,   shapeCommands,       shapePropertyCommands, bodyCommands,  placementCommands,
+          paletteCommands,     paletteToolCommands, imageCommands,         lightCommands, jointCommands,
+          environmentCommands, modelCommands,       regionCommands,        nameCommands,  scriptCommands,
+          toolCommands}) {
         std::vector<Command> some = subject();
         all.insert(all.end(), some.begin(), some.end());
     }

@@ -9,10 +9,13 @@ namespace editor {
 
 class Editor;
 
+/// What is drawn where no entry of the palette is said: 5, wood.
+inline constexpr std::string_view kDefaultEntry = "5";
+
 /// When a command may run, and what becomes of it.
 enum class Kind : uint8_t {
     Edit,    ///< changes the level: a step of the history; refused during play
-    Tool,    ///< breaks things: during play in its next step, else as Edit
+    Tool,    ///< breaks or drives things: during play in its next step, else as Edit
     View,    ///< changes the level nothing: what is selected, which files there are
     Session  ///< undo, play, files: no step of its own
 };
@@ -61,6 +64,8 @@ std::vector<Command> imageCommands();
 std::vector<Command> lightCommands();
 /// Joints and ropes.
 std::vector<Command> jointCommands();
+/// Shapes that are linked to files.
+std::vector<Command> modelCommands();
 /// Sky, sun, fog, gravity.
 std::vector<Command> environmentCommands();
 /// Water and triggers.

@@ -1,7 +1,6 @@
 #include "editor/core/document.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <utility>
@@ -50,7 +49,7 @@ Document::Document(uint32_t worldFlags, std::string journals, StepWatcher watche
 /// A world that has just been made or loaded.
 void Document::begin(const std::string& path) {
     m_path = path;
-    m_fileState = stateOf(path);
+    m_fileState = fileStateOf(path);
     beginHistory();
     openJournal();
 }
@@ -89,21 +88,14 @@ void Document::save(const std::string& path, const std::string& vdbTool, bool is
     m_world.save_level(path.c_str(), vdbTool.c_str());
     const bool isMoved = path != m_path;
     m_path = path;
-    m_fileState = stateOf(path);
+    m_fileState = fileStateOf(path);
     m_savedSteps = m_done.size();
     if (isMoved) openJournal();
     if (m_journal) beginJournal();
 }
 
-std::optional<FileState> Document::stateOf(const std::string& path) {
-    struct stat now {};
-    if (path.empty() || ::stat(path.c_str(), &now) != 0) return std::nullopt;
-    return FileState{uint64_t(now.st_size), uint64_t(now.st_dev), uint64_t(now.st_ino), now.st_mtim.tv_sec,
-                     now.st_mtim.tv_nsec};
-}
-
 bool Document::hasFileChanged() const {
-    const std::optional<FileState> now = stateOf(m_path);
+    const std::optional<FileState> now = fileStateOf(m_path);
     return now && now != m_fileState;
 }
 
@@ -288,7 +280,13 @@ void Document::openJournal() {
     for (int i = 1; !m_journal && i <= (m_path.empty() ? kUntitled : 1); ++i) try {
             m_journal = std::make_unique<Journal>(i == 1 ? folder : fmt::format("{}-{}", folder, i));
         } catch (const Refused& error) {
-            if (!m_path.empty() || i == kUntitled) m_messages.emplace_back(error.what());
+            if (!m_path.empty())
+                m_messages.emplace_back(error.what());
+            else if (i == kUntitled)
+                m_messages.push_back(
+                    fmt::format("a crash would lose this new level until it is saved: all {} folders for journals of "
+                                "levels without a file are taken; the last says: {}",
+                                kUntitled, error.what()));
         }
     if (!m_journal) return keepDeltas();
     if (const std::optional<Recovery> found = m_journal->found())

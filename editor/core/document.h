@@ -92,7 +92,6 @@ public:
     std::vector<std::string> takeMessages();
 
 private:
-    static std::optional<FileState> stateOf(const std::string& path);
     void begin(const std::string& path);
     void beginHistory();
     void makeStep(const std::string& name, const std::function<void()>& work);

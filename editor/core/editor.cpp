@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "runtime/script/script_name.h"
 
@@ -23,8 +24,9 @@ Outcome Editor::run(const std::string& text) {
 }
 
 Outcome Editor::run(const Line& line) {
-    m_said.clear();
+    const std::string outer = std::exchange(m_said, {});  // of a script that runs this line
     const Selection selected = m_selection;
+    Outcome outcome;
     try {
         const Command* command = findCommand(line.command);
         if (!command) {
@@ -33,15 +35,17 @@ Outcome Editor::run(const Line& line) {
                                       like.empty() ? "" : fmt::format("; did you mean {}?", like)));
         }
         runCommand(*command, line);
-        return {true, m_said};
+        outcome.text = m_said;
     } catch (const rubble::Error& error) {
         m_selection = selected;
-        return {false, line.command + ": " + error.what()};
+        outcome = {false, line.command + ": " + error.what()};
     } catch (const std::exception& error) {
         m_selection = selected;
         const std::string what = error.what();
-        return {false, what.rfind(line.command, 0) == 0 ? what : line.command + ": " + what};
+        outcome = {false, what.rfind(line.command, 0) == 0 ? what : line.command + ": " + what};
     }
+    m_said = outer;
+    return outcome;
 }
 
 void Editor::runCommand(const Command& command, const Line& line) {

@@ -59,24 +59,48 @@ Rgb meanOf(const std::vector<Counted>& all, const Part& part) {
     return mean;
 }
 
-}  // namespace
-
-Image readImage(const std::string& path) {
+/// Reads a file by read(bytes, measure); measure(width, height) checks the size and gives the number of pixels.
+template <class Read>
+void readWith(const std::string& path, glm::ivec2& size, Read&& read) {
     std::vector<uint8_t> bytes;
     if (const std::string wrong = rubble::readImageBytes(path, bytes); !wrong.empty())
         throw Refused(fmt::format("{}: {}", path, wrong));
-    Image image;
-    const std::string error = rubble::readPngPixels(bytes, [&](uint32_t width, uint32_t height) {
+    const std::string error = read(bytes, [&](uint32_t width, uint32_t height) {
         if (width > kMaxSide || height > kMaxSide)
             throw Refused(fmt::format("{}: expected at most {} x {} pixels, found {} x {}", path, kMaxSide, kMaxSide,
                                       width, height));
-        image.size = {int(width), int(height)};
-        image.pixels.resize(size_t(width) * height);
-        return image.pixels.data();
+        size = {int(width), int(height)};
+        return size_t(width) * height;
     });
     if (!error.empty())
         throw Refused(fmt::format("{}: expected a PNG file, found one that cannot be read: {}", path, error));
+}
+
+}  // namespace
+
+Image readImage(const std::string& path) {
+    Image image;
+    readWith(path, image.size, [&](const std::vector<uint8_t>& bytes, const auto& measure) {
+        return rubble::readPngPixels(bytes, [&](uint32_t width, uint32_t height) {
+            image.pixels.resize(measure(width, height));
+            return image.pixels.data();
+        });
+    });
     return image;
+}
+
+Heights readHeights(const std::string& path) {
+    Heights heights;
+    std::vector<std::array<uint16_t, 4>> pixels;
+    readWith(path, heights.size, [&](const std::vector<uint8_t>& bytes, const auto& measure) {
+        return rubble::readDeepPngPixels(bytes, [&](uint32_t width, uint32_t height) {
+            pixels.resize(measure(width, height));
+            return pixels.data()->data();
+        });
+    });
+    for (const auto& [red, green, blue, opacity] : pixels)
+        heights.values.push_back(opacity < 32768 ? -1.0 : (0.2126 * red + 0.7152 * green + 0.0722 * blue) / 65535.0);
+    return heights;
 }
 
 std::vector<Rgb> reduceColors(const Image& image, size_t count) {

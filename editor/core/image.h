@@ -18,6 +18,14 @@ struct Image {
 /// Reads a PNG file of at most 4096 x 4096 pixels. Throws Refused.
 Image readImage(const std::string& path);
 
+/// What an image says of heights.
+struct Heights {
+    glm::ivec2 size{0};
+    std::vector<double> values;  ///< brightness from 0 to 1, rows from above; negative: not opaque
+};
+/// Reads them from a PNG file of at most 4096 x 4096 pixels, of 8 or 16 bits a value. Throws Refused.
+Heights readHeights(const std::string& path);
+
 using Rgb = std::array<uint8_t, 3>;
 /// At most `count` colours that stand for those of the opaque pixels, by median cut: the colours themselves where they
 /// are no more.

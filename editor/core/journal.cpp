@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -64,6 +65,13 @@ uint64_t numberAt(const uint8_t* bytes) {
 
 }  // namespace
 
+std::optional<FileState> fileStateOf(const std::string& path) {
+    struct stat now {};
+    if (path.empty() || ::stat(path.c_str(), &now) != 0) return std::nullopt;
+    return FileState{uint64_t(now.st_size), uint64_t(now.st_dev), uint64_t(now.st_ino), now.st_mtim.tv_sec,
+                     now.st_mtim.tv_nsec};
+}
+
 Journal::Journal(std::string folder) : m_folder(std::move(folder)) {
     std::error_code code;
     fs::create_directories(m_folder, code);
@@ -77,7 +85,7 @@ Journal::Journal(std::string folder) : m_folder(std::move(folder)) {
         return;
     }
     ::close(m_lock);
-    throw Refused(fmt::format("journal: {}: another editor has this level open", m_folder));
+    throw Refused(fmt::format("journal: another editor has this level open, whose journal is in {}", m_folder));
 }
 
 Journal::~Journal() {

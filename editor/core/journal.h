@@ -18,6 +18,9 @@ struct FileState {
     bool operator==(const FileState&) const = default;
 };
 
+/// That of a path; none: there is no file, or no path.
+std::optional<FileState> fileStateOf(const std::string& path);
+
 /// What a journal is of.
 struct JournalLevel {
     std::string path;               ///< of the level's file; empty: it has none

@@ -106,6 +106,8 @@ void Editor::giveName(const Arguments& arguments, uint64_t object) {
 
 std::vector<uint64_t> Editor::objects(const Arguments& arguments, std::string_view parameter, Kinds kinds) const {
     const std::string& text = arguments.text(parameter);
+    const Kind kind = arguments.command().kind;
+    const bool isEdit = kind == Kind::Edit || (kind == Kind::Tool && !m_document.isPlaying());
     std::vector<uint64_t> all;
     for (size_t begin = 0; begin <= text.size();) {
         const size_t end = std::min(text.find(',', begin), text.size());
@@ -114,7 +116,7 @@ std::vector<uint64_t> Editor::objects(const Arguments& arguments, std::string_vi
         if (found.empty())
             arguments.refuse(parameter,
                              fmt::format("a {}, found {} by '{}'", namesOf(kinds), foundInstead(part), part));
-        if (arguments.command().kind == Kind::Edit && arguments.command().name != "unlock") {
+        if (isEdit && arguments.command().name != "unlock") {
             std::erase_if(found, [&](uint64_t each) { return isLocked(m_document.world(), each); });
             if (found.empty())
                 arguments.refuse(parameter, fmt::format("what is not locked, found '{}': unlock it first", part));

@@ -74,4 +74,32 @@ std::string readPngPixels(std::span<const uint8_t> bytes, Place place) {
     return !pixels || png_image_finish_read(&png, nullptr, pixels, 0, nullptr) ? "" : png.message;
 }
 
+/// The same with 16 bits a value; those of 8 bits are spread.
+template <class Place>
+std::string readDeepPngPixels(std::span<const uint8_t> bytes, Place place) {
+    const std::vector<uint8_t> plain = withoutGamma(bytes);
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    if (!png_image_begin_read_from_memory(&png, plain.data(), plain.size())) return png.message;
+    const bool isDeep = png.format & PNG_FORMAT_FLAG_LINEAR;
+    uint16_t* const pixels = place(png.width, png.height);
+    const size_t count = size_t(png.width) * png.height * 4;
+    if (!isDeep || !pixels) {
+        png_image_free(&png);
+        std::vector<uint8_t> shallow(pixels ? count : 0);
+        const std::string error =
+            readPngPixels(bytes, [&](uint32_t, uint32_t) { return pixels ? shallow.data() : nullptr; });
+        std::ranges::transform(shallow, pixels, [](uint8_t value) { return uint16_t(value * 257); });
+        return error;
+    }
+    png.format = PNG_FORMAT_LINEAR_RGB_ALPHA;  // the values as they are, but times the opacity
+    if (!png_image_finish_read(&png, nullptr, pixels, 0, nullptr)) return png.message;
+    for (size_t i = 0; i < count; i += 4)
+        for (size_t c = 0; c < 3; ++c)
+            if (const uint32_t opacity = pixels[i + 3]; opacity && opacity < 65535)
+                pixels[i + c] =
+                    uint16_t(std::min<uint64_t>(65535, (uint64_t(pixels[i + c]) * 65535 + opacity / 2) / opacity));
+    return "";
+}
+
 }  // namespace rubble

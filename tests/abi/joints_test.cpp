@@ -160,6 +160,28 @@ TEST_F(AbiCreate, AJointSaysItsLimitsAndWhereItsMotionIs) {
     ASSERT_EQ(api()->get_joint_state(m_world, joint, &row), RUBBLE_OK) << api()->get_last_error();
     EXPECT_EQ(row.joint, joint);
     EXPECT_EQ(row.shapes[1], shape);
+    EXPECT_EQ(now.max_spin, 0.0) << "only wheels have that";
+}
+
+TEST_F(AbiCreate, AWheelSaysHowItDrivesSteersAndBrakes) {
+    auto settings = sized<rubble_joint_settings>();
+    settings.kind = RUBBLE_JOINT_WHEEL;
+    settings.shapes[0] = make(shapeOn(make(bodyAt(20.0, 20.0, 0)), RUBBLE_SHAPE_BOX, 4));
+    settings.shapes[1] = make(shapeOn(make(bodyAt(20.5, 20.0, 0)), RUBBLE_SHAPE_BOX, 4));
+    settings.position[0] = 20.45, settings.position[1] = 20.2, settings.position[2] = 0.2;
+    settings.anchor_radius = 0.4;
+    settings.drive_torque = 700.0, settings.brake_torque = 900.0;
+    settings.max_spin = 40.0, settings.max_steer_angle = 0.5;
+    rubble_joint joint = 0;
+    ASSERT_EQ(api()->create_joint(m_world, &settings, &joint), RUBBLE_OK) << api()->get_last_error();
+    step(1);
+    auto now = sized<rubble_joint_properties>();
+    ASSERT_EQ(api()->get_joint_properties(m_world, joint, &now), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(now.drive_torque, 700.0);
+    EXPECT_EQ(now.brake_torque, 900.0);
+    EXPECT_EQ(now.max_spin, 40.0);
+    EXPECT_EQ(now.max_steer_angle, 0.5);
+    EXPECT_EQ(now.steer_rate, 2.0) << "the default";
 }
 
 }  // namespace

@@ -25,8 +25,13 @@ std::string caseName(const testing::TestParamInfo<Command>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryCommand, testing::ValuesIn(allCommands().begin(), allCommands().end()), caseName);
 
-/// What an example of undo, redo and play needs before it.
+/// What an example of undo, redo, play and models needs before it.
 void prepare(Editor& editor, std::string_view command) {
+    if (command.ends_with("_models")) runAll(editor, {"import model.rubble 0,9,0"});
+    if (command == "reload_models") {
+        Editor model;
+        runAll(model, {"create 5,5,5 name=cube", "save model.rubble force=yes"});
+    }
     if (command == "redo") runAll(editor, {"undo"});
     if (command == "step" || command == "stop" || command == "keep" || command == "rewind") runAll(editor, {"play"});
 }
@@ -81,6 +86,27 @@ TEST_P(EveryCommand, RefusesAParameterThatItDoesNotHave) {
     EXPECT_FALSE(outcome.isDone);
     EXPECT_NE(outcome.text.find(GetParam().name), std::string::npos) << outcome.text;
     EXPECT_NE(outcome.text.find("found 'no_such_parameter'"), std::string::npos) << outcome.text;
+}
+
+TEST(Commands, OfAScriptSpeakOnce) {
+    const ExampleFolder folder;
+    std::ofstream("inner.txt") << "create 4,4,4\nsave inner.rubble\n";
+    std::ofstream("outer.txt") << "save outer.rubble\nscript inner.txt\nhide all\n";
+    Editor editor;
+    const Outcome outcome = editor.run(std::string("script inner.txt"));
+    EXPECT_EQ(outcome.text, "saved inner.rubble");
+    EXPECT_EQ(editor.run(std::string("script outer.txt")).text,
+              "saved outer.rubble\nsaved inner.rubble\n2 of 2 shapes hidden");
+}
+
+TEST(Commands, DrawOneEntryUnlessAnotherIsSaid) {
+    for (const char* name : {"create", "add_shape", "voxel", "box", "sphere", "line", "face", "flood", "paint_selected",
+                             "fill_selected"}) {
+        const std::vector<Parameter>& all = findCommand(name)->parameters;
+        const auto index = std::ranges::find(all, "index", &Parameter::name);
+        ASSERT_NE(index, all.end()) << name;
+        EXPECT_EQ(index->otherwise, "5") << name;
+    }
 }
 
 TEST(Commands, HaveNamesOfTheirOwn) {

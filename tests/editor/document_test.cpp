@@ -174,7 +174,7 @@ TEST(Document, WhatIsSavedIsThereAgain) {
     EXPECT_EQ(again.world().get_voxel_hash(), editor.world().get_voxel_hash());
     EXPECT_EQ(again.world().find_by_tag(RUBBLE_KIND_BODY, "furniture", "oak").size(), 1u);
     EXPECT_EQ(again.world().find_by_name(RUBBLE_KIND_BODY, "knob").size(), 1u);
-    EXPECT_EQ(again.world().get_joint_states().size(), 1u) << "its shape has no name of its own";
+    EXPECT_EQ(again.world().get_joint_states().size(), 2u) << "its shape has no name of its own";
     EXPECT_EQ(again.world().find_by_name(RUBBLE_KIND_SHAPE, "shape").size(), 0u) << "and has got none";
     EXPECT_EQ(again.world().find_by_name(RUBBLE_KIND_JOINT, "door_hinge").size(), 1u);
     runAll(again, {"move 0,1,0 knob"});

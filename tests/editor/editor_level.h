@@ -58,6 +58,10 @@ inline void makeTestLevel(Editor& editor) {
                     "entry 30 color=#808080 material=wood shape=striped",
                     "entry 31 color=#808080 material=wood shape=striped",
                     "create 4,4,4 -12,2,0 name=floating",
+                    "create 8,3,20 14,0.2,0 name=cart",
+                    "create 2,6,6 14.5,0,0.7 form=cylinder_x name=front",
+                    "create 2,6,6 14.5,0,-0.7 form=cylinder_x name=rear",
+                    "wheel cart front steer=30 name=front_wheel",
                     "select_box 0,0,0 3,3,3 crate",
                     "copy",
                     "select crate"});

@@ -206,6 +206,17 @@ TEST(Journal, AnotherEditorOfTheSameLevelHasNone) {
     runAll(other, {"move 0,1,0 crate"});
 }
 
+TEST(Journal, OfTooManyNewLevelsSaysWhatIsLost) {
+    rubble::TempFolder folder;
+    const std::string journals = folder / "journals";
+    std::vector<std::unique_ptr<Editor>> editors;
+    for (int i = 0; i < 8; ++i) editors.push_back(std::make_unique<Editor>(EditorSettings{.journals = journals}));
+    Editor last({.journals = journals});
+    const Outcome outcome = last.run(std::string("create 4,4,4"));
+    EXPECT_NE(outcome.text.find("a crash would lose this new level until it is saved"), outcome.text.npos)
+        << outcome.text;
+}
+
 TEST(Journal, AFileThatAnotherProgramHasWrittenIsNotOverwrittenUnasked) {
     rubble::TempFolder folder;
     const std::string file = folder / "level.rubble";

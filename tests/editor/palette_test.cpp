@@ -123,6 +123,26 @@ TEST(Images, AreRegularFiles) {
     }
 }
 
+TEST(Images, OfSixteenBitsGiveHeightsBetweenThoseOfEight) {
+    rubble::TempFolder folder;
+    const std::string file = folder / "slope.png";
+    std::vector<uint16_t> slope;
+    for (int i = 0; i < 1000; ++i) slope.push_back(uint16_t(20000 + i));  // 4 of 256 levels
+    writeDeepPng(file, 1000, 1, 1, slope);
+    Editor editor;
+    runAll(editor, {("height_map " + file + " 4000 name=hills").c_str()});
+    const rubble_shape hills = shapeOf(editor, "hills");
+    const auto heightAt = [&](int x) {
+        const std::vector<uint8_t> column = readCells(editor.world(), hills, {{x, 0, 0}, {1, 4000, 1}});
+        return 4000 - std::count(column.begin(), column.end(), uint8_t(0));
+    };
+    for (const int x : {0, 100, 500, 999}) EXPECT_EQ(heightAt(x), std::lround((20000 + x) / 65535.0 * 4000.0)) << x;
+    writeDeepPng(file, 2, 1, 2, {20000, 65535, 20000, 40000});
+    runAll(editor, {"delete hills", ("height_map " + file + " 4000 name=hills").c_str()});
+    const rubble_shape_state state = editor.world().get_shape_state(shapeOf(editor, "hills"));
+    EXPECT_NEAR(double(state.voxel_count), 2 * 1221, 1) << "opacity makes nothing lower";
+}
+
 TEST(Images, OfSixteenBitsAreAsBrightAsOfEight) {
     rubble::TempFolder folder;
     const std::string file = folder / "deep.png";

@@ -19,7 +19,8 @@ public:
     /// Equal seeds give equal lines.
     explicit RandomCommands(uint32_t seed) : m_random(seed) {
         for (const Command& each : allCommands())
-            if (each.kind == Kind::Edit && each.subject != "cells" && each.name != "import")
+            if ((each.kind == Kind::Edit || (each.kind == Kind::Tool && each.subject != "tools")) &&
+                each.subject != "cells" && each.name != "import")
                 m_commands.push_back(&each);
     }
     /// What a level begins with, so that most commands find something.

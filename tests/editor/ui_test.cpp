@@ -357,6 +357,21 @@ TEST_F(Window, AJointHasHandles) {
     EXPECT_NEAR(joint().lower_limit, -0.5236, 1e-3);
 }
 
+TEST_F(Window, TheSuspensionOfAWheelHasHandles) {
+    play(
+        "create 3,8,8 -2,0,0 form=cylinder_x name=tyre\ncreate 4,4,8 -1.65,0.2,0 name=chassis\n"
+        "wheel chassis tyre drive=300 name=axle\nui camera -5,0.6,0.4 -2,0.4,0\nui mode select\nselect axle");
+    const auto wheel = [&] {
+        rubble::World& world = m_ui->stage().editor().world();
+        return settingsOf(world, world.find_by_name(RUBBLE_KIND_JOINT, "axle").at(0));
+    };
+    play("ui hover -2,0.52,0\nui press\nui by 0 -12\nui hover -2,0.71,0\nui release");
+    ASSERT_EQ(document().done().back().substr(0, 18), "set_joint high=0.3") << document().done().back();
+    EXPECT_NEAR(wheel().upper_limit, 0.3, 1e-6);
+    EXPECT_NEAR(wheel().lower_limit, -0.12, 1e-6);
+    EXPECT_EQ(wheel().drive_torque, 300.0);
+}
+
 TEST_F(Window, APaletteOfCommandsHasThemAllWithTheirForms) {
     for (const Command& command : allCommands()) {
         const std::vector<const Command*> found = CommandPalette::find(std::string(command.name));

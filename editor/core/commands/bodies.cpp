@@ -1,12 +1,14 @@
 // Bodies, and shapes on them: made, placed, duplicated, deleted.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <glm/geometric.hpp>
 #include <set>
 
-#include "editor/core/child_process.h"
+#include "editor/core/cells.h"
 #include "editor/core/editor.h"
 #include "editor/core/material_colors.h"
-#include "editor/core/mesh_import.h"
+#include "editor/core/models.h"
 #include "editor/core/rotation.h"
 
 namespace editor {
@@ -15,15 +17,49 @@ namespace {
 const Parameter kBodies{"what", Type::Objects, "the bodies", "selected"};
 const Parameter kTurn{"turn", Type::Point, "degrees about x, then y, then z", "0,0,0", -360, 360};
 
+/// The cells of a cylinder along an axis that fills a grid.
+std::vector<rubble_voxel_run> cylinderOf(glm::ivec3 size, int along, uint32_t index) {
+    std::vector<rubble_voxel_run> runs;
+    const auto isIn = [&](glm::ivec3 cell) {
+        glm::dvec3 out = glm::dvec3(2 * cell + 1 - size) / glm::dvec3(size);
+        out[along] = 0.0;
+        return glm::dot(out, out) <= 1.0;
+    };
+    for (glm::ivec3 cell(0); cell.z < size.z; ++cell.z)
+        for (cell.y = 0; cell.y < size.y; ++cell.y)
+            for (cell.x = 0; cell.x < size.x; ++cell.x) {
+                const uint32_t voxel = isIn(cell) ? index : 0;
+                if (runs.empty() || runs.back().index != voxel) runs.push_back({0, voxel});
+                ++runs.back().cells;
+            }
+    return runs;
+}
+
 /// A shape's settings as the parameters of shapeParameters() say.
 rubble_shape_settings shapeSettings(const Arguments& arguments) {
+    static constexpr uint32_t kSources[] = {RUBBLE_SHAPE_BOX, RUBBLE_SHAPE_SPHERE, RUBBLE_SHAPE_RUNS};
     rubble_shape_settings shape{};
     const glm::ivec3 size = arguments.cell("size");
     for (int a = 0; a < 3; ++a) shape.size[a] = size[a];
-    shape.source = arguments.text("form") == "sphere" ? RUBBLE_SHAPE_SPHERE : RUBBLE_SHAPE_BOX;
+    shape.source = kSources[std::min(arguments.choice("form"), 2)];
     shape.voxel_size = arguments.number("voxel");
     shape.index = uint32_t(arguments.whole("index"));
     return shape;
+}
+
+/// Makes a shape in the form that the parameters say.
+rubble_shape makeShape(Editor& editor, const Arguments& arguments, rubble_shape_settings& shape) {
+    std::vector<rubble_voxel_run> runs;
+    if (shape.source == RUBBLE_SHAPE_RUNS) {
+        const glm::ivec3 size = arguments.cell("size");
+        const uint64_t cells = uint64_t(size.x) * uint64_t(size.y) * uint64_t(size.z);
+        if (cells > kMaxCells) arguments.refuse("size", fmt::format("at most {} cells, found {}", kMaxCells, cells));
+        runs = cylinderOf(size, arguments.choice("form") - 2, shape.index);
+        shape.runs = runs.data(), shape.count = runs.size();
+    }
+    const rubble_shape made = editor.world().create_shape(shape);
+    colorByMaterial(editor, made);
+    return made;
 }
 
 /// Makes a body whose shape has its middle, or the middle of its lowest layer, at a place.
@@ -36,7 +72,7 @@ void create(Editor& editor, const Arguments& arguments) {
     put(body.rotation, rotationOf(arguments.point("turn")));
     shape.body = editor.world().create_body(body);
     put(shape.position, {-extent.x / 2, arguments.flag("on_ground") ? 0.0 : -extent.y / 2, -extent.z / 2});
-    colorByMaterial(editor, editor.world().create_shape(shape));
+    makeShape(editor, arguments, shape);
     editor.giveName(arguments, shape.body);
     editor.selection() = {{shape.body}, {}};
 }
@@ -46,38 +82,32 @@ void addShape(Editor& editor, const Arguments& arguments) {
     shape.body = editor.object(arguments, "body", {RUBBLE_KIND_BODY});
     put(shape.position, arguments.point("at"));
     put(shape.rotation, rotationOf(arguments.point("turn")));
-    const rubble_shape made = editor.world().create_shape(shape);
-    colorByMaterial(editor, made);
+    const rubble_shape made = makeShape(editor, arguments, shape);
     editor.giveName(arguments, made);
     editor.selection() = {{made}, {}};
 }
 
-/// Makes a level of a mesh in a folder, and tells what became what.
-std::string bakedMesh(Editor& editor, const Arguments& arguments, const ScratchFolder& folder) {
+MeshOptions meshOptions(const Arguments& arguments) {
     MeshOptions options;
     options.voxels = arguments.whole("voxels");
     options.voxel = arguments.number("voxel");
     options.shell = arguments.whole("shell");
     options.isZUp = arguments.text("up") == "z";
     options.isSmooth = arguments.flag("smooth");
-    const std::string baked = folder / "mesh.rubble";
-    for (const std::string& line : bakeMesh(arguments.text("file"), baked, editor.settings().vdbTool, options))
-        editor.say(line);
-    return baked;
+    return options;
 }
 
 void import(Editor& editor, const Arguments& arguments) {
-    const ScratchFolder folder;
-    const std::string& file = arguments.text("file");
-    const std::string path = isMeshFile(file) ? bakedMesh(editor, arguments, folder) : file;
-    rubble_prefab prefab{};
-    prefab.path = path.c_str();
-    prefab.vdb_tool = editor.settings().vdbTool.c_str();
-    put(prefab.position, arguments.point("at"));
-    put(prefab.rotation, rotationOf(arguments.point("turn")));
+    const ModelSource source{arguments.text("file"), meshOptions(arguments)};
+    const Place place{arguments.point("at"), rotationOf(arguments.point("turn"))};
+    std::vector<std::string> report;
+    const std::vector<rubble_prefab_row> rows =
+        placeModel(editor.world(), source, editor.settings().vdbTool, place, report);
+    for (const std::string& line : report) editor.say(line);
+    if (arguments.flag("link")) linkModels(editor, source, place, rows);
     editor.selection() = {};
     uint32_t bodies = 0, shapes = 0;
-    for (const rubble_prefab_row& row : editor.world().create_prefab(prefab)) {
+    for (const rubble_prefab_row& row : rows) {
         shapes += row.kind == RUBBLE_PREFAB_SHAPE;
         if (row.kind != RUBBLE_PREFAB_BODY) continue;
         ++bodies;
@@ -139,6 +169,7 @@ rubble_body copyOf(rubble::World& world, rubble_body from, glm::dvec3 by) {
         put(shape.rotation, inverse * quaternionOf(each.rotation));
         const rubble_shape copy = world.create_shape(shape);
         if (const std::string name = nameOf(world, each.shape); !name.empty()) world.set_name(copy, name.c_str());
+        copyLink(world, each.shape, copy);
     }
     if (const std::string name = nameOf(world, from); !name.empty()) world.set_name(made, name.c_str());
     return made;
@@ -157,14 +188,14 @@ void duplicate(Editor& editor, const Arguments& arguments) {
 }
 
 std::vector<Parameter> shapeParameters() {
-    return {
-        {"size", Type::Cell, "cells along each axis", "8,8,8", 1, 4096},
-        {"at", Type::Point, "where it comes, in metres", "0,0,0"},
-        {"index", Type::Whole, "entry of the palette, as a material: 5 wood, 7 brick, 9 metal, 15 glass", "5", 1, 255},
-        {"name", Type::Text, "by which others find it", ""},
-        {"form", Type::Choice, "what is filled", "box", 0, 0, "box sphere"},
-        {"voxel", Type::Number, "side of a voxel in metres", "0.1", 0.001, 10},
-        kTurn};
+    return {{"size", Type::Cell, "cells along each axis", "8,8,8", 1, 4096},
+            {"at", Type::Point, "where it comes, in metres", "0,0,0"},
+            {"index", Type::Whole, "entry of the palette, as a material: 5 wood, 7 brick, 9 metal, 15 glass",
+             kDefaultEntry, 1, 255},
+            {"name", Type::Text, "by which others find it", ""},
+            {"form", Type::Choice, "what is filled", "box", 0, 0, "box sphere cylinder_x cylinder_y cylinder_z"},
+            {"voxel", Type::Number, "side of a voxel in metres", "0.1", 0.001, 10},
+            kTurn};
 }
 
 }  // namespace
@@ -192,7 +223,8 @@ std::vector<Command> bodyCommands() {
           {"voxel", Type::Number, "of a mesh: metres along an edge of a voxel", "0.1", 0.001, 10},
           {"shell", Type::Whole, "of a mesh: voxels that its walls are thick; 0: solid", "0", 0, 64},
           {"up", Type::Choice, "of a mesh: the axis that is up in the file", "y", 0, 0, "y z"},
-          {"smooth", Type::Flag, "of a mesh: mixes the pixels of textures; else the nearest one counts", "no"}},
+          {"smooth", Type::Flag, "of a mesh: mixes the pixels of textures; else the nearest one counts", "no"},
+          {"link", Type::Flag, "whether shapes stay linked to the file, for reload_models", "yes"}},
          import,
          "import model.rubble 0,2,0"},
         {"delete",

@@ -64,7 +64,7 @@ void paste(Editor& editor, const Arguments& arguments) {
 }  // namespace
 
 std::vector<Command> clipboardCommands() {
-    const Parameter index{"index", Type::Whole, "entry of the palette", "1", 1, 255};
+    const Parameter index{"index", Type::Whole, "entry of the palette", kDefaultEntry, 1, 255};
     return {
         {"copy", "cells", Kind::View, "Copies the voxels of the selected cells.", {}, copy, "copy"},
         {"cut", "cells", Kind::Edit, "Copies the voxels of the selected cells and erases them.", {}, cut, "cut"},

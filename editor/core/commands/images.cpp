@@ -57,7 +57,7 @@ size_t countVoxels(const std::vector<uint8_t>& voxels) {
 
 /// Columns as high as the pixels are bright.
 void heightMap(Editor& editor, const Arguments& arguments) {
-    const Image image = readImage(arguments.text("file"));
+    const Heights image = readHeights(arguments.text("file"));
     const glm::ivec3 size(image.size.x, arguments.whole("height"), image.size.y);
     if (int64_t(size.x) * size.y * size.z > int64_t(1) << 30)
         arguments.refuse("height",
@@ -66,9 +66,8 @@ void heightMap(Editor& editor, const Arguments& arguments) {
     std::vector<uint8_t> voxels(size_t(size.x) * size_t(size.y) * size_t(size.z));
     for (int z = 0; z < size.z; ++z)
         for (int x = 0; x < size.x; ++x) {
-            const auto& pixel = image.at(x, z);
-            const double bright = (0.2126 * pixel[0] + 0.7152 * pixel[1] + 0.0722 * pixel[2]) / 255.0;
-            const int top = isOpaque(pixel) ? std::max(1, int(bright * size.y + 0.5)) : 0;
+            const double bright = image.values[size_t(z) * size_t(size.x) + size_t(x)];
+            const int top = bright < 0.0 ? 0 : std::max(1, int(bright * size.y + 0.5));
             for (int y = 0; y < top; ++y)
                 voxels[(size_t(z) * size_t(size.y) + size_t(y)) * size_t(size.x) + size_t(x)] = index;
         }
@@ -116,7 +115,7 @@ std::vector<Command> imageCommands() {
         {"height_map",
          "images",
          Kind::Edit,
-         "Makes ground of an image: a column for each pixel, as high as it is bright.",
+         "Makes ground of an image: a column for each pixel, as high as it is bright, of 8 or 16 bits.",
          {kFile,
           {"height", Type::Whole, "of white, in voxels", "64", 1, 4096},
           at,

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/common.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "editor/core/editor.h"
@@ -25,18 +27,22 @@ glm::dquat turnedToAxis(const Arguments& arguments, const glm::dquat& frame) {
     return glm::dquat(frame * glm::dvec3(1.0, 0.0, 0.0), glm::normalize(axis)) * frame;
 }
 
+/// What a joint says in degrees, or of a slide in metres, as its settings have it.
+double inUnits(uint32_t kind, double value) {
+    return isLimitedInMetres(kind) ? value : glm::radians(value);
+}
+
 /// Reads the limits that are given; of a joint that has some, one may be left out.
 void readLimits(const Arguments& arguments, rubble_joint_settings& joint) {
     const bool hasLow = arguments.has("low"), hasHigh = arguments.has("high");
     if (!hasLow && !hasHigh) return;
     const auto limit = [&](const char* name, double& value) {
-        if (!arguments.has(name)) return;
-        value = joint.kind == RUBBLE_JOINT_PRISMATIC ? arguments.number(name) : glm::radians(arguments.number(name));
+        if (arguments.has(name)) value = inUnits(joint.kind, arguments.number(name));
     };
     if (hasLow != hasHigh && !(joint.flags & RUBBLE_JOINT_LIMITED))
         arguments.refuse(hasLow ? "high" : "low", "both limits, found one");
     limit("low", joint.lower_limit), limit("high", joint.upper_limit);
-    const double unit = joint.kind == RUBBLE_JOINT_PRISMATIC ? 1.0 : glm::degrees(1.0);
+    const double unit = isLimitedInMetres(joint.kind) ? 1.0 : glm::degrees(1.0);
     if (joint.lower_limit > joint.upper_limit)
         arguments.refuse("high", fmt::format("low or more, which is {:g}, found {:g}", joint.lower_limit * unit,
                                              joint.upper_limit * unit));
@@ -61,9 +67,8 @@ void addJoint(Editor& editor, const Arguments& arguments) {
     joint.anchor_radius = arguments.number("search");
     readLimits(arguments, joint);
     if (arguments.has("speed")) {
-        const double speed = arguments.number("speed");
         joint.motor = RUBBLE_MOTOR_SPEED;
-        joint.motor_target = joint.kind == RUBBLE_JOINT_PRISMATIC ? speed : glm::radians(speed);
+        joint.motor_target = inUnits(joint.kind, arguments.number("speed"));
         joint.motor_max_force = arguments.number("force");
     }
     joint.spring_hertz = arguments.number("spring");
@@ -73,14 +78,83 @@ void addJoint(Editor& editor, const Arguments& arguments) {
     make(editor, arguments, joint);
 }
 
+/// Reads what only wheels have.
+void readWheel(const Arguments& arguments, rubble_joint_settings& joint) {
+    const auto read = [&](const char* name, double unit, double& value) {
+        if (!arguments.has(name)) return;
+        if (joint.kind != RUBBLE_JOINT_WHEEL) arguments.refuse(name, "a wheel, found another joint");
+        value = unit * arguments.number(name);
+    };
+    read("drive", 1.0, joint.drive_torque), read("brake", 1.0, joint.brake_torque);
+    read("spin", glm::two_pi<double>(), joint.max_spin);
+    read("steer", glm::radians(1.0), joint.max_steer_angle), read("steer_rate", glm::radians(1.0), joint.steer_rate);
+}
+
+/// The frame of a wheel by its axis.
+glm::dquat readWheelFrame(const Arguments& arguments, glm::dvec3 up) {
+    const glm::dvec3 axis = arguments.point("axis");
+    const std::optional<glm::dquat> frame = wheelFrame(axis, up);
+    if (!frame)
+        arguments.refuse("axis", fmt::format("a direction across that of the suspension, found {:g},{:g},{:g}", axis.x,
+                                             axis.y, axis.z));
+    return *frame;
+}
+
+/// Lets a shape be touched as the cylinder about that of its axes which is nearest to a direction.
+void makeRound(rubble::World& world, rubble_shape shape, glm::dvec3 axis) {
+    const glm::dvec3 own = glm::abs(glm::inverse(quaternionOf(world.get_shape_state(shape).rotation)) * axis);
+    const int along = own.x >= own.y && own.x >= own.z ? 0 : own.y >= own.z ? 1 : 2;
+    rubble_collision_shape round{};
+    round.shape = shape, round.kind = RUBBLE_COLLISION_CYLINDER_X + uint32_t(along);
+    world.set_collision_shape(round);
+}
+
+void addWheel(Editor& editor, const Arguments& arguments) {
+    rubble_joint_settings joint{};
+    joint.kind = RUBBLE_JOINT_WHEEL;
+    joint.shapes[0] = editor.object(arguments, "chassis", {RUBBLE_KIND_SHAPE});
+    joint.shapes[1] = editor.object(arguments, "wheel", {RUBBLE_KIND_SHAPE});
+    const rubble_shape_state wheel = editor.world().get_shape_state(joint.shapes[1]);
+    const glm::dvec3 size = glm::dvec3(wheel.size[0], wheel.size[1], wheel.size[2]) * wheel.voxel_size;
+    const glm::dvec3 middle = vectorOf(wheel.position) + quaternionOf(wheel.rotation) * (size * 0.5);
+    put(joint.position, arguments.has("at") ? arguments.point("at") : middle);
+    const glm::dquat frame = readWheelFrame(arguments, {0, 1, 0});
+    put(joint.rotation, frame);
+    joint.anchor_radius = arguments.number("search");
+    readLimits(arguments, joint);
+    readWheel(arguments, joint);
+    joint.spring_hertz = arguments.number("spring");
+    joint.spring_damping_ratio = arguments.number("damping");
+    joint.friction = arguments.number("friction");
+    joint.break_force = arguments.number("breaks_at");
+    if (arguments.flag("round")) makeRound(editor.world(), joint.shapes[1], frame * glm::dvec3(1, 0, 0));
+    make(editor, arguments, joint);
+}
+
+void drive(Editor& editor, const Arguments& arguments) {
+    for (const rubble_body each : editor.objects(arguments, "what", {RUBBLE_KIND_BODY})) {
+        rubble_drive drive{};
+        drive.body = each;
+        drive.throttle = arguments.number("throttle");
+        drive.steer = arguments.number("steer");
+        drive.brake = arguments.number("brake");
+        editor.world().drive_wheels(drive);
+    }
+}
+
 void setJoint(Editor& editor, const Arguments& arguments) {
     rubble::World& world = editor.world();
     for (const rubble_joint each : editor.objects(arguments, "what", {RUBBLE_KIND_JOINT})) {
         if (!hasFrame(world, each))
-            arguments.refuse("what", "joints other than ropes and wheels, found " + nameOf(world, each));
+            arguments.refuse("what", "joints other than ropes and steered wheels, found " + nameOf(world, each));
         rubble_joint_settings joint = settingsOf(world, each);
+        const glm::dquat frame = quaternionOf(joint.rotation);
+        const bool isWheel = joint.kind == RUBBLE_JOINT_WHEEL;
         if (arguments.has("at")) put(joint.position, arguments.point("at"));
-        if (arguments.has("axis")) put(joint.rotation, turnedToAxis(arguments, quaternionOf(joint.rotation)));
+        if (arguments.has("axis"))
+            put(joint.rotation,
+                isWheel ? readWheelFrame(arguments, frame * glm::dvec3(0, 1, 0)) : turnedToAxis(arguments, frame));
+        readWheel(arguments, joint);
         readLimits(arguments, joint);
         if (arguments.has("limited") && !arguments.flag("limited")) joint.flags &= ~uint32_t(RUBBLE_JOINT_LIMITED);
         const auto read = [&](const char* name, double& value) {
@@ -117,9 +191,18 @@ void setMotor(Editor& editor, const Arguments& arguments) {
         motor.motor_target = slides ? arguments.number("target") : glm::radians(arguments.number("target"));
         motor.motor_max_force = arguments.number("force");
         motor.friction = now.friction;
+        motor.steer_angle = arguments.has("steer") ? glm::radians(arguments.number("steer")) : now.steer_angle;
+        if (arguments.has("steer") && now.kind != RUBBLE_JOINT_WHEEL)
+            arguments.refuse("steer", "a wheel, found another joint");
         editor.world().set_joint_motor(motor);
     }
 }
+
+constexpr std::string_view kDriveHelp = "of a wheel: N m at full throttle";
+constexpr std::string_view kBrakeHelp = "of a wheel: N m at full brake";
+constexpr std::string_view kSteerHelp = "of a wheel: degrees that it can be steered to each side";
+constexpr std::string_view kSpinHelp = "of a wheel: turns a second at full throttle; backward half of it";
+constexpr std::string_view kSteerRateHelp = "of a wheel: degrees a second of its steering";
 
 Parameter number(std::string_view name, std::string_view help, std::string_view otherwise, double low, double high) {
     return {name, Type::Number, help, otherwise, low, high};
@@ -171,31 +254,72 @@ std::vector<Command> jointCommands() {
           name},
          addRope,
          "rope crate world 0,0.8,0 0,3,0 length=3 name=line"},
+        {"wheel",
+         "joints",
+         Kind::Edit,
+         "Puts a wheel on a body that it carries and drives: with an axle, a suspension, a brake, and a steering.",
+         {{"chassis", Type::Objects, "the shape that it carries", kRequired},
+          {"wheel", Type::Objects, "the shape that rolls, of a body of its own", kRequired},
+          {"at", Type::Point, "of its axle, in metres; else the middle of the wheel", kOptional},
+          {"axis", Type::Point, "direction of its axle, to the left of who drives", "1,0,0"},
+          number("steer", kSteerHelp, "0", 0, 85),
+          number("drive", kDriveHelp, "500", 0, 1e9),
+          number("brake", kBrakeHelp, "1000", 0, 1e9),
+          number("low", "metres that it goes down; limit of its suspension", "-0.12", -10, 0),
+          number("high", "metres that it goes up; limit of its suspension", "0.12", 0, 10),
+          number("spring", "Hz of its suspension, of the wheel's mass against the body's; 0: none", "8", 0, 60),
+          number("damping", "of the spring; 1: critical", "0.7", 0, 10),
+          number("friction", "N m, a brake that is always on", "0", 0, 1e9),
+          number("spin", kSpinHelp, "10", 0.1, 100),
+          number("steer_rate", kSteerRateHelp, "120", 1, 1000),
+          {"round", Type::Flag, "whether it rolls as a cylinder, not on the corners of its voxels", "yes"},
+          breaks,
+          number("search", "metres around its axle in which a voxel of each side is looked for", "0.6", 0.001, 10),
+          name},
+         addWheel,
+         "wheel cart rear drive=200 name=rear_wheel"},
+        {"drive",
+         "joints",
+         Kind::Tool,
+         "Drives, steers and brakes all wheels of bodies, until it is told otherwise.",
+         {number("throttle", "from -1, backward, to 1", "1", -1, 1),
+          number("steer", "from -1, to the right, to 1, to the left", "0", -1, 1),
+          number("brake", "from 0 to 1", "0", 0, 1),
+          {"what", Type::Objects, "the bodies, not their wheels", "selected"}},
+         drive,
+         "drive 0.5 1 what=cart"},
         {"set_joint",
          "joints",
          Kind::Edit,
-         "Changes joints other than ropes and wheels: makes them again, from the pose that their shapes have now.",
+         "Changes joints other than ropes: makes them again, from the pose that their shapes have now.",
          {{"at", Type::Point, "where, in metres", kOptional},
-          {"axis", Type::Point, "direction about which they turn, or along which they slide", kOptional},
-          number("low", "limit from the present pose: degrees, or metres of a slider", kOptional, -180, 180),
-          number("high", "limit from the present pose: degrees, or metres of a slider", kOptional, -180, 180),
+          {"axis", Type::Point, "direction about which they turn, or along which they slide; of a wheel to its left",
+           kOptional},
+          number("low", "limit from the present pose: degrees; metres of a slider or wheel", kOptional, -180, 180),
+          number("high", "limit from the present pose: degrees; metres of a slider or wheel", kOptional, -180, 180),
           {"limited", Type::Flag, "no: without limits", kOptional},
           number("spring", "Hz at which they swing back; 0: no spring", kOptional, 0, 60),
           number("damping", "of the spring; 1: critical", kOptional, 0, 10),
           number("friction", "N m, or N", kOptional, 0, 1e9),
           number("breaks_at", "N; 0: they never break", kOptional, 0, 1e9),
           number("search", "metres around each end in which its voxel is looked for", kOptional, 0.001, 10),
-          {"what", Type::Objects, "the joints", "selected"}},
+          {"what", Type::Objects, "the joints", "selected"},
+          number("drive", kDriveHelp, kOptional, 0, 1e9),
+          number("brake", kBrakeHelp, kOptional, 0, 1e9),
+          number("steer", kSteerHelp, kOptional, 0, 85),
+          number("spin", kSpinHelp, kOptional, 0.1, 100),
+          number("steer_rate", kSteerRateHelp, kOptional, 1, 1000)},
          setJoint,
          "set_joint 7.65,0.5,2 low=-30 high=60 what=door_hinge"},
         {"motor",
          "joints",
-         Kind::Edit,
-         "Sets the motors of joints; of ropes: their winches.",
+         Kind::Tool,
+         "Sets the motors of joints; of ropes: their winches; of wheels: their spin. In play they turn at once.",
          {{"motor", Type::Choice, "what it holds", "speed", 0, 0, "off speed position"},
           number("target", "degrees or metres, a second for a speed", "90", -1e4, 1e4),
           number("force", "N m, or N", "1000", 0, 1e9),
-          {"what", Type::Objects, "the joints", "selected"}},
+          {"what", Type::Objects, "the joints", "selected"},
+          number("steer", "of wheels: degrees to the left", kOptional, -170, 170)},
          setMotor,
          "motor speed 45 what=door_hinge"},
     };

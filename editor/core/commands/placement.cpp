@@ -36,7 +36,7 @@ std::vector<uint64_t> placed(Editor& editor, const Arguments& arguments) {
     std::ranges::remove_copy_if(all, std::back_inserter(out), goesAlong);
     for (const uint64_t each : out)
         if (kindOf(world, each) == RUBBLE_KIND_JOINT && !hasFrame(world, each))
-            arguments.refuse("what", "no ropes and wheels but with their bodies, found " + nameOf(world, each));
+            arguments.refuse("what", "no ropes and steered wheels but with their bodies, found " + nameOf(world, each));
     return out;
 }
 

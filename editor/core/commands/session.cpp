@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "editor/core/editor.h"
+#include "editor/core/models.h"
 
 namespace editor {
 namespace {
@@ -22,7 +23,13 @@ void save(Editor& editor, const Arguments& arguments) {
         arguments.refuse("file",
                          arguments.has("file") ? "a path, found ''" : "a path, found none: the level has no file yet");
     const bool isForced = arguments.flag("force") || editor.settings().isForced;
-    editor.document().save(path, editor.settings().vdbTool, isForced);
+    const bool hasMoved = moveLinks(editor.document(), path);
+    try {
+        editor.document().save(path, editor.settings().vdbTool, isForced);
+    } catch (...) {
+        if (hasMoved) editor.document().undo();
+        throw;
+    }
     editor.say("saved " + path);
 }
 
@@ -38,7 +45,7 @@ void discard(Editor& editor, const Arguments&) {
 void runScript(Editor& editor, const Arguments& arguments) {
     const Outcome outcome = editor.runFile(arguments.text("file"));
     if (!outcome.isDone) throw Refused(outcome.text);
-    editor.say(outcome.text);
+    editor.say(outcome.text.substr(0, outcome.text.find_last_not_of('\n') + 1));
 }
 
 /// How often something is to be done of which there are so many; one is refused by what does it.

@@ -85,7 +85,8 @@ std::vector<Command> viewCommands() {
         {"hide",
          "view",
          Kind::View,
-         "Leaves shapes out of the view: the level stays as it is, and they keep their shadows.",
+         "Leaves shapes out of the view. The level stays as it is, and they keep their shadows: below a hidden roof it "
+         "is as dark as before.",
          {shapes("selected")},
          hide,
          "hide crate"},

@@ -20,7 +20,7 @@ const Parameter kOperation{"do",
                            0,
                            0,
                            "add erase paint replace"};
-const Parameter kIndex{"index", Type::Whole, "entry of the palette", "1", 1, 255};
+const Parameter kIndex{"index", Type::Whole, "entry of the palette", kDefaultEntry, 1, 255};
 const Parameter kMirror{"mirror",
                         Type::Choice,
                         "the same again, mirrored about the middle of the grid along these axes",

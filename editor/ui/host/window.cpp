@@ -11,12 +11,14 @@
 #include <utility>
 
 #include "editor/ui/state/keys.h"
+#include "editor/ui/state/model_watch.h"
 
 namespace editor {
 namespace {
 
 constexpr int kWidth = 1440, kHeight = 900;  ///< of a plain display
 constexpr int kFramesOfEvent = 3;            ///< that the interface needs to answer to an event
+constexpr double kBetweenLooks = 0.4;        ///< seconds, at files and for a cursor that blinks
 
 /// What the callbacks of GLFW write to.
 struct Events {
@@ -109,6 +111,7 @@ public:
             const double now = glfwGetTime(), seconds = std::min(now - m_last, 0.25);
             m_last = now;
             session().advance(seconds);
+            lookAtModels();
             m_events.framesDue = std::max(m_events.framesDue - 1, 0);
             draw();
             showTitle();
@@ -123,9 +126,19 @@ private:
 
     void wait() {
         if (isBusy()) return glfwPollEvents();
-        ImGui::GetIO().WantTextInput ? glfwWaitEventsTimeout(0.4) : glfwWaitEvents();  // a cursor blinks
+        const bool blinks = ImGui::GetIO().WantTextInput;  // a cursor
+        do {
+            const bool wakes = blinks || m_models.isWatching();
+            wakes ? glfwWaitEventsTimeout(kBetweenLooks) : glfwWaitEvents();
+            lookAtModels();
+        } while (!blinks && m_models.isWatching() && !m_events.framesDue && !glfwWindowShouldClose(m_window));
         m_events.framesDue = std::max(m_events.framesDue, 1);
         m_last = glfwGetTime();
+    }
+
+    /// Not while something is dragged, whose end is a command.
+    void lookAtModels() {
+        if (!ImGui::IsAnyMouseDown() && m_models.poll(session(), glfwGetTime())) m_events.framesDue = kFramesOfEvent;
     }
 
     void draw() {
@@ -154,6 +167,7 @@ private:
     GLFWwindow* m_window;
     Events m_events;
     Stage m_stage;
+    ModelWatch m_models;
     double m_last = 0.0;
     uint64_t m_titled = 0;
 };

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "editor/core/joints.h"
+#include "editor/core/models.h"
 #include "editor/core/rotation.h"
 #include "editor/ui/panels/panels.h"
 #include "editor/ui/panels/widgets.h"
@@ -39,6 +41,13 @@ void drawPlace(Session& session, const rubble_body_state& body) {
                     {{"at", pointText(vectorOf(body.position))}, {"turn", pointText(vectorOf(turn))}, {"what", what}});
 }
 
+/// While the level is edited nothing moves, asleep or awake.
+const char* stateOf(Session& session, const rubble_body_state& body) {
+    if (body.flags & RUBBLE_BODY_STATIC) return "static";
+    if (!session.editor().document().isPlaying()) return "free: moves in play";
+    return body.flags & RUBBLE_BODY_ASLEEP ? "asleep" : "awake";
+}
+
 void drawBody(Session& session, rubble_body handle) {
     const rubble_body_state body = session.world().get_body_state(handle);
     const rubble_body_properties properties = session.world().get_body_properties(handle);
@@ -59,7 +68,22 @@ void drawBody(Session& session, rubble_body handle) {
     property("mass", "From its voxels and their materials");
     ImGui::Text("%.1f kg", properties.mass);
     property("state", "Whether physics moves it");
-    ImGui::TextUnformatted(stands ? "static" : body.flags & RUBBLE_BODY_ASLEEP ? "asleep" : "awake");
+    ImGui::TextUnformatted(stateOf(session, body));
+}
+
+/// The file to which a shape is linked.
+void drawModel(Session& session, rubble_shape handle, const std::string& what) {
+    if (!isLinked(session.world(), handle)) return;
+    property("model", "The file that it came from, and is linked to");
+    ImGui::TextUnformatted(session.world().get_tag(handle, kModelTag).data());
+    if (ImGui::Button("Reload")) session.run("reload_models", {{"what", what}});
+    commandTooltip("reload_models");
+    ImGui::SameLine();
+    if (ImGui::Button("Revert")) session.run("reload_models", {{"what", what}, {"revert", "yes"}});
+    commandTooltip("reload_models");
+    ImGui::SameLine();
+    if (ImGui::Button("Unlink")) session.run("unlink_models", {{"what", what}});
+    commandTooltip("unlink_models");
 }
 
 void drawShape(Session& session, rubble_shape handle) {
@@ -69,6 +93,7 @@ void drawShape(Session& session, rubble_shape handle) {
     heading("Shape");
     ImGui::PushID("shape");
     drawName(session, handle);
+    drawModel(session, handle, what);
     property("grid", "Cells along each axis");
     ImGui::Text("%d x %d x %d", shape.size[0], shape.size[1], shape.size[2]);
     property("voxels", "That are not empty");
@@ -124,13 +149,13 @@ void drawFrame(Session& session, rubble_joint handle) {
     for (double& each : axis) each = std::round(each * 1e6) / 1e6 + 0.0;  // no -0
     property("place", "In metres");
     if (pointField("##at", at, 0.02)) session.run("set_joint", {{"at", pointText(vectorOf(at))}, {"what", what}});
-    property("axis", "About which it turns, or along which it slides");
+    property("axis", "About which it turns, or along which it slides; of a wheel to its left");
     if (pointField("##axis", axis, 0.02))
         session.run("set_joint", {{"axis", pointText(vectorOf(axis))}, {"what", what}});
     if (joint.kind == RUBBLE_JOINT_FIXED) return;
     bool isLimited = joint.flags & RUBBLE_JOINT_LIMITED;
-    const bool slides = joint.kind == RUBBLE_JOINT_PRISMATIC;
-    const char* const first = slides ? "0.5" : "45";
+    const bool isMetres = isLimitedInMetres(joint.kind);
+    const char* const first = isMetres ? "0.5" : "45";
     property("limited", "Whether its motion has limits");
     if (ImGui::Checkbox("##limited", &isLimited)) {
         if (isLimited)
@@ -139,14 +164,28 @@ void drawFrame(Session& session, rubble_joint handle) {
             session.run("set_joint", {{"limited", "no"}, {"what", what}});
     }
     if (!(joint.flags & RUBBLE_JOINT_LIMITED)) return;
-    const double unit = slides ? 1.0 : glm::degrees(1.0);
+    const double unit = isMetres ? 1.0 : glm::degrees(1.0);
     const auto limit = [&](const char* name, double value) {
-        property(name, "From the present pose: degrees, or metres of a slider");
-        if (numberField(fmt::format("##{}", name).c_str(), value, slides ? 0.01 : 0.5))
+        property(name, "From the present pose: degrees, or metres of a slider or a wheel's suspension");
+        if (numberField(fmt::format("##{}", name).c_str(), value, isMetres ? 0.01 : 0.5))
             session.run("set_joint", {{name, numberText(value)}, {"what", what}});
     };
-    if (slides || joint.kind == RUBBLE_JOINT_HINGE) limit("low", joint.lower_limit * unit);
+    if (isMetres || joint.kind == RUBBLE_JOINT_HINGE) limit("low", joint.lower_limit * unit);
     limit("high", joint.upper_limit * unit);
+}
+
+/// What drives, brakes and steers a wheel.
+void drawWheel(Session& session, rubble_joint handle) {
+    const rubble_joint_properties wheel = session.world().get_joint_properties(handle);
+    const auto number = [&](const char* name, const char* tip, double value, double speed) {
+        property(name, tip);
+        if (numberField(fmt::format("##{}", name).c_str(), value, speed))
+            session.run("set_joint", {{name, numberText(value)}, {"what", handleText(handle)}});
+    };
+    number("drive", "N m at full throttle", wheel.drive_torque, 5);
+    number("brake", "N m at full brake", wheel.brake_torque, 5);
+    number("steer", "Degrees to each side", glm::degrees(wheel.max_steer_angle), 0.5);
+    number("spin", "Turns a second at full throttle", wheel.max_spin / glm::two_pi<double>(), 0.1);
 }
 
 void drawJoint(Session& session, rubble_joint handle) {
@@ -165,6 +204,7 @@ void drawJoint(Session& session, rubble_joint handle) {
         ImGui::PopID();
     }
     if (hasFrame(session.world(), handle)) drawFrame(session, handle);
+    if (hasFrame(session.world(), handle) && joint.kind == RUBBLE_JOINT_WHEEL) drawWheel(session, handle);
     if (ImGui::Button("Motor...")) session.wantsCommands = true, session.wantedCommand = "motor";
     commandTooltip("motor");
 }

@@ -92,7 +92,7 @@ void TreePanel::drawEye(Session& session, const Row& row) {
     const ImU32 color = ImGui::IsItemHovered() ? theme::kAccent : isHidden ? theme::kText : theme::kDim;
     drawIcon(*ImGui::GetWindowDrawList(), isHidden ? Icon::Hidden : Icon::Shown, at, side, color);
     tooltip(isHidden ? "Hidden: a click shows it in the view"
-                     : "A click hides it in the view: the level stays as it is");
+                     : "A click hides it in the view. Its shadow stays: below a hidden roof it is as dark as before");
 }
 
 void TreePanel::drawRow(Session& session, const Row& row) {

@@ -44,6 +44,7 @@ bool JointHandles::fit(Session& session) {
     const int moving = isFree(world, m_settings.shapes[1]) || !m_settings.shapes[0] ? 1 : 0;
     m_sign = moving == 1 ? 1.0 : -1.0;
     m_zero = turn * glm::dvec3(0, 1, 0);
+    m_slide = m_settings.kind == RUBBLE_JOINT_WHEEL ? m_zero : m_axis;
     m_radius = kSmallest;
     if (m_settings.kind != RUBBLE_JOINT_HINGE) return true;
     const rubble_shape_state shape = world.get_shape_state(m_settings.shapes[moving]);
@@ -57,7 +58,7 @@ bool JointHandles::fit(Session& session) {
 bool JointHandles::hasLimit(Limit limit) const {
     if (!(m_settings.flags & RUBBLE_JOINT_LIMITED)) return false;
     if (m_settings.kind == RUBBLE_JOINT_CONE || m_settings.kind == RUBBLE_JOINT_BALL) return limit == kHigh;
-    return m_settings.kind == RUBBLE_JOINT_HINGE || m_settings.kind == RUBBLE_JOINT_PRISMATIC;
+    return m_settings.kind == RUBBLE_JOINT_HINGE || slides();
 }
 
 double JointHandles::valueOf(Limit limit) const {
@@ -70,7 +71,8 @@ glm::dvec3 JointHandles::tipOf(double value) const {
         case RUBBLE_JOINT_HINGE:
             return m_at + glm::angleAxis(m_sign * value, m_axis) * m_zero * m_radius;
         case RUBBLE_JOINT_PRISMATIC:
-            return m_at + m_axis * (m_sign * value);
+        case RUBBLE_JOINT_WHEEL:
+            return m_at + m_slide * (m_sign * value);
         default:
             return m_at + (m_axis * std::cos(value) + m_zero * std::sin(value)) * m_radius;
     }
@@ -87,8 +89,7 @@ JointHandles::Limit JointHandles::limitUnder(const ViewFrame& frame, ImVec2 mous
 /// The value whose tip is seen nearest to the mouse, in steps of the toolbar, on its side of the other limit.
 double JointHandles::valueAt(const Session& session, const ViewFrame& frame, ImVec2 mouse) const {
     double value = m_value;
-    const bool slides = m_settings.kind == RUBBLE_JOINT_PRISMATIC;
-    if (slides) {
+    if (slides()) {
         const auto p = frame.project(m_at), q = frame.project(tipOf(1.0));
         if (!p || !q) return value;
         const double x = double(q->x - p->x), y = double(q->y - p->y);
@@ -103,48 +104,47 @@ double JointHandles::valueAt(const Session& session, const ViewFrame& frame, ImV
             value = glm::radians(degrees);
         }
     }
-    const double step = slides ? session.snap : glm::radians(session.snapAngle);
+    const double step = slides() ? session.snap : glm::radians(session.snapAngle);
     if (step > 0.0) value = std::round(value / step) * step;
     if (hasLimit(kLow)) value = m_held == kLow ? std::min(value, valueOf(kHigh)) : std::max(value, valueOf(kLow));
     return value;
 }
 
 void JointHandles::release(Session& session) {
-    const bool slides = m_settings.kind == RUBBLE_JOINT_PRISMATIC;
     const char* const name = m_held == kLow ? "low" : "high";
     m_held = kNone;
     const double before = name[0] == 'l' ? m_settings.lower_limit : m_settings.upper_limit;
     if (std::abs(m_value - before) < 1e-9) return;
     session.run("set_joint",
-                {{name, numberText(slides ? m_value : glm::degrees(m_value))}, {"what", handleText(m_joint)}});
+                {{name, numberText(slides() ? m_value : glm::degrees(m_value))}, {"what", handleText(m_joint)}});
 }
 
 void JointHandles::draw(Wires& wires, Limit hovered) const {
     wires.line(m_at - m_axis * (m_radius * 0.4), m_at + m_axis * m_radius, kLink, 2.5f);
     wires.dot(m_at + m_axis * m_radius, kLink, 4.0f);
     if (!hasLimit(kHigh)) return;
-    const bool isCone = !hasLimit(kLow), slides = m_settings.kind == RUBBLE_JOINT_PRISMATIC;
+    const bool isCone = !hasLimit(kLow);
     const double low = isCone ? 0.0 : valueOf(kLow), high = valueOf(kHigh);
     if (isCone) {
         const glm::dvec3 side = glm::cross(m_axis, m_zero) * (m_radius * std::sin(high));
         wires.ring(m_at + m_axis * (m_radius * std::cos(high)), m_zero * (m_radius * std::sin(high)), side, kLink);
     }
-    const int parts = slides ? 1 : std::max(1, int(std::ceil((high - low) / kPart)));
+    const int parts = slides() ? 1 : std::max(1, int(std::ceil((high - low) / kPart)));
     for (int i = 0; i < parts; ++i) {
         const glm::dvec3 from = tipOf(low + (high - low) * i / parts), to = tipOf(low + (high - low) * (i + 1) / parts);
-        wires.line(from, to, kLink, slides ? 4.0f : 2.0f);
-        if (!slides) wires.face({m_at, from, to, to}, kFan);
+        wires.line(from, to, kLink, slides() ? 4.0f : 2.0f);
+        if (!slides()) wires.face({m_at, from, to, to}, kFan);
     }
     for (const Limit limit : {kLow, kHigh}) {
         if (!hasLimit(limit)) continue;
         const bool isLit = limit == hovered || limit == m_held;
         const double value = valueOf(limit);
-        if (!slides) wires.line(m_at, tipOf(value), kLink, 1.5f);
+        if (!slides()) wires.line(m_at, tipOf(value), kLink, 1.5f);
         wires.dot(tipOf(value), isLit ? theme::kAccent : kLink, 6.0f);
         if (isLit)
             wires.label(tipOf(value), theme::kText,
                         fmt::format("{} {} {}", limit == kLow ? "low" : "high",
-                                    numberText(slides ? value : glm::degrees(value)), slides ? "m" : "\u00b0")
+                                    numberText(slides() ? value : glm::degrees(value)), slides() ? "m" : "\u00b0")
                             .c_str());
     }
 }

@@ -197,6 +197,12 @@ rubble_result getJointProperties(rubble_world world, rubble_joint joint, rubble_
         values.movement = jointMovement(inside.data(), *found);
         writeRotation(values.rotation, jointToWorld(inside, found->ends[0]).rotation);
         values.anchor_radius = found->ends[0].radius;
+        if (found->kind == JointKind::Wheel) {
+            const WheelSettings& wheel = found->wheel;
+            values.drive_torque = wheel.driveTorque, values.brake_torque = wheel.brakeTorque;
+            values.max_spin = wheel.maxSpin;
+            values.max_steer_angle = wheel.steerAngle, values.steer_rate = wheel.steerRate;
+        }
         writeStruct(out, values);
     });
 }

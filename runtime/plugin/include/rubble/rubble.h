@@ -846,6 +846,8 @@ typedef struct rubble_joint_properties {
     double movement;
     double rotation[4];   /* world: of the frame of its first end, whose x axis is the joint's */
     double anchor_radius; /* as in rubble_joint_settings */
+    /* wheel: as in rubble_joint_settings; else 0 */
+    double drive_torque, brake_torque, max_spin, max_steer_angle, steer_rate;
 } rubble_joint_properties;
 
 enum {

@@ -128,6 +128,33 @@ TEST_F(VdbFile, BlenderListsTheGrids) {
     EXPECT_NE(list.find("('walls_north.palette_index', 'INT')"), std::string::npos) << list;
 }
 
+/// By Python of the system, which has pyopenvdb where python3-openvdb is installed, or by that of Blender, which has it
+/// in the builds of its makers.
+TEST_F(VdbFile, ALevelSetByPyOpenVdbIsABall) {
+    std::ofstream(path("ball.py")) << "import pyopenvdb as vdb\n"
+                                      "ball = vdb.createLevelSetSphere(radius=2.0, center=(0, 5, 0), voxelSize=0.1)\n"
+                                      "ball.name = 'ball'\nvdb.write(r'"
+                                   << path("ball.vdb") << "', grids=[ball])\n";
+    bool isWritten = false;
+    for (const std::string python : {"python3 ", "/usr/bin/python3 ", "blender -b --factory-startup -P "})
+        if (!isWritten) {
+            std::system((python + path("ball.py") + " > " + path("log.txt") + " 2>&1").c_str());
+            isWritten = fs::exists(path("ball.vdb"));
+        }
+    if (!isWritten) GTEST_SKIP() << "neither python3 nor blender has pyopenvdb (python3-openvdb)";
+    const Result<Level> level = readLevel(path("ball.vdb"), kTool);
+    ASSERT_TRUE(level) << level.error();
+    ASSERT_EQ(level->bodies.size(), 1u);
+    const LevelShape& shape = level->bodies[0].shapes.at(0);
+    EXPECT_EQ(shape.name, "ball");
+    EXPECT_NEAR(shape.voxelSize, 0.1f, 1e-6f);
+    const double cells = 4.0 / 3.0 * kPi * std::pow(20.0, 3);
+    EXPECT_NEAR(double(shape.grid.voxelCount()), cells, 0.01 * cells);
+    const Pose corner = level->bodies[0].pose * shape.local;
+    const glm::dvec3 middle = corner.position + corner.rotation * (glm::dvec3(shape.grid.size()) * 0.05);
+    EXPECT_NEAR(glm::length(middle - glm::dvec3(0.0, 5.0, 0.0)), 0.0, 0.1);
+}
+
 TEST_F(VdbFile, BoolGridsAreOccupancy) {
     const Result<Level> level = readThirdParty("bool");
     ASSERT_TRUE(level) << level.error();

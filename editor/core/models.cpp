@@ -1,0 +1,457 @@
+// Shapes that remember the file that they came from: see reloadModel().
+#include "editor/core/models.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <sstream>
+
+#include "editor/core/cells.h"
+#include "editor/core/child_process.h"
+#include "editor/core/joints.h"
+#include "editor/core/palette.h"
+#include "editor/core/rotation.h"
+
+namespace editor {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kLinkTag = "model_link";
+
+uint64_t addToHash(uint64_t hash, const void* bytes, size_t size) {
+    for (size_t i = 0; i < size; ++i) hash = (hash ^ static_cast<const uint8_t*>(bytes)[i]) * 0x100000001b3ull;
+    return hash;
+}
+
+/// The voxels of a shape, apart from the size of its grid and the order of its palette.
+struct Content {
+    Cells solid;  ///< the least box that holds all voxels
+    uint64_t hash = 0;
+};
+
+/// What each index of a palette looks like and is made of.
+std::vector<uint64_t> hashesOfEntries(const rubble::World& world, rubble_shape shape) {
+    std::vector<uint64_t> hashes;
+    for (const rubble_palette_entry& entry : paletteOf(world, shape)) {
+        const uint8_t bytes[] = {entry.color[0],  entry.color[1], entry.color[2],     entry.opacity,
+                                 entry.roughness, entry.metallic, entry.reflectivity, entry.light_group != 0};
+        uint64_t hash = addToHash(0xcbf29ce484222325ull, bytes, sizeof bytes);
+        hash = addToHash(hash, &entry.emission, sizeof entry.emission);
+        const char* const material = entry.material ? world.get_material(entry.material).name : "";
+        hashes.push_back(addToHash(hash, material, std::strlen(material)));
+    }
+    return hashes;
+}
+
+/// Calls f(layer, voxels) for each layer of cells along z.
+template <class F>
+void forEachLayer(const rubble::World& world, rubble_shape shape, Cells box, F&& f) {
+    for (const int end = box.low.z + box.size.z; box.low.z < end; ++box.low.z) {
+        box.size.z = 1;
+        f(box, readCells(world, shape, box));
+    }
+}
+
+Content contentOf(const rubble::World& world, rubble_shape shape) {
+    Content content;
+    forEachLayer(world, shape, gridOf(world, shape), [&](const Cells& layer, const std::vector<uint8_t>& voxels) {
+        const auto isSolid = [](uint8_t voxel) { return voxel != 0; };
+        for (int y = 0; y < layer.size.y; ++y) {
+            const std::span row(voxels.data() + size_t(y) * size_t(layer.size.x), size_t(layer.size.x));
+            const auto first = std::ranges::find_if(row, isSolid);
+            if (first == row.end()) continue;
+            const auto last = std::find_if(row.rbegin(), row.rend(), isSolid);
+            content.solid = joined(content.solid, between(layer.low + glm::ivec3(first - row.begin(), y, 0),
+                                                          layer.low + glm::ivec3(row.rend() - last - 1, y, 0)));
+        }
+    });
+    const std::vector<uint64_t> entries = hashesOfEntries(world, shape);
+    content.hash = addToHash(0xcbf29ce484222325ull, &content.solid.size, sizeof content.solid.size);
+    forEachLayer(world, shape, content.solid, [&](const Cells&, const std::vector<uint8_t>& voxels) {
+        for (const uint8_t voxel : voxels)
+            content.hash = (content.hash ^ (voxel ? entries[voxel] : 0)) * 0x100000001b3ull;
+    });
+    return content;
+}
+
+/// Where a cell's corner is, in metres of the world.
+glm::dvec3 cornerOf(const rubble_shape_state& shape, glm::ivec3 cell) {
+    return vectorOf(shape.position) + quaternionOf(shape.rotation) * (glm::dvec3(cell) * shape.voxel_size);
+}
+/// The cell that has its corner at a place.
+glm::ivec3 cellAt(const rubble_shape_state& shape, glm::dvec3 corner) {
+    const glm::dvec3 local = glm::inverse(quaternionOf(shape.rotation)) * (corner - vectorOf(shape.position));
+    return glm::ivec3(glm::round(local / shape.voxel_size));
+}
+/// The same place in the frame of the shape's body, and back.
+glm::dvec3 toBody(const rubble_body_state& body, glm::dvec3 place) {
+    return glm::inverse(quaternionOf(body.rotation)) * (place - vectorOf(body.position));
+}
+glm::dvec3 fromBody(const rubble_body_state& body, glm::dvec3 place) {
+    return vectorOf(body.position) + quaternionOf(body.rotation) * place;
+}
+
+/// What a shape knows of its file.
+struct Link {
+    std::string file;  ///< as the level says it
+    MeshOptions mesh;
+    size_t number = 0;            ///< of the shape in the file
+    std::string name;             ///< that it had there
+    uint64_t hash = 0;            ///< of the content that came in
+    glm::dvec3 place{0.0};        ///< of its first voxel's corner in the file's frame, metres
+    glm::dquat turn{1, 0, 0, 0};  ///< of its axes there
+    glm::dvec3 corner{0.0};       ///< of the same voxel in the frame of its body, metres
+};
+
+std::string textOf(const Link& link) {
+    const MeshOptions& mesh = link.mesh;
+    const auto point = [](glm::dvec3 p) { return fmt::format("{} {} {}", p.x, p.y, p.z); };
+    return fmt::format("{:016x} {} {} {} {} {} {} {} {} {} {} {} {} {}", link.hash, link.number, point(link.place),
+                       link.turn.w, link.turn.x, link.turn.y, link.turn.z, point(link.corner), mesh.voxels, mesh.voxel,
+                       mesh.shell, int(mesh.isZUp), int(mesh.isSmooth), link.name);
+}
+
+std::optional<std::string> tagOf(const rubble::World& world, rubble_shape shape, const char* tag) {
+    const std::vector<char> value = world.get_tag(shape, tag);
+    if (value.empty()) return std::nullopt;
+    return std::string(value.data());
+}
+
+/// None: it has no link, or one that somebody has written by hand.
+std::optional<Link> linkOf(const rubble::World& world, rubble_shape shape) {
+    const std::optional<std::string> file = tagOf(world, shape, kModelTag), text = tagOf(world, shape, kLinkTag);
+    if (!file || !text) return std::nullopt;
+    Link link{.file = *file};
+    std::istringstream in(*text);
+    const auto point = [&](glm::dvec3& p) { in >> p.x >> p.y >> p.z; };
+    in >> std::hex >> link.hash >> std::dec >> link.number;
+    point(link.place);
+    in >> link.turn.w >> link.turn.x >> link.turn.y >> link.turn.z;
+    point(link.corner);
+    in >> link.mesh.voxels >> link.mesh.voxel >> link.mesh.shell >> link.mesh.isZUp >> link.mesh.isSmooth;
+    if (!in || in.get() != ' ') return std::nullopt;
+    std::getline(in, link.name, '\0');
+    return link;
+}
+
+void setLink(rubble::World& world, rubble_shape shape, const Link& link) {
+    world.set_tag(shape, kModelTag, link.file.c_str());
+    world.set_tag(shape, kLinkTag, textOf(link).c_str());
+}
+
+/// The folder in which links of a level begin.
+fs::path folderOf(const std::string& levelPath) {
+    return levelPath.empty() ? fs::current_path() : fs::absolute(levelPath).parent_path();
+}
+
+/// A path as a level says it.
+std::string relativeTo(const fs::path& folder, const std::string& path) {
+    const fs::path whole = fs::absolute(path).lexically_normal();
+    const fs::path relative = whole.lexically_relative(folder.lexically_normal());
+    return relative.empty() ? whole.string() : relative.string();
+}
+
+/// What a file holds now, in a world of its own with the materials of the level.
+class ModelFile {
+public:
+    struct Part {
+        rubble_shape shape;
+        std::string name;
+    };
+
+    ModelFile(const rubble::World& level, const ModelSource& source, const std::string& vdbTool)
+        : m_world(rubble_world_settings{.flags = RUBBLE_WORLD_NO_RENDERER}) {
+        std::vector<rubble_material> materials;
+        for (uint32_t i = 1; i < level.get_material_count(); ++i) materials.push_back(level.get_material(i));
+        m_world.set_materials(1, materials);
+        m_world.apply_edits();
+        std::vector<std::string> report;
+        std::vector<rubble_prefab_row> rows;
+        try {
+            rows = placeModel(m_world, source, vdbTool, {}, report);
+        } catch (const std::exception& error) {
+            throw UnreadableModel(error.what());
+        }
+        m_world.apply_edits();
+        for (const rubble_prefab_row& row : rows)
+            if (row.kind == RUBBLE_PREFAB_SHAPE) m_parts.push_back({row.handle, nameOf(m_world, row.handle)});
+    }
+
+    const rubble::World& world() const { return m_world; }
+    /// The shape that a link means: that of its name, of several the one of its number. 0: it is gone.
+    rubble_shape find(const Link& link) const {
+        if (link.number < m_parts.size() && m_parts[link.number].name == link.name) return m_parts[link.number].shape;
+        const auto found = std::ranges::find(m_parts, link.name, &Part::name);
+        return link.name.empty() || found == m_parts.end() ? 0 : found->shape;
+    }
+    const Content& content(rubble_shape shape) {
+        const auto [at, isNew] = m_contents.try_emplace(shape);
+        if (isNew) at->second = contentOf(m_world, shape);
+        return at->second;
+    }
+
+private:
+    rubble::World m_world;
+    std::vector<Part> m_parts;
+    std::map<rubble_shape, Content> m_contents;
+};
+
+/// How messages name an object: a shape without a name by that of its body.
+std::string shownName(const rubble::World& world, uint64_t object) {
+    std::string name = nameOf(world, object);
+    if (name.empty() && kindOf(world, object) == RUBBLE_KIND_SHAPE)
+        name = nameOf(world, world.get_shape_state(object).body);
+    return name.empty() ? fmt::format("#{}", object) : name;
+}
+
+/// Brings one shape up to date.
+class ShapeUpdate {
+public:
+    ShapeUpdate(Editor& editor, ModelFile& file, rubble_shape shape, const Link& link, rubble_shape part)
+        : m_editor(editor), m_file(file), m_shape(shape), m_link(link), m_part(part) {
+        const rubble_shape_state there = file.world().get_shape_state(part);
+        m_content = file.content(part);
+        m_next = link;
+        m_next.hash = m_content.hash;
+        m_next.place = cornerOf(there, m_content.solid.low), m_next.turn = quaternionOf(there.rotation);
+        if (std::abs(glm::dot(m_next.turn, link.turn)) > 1.0 - 1e-9)
+            m_moved = glm::ivec3(glm::round(glm::inverse(link.turn) * (m_next.place - link.place) / there.voxel_size));
+        m_hasOtherVoxels =
+            std::abs(there.voxel_size - editor.world().get_shape_state(shape).voxel_size) > 1e-6 * there.voxel_size;
+    }
+
+    bool hasOtherVoxels() const { return m_hasOtherVoxels; }
+    /// Whether the file says something else than came in.
+    bool isNeeded() const { return m_content.hash != m_link.hash || m_moved != glm::ivec3(0); }
+    /// Whether the shape is no longer what came in.
+    bool isEdited() const {
+        return m_editor.world().get_shape_properties(m_shape).is_piece ||
+               contentOf(m_editor.world(), m_shape).hash != m_link.hash;
+    }
+
+    void apply() {
+        rubble::World& world = m_editor.world();
+        const bool wasHeld = world.get_shape_properties(m_shape).anchor_count > 0;
+        const rubble_shape_state before = world.get_shape_state(m_shape);
+        const rubble_body_state body = world.get_body_state(before.body);
+        const glm::ivec3 first = cellAt(before, fromBody(body, m_link.corner)) + m_moved;
+        m_next.corner = toBody(body, cornerOf(before, first));
+        const Cells grid = gridOf(world, m_shape);
+        const Cells target{first - m_content.solid.low, gridOf(m_file.world(), m_part).size};
+        const std::vector<KeptJoint> joints = jointsOf();
+        setPalette();
+        write(grid, target);
+        m_editor.document().applyNow();
+        rubble_resize resize{};
+        resize.shape = m_shape;
+        const Cells grown = joined(grid, target);
+        for (int a = 0; a < 3; ++a) resize.low[a] = target.low[a] - grown.low[a], resize.size[a] = target.size[a];
+        world.resize_shape(resize);
+        m_editor.document().applyNow();
+        if (wasHeld && world.get_shape_properties(m_shape).anchor_count == 0) {
+            rubble_shape_change change{};
+            change.shape = m_shape, change.fields = RUBBLE_SHAPE_DEFAULT_ANCHORS;
+            world.set_shape(change);
+        }
+        setLink(world, m_shape, m_next);
+        m_editor.document().applyNow();
+        for (const KeptJoint& each : joints)
+            if (!isAlive(each) && !isMadeAgain(each)) lostJoints.push_back(each.name);
+    }
+
+    std::vector<std::string> lostJoints;  ///< by apply()
+
+private:
+    struct KeptJoint {
+        rubble_joint handle;
+        std::string name;
+        std::optional<JointCopy> copy;  ///< none: it cannot be made again
+    };
+
+    std::vector<KeptJoint> jointsOf() const {
+        const rubble::World& world = m_editor.world();
+        std::vector<KeptJoint> joints;
+        for (const rubble_joint each : world.get_objects_of(m_shape, RUBBLE_KIND_JOINT)) {
+            joints.push_back({each, shownName(world, each), std::nullopt});
+            if (hasFrame(world, each)) joints.back().copy = copyOf(world, each);
+        }
+        return joints;
+    }
+    bool isAlive(const KeptJoint& joint) const { return kindOf(m_editor.world(), joint.handle) >= 0; }
+    /// A joint whose voxel is gone holds on to another one in its reach, if there is one.
+    bool isMadeAgain(const KeptJoint& joint) {
+        if (!joint.copy) return false;
+        const rubble_joint made = m_editor.world().create_joint(joint.copy->settings);
+        try {
+            m_editor.document().applyNow();
+        } catch (const Refused&) {
+            return false;
+        }
+        nameJoint(m_editor.world(), made, *joint.copy);
+        return true;
+    }
+
+    void setPalette() {
+        std::vector<rubble_palette_entry> entries = m_file.world().get_palette(paletteRange(m_part, 1, 255));
+        m_editor.world().set_palette(paletteRange(m_shape, 1, 255), entries.data());
+    }
+
+    void write(const Cells& grid, const Cells& target) {
+        const Cells all = gridOf(m_file.world(), m_part);
+        const std::vector<uint8_t> voxels = readCells(m_file.world(), m_part, all);
+        const CellSet places{m_part, all.low, all.size, {}};
+        CellWriter writer(m_editor.world(), m_shape);
+        writer.makeRoom(target);
+        writer.write(joined(grid, target), [&](glm::ivec3 cell, uint8_t) {
+            return target.contains(cell) ? voxels[places.at(cell - target.low)] : uint8_t(0);
+        });
+    }
+
+    Editor& m_editor;
+    ModelFile& m_file;
+    rubble_shape m_shape;
+    Link m_link, m_next;
+    rubble_shape m_part;    ///< in the file's world
+    Content m_content;      ///< of that
+    glm::ivec3 m_moved{0};  ///< cells by which the file's shape begins elsewhere
+    bool m_hasOtherVoxels = false;
+};
+
+}  // namespace
+
+std::vector<rubble_prefab_row> placeModel(rubble::World& world, const ModelSource& source, const std::string& vdbTool,
+                                          const Place& place, std::vector<std::string>& report) {
+    std::optional<ScratchFolder> folder;
+    std::string path = source.path;
+    if (isMeshFile(source.path)) {
+        path = folder.emplace() / "mesh.rubble";
+        report = bakeMesh(source.path, path, vdbTool, source.mesh);
+    }
+    rubble_prefab prefab{};
+    prefab.path = path.c_str();
+    prefab.vdb_tool = vdbTool.c_str();
+    put(prefab.position, place.position);
+    put(prefab.rotation, place.rotation);
+    return world.create_prefab(prefab);
+}
+
+void linkModels(Editor& editor, const ModelSource& source, const Place& place,
+                const std::vector<rubble_prefab_row>& rows) {
+    editor.document().applyNow();
+    rubble::World& world = editor.world();
+    const glm::dquat back = glm::inverse(place.rotation);
+    Link link{.file = relativeTo(folderOf(editor.document().path()), source.path), .mesh = source.mesh};
+    for (const rubble_prefab_row& row : rows) {
+        if (row.kind != RUBBLE_PREFAB_SHAPE) continue;
+        if (const int64_t cells = gridOf(world, row.handle).count(); cells <= kMaxCells) {
+            const rubble_shape_state shape = world.get_shape_state(row.handle);
+            const Content content = contentOf(world, row.handle);
+            const glm::dvec3 corner = cornerOf(shape, content.solid.low);
+            link.name = nameOf(world, row.handle);
+            link.hash = content.hash;
+            link.place = back * (corner - place.position), link.turn = back * quaternionOf(shape.rotation);
+            link.corner = toBody(world.get_body_state(shape.body), corner);
+            setLink(world, row.handle, link);
+        } else {
+            editor.say(fmt::format("{}: its grid of {} cells is too large to stay linked to the file",
+                                   shownName(world, row.handle), cells));
+        }
+        ++link.number;
+    }
+}
+
+void copyLink(rubble::World& world, rubble_shape from, rubble_shape to) {
+    if (const std::optional<Link> link = linkOf(world, from)) setLink(world, to, *link);
+}
+
+void unlinkModel(rubble::World& world, rubble_shape shape) {
+    world.remove_tag(shape, kModelTag);
+    world.remove_tag(shape, kLinkTag);
+}
+
+bool isLinked(const rubble::World& world, rubble_shape shape) {
+    return linkOf(world, shape).has_value();
+}
+
+std::vector<std::string> linkedFiles(const rubble::World& world) {
+    std::set<std::string> files;
+    for (const rubble_shape shape : world.find_by_tag(RUBBLE_KIND_SHAPE, kModelTag, nullptr))
+        if (const std::optional<Link> link = linkOf(world, shape)) files.insert(link->file);
+    return {files.begin(), files.end()};
+}
+
+std::string modelPath(const Document& document, const std::string& file) {
+    return (folderOf(document.path()) / file).lexically_normal().string();
+}
+
+bool moveLinks(Document& document, const std::string& levelPath) {
+    const fs::path from = folderOf(document.path()), to = folderOf(levelPath);
+    rubble::World& world = document.world();
+    if (from == to || linkedFiles(world).empty()) return false;
+    const size_t steps = document.done().size();
+    document.edit("paths of models from " + levelPath, [&] {
+        for (const rubble_shape shape : world.find_by_tag(RUBBLE_KIND_SHAPE, kModelTag, nullptr))
+            if (std::optional<Link> link = linkOf(world, shape)) {
+                link->file = relativeTo(to, modelPath(document, link->file));
+                setLink(world, shape, *link);
+            }
+    });
+    return document.done().size() > steps;
+}
+
+std::vector<LinkedShapes> linkedShapes(const Document& document, const std::vector<rubble_shape>& shapes) {
+    const rubble::World& world = document.world();
+    std::map<std::string, LinkedShapes> groups;  // by file and how it was read
+    for (const rubble_shape shape : shapes) {
+        const std::optional<Link> link = linkOf(world, shape);
+        if (!link) continue;
+        const MeshOptions& mesh = link->mesh;
+        LinkedShapes& group = groups[fmt::format("{}\n{} {} {} {} {}", link->file, mesh.voxels, mesh.voxel, mesh.shell,
+                                                 mesh.isZUp, mesh.isSmooth)];
+        group.file = link->file;
+        group.source = {modelPath(document, link->file), mesh};
+        group.shapes.push_back(shape);
+    }
+    std::vector<LinkedShapes> all;
+    for (auto& [key, group] : groups) all.push_back(std::move(group));
+    return all;
+}
+
+ModelReport reloadModel(Editor& editor, const LinkedShapes& linked, bool reverts) {
+    rubble::World& world = editor.world();
+    ModelFile file(world, linked.source, editor.settings().vdbTool);
+    ModelReport report;
+    for (const rubble_shape shape : linked.shapes) {
+        const std::string name = shownName(world, shape);
+        const Link link = *linkOf(world, shape);
+        const rubble_shape part = file.find(link);
+        if (!part) {
+            report.gone.push_back(name);
+            continue;
+        }
+        ShapeUpdate update(editor, file, shape, link, part);
+        const bool isEdited = (reverts || update.isNeeded()) && update.isEdited();
+        if (update.hasOtherVoxels())
+            report.otherVoxels.push_back(name);
+        else if (isEdited && (!reverts || world.get_shape_properties(shape).is_piece))
+            report.kept.push_back(name);
+        else if (isEdited || update.isNeeded())
+            update.apply(), ++report.updated;
+        else
+            ++report.equal;
+        std::ranges::move(update.lostJoints, std::back_inserter(report.lostJoints));
+    }
+    return report;
+}
+
+}  // namespace editor
