@@ -28,6 +28,14 @@ public:
         return out.size() - m_stream.avail_out;
     }
 
+    /// Whether what follows is damaged: its data or, where the stream is closed, its checksum.
+    bool endsDamaged() {
+        uint8_t beyond;
+        m_stream.next_out = &beyond;
+        m_stream.avail_out = 1;
+        return m_isOpen && inflate(&m_stream, Z_SYNC_FLUSH) == Z_DATA_ERROR;
+    }
+
 private:
     z_stream m_stream{};
     bool m_isOpen = false;
@@ -53,6 +61,8 @@ void readPackedVoxels(ByteReader& in, VoxModel& model) {
         if (z % kBrickSize == kBrickSize - 1) writer.flush();
     }
     writer.flush();
+    if (inflater.endsDamaged())
+        return in.fail("a whole stream of packed cells", "damaged data or a wrong checksum behind them", start);
     if (in.takeMemory(grid.brickCount() * kBrickMemory)) model.grid = std::move(grid);
 }
 

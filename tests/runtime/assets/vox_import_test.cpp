@@ -393,6 +393,16 @@ TEST(VoxImport, DamagedModelsOfTeardownAreRefused) {
     VoxWriter none;
     none.chunk("TDCZ", {4, 0, 0, 0, 4, 0, 0, 0, 4, 0, 0, 0, 'x', 'y', 'z'});
     EXPECT_NE(importError(none).find("found 0: the packed data is damaged"), std::string::npos) << importError(none);
+    std::vector<uint8_t> closed{4, 0, 0, 0, 4, 0, 0, 0, 4, 0, 0, 0}, packed(compressBound(64));
+    uLongf packedSize = uLongf(packed.size());
+    ASSERT_EQ(compress(packed.data(), &packedSize, std::vector<uint8_t>(64, 1).data(), 64), Z_OK);
+    closed.insert(closed.end(), packed.begin(), packed.begin() + std::ptrdiff_t(packedSize));
+    VoxWriter whole, wrong;
+    whole.chunk("TDCZ", closed);
+    EXPECT_EQ(importError(whole), "no error") << "a stream that is closed";
+    ++closed.back();
+    wrong.chunk("TDCZ", closed);
+    EXPECT_NE(importError(wrong).find("a wrong checksum"), std::string::npos) << importError(wrong);
     VoxWriter sizes;
     sizes.chunk("SIZE", {5, 0, 0, 0, 4, 0, 0, 0, 4, 0, 0, 0})
         .packedModel({4, 4, 4}, std::vector<uint8_t>(64, 1), false);

@@ -75,8 +75,8 @@
  *  - Determinism: the same level, edits and number of steps give the same state bit for bit with the same build of the
  *    plugin; get_state_hash() compares. Frame times, threads and the renderer have no influence.
  *  - The plugin opens no window, makes no GL context, opens no file that the host did not name (a file that it writes
- *    has a temporary neighbour while it is written; a .vdb level is baked in a folder of $TMPDIR meanwhile), and
- *    restores the GL state that it changes (or resets it: RUBBLE_RENDERER_RESET_STATE).
+ *    has a temporary neighbour while it is written, that of a recording is PATH.part; a .vdb level is baked in a folder
+ *    of $TMPDIR meanwhile), and restores the GL state that it changes (or resets it: RUBBLE_RENDERER_RESET_STATE).
  *
  * Not included: network, sound, input, textured triangles, use of the host's allocator. */
 #ifndef RUBBLE_RUBBLE_H
@@ -519,7 +519,9 @@ typedef struct rubble_palette_entry {
     uint8_t reflectivity; /* 255ths, of what is no metal, seen from straight above; plastic: 10 */
     uint8_t material;     /* index into the world's materials; 0: without weight, touched by nothing */
     uint32_t reserved;
-    double emission;                /* radiance in multiples of the linear colour, 0 to 1e6; 0: does not glow */
+    /* radiance in multiples of the linear colour, 0 to 1e6; 0: does not glow. Rays meet glowing voxels by chance, so
+     * that they hardly light what is around: where they shall, create_light() puts a light beside them */
+    double emission;
     rubble_light_group light_group; /* that it glows with; 0: none. While the group is out it does not glow */
 } rubble_palette_entry;
 
