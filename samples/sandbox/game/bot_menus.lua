@@ -62,7 +62,7 @@ local function toKeys()
     bot.press("esc")
     for _ = 1, 3 do bot.press("downarrow") end
     bot.press("return")
-    for _ = 1, 9 do bot.press("downarrow") end
+    for _ = 1, 10 do bot.press("downarrow") end
     bot.press("return")
     bot.expect(GetString("game.menu") == "keys", "the page of keys")
 end

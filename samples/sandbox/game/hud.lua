@@ -22,7 +22,7 @@ local kKeys = {{kMoves, "walk"}, {"sprint", "run"}, {"jump", "jump"}, {"crouch",
     {"usetool", "use the tool"}, {"grab", "its second use"}, {"reload", "reload"},
     {"interact", "doors, lamps, things, vehicles"}, {"flashlight", "a lamp"},
     {"wheel", "wheel of tools"}, {"change", "change the tool"}, {"spawn", "things to place"}, {"undo", "take back"},
-    {"photo", "photo"}, {"quicksave quickload", "save, load"}, {"hide", "hide all this"}, {"pause", "menu"}}
+    {"photo", "photo"}, {"replay", "replay"}, {"quicksave quickload", "save, load"}, {"hide", "hide all this"}, {"pause", "menu"}}
 
 -- What to press for it.
 local function labelOf(actions)

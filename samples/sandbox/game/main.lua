@@ -15,6 +15,7 @@ local panel = require("contracts/panel")
 local place = require("place")
 local player = require("player")
 local radial = require("menus/radial")
+local replay = require("menus/replay")
 local sounds = require("sounds")
 local spawn = require("menus/spawn")
 local vehicles = require("vehicles/vehicles")
@@ -63,8 +64,14 @@ menus.photo = function()
     photo.open()
 end
 
+menus.replay = function()
+    menus.open = nil
+    replay.open()
+end
+
 local function readKeys()
     if InputPressed("photo") then return photo.open() end
+    if InputPressed("replay") then return replay.open() end
     if InputPressed("pause") then menus.show("pause") end
     if InputPressed("wheel") and not vehicles.driven() then
         place.finish()
@@ -92,12 +99,13 @@ end
 
 -- For other scripts: what is open, and which tool is in the hand.
 local function publish()
-    local other = photo.isOpen and "photo" or spawn.isOpen and "spawn" or radial.isOpen and "radial"
+    local other = photo.isOpen and "photo" or replay.isOpen and "replay" or spawn.isOpen and "spawn" or radial.isOpen and "radial"
     SetString("game.menu", menus.open or other or "")
     SetString("game.tool", belt.tool().id)
     spawn.publish()
     SetString("game.placing", place.thing and place.thing.name or "")
     contract.publish()
+    replay.publish()
     vehicles.publish()
 end
 
@@ -112,7 +120,7 @@ function tick(dt)
         hasSeenEnd = true
         menus.show("result")
     end
-    SetTimeScale((menus.stopsTime() or photo.isStill or spawn.isOpen) and 0 or options.get("timescale"))
+    SetTimeScale((menus.stopsTime() or photo.isStill or spawn.isOpen or replay.isOpen) and 0 or options.get("timescale"))
     if menus.open then
         titleTime = titleTime + dt
         if menus.isTitle() then menus.camera(titleTime) end
@@ -120,6 +128,7 @@ function tick(dt)
     end
     if photo.isOpen then return photo.tick(dt) end
     photo.isStill = false
+    if replay.isOpen then return replay.tick(dt) end
     if spawn.isOpen then return spawn.tick() end
     if radial.isOpen then return radial.tick() end
     if vehicles.driven() then
@@ -163,6 +172,7 @@ end
 function draw()
     if menus.open then return menus.draw() end
     if photo.isOpen then return photo.draw() end
+    if replay.isOpen then return replay.draw() end
     if spawn.isOpen then return spawn.draw() end
     if not hud.isHidden and not radial.isOpen then panel.draw() end
     hud.draw(radial.isOpen)

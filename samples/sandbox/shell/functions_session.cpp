@@ -110,6 +110,19 @@ int getPreset(lua_State* L) {
     lua_pushstring(L, gameOf(L).preset().c_str());
     return 1;
 }
+int keepReplay(lua_State* L) {
+    gameOf(L).replay().keep(clampedAt(L, 1, "seconds", 0.0, 300.0));
+    return 0;
+}
+int getReplayLength(lua_State* L) {
+    lua_pushnumber(L, gameOf(L).replay().length());
+    return 1;
+}
+int showReplay(lua_State* L) {
+    const double ago = clampedAt(L, 1, "ago", 0.0, 300.0);
+    lua_pushboolean(L, gameOf(L).showReplay(ago, textAt(L, 2, "unseen")));
+    return 1;
+}
 int screenshot(lua_State* L) {
     const std::string file = textAt(L, 1, "file");
     if (!file.ends_with(".png") || !isPlain(std::string_view(file).substr(0, file.size() - 4)))
@@ -129,6 +142,11 @@ constexpr ScriptFunction kFunctions[] = {
     {"AddUndoMark()", "Sets a mark to which Undo() returns.", addUndoMark},
     {"Undo() -> boolean",
      "Takes back what came after the last mark, and each time again after the one before; false: there is none.", undo},
+    {"KeepReplay(seconds)", "How many of the last seconds are kept, 0 to 300; 0: none, which costs nothing.",
+     keepReplay},
+    {"GetReplayLength() -> seconds", "How many there are.", getReplayLength},
+    {"ShowReplay(ago, unseen) -> boolean",
+     "Shows in this frame what was there so many seconds ago, without bodies of a tag; false: it cannot.", showReplay},
     {"SaveGame(name)", "Saves the game after this frame.", saveGame},
     {"LoadGame(name) -> boolean", "Goes on with a saved game after this frame; false: there is none that loads.",
      loadGame},

@@ -39,11 +39,15 @@ Game::Game(const rubble_api& api, rubble::Display& display, GameSettings setting
     : m_api(api),
       m_display(display),
       m_settings(std::move(settings)),
+      m_replay(api, isPlayed() ? 0 : RUBBLE_WORLD_WAIT_FOR_SHADOW,
+               [this](rubble_world world, rubble_renderer& renderer) { return createRenderer(world, renderer); }),
+      m_scriptApi(m_replay.notingApi()),
       m_sound(api, m_settings.wav, !m_settings.isSilent, [](const std::string& line) { fmt::print("{}\n", line); }) {}
 
 Game::~Game() {
     if (m_scripts && m_settings.film.script.empty()) writeOptions();
     m_scripts.reset();
+    m_replay.forget();
     if (m_renderer) m_api.destroy_renderer(m_renderer);
     if (m_world) m_api.destroy_world(m_world);
 }
@@ -79,16 +83,20 @@ std::string Game::begin() {
 
 std::string Game::makeRenderer() {
     if (m_renderer) m_api.destroy_renderer(std::exchange(m_renderer, 0));
+    m_isCut = true;
+    const std::string what = createRenderer(m_world, m_renderer);
+    if (what.empty()) step();  // a renderer shows nothing before one
+    return what;
+}
+
+std::string Game::createRenderer(rubble_world world, rubble_renderer& renderer) {
     rubble_renderer_settings settings = {};
     settings.struct_size = sizeof settings;
     settings.flags = RUBBLE_RENDERER_RESET_STATE;
     if (!m_drawsAlways) settings.flags |= RUBBLE_RENDERER_COMPILE_LATE;
     settings.preset = m_settings.preset.c_str();
     settings.program_cache = m_settings.programs.empty() ? nullptr : m_settings.programs.c_str();
-    m_isCut = true;
-    if (m_api.create_renderer(m_world, &settings, &m_renderer) != RUBBLE_OK) return m_api.get_last_error();
-    step();  // a renderer shows nothing before one
-    return "";
+    return m_api.create_renderer(world, &settings, &renderer) == RUBBLE_OK ? "" : m_api.get_last_error();
 }
 
 /// Ends the scripts that there are, and begins those of the game in the world as it is.
@@ -106,7 +114,7 @@ void Game::startScripts() {
     m_sound.enter(m_world);
     settings.reports = m_sound.filter();
     settings.log = [](int level, const std::string& line) { fmt::print(level ? stderr : stdout, "{}\n", line); };
-    m_scripts = std::make_unique<ScriptHost>(m_api, m_world, settings);
+    m_scripts = std::make_unique<ScriptHost>(m_scriptApi, m_world, settings);
     m_scripts->shared().registry = registry;
     if (m_settings.film.script.empty()) readOptions();
     m_api.set_undo_limit(m_world, kUndoMarks);
@@ -141,7 +149,9 @@ bool Game::frame(double seconds) {
     if (m_botPad) readGamepad(*m_botPad, m_input);
     m_isInteractive = false;
     m_camera.frame.reset();
+    m_showsReplay = false;
     m_scripts->tick(seconds);
+    if (!m_showsReplay) m_replay.hide();
     cutToShot();
     const int most = isPlayed() ? kMaxSteps : kStepsOfSecond;
     m_due = std::min(m_due + seconds * m_scripts->timeScale(), most * kStep);
@@ -157,6 +167,7 @@ bool Game::frame(double seconds) {
 
 void Game::step() {
     if (m_wantsUndo) carryOutUndo();
+    fail(m_replay.beforeStep(m_world));
     m_player->beforeStep();
     const uint64_t before = rubble::allocationCount();
     if (m_scripts->step() != RUBBLE_OK) return fail(m_api.get_last_error());
@@ -166,6 +177,7 @@ void Game::step() {
         m_api.get_step_stats(m_world, &stats);
         m_film->figures().addStep(stats, rubble::allocationCount() - before);
     }
+    fail(m_replay.afterStep(m_world));
     if (!m_isUnseen) m_sound.step();
     if (std::exchange(m_hasUndone, false)) m_player->adopt(true);
     m_player->afterStep();
@@ -248,6 +260,19 @@ rubble_view Game::view() const {
     return view;
 }
 
+rubble_view Game::shownView() {
+    rubble_view seen = view();
+    if (m_showsReplay) m_replay.complete(seen);
+    return seen;
+}
+
+bool Game::showReplay(double ago, const std::string& unseenTag) {
+    const std::string what = m_replay.show(ago, unseenTag);
+    if (!what.empty()) fmt::print(stderr, "sandbox: {}\n", what);
+    m_isCut |= what.empty() != m_showsReplay;
+    return m_showsReplay = what.empty();
+}
+
 void Game::hear(double seconds) {
     const Frame ear = cameraFrame();
     const glm::dquat& turn = ear.rotation;
@@ -262,13 +287,13 @@ void Game::setVolume(double volume) {
 }
 
 void Game::draw(double seconds) {
-    rubble_view seen = view();
-    m_scripts->draw(m_renderer, seen, seconds);
+    rubble_view seen = shownView();
+    m_scripts->draw(shownRenderer(), seen, seconds);
     if (!m_drawsAlways) return;
     for (int i = 0; m_isCut && m_film && i < kCutFrames; ++i, seen.flags &= ~uint32_t(RUBBLE_VIEW_CUT))
-        if (m_api.draw(m_renderer, &seen) != RUBBLE_OK) return fail(m_api.get_last_error());
+        if (m_api.draw(shownRenderer(), &seen) != RUBBLE_OK) return fail(m_api.get_last_error());
     m_isCut = false;
-    if (m_api.draw(m_renderer, &seen) != RUBBLE_OK) return fail(m_api.get_last_error());
+    if (m_api.draw(shownRenderer(), &seen) != RUBBLE_OK) return fail(m_api.get_last_error());
     m_display.present();
     if (!m_film || m_requests.quits) return;
     rubble_draw_stats stats = {};
@@ -280,10 +305,10 @@ void Game::draw(double seconds) {
 std::string Game::writeImage(const std::string& path) {
     std::error_code ignored;
     fs::create_directories(fs::path(path).parent_path(), ignored);
-    rubble_view seen = view();
+    rubble_view seen = shownView();
     seen.flags |= RUBBLE_VIEW_CUT;
     for (int i = 0; i < kImageFrames; ++i, seen.flags &= ~uint32_t(RUBBLE_VIEW_CUT))
-        if (m_api.draw(m_renderer, &seen) != RUBBLE_OK) return m_api.get_last_error();
+        if (m_api.draw(shownRenderer(), &seen) != RUBBLE_OK) return m_api.get_last_error();
     const auto written = rubble::writePng(path, m_display.read());
     return written ? "" : written.error();
 }
@@ -302,6 +327,7 @@ void Game::carryOutRequests() {
     m_scripts->shared().registry["game.restarted"] = "1";
     if (m_api.load_level(m_world, m_settings.level.c_str(), m_settings.vdbTool.c_str()) != RUBBLE_OK)
         return fail(m_api.get_last_error());
+    m_replay.forget();
     m_player.emplace(m_api, m_world);
     startScripts();
     m_isCut = true;

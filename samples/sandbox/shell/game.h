@@ -11,6 +11,7 @@
 #include "samples/sandbox/shell/gamepad.h"
 #include "samples/sandbox/shell/input.h"
 #include "samples/sandbox/shell/player.h"
+#include "samples/sandbox/shell/replay.h"
 #include "samples/sandbox/sound/sound.h"
 #include "samples/support/display.h"
 
@@ -95,6 +96,10 @@ public:
     /// Returns to the last mark before the next step, and each time again to the one before that, although the world
     /// goes on between; the player stays where he is. False: there is none.
     bool undo();
+    /// The last seconds of the game.
+    Replay& replay() { return m_replay; }
+    /// Shows them in this frame, in place of the game: so many seconds ago, without bodies of a tag. Whether it can.
+    bool showReplay(double ago, const std::string& unseenTag);
     /// Whether menus have the cursor, from the next frame on.
     void setInteractive() { m_isInteractive = true; }
     /// What the camera sees between the last two steps.
@@ -112,6 +117,8 @@ private:
     void startScripts();
     bool addScript(const std::string& name);
     std::string makeRenderer();
+    std::string createRenderer(rubble_world world, rubble_renderer& renderer);
+    rubble_renderer shownRenderer() const { return m_replay.renderer() ? m_replay.renderer() : m_renderer; }
     void carryOutRequests();
     std::string save(const std::string& name);
     std::string load(const std::string& name);
@@ -126,12 +133,15 @@ private:
     bool isPlayed() const { return m_settings.bot.empty() && m_settings.film.script.empty(); }
     void fail(const std::string& what);
     rubble_view view() const;
+    rubble_view shownView();
     void draw(double seconds);
     void hear(double seconds);
 
     const rubble_api& m_api;
     rubble::Display& m_display;
     GameSettings m_settings;
+    Replay m_replay;
+    rubble_api m_scriptApi;  ///< of which the replay notes what it must
     sound::Sound m_sound;
     rubble_world m_world = 0;
     rubble_renderer m_renderer = 0;
@@ -144,7 +154,8 @@ private:
     CameraOverride m_camera;
     double m_due = 0.0;  ///< seconds that no step has covered yet
     bool m_isInteractive = false, m_drawsAlways = true, m_hasUndone = false, m_hasFailed = false, m_isCut = true;
-    uint32_t m_marks = 0;  ///< that undo() may return to
+    bool m_showsReplay = false;  ///< in this frame
+    uint32_t m_marks = 0;        ///< that undo() may return to
     bool m_wantsUndo = false, m_isUndoAgain = false;
     bool m_isUnseen = false;  ///< steps that a film leaves out
 };

@@ -60,6 +60,7 @@ std::string Game::load(const std::string& name) {
     if (m_api.load_game(m_world, savePath(name).c_str()) != RUBBLE_OK) return m_api.get_last_error();
     m_api.set_undo_limit(m_world, kUndoMarks);
     m_marks = 0;
+    m_replay.forget();
     m_player->adopt(false);
     m_sound.enter(m_world);
     m_scripts->load();

@@ -70,6 +70,13 @@ TEST(Game, ABotPlaysByGamepadBindsKeysPlacesThingsAndTakesPhotos) {
     EXPECT_TRUE(readPng((out / "photo-001.png").string()));
 }
 
+TEST(Game, ABotSeesTheLastSecondsAgainAndGoesOn) {
+    const fs::path out = freshFolder("replay");
+    ASSERT_EQ(playGame("bot_replay.lua", out, RUBBLE_SOURCE_DIR "/samples/sandbox/game"), 0) << logOf(out);
+    for (const char* name : {"replay-begin.png", "replay-end.png"})
+        EXPECT_TRUE(readPng((out / name).string())) << name;
+}
+
 TEST(Game, ContractsAreWonAndLost) {
     EXPECT_EQ(playGame("bot_contracts.lua", freshFolder("contracts"), RUBBLE_SOURCE_DIR "/samples/sandbox/game"), 0);
 }

@@ -1,5 +1,6 @@
 -- Photo: the world stands still, the camera flies, light and air can be changed, and what is seen becomes a PNG. What was
 -- changed ends with it.
+local camera = require("freecamera")
 local draw = require("draw")
 local keys = require("keys")
 local options = require("options")
@@ -7,9 +8,8 @@ local sounds = require("sounds")
 
 local photo = {isOpen = false, isStill = false, last = ""}
 local kRow, kWidth, kRepeat = 50, 470, 1 / 14
-local kSlow, kFast, kFrames = 4, 14, 6  -- m/s; frames for which the panel stays away around an image
-local pos, yaw, pitch = Vec(), 0, 0
-local air                                -- as it was
+local kFrames = 6  -- for which the panel stays away around an image
+local air          -- as it was
 local chosen, sinceStep, hidden, isBare = 1, 0, 0, false
 local value, changed
 
@@ -58,10 +58,7 @@ function photo.open()
     photo.isOpen, photo.isStill, isBare, hidden, chosen = true, false, false, 0, 1
     air = GetEnvironment()
     reset()
-    local frame = GetCameraTransform()
-    pos = frame.pos
-    local ahead = frame.rot * Vec(0, 0, -1)
-    yaw, pitch = math.atan(-ahead.x, -ahead.z), math.asin(math.max(-1, math.min(1, ahead.y)))
+    camera.begin()
 end
 
 function photo.close()
@@ -76,17 +73,6 @@ end
 -- Each step while it is open: after the first one the world stands still, without a tool before the eyes.
 function photo.update()
     photo.isStill = photo.isOpen
-end
-
-local function fly(dt)
-    local scale = 0.0022 * options.get("sensitivity") * value.fov / 68
-    local right, up = keys.look(dt * options.get("sensitivity"))
-    yaw = yaw - scale * InputValue("mousedx") - right * value.fov / 68
-    pitch = math.max(-1.55, math.min(1.55, pitch - scale * InputValue("mousedy") + up * value.fov / 68))
-    local rot = QuatEuler(0, math.deg(yaw), 0) * QuatEuler(math.deg(pitch), 0, 0)
-    local wish = rot * Vec(keys.axis("right", "left"), 0, keys.axis("down", "up")) + Vec(0, keys.axis("jump", "crouch"), 0)
-    pos = pos + VecScale(wish, dt * (InputDown("sprint") and kFast or kSlow))
-    SetCameraTransform(Transform(pos, rot * QuatEuler(0, 0, value.roll)), value.fov)
 end
 
 local function change(direction)
@@ -118,9 +104,7 @@ local function adjust(dt)
 end
 
 local function shoot()
-    local number = GetInt("options.photos") + 1
-    SetInt("options.photos", number)
-    photo.last = string.format("photo-%03d.png", number)
+    photo.last = options.nextPhoto()
     Screenshot(photo.last)
     hidden = kFrames
     sounds.play("click")
@@ -129,7 +113,7 @@ end
 -- Each frame while it is open.
 function photo.tick(dt)
     hidden = math.max(0, hidden - 1)
-    fly(dt)
+    camera.fly(dt, value.fov, value.roll)
     if InputPressed("menuback") or InputPressed("photo") then return photo.close() end
     if InputPressed("hide") then isBare = not isBare end
     adjust(dt)
