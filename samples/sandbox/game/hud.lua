@@ -38,6 +38,11 @@ function hud.say(text, seconds)
     message, messageTime = text, seconds or 2
 end
 
+-- The line that is shown, or "".
+function hud.message()
+    return messageTime > 0 and message or ""
+end
+
 function hud.tick(dt)
     messageTime = math.max(0, messageTime - dt)
     nameTime = math.max(0, nameTime - dt)
@@ -176,7 +181,8 @@ function hud.draw(isBehind)
     if messageTime > 0 then
         UiPush()
         UiTranslate(UiCenter(), hud.messageAt)
-        draw.text(message, 28, "center", draw.ink, math.min(1, messageTime / 0.4))
+        local size = 28 * math.min(1, (UiWidth() - 120) / draw.width(message, 28))  -- errors of files are long
+        draw.text(message, size, "center", draw.ink, math.min(1, messageTime / 0.4))
         UiPop()
     end
 end

@@ -3,6 +3,7 @@
 local belt = require("toolbelt")
 local bombs = require("tools/bombs")
 local contract = require("contracts/contract")
+local dropped = require("dropped")
 local explosives = require("explosives")
 local feel = require("feel")
 local hud = require("hud")
@@ -31,6 +32,7 @@ belt.load({"sledge", "axe", "pistol", "shotgun", "rocket", "timebomb", "remotebo
 contract.add("demolition")
 contract.add("heist")
 interact.contract = contract.offer
+place.say = hud.say
 
 function init()
     keys.apply()
@@ -97,6 +99,18 @@ local function readKeys()
     end
 end
 
+-- What is dropped on the window stands before the eyes at once, where things may be placed.
+local function takeDrops()
+    local thing, what = dropped.take()
+    if what then return hud.say(what, 8) end
+    if not thing then return end
+    local isFree = not (menus.open or photo.isOpen or replay.isOpen or vehicles.driven() or contract.current())
+    hud.say(string.format("%s is in the menu of things (%s)", thing.name, keys.label("spawn")), 4)
+    if not isFree then return end
+    spawn.isOpen, radial.isOpen = false, false
+    place.begin(thing)
+end
+
 -- For other scripts: what is open, and which tool is in the hand.
 local function publish()
     local other = photo.isOpen and "photo" or replay.isOpen and "replay" or spawn.isOpen and "spawn" or radial.isOpen and "radial"
@@ -106,12 +120,15 @@ local function publish()
     SetString("game.placing", place.thing and place.thing.name or "")
     contract.publish()
     replay.publish()
+    dropped.publish()
+    SetString("game.message", hud.message())
     vehicles.publish()
 end
 
 function tick(dt)
     publish()
     keys.tick()
+    takeDrops()
     feel.tick(dt)
     hud.tick(dt)
     sounds.loop("wind", nil, 0.06 + 0.01 * math.min(VecLength(GetPlayerVelocity()), 30))

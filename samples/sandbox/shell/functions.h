@@ -23,6 +23,9 @@ std::span<const rubble::script::ScriptFunction> vehicleFunctions();
 /// Shots, sky and rules, for films.
 std::span<const rubble::script::ScriptFunction> filmFunctions();
 
+/// Files that were dropped on the window.
+std::span<const rubble::script::ScriptFunction> dropFunctions();
+
 /// Sounds.
 std::span<const rubble::script::ScriptFunction> soundFunctions();
 

@@ -190,7 +190,7 @@ std::span<const ScriptFunction> gameFunctions() {
     static const std::vector<ScriptFunction> all = [] {
         std::vector<ScriptFunction> rows;
         for (const auto& some : {playerFunctions(), sessionFunctions(), makeFunctions(), vehicleFunctions(),
-                                 filmFunctions(), soundFunctions()})
+                                 filmFunctions(), dropFunctions(), soundFunctions()})
             rows.insert(rows.end(), some.begin(), some.end());
         return rows;
     }();

@@ -107,7 +107,7 @@ int setPreset(lua_State* L) {
     return 0;
 }
 int getPreset(lua_State* L) {
-    lua_pushstring(L, gameOf(L).preset().c_str());
+    lua_pushstring(L, gameOf(L).settings().preset.c_str());
     return 1;
 }
 int keepReplay(lua_State* L) {
@@ -120,8 +120,10 @@ int getReplayLength(lua_State* L) {
 }
 int showReplay(lua_State* L) {
     const double ago = clampedAt(L, 1, "ago", 0.0, 300.0);
-    lua_pushboolean(L, gameOf(L).showReplay(ago, textAt(L, 2, "unseen")));
-    return 1;
+    const std::string what = gameOf(L).replay().show(ago, textAt(L, 2, "unseen"));
+    lua_pushboolean(L, what.empty());
+    lua_pushstring(L, what.c_str());
+    return 2;
 }
 int screenshot(lua_State* L) {
     const std::string file = textAt(L, 1, "file");
@@ -145,7 +147,7 @@ constexpr ScriptFunction kFunctions[] = {
     {"KeepReplay(seconds)", "How many of the last seconds are kept, 0 to 300; 0: none, which costs nothing.",
      keepReplay},
     {"GetReplayLength() -> seconds", "How many there are.", getReplayLength},
-    {"ShowReplay(ago, unseen) -> boolean",
+    {"ShowReplay(ago, unseen) -> boolean, why",
      "Shows in this frame what was there so many seconds ago, without bodies of a tag; false: it cannot.", showReplay},
     {"SaveGame(name)", "Saves the game after this frame.", saveGame},
     {"LoadGame(name) -> boolean", "Goes on with a saved game after this frame; false: there is none that loads.",

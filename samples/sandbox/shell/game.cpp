@@ -39,6 +39,7 @@ Game::Game(const rubble_api& api, rubble::Display& display, GameSettings setting
     : m_api(api),
       m_display(display),
       m_settings(std::move(settings)),
+      m_drops(api, m_settings.vdbTool),
       m_replay(api, isPlayed() ? 0 : RUBBLE_WORLD_WAIT_FOR_SHADOW,
                [this](rubble_world world, rubble_renderer& renderer) { return createRenderer(world, renderer); }),
       m_scriptApi(m_replay.notingApi()),
@@ -146,12 +147,13 @@ bool Game::hasFailed() const {
 bool Game::frame(double seconds) {
     m_input.beginFrame();
     const bool isOpen = readDevices(m_display, m_input);
+    if (rubble::Window* window = m_display.window())
+        for (const std::string& path : window->takeDrops()) m_drops.add(path);
     if (m_botPad) readGamepad(*m_botPad, m_input);
     m_isInteractive = false;
     m_camera.frame.reset();
-    m_showsReplay = false;
     m_scripts->tick(seconds);
-    if (!m_showsReplay) m_replay.hide();
+    m_isCut |= m_replay.endUnwanted();
     cutToShot();
     const int most = isPlayed() ? kMaxSteps : kStepsOfSecond;
     m_due = std::min(m_due + seconds * m_scripts->timeScale(), most * kStep);
@@ -262,15 +264,8 @@ rubble_view Game::view() const {
 
 rubble_view Game::shownView() {
     rubble_view seen = view();
-    if (m_showsReplay) m_replay.complete(seen);
+    if (m_replay.renderer()) m_replay.complete(seen);
     return seen;
-}
-
-bool Game::showReplay(double ago, const std::string& unseenTag) {
-    const std::string what = m_replay.show(ago, unseenTag);
-    if (!what.empty()) fmt::print(stderr, "sandbox: {}\n", what);
-    m_isCut |= what.empty() != m_showsReplay;
-    return m_showsReplay = what.empty();
 }
 
 void Game::hear(double seconds) {

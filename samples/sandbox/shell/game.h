@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/script/script_host.h"
+#include "samples/sandbox/shell/drops.h"
 #include "samples/sandbox/shell/film.h"
 #include "samples/sandbox/shell/gamepad.h"
 #include "samples/sandbox/shell/input.h"
@@ -98,14 +99,14 @@ public:
     bool undo();
     /// The last seconds of the game.
     Replay& replay() { return m_replay; }
-    /// Shows them in this frame, in place of the game: so many seconds ago, without bodies of a tag. Whether it can.
-    bool showReplay(double ago, const std::string& unseenTag);
+    /// The files that were dropped on the window.
+    Drops& drops() { return m_drops; }
     /// Whether menus have the cursor, from the next frame on.
     void setInteractive() { m_isInteractive = true; }
     /// What the camera sees between the last two steps.
     Frame cameraFrame() const;
-    /// The preset that is in use.
-    const std::string& preset() const { return m_settings.preset; }
+    /// What it was started with, but for the preset, which is the one in use.
+    const GameSettings& settings() const { return m_settings; }
     /// Whether there is a saved game of that name.
     bool hasSave(const std::string& name) const;
     /// Names of the files of a folder in that of the scripts, sorted; of one that is not there none.
@@ -140,6 +141,7 @@ private:
     const rubble_api& m_api;
     rubble::Display& m_display;
     GameSettings m_settings;
+    Drops m_drops;
     Replay m_replay;
     rubble_api m_scriptApi;  ///< of which the replay notes what it must
     sound::Sound m_sound;
@@ -154,8 +156,7 @@ private:
     CameraOverride m_camera;
     double m_due = 0.0;  ///< seconds that no step has covered yet
     bool m_isInteractive = false, m_drawsAlways = true, m_hasUndone = false, m_hasFailed = false, m_isCut = true;
-    bool m_showsReplay = false;  ///< in this frame
-    uint32_t m_marks = 0;        ///< that undo() may return to
+    uint32_t m_marks = 0;  ///< that undo() may return to
     bool m_wantsUndo = false, m_isUndoAgain = false;
     bool m_isUnseen = false;  ///< steps that a film leaves out
 };

@@ -169,6 +169,7 @@ std::string Replay::show(double ago, const std::string& unseenTag) {
         return what;
     };
     if (!m_shown && !open()) return failed();
+    m_isWanted = true;
     const double steps = std::clamp(double(m_steps.size()) - ago * kStepsOfSecond, 0.0, double(m_steps.size()));
     const size_t place = std::max(size_t(std::ceil(steps)), size_t(1));
     if (!seek(place)) return failed();
@@ -239,6 +240,12 @@ void Replay::complete(rubble_view& view) {
     if (std::exchange(m_isCut, false)) view.flags |= RUBBLE_VIEW_CUT;
     view.hidden_shapes = m_unseen.data();
     view.hidden_shape_count = uint32_t(m_unseen.size());
+}
+
+bool Replay::endUnwanted() {
+    if (std::exchange(m_isWanted, false) || !m_shown) return false;
+    hide();
+    return true;
 }
 
 void Replay::hide() {

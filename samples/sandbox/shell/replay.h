@@ -44,6 +44,8 @@ public:
     size_t bytes() const { return m_bytes; }
     /// Shows what was there so many seconds ago, without bodies of a tag. What is wrong, or "".
     std::string show(double ago, const std::string& unseenTag);
+    /// Once a frame: ends that where nobody has called show() since the last time. Whether it did.
+    bool endUnwanted();
     /// Ends that, and frees what it took.
     void hide();
 
@@ -96,7 +98,7 @@ private:
     std::map<size_t, std::vector<uint8_t>> m_starts;  ///< saved games with which it may begin, by steps
     size_t m_place = 0;                               ///< steps that it has carried out
     double m_alpha = 1.0;
-    bool m_isCut = true;
+    bool m_isCut = true, m_isWanted = false;
     std::vector<rubble_shape> m_unseen;
 };
 

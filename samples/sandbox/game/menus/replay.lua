@@ -62,9 +62,10 @@ function replay.tick(dt)
     readKeys(dt)
     if not isPaused then ago = math.max(0, ago - dt * kSpeeds[speed][1]) end
     camera.fly(dt, fov)
-    if ShowReplay(ago, "viewmodel") then return end
+    local isShown, why = ShowReplay(ago, "viewmodel")
+    if isShown then return end
     replay.close()
-    hud.say("The replay cannot be shown", 3)
+    hud.say(why, 6)
 end
 
 -- For other scripts: seconds before the game, while it is open.
