@@ -92,11 +92,4 @@ function options.apply(id)
     if id == "preset" or not id and HasKey("options.preset") then SetPreset(options.get("preset")) end
 end
 
--- The name of the next photo.
-function options.nextPhoto()
-    local number = GetInt("options.photos") + 1
-    SetInt("options.photos", number)
-    return string.format("photo-%03d.png", number)
-end
-
 return options

@@ -48,6 +48,7 @@ Game::Game(const rubble_api& api, rubble::Display& display, GameSettings setting
 Game::~Game() {
     if (m_scripts && m_settings.film.script.empty()) writeOptions();
     m_scripts.reset();
+    m_still.reset();
     m_replay.forget();
     if (m_renderer) m_api.destroy_renderer(m_renderer);
     if (m_world) m_api.destroy_world(m_world);
@@ -110,6 +111,7 @@ void Game::startScripts() {
     settings.levelFolder =
         m_settings.levelFolder.empty() ? fs::absolute(m_settings.level).parent_path().string() : m_settings.levelFolder;
     settings.limits.memory = 64 << 20;
+    settings.limits.work = settings.limits.workPerFrame;  // all files of the game are read in one call
     settings.functions = gameFunctions();
     settings.host = this;
     m_sound.enter(m_world);
@@ -150,7 +152,6 @@ bool Game::frame(double seconds) {
     if (rubble::Window* window = m_display.window())
         for (const std::string& path : window->takeDrops()) m_drops.add(path);
     if (m_botPad) readGamepad(*m_botPad, m_input);
-    m_isInteractive = false;
     m_camera.frame.reset();
     m_scripts->tick(seconds);
     m_isCut |= m_replay.endUnwanted();
@@ -162,8 +163,9 @@ bool Game::frame(double seconds) {
     m_due = std::max(m_due, 0.0);
     hear(seconds);
     draw(seconds);
-    if (rubble::Window* window = m_display.window()) window->captureCursor(!m_isInteractive);
+    if (rubble::Window* window = m_display.window()) window->captureCursor(!m_requests.isInteractive);
     carryOutRequests();
+    if (m_still) drawStill();
     return isOpen && !m_requests.quits;
 }
 
@@ -308,9 +310,31 @@ std::string Game::writeImage(const std::string& path) {
     return written ? "" : written.error();
 }
 
+void Game::takeImage(const std::string& path, glm::ivec2 size) {
+    if (size.x == 0) return fail(writeImage(path));
+    std::error_code ignored;
+    fs::create_directories(fs::path(path).parent_path(), ignored);
+    auto still = Still::begin(m_display, path, size);
+    if (!still) return fail(still.error());
+    m_still = std::move(*still);
+}
+
+void Game::drawStill() {
+    const std::string what = m_still->draw(m_api, shownRenderer(), shownView());
+    fail(what);
+    if (!what.empty() || m_still->progress() == 1.0) m_still.reset();
+}
+
+uint64_t Game::drawMemory() const {
+    rubble_draw_stats stats = {};
+    stats.struct_size = sizeof stats;
+    m_api.get_draw_stats(m_renderer, &stats);
+    return stats.texture_bytes;
+}
+
 void Game::carryOutRequests() {
     const Requests now = std::exchange(m_requests, Requests{.quits = m_requests.quits});
-    if (!now.image.empty()) fail(writeImage(m_settings.out + "/" + now.image));
+    if (!now.image.empty()) takeImage(m_settings.out + "/" + now.image, now.imageSize);
     if (!now.save.empty()) fail(save(now.save));
     if (!now.load.empty()) fail(load(now.load));
     if (!now.preset.empty() && now.preset != m_settings.preset) {

@@ -24,16 +24,6 @@ bool Game::hasSave(const std::string& name) const {
     return fs::is_regular_file(savePath(name), ignored);
 }
 
-std::vector<std::string> Game::filesOf(const std::string& folder) const {
-    std::vector<std::string> names;
-    std::error_code error;
-    for (fs::directory_iterator at(m_settings.folder + "/" + folder, error), end; !error && at != end;
-         at.increment(error))
-        if (at->is_regular_file(error)) names.push_back(at->path().filename().string());
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 /// Loads it into a world of its own, as only that finds all damage.
 bool Game::canLoad(const std::string& name) const {
     if (!hasSave(name)) return false;

@@ -68,6 +68,10 @@ TEST(Game, ABotPlaysByGamepadBindsKeysPlacesThingsAndTakesPhotos) {
     const fs::path out = freshFolder("menus");
     ASSERT_EQ(playGame("bot_menus.lua", out, RUBBLE_SOURCE_DIR "/samples/sandbox/game"), 0) << logOf(out);
     EXPECT_TRUE(readPng((out / "photo-001.png").string()));
+    const Result<Image> still = readPng((out / "photo-002.png").string());
+    ASSERT_TRUE(still) << still.error();
+    EXPECT_EQ(still->width, 1920);
+    EXPECT_EQ(still->height, 1080);
 }
 
 TEST(Game, ABotSeesTheLastSecondsAgainAndGoesOn) {

@@ -4,9 +4,9 @@ local camera = require("freecamera")
 local draw = require("draw")
 local keys = require("keys")
 local options = require("options")
-local sounds = require("sounds")
+local stills = require("menus/stills")
 
-local photo = {isOpen = false, isStill = false, last = ""}
+local photo = {isOpen = false, isStill = false}
 local kRow, kWidth, kRepeat = 50, 470, 1 / 14
 local kFrames = 6  -- for which the panel stays away around an image
 local air          -- as it was
@@ -32,6 +32,7 @@ local rows = {
     {id = "wetness", name = "Wetness", low = 0, high = 1, step = 0.1, format = "%.1f",
         apply = function(v) return {wetness = v} end},
     {id = "grid", name = "Lines of thirds", low = 0, high = 1, step = 1, format = "%d"},
+    {id = "size", name = "Size of stills", low = 1, high = #stills.sizes, step = 1, format = "%d"},
 }
 
 -- Light and air as the rows say; those that nobody has changed as they were.
@@ -50,7 +51,7 @@ end
 local function reset()
     local up, turn = sunAngles(VecNormalize(air.sunDirection))
     value = {fov = options.get("fov"), roll = 0, exposure = 0, sunHeight = up, sunTurn = turn, haze = air.fogDensity,
-        clouds = air.clouds, wetness = air.wetness, grid = 0}
+        clouds = air.clouds, wetness = air.wetness, grid = 0, size = stills.chosen()}
     changed = {}
 end
 
@@ -80,6 +81,7 @@ local function change(direction)
     local now = math.floor(value[row.id] / row.step + 0.5) * row.step + direction * row.step
     if row.wraps then now = now % row.high else now = math.max(row.low, math.min(row.high, now)) end
     value[row.id], changed[row.id] = now, row.apply or row.id:find("^sun") and true or nil
+    if row.id == "size" then stills.choose(now) end
     if changed[row.id] then light() end
 end
 
@@ -103,21 +105,18 @@ local function adjust(dt)
     end
 end
 
-local function shoot()
-    photo.last = options.nextPhoto()
-    Screenshot(photo.last)
-    hidden = kFrames
-    sounds.play("click")
-end
-
 -- Each frame while it is open.
 function photo.tick(dt)
     hidden = math.max(0, hidden - 1)
+    if stills.isBusy() then return camera.stay(value.fov, value.roll) end
     camera.fly(dt, value.fov, value.roll)
     if InputPressed("menuback") or InputPressed("photo") then return photo.close() end
     if InputPressed("hide") then isBare = not isBare end
     adjust(dt)
-    if InputPressed("usetool") or InputPressed("menuok") then shoot() end
+    if InputPressed("usetool") or InputPressed("menuok") then
+        stills.take()
+        hidden = kFrames
+    end
 end
 
 local function drawRow(row, isChosen)
@@ -132,7 +131,8 @@ local function drawRow(row, isChosen)
     UiTranslate(kWidth * options.get("textsize") - 72, 0)
     local now = value[row.id]
     if row.format:find("%%d") then now = math.floor(now + 0.5) end
-    local text = row.id == "grid" and (now == 1 and "on" or "off") or string.format(row.format, now)
+    local text = row.id == "grid" and (now == 1 and "on" or "off") or row.id == "size" and stills.sizes[now][1]
+        or string.format(row.format, now)
     draw.text(text, 24, "right middle", changed[row.id] and draw.accent or draw.ink, isChosen and 1 or 0.82)
     UiPop()
 end
@@ -155,6 +155,7 @@ local function drawThirds()
 end
 
 function photo.draw()
+    if stills.isBusy() and stills.sizes[value.size][2] then return stills.draw() end
     if hidden > 0 then return end
     if value.grid == 1 then drawThirds() end
     if isBare then return end
@@ -174,9 +175,9 @@ function photo.draw()
     UiTranslate(UiCenter(), UiHeight() - 44)
     draw.text(string.format("%s: take it    %s: as it was    %s: hide this    %s: back", keys.labels("menuok"),
         keys.labels("menuclear"), keys.labels("hide"), keys.labels("menuback")), 24, "center")
-    if photo.last ~= "" then
+    if stills.last ~= "" then
         UiTranslate(0, -40 * scale)
-        draw.text("Saved as " .. photo.last, 24, "center", draw.accent)
+        draw.text("Saved as " .. stills.last, 24, "center", draw.accent)
     end
     UiPop()
 end

@@ -4,7 +4,7 @@ local draw = require("draw")
 local hud = require("hud")
 local keys = require("keys")
 local options = require("options")
-local sounds = require("sounds")
+local stills = require("menus/stills")
 
 local replay = {isOpen = false}
 local kJump, kRepeat = 0.5, 1 / 10  -- seconds that an arrow key moves by, and after which it does again
@@ -48,9 +48,8 @@ local function readKeys(dt)
         if not isPaused and ago == 0 then ago = length else isPaused = not isPaused end
     end
     if InputPressed("usetool") then
-        Screenshot(options.nextPhoto())
+        stills.take()
         hidden = kFrames
-        sounds.play("click")
     end
     scrub(dt)
 end
@@ -58,10 +57,15 @@ end
 -- Each frame while it is open.
 function replay.tick(dt)
     hidden = math.max(0, hidden - 1)
-    if InputPressed("menuback") or InputPressed("replay") then return replay.close() end
-    readKeys(dt)
-    if not isPaused then ago = math.max(0, ago - dt * kSpeeds[speed][1]) end
-    camera.fly(dt, fov)
+    local isBusy = stills.isBusy()
+    if not isBusy and (InputPressed("menuback") or InputPressed("replay")) then return replay.close() end
+    if isBusy then
+        camera.stay(fov)
+    else
+        readKeys(dt)
+        if not isPaused then ago = math.max(0, ago - dt * kSpeeds[speed][1]) end
+        camera.fly(dt, fov)
+    end
     local isShown, why = ShowReplay(ago, "viewmodel")
     if isShown then return end
     replay.close()
@@ -90,6 +94,7 @@ local function drawBar(width, scale)
 end
 
 function replay.draw()
+    if stills.isBusy() and stills.sizes[stills.chosen()][2] then return stills.draw() end
     if hidden > 0 or isBare then return end
     local scale = options.get("textsize")
     local width = math.min(kWidth * scale, UiWidth() - 160)
