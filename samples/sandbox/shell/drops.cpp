@@ -72,7 +72,7 @@ std::string Drops::readScript(Drop& drop) const {
     file.read(drop.script.data(), std::streamsize(drop.script.size()));
     drop.script.resize(size_t(file.gcount()));
     if (drop.script.empty()) return drop.path + ": expected a text that can be read, found nothing";
-    if (drop.script.size() <= kMaxScript) return "";
+    if (drop.script.size() <= kMaxScript) return m_test(drop.name + ".lua", drop.script);
     return fmt::format("{}: expected a prefab of at most {} KiB, found more", drop.path, kMaxScript >> 10);
 }
 

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sandbox {
@@ -30,8 +32,12 @@ struct Drop {
 /// The files that were dropped on the window, in their order, until the game ends.
 class Drops {
 public:
+    /// Tries a prefab of a name and a text where it can do no harm; what is wrong, or "".
+    using PrefabTest = std::function<std::string(const std::string& name, const std::string& text)>;
+
     /// `vdbTool`: the program that reads .vdb.
-    Drops(const rubble_api& api, std::string vdbTool) : m_api(api), m_vdbTool(std::move(vdbTool)) {}
+    Drops(const rubble_api& api, std::string vdbTool, PrefabTest test)
+        : m_api(api), m_vdbTool(std::move(vdbTool)), m_test(std::move(test)) {}
     /// Reads one: a model or level (.vox, .vdb, .rubble), or a prefab (.lua).
     void add(const std::string& path);
     /// All of them, also those that cannot be read.
@@ -45,6 +51,7 @@ private:
 
     const rubble_api& m_api;
     std::string m_vdbTool;
+    PrefabTest m_test;
     std::vector<Drop> m_all;
 };
 

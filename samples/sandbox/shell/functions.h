@@ -7,6 +7,9 @@ namespace sandbox {
 
 class Game;
 
+/// What each of them may use up.
+rubble::script::SandboxLimits scriptLimits();
+
 /// What scripts of the game have beside the functions of all scripts: input, player, camera, saves, models.
 std::span<const rubble::script::ScriptFunction> gameFunctions();
 

@@ -186,6 +186,13 @@ std::span<const ScriptFunction> playerFunctions() {
     return kFunctions;
 }
 
+SandboxLimits scriptLimits() {
+    SandboxLimits limits;
+    limits.memory = 64 << 20;
+    limits.work = limits.workPerFrame;  // all files of the game are read in one call
+    return limits;
+}
+
 std::span<const ScriptFunction> gameFunctions() {
     static const std::vector<ScriptFunction> all = [] {
         std::vector<ScriptFunction> rows;

@@ -39,7 +39,8 @@ Game::Game(const rubble_api& api, rubble::Display& display, GameSettings setting
     : m_api(api),
       m_display(display),
       m_settings(std::move(settings)),
-      m_drops(api, m_settings.vdbTool),
+      m_drops(api, m_settings.vdbTool,
+              [this](const std::string& name, const std::string& text) { return testPrefab(name, text); }),
       m_replay(api, isPlayed() ? 0 : RUBBLE_WORLD_WAIT_FOR_SHADOW,
                [this](rubble_world world, rubble_renderer& renderer) { return createRenderer(world, renderer); }),
       m_scriptApi(m_replay.notingApi()),
@@ -110,8 +111,7 @@ void Game::startScripts() {
     settings.folder = m_settings.folder;
     settings.levelFolder =
         m_settings.levelFolder.empty() ? fs::absolute(m_settings.level).parent_path().string() : m_settings.levelFolder;
-    settings.limits.memory = 64 << 20;
-    settings.limits.work = settings.limits.workPerFrame;  // all files of the game are read in one call
+    settings.limits = scriptLimits();
     settings.functions = gameFunctions();
     settings.host = this;
     m_sound.enter(m_world);

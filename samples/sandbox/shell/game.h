@@ -126,6 +126,7 @@ private:
     void carryOutRequests();
     std::string save(const std::string& name);
     std::string load(const std::string& name);
+    std::string testPrefab(const std::string& name, const std::string& text);
     std::string savePath(const std::string& name) const;
     std::string optionsPath() const;
     void readOptions();

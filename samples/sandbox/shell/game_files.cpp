@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "samples/sandbox/shell/functions.h"
 #include "samples/sandbox/shell/game.h"
 
 namespace sandbox {
@@ -36,6 +37,34 @@ bool Game::canLoad(const std::string& name) const {
     if (!isGood) fmt::print(stderr, "sandbox: {}\n", m_api.get_last_error());
     m_api.destroy_world(scratch);
     return isGood;
+}
+
+/// In a world and a script of its own, which alone ends where the text never does.
+std::string Game::testPrefab(const std::string& name, const std::string& text) {
+    static constexpr const char* kTest =
+        "local chunk, what = load(GetString('drop.text'), '=' .. GetString('drop.name'))\n"
+        "if not chunk then error(what, 0) end\n"
+        "local prefab = chunk()\n"
+        "if type(prefab) == 'table' and prefab.pieces then prefab.pieces(require('things').model) end\n";
+    rubble_world_settings settings = {};
+    settings.struct_size = sizeof settings;
+    settings.flags = RUBBLE_WORLD_NO_RENDERER;
+    rubble_world scratch = 0;
+    if (m_api.create_world(&settings, &scratch) != RUBBLE_OK) return m_api.get_last_error();
+    std::string what;
+    {
+        rubble::script::ScriptHostSettings host;
+        host.folder = m_settings.folder;
+        host.limits = scriptLimits();
+        host.functions = gameFunctions();
+        host.host = this;
+        rubble::script::ScriptHost scripts(m_api, scratch, host);
+        scripts.shared().registry["drop.text"] = text;
+        scripts.shared().registry["drop.name"] = name;
+        what = scripts.add(name, kTest).error();
+    }
+    m_api.destroy_world(scratch);
+    return what;
 }
 
 std::string Game::save(const std::string& name) {

@@ -100,6 +100,8 @@ TEST(Game, FilesThatAreDroppedArePlacedOrSayWhatIsWrong) {
     write("empty.lua", "");
     write("number.lua", "return 7");
     write("fails.lua", "return {name = 'x', pieces = function() return nil + 1 end}");
+    write("loops.lua", "while true do end");
+    write("grows.lua", "return {name = 'x', pieces = function() local t = {} while true do t[#t + 1] = {} end end}");
     write("model.lua", "return {name = 'x', pieces = function() return {{model = 5}} end}");
     write("large.lua",
           "return {name = 'Large', pieces = function() return {{model = {size = {999, 1, 1}, voxel = 0.1, "
