@@ -165,6 +165,16 @@ local function drawToolbelt(tool)
     drawHint()
 end
 
+-- The line of hud.say().
+function hud.drawMessage()
+    if messageTime <= 0 then return end
+    UiPush()
+    UiTranslate(UiCenter(), hud.messageAt)
+    local size = 28 * math.min(1, (UiWidth() - 120) / draw.width(message, 28))  -- errors of files are long
+    draw.text(message, size, "center", draw.ink, math.min(1, messageTime / 0.4))
+    UiPop()
+end
+
 -- `isBehind`: a menu is before it.
 function hud.draw(isBehind)
     if hud.isHidden or isBehind then return end
@@ -178,13 +188,7 @@ function hud.draw(isBehind)
         drawFirstSteps()
     end
     if hud.showsKeys then drawKeys() end
-    if messageTime > 0 then
-        UiPush()
-        UiTranslate(UiCenter(), hud.messageAt)
-        local size = 28 * math.min(1, (UiWidth() - 120) / draw.width(message, 28))  -- errors of files are long
-        draw.text(message, size, "center", draw.ink, math.min(1, messageTime / 0.4))
-        UiPop()
-    end
+    hud.drawMessage()
 end
 
 return hud

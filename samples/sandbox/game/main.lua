@@ -187,10 +187,16 @@ function onBreak(shape, voxels)
 end
 
 function draw()
-    if menus.open then return menus.draw() end
+    if menus.open then
+        menus.draw()
+        return hud.drawMessage()
+    end
     if photo.isOpen then return photo.draw() end
     if replay.isOpen then return replay.draw() end
-    if spawn.isOpen then return spawn.draw() end
+    if spawn.isOpen then
+        spawn.draw()
+        return hud.drawMessage()
+    end
     if not hud.isHidden and not radial.isOpen then panel.draw() end
     hud.draw(radial.isOpen)
     if radial.isOpen then radial.draw() end

@@ -170,8 +170,8 @@ bool Game::frame(double seconds) {
 }
 
 void Game::step() {
+    fail(m_replay.beforeStep(m_world));  // may save the game, which an undo that waits would not let it
     if (m_wantsUndo) carryOutUndo();
-    fail(m_replay.beforeStep(m_world));
     m_player->beforeStep();
     const uint64_t before = rubble::allocationCount();
     if (m_scripts->step() != RUBBLE_OK) return fail(m_api.get_last_error());
