@@ -127,6 +127,31 @@ TEST_F(ReplayTest, HasTheParticlesOfScripts) {
     EXPECT_EQ(count, 2u);
 }
 
+TEST_F(ReplayTest, BeginsAgainWithAnotherGame) {
+    m_replay->keep(1.0);
+    playTo(30);
+    expectStep(10);
+    const char* const level = RUBBLE_SOURCE_DIR "/samples/lua/mods/car.vox";
+    for (const rubble_world world : {m_game, m_plain}) ASSERT_EQ(m_api->load_level(world, level, ""), RUBBLE_OK);
+    m_replay->forget();
+    EXPECT_EQ(m_replay->length(), 0.0);
+    EXPECT_EQ(m_replay->world(), 0u) << "nothing is shown";
+    playTo(55);
+    EXPECT_EQ(m_replay->length(), 25.0 / 60.0);
+    for (const int ago : {24, 0, 12}) expectStep(ago);
+    EXPECT_EQ(stateHash(m_game), stateHash(m_plain));
+}
+
+TEST_F(ReplayTest, StopsWhereTheGameWasReplacedAndNobodySaysSo) {
+    m_replay->keep(1.0);
+    playTo(30);
+    ASSERT_EQ(m_api->load_level(m_game, RUBBLE_SOURCE_DIR "/samples/lua/mods/car.vox", ""), RUBBLE_OK);
+    EXPECT_EQ(m_api->step(m_game), RUBBLE_OK);
+    EXPECT_NE(m_replay->afterStep(m_game), "");
+    EXPECT_EQ(m_replay->length(), 0.0);
+    EXPECT_EQ(m_replay->beforeStep(m_game), "") << "it does not try on";
+}
+
 TEST_F(ReplayTest, OffItKeepsNothing) {
     playTo(3);
     uint64_t count = 0;
