@@ -26,9 +26,9 @@ private:
 
 class MemoryDisplay final : public Display {
 public:
-    MemoryDisplay(std::unique_ptr<GlContext> context, glm::ivec2 size)
-        : m_context(std::move(context)), m_target(size) {}
-    Loader loader() const override { return m_context->loader(); }
+    MemoryDisplay(std::unique_ptr<GlContext> context, Loader find, glm::ivec2 size)
+        : m_context(std::move(context)), m_loader(find), m_target(size) {}
+    Loader loader() const override { return m_loader; }
     unsigned framebuffer() const override { return m_target.framebuffer(); }
     glm::ivec2 size() const override { return m_target.size(); }
     Window* window() override { return nullptr; }
@@ -40,7 +40,8 @@ public:
     }
 
 private:
-    std::unique_ptr<GlContext> m_context;  // destroyed after what it draws on
+    std::unique_ptr<GlContext> m_context;  // destroyed after what it draws on; null: it is another's
+    Loader m_loader;
     Offscreen m_target;
 };
 
@@ -55,8 +56,14 @@ Result<std::unique_ptr<Display>> Display::openWindow(glm::ivec2 size, const std:
 Result<std::unique_ptr<Display>> Display::inMemory(glm::ivec2 size) {
     auto context = GlContext::create();
     if (!context) return Error{context.error()};
-    if (const auto loaded = loadGl((*context)->loader()); !loaded) return Error{loaded.error()};
-    return std::unique_ptr<Display>(std::make_unique<MemoryDisplay>(std::move(*context), size));
+    const Loader loader = (*context)->loader();
+    if (const auto loaded = loadGl(loader); !loaded) return Error{loaded.error()};
+    return std::unique_ptr<Display>(std::make_unique<MemoryDisplay>(std::move(*context), loader, size));
+}
+
+Result<std::unique_ptr<Display>> Display::memoryBeside(glm::ivec2 size) const {
+    if (const auto loaded = loadGl(loader()); !loaded) return Error{loaded.error()};
+    return std::unique_ptr<Display>(std::make_unique<MemoryDisplay>(nullptr, loader(), size));
 }
 
 }  // namespace rubble

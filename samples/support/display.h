@@ -27,6 +27,8 @@ public:
     virtual unsigned framebuffer() const = 0;
     /// In pixels.
     virtual glm::ivec2 size() const = 0;
+    /// Memory of another size, in the same context, which ends before this. An error where there is no room for it.
+    Result<std::unique_ptr<Display>> memoryBeside(glm::ivec2 size) const;
     /// Its window; null: it is memory.
     virtual Window* window() = 0;
     /// Shows what was drawn.

@@ -46,6 +46,10 @@ Window::Window(GLFWwindow* window) : m_window(window), m_down(GLFW_KEY_LAST + 1,
     glfwSetScrollCallback(m_window, [](GLFWwindow* w, double, double turned) {
         static_cast<Window*>(glfwGetWindowUserPointer(w))->m_wheel += turned;
     });
+    glfwSetDropCallback(m_window, [](GLFWwindow* w, int count, const char** paths) {
+        auto& drops = static_cast<Window*>(glfwGetWindowUserPointer(w))->m_drops;
+        drops.insert(drops.end(), paths, paths + count);
+    });
 }
 
 Window::~Window() {
@@ -80,6 +84,10 @@ bool Window::buttonHeld(int button) const {
 }
 double Window::takeWheel() {
     return std::exchange(m_wheel, 0.0);
+}
+
+std::vector<std::string> Window::takeDrops() {
+    return std::exchange(m_drops, {});
 }
 
 void Window::captureCursor(bool isCaptured) {

@@ -2,6 +2,7 @@
 #include <glm/vec2.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "runtime/core/result.h"
 #include "samples/support/image.h"
@@ -36,6 +37,8 @@ public:
     bool buttonHeld(int button) const;
     /// How far the wheel was turned since the last call.
     double takeWheel();
+    /// Paths of the files that were dropped on it since the last call, UTF-8.
+    std::vector<std::string> takeDrops();
     /// A captured cursor is hidden and never leaves the window.
     void captureCursor(bool isCaptured);
     /// Where a free cursor is, in pixels of the framebuffer.
@@ -56,6 +59,7 @@ private:
     GLFWwindow* m_window;
     glm::dvec2 m_mouse{0.0};
     double m_wheel = 0.0;
+    std::vector<std::string> m_drops;
     bool m_isCaptured = true;
     std::string m_down, m_wasDown;  ///< one byte a key
 };

@@ -66,6 +66,10 @@ local function looks()
     bot.press("f1")
     image("keys")
     bot.press("f1")
+    bot.press("b")
+    bot.frames(20)
+    image("replay")
+    bot.press("esc")
     bot.press("h")
     bot.press("h")
     bot.press("flashlight")
@@ -89,7 +93,7 @@ local function settings()
     for _ = 1, 3 do bot.press("downarrow") end
     bot.press("return")
     image("settings")
-    for row = 1, 9 do
+    for row = 1, 10 do
         if row ~= 7 or random(4) == 1 then  -- the picture's renderer is made anew: not each time
             bot.press("rightarrow")
             bot.press("leftarrow")

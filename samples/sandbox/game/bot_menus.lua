@@ -62,7 +62,7 @@ local function toKeys()
     bot.press("esc")
     for _ = 1, 3 do bot.press("downarrow") end
     bot.press("return")
-    for _ = 1, 9 do bot.press("downarrow") end
+    for _ = 1, 10 do bot.press("downarrow") end
     bot.press("return")
     bot.expect(GetString("game.menu") == "keys", "the page of keys")
 end
@@ -245,6 +245,39 @@ local function photo()
     bot.expect(GetBodyTransform(body).pos.y < at.y, "time to go on")
 end
 
+-- An image of another size than the window's: all stays as it is meanwhile, and memory is free after it.
+local function still()
+    local function drawSome()
+        for _ = 1, 8 do bot.image("small") end
+    end
+    drawSome()
+    local memory = GetDrawMemory()
+    bot.press("p")
+    bot.frames(4)
+    bot.press("uparrow")
+    bot.press("rightarrow")
+    bot.expect(GetInt("options.stills") == 2, "another size")
+    local hash, camera = GetStateHash(), GetCameraTransform().pos
+    bot.press("return")
+    SetInput("w", true)
+    AddInput("mousedx", 100)
+    local frames, seen = 0, 0
+    while GetScreenshotProgress() < 1 do
+        frames, seen = frames + 1, math.max(seen, GetDrawMemory())
+        bot.frames(1)
+    end
+    SetInput("w", false)
+    bot.expect(frames > 8 and frames < 20, "some frames, found " .. frames)
+    bot.expect(VecLength(GetCameraTransform().pos - camera) < 0.2, "the camera to stay")
+    bot.expect(GetStateHash() == hash, "the world to stand still")
+    bot.expect(seen > 2 * memory, "larger targets meanwhile, found " .. seen .. " after " .. memory)
+    bot.press("esc")
+    drawSome()
+    bot.expect(GetDrawMemory() <= 1.02 * memory, "no more memory than before, found " .. GetDrawMemory() .. " after "
+        .. memory)
+    SetInt("options.stills", 1)
+end
+
 bot.play(function()
     bot.frames(3)
     gamepad()
@@ -252,6 +285,7 @@ bot.play(function()
     placeAll()
     explosive()
     photo()
+    still()
 end)
 
 function tick()

@@ -167,7 +167,7 @@ local function menus()
     bot.frames(10)
     for _ = 1, 8 do bot.press("rightarrow") end
     bot.expect(math.abs(GetFloat("options.volume") - 0.8) < 1e-6, "sound again")
-    for _ = 1, 2 do bot.press("downarrow") end
+    for _ = 1, 3 do bot.press("downarrow") end
     bot.press("leftarrow")
     bot.expect(GetFloat("world.gravity") == 9, "less gravity")
     bot.press("rightarrow")

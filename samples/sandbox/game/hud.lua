@@ -22,7 +22,7 @@ local kKeys = {{kMoves, "walk"}, {"sprint", "run"}, {"jump", "jump"}, {"crouch",
     {"usetool", "use the tool"}, {"grab", "its second use"}, {"reload", "reload"},
     {"interact", "doors, lamps, things, vehicles"}, {"flashlight", "a lamp"},
     {"wheel", "wheel of tools"}, {"change", "change the tool"}, {"spawn", "things to place"}, {"undo", "take back"},
-    {"photo", "photo"}, {"quicksave quickload", "save, load"}, {"hide", "hide all this"}, {"pause", "menu"}}
+    {"photo", "photo"}, {"replay", "replay"}, {"quicksave quickload", "save, load"}, {"hide", "hide all this"}, {"pause", "menu"}}
 
 -- What to press for it.
 local function labelOf(actions)
@@ -36,6 +36,11 @@ end
 -- A line that is shown for some seconds.
 function hud.say(text, seconds)
     message, messageTime = text, seconds or 2
+end
+
+-- The line that is shown, or "".
+function hud.message()
+    return messageTime > 0 and message or ""
 end
 
 function hud.tick(dt)
@@ -160,6 +165,16 @@ local function drawToolbelt(tool)
     drawHint()
 end
 
+-- The line of hud.say().
+function hud.drawMessage()
+    if messageTime <= 0 then return end
+    UiPush()
+    UiTranslate(UiCenter(), hud.messageAt)
+    local size = 28 * math.min(1, (UiWidth() - 120) / draw.width(message, 28))  -- errors of files are long
+    draw.text(message, size, "center", draw.ink, math.min(1, messageTime / 0.4))
+    UiPop()
+end
+
 -- `isBehind`: a menu is before it.
 function hud.draw(isBehind)
     if hud.isHidden or isBehind then return end
@@ -173,12 +188,7 @@ function hud.draw(isBehind)
         drawFirstSteps()
     end
     if hud.showsKeys then drawKeys() end
-    if messageTime > 0 then
-        UiPush()
-        UiTranslate(UiCenter(), hud.messageAt)
-        draw.text(message, 28, "center", draw.ink, math.min(1, messageTime / 0.4))
-        UiPop()
-    end
+    hud.drawMessage()
 end
 
 return hud

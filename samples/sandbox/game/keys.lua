@@ -33,7 +33,8 @@ keys.groups = {
         {"boomdown", "Boom down", "downarrow", "padx", on = "drive"},
     }},
     {name = "Game", rows = {
-        {"pause", "Menu", "esc", "padstart"}, {"photo", "Photo", "p", "padback"}, {"quicksave", "Save", "f5", "-"},
+        {"pause", "Menu", "esc", "padstart"}, {"photo", "Photo", "p", "padback"}, {"replay", "Replay", "b", "-"},
+        {"quicksave", "Save", "f5", "-"},
         {"quickload", "Load", "f9", "-"}, {"hide", "Hide what is drawn over", "h", "-"}, {"help", "All keys", "f1", "-"},
     }},
 }

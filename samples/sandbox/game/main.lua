@@ -3,6 +3,7 @@
 local belt = require("toolbelt")
 local bombs = require("tools/bombs")
 local contract = require("contracts/contract")
+local dropped = require("dropped")
 local explosives = require("explosives")
 local feel = require("feel")
 local hud = require("hud")
@@ -16,6 +17,7 @@ local panel = require("contracts/panel")
 local place = require("place")
 local player = require("player")
 local radial = require("menus/radial")
+local replay = require("menus/replay")
 local sounds = require("sounds")
 local spawn = require("menus/spawn")
 local vehicles = require("vehicles/vehicles")
@@ -31,6 +33,7 @@ belt.load({"sledge", "axe", "pistol", "shotgun", "rocket", "timebomb", "remotebo
 contract.add("demolition")
 contract.add("heist")
 interact.contract = contract.offer
+place.say = hud.say
 
 function init()
     keys.apply()
@@ -64,8 +67,14 @@ menus.photo = function()
     photo.open()
 end
 
+menus.replay = function()
+    menus.open = nil
+    replay.open()
+end
+
 local function readKeys()
     if InputPressed("photo") then return photo.open() end
+    if InputPressed("replay") then return replay.open() end
     if InputPressed("pause") then menus.show("pause") end
     if InputPressed("wheel") and not vehicles.driven() then
         place.finish()
@@ -91,20 +100,36 @@ local function readKeys()
     end
 end
 
+-- What is dropped on the window stands before the eyes at once, where things may be placed.
+local function takeDrops()
+    local thing, what = dropped.take()
+    if what then return hud.say(what, 8) end
+    if not thing then return end
+    local isFree = not (menus.open or photo.isOpen or replay.isOpen or vehicles.driven() or contract.current())
+    hud.say(string.format("%s is in the menu of things (%s)", thing.name, keys.label("spawn")), 4)
+    if not isFree then return end
+    spawn.isOpen, radial.isOpen = false, false
+    place.begin(thing)
+end
+
 -- For other scripts: what is open, and which tool is in the hand.
 local function publish()
-    local other = photo.isOpen and "photo" or spawn.isOpen and "spawn" or radial.isOpen and "radial"
+    local other = photo.isOpen and "photo" or replay.isOpen and "replay" or spawn.isOpen and "spawn" or radial.isOpen and "radial"
     SetString("game.menu", menus.open or other or "")
     SetString("game.tool", belt.tool().id)
     spawn.publish()
     SetString("game.placing", place.thing and place.thing.name or "")
     contract.publish()
+    replay.publish()
+    dropped.publish()
+    SetString("game.message", hud.message())
     vehicles.publish()
 end
 
 function tick(dt)
     publish()
     keys.tick()
+    takeDrops()
     feel.tick(dt)
     hud.tick(dt)
     sounds.loop("wind", nil, 0.06 + 0.01 * math.min(VecLength(GetPlayerVelocity()), 30))
@@ -113,7 +138,7 @@ function tick(dt)
         hasSeenEnd = true
         menus.show("result")
     end
-    SetTimeScale((menus.stopsTime() or photo.isStill or spawn.isOpen) and 0 or options.get("timescale"))
+    SetTimeScale((menus.stopsTime() or photo.isStill or spawn.isOpen or replay.isOpen) and 0 or options.get("timescale"))
     if menus.open then
         titleTime = titleTime + dt
         if menus.isTitle() then menus.camera(titleTime) end
@@ -121,6 +146,7 @@ function tick(dt)
     end
     if photo.isOpen then return photo.tick(dt) end
     photo.isStill = false
+    if replay.isOpen then return replay.tick(dt) end
     if spawn.isOpen then return spawn.tick() end
     if radial.isOpen then return radial.tick() end
     if vehicles.driven() then
@@ -163,9 +189,16 @@ function onBreak(shape, voxels)
 end
 
 function draw()
-    if menus.open then return menus.draw() end
+    if menus.open then
+        menus.draw()
+        return hud.drawMessage()
+    end
     if photo.isOpen then return photo.draw() end
-    if spawn.isOpen then return spawn.draw() end
+    if replay.isOpen then return replay.draw() end
+    if spawn.isOpen then
+        spawn.draw()
+        return hud.drawMessage()
+    end
     if not hud.isHidden and not radial.isOpen then panel.draw() end
     hud.draw(radial.isOpen)
     if radial.isOpen then radial.draw() end

@@ -1,5 +1,6 @@
 -- What the player has chosen. Options outlive the game: the shell keeps the keys "options.*" in a file.
 local options = {}
+local kReplay = 30  -- seconds that are kept
 
 -- Each option: its name in menus, what it is at first, and its range and step, or its choices.
 options.rows = {
@@ -10,6 +11,7 @@ options.rows = {
     {id = "flashes", name = "Flashes of light", default = 1.0, low = 0.0, high = 1.0, step = 0.1, format = "%.1f"},
     {id = "volume", name = "Sound", default = 0.8, low = 0.0, high = 1.0, step = 0.1, format = "%.1f", zero = "off"},
     {id = "preset", name = "Picture", default = "balanced", choices = {"draft", "fast", "balanced", "accurate"}},
+    {id = "replay", name = "Replay", default = "on", choices = {"off", "on"}},
 }
 -- Rules of this world, which are saved with the game and not with the options.
 options.world = {
@@ -86,6 +88,7 @@ function options.apply(id)
     if id == "gravity" or not id and HasKey("world.gravity") then SetGravity({0, -options.get("gravity"), 0}) end
     if not id or id == "timescale" then SetTimeScale(options.get("timescale")) end
     if not id or id == "volume" then SetSoundVolume(options.get("volume")) end
+    if not id or id == "replay" then KeepReplay(options.get("replay") == "on" and kReplay or 0) end
     if id == "preset" or not id and HasKey("options.preset") then SetPreset(options.get("preset")) end
 end
 

@@ -8,7 +8,7 @@ local sounds = require("sounds")
 local things = require("things")
 local vehicles = require("vehicles/vehicles")
 
-local place = {thing = nil}
+local place = {thing = nil, say = nil}  -- what is placed; what shows a line for some seconds
 local kReach, kGap, kTurn, kTips = 14, 0.02, 15, {Quat(), QuatEuler(90, 0, 0), QuatEuler(0, 0, 90)}
 local turn, tip = 0, 1
 local ghosts, shown, wasFree = {}, nil, nil  -- bodies of the image, of which thing, and whether it was free
@@ -57,7 +57,7 @@ local function showGhosts()
     removeGhosts()
     for i, piece in ipairs(pieces) do
         local m = piece.model
-        ghosts[i] = CreateModel({size = m.size, origin = m.origin, voxel = m.voxel, boxes = m.boxes,
+        ghosts[i] = CreateModel({size = m.size, origin = m.origin, voxel = m.voxel, boxes = m.boxes, grid = m.grid,
             palette = ghostPalette(m.palette)}, pieceFrame(piece), false)
         SetTag(ghosts[i], "ghost")
     end
@@ -140,11 +140,23 @@ local function putPieces()
     end
 end
 
+-- What was dropped is read again. One that cannot be read any more says why.
+local function putDrop()
+    local bodies, why = PlaceDrop(place.thing.drop, frame)
+    if not bodies then return place.say(why, 8) end
+    for _, body in ipairs(bodies) do
+        SetTag(body, "placed")
+        if place.thing.isFree then SetBodyDynamic(body, true) end
+    end
+end
+
 local function put()
     if not isFree then return sounds.play("click", nil, 0.4) end
     AddUndoMark()
     if place.thing.vehicle then
         vehicles.spawn(place.thing.vehicle, frame)
+    elseif place.thing.drop then
+        putDrop()
     else
         putPieces()
     end
@@ -166,7 +178,12 @@ end
 -- Each step. `isShown`: no menu is open.
 function place.update(isShown)
     if place.thing and isShown then
-        showGhosts()
+        if not place.thing.path then return showGhosts() end
+        local isGood, what = pcall(showGhosts)  -- a prefab that was dropped may be anything
+        if isGood then return end
+        place.say(tostring(what), 8)
+        place.finish()
+        removeGhosts()
     elseif shown or #ghosts > 0 then
         removeGhosts()
     end

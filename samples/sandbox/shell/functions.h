@@ -7,6 +7,9 @@ namespace sandbox {
 
 class Game;
 
+/// What each of them may use up.
+rubble::script::SandboxLimits scriptLimits();
+
 /// What scripts of the game have beside the functions of all scripts: input, player, camera, saves, models.
 std::span<const rubble::script::ScriptFunction> gameFunctions();
 
@@ -22,6 +25,9 @@ std::span<const rubble::script::ScriptFunction> vehicleFunctions();
 
 /// Shots, sky and rules, for films.
 std::span<const rubble::script::ScriptFunction> filmFunctions();
+
+/// Files that were dropped on the window.
+std::span<const rubble::script::ScriptFunction> dropFunctions();
 
 /// Sounds.
 std::span<const rubble::script::ScriptFunction> soundFunctions();

@@ -128,16 +128,30 @@ std::vector<uint8_t> fillBoxes(lua_State* L, int table, const std::array<int, 3>
     return cells;
 }
 
+/// The grid {number, place} of a file that was dropped; null: the model has boxes.
+const DropGrid* gridAt(lua_State* L, int table) {
+    if (lua_isnil(L, table)) return nullptr;
+    requireKeys(L, table, "grid", {}, 2);
+    const std::vector<Drop>& all = gameOf(L).drops().all();
+    const Drop& drop = all[size_t(elementAt(L, table, 1, "grid", 1, int(all.size()))) - 1];
+    return &drop.grids[size_t(elementAt(L, table, 2, "grid", 1, int(drop.grids.size()))) - 1];
+}
+
 int createModel(lua_State* L) {
-    static constexpr const char* kKeys[] = {"size", "voxel", "origin", "palette", "boxes", "muzzle"};
+    static constexpr const char* kKeys[] = {"size", "voxel", "origin", "palette", "boxes", "muzzle", "grid"};
     requireKeys(L, 1, "model", kKeys);
     const Placement place = placementAt(L, 2, "transform");
     const double voxel = fieldOr(L, 1, "voxel", 0.005, 1.0, 0.1);
     std::array<int, 3> size;
     const int sizeAt = pushField(L, 1, "size");
     requireKeys(L, sizeAt, "size", {}, 3);
-    for (int i = 0; i < 3; ++i) size[size_t(i)] = elementAt(L, sizeAt, i + 1, "size", 1, 128);
-    const std::vector<uint8_t> cells = fillBoxes(L, pushField(L, 1, "boxes"), size);
+    const DropGrid* const dropped = gridAt(L, pushField(L, 1, "grid"));
+    for (int i = 0; i < 3; ++i)
+        size[size_t(i)] = dropped ? dropped->size[size_t(i)] : elementAt(L, sizeAt, i + 1, "size", 1, 128);
+    std::vector<uint8_t> filled;
+    if (!dropped) filled = fillBoxes(L, pushField(L, 1, "boxes"), size);
+    const std::vector<uint8_t>& cells = dropped ? dropped->cells : filled;
+    if (dropped) Sandbox::of(L).charge(L, int64_t(cells.size() / 64));
     const std::vector<rubble_palette_entry> palette = paletteAt(L, pushField(L, 1, "palette"));
     const int origin = pushField(L, 1, "origin");  // the cell that is at the body's frame
     const bool hasOrigin = !lua_isnil(L, origin);
@@ -204,7 +218,7 @@ int createNail(lua_State* L) {
 
 constexpr ScriptFunction kFunctions[] = {
     {"CreateModel(model, transform, dynamic) -> body, shape",
-     "A body of boxes {x, y, z, x1, y1, z1, entry, shades}: size, voxel (m), origin (cells), palette, boxes.",
+     "A body of boxes {x, y, z, x1, y1, z1, entry, shades}: size, voxel (m), origin (cells), palette, boxes, or grid.",
      createModel, 0, "position transform, rotation transform, voxel_size voxel"},
     {"CreateRope(shapeA, posA, shapeB, posB, length, strength) -> joint",
      "A rope; length 0: as long as it is, strength 0: it never breaks.", createRope, 0,

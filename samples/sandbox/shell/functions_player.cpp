@@ -186,11 +186,18 @@ std::span<const ScriptFunction> playerFunctions() {
     return kFunctions;
 }
 
+SandboxLimits scriptLimits() {
+    SandboxLimits limits;
+    limits.memory = 64 << 20;
+    limits.work = limits.workPerFrame;  // all files of the game are read in one call
+    return limits;
+}
+
 std::span<const ScriptFunction> gameFunctions() {
     static const std::vector<ScriptFunction> all = [] {
         std::vector<ScriptFunction> rows;
         for (const auto& some : {playerFunctions(), sessionFunctions(), makeFunctions(), vehicleFunctions(),
-                                 filmFunctions(), soundFunctions()})
+                                 filmFunctions(), dropFunctions(), soundFunctions()})
             rows.insert(rows.end(), some.begin(), some.end());
         return rows;
     }();

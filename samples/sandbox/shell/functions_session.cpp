@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <glm/trigonometric.hpp>
 
 #include "runtime/script/binding/calls.h"
@@ -49,15 +50,26 @@ int setCameraFov(lua_State* L) {
     return 0;
 }
 int makeInteractive(lua_State* L) {
-    gameOf(L).setInteractive();
+    gameOf(L).requests().isInteractive = true;
     return 0;
 }
+/// Names of the files of a folder, sorted; of one that is not there none.
+std::vector<std::string> filesOf(const std::string& folder) {
+    namespace fs = std::filesystem;
+    std::vector<std::string> names;
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+        if (at->is_regular_file(error)) names.push_back(at->path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
 int listFiles(lua_State* L) {
     const std::string folder = textAt(L, 1, "folder");
     if (!isPlain(folder)) refuseArgument(L, 1, "folder", "1 to 100 of A-Z, a-z, 0-9, - and _");
     lua_newtable(L);
     lua_Integer count = 0;
-    for (const std::string& name : gameOf(L).filesOf(folder)) {
+    for (const std::string& name : filesOf(gameOf(L).settings().folder + "/" + folder)) {
         lua_pushstring(L, name.c_str());
         lua_rawseti(L, -2, ++count);
     }
@@ -107,15 +119,40 @@ int setPreset(lua_State* L) {
     return 0;
 }
 int getPreset(lua_State* L) {
-    lua_pushstring(L, gameOf(L).preset().c_str());
+    lua_pushstring(L, gameOf(L).settings().preset.c_str());
     return 1;
+}
+int keepReplay(lua_State* L) {
+    gameOf(L).replay().keep(clampedAt(L, 1, "seconds", 0.0, 300.0));
+    return 0;
+}
+int getReplayLength(lua_State* L) {
+    lua_pushnumber(L, gameOf(L).replay().length());
+    return 1;
+}
+int showReplay(lua_State* L) {
+    const double ago = clampedAt(L, 1, "ago", 0.0, 300.0);
+    const std::string what = gameOf(L).replay().show(ago, textAt(L, 2, "unseen"));
+    lua_pushboolean(L, what.empty());
+    lua_pushstring(L, what.c_str());
+    return 2;
 }
 int screenshot(lua_State* L) {
     const std::string file = textAt(L, 1, "file");
     if (!file.ends_with(".png") || !isPlain(std::string_view(file).substr(0, file.size() - 4)))
         refuseArgument(L, 1, "file", "a name of A-Z, a-z, 0-9, - and _ that ends in .png");
     gameOf(L).requests().image = file;
+    if (lua_isnoneornil(L, 2)) return 0;
+    gameOf(L).requests().imageSize = {wholeAt(L, 2, "width", 16, 8192), wholeAt(L, 3, "height", 16, 8192)};
     return 0;
+}
+int getScreenshotProgress(lua_State* L) {
+    lua_pushnumber(L, gameOf(L).imageProgress());
+    return 1;
+}
+int getDrawMemory(lua_State* L) {
+    lua_pushinteger(L, lua_Integer(gameOf(L).drawMemory()));
+    return 1;
 }
 
 constexpr ScriptFunction kFunctions[] = {
@@ -129,6 +166,11 @@ constexpr ScriptFunction kFunctions[] = {
     {"AddUndoMark()", "Sets a mark to which Undo() returns.", addUndoMark},
     {"Undo() -> boolean",
      "Takes back what came after the last mark, and each time again after the one before; false: there is none.", undo},
+    {"KeepReplay(seconds)", "How many of the last seconds are kept, 0 to 300; 0: none, which costs nothing.",
+     keepReplay},
+    {"GetReplayLength() -> seconds", "How many there are.", getReplayLength},
+    {"ShowReplay(ago, unseen) -> boolean, why",
+     "Shows in this frame what was there so many seconds ago, without bodies of a tag; false: it cannot.", showReplay},
     {"SaveGame(name)", "Saves the game after this frame.", saveGame},
     {"LoadGame(name) -> boolean", "Goes on with a saved game after this frame; false: there is none that loads.",
      loadGame},
@@ -137,7 +179,11 @@ constexpr ScriptFunction kFunctions[] = {
     {"QuitGame()", "Ends the game after this frame.", quitGame},
     {"SetPreset(name)", "Draws by another preset: \"draft\", \"fast\", \"balanced\" or \"accurate\".", setPreset},
     {"GetPreset() -> name", "The one in use.", getPreset},
-    {"Screenshot(file)", "Writes this frame as PNG.", screenshot},
+    {"Screenshot(file, width, height)",
+     "Writes this frame as PNG; in another size than the window's it is drawn in the frames that follow.", screenshot},
+    {"GetScreenshotProgress() -> share", "How far one of another size is, 0 to 1; 1: there is none to come.",
+     getScreenshotProgress},
+    {"GetDrawMemory() -> bytes", "That the renderer held on the GPU when it drew last.", getDrawMemory},
 };
 
 }  // namespace

@@ -39,11 +39,18 @@ Game::Game(const rubble_api& api, rubble::Display& display, GameSettings setting
     : m_api(api),
       m_display(display),
       m_settings(std::move(settings)),
+      m_drops(api, m_settings.vdbTool,
+              [this](const std::string& name, const std::string& text) { return testPrefab(name, text); }),
+      m_replay(api, isPlayed() ? 0 : RUBBLE_WORLD_WAIT_FOR_SHADOW,
+               [this](rubble_world world, rubble_renderer& renderer) { return createRenderer(world, renderer); }),
+      m_scriptApi(m_replay.notingApi()),
       m_sound(api, m_settings.wav, !m_settings.isSilent, [](const std::string& line) { fmt::print("{}\n", line); }) {}
 
 Game::~Game() {
     if (m_scripts && m_settings.film.script.empty()) writeOptions();
     m_scripts.reset();
+    m_still.reset();
+    m_replay.forget();
     if (m_renderer) m_api.destroy_renderer(m_renderer);
     if (m_world) m_api.destroy_world(m_world);
 }
@@ -79,16 +86,20 @@ std::string Game::begin() {
 
 std::string Game::makeRenderer() {
     if (m_renderer) m_api.destroy_renderer(std::exchange(m_renderer, 0));
+    m_isCut = true;
+    const std::string what = createRenderer(m_world, m_renderer);
+    if (what.empty()) step();  // a renderer shows nothing before one
+    return what;
+}
+
+std::string Game::createRenderer(rubble_world world, rubble_renderer& renderer) {
     rubble_renderer_settings settings = {};
     settings.struct_size = sizeof settings;
     settings.flags = RUBBLE_RENDERER_RESET_STATE;
     if (!m_drawsAlways) settings.flags |= RUBBLE_RENDERER_COMPILE_LATE;
     settings.preset = m_settings.preset.c_str();
     settings.program_cache = m_settings.programs.empty() ? nullptr : m_settings.programs.c_str();
-    m_isCut = true;
-    if (m_api.create_renderer(m_world, &settings, &m_renderer) != RUBBLE_OK) return m_api.get_last_error();
-    step();  // a renderer shows nothing before one
-    return "";
+    return m_api.create_renderer(world, &settings, &renderer) == RUBBLE_OK ? "" : m_api.get_last_error();
 }
 
 /// Ends the scripts that there are, and begins those of the game in the world as it is.
@@ -100,13 +111,13 @@ void Game::startScripts() {
     settings.folder = m_settings.folder;
     settings.levelFolder =
         m_settings.levelFolder.empty() ? fs::absolute(m_settings.level).parent_path().string() : m_settings.levelFolder;
-    settings.limits.memory = 64 << 20;
+    settings.limits = scriptLimits();
     settings.functions = gameFunctions();
     settings.host = this;
     m_sound.enter(m_world);
     settings.reports = m_sound.filter();
     settings.log = [](int level, const std::string& line) { fmt::print(level ? stderr : stdout, "{}\n", line); };
-    m_scripts = std::make_unique<ScriptHost>(m_api, m_world, settings);
+    m_scripts = std::make_unique<ScriptHost>(m_scriptApi, m_world, settings);
     m_scripts->shared().registry = registry;
     if (m_settings.film.script.empty()) readOptions();
     m_api.set_undo_limit(m_world, kUndoMarks);
@@ -138,10 +149,12 @@ bool Game::hasFailed() const {
 bool Game::frame(double seconds) {
     m_input.beginFrame();
     const bool isOpen = readDevices(m_display, m_input);
+    if (rubble::Window* window = m_display.window())
+        for (const std::string& path : window->takeDrops()) m_drops.add(path);
     if (m_botPad) readGamepad(*m_botPad, m_input);
-    m_isInteractive = false;
     m_camera.frame.reset();
     m_scripts->tick(seconds);
+    m_isCut |= m_replay.endUnwanted();
     cutToShot();
     const int most = isPlayed() ? kMaxSteps : kStepsOfSecond;
     m_due = std::min(m_due + seconds * m_scripts->timeScale(), most * kStep);
@@ -150,12 +163,14 @@ bool Game::frame(double seconds) {
     m_due = std::max(m_due, 0.0);
     hear(seconds);
     draw(seconds);
-    if (rubble::Window* window = m_display.window()) window->captureCursor(!m_isInteractive);
+    if (rubble::Window* window = m_display.window()) window->captureCursor(!m_requests.isInteractive);
     carryOutRequests();
+    if (m_still) drawStill();
     return isOpen && !m_requests.quits;
 }
 
 void Game::step() {
+    fail(m_replay.beforeStep(m_world));  // may save the game, which an undo that waits would not let it
     if (m_wantsUndo) carryOutUndo();
     m_player->beforeStep();
     const uint64_t before = rubble::allocationCount();
@@ -166,6 +181,7 @@ void Game::step() {
         m_api.get_step_stats(m_world, &stats);
         m_film->figures().addStep(stats, rubble::allocationCount() - before);
     }
+    fail(m_replay.afterStep(m_world));
     if (!m_isUnseen) m_sound.step();
     if (std::exchange(m_hasUndone, false)) m_player->adopt(true);
     m_player->afterStep();
@@ -248,6 +264,12 @@ rubble_view Game::view() const {
     return view;
 }
 
+rubble_view Game::shownView() {
+    rubble_view seen = view();
+    if (m_replay.renderer()) m_replay.complete(seen);
+    return seen;
+}
+
 void Game::hear(double seconds) {
     const Frame ear = cameraFrame();
     const glm::dquat& turn = ear.rotation;
@@ -262,13 +284,13 @@ void Game::setVolume(double volume) {
 }
 
 void Game::draw(double seconds) {
-    rubble_view seen = view();
-    m_scripts->draw(m_renderer, seen, seconds);
+    rubble_view seen = shownView();
+    m_scripts->draw(shownRenderer(), seen, seconds);
     if (!m_drawsAlways) return;
     for (int i = 0; m_isCut && m_film && i < kCutFrames; ++i, seen.flags &= ~uint32_t(RUBBLE_VIEW_CUT))
-        if (m_api.draw(m_renderer, &seen) != RUBBLE_OK) return fail(m_api.get_last_error());
+        if (m_api.draw(shownRenderer(), &seen) != RUBBLE_OK) return fail(m_api.get_last_error());
     m_isCut = false;
-    if (m_api.draw(m_renderer, &seen) != RUBBLE_OK) return fail(m_api.get_last_error());
+    if (m_api.draw(shownRenderer(), &seen) != RUBBLE_OK) return fail(m_api.get_last_error());
     m_display.present();
     if (!m_film || m_requests.quits) return;
     rubble_draw_stats stats = {};
@@ -280,17 +302,39 @@ void Game::draw(double seconds) {
 std::string Game::writeImage(const std::string& path) {
     std::error_code ignored;
     fs::create_directories(fs::path(path).parent_path(), ignored);
-    rubble_view seen = view();
+    rubble_view seen = shownView();
     seen.flags |= RUBBLE_VIEW_CUT;
     for (int i = 0; i < kImageFrames; ++i, seen.flags &= ~uint32_t(RUBBLE_VIEW_CUT))
-        if (m_api.draw(m_renderer, &seen) != RUBBLE_OK) return m_api.get_last_error();
+        if (m_api.draw(shownRenderer(), &seen) != RUBBLE_OK) return m_api.get_last_error();
     const auto written = rubble::writePng(path, m_display.read());
     return written ? "" : written.error();
 }
 
+void Game::takeImage(const std::string& path, glm::ivec2 size) {
+    if (size.x == 0) return fail(writeImage(path));
+    std::error_code ignored;
+    fs::create_directories(fs::path(path).parent_path(), ignored);
+    auto still = Still::begin(m_display, path, size);
+    if (!still) return fail(still.error());
+    m_still = std::move(*still);
+}
+
+void Game::drawStill() {
+    const std::string what = m_still->draw(m_api, shownRenderer(), shownView());
+    fail(what);
+    if (!what.empty() || m_still->progress() == 1.0) m_still.reset();
+}
+
+uint64_t Game::drawMemory() const {
+    rubble_draw_stats stats = {};
+    stats.struct_size = sizeof stats;
+    m_api.get_draw_stats(m_renderer, &stats);
+    return stats.texture_bytes;
+}
+
 void Game::carryOutRequests() {
     const Requests now = std::exchange(m_requests, Requests{.quits = m_requests.quits});
-    if (!now.image.empty()) fail(writeImage(m_settings.out + "/" + now.image));
+    if (!now.image.empty()) takeImage(m_settings.out + "/" + now.image, now.imageSize);
     if (!now.save.empty()) fail(save(now.save));
     if (!now.load.empty()) fail(load(now.load));
     if (!now.preset.empty() && now.preset != m_settings.preset) {
@@ -302,6 +346,7 @@ void Game::carryOutRequests() {
     m_scripts->shared().registry["game.restarted"] = "1";
     if (m_api.load_level(m_world, m_settings.level.c_str(), m_settings.vdbTool.c_str()) != RUBBLE_OK)
         return fail(m_api.get_last_error());
+    m_replay.forget();
     m_player.emplace(m_api, m_world);
     startScripts();
     m_isCut = true;

@@ -7,10 +7,13 @@
 #include <vector>
 
 #include "runtime/script/script_host.h"
+#include "samples/sandbox/shell/drops.h"
 #include "samples/sandbox/shell/film.h"
 #include "samples/sandbox/shell/gamepad.h"
 #include "samples/sandbox/shell/input.h"
 #include "samples/sandbox/shell/player.h"
+#include "samples/sandbox/shell/replay.h"
+#include "samples/sandbox/shell/still.h"
 #include "samples/sandbox/sound/sound.h"
 #include "samples/support/display.h"
 
@@ -36,11 +39,13 @@ struct GameSettings {
 /// What scripts ask for while they run, and gets done between two frames.
 struct Requests {
     std::string save, load, image, preset;
-    std::string shot;     ///< of the film: its name
-    double unseen = 0.0;  ///< seconds of the world that pass before it
-    int filmFrames = 0;   ///< of the whole film
+    glm::ivec2 imageSize{0};  ///< 0: that of the window
+    std::string shot;         ///< of the film: its name
+    double unseen = 0.0;      ///< seconds of the world that pass before it
+    int filmFrames = 0;       ///< of the whole film
     bool restarts = false, quits = false;
-    bool appliesEdits = false;  ///< in this frame, without a step
+    bool isInteractive = false;  ///< menus have the cursor in this frame
+    bool appliesEdits = false;   ///< in this frame, without a step
 };
 
 /// A camera of the scripts for one frame, in place of the player's eyes.
@@ -69,6 +74,10 @@ public:
     void drawAlways(bool isAlways) { m_drawsAlways = isAlways; }
     /// Draws some frames of the world as it is, so that light settles, and writes the last one. What is wrong, or "".
     std::string writeImage(const std::string& path);
+    /// How far the image of another size is, 0 to 1; 1: there is none to come.
+    double imageProgress() const { return m_still ? m_still->progress() : m_requests.imageSize.x > 0 ? 0.0 : 1.0; }
+    /// Bytes that the renderer held on the GPU when it drew last.
+    uint64_t drawMemory() const;
     /// Whether a script has failed, or an image could not be written.
     bool hasFailed() const;
 
@@ -95,16 +104,16 @@ public:
     /// Returns to the last mark before the next step, and each time again to the one before that, although the world
     /// goes on between; the player stays where he is. False: there is none.
     bool undo();
-    /// Whether menus have the cursor, from the next frame on.
-    void setInteractive() { m_isInteractive = true; }
+    /// The last seconds of the game.
+    Replay& replay() { return m_replay; }
+    /// The files that were dropped on the window.
+    Drops& drops() { return m_drops; }
     /// What the camera sees between the last two steps.
     Frame cameraFrame() const;
-    /// The preset that is in use.
-    const std::string& preset() const { return m_settings.preset; }
+    /// What it was started with, but for the preset, which is the one in use.
+    const GameSettings& settings() const { return m_settings; }
     /// Whether there is a saved game of that name.
     bool hasSave(const std::string& name) const;
-    /// Names of the files of a folder in that of the scripts, sorted; of one that is not there none.
-    std::vector<std::string> filesOf(const std::string& folder) const;
     /// Whether that is one which loads; what is wrong with it is printed.
     bool canLoad(const std::string& name) const;
 
@@ -112,9 +121,12 @@ private:
     void startScripts();
     bool addScript(const std::string& name);
     std::string makeRenderer();
+    std::string createRenderer(rubble_world world, rubble_renderer& renderer);
+    rubble_renderer shownRenderer() const { return m_replay.renderer() ? m_replay.renderer() : m_renderer; }
     void carryOutRequests();
     std::string save(const std::string& name);
     std::string load(const std::string& name);
+    std::string testPrefab(const std::string& name, const std::string& text);
     std::string savePath(const std::string& name) const;
     std::string optionsPath() const;
     void readOptions();
@@ -126,24 +138,31 @@ private:
     bool isPlayed() const { return m_settings.bot.empty() && m_settings.film.script.empty(); }
     void fail(const std::string& what);
     rubble_view view() const;
+    rubble_view shownView();
     void draw(double seconds);
+    void takeImage(const std::string& path, glm::ivec2 size);
+    void drawStill();
     void hear(double seconds);
 
     const rubble_api& m_api;
     rubble::Display& m_display;
     GameSettings m_settings;
+    Drops m_drops;
+    Replay m_replay;
+    rubble_api m_scriptApi;  ///< of which the replay notes what it must
     sound::Sound m_sound;
     rubble_world m_world = 0;
     rubble_renderer m_renderer = 0;
     std::unique_ptr<rubble::script::ScriptHost> m_scripts;
     std::optional<Player> m_player;
     std::optional<Film> m_film;
+    std::unique_ptr<Still> m_still;  ///< that is drawn
     Input m_input;
     std::optional<GamepadState> m_botPad;
     Requests m_requests;
     CameraOverride m_camera;
     double m_due = 0.0;  ///< seconds that no step has covered yet
-    bool m_isInteractive = false, m_drawsAlways = true, m_hasUndone = false, m_hasFailed = false, m_isCut = true;
+    bool m_drawsAlways = true, m_hasUndone = false, m_hasFailed = false, m_isCut = true;
     uint32_t m_marks = 0;  ///< that undo() may return to
     bool m_wantsUndo = false, m_isUndoAgain = false;
     bool m_isUnseen = false;  ///< steps that a film leaves out

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "samples/sandbox/shell/functions.h"
 #include "samples/sandbox/shell/game.h"
 
 namespace sandbox {
@@ -24,16 +25,6 @@ bool Game::hasSave(const std::string& name) const {
     return fs::is_regular_file(savePath(name), ignored);
 }
 
-std::vector<std::string> Game::filesOf(const std::string& folder) const {
-    std::vector<std::string> names;
-    std::error_code error;
-    for (fs::directory_iterator at(m_settings.folder + "/" + folder, error), end; !error && at != end;
-         at.increment(error))
-        if (at->is_regular_file(error)) names.push_back(at->path().filename().string());
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 /// Loads it into a world of its own, as only that finds all damage.
 bool Game::canLoad(const std::string& name) const {
     if (!hasSave(name)) return false;
@@ -48,6 +39,34 @@ bool Game::canLoad(const std::string& name) const {
     return isGood;
 }
 
+/// In a world and a script of its own, which alone ends where the text never does.
+std::string Game::testPrefab(const std::string& name, const std::string& text) {
+    static constexpr const char* kTest =
+        "local chunk, what = load(GetString('drop.text'), '=' .. GetString('drop.name'))\n"
+        "if not chunk then error(what, 0) end\n"
+        "local prefab = chunk()\n"
+        "if type(prefab) == 'table' and prefab.pieces then prefab.pieces(require('things').model) end\n";
+    rubble_world_settings settings = {};
+    settings.struct_size = sizeof settings;
+    settings.flags = RUBBLE_WORLD_NO_RENDERER;
+    rubble_world scratch = 0;
+    if (m_api.create_world(&settings, &scratch) != RUBBLE_OK) return m_api.get_last_error();
+    std::string what;
+    {
+        rubble::script::ScriptHostSettings host;
+        host.folder = m_settings.folder;
+        host.limits = scriptLimits();
+        host.functions = gameFunctions();
+        host.host = this;
+        rubble::script::ScriptHost scripts(m_api, scratch, host);
+        scripts.shared().registry["drop.text"] = text;
+        scripts.shared().registry["drop.name"] = name;
+        what = scripts.add(name, kTest).error();
+    }
+    m_api.destroy_world(scratch);
+    return what;
+}
+
 std::string Game::save(const std::string& name) {
     std::error_code ignored;
     fs::create_directories(m_settings.saves, ignored);
@@ -60,6 +79,7 @@ std::string Game::load(const std::string& name) {
     if (m_api.load_game(m_world, savePath(name).c_str()) != RUBBLE_OK) return m_api.get_last_error();
     m_api.set_undo_limit(m_world, kUndoMarks);
     m_marks = 0;
+    m_replay.forget();
     m_player->adopt(false);
     m_sound.enter(m_world);
     m_scripts->load();

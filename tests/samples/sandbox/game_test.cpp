@@ -68,6 +68,46 @@ TEST(Game, ABotPlaysByGamepadBindsKeysPlacesThingsAndTakesPhotos) {
     const fs::path out = freshFolder("menus");
     ASSERT_EQ(playGame("bot_menus.lua", out, RUBBLE_SOURCE_DIR "/samples/sandbox/game"), 0) << logOf(out);
     EXPECT_TRUE(readPng((out / "photo-001.png").string()));
+    const Result<Image> still = readPng((out / "photo-002.png").string());
+    ASSERT_TRUE(still) << still.error();
+    EXPECT_EQ(still->width, 1920);
+    EXPECT_EQ(still->height, 1080);
+}
+
+TEST(Game, ABotSeesTheLastSecondsAgainAndGoesOn) {
+    const fs::path out = freshFolder("replay");
+    ASSERT_EQ(playGame("bot_replay.lua", out, RUBBLE_SOURCE_DIR "/samples/sandbox/game"), 0) << logOf(out);
+    for (const char* name : {"replay-begin.png", "replay-end.png"}) EXPECT_TRUE(readPng((out / name).string())) << name;
+}
+
+TEST(Game, FilesThatAreDroppedArePlacedOrSayWhatIsWrong) {
+    const fs::path out = freshFolder("drops"), files = freshFolder("dropped");
+    std::string models = "car.vox shed.lua";
+    fs::copy_file(kLevel, files / "car.vox");
+    fs::copy_file(RUBBLE_SOURCE_DIR "/samples/sandbox/game/prefabs/shed.lua", files / "shed.lua");
+    if (fs::exists(RUBBLE_BINARY_DIR "/bin/rubble-editor"))
+        for (const std::string name : {"room.rubble", "room.vdb"}) {
+            const std::string command = RUBBLE_BINARY_DIR "/bin/rubble-editor --vdb-tool " RUBBLE_BINARY_DIR
+                                                          "/bin/rubble-vdb 'create 9,9,9' -o ";
+            if (std::system((command + (files / name).string() + " >/dev/null").c_str()) == 0) models += " " + name;
+        }
+    fs::create_directory(files / "folder.vox");
+    const auto write = [&](const char* name, const char* text) { std::ofstream(files / name) << text; };
+    write("text.txt", "a text");
+    write("broken.vox", "VOX and nothing more");
+    write("broken.rubble", "nothing");
+    write("syntax.lua", "return {");
+    write("empty.lua", "");
+    write("number.lua", "return 7");
+    write("fails.lua", "return {name = 'x', pieces = function() return nil + 1 end}");
+    write("loops.lua", "while true do end");
+    write("grows.lua", "return {name = 'x', pieces = function() local t = {} while true do t[#t + 1] = {} end end}");
+    write("model.lua", "return {name = 'x', pieces = function() return {{model = 5}} end}");
+    write("large.lua",
+          "return {name = 'Large', pieces = function() return {{model = {size = {999, 1, 1}, voxel = 0.1, "
+          "origin = {0, 0, 0}, palette = {{1, 1, 1}}, boxes = {}}}} end}");
+    std::ofstream(out / "options.txt") << "options.drops=" << files.string() << "\noptions.models=" << models << "\n";
+    EXPECT_EQ(playGame("bot_drops.lua", out, RUBBLE_SOURCE_DIR "/samples/sandbox/game"), 0) << logOf(out);
 }
 
 TEST(Game, TheLiftOfTheTowerRidesWhileItHasPower) {

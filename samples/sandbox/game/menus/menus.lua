@@ -11,6 +11,7 @@ local menus = {open = nil}  -- "title", "pause", "settings", "keys", "brief" or 
 local before = nil          -- what settings return to
 local lists
 menus.photo = nil           -- what the photo of the menu does
+menus.replay = nil          -- what its replay does
 local isFirst = true
 
 local function close()
@@ -50,7 +51,7 @@ lists = {
     pause = list("Paused", {{name = "Go on", run = close}, {name = "Save", run = menus.save},
         {name = "Load", run = menus.load, isOff = hasNoSave}, {name = "Settings", run = settings},
         {name = function() return contract.current() and "Try again" or "Build the town again" end, run = RestartLevel},
-        {name = "Photo", run = function() menus.photo() end},
+        {name = "Photo", run = function() menus.photo() end}, {name = "Replay", run = function() menus.replay() end},
         {name = "Back to the title", run = contracts.toTitle}, {name = "Leave", run = QuitGame}}),
     settings = list("Settings", {}), keys = bindings, brief = more.brief, result = more.result,
 }

@@ -1,15 +1,15 @@
 -- Photo: the world stands still, the camera flies, light and air can be changed, and what is seen becomes a PNG. What was
 -- changed ends with it.
+local camera = require("freecamera")
 local draw = require("draw")
 local keys = require("keys")
 local options = require("options")
-local sounds = require("sounds")
+local stills = require("menus/stills")
 
-local photo = {isOpen = false, isStill = false, last = ""}
+local photo = {isOpen = false, isStill = false}
 local kRow, kWidth, kRepeat = 50, 470, 1 / 14
-local kSlow, kFast, kFrames = 4, 14, 6  -- m/s; frames for which the panel stays away around an image
-local pos, yaw, pitch = Vec(), 0, 0
-local air                                -- as it was
+local kFrames = 6  -- for which the panel stays away around an image
+local air          -- as it was
 local chosen, sinceStep, hidden, isBare = 1, 0, 0, false
 local value, changed
 
@@ -32,6 +32,7 @@ local rows = {
     {id = "wetness", name = "Wetness", low = 0, high = 1, step = 0.1, format = "%.1f",
         apply = function(v) return {wetness = v} end},
     {id = "grid", name = "Lines of thirds", low = 0, high = 1, step = 1, format = "%d"},
+    {id = "size", name = "Size of stills", low = 1, high = #stills.sizes, step = 1, format = "%d"},
 }
 
 -- Light and air as the rows say; those that nobody has changed as they were.
@@ -50,7 +51,7 @@ end
 local function reset()
     local up, turn = sunAngles(VecNormalize(air.sunDirection))
     value = {fov = options.get("fov"), roll = 0, exposure = 0, sunHeight = up, sunTurn = turn, haze = air.fogDensity,
-        clouds = air.clouds, wetness = air.wetness, grid = 0}
+        clouds = air.clouds, wetness = air.wetness, grid = 0, size = stills.chosen()}
     changed = {}
 end
 
@@ -58,10 +59,7 @@ function photo.open()
     photo.isOpen, photo.isStill, isBare, hidden, chosen = true, false, false, 0, 1
     air = GetEnvironment()
     reset()
-    local frame = GetCameraTransform()
-    pos = frame.pos
-    local ahead = frame.rot * Vec(0, 0, -1)
-    yaw, pitch = math.atan(-ahead.x, -ahead.z), math.asin(math.max(-1, math.min(1, ahead.y)))
+    camera.begin()
 end
 
 function photo.close()
@@ -78,22 +76,12 @@ function photo.update()
     photo.isStill = photo.isOpen
 end
 
-local function fly(dt)
-    local scale = 0.0022 * options.get("sensitivity") * value.fov / 68
-    local right, up = keys.look(dt * options.get("sensitivity"))
-    yaw = yaw - scale * InputValue("mousedx") - right * value.fov / 68
-    pitch = math.max(-1.55, math.min(1.55, pitch - scale * InputValue("mousedy") + up * value.fov / 68))
-    local rot = QuatEuler(0, math.deg(yaw), 0) * QuatEuler(math.deg(pitch), 0, 0)
-    local wish = rot * Vec(keys.axis("right", "left"), 0, keys.axis("down", "up")) + Vec(0, keys.axis("jump", "crouch"), 0)
-    pos = pos + VecScale(wish, dt * (InputDown("sprint") and kFast or kSlow))
-    SetCameraTransform(Transform(pos, rot * QuatEuler(0, 0, value.roll)), value.fov)
-end
-
 local function change(direction)
     local row = rows[chosen]
     local now = math.floor(value[row.id] / row.step + 0.5) * row.step + direction * row.step
     if row.wraps then now = now % row.high else now = math.max(row.low, math.min(row.high, now)) end
     value[row.id], changed[row.id] = now, row.apply or row.id:find("^sun") and true or nil
+    if row.id == "size" then stills.choose(now) end
     if changed[row.id] then light() end
 end
 
@@ -117,23 +105,18 @@ local function adjust(dt)
     end
 end
 
-local function shoot()
-    local number = GetInt("options.photos") + 1
-    SetInt("options.photos", number)
-    photo.last = string.format("photo-%03d.png", number)
-    Screenshot(photo.last)
-    hidden = kFrames
-    sounds.play("click")
-end
-
 -- Each frame while it is open.
 function photo.tick(dt)
     hidden = math.max(0, hidden - 1)
-    fly(dt)
+    if stills.isBusy() then return camera.stay(value.fov, value.roll) end
+    camera.fly(dt, value.fov, value.roll)
     if InputPressed("menuback") or InputPressed("photo") then return photo.close() end
     if InputPressed("hide") then isBare = not isBare end
     adjust(dt)
-    if InputPressed("usetool") or InputPressed("menuok") then shoot() end
+    if InputPressed("usetool") or InputPressed("menuok") then
+        stills.take()
+        hidden = kFrames
+    end
 end
 
 local function drawRow(row, isChosen)
@@ -148,7 +131,8 @@ local function drawRow(row, isChosen)
     UiTranslate(kWidth * options.get("textsize") - 72, 0)
     local now = value[row.id]
     if row.format:find("%%d") then now = math.floor(now + 0.5) end
-    local text = row.id == "grid" and (now == 1 and "on" or "off") or string.format(row.format, now)
+    local text = row.id == "grid" and (now == 1 and "on" or "off") or row.id == "size" and stills.sizes[now][1]
+        or string.format(row.format, now)
     draw.text(text, 24, "right middle", changed[row.id] and draw.accent or draw.ink, isChosen and 1 or 0.82)
     UiPop()
 end
@@ -171,6 +155,7 @@ local function drawThirds()
 end
 
 function photo.draw()
+    if stills.isBusy() and stills.sizes[value.size][2] then return stills.draw() end
     if hidden > 0 then return end
     if value.grid == 1 then drawThirds() end
     if isBare then return end
@@ -190,9 +175,9 @@ function photo.draw()
     UiTranslate(UiCenter(), UiHeight() - 44)
     draw.text(string.format("%s: take it    %s: as it was    %s: hide this    %s: back", keys.labels("menuok"),
         keys.labels("menuclear"), keys.labels("hide"), keys.labels("menuback")), 24, "center")
-    if photo.last ~= "" then
+    if stills.last ~= "" then
         UiTranslate(0, -40 * scale)
-        draw.text("Saved as " .. photo.last, 24, "center", draw.accent)
+        draw.text("Saved as " .. stills.last, 24, "center", draw.accent)
     end
     UiPop()
 end

@@ -131,11 +131,12 @@ end
 local function prepare()
     for _, thing in ipairs(list()) do
         if not thing.picture then
-            local pieces, low, high = things.pieces(thing), things.box(thing)
+            local low, high = things.box(thing)
+            local pieces = thing.drop and GetDropImage(thing.drop) or things.pieces(thing)
             thing.painter = thing.painter or coroutine.create(thumb.make)
             local isGood, picture = coroutine.resume(thing.painter, pieces, low, high)
-            if not isGood then error(picture, 0) end
-            thing.picture = picture
+            if not isGood and not thing.path then error(picture, 0) end
+            if isGood then thing.picture = picture else thing.picture = {} end  -- of what was dropped there may be none
             return
         end
     end
