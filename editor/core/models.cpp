@@ -1,7 +1,9 @@
 // Shapes that remember the file that they came from: see reloadModel().
 #include "editor/core/models.h"
 
+#define XXH_INLINE_ALL
 #include <fmt/format.h>
+#include <xxhash.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,11 +30,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kLinkTag = "model_link";
 
-uint64_t addToHash(uint64_t hash, const void* bytes, size_t size) {
-    for (size_t i = 0; i < size; ++i) hash = (hash ^ static_cast<const uint8_t*>(bytes)[i]) * 0x100000001b3ull;
-    return hash;
-}
-
 /// The voxels of a shape, apart from the size of its grid and the order of its palette.
 struct Content {
     Cells solid;  ///< the least box that holds all voxels
@@ -45,10 +42,10 @@ std::vector<uint64_t> hashesOfEntries(const rubble::World& world, rubble_shape s
     for (const rubble_palette_entry& entry : paletteOf(world, shape)) {
         const uint8_t bytes[] = {entry.color[0],  entry.color[1], entry.color[2],     entry.opacity,
                                  entry.roughness, entry.metallic, entry.reflectivity, entry.light_group != 0};
-        uint64_t hash = addToHash(0xcbf29ce484222325ull, bytes, sizeof bytes);
-        hash = addToHash(hash, &entry.emission, sizeof entry.emission);
+        uint64_t hash = XXH3_64bits(bytes, sizeof bytes);
+        hash = XXH3_64bits_withSeed(&entry.emission, sizeof entry.emission, hash);
         const char* const material = entry.material ? world.get_material(entry.material).name : "";
-        hashes.push_back(addToHash(hash, material, std::strlen(material)));
+        hashes.push_back(XXH3_64bits_withSeed(material, std::strlen(material), hash));
     }
     return hashes;
 }
@@ -76,10 +73,12 @@ Content contentOf(const rubble::World& world, rubble_shape shape) {
         }
     });
     const std::vector<uint64_t> entries = hashesOfEntries(world, shape);
-    content.hash = addToHash(0xcbf29ce484222325ull, &content.solid.size, sizeof content.solid.size);
+    content.hash = XXH3_64bits(&content.solid.size, sizeof content.solid.size);
+    std::vector<uint64_t> seen;
     forEachLayer(world, shape, content.solid, [&](const Cells&, const std::vector<uint8_t>& voxels) {
-        for (const uint8_t voxel : voxels)
-            content.hash = (content.hash ^ (voxel ? entries[voxel] : 0)) * 0x100000001b3ull;
+        seen.resize(voxels.size());
+        std::ranges::transform(voxels, seen.begin(), [&](uint8_t voxel) { return voxel ? entries[voxel] : 0; });
+        content.hash = XXH3_64bits_withSeed(seen.data(), seen.size() * sizeof seen[0], content.hash);
     });
     return content;
 }
