@@ -117,9 +117,11 @@ std::vector<uint64_t> Editor::objects(const Arguments& arguments, std::string_vi
             arguments.refuse(parameter,
                              fmt::format("a {}, found {} by '{}'", namesOf(kinds), foundInstead(part), part));
         if (isEdit && arguments.command().name != "unlock") {
+            const std::string first = nameOf(m_document.world(), found.front());
             std::erase_if(found, [&](uint64_t each) { return isLocked(m_document.world(), each); });
             if (found.empty())
-                arguments.refuse(parameter, fmt::format("what is not locked, found '{}': unlock it first", part));
+                arguments.refuse(parameter, fmt::format("what is not locked, found '{}'{}: unlock it first", part,
+                                                        first.empty() || first == part ? "" : ", such as " + first));
         }
         for (const uint64_t each : found) add(all, each);
         begin = end + 1;

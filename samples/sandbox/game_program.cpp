@@ -10,7 +10,6 @@
 #include "runtime/core/log.h"
 #include "samples/sandbox/stage.h"
 #include "samples/scenes/film_town.h"
-#include "samples/scenes/yard.h"
 
 namespace rubble {
 namespace {
@@ -41,7 +40,6 @@ Result<std::string> levelFile(const SandboxOptions& options) {
     staged.district = options.level.empty() && options.model.empty() && options.scene.empty() && !options.yard;
     Result<SandboxStage> stage = loadStage(staged);
     if (!stage) return Error{stage.error()};
-    if (staged.district) addDistrictVehicles(stage->level);
     const Result<Done> written = writeRubble(path.string(), stage->level);
     if (!written) return Error{written.error()};
     return path.string();

@@ -68,6 +68,7 @@ Result<SandboxStage> anyStage(const SandboxOptions& options) {
     if (options.yard || options.district) {
         SandboxStage stage;
         stage.level = options.yard ? makeYard(options.seed) : makeDistrict(options.seed);
+        if (!options.yard) addDistrictVehicles(stage.level);
         stage.script = [](int) { return Edits(); };
         const Pose camera = options.yard ? scenes::lookAt({30.0, 9.0, 50.0}, {25.0, 1.0, 26.0})
                                          : scenes::lookAt({150.0, 46.0, 150.0}, {70.0, 0.0, 62.0});

@@ -328,6 +328,8 @@ TEST(Commands, LeaveWhatIsLockedAlone) {
         EXPECT_FALSE(outcome.isDone) << line;
         EXPECT_NE(outcome.text.find("found 'a': unlock it first"), outcome.text.npos) << outcome.text;
     }
+    EXPECT_NE(editor.run(std::string("delete tag:locked")).text.find("'tag:locked', such as a: unlock"),
+              std::string::npos);
     runAll(editor, {"carve 2,2.2,0 0.1", "play", "carve 0,0.2,0 0.1", "stop", "unlock a", "move 0,1,0 a"});
     EXPECT_EQ(heightOf("a"), 1.0);
 }

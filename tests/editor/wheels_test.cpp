@@ -101,6 +101,7 @@ TEST(Wheels, SayWhatIsWrong) {
         {"wheel car car", "wheel"},
         {"set_joint drive=3 what=hinge", "set_joint: drive: expected a wheel, found another joint"},
         {"motor off steer=3 what=hinge", "motor: steer: expected a wheel, found another joint"},
+        {"drive 1 what=ground", "drive: what: expected bodies with wheels, found ground without"},
         {"drive 2 what=car", "drive: throttle: expected a number from -1 to 1, found '2'"},
     };
     for (const auto& [line, message] : cases) {

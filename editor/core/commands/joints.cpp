@@ -131,8 +131,17 @@ void addWheel(Editor& editor, const Arguments& arguments) {
     make(editor, arguments, joint);
 }
 
+bool hasWheels(const rubble::World& world, rubble_body body) {
+    for (const rubble_shape shape : world.get_objects_of(body, RUBBLE_KIND_SHAPE))
+        for (const rubble_joint joint : world.get_objects_of(shape, RUBBLE_KIND_JOINT))
+            if (world.get_joint_properties(joint).kind == RUBBLE_JOINT_WHEEL) return true;
+    return false;
+}
+
 void drive(Editor& editor, const Arguments& arguments) {
     for (const rubble_body each : editor.objects(arguments, "what", {RUBBLE_KIND_BODY})) {
+        if (!hasWheels(editor.world(), each))
+            arguments.refuse("what", "bodies with wheels, found " + nameOf(editor.world(), each) + " without");
         rubble_drive drive{};
         drive.body = each;
         drive.throttle = arguments.number("throttle");
