@@ -118,18 +118,19 @@ void addBulb(Level& level, Canvas& c, const BarnSwatches& s) {
 /// A leaf of the door with its cross, on a hinge at its outer edge.
 void addLeaf(Level& level, ivec3 corner, bool isLeft) {
     constexpr int kHeight = kDoorTop - 1;
-    Canvas c({kDoorWidth, kHeight, 2});
+    const int width = isLeft ? kDoorWidth : kDoorWidth - 1;  // a gap between both, or their edges would jam
+    Canvas c({width, kHeight, 2});
     const BarnSwatches s(c);
-    for (int x = 0; x < kDoorWidth; ++x)
+    for (int x = 0; x < width; ++x)
         for (int y = 0; y < kHeight; ++y) c.setEntry({x, y, 0}, plank(s, x + 1, {x, y, 0}));
-    c.bar({0, 1, 1}, {kDoorWidth - 2, kHeight - 3, 1}, 1, s.white);
-    for (const int y : {0, kHeight / 2, kHeight - 2}) c.box({0, y, 1}, {kDoorWidth, y + 2, 2}, s.white);
-    for (const int x : {0, kDoorWidth - 2}) c.box({x, 0, 1}, {x + 2, kHeight, 2}, s.white);
+    c.bar({0, 1, 1}, {width - 2, kHeight - 3, 1}, 1, s.white);
+    for (const int y : {0, kHeight / 2, kHeight - 2}) c.box({0, y, 1}, {width, y + 2, 2}, s.white);
+    for (const int x : {0, width - 2}) c.box({x, 0, 1}, {x + 2, kHeight, 2}, s.white);
     const std::string name = isLeft ? "barn door left" : "barn door right";
-    const ivec3 at = corner + ivec3(isLeft ? kDoorLow : kDoorLow + kDoorWidth, kFooting, kHigh.z - 2);
+    const ivec3 at = corner + ivec3(isLeft ? kDoorLow : kDoorLow + 2 * kDoorWidth - width, kFooting, kHigh.z - 2);
     addDynamic(level, c.finish(name), at + ivec3(0, 1, 0));
     const glm::dquat upright(kSqrtHalf, 0.0, 0.0, kSqrtHalf);  // turns x, the axis of a hinge's frame, to y
-    const glm::dvec3 pivot = kVoxel * glm::dvec3(isLeft ? 0.0 : kDoorWidth, 1.0 + kHeight / 2.0, 0.5);
+    const glm::dvec3 pivot = kVoxel * glm::dvec3(isLeft ? 0.0 : width, 1.0 + kHeight / 2.0, 0.5);
     LevelJoint hinge{{.name = name + " hinge", .kind = JointKind::Hinge}, {"barn", name}};
     hinge.joint.ends[0].frame = {pivot + kVoxel * glm::dvec3(at - corner), upright};
     hinge.joint.ends[1].frame = {pivot - glm::dvec3(0.0, kVoxel, 0.0), upright};

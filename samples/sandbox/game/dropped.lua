@@ -26,9 +26,21 @@ local function wrongPiece(pieces)
     end
 end
 
+-- What a prefab is written with: nothing that changes the world or the game.
+local function environment()
+    local names, env = {"math", "string", "table", "utf8", "ipairs", "pairs", "next", "select", "tostring", "tonumber", "type",
+        "error", "assert", "pcall", "setmetatable", "getmetatable", "rawget", "rawset", "rawequal", "rawlen"}, {}
+    for _, name in ipairs(names) do env[name] = _G[name] end
+    for name, value in pairs(_G) do
+        local isOfVectors = type(name) == "string" and (name:match("^Vec") or name:match("^Quat") or name:match("^Transform"))
+        if isOfVectors then env[name] = value end
+    end
+    return env
+end
+
 -- The prefab of a text; nil and what is wrong with it.
 local function prefabOf(drop)
-    local chunk, what = load(drop.script, "=" .. drop.name .. ".lua")
+    local chunk, what = load(drop.script, "=" .. drop.name .. ".lua", "t", environment())
     local isGood, prefab = true, nil
     if chunk then isGood, prefab = pcall(chunk) end
     if not chunk or not isGood then return nil, tostring(what or prefab) end

@@ -12,6 +12,13 @@ function explosives.add(shape)
     SetTag(shape, "explosive", tostring(count.made))
 end
 
+-- Those of a level have no number yet.
+function explosives.begin()
+    for _, shape in ipairs(FindShapes("explosive")) do
+        if GetTagValue(shape, "explosive") == "" then explosives.add(shape) end
+    end
+end
+
 -- Pieces of one that has gone off are no more than that.
 local function disarm(number)
     for _, shape in ipairs(FindShapes("explosive")) do

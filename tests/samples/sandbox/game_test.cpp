@@ -100,6 +100,7 @@ TEST(Game, FilesThatAreDroppedArePlacedOrSayWhatIsWrong) {
     write("empty.lua", "");
     write("number.lua", "return 7");
     write("fails.lua", "return {name = 'x', pieces = function() return nil + 1 end}");
+    write("acts.lua", "QuitGame() return {name = 'x', pieces = function() return {} end}");
     write("loops.lua", "while true do end");
     write("grows.lua", "return {name = 'x', pieces = function() local t = {} while true do t[#t + 1] = {} end end}");
     write("model.lua", "return {name = 'x', pieces = function() return {{model = 5}} end}");
@@ -110,11 +111,11 @@ TEST(Game, FilesThatAreDroppedArePlacedOrSayWhatIsWrong) {
     EXPECT_EQ(playGame("bot_drops.lua", out, RUBBLE_SOURCE_DIR "/samples/sandbox/game"), 0) << logOf(out);
 }
 
-TEST(Game, TheLiftOfTheTowerRidesWhileItHasPower) {
-    const fs::path out = freshFolder("lift");
+TEST(Game, WhatIsInTheTownWorks) {
+    const fs::path out = freshFolder("town");
     const std::string level = (out / "district.rubble").string();
     ASSERT_EQ(std::system((RUBBLE_BINARY_DIR "/bin/sandbox --district --write " + level + " >/dev/null").c_str()), 0);
-    EXPECT_EQ(playGame("bot_lift.lua", out, RUBBLE_SOURCE_DIR "/samples/sandbox/game", level), 0) << logOf(out);
+    EXPECT_EQ(playGame("bot_town.lua", out, RUBBLE_SOURCE_DIR "/samples/sandbox/game", level), 0) << logOf(out);
 }
 
 TEST(Game, ContractsAreWonAndLost) {
