@@ -83,11 +83,11 @@ TEST(Models, ThatHaveChangedComeInAgain) {
     Editor editor, fresh;
     runAll(editor, {"import chair.rubble 1,2,3 10,20,30", "import chair.rubble -4,0,0"});
     const size_t shapes = editor.world().get_objects(RUBBLE_KIND_SHAPE).size();
-    EXPECT_EQ(answerOf(editor, "reload_models"), "chair.rubble: 0 shapes brought up to date, 4 as in the file");
+    EXPECT_EQ(answerOf(editor, "reload_models"), "chair.rubble: 0 shapes brought up to date, 4 unchanged in the file");
     EXPECT_EQ(editor.document().done().size(), 2u) << "a step that changes nothing is none";
     writeChair("chair.rubble", kChanges);
     const uint64_t before = editor.document().hash();
-    EXPECT_EQ(answerOf(editor, "reload_models"), "chair.rubble: 2 shapes brought up to date, 2 as in the file");
+    EXPECT_EQ(answerOf(editor, "reload_models"), "chair.rubble: 2 shapes brought up to date, 2 unchanged in the file");
     const uint64_t after = editor.document().hash();
     runAll(fresh, {"import chair.rubble 1,2,3 10,20,30", "import chair.rubble -4,0,0"});
     for (const char* name : {"seat", "back"})
@@ -95,13 +95,13 @@ TEST(Models, ThatHaveChangedComeInAgain) {
             expectEqualShapes(editor, shapesOf(editor, name).at(i), fresh, shapesOf(fresh, name).at(i));
     EXPECT_EQ(editor.world().get_objects(RUBBLE_KIND_SHAPE).size(), shapes) << "none is left of reading";
     EXPECT_EQ(answerOf(editor, "reload_models chair.rubble"),
-              "chair.rubble: 0 shapes brought up to date, 4 as in the file");
+              "chair.rubble: 0 shapes brought up to date, 4 unchanged in the file");
     runAll(editor, {"undo"});
     EXPECT_EQ(editor.document().hash(), before);
     runAll(editor, {"redo"});
     EXPECT_EQ(editor.document().hash(), after);
     writeChair("chair.rubble");
-    EXPECT_EQ(answerOf(editor, "reload_models"), "chair.rubble: 2 shapes brought up to date, 2 as in the file");
+    EXPECT_EQ(answerOf(editor, "reload_models"), "chair.rubble: 2 shapes brought up to date, 2 unchanged in the file");
     EXPECT_EQ(editor.world().get_voxel_hash(), [&] {
         runAll(editor, {"undo 2"});
         return editor.world().get_voxel_hash();
@@ -123,7 +123,7 @@ TEST(Models, KeepWhatWasChangedInTheLevel) {
     const uint32_t anchors = editor.world().get_shape_properties(throne).anchor_count;
     writeChair("chair.rubble", kChanges);
     EXPECT_EQ(answerOf(editor, "reload_models"),
-              "chair.rubble: 1 shape brought up to date, 2 as in the file, 1 kept as edited here: seat");
+              "chair.rubble: 1 shape brought up to date, 2 unchanged in the file, 1 kept as edited here: seat");
     EXPECT_EQ(readCells(editor.world(), edited, gridOf(editor.world(), edited)), voxels);
     const rubble_shape_state now = editor.world().get_shape_state(throne);
     EXPECT_EQ(now.size[0], was.size[0] + 5);
@@ -149,14 +149,14 @@ TEST(Models, AreRevertedWhereTheyWere) {
     runAll(editor, {"import chair.rubble 1,0,0 0,45,0"});
     runAll(fresh, {"import chair.rubble 1,0,0 0,45,0"});
     runAll(editor, {"box -4,0,-2 1,6,1 index=9 shape=seat", "entry 5 color=#ff0000 shape=back"});
-    EXPECT_EQ(answerOf(editor, "reload_models"), "chair.rubble: 0 shapes brought up to date, 2 as in the file")
+    EXPECT_EQ(answerOf(editor, "reload_models"), "chair.rubble: 0 shapes brought up to date, 2 unchanged in the file")
         << "the file has not changed";
     EXPECT_EQ(answerOf(editor, "reload_models revert=yes"), "chair.rubble: 2 shapes brought up to date");
     for (const char* name : {"seat", "back"})
         expectEqualShapes(editor, shapesOf(editor, name).at(0), fresh, shapesOf(fresh, name).at(0));
     runAll(editor, {"resize -2,0,0 12,3,9 seat"});
     writeChair("chair.rubble", kChanges);
-    EXPECT_EQ(answerOf(editor, "reload_models"), "chair.rubble: 1 shape brought up to date, 1 as in the file")
+    EXPECT_EQ(answerOf(editor, "reload_models"), "chair.rubble: 1 shape brought up to date, 1 unchanged in the file")
         << "room around its voxels is no edit";
 }
 
@@ -170,7 +170,7 @@ TEST(Models, KeepTheirJointsWhereAVoxelIsInReach) {
     writeChair("chair.rubble", {"box 0,1,0 7,1,7 erase shape=seat", "box 3,0,0 7,1,7 erase shape=seat"});
     const std::string answer = answerOf(editor, "reload_models");
     EXPECT_EQ(answer.substr(0, answer.find('\n')),
-              "chair.rubble: 1 shape brought up to date, 1 as in the file, 1 lost of their joints: screw");
+              "chair.rubble: 1 shape brought up to date, 1 unchanged in the file, 1 lost of their joints: screw");
     ASSERT_EQ(editor.world().get_joint_states().size(), 1u);
     const rubble_joint glue = editor.world().find_by_name(RUBBLE_KIND_JOINT, "glue").at(0);
     EXPECT_STREQ(editor.world().get_tag(glue, "old").data(), "yes");
@@ -194,7 +194,7 @@ TEST(Models, ThatAreGoneOrBrokenChangeNothing) {
     fs::remove("chair.rubble");
     expectRefused(editor, "reload_models chair.rubble", "cannot open");
     const std::string answer = answerOf(editor, "reload_models");
-    EXPECT_NE(answer.find("stool.rubble: 0 shapes brought up to date, 2 as in the file"), std::string::npos) << answer;
+    EXPECT_NE(answer.find("stool.rubble: 0 shapes brought up to date, 2 unchanged in the file"), std::string::npos) << answer;
     EXPECT_NE(answer.find("cannot open"), std::string::npos) << answer;
     runAll(editor, {"unlink_models all"});
     expectRefused(editor, "reload_models", "expected shapes that are linked to files, found none");
@@ -216,12 +216,12 @@ TEST(Models, StayLinkedInFilesAndInOtherFolders) {
     writeChair("models/chair.rubble", kChanges);
     Editor again;
     runAll(again, {"open levels/room.rubble"});
-    EXPECT_EQ(answerOf(again, "reload_models"), "../models/chair.rubble: 2 shapes brought up to date, 1 as in the file")
+    EXPECT_EQ(answerOf(again, "reload_models"), "../models/chair.rubble: 2 shapes brought up to date, 1 unchanged in the file")
         << "a duplicate is linked, too";
     fs::current_path("levels");
     runAll(again, {"open room.rubble"});
     EXPECT_EQ(answerOf(again, "reload_models"),
-              "../models/chair.rubble: 2 shapes brought up to date, 1 as in the file");
+              "../models/chair.rubble: 2 shapes brought up to date, 1 unchanged in the file");
     fs::current_path("..");
 }
 

@@ -18,7 +18,7 @@ std::string listOf(const std::vector<std::string>& names) {
 std::string describe(const std::string& file, const ModelReport& report) {
     std::string text =
         fmt::format("{}: {} shape{} brought up to date", file, report.updated, report.updated == 1 ? "" : "s");
-    if (report.equal) text += fmt::format(", {} as in the file", report.equal);
+    if (report.equal) text += fmt::format(", {} unchanged in the file", report.equal);
     const auto add = [&](const std::vector<std::string>& names, const char* what) {
         if (!names.empty()) text += fmt::format(", {} {}: {}", names.size(), what, listOf(names));
     };
