@@ -194,7 +194,8 @@ TEST(Models, ThatAreGoneOrBrokenChangeNothing) {
     fs::remove("chair.rubble");
     expectRefused(editor, "reload_models chair.rubble", "cannot open");
     const std::string answer = answerOf(editor, "reload_models");
-    EXPECT_NE(answer.find("stool.rubble: 0 shapes brought up to date, 2 unchanged in the file"), std::string::npos) << answer;
+    EXPECT_NE(answer.find("stool.rubble: 0 shapes brought up to date, 2 unchanged in the file"), std::string::npos)
+        << answer;
     EXPECT_NE(answer.find("cannot open"), std::string::npos) << answer;
     runAll(editor, {"unlink_models all"});
     expectRefused(editor, "reload_models", "expected shapes that are linked to files, found none");
@@ -216,7 +217,8 @@ TEST(Models, StayLinkedInFilesAndInOtherFolders) {
     writeChair("models/chair.rubble", kChanges);
     Editor again;
     runAll(again, {"open levels/room.rubble"});
-    EXPECT_EQ(answerOf(again, "reload_models"), "../models/chair.rubble: 2 shapes brought up to date, 1 unchanged in the file")
+    EXPECT_EQ(answerOf(again, "reload_models"),
+              "../models/chair.rubble: 2 shapes brought up to date, 1 unchanged in the file")
         << "a duplicate is linked, too";
     fs::current_path("levels");
     runAll(again, {"open room.rubble"});
