@@ -101,7 +101,6 @@ void drawRoof(Canvas& c, const MuseumSwatches& s) {
     const ivec3 low = kHallLow, high = kHallHigh;
     const int from = low.x + 16, to = high.x - 16;
     const int zLow = kVaultMiddle.z / 2 - kVaultRadius, zHigh = kVaultMiddle.z / 2 + kVaultRadius;
-    Canvas& canvas = c;
     for (int x = from; x < to; ++x) {
         const bool isRib = (x - from) % 12 == 0 || x == to - 1;
         for (int z = zLow; z < zHigh; ++z)
@@ -110,23 +109,22 @@ void drawRoof(Canvas& c, const MuseumSwatches& s) {
                 if (square > 4 * kVaultRadius * kVaultRadius || square <= 4 * (kVaultRadius - 2) * (kVaultRadius - 2))
                     if (!(x == from || x == to - 1) || square > 4 * kVaultRadius * kVaultRadius) continue;
                 const bool isPurlin = z % 9 == 0 || y < 2;
-                canvas.set({x, kCornice + 3 + y, z}, isRib && square > 4 * (kVaultRadius - 2) * (kVaultRadius - 2)
-                                                         ? s.frame
-                                                     : isPurlin ? s.frame
-                                                                : s.glass);
+                c.set({x, kCornice + 3 + y, z}, isRib && square > 4 * (kVaultRadius - 2) * (kVaultRadius - 2) ? s.frame
+                                                : isPurlin                                                    ? s.frame
+                                                           : s.glass);
             }
     }
-    canvas.fill({low.x, kCornice, low.z}, {high.x, kCornice + 3, high.z}, [&](ivec3 cell) {
+    c.fill({low.x, kCornice, low.z}, {high.x, kCornice + 3, high.z}, [&](ivec3 cell) {
         const bool isUnderVault = cell.x > from && cell.x < to - 1 && cell.z > zLow + 1 && cell.z < zHigh - 2;
         return isUnderVault ? uint8_t(0) : PaletteBuilder::pick(cell.y == kCornice ? s.plaster : s.lead, cell);
     });
-    canvas.fill({low.x - 3, kCornice, low.z - 3}, {high.x + 3, kCornice + 8, high.z + 3}, [&](ivec3 cell) {
+    c.fill({low.x - 3, kCornice, low.z - 3}, {high.x + 3, kCornice + 8, high.z + 3}, [&](ivec3 cell) {
         const int edge = std::min({cell.x - low.x + 3, high.x + 2 - cell.x, cell.z - low.z + 3, high.z + 2 - cell.z});
-        if (edge > 5) return canvas.at(cell);
-        return cell.y < kCornice + 3 || edge > 2 ? ashlar(s, cell) : canvas.at(cell);
+        if (edge > 5) return c.at(cell);
+        return cell.y < kCornice + 3 || edge > 2 ? ashlar(s, cell) : c.at(cell);
     });
     for (const int x : {low.x + 62, low.x + 118})  // beams under the vault's feet
-        canvas.box({x, kCornice - 4, low.z + 2}, {x + 3, kCornice + 3, high.z - 2}, s.frame);
+        c.box({x, kCornice - 4, low.z + 2}, {x + 3, kCornice + 3, high.z - 2}, s.frame);
 }
 
 void addHallLights(Level& level, Canvas& c, const MuseumSwatches& s) {
