@@ -49,18 +49,14 @@ protected:
         m_world.load(district());
         m_physics.load(m_world);
     }
-    /// Voxels that came off.
-    uint64_t step(int count, Edits edits = {}) {
-        uint64_t gone = 0;
+    void step(int count, Edits edits = {}) {
         for (int i = 0; i < count; ++i) {
             const FrameChanges& changes = m_world.applyEdits(i == 0 ? edits : Edits());
-            for (const RemovedVoxels& each : changes.removed) gone += each.count;
             for (const ShapeSplit& split : changes.splits) m_pieces += split.children.size();
             m_physics.apply(changes, m_world);
             m_physics.step();
             copyMotion(m_physics, m_world);
         }
-        return gone;
     }
     ShapeHandle shape(std::string_view name) const {
         ShapeHandle found;
