@@ -55,11 +55,29 @@ struct SnapshotLight {
     float width = 0.0f, height = 0.0f;  ///< metres
     bool twoSided = false;
     LightImage image = {};   ///< of a screen
-    LightHandle light = {};  ///< null: of a fire or of particles
+    LightHandle light = {};  ///< null: of a fire or of particles; of generation 0: see GlowLights
     bool fleeting = false;   ///< of a fire or of particles: no voxels glow for it
     /// Whether its face is a rectangle.
     bool isRectangle() const { return kind == LightKind::Area || kind == LightKind::Screen; }
 };
+
+/// A light at a pose in the world.
+inline SnapshotLight describeLight(const Light& light, const Pose& pose, LightHandle handle) {
+    return {.kind = light.kind,
+            .position = pose.position,
+            .direction = glm::vec3(pose.rotation * glm::dvec3(0.0, 0.0, -1.0)),
+            .color = light.color,
+            .radius = light.radius,
+            .reach = light.reach,
+            .coneInner = light.coneInner,
+            .coneOuter = light.coneOuter,
+            .right = glm::vec3(pose.rotation * glm::dvec3(1.0, 0.0, 0.0)),
+            .width = light.width,
+            .height = light.height,
+            .twoSided = light.twoSided,
+            .image = light.image,
+            .light = handle};
+}
 
 /// The numbers are those of shaders/lib/particle_kinds.glsl.
 enum class ParticleKind : uint8_t { Dust, Smoke, Flame, Spark, Crumb, Glint, Ember };

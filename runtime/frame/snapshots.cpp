@@ -228,8 +228,9 @@ void Snapshots::addRipples(std::span<const BodyPose> moved, const World& world, 
 }
 
 bool Snapshots::updateLights(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world) {
+    const bool glowChanged = m_glow.update(changes, world, m_palettes);
     const bool listChanged =
-        changes.levelReplaced || !changes.lights.empty() || !changes.groupsOut.empty() || changes.firesChanged;
+        glowChanged || !changes.lights.empty() || !changes.groupsOut.empty() || changes.firesChanged;
     const auto carries = [&](const BodyPose& pose) {
         return std::binary_search(m_lightBodies.begin(), m_lightBodies.end(), pose.body);
     };
@@ -240,13 +241,9 @@ bool Snapshots::updateLights(const FrameChanges& changes, std::span<const BodyPo
         if (const Shape* shape = world.shapes().find(light.shape)) m_lightBodies.push_back(shape->body);
         const LightGroup* group = world.lightGroups().find(light.group);
         if (!light.enabled || (group && (group->out || group->off || group->dark))) return;
-        const Pose pose = lightToWorld(world, light);
-        const glm::vec3 direction(pose.rotation * glm::dvec3(0.0, 0.0, -1.0));
-        const glm::vec3 right(pose.rotation * glm::dvec3(1.0, 0.0, 0.0));
-        m_lights.push_back({light.kind, pose.position, direction, light.color, light.radius, light.reach,
-                            light.coneInner, light.coneOuter, right, light.width, light.height, light.twoSided,
-                            light.image, handle});
+        m_lights.push_back(describeLight(light, lightToWorld(world, light), handle));
     });
+    m_glow.list(world, m_lights, m_lightBodies);
     std::sort(m_lightBodies.begin(), m_lightBodies.end());
     addFires(changes, world);
     return true;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "runtime/frame/frame_snapshot.h"
+#include "runtime/frame/glow_lights.h"
 #include "runtime/frame/particles.h"
 #include "runtime/frame/ripples.h"
 #include "runtime/frame/shown_palettes.h"
@@ -87,8 +88,9 @@ private:
     std::vector<ShapeHandle> m_moving;      ///< shapes that the newest snapshot shows moving
     std::vector<ShapeHandle> m_moved;       ///< the same while it is being made
     std::vector<BodyHandle> m_lightBodies;  ///< that carry a light, ascending
-    std::vector<SnapshotLight> m_lights;    ///< of the world and its fires
-    bool m_hadGlow = false;                 ///< the newest list of lights has some of particles
+    std::vector<SnapshotLight> m_lights;    ///< of the world, what glows in it and its fires
+    GlowLights m_glow;
+    bool m_hadGlow = false;  ///< the newest list of lights has some of particles
     std::optional<Environment> m_environment;
     ShownPalettes m_palettes;
     Particles m_particles;

@@ -519,8 +519,9 @@ typedef struct rubble_palette_entry {
     uint8_t reflectivity; /* 255ths, of what is no metal, seen from straight above; plastic: 10 */
     uint8_t material;     /* index into the world's materials; 0: without weight, touched by nothing */
     uint32_t reserved;
-    /* radiance in multiples of the linear colour, 0 to 1e6; 0: does not glow. Rays meet glowing voxels by chance, so
-     * that they hardly light what is around: where they shall, create_light() puts a light beside them */
+    /* radiance in multiples of the linear colour, 0 to 1e6; 0: does not glow. Voxels that glow without a light group
+     * light what is around them (the 512 brightest flat sides of a world), unless there is a light within 0.5 m of
+     * them, on or off. Those of a group are lit for by its lights: see create_light() */
     double emission;
     rubble_light_group light_group; /* that it glows with; 0: none. While the group is out it does not glow */
 } rubble_palette_entry;
