@@ -181,7 +181,7 @@ private:
             KeptJoint& joint = joints.emplace_back(each, shownName(world, each));
             if (!hasFrame(world, each)) continue;
             joint.copy = copyOf(world, each);
-            joint.isAxle = isAxle(joint.copy->settings, middle);
+            joint.isAxle = isAxle(joint.copy->settings, middle) && !isLocked(world, each);
         }
         return joints;
     }
@@ -353,7 +353,9 @@ ModelReport reloadModel(Editor& editor, const LinkedShapes& linked, bool reverts
         }
         ShapeUpdate update(editor, file, shape, link, part);
         const bool isEdited = (reverts || update.isNeeded()) && update.isEdited();
-        if (update.hasOtherVoxels())
+        if (isLocked(world, shape) && (isEdited || update.isNeeded()))
+            report.locked.push_back(name);
+        else if (update.hasOtherVoxels())
             report.otherVoxels.push_back(name);
         else if (isEdited && (!reverts || world.get_shape_properties(shape).is_piece))
             report.kept.push_back(name);

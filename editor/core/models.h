@@ -28,9 +28,10 @@ public:
 
 /// What became of the shapes that are linked to a file.
 struct ModelReport {
-    size_t updated = 0, equal = 0;  ///< shapes that were brought up to date; whose part of the file has not changed
-    std::vector<std::string> kept;  ///< names of those that stay because they were edited here
-    std::vector<std::string> gone;  ///< names of those that the file has no longer
+    size_t updated = 0, equal = 0;    ///< shapes that were brought up to date; whose part of the file has not changed
+    std::vector<std::string> kept;    ///< names of those that stay because they were edited here
+    std::vector<std::string> locked;  ///< names of those that stay because they are locked
+    std::vector<std::string> gone;    ///< names of those that the file has no longer
     std::vector<std::string> lostJoints;   ///< names of joints that find no voxel any more
     std::vector<std::string> otherVoxels;  ///< names of those whose voxels have another size in the file
 };

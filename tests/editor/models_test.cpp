@@ -85,6 +85,31 @@ TEST(Models, KeepWhatWasChangedInTheLevel) {
     expectEqualShapes(editor, shapesOf(editor, "seat").at(0), fresh, shapesOf(fresh, "seat").at(0));
 }
 
+TEST(Models, ThatAreLockedStayAndAreNamed) {
+    const ExampleFolder folder;
+    writeChair("chair.rubble");
+    Editor editor;
+    runAll(editor, {"import chair.rubble", "import chair.rubble 5,0,0", "create 4,4,4 -9,0,0 name=crate"});
+    const rubble_shape first = shapesOf(editor, "seat").at(0);
+    answerOf(editor, fmt::format("name throne #{}", first));
+    runAll(editor, {"lock throne", "lock back"});
+    EXPECT_EQ(answerOf(editor, "reload_models"), "chair.rubble: 0 shapes brought up to date, 4 unchanged in the file");
+    writeChair("chair.rubble", kChanges);
+    EXPECT_EQ(answerOf(editor, "reload_models"),
+              "chair.rubble: 1 shape brought up to date, 2 unchanged in the file, 1 kept as locked: throne");
+    const uint64_t before = editor.document().hash();
+    runAll(editor, {"lock seat"});
+    const char* const all =
+        "chair.rubble: 0 shapes brought up to date, 3 unchanged in the file, 1 kept as locked: throne";
+    EXPECT_EQ(answerOf(editor, "reload_models chair.rubble"), all) << "also where all that are linked are locked";
+    EXPECT_EQ(answerOf(editor, "reload_models what=throne revert=yes"),
+              "chair.rubble: 0 shapes brought up to date, 1 kept as locked: throne");
+    runAll(editor, {"undo"});
+    EXPECT_EQ(editor.document().hash(), before) << "no step came of them";
+    runAll(editor, {"unlock throne"});
+    EXPECT_EQ(answerOf(editor, "reload_models what=throne"), "chair.rubble: 1 shape brought up to date");
+}
+
 TEST(Models, AreRevertedWhereTheyWere) {
     const ExampleFolder folder;
     writeChair("chair.rubble");

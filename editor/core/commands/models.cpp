@@ -23,6 +23,7 @@ std::string describe(const std::string& file, const ModelReport& report) {
         if (!names.empty()) text += fmt::format(", {} {}: {}", names.size(), what, listOf(names));
     };
     add(report.kept, "kept as edited here");
+    add(report.locked, "kept as locked");
     add(report.gone, "no longer in the file");
     add(report.lostJoints, "lost of their joints");
     add(report.otherVoxels, "kept, because its voxels have another size in the file");
