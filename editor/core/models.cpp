@@ -17,6 +17,7 @@
 #include "editor/core/model_links.h"
 #include "editor/core/palette.h"
 #include "editor/core/rotation.h"
+#include "editor/core/vdb_tool.h"
 
 namespace editor {
 namespace {
@@ -200,14 +201,8 @@ private:
         rubble_joint_settings settings = joint.copy->settings;
         put(settings.position, vectorOf(settings.position) + shift);
         settings.anchor_radius += wider;
-        for (const std::string& message : m_editor.document().takeMessages()) m_editor.say(message);
         const rubble_joint made = m_editor.world().create_joint(settings);
-        try {
-            m_editor.document().applyNow();
-        } catch (const Refused&) {
-            m_editor.document().takeMessages();  // the report says it
-            return false;
-        }
+        if (!m_editor.document().applyNow(true)) return false;
         nameJoint(m_editor.world(), made, *joint.copy);
         std::ranges::replace(m_editor.selection().objects, joint.handle, made);
         return true;
@@ -244,6 +239,7 @@ private:
 
 std::vector<rubble_prefab_row> placeModel(rubble::World& world, const ModelSource& source, const std::string& vdbTool,
                                           const Place& place, std::vector<std::string>& report) {
+    requireVdbTool(source.path, vdbTool);
     std::optional<ScratchFolder> folder;
     std::string path = source.path;
     if (isMeshFile(source.path)) {
@@ -281,10 +277,6 @@ void linkModels(Editor& editor, const ModelSource& source, const Place& place,
         }
         ++link.number;
     }
-}
-
-void copyLink(rubble::World& world, rubble_shape from, rubble_shape to) {
-    if (const std::optional<ModelLink> link = linkOf(world, from)) setLink(world, to, *link);
 }
 
 void unlinkModel(rubble::World& world, rubble_shape shape) {

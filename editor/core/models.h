@@ -42,8 +42,6 @@ std::vector<rubble_prefab_row> placeModel(rubble::World& world, const ModelSourc
 /// Links shapes that placeModel() has queued in this step to their file.
 void linkModels(Editor& editor, const ModelSource& source, const Place& place,
                 const std::vector<rubble_prefab_row>& rows);
-/// Gives a shape that is a copy of another one on a like body the links of that.
-void copyLink(rubble::World& world, rubble_shape from, rubble_shape to);
 /// Takes a link away; a shape without one stays as it is.
 void unlinkModel(rubble::World& world, rubble_shape shape);
 /// Whether a shape is linked to a file.

@@ -3,6 +3,7 @@
 
 #include "editor/core/editor.h"
 #include "editor/core/models.h"
+#include "editor/core/vdb_tool.h"
 
 namespace editor {
 namespace {
@@ -13,6 +14,7 @@ void clear(Editor& editor, const Arguments&) {
 }
 
 void open(Editor& editor, const Arguments& arguments) {
+    requireVdbTool(arguments.text("file"), editor.settings().vdbTool);
     editor.document().load(arguments.text("file"), editor.settings().vdbTool);
     editor.forgetObjects();
 }
@@ -22,6 +24,7 @@ void save(Editor& editor, const Arguments& arguments) {
     if (path.empty())
         arguments.refuse("file",
                          arguments.has("file") ? "a path, found ''" : "a path, found none: the level has no file yet");
+    requireVdbTool(path, editor.settings().vdbTool);
     const bool isForced = arguments.flag("force") || editor.settings().isForced;
     const bool hasMoved = moveLinks(editor.document(), path);
     try {
