@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <fstream>
 #include <sstream>
+#include <system_error>
 #include <vector>
 
 #include "editor/core/models.h"
@@ -36,9 +38,9 @@ std::vector<uint64_t> hashesOfEntries(const rubble::World& world, rubble_shape s
 std::string textOf(const ModelLink& link) {
     const MeshOptions& mesh = link.mesh;
     const auto point = [](glm::dvec3 p) { return fmt::format("{} {} {}", p.x, p.y, p.z); };
-    return fmt::format("{:016x} {} {} {} {} {} {} {} {} {} {} {} {} {}", link.hash, link.number, point(link.place),
-                       link.turn.w, link.turn.x, link.turn.y, link.turn.z, point(link.corner), mesh.voxels, mesh.voxel,
-                       mesh.shell, int(mesh.isZUp), int(mesh.isSmooth), link.name);
+    return fmt::format("{:016x}:{:016x} {} {} {} {} {} {} {} {} {} {} {} {} {}", link.hash, link.fileHash, link.number,
+                       point(link.place), link.turn.w, link.turn.x, link.turn.y, link.turn.z, point(link.corner),
+                       mesh.voxels, mesh.voxel, mesh.shell, int(mesh.isZUp), int(mesh.isSmooth), link.name);
 }
 
 std::optional<std::string> tagOf(const rubble::World& world, rubble_shape shape, const char* tag) {
@@ -68,7 +70,9 @@ std::optional<ModelLink> linkOf(const rubble::World& world, rubble_shape shape) 
     ModelLink link{.file = *file};
     std::istringstream in(*text);
     const auto point = [&](glm::dvec3& p) { in >> p.x >> p.y >> p.z; };
-    in >> std::hex >> link.hash >> std::dec >> link.number;
+    in >> std::hex >> link.hash;
+    if (in.peek() == ':') in.ignore() >> link.fileHash;  // levels of before have none
+    in >> std::dec >> link.number;
     point(link.place);
     in >> link.turn.w >> link.turn.x >> link.turn.y >> link.turn.z;
     point(link.corner);
@@ -96,6 +100,19 @@ std::string relativeTo(const fs::path& folder, const std::string& path) {
     const fs::path whole = fs::absolute(path).lexically_normal();
     const fs::path relative = whole.lexically_relative(folder.lexically_normal());
     return relative.empty() ? whole.string() : relative.string();
+}
+
+uint64_t hashOfFile(const std::string& path) {
+    std::error_code none;
+    if (!fs::is_regular_file(path, none)) return 0;
+    std::ifstream file(path, std::ios::binary);
+    uint64_t hash = 1;
+    std::vector<char> part(size_t(1) << 16);
+    while (file) {
+        file.read(part.data(), std::streamsize(part.size()));
+        hash = XXH3_64bits_withSeed(part.data(), size_t(file.gcount()), hash);
+    }
+    return file.eof() ? std::max<uint64_t>(hash, 1) : 0;
 }
 
 }  // namespace editor

@@ -27,6 +27,7 @@ struct ModelLink {
     size_t number = 0;            ///< of the shape in the file
     std::string name;             ///< that it had there
     uint64_t hash = 0;            ///< of the content that came in
+    uint64_t fileHash = 0;        ///< of the file, when it was read last for this shape; 0: nobody knows
     glm::dvec3 place{0.0};        ///< of its first voxel's corner in the file's frame, metres
     glm::dquat turn{1, 0, 0, 0};  ///< of its axes there
     glm::dvec3 corner{0.0};       ///< of the same voxel in the frame of its body, metres
@@ -42,5 +43,7 @@ void removeLink(rubble::World& world, rubble_shape shape);
 std::filesystem::path folderOfLinks(const std::string& levelPath);
 /// A path as a level says it whose links begin in a folder.
 std::string relativeTo(const std::filesystem::path& folder, const std::string& path);
+/// A hash of the bytes of a file; 0: it cannot be read.
+uint64_t hashOfFile(const std::string& path);
 
 }  // namespace editor

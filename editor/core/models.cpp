@@ -260,6 +260,7 @@ void linkModels(Editor& editor, const ModelSource& source, const Place& place,
     rubble::World& world = editor.world();
     const glm::dquat back = glm::inverse(place.rotation);
     ModelLink link{.file = relativeTo(folderOfLinks(editor.document().path()), source.path), .mesh = source.mesh};
+    link.fileHash = hashOfFile(source.path);
     for (const rubble_prefab_row& row : rows) {
         if (row.kind != RUBBLE_PREFAB_SHAPE) continue;
         if (const int64_t cells = gridOf(world, row.handle).count(); cells <= kMaxCells) {
@@ -292,6 +293,27 @@ std::vector<std::string> linkedFiles(const rubble::World& world) {
     for (const rubble_shape shape : world.find_by_tag(RUBBLE_KIND_SHAPE, kModelTag, nullptr))
         if (const std::optional<ModelLink> link = linkOf(world, shape)) files.insert(link->file);
     return {files.begin(), files.end()};
+}
+
+std::string listOf(const std::vector<std::string>& names) {
+    constexpr size_t kMaxListed = 8;
+    std::string all;
+    for (size_t i = 0; i < std::min(names.size(), kMaxListed); ++i) all += (i ? ", " : "") + names[i];
+    return all + (names.size() > kMaxListed ? ", ..." : "");
+}
+
+std::vector<std::string> changedFiles(const Document& document) {
+    const rubble::World& world = document.world();
+    std::map<std::string, uint64_t> hashes;
+    std::set<std::string> changed;
+    for (const rubble_shape shape : world.find_by_tag(RUBBLE_KIND_SHAPE, kModelTag, nullptr)) {
+        const std::optional<ModelLink> link = linkOf(world, shape);
+        if (!link || !link->fileHash || isLocked(world, shape)) continue;
+        const auto [at, isNew] = hashes.try_emplace(link->file);
+        if (isNew) at->second = hashOfFile(modelPath(document, link->file));
+        if (at->second && at->second != link->fileHash) changed.insert(link->file);
+    }
+    return {changed.begin(), changed.end()};
 }
 
 std::string modelPath(const Document& document, const std::string& file) {
@@ -335,9 +357,14 @@ ModelReport reloadModel(Editor& editor, const LinkedShapes& linked, bool reverts
     rubble::World& world = editor.world();
     ModelFile file(world, linked.source, editor.settings().vdbTool);
     ModelReport report;
+    const uint64_t hash = hashOfFile(linked.source.path);
     for (const rubble_shape shape : linked.shapes) {
         const std::string name = shownName(world, shape);
-        const ModelLink link = *linkOf(world, shape);
+        ModelLink link = *linkOf(world, shape);
+        if (hash != link.fileHash && !isLocked(world, shape)) {
+            link.fileHash = hash;
+            setLink(world, shape, link);
+        }
         const rubble_shape part = file.find(link);
         if (!part) {
             report.gone.push_back(name);

@@ -48,6 +48,10 @@ void unlinkModel(rubble::World& world, rubble_shape shape);
 bool isLinked(const rubble::World& world, rubble_shape shape);
 /// The files to which shapes of a level are linked, as the level says them: each once, in order.
 std::vector<std::string> linkedFiles(const rubble::World& world);
+/// Those of them that are not as they were when shapes were read from them last, but for shapes that are locked.
+std::vector<std::string> changedFiles(const Document& document);
+/// The first of some names, for people.
+std::string listOf(const std::vector<std::string>& names);
 /// The path of a file that the level says.
 std::string modelPath(const Document& document, const std::string& file);
 /// Before the level is saved to another folder: lets the paths of its links begin there, as a step of the history.
@@ -63,8 +67,8 @@ struct LinkedShapes {
 /// Those of these shapes that are linked, by their files.
 std::vector<LinkedShapes> linkedShapes(const Document& document, const std::vector<rubble_shape>& shapes);
 /// Reads their file again, and gives them its voxels and palettes: those whose voxels are still what came in, or all
-/// if reverts. All else of a shape stays, as its place, name, tags, anchors, lights and paint. Throws
-/// UnreadableModel, Refused and rubble::Error.
+/// if reverts. All else of a shape stays, as its place, name, tags, anchors, lights and paint. An axle through the
+/// middle of a wheel goes through its new middle. Throws UnreadableModel, Refused and rubble::Error.
 ModelReport reloadModel(Editor& editor, const LinkedShapes& linked, bool reverts);
 
 }  // namespace editor

@@ -218,6 +218,73 @@ TEST(Models, OfMagicaVoxelAndMeshesAreLinkedToo) {
     EXPECT_EQ(editor.world().find_by_tag(RUBBLE_KIND_SHAPE, kModelTag, "block.vox").size(), 1u);
 }
 
+TEST(Models, WhoseFilesHaveChangedAreToldOfWhenALevelIsOpened) {
+    const ExampleFolder folder;
+    writeChair("chair.rubble"), writeChair("stool.rubble");
+    fs::create_directories("levels");
+    Editor editor;
+    runAll(editor, {"import chair.rubble", "import chair.rubble 3,0,0", "import stool.rubble 9,0,0",
+                    "save levels/room.rubble"});
+    const auto opened = [&] { return answerOf(editor, "open levels/room.rubble"); };
+    EXPECT_EQ(opened(), "");
+    writeChair("chair.rubble");
+    EXPECT_EQ(opened(), "") << "written again as it was";
+    writeChair("chair.rubble", kChanges);
+    const char* const one =
+        "1 linked file has changed since it was read, which reload_models brings in: ../chair.rubble";
+    EXPECT_EQ(opened(), one);
+    EXPECT_FALSE(editor.document().isChanged());
+    EXPECT_NE(answerOf(editor, "reload_models").find("2 shapes brought up to date"), std::string::npos);
+    runAll(editor, {"save"});
+    EXPECT_EQ(opened(), "");
+    EXPECT_EQ(answerOf(editor, "reload_models"),
+              "../chair.rubble: 0 shapes brought up to date, 4 unchanged in the "
+              "file\n../stool.rubble: 0 shapes brought up to date, 2 unchanged in "
+              "the file");
+    EXPECT_FALSE(editor.document().isChanged());
+}
+
+TEST(Models, ThatAreLockedOrGoneAreNotToldOf) {
+    const ExampleFolder folder;
+    writeChair("chair.rubble"), writeChair("stool.rubble"), writeChair("bench.rubble");
+    Editor editor;
+    runAll(editor, {"import chair.rubble", "import stool.rubble 9,0,0", "import bench.rubble -9,0,0",
+                    "lock tag:model_file=bench.rubble", "save room.rubble"});
+    for (const char* file : {"chair.rubble", "stool.rubble", "bench.rubble"}) writeChair(file, kChanges);
+    EXPECT_EQ(answerOf(editor, "open room.rubble"),
+              "2 linked files have changed since they were read, which reload_models brings in: chair.rubble, "
+              "stool.rubble");
+    fs::remove("chair.rubble"), fs::remove("stool.rubble");
+    fs::create_directories("stool.rubble");
+    EXPECT_EQ(answerOf(editor, "open room.rubble"), "");
+    Session session(editor);
+    fs::remove("stool.rubble");
+    writeChair("stool.rubble", kChanges);
+    EXPECT_TRUE(session.run(std::string("open room.rubble")));
+    EXPECT_NE(session.messages().back().text.find("1 linked file has changed"), std::string::npos);
+}
+
+TEST(Models, OfLevelsThatDoNotKnowTheirFilesAreReadAsBefore) {
+    const ExampleFolder folder;
+    writeChair("chair.rubble");
+    Editor editor;
+    runAll(editor, {"import chair.rubble"});
+    for (const rubble_shape shape : editor.world().get_objects(RUBBLE_KIND_SHAPE)) {
+        std::string link = editor.world().get_tag(shape, "model_link").data();
+        link.erase(16, 17);
+        EXPECT_EQ(link[16], ' ');
+        editor.world().set_tag(shape, "model_link", link.c_str());
+    }
+    editor.world().apply_edits();
+    runAll(editor, {"save room.rubble"});
+    writeChair("chair.rubble", kChanges);
+    EXPECT_EQ(answerOf(editor, "open room.rubble"), "");
+    EXPECT_EQ(answerOf(editor, "reload_models"), "chair.rubble: 1 shape brought up to date, 1 unchanged in the file");
+    runAll(editor, {"save"});
+    writeChair("chair.rubble");
+    EXPECT_NE(answerOf(editor, "open room.rubble"), "");
+}
+
 TEST(Models, AreWatchedByTheWindow) {
     const ExampleFolder folder;
     writeChair("chair.rubble");

@@ -8,13 +8,6 @@
 namespace editor {
 namespace {
 
-std::string listOf(const std::vector<std::string>& names) {
-    constexpr size_t kMaxListed = 8;
-    std::string all;
-    for (size_t i = 0; i < std::min(names.size(), kMaxListed); ++i) all += (i ? ", " : "") + names[i];
-    return all + (names.size() > kMaxListed ? ", ..." : "");
-}
-
 std::string describe(const std::string& file, const ModelReport& report) {
     std::string text =
         fmt::format("{}: {} shape{} brought up to date", file, report.updated, report.updated == 1 ? "" : "s");
