@@ -8,6 +8,7 @@
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "editor/core/editor.h"
@@ -126,6 +127,13 @@ void takeFirstCommand(Options& options) {
     options.level.clear();
 }
 
+/// A program that is beside this one; empty: nobody knows where this one is.
+std::string programBeside(const char* name) {
+    std::error_code error;
+    const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", error);
+    return error ? std::string() : (own.parent_path() / name).string();
+}
+
 int run(const Options& options) {
     if (options.lists) return listCommands();
     if (const std::string error = folderError(options.journals); !error.empty()) return fail("--journal: " + error);
@@ -151,6 +159,7 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
     editor::Options options;
+    options.vdbTool = editor::programBeside("rubble-vdb");
     CLI::App app{
         "Makes and changes levels by commands. Opens its window unless there are commands to run or images to draw."};
     app.add_option("level", options.level, "a .rubble, .vox or .vdb file; without it an empty level");
@@ -166,7 +175,8 @@ int main(int argc, char** argv) {
     CLI::Option* const recover = app.add_flag("--recover", options.recovers,
                                               "brings back what was not saved when an editor of the level ended early");
     app.add_flag("--discard", options.discards, "forgets that")->excludes(recover);
-    app.add_option("--vdb-tool", options.vdbTool, "the program rubble-vdb, for .vdb files");
+    app.add_option("--vdb-tool", options.vdbTool,
+                   "the program rubble-vdb, for .vdb files and meshes (default: the one beside this program)");
     app.add_option("--screenshots", options.screenshots,
                    "draws images of the window into this folder, without a display");
     app.add_option("--ui-script", options.uiScript,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
+#include <span>
 
 #include "editor/core/arguments.h"
 
@@ -58,6 +59,22 @@ std::vector<uint8_t> readCells(const rubble::World& world, rubble_shape shape, c
     if (box.count() > kMaxCells)
         throw Refused(fmt::format("expected at most {} cells at a time, found {}", kMaxCells, box.count()));
     return box.isEmpty() ? std::vector<uint8_t>() : world.read_voxels(voxelBox(shape, box));
+}
+
+Cells solidOf(const rubble::World& world, rubble_shape shape) {
+    Cells solid;
+    forEachLayer(world, shape, gridOf(world, shape), [&](const Cells& layer, const std::vector<uint8_t>& voxels) {
+        const auto isSolid = [](uint8_t voxel) { return voxel != 0; };
+        for (int y = 0; y < layer.size.y; ++y) {
+            const std::span row(voxels.data() + size_t(y) * size_t(layer.size.x), size_t(layer.size.x));
+            const auto first = std::ranges::find_if(row, isSolid);
+            if (first == row.end()) continue;
+            const auto last = std::find_if(row.rbegin(), row.rend(), isSolid);
+            solid = joined(solid, between(layer.low + glm::ivec3(first - row.begin(), y, 0),
+                                          layer.low + glm::ivec3(row.rend() - last - 1, y, 0)));
+        }
+    });
+    return solid;
 }
 
 CellSet connectedCells(const rubble::World& world, rubble_shape shape, glm::ivec3 start) {

@@ -39,6 +39,16 @@ Cells gridOf(const rubble::World& world, rubble_shape shape);
 /// The voxels of a box as the last edit left them: indices of the palette, x fastest, then y, then z; 0 outside of the
 /// grid. Throws Refused of more than kMaxCells.
 std::vector<uint8_t> readCells(const rubble::World& world, rubble_shape shape, const Cells& box);
+/// Calls f(layer, voxels) for each layer of cells of a box along z, with voxels as readCells() gives them.
+template <class F>
+void forEachLayer(const rubble::World& world, rubble_shape shape, Cells box, F&& f) {
+    for (const int end = box.low.z + box.size.z; box.low.z < end; ++box.low.z) {
+        box.size.z = 1;
+        f(box, readCells(world, shape, box));
+    }
+}
+/// The least box that holds all voxels of a shape; an empty one: it has none.
+Cells solidOf(const rubble::World& world, rubble_shape shape);
 /// All cells that are joined to one by faces and hold the same as it; within the grid.
 CellSet connectedCells(const rubble::World& world, rubble_shape shape, glm::ivec3 start);
 

@@ -128,9 +128,13 @@ void Document::makeStep(const std::string& name, const std::function<void()>& wo
     throw Refused(joined(reasons));
 }
 
-void Document::applyNow() {
+bool Document::applyNow(bool mayFail) {
+    const size_t messages = m_messages.size();
     m_world.apply_edits();
-    requireNoRefusals();
+    if (!mayFail) requireNoRefusals();
+    if (m_world.get_refusals().empty()) return true;
+    m_messages.resize(messages);
+    return false;
 }
 
 /// Throws Refused with the reasons of what the world did not make.

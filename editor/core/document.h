@@ -60,7 +60,8 @@ public:
     /// because the mark of the step has ended it.
     void edit(const std::string& name, const std::function<void()>& work);
     /// Carries out what is queued, within work(), for those that go on with what it has made.
-    void applyNow();
+    /// False: the world has refused some of it, of which no message stays. Throws Refused then, unless it may fail.
+    bool applyNow(bool mayFail = false);
     /// Carries out what was queued outside of edit(), as by a script, as one step of the history.
     void carryOut(const std::string& name);
     /// Takes the last step back; throws Refused where there is none.

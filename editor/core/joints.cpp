@@ -63,12 +63,16 @@ JointCopy copyOf(const rubble::World& world, rubble_joint joint) {
 
 void nameJoint(rubble::World& world, rubble_joint joint, const JointCopy& copy) {
     if (!copy.name.empty() && copy.name.front()) world.set_name(joint, copy.name.data());
-    for (auto begin = copy.tags.begin(); begin != copy.tags.end();) {
-        const auto end = std::find(begin, copy.tags.end(), '\0');
+    setTags(world, joint, copy.tags);
+}
+
+void setTags(rubble::World& world, uint64_t object, const std::vector<char>& tags) {
+    for (auto begin = tags.begin(); begin != tags.end();) {
+        const auto end = std::find(begin, tags.end(), '\0');
         const std::string tag(begin, end);
         const size_t equals = tag.find('=');
-        world.set_tag(joint, tag.substr(0, equals).c_str(), equals == tag.npos ? "" : tag.substr(equals + 1).c_str());
-        begin = end == copy.tags.end() ? end : end + 1;
+        world.set_tag(object, tag.substr(0, equals).c_str(), equals == tag.npos ? "" : tag.substr(equals + 1).c_str());
+        begin = end == tags.end() ? end : end + 1;
     }
 }
 

@@ -27,6 +27,8 @@ struct JointCopy {
 JointCopy copyOf(const rubble::World& world, rubble_joint joint);
 /// Gives a joint its name and tags.
 void nameJoint(rubble::World& world, rubble_joint joint, const JointCopy& copy);
+/// Gives an object tags, as get_tags() of rubble.hpp lists them.
+void setTags(rubble::World& world, uint64_t object, const std::vector<char>& tags);
 /// Makes a joint again with other settings, as an edit: with its name and tags, but with another handle.
 rubble_joint remakeJoint(rubble::World& world, rubble_joint joint, const rubble_joint_settings& settings);
 

@@ -38,8 +38,6 @@ bool isMeshFile(const std::string& path) {
 
 std::vector<std::string> bakeMesh(const std::string& path, const std::string& output, const std::string& vdbTool,
                                   const MeshOptions& options) {
-    if (vdbTool.empty())
-        throw Refused(fmt::format("{}: expected the program rubble-vdb to read it, found none: --vdb-tool", path));
     std::vector<std::string> command{vdbTool,
                                      "--seconds",
                                      fmt::format("{}", kSeconds),

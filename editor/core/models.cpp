@@ -1,87 +1,28 @@
 // Shapes that remember the file that they came from: see reloadModel().
 #include "editor/core/models.h"
 
-#define XXH_INLINE_ALL
 #include <fmt/format.h>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <map>
 #include <optional>
 #include <set>
-#include <span>
-#include <sstream>
 
-#include "editor/core/cells.h"
 #include "editor/core/child_process.h"
 #include "editor/core/joints.h"
+#include "editor/core/model_links.h"
 #include "editor/core/palette.h"
 #include "editor/core/rotation.h"
+#include "editor/core/vdb_tool.h"
 
 namespace editor {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kLinkTag = "model_link";
-
-/// The voxels of a shape, apart from the size of its grid and the order of its palette.
-struct Content {
-    Cells solid;  ///< the least box that holds all voxels
-    uint64_t hash = 0;
-};
-
-/// What each index of a palette looks like and is made of.
-std::vector<uint64_t> hashesOfEntries(const rubble::World& world, rubble_shape shape) {
-    std::vector<uint64_t> hashes;
-    for (const rubble_palette_entry& entry : paletteOf(world, shape)) {
-        const uint8_t bytes[] = {entry.color[0],  entry.color[1], entry.color[2],     entry.opacity,
-                                 entry.roughness, entry.metallic, entry.reflectivity, entry.light_group != 0};
-        uint64_t hash = XXH3_64bits(bytes, sizeof bytes);
-        hash = XXH3_64bits_withSeed(&entry.emission, sizeof entry.emission, hash);
-        const char* const material = entry.material ? world.get_material(entry.material).name : "";
-        hashes.push_back(XXH3_64bits_withSeed(material, std::strlen(material), hash));
-    }
-    return hashes;
-}
-
-/// Calls f(layer, voxels) for each layer of cells along z.
-template <class F>
-void forEachLayer(const rubble::World& world, rubble_shape shape, Cells box, F&& f) {
-    for (const int end = box.low.z + box.size.z; box.low.z < end; ++box.low.z) {
-        box.size.z = 1;
-        f(box, readCells(world, shape, box));
-    }
-}
-
-Content contentOf(const rubble::World& world, rubble_shape shape) {
-    Content content;
-    forEachLayer(world, shape, gridOf(world, shape), [&](const Cells& layer, const std::vector<uint8_t>& voxels) {
-        const auto isSolid = [](uint8_t voxel) { return voxel != 0; };
-        for (int y = 0; y < layer.size.y; ++y) {
-            const std::span row(voxels.data() + size_t(y) * size_t(layer.size.x), size_t(layer.size.x));
-            const auto first = std::ranges::find_if(row, isSolid);
-            if (first == row.end()) continue;
-            const auto last = std::find_if(row.rbegin(), row.rend(), isSolid);
-            content.solid = joined(content.solid, between(layer.low + glm::ivec3(first - row.begin(), y, 0),
-                                                          layer.low + glm::ivec3(row.rend() - last - 1, y, 0)));
-        }
-    });
-    const std::vector<uint64_t> entries = hashesOfEntries(world, shape);
-    content.hash = XXH3_64bits(&content.solid.size, sizeof content.solid.size);
-    std::vector<uint64_t> seen;
-    forEachLayer(world, shape, content.solid, [&](const Cells&, const std::vector<uint8_t>& voxels) {
-        seen.resize(voxels.size());
-        std::ranges::transform(voxels, seen.begin(), [&](uint8_t voxel) { return voxel ? entries[voxel] : 0; });
-        content.hash = XXH3_64bits_withSeed(seen.data(), seen.size() * sizeof seen[0], content.hash);
-    });
-    return content;
-}
 
 /// Where a cell's corner is, in metres of the world.
 glm::dvec3 cornerOf(const rubble_shape_state& shape, glm::ivec3 cell) {
@@ -98,66 +39,6 @@ glm::dvec3 toBody(const rubble_body_state& body, glm::dvec3 place) {
 }
 glm::dvec3 fromBody(const rubble_body_state& body, glm::dvec3 place) {
     return vectorOf(body.position) + quaternionOf(body.rotation) * place;
-}
-
-/// What a shape knows of its file.
-struct Link {
-    std::string file;  ///< as the level says it
-    MeshOptions mesh;
-    size_t number = 0;            ///< of the shape in the file
-    std::string name;             ///< that it had there
-    uint64_t hash = 0;            ///< of the content that came in
-    glm::dvec3 place{0.0};        ///< of its first voxel's corner in the file's frame, metres
-    glm::dquat turn{1, 0, 0, 0};  ///< of its axes there
-    glm::dvec3 corner{0.0};       ///< of the same voxel in the frame of its body, metres
-};
-
-std::string textOf(const Link& link) {
-    const MeshOptions& mesh = link.mesh;
-    const auto point = [](glm::dvec3 p) { return fmt::format("{} {} {}", p.x, p.y, p.z); };
-    return fmt::format("{:016x} {} {} {} {} {} {} {} {} {} {} {} {} {}", link.hash, link.number, point(link.place),
-                       link.turn.w, link.turn.x, link.turn.y, link.turn.z, point(link.corner), mesh.voxels, mesh.voxel,
-                       mesh.shell, int(mesh.isZUp), int(mesh.isSmooth), link.name);
-}
-
-std::optional<std::string> tagOf(const rubble::World& world, rubble_shape shape, const char* tag) {
-    const std::vector<char> value = world.get_tag(shape, tag);
-    if (value.empty()) return std::nullopt;
-    return std::string(value.data());
-}
-
-/// None: it has no link, or one that somebody has written by hand.
-std::optional<Link> linkOf(const rubble::World& world, rubble_shape shape) {
-    const std::optional<std::string> file = tagOf(world, shape, kModelTag), text = tagOf(world, shape, kLinkTag);
-    if (!file || !text) return std::nullopt;
-    Link link{.file = *file};
-    std::istringstream in(*text);
-    const auto point = [&](glm::dvec3& p) { in >> p.x >> p.y >> p.z; };
-    in >> std::hex >> link.hash >> std::dec >> link.number;
-    point(link.place);
-    in >> link.turn.w >> link.turn.x >> link.turn.y >> link.turn.z;
-    point(link.corner);
-    in >> link.mesh.voxels >> link.mesh.voxel >> link.mesh.shell >> link.mesh.isZUp >> link.mesh.isSmooth;
-    if (!in || in.get() != ' ') return std::nullopt;
-    std::getline(in, link.name, '\0');
-    return link;
-}
-
-void setLink(rubble::World& world, rubble_shape shape, const Link& link) {
-    world.set_tag(shape, kModelTag, link.file.c_str());
-    world.set_tag(shape, kLinkTag, textOf(link).c_str());
-}
-
-/// The folder in which links of a level begin.
-fs::path folderOf(const std::string& levelPath) {
-    return levelPath.empty() ? fs::current_path() : fs::absolute(levelPath).parent_path();
-}
-
-/// A path as a level says it.
-std::string relativeTo(const fs::path& folder, const std::string& path) {
-    const fs::path whole = fs::absolute(path).lexically_normal();
-    const fs::path relative = whole.lexically_relative(folder.lexically_normal());
-    return relative.empty() ? whole.string() : relative.string();
 }
 
 /// What a file holds now, in a world of its own with the materials of the level.
@@ -188,7 +69,7 @@ public:
 
     const rubble::World& world() const { return m_world; }
     /// The shape that a link means: that of its name, of several the one of its number. 0: it is gone.
-    rubble_shape find(const Link& link) const {
+    rubble_shape find(const ModelLink& link) const {
         if (link.number < m_parts.size() && m_parts[link.number].name == link.name) return m_parts[link.number].shape;
         const auto found = std::ranges::find(m_parts, link.name, &Part::name);
         return link.name.empty() || found == m_parts.end() ? 0 : found->shape;
@@ -216,15 +97,18 @@ std::string shownName(const rubble::World& world, uint64_t object) {
 /// Brings one shape up to date.
 class ShapeUpdate {
 public:
-    ShapeUpdate(Editor& editor, ModelFile& file, rubble_shape shape, const Link& link, rubble_shape part)
+    ShapeUpdate(Editor& editor, ModelFile& file, rubble_shape shape, const ModelLink& link, rubble_shape part)
         : m_editor(editor), m_file(file), m_shape(shape), m_link(link), m_part(part) {
         const rubble_shape_state there = file.world().get_shape_state(part);
         m_content = file.content(part);
         m_next = link;
         m_next.hash = m_content.hash;
         m_next.place = cornerOf(there, m_content.solid.low), m_next.turn = quaternionOf(there.rotation);
-        if (std::abs(glm::dot(m_next.turn, link.turn)) > 1.0 - 1e-9)
+        if (std::abs(glm::dot(m_next.turn, link.turn)) > 1.0 - 1e-9) {
             m_moved = glm::ivec3(glm::round(glm::inverse(link.turn) * (m_next.place - link.place) / there.voxel_size));
+            // the place that it gets: what is less than a cell counts in the next update
+            m_next.place = link.place + link.turn * (glm::dvec3(m_moved) * there.voxel_size);
+        }
         m_hasOtherVoxels =
             std::abs(there.voxel_size - editor.world().get_shape_state(shape).voxel_size) > 1e-6 * there.voxel_size;
     }
@@ -233,11 +117,13 @@ public:
     /// Whether the file says something else than came in.
     bool isNeeded() const { return m_content.hash != m_link.hash || m_moved != glm::ivec3(0); }
     /// Whether the shape is no longer what came in.
-    bool isEdited() const {
-        return m_editor.world().get_shape_properties(m_shape).is_piece ||
-               contentOf(m_editor.world(), m_shape).hash != m_link.hash;
+    bool isEdited() {
+        const Content present = contentOf(m_editor.world(), m_shape);
+        m_solid = present.solid;
+        return m_editor.world().get_shape_properties(m_shape).is_piece || present.hash != m_link.hash;
     }
 
+    /// After isEdited().
     void apply() {
         rubble::World& world = m_editor.world();
         const bool wasHeld = world.get_shape_properties(m_shape).anchor_count > 0;
@@ -247,7 +133,8 @@ public:
         m_next.corner = toBody(body, cornerOf(before, first));
         const Cells grid = gridOf(world, m_shape);
         const Cells target{first - m_content.solid.low, gridOf(m_file.world(), m_part).size};
-        const std::vector<KeptJoint> joints = jointsOf();
+        const glm::dvec3 middle = middleOf(before, m_solid);
+        const std::vector<KeptJoint> joints = jointsOf(middle);
         setPalette();
         write(grid, target);
         m_editor.document().applyNow();
@@ -264,8 +151,8 @@ public:
         }
         setLink(world, m_shape, m_next);
         m_editor.document().applyNow();
-        for (const KeptJoint& each : joints)
-            if (!isAlive(each) && !isMadeAgain(each)) lostJoints.push_back(each.name);
+        const glm::dvec3 shift = middleOf(before, {first, m_content.solid.size}) - middle;
+        for (const KeptJoint& each : joints) keep(each, each.isAxle ? shift : glm::dvec3(0.0));
     }
 
     std::vector<std::string> lostJoints;  ///< by apply()
@@ -275,28 +162,49 @@ private:
         rubble_joint handle;
         std::string name;
         std::optional<JointCopy> copy;  ///< none: it cannot be made again
+        bool isAxle = false;            ///< of a wheel, through the middle of this shape
     };
 
-    std::vector<KeptJoint> jointsOf() const {
+    /// Where the middle of cells is, in metres of the world.
+    static glm::dvec3 middleOf(const rubble_shape_state& shape, const Cells& cells) {
+        return (cornerOf(shape, cells.low) + cornerOf(shape, cells.low + cells.size)) * 0.5;
+    }
+    bool isAxle(const rubble_joint_settings& joint, glm::dvec3 middle) const {
+        const glm::dvec3 axis = quaternionOf(joint.rotation) * glm::dvec3(1.0, 0.0, 0.0);
+        const double off = glm::length(glm::cross(axis, vectorOf(joint.position) - middle));
+        return joint.kind == RUBBLE_JOINT_WHEEL && joint.shapes[1] == m_shape &&
+               off < 0.5 * m_editor.world().get_shape_state(m_shape).voxel_size;
+    }
+    std::vector<KeptJoint> jointsOf(glm::dvec3 middle) const {
         const rubble::World& world = m_editor.world();
         std::vector<KeptJoint> joints;
         for (const rubble_joint each : world.get_objects_of(m_shape, RUBBLE_KIND_JOINT)) {
-            joints.push_back({each, shownName(world, each), std::nullopt});
-            if (hasFrame(world, each)) joints.back().copy = copyOf(world, each);
+            KeptJoint& joint = joints.emplace_back(each, shownName(world, each));
+            if (!hasFrame(world, each)) continue;
+            joint.copy = copyOf(world, each);
+            joint.isAxle = isAxle(joint.copy->settings, middle) && !isLocked(world, each);
         }
         return joints;
     }
-    bool isAlive(const KeptJoint& joint) const { return kindOf(m_editor.world(), joint.handle) >= 0; }
-    /// A joint whose voxel is gone holds on to another one in its reach, if there is one.
-    bool isMadeAgain(const KeptJoint& joint) {
+    /// A joint whose voxel is gone holds on to another one in its reach, if there is one; an axle moves by so much.
+    void keep(const KeptJoint& joint, glm::dvec3 shift) {
+        rubble::World& world = m_editor.world();
+        const bool isMoved = glm::length(shift) > 1e-6, isAlive = kindOf(world, joint.handle) >= 0;
+        if (isAlive && !isMoved) return;
+        if (isAlive) world.remove_joint(joint.handle);
+        if (!makeAgain(joint, shift, 0.0) && !(isMoved && makeAgain(joint, shift, glm::length(shift))))
+            lostJoints.push_back(joint.name);
+    }
+    /// wider: metres by which it looks farther for its voxels. False: there are none.
+    bool makeAgain(const KeptJoint& joint, glm::dvec3 shift, double wider) {
         if (!joint.copy) return false;
-        const rubble_joint made = m_editor.world().create_joint(joint.copy->settings);
-        try {
-            m_editor.document().applyNow();
-        } catch (const Refused&) {
-            return false;
-        }
+        rubble_joint_settings settings = joint.copy->settings;
+        put(settings.position, vectorOf(settings.position) + shift);
+        settings.anchor_radius += wider;
+        const rubble_joint made = m_editor.world().create_joint(settings);
+        if (!m_editor.document().applyNow(true)) return false;
         nameJoint(m_editor.world(), made, *joint.copy);
+        std::ranges::replace(m_editor.selection().objects, joint.handle, made);
         return true;
     }
 
@@ -319,9 +227,10 @@ private:
     Editor& m_editor;
     ModelFile& m_file;
     rubble_shape m_shape;
-    Link m_link, m_next;
+    ModelLink m_link, m_next;
     rubble_shape m_part;    ///< in the file's world
     Content m_content;      ///< of that
+    Cells m_solid;          ///< of m_shape, as isEdited() has found it
     glm::ivec3 m_moved{0};  ///< cells by which the file's shape begins elsewhere
     bool m_hasOtherVoxels = false;
 };
@@ -330,6 +239,7 @@ private:
 
 std::vector<rubble_prefab_row> placeModel(rubble::World& world, const ModelSource& source, const std::string& vdbTool,
                                           const Place& place, std::vector<std::string>& report) {
+    requireVdbTool(source.path, vdbTool);
     std::optional<ScratchFolder> folder;
     std::string path = source.path;
     if (isMeshFile(source.path)) {
@@ -349,7 +259,8 @@ void linkModels(Editor& editor, const ModelSource& source, const Place& place,
     editor.document().applyNow();
     rubble::World& world = editor.world();
     const glm::dquat back = glm::inverse(place.rotation);
-    Link link{.file = relativeTo(folderOf(editor.document().path()), source.path), .mesh = source.mesh};
+    ModelLink link{.file = relativeTo(folderOfLinks(editor.document().path()), source.path), .mesh = source.mesh};
+    link.fileHash = hashOfFile(source.path);
     for (const rubble_prefab_row& row : rows) {
         if (row.kind != RUBBLE_PREFAB_SHAPE) continue;
         if (const int64_t cells = gridOf(world, row.handle).count(); cells <= kMaxCells) {
@@ -369,13 +280,8 @@ void linkModels(Editor& editor, const ModelSource& source, const Place& place,
     }
 }
 
-void copyLink(rubble::World& world, rubble_shape from, rubble_shape to) {
-    if (const std::optional<Link> link = linkOf(world, from)) setLink(world, to, *link);
-}
-
 void unlinkModel(rubble::World& world, rubble_shape shape) {
-    world.remove_tag(shape, kModelTag);
-    world.remove_tag(shape, kLinkTag);
+    removeLink(world, shape);
 }
 
 bool isLinked(const rubble::World& world, rubble_shape shape) {
@@ -385,22 +291,43 @@ bool isLinked(const rubble::World& world, rubble_shape shape) {
 std::vector<std::string> linkedFiles(const rubble::World& world) {
     std::set<std::string> files;
     for (const rubble_shape shape : world.find_by_tag(RUBBLE_KIND_SHAPE, kModelTag, nullptr))
-        if (const std::optional<Link> link = linkOf(world, shape)) files.insert(link->file);
+        if (const std::optional<ModelLink> link = linkOf(world, shape)) files.insert(link->file);
     return {files.begin(), files.end()};
 }
 
+std::string listOf(const std::vector<std::string>& names) {
+    constexpr size_t kMaxListed = 8;
+    std::string all;
+    for (size_t i = 0; i < std::min(names.size(), kMaxListed); ++i) all += (i ? ", " : "") + names[i];
+    return all + (names.size() > kMaxListed ? ", ..." : "");
+}
+
+std::vector<std::string> changedFiles(const Document& document) {
+    const rubble::World& world = document.world();
+    std::map<std::string, uint64_t> hashes;
+    std::set<std::string> changed;
+    for (const rubble_shape shape : world.find_by_tag(RUBBLE_KIND_SHAPE, kModelTag, nullptr)) {
+        const std::optional<ModelLink> link = linkOf(world, shape);
+        if (!link || !link->fileHash || isLocked(world, shape)) continue;
+        const auto [at, isNew] = hashes.try_emplace(link->file);
+        if (isNew) at->second = hashOfFile(modelPath(document, link->file));
+        if (at->second && at->second != link->fileHash) changed.insert(link->file);
+    }
+    return {changed.begin(), changed.end()};
+}
+
 std::string modelPath(const Document& document, const std::string& file) {
-    return (folderOf(document.path()) / file).lexically_normal().string();
+    return (folderOfLinks(document.path()) / file).lexically_normal().string();
 }
 
 bool moveLinks(Document& document, const std::string& levelPath) {
-    const fs::path from = folderOf(document.path()), to = folderOf(levelPath);
+    const fs::path from = folderOfLinks(document.path()), to = folderOfLinks(levelPath);
     rubble::World& world = document.world();
     if (from == to || linkedFiles(world).empty()) return false;
     const size_t steps = document.done().size();
     document.edit("paths of models from " + levelPath, [&] {
         for (const rubble_shape shape : world.find_by_tag(RUBBLE_KIND_SHAPE, kModelTag, nullptr))
-            if (std::optional<Link> link = linkOf(world, shape)) {
+            if (std::optional<ModelLink> link = linkOf(world, shape)) {
                 link->file = relativeTo(to, modelPath(document, link->file));
                 setLink(world, shape, *link);
             }
@@ -412,7 +339,7 @@ std::vector<LinkedShapes> linkedShapes(const Document& document, const std::vect
     const rubble::World& world = document.world();
     std::map<std::string, LinkedShapes> groups;  // by file and how it was read
     for (const rubble_shape shape : shapes) {
-        const std::optional<Link> link = linkOf(world, shape);
+        const std::optional<ModelLink> link = linkOf(world, shape);
         if (!link) continue;
         const MeshOptions& mesh = link->mesh;
         LinkedShapes& group = groups[fmt::format("{}\n{} {} {} {} {}", link->file, mesh.voxels, mesh.voxel, mesh.shell,
@@ -430,9 +357,14 @@ ModelReport reloadModel(Editor& editor, const LinkedShapes& linked, bool reverts
     rubble::World& world = editor.world();
     ModelFile file(world, linked.source, editor.settings().vdbTool);
     ModelReport report;
+    const uint64_t hash = hashOfFile(linked.source.path);
     for (const rubble_shape shape : linked.shapes) {
         const std::string name = shownName(world, shape);
-        const Link link = *linkOf(world, shape);
+        ModelLink link = *linkOf(world, shape);
+        if (hash != link.fileHash && !isLocked(world, shape)) {
+            link.fileHash = hash;
+            setLink(world, shape, link);
+        }
         const rubble_shape part = file.find(link);
         if (!part) {
             report.gone.push_back(name);
@@ -440,7 +372,9 @@ ModelReport reloadModel(Editor& editor, const LinkedShapes& linked, bool reverts
         }
         ShapeUpdate update(editor, file, shape, link, part);
         const bool isEdited = (reverts || update.isNeeded()) && update.isEdited();
-        if (update.hasOtherVoxels())
+        if (isLocked(world, shape) && (isEdited || update.isNeeded()))
+            report.locked.push_back(name);
+        else if (update.hasOtherVoxels())
             report.otherVoxels.push_back(name);
         else if (isEdited && (!reverts || world.get_shape_properties(shape).is_piece))
             report.kept.push_back(name);

@@ -28,9 +28,10 @@ public:
 
 /// What became of the shapes that are linked to a file.
 struct ModelReport {
-    size_t updated = 0, equal = 0;  ///< shapes that were brought up to date; whose part of the file has not changed
-    std::vector<std::string> kept;  ///< names of those that stay because they were edited here
-    std::vector<std::string> gone;  ///< names of those that the file has no longer
+    size_t updated = 0, equal = 0;    ///< shapes that were brought up to date; whose part of the file has not changed
+    std::vector<std::string> kept;    ///< names of those that stay because they were edited here
+    std::vector<std::string> locked;  ///< names of those that stay because they are locked
+    std::vector<std::string> gone;    ///< names of those that the file has no longer
     std::vector<std::string> lostJoints;   ///< names of joints that find no voxel any more
     std::vector<std::string> otherVoxels;  ///< names of those whose voxels have another size in the file
 };
@@ -41,14 +42,16 @@ std::vector<rubble_prefab_row> placeModel(rubble::World& world, const ModelSourc
 /// Links shapes that placeModel() has queued in this step to their file.
 void linkModels(Editor& editor, const ModelSource& source, const Place& place,
                 const std::vector<rubble_prefab_row>& rows);
-/// Gives a shape that is a copy of another one on a like body the links of that.
-void copyLink(rubble::World& world, rubble_shape from, rubble_shape to);
 /// Takes a link away; a shape without one stays as it is.
 void unlinkModel(rubble::World& world, rubble_shape shape);
 /// Whether a shape is linked to a file.
 bool isLinked(const rubble::World& world, rubble_shape shape);
 /// The files to which shapes of a level are linked, as the level says them: each once, in order.
 std::vector<std::string> linkedFiles(const rubble::World& world);
+/// Those of them that are not as they were when shapes were read from them last, but for shapes that are locked.
+std::vector<std::string> changedFiles(const Document& document);
+/// The first of some names, for people.
+std::string listOf(const std::vector<std::string>& names);
 /// The path of a file that the level says.
 std::string modelPath(const Document& document, const std::string& file);
 /// Before the level is saved to another folder: lets the paths of its links begin there, as a step of the history.
@@ -64,8 +67,8 @@ struct LinkedShapes {
 /// Those of these shapes that are linked, by their files.
 std::vector<LinkedShapes> linkedShapes(const Document& document, const std::vector<rubble_shape>& shapes);
 /// Reads their file again, and gives them its voxels and palettes: those whose voxels are still what came in, or all
-/// if reverts. All else of a shape stays, as its place, name, tags, anchors, lights and paint. Throws
-/// UnreadableModel, Refused and rubble::Error.
+/// if reverts. All else of a shape stays, as its place, name, tags, anchors, lights and paint. An axle through the
+/// middle of a wheel goes through its new middle. Throws UnreadableModel, Refused and rubble::Error.
 ModelReport reloadModel(Editor& editor, const LinkedShapes& linked, bool reverts);
 
 }  // namespace editor

@@ -108,6 +108,8 @@ std::vector<uint64_t> Editor::objects(const Arguments& arguments, std::string_vi
     const std::string& text = arguments.text(parameter);
     const Kind kind = arguments.command().kind;
     const bool isEdit = kind == Kind::Edit || (kind == Kind::Tool && !m_document.isPlaying());
+    // reload_models leaves them alone itself, and names them
+    const bool takesLocked = arguments.command().name == "unlock" || arguments.command().name == "reload_models";
     std::vector<uint64_t> all;
     for (size_t begin = 0; begin <= text.size();) {
         const size_t end = std::min(text.find(',', begin), text.size());
@@ -116,7 +118,7 @@ std::vector<uint64_t> Editor::objects(const Arguments& arguments, std::string_vi
         if (found.empty())
             arguments.refuse(parameter,
                              fmt::format("a {}, found {} by '{}'", namesOf(kinds), foundInstead(part), part));
-        if (isEdit && arguments.command().name != "unlock") {
+        if (isEdit && !takesLocked) {
             const std::string first = nameOf(m_document.world(), found.front());
             std::erase_if(found, [&](uint64_t each) { return isLocked(m_document.world(), each); });
             if (found.empty())

@@ -336,7 +336,10 @@ int main(int argc, char** argv) {
     CLI::Option* script =
         app.add_option("script", options.script, "a file of Lua")->check(CLI::Validator(fileError, "FILE"));
     app.add_option("--level", options.level, "a .rubble, .vox or .vdb file; without it a small yard");
-    app.add_option("--vdb-tool", options.vdbTool, "the program rubble-vdb, for .vdb levels");
+    std::error_code unknown;
+    options.vdbTool = (std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path() / "rubble-vdb").string();
+    app.add_option("--vdb-tool", options.vdbTool,
+                   "the program rubble-vdb, for .vdb levels (default: the one beside this program)");
     const CLI::Option* steps =
         app.add_option("--steps", options.steps,
                        "how long, in steps of 1/60 s; with --watch until Ctrl+C without it; with --eval until the "

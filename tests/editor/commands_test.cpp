@@ -1,8 +1,10 @@
 // The table of commands: each runs as its example says, is undone and redone.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <string>
@@ -12,6 +14,7 @@
 #include "editor/core/places.h"
 #include "editor/core/rotation.h"
 #include "tests/editor/editor_level.h"
+#include "tests/editor/mesh_files.h"
 #include "tests/support/temp_folder.h"
 
 namespace editor {
@@ -288,6 +291,24 @@ TEST(Commands, AnEmptyLevelNeedsNoFile) {
     ASSERT_NE(listed, std::string::npos) << printed;
     ASSERT_NE(failed, std::string::npos) << printed;
     EXPECT_LT(listed, failed) << "what is said comes in its order";
+}
+
+TEST(Commands, FindRubbleVdbBesideTheProgram) {
+    const ExampleFolder folder;
+    EXPECT_NE(printedBy("'create 4,4,4 name=a' 'save a.vdb'").find("saved a.vdb"), std::string::npos);
+    writeObj("cube.obj", cube(1.0, {0, 0}));
+    EXPECT_NE(printedBy("a.vdb 'import cube.obj' list").find("cube"), std::string::npos);
+    for (const char* line : {"'open a.vdb'", "'import a.vdb'", "'import cube.obj'", "'create 4,4,4' 'save b.vdb'",
+                             "'create 4,4,4' 'export b.vdb'"})
+        for (const char* tool : {"nowhere/rubble-vdb", "/tmp", "a.vdb"}) {
+            const std::string printed = printedBy(fmt::format("--vdb-tool {} {}", tool, line));
+            const std::string why =
+                fmt::format("expected the program rubble-vdb for it, found no program at '{}': --vdb-tool", tool);
+            EXPECT_NE(printed.find(why), std::string::npos) << line << "\n" << printed;
+        }
+    EXPECT_FALSE(std::filesystem::exists("b.vdb"));
+    Editor editor;
+    EXPECT_NE(editor.run("open a.vdb").text.find("found none: --vdb-tool"), std::string::npos);
 }
 
 TEST(Commands, ScriptsThatCallThemselvesEnd) {

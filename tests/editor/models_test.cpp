@@ -11,71 +11,14 @@
 #include <string>
 
 #include "editor/core/cells.h"
-#include "editor/core/palette.h"
 #include "editor/core/rotation.h"
 #include "editor/ui/state/model_watch.h"
-#include "tests/editor/editor_level.h"
-#include "tests/editor/mesh_files.h"
+#include "tests/editor/model_level.h"
 
 namespace editor {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A chair of two shapes; after the lines it looks otherwise.
-void writeChair(const char* file, std::initializer_list<const char*> lines = {}) {
-    Editor editor;
-    runAll(editor, {"create 8,2,8 0,0.4,0 index=5 name=seat static=yes",
-                    "create 8,8,2 0,0.6,0.3 index=5 name=back static=yes", "name seat seat"});
-    for (const char* name : {"seat", "back"}) editor.world().set_name(shapeOf(editor, name), name);
-    editor.world().apply_edits();
-    for (const char* line : lines) runAll(editor, {line});
-    runAll(editor, {fmt::format("save {} force=yes", file).c_str()});
-}
-
-std::vector<rubble_shape> shapesOf(Editor& editor, const char* name) {
-    return editor.world().find_by_name(RUBBLE_KIND_SHAPE, name);
-}
-
-std::string answerOf(Editor& editor, const std::string& line) {
-    const Outcome outcome = editor.run(line);
-    EXPECT_TRUE(outcome.isDone) << line << "\n" << outcome.text;
-    return outcome.text;
-}
-
-void expectRefused(Editor& editor, const std::string& line, const std::string& why) {
-    const uint64_t before = editor.document().hash();
-    const size_t steps = editor.document().done().size();
-    const Outcome outcome = editor.run(line);
-    EXPECT_FALSE(outcome.isDone) << line;
-    EXPECT_NE(outcome.text.find(why), std::string::npos) << outcome.text;
-    EXPECT_EQ(editor.document().hash(), before);
-    EXPECT_EQ(editor.document().done().size(), steps);
-}
-
-/// Equal voxels, looks and place.
-void expectEqualShapes(Editor& a, rubble_shape first, Editor& b, rubble_shape second) {
-    const rubble_shape_state one = a.world().get_shape_state(first), other = b.world().get_shape_state(second);
-    for (int i = 0; i < 3; ++i) {
-        EXPECT_EQ(one.size[i], other.size[i]);
-        EXPECT_NEAR(one.position[i], other.position[i], 1e-6);
-    }
-    EXPECT_EQ(readCells(a.world(), first, gridOf(a.world(), first)),
-              readCells(b.world(), second, gridOf(b.world(), second)));
-    const auto looks = [](Editor& editor, rubble_shape shape) {
-        std::string all;
-        for (const rubble_palette_entry& each : paletteOf(editor.world(), shape))
-            all += fmt::format("{} {} {} {} {} {},", each.color[0], each.color[1], each.color[2], each.opacity,
-                               each.emission, each.material);
-        return all;
-    };
-    EXPECT_EQ(looks(a, first), looks(b, second));
-}
-
-/// The seat grows at three of its sides, loses a corner, and has another colour.
-constexpr std::initializer_list<const char*> kChanges = {"box -3,-1,0 9,2,7 index=7 shape=seat",
-                                                         "voxel 0,0,0 erase shape=seat",
-                                                         "entry 5 color=#204060 material=metal shape=seat"};
 
 TEST(Models, ThatHaveChangedComeInAgain) {
     const ExampleFolder folder;
@@ -142,6 +85,31 @@ TEST(Models, KeepWhatWasChangedInTheLevel) {
     expectEqualShapes(editor, shapesOf(editor, "seat").at(0), fresh, shapesOf(fresh, "seat").at(0));
 }
 
+TEST(Models, ThatAreLockedStayAndAreNamed) {
+    const ExampleFolder folder;
+    writeChair("chair.rubble");
+    Editor editor;
+    runAll(editor, {"import chair.rubble", "import chair.rubble 5,0,0", "create 4,4,4 -9,0,0 name=crate"});
+    const rubble_shape first = shapesOf(editor, "seat").at(0);
+    answerOf(editor, fmt::format("name throne #{}", first));
+    runAll(editor, {"lock throne", "lock back"});
+    EXPECT_EQ(answerOf(editor, "reload_models"), "chair.rubble: 0 shapes brought up to date, 4 unchanged in the file");
+    writeChair("chair.rubble", kChanges);
+    EXPECT_EQ(answerOf(editor, "reload_models"),
+              "chair.rubble: 1 shape brought up to date, 2 unchanged in the file, 1 kept as locked: throne");
+    const uint64_t before = editor.document().hash();
+    runAll(editor, {"lock seat"});
+    const char* const all =
+        "chair.rubble: 0 shapes brought up to date, 3 unchanged in the file, 1 kept as locked: throne";
+    EXPECT_EQ(answerOf(editor, "reload_models chair.rubble"), all) << "also where all that are linked are locked";
+    EXPECT_EQ(answerOf(editor, "reload_models what=throne revert=yes"),
+              "chair.rubble: 0 shapes brought up to date, 1 kept as locked: throne");
+    runAll(editor, {"undo"});
+    EXPECT_EQ(editor.document().hash(), before) << "no step came of them";
+    runAll(editor, {"unlock throne"});
+    EXPECT_EQ(answerOf(editor, "reload_models what=throne"), "chair.rubble: 1 shape brought up to date");
+}
+
 TEST(Models, AreRevertedWhereTheyWere) {
     const ExampleFolder folder;
     writeChair("chair.rubble");
@@ -168,8 +136,7 @@ TEST(Models, KeepTheirJointsWhereAVoxelIsInReach) {
            {"import chair.rubble", "create 2,2,2 -0.3,0.6,0 name=cup", "joint ball cup seat -0.3,0.6,0 name=glue",
             "joint ball back seat 0.3,0.6,0.3 name=screw", "tag old yes glue"});
     writeChair("chair.rubble", {"box 0,1,0 7,1,7 erase shape=seat", "box 3,0,0 7,1,7 erase shape=seat"});
-    const std::string answer = answerOf(editor, "reload_models");
-    EXPECT_EQ(answer.substr(0, answer.find('\n')),
+    EXPECT_EQ(answerOf(editor, "reload_models"),
               "chair.rubble: 1 shape brought up to date, 1 unchanged in the file, 1 lost of their joints: screw");
     ASSERT_EQ(editor.world().get_joint_states().size(), 1u);
     const rubble_joint glue = editor.world().find_by_name(RUBBLE_KIND_JOINT, "glue").at(0);
@@ -249,6 +216,73 @@ TEST(Models, OfMagicaVoxelAndMeshesAreLinkedToo) {
     EXPECT_EQ(editor.world().get_voxel_hash(), fresh.world().get_voxel_hash()) << "with the options of the import";
     runAll(editor, {"import block.vox 0,5,0 link=no"});
     EXPECT_EQ(editor.world().find_by_tag(RUBBLE_KIND_SHAPE, kModelTag, "block.vox").size(), 1u);
+}
+
+TEST(Models, WhoseFilesHaveChangedAreToldOfWhenALevelIsOpened) {
+    const ExampleFolder folder;
+    writeChair("chair.rubble"), writeChair("stool.rubble");
+    fs::create_directories("levels");
+    Editor editor;
+    runAll(editor, {"import chair.rubble", "import chair.rubble 3,0,0", "import stool.rubble 9,0,0",
+                    "save levels/room.rubble"});
+    const auto opened = [&] { return answerOf(editor, "open levels/room.rubble"); };
+    EXPECT_EQ(opened(), "");
+    writeChair("chair.rubble");
+    EXPECT_EQ(opened(), "") << "written again as it was";
+    writeChair("chair.rubble", kChanges);
+    const char* const one =
+        "1 linked file has changed since it was read, which reload_models brings in: ../chair.rubble";
+    EXPECT_EQ(opened(), one);
+    EXPECT_FALSE(editor.document().isChanged());
+    EXPECT_NE(answerOf(editor, "reload_models").find("2 shapes brought up to date"), std::string::npos);
+    runAll(editor, {"save"});
+    EXPECT_EQ(opened(), "");
+    EXPECT_EQ(answerOf(editor, "reload_models"),
+              "../chair.rubble: 0 shapes brought up to date, 4 unchanged in the "
+              "file\n../stool.rubble: 0 shapes brought up to date, 2 unchanged in "
+              "the file");
+    EXPECT_FALSE(editor.document().isChanged());
+}
+
+TEST(Models, ThatAreLockedOrGoneAreNotToldOf) {
+    const ExampleFolder folder;
+    writeChair("chair.rubble"), writeChair("stool.rubble"), writeChair("bench.rubble");
+    Editor editor;
+    runAll(editor, {"import chair.rubble", "import stool.rubble 9,0,0", "import bench.rubble -9,0,0",
+                    "lock tag:model_file=bench.rubble", "save room.rubble"});
+    for (const char* file : {"chair.rubble", "stool.rubble", "bench.rubble"}) writeChair(file, kChanges);
+    EXPECT_EQ(answerOf(editor, "open room.rubble"),
+              "2 linked files have changed since they were read, which reload_models brings in: chair.rubble, "
+              "stool.rubble");
+    fs::remove("chair.rubble"), fs::remove("stool.rubble");
+    fs::create_directories("stool.rubble");
+    EXPECT_EQ(answerOf(editor, "open room.rubble"), "");
+    Session session(editor);
+    fs::remove("stool.rubble");
+    writeChair("stool.rubble", kChanges);
+    EXPECT_TRUE(session.run(std::string("open room.rubble")));
+    EXPECT_NE(session.messages().back().text.find("1 linked file has changed"), std::string::npos);
+}
+
+TEST(Models, OfLevelsThatDoNotKnowTheirFilesAreReadAsBefore) {
+    const ExampleFolder folder;
+    writeChair("chair.rubble");
+    Editor editor;
+    runAll(editor, {"import chair.rubble"});
+    for (const rubble_shape shape : editor.world().get_objects(RUBBLE_KIND_SHAPE)) {
+        std::string link = editor.world().get_tag(shape, "model_link").data();
+        link.erase(16, 17);
+        EXPECT_EQ(link[16], ' ');
+        editor.world().set_tag(shape, "model_link", link.c_str());
+    }
+    editor.world().apply_edits();
+    runAll(editor, {"save room.rubble"});
+    writeChair("chair.rubble", kChanges);
+    EXPECT_EQ(answerOf(editor, "open room.rubble"), "");
+    EXPECT_EQ(answerOf(editor, "reload_models"), "chair.rubble: 1 shape brought up to date, 1 unchanged in the file");
+    runAll(editor, {"save"});
+    writeChair("chair.rubble");
+    EXPECT_NE(answerOf(editor, "open room.rubble"), "");
 }
 
 TEST(Models, AreWatchedByTheWindow) {

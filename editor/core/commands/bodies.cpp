@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "editor/core/body_copies.h"
 #include "editor/core/cells.h"
 #include "editor/core/editor.h"
 #include "editor/core/material_colors.h"
@@ -151,39 +152,16 @@ void destroy(Editor& editor, const Arguments& arguments) {
         }
 }
 
-rubble_body copyOf(rubble::World& world, rubble_body from, glm::dvec3 by) {
-    const rubble_body_state state = world.get_body_state(from);
-    rubble_body_settings body{};
-    body.flags = state.flags & RUBBLE_BODY_STATIC ? RUBBLE_BODY_STATIC : RUBBLE_BODY_ASLEEP;
-    put(body.position, vectorOf(state.position) + by);
-    put(body.rotation, quaternionOf(state.rotation));
-    const rubble_body made = world.create_body(body);
-    const glm::dquat inverse = glm::inverse(quaternionOf(state.rotation));
-    for (const rubble_shape_state& each : world.get_shape_states(from)) {
-        rubble_shape_settings shape{};
-        shape.source = RUBBLE_SHAPE_COPY;
-        shape.copied = each.shape;
-        shape.body = made;
-        for (int a = 0; a < 3; ++a) shape.size[a] = each.size[a];
-        put(shape.position, inverse * (vectorOf(each.position) - vectorOf(state.position)));
-        put(shape.rotation, inverse * quaternionOf(each.rotation));
-        const rubble_shape copy = world.create_shape(shape);
-        if (const std::string name = nameOf(world, each.shape); !name.empty()) world.set_name(copy, name.c_str());
-        copyLink(world, each.shape, copy);
-    }
-    if (const std::string name = nameOf(world, from); !name.empty()) world.set_name(made, name.c_str());
-    return made;
-}
-
 void duplicate(Editor& editor, const Arguments& arguments) {
     std::vector<uint64_t> made;
     const std::vector<uint64_t> bodies = editor.objects(arguments, "what", {RUBBLE_KIND_BODY});
+    const glm::dvec3 by = arguments.point("by");
+    for (const rubble_body each : bodies) {
+        const glm::dvec3 from = vectorOf(editor.world().get_body_state(each).position);
+        arguments.requireNear("by", from + by * double(arguments.whole("times")));
+    }
     for (int i = 1; i <= arguments.whole("times"); ++i)
-        for (const rubble_body each : bodies) {
-            const glm::dvec3 from = vectorOf(editor.world().get_body_state(each).position);
-            arguments.requireNear("by", from + arguments.point("by") * double(i));
-            made.push_back(copyOf(editor.world(), each, arguments.point("by") * double(i)));
-        }
+        for (const rubble_body each : copyBodies(editor, bodies, by * double(i))) made.push_back(each);
     editor.selection() = {std::move(made), {}};
 }
 
@@ -237,7 +215,7 @@ std::vector<Command> bodyCommands() {
         {"duplicate",
          "bodies",
          Kind::Edit,
-         "Makes copies of bodies, which are selected then.",
+         "Makes copies of bodies, which are selected then: with lights, tags, and joints among them or to the world.",
          {by, {"times", Type::Whole, "how many, each farther on", "1", 1, 100}, kBodies},
          duplicate,
          "duplicate 2,0,0 2 crate"},

@@ -6,6 +6,7 @@
 
 #include "editor/core/editor.h"
 #include "editor/core/mesh_export.h"
+#include "editor/core/vdb_tool.h"
 #include "runtime/script/script_name.h"
 
 namespace editor {
@@ -41,6 +42,7 @@ void exportLevel(Editor& editor, const Arguments& arguments) {
                                                  arguments.text("what")));
         if (path == editor.document().path())
             arguments.refuse("file", "another file than the level's own, which save writes");
+        requireVdbTool(path, editor.settings().vdbTool);
         editor.world().save_level(path.c_str(), editor.settings().vdbTool.c_str());
         return editor.say("wrote " + path);
     }

@@ -8,6 +8,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "editor/core/cells.h"
 #include "editor/core/editor.h"
 #include "editor/core/rotation.h"
 
@@ -115,8 +116,9 @@ void addWheel(Editor& editor, const Arguments& arguments) {
     joint.shapes[0] = editor.object(arguments, "chassis", {RUBBLE_KIND_SHAPE});
     joint.shapes[1] = editor.object(arguments, "wheel", {RUBBLE_KIND_SHAPE});
     const rubble_shape_state wheel = editor.world().get_shape_state(joint.shapes[1]);
-    const glm::dvec3 size = glm::dvec3(wheel.size[0], wheel.size[1], wheel.size[2]) * wheel.voxel_size;
-    const glm::dvec3 middle = vectorOf(wheel.position) + quaternionOf(wheel.rotation) * (size * 0.5);
+    const Cells solid = solidOf(editor.world(), joint.shapes[1]);
+    const glm::dvec3 inGrid = glm::dvec3(2 * solid.low + solid.size) * (0.5 * wheel.voxel_size);
+    const glm::dvec3 middle = vectorOf(wheel.position) + quaternionOf(wheel.rotation) * inGrid;
     put(joint.position, arguments.has("at") ? arguments.point("at") : middle);
     const glm::dquat frame = readWheelFrame(arguments, {0, 1, 0});
     put(joint.rotation, frame);

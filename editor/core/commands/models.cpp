@@ -8,13 +8,6 @@
 namespace editor {
 namespace {
 
-std::string listOf(const std::vector<std::string>& names) {
-    constexpr size_t kMaxListed = 8;
-    std::string all;
-    for (size_t i = 0; i < std::min(names.size(), kMaxListed); ++i) all += (i ? ", " : "") + names[i];
-    return all + (names.size() > kMaxListed ? ", ..." : "");
-}
-
 std::string describe(const std::string& file, const ModelReport& report) {
     std::string text =
         fmt::format("{}: {} shape{} brought up to date", file, report.updated, report.updated == 1 ? "" : "s");
@@ -23,6 +16,7 @@ std::string describe(const std::string& file, const ModelReport& report) {
         if (!names.empty()) text += fmt::format(", {} {}: {}", names.size(), what, listOf(names));
     };
     add(report.kept, "kept as edited here");
+    add(report.locked, "kept as locked");
     add(report.gone, "no longer in the file");
     add(report.lostJoints, "lost of their joints");
     add(report.otherVoxels, "kept, because its voxels have another size in the file");

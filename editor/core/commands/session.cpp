@@ -3,6 +3,7 @@
 
 #include "editor/core/editor.h"
 #include "editor/core/models.h"
+#include "editor/core/vdb_tool.h"
 
 namespace editor {
 namespace {
@@ -12,9 +13,20 @@ void clear(Editor& editor, const Arguments&) {
     editor.forgetObjects();
 }
 
+/// Says which linked files are not as they were read.
+void tellOfModels(Editor& editor) {
+    const std::vector<std::string> changed = changedFiles(editor.document());
+    if (changed.empty()) return;
+    editor.say(fmt::format("{} linked file{} read, which reload_models brings in: {}", changed.size(),
+                           changed.size() == 1 ? " has changed since it was" : "s have changed since they were",
+                           listOf(changed)));
+}
+
 void open(Editor& editor, const Arguments& arguments) {
+    requireVdbTool(arguments.text("file"), editor.settings().vdbTool);
     editor.document().load(arguments.text("file"), editor.settings().vdbTool);
     editor.forgetObjects();
+    tellOfModels(editor);
 }
 
 void save(Editor& editor, const Arguments& arguments) {
@@ -22,6 +34,7 @@ void save(Editor& editor, const Arguments& arguments) {
     if (path.empty())
         arguments.refuse("file",
                          arguments.has("file") ? "a path, found ''" : "a path, found none: the level has no file yet");
+    requireVdbTool(path, editor.settings().vdbTool);
     const bool isForced = arguments.flag("force") || editor.settings().isForced;
     const bool hasMoved = moveLinks(editor.document(), path);
     try {
@@ -36,6 +49,7 @@ void save(Editor& editor, const Arguments& arguments) {
 void recover(Editor& editor, const Arguments&) {
     editor.document().settleRecovery(true);
     editor.forgetObjects();
+    tellOfModels(editor);
 }
 
 void discard(Editor& editor, const Arguments&) {
