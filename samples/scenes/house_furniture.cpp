@@ -51,7 +51,7 @@ void addHouseFurniture(Level& level, ivec3 cell) {
     put(makeShelf("bookshelf 4", 17), 112, kHigh, 70, Turn::ThreeQuarters);
 
     // Porch
-    put(makeBench("porch bench"), 76, kFooting + 2, 105);
+    put(makeBench("porch bench"), 76, kFooting + 2, 104, Turn::Quarter);
     put(makePlantPot("porch plant"), 102, kFooting + 2, 105);
 }
 
