@@ -111,7 +111,7 @@ bot.play(function()
     bot.frames(10)
     rideLift()
     openBarn()
-    for _, house in ipairs({"house", "quay house 1", "quay house 4"}) do visit(house) end
+    for _, house in ipairs({"house", "quay house 4"}) do visit(house) end
     climbSite()
     setOffPump()
 end)
