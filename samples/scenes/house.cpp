@@ -223,15 +223,15 @@ void drawChimney(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s
     canvas.clear({low.x + 3, top, low.z + 2}, {low.x + 7, top + 1, low.z + 6});
 }
 
-/// A light that hangs from a ceiling; the voxels of its bulb glow and belong to the light's group.
+/// A light that hangs from a ceiling, higher than a head; the voxels of its bulb glow and belong to the light's group.
 void drawCeilingLight(Level& level, Canvas& canvas, const std::string& house, const std::string& name, ivec3 hook,
                       float strength, const HouseSwatches& s) {
     const uint32_t group = addLightGroup(level, name);
     const Swatch glow = canvas.addSurface(kBulbGlow, 100, group);
-    canvas.box(hook - ivec3(0, 3, 0), hook + ivec3(1), s.wire);
-    canvas.box(hook - ivec3(2, 4, 2), hook + ivec3(3, -3, 3), s.rugEdge);
-    canvas.box(hook - ivec3(1, 5, 1), hook + ivec3(2, -4, 2), glow);
-    addLight(level, house, group, LightKind::Sphere, glm::dvec3(hook) + glm::dvec3(0.5, -6.0, 0.5),
+    canvas.box(hook - ivec3(0, 1, 0), hook + ivec3(1), s.wire);
+    canvas.box(hook - ivec3(2, 2, 2), hook + ivec3(3, -1, 3), s.rugEdge);
+    canvas.box(hook - ivec3(1, 3, 1), hook + ivec3(2, -2, 2), glow);
+    addLight(level, house, group, LightKind::Sphere, glm::dvec3(hook) + glm::dvec3(0.5, -4.0, 0.5),
              kWarmLight * strength, 8.0f, 0.12f);
 }
 
