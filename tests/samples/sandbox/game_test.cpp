@@ -117,12 +117,21 @@ TEST(Game, FilesThatAreDroppedArePlacedOrSayWhatIsWrong) {
     EXPECT_TRUE(fs::exists(out / "drop-menu.png")) << "no script that was dropped ends the game";
 }
 
-TEST(Game, WhatIsInTheTownWorks) {
-    const fs::path out = freshFolder("town");
+/// Plays a bot in the town; `last`: the image that it writes at its end.
+void playTown(const std::string& bot, const char* last) {
+    const fs::path out = freshFolder(bot);
     const std::string level = (out / "district.rubble").string();
     ASSERT_EQ(std::system((RUBBLE_BINARY_DIR "/bin/sandbox --district --write " + level + " >/dev/null").c_str()), 0);
-    EXPECT_EQ(playGame("bot_town.lua", out, RUBBLE_SOURCE_DIR "/samples/sandbox/game", level), 0) << logOf(out);
-    EXPECT_TRUE(fs::exists(out / "pump.png")) << "it was played to its end";
+    EXPECT_EQ(playGame(bot, out, RUBBLE_SOURCE_DIR "/samples/sandbox/game", level), 0) << logOf(out);
+    EXPECT_TRUE(fs::exists(out / last)) << "it was played to its end";
+}
+
+TEST(Game, WhatIsInTheTownWorks) {
+    playTown("bot_town.lua", "pump.png");
+}
+
+TEST(Game, TheHouseOfTheHeistIsRobbedByKeysAlone) {
+    playTown("bot_heist.lua", "heist-end.png");
 }
 
 TEST(Game, ContractsAreWonAndLost) {

@@ -23,6 +23,6 @@ return function(to, what, how)
     if how then SetInput(how, false) end
     bot.frames(10)
     local far, d = farFrom(to)
-    bot.expect(far < (how and 0.8 or 0.4) and math.abs(d.y) < 0.3, string.format("%s to be reached, found %.2f %.2f %.2f short", what,
-        d.x, d.y, d.z))
+    local isThere = far < (how and 0.8 or 0.4) and math.abs(d.y) < 0.3
+    bot.expect(isThere, string.format("%s to be reached, found %.2f %.2f %.2f short", what, d.x, d.y, d.z))
 end
