@@ -10,8 +10,8 @@ namespace rubble::scenes {
 namespace {
 
 constexpr int kWidth = 124, kDepth = 96, kEaves = kFooting + 34, kMargin = 6;
-constexpr int kDoorWidth = 16, kDoorTop = 28;  // of each leaf
-constexpr int kDoorLow = kMargin + kWidth / 2 - kDoorWidth;
+constexpr int kLeafWidth = 16, kDoorTop = 28;  // of each leaf
+constexpr int kDoorLow = kMargin + kWidth / 2 - kLeafWidth;
 constexpr ivec3 kLow{kMargin, 0, kMargin}, kHigh{kMargin + kWidth, 0, kMargin + kDepth};
 
 struct BarnSwatches {
@@ -91,7 +91,7 @@ void drawTrusses(Canvas& c, const BarnSwatches& s) {
 }
 
 void drawOpenings(Canvas& c, const BarnSwatches& s) {
-    const int high = kDoorLow + 2 * kDoorWidth, z = kHigh.z;
+    const int high = kDoorLow + 2 * kLeafWidth, z = kHigh.z;
     c.box({kDoorLow - 2, kFooting, z - 1}, {high + 2, kFooting + kDoorTop + 2, z}, s.white);
     c.clear({kDoorLow, kFooting, z - 4}, {high, kFooting + kDoorTop, z});
     const auto window = [&](int x, int wall) {  // without panes
@@ -118,7 +118,7 @@ void addBulb(Level& level, Canvas& c, const BarnSwatches& s) {
 /// A leaf of the door with its cross, on a hinge at its outer edge.
 void addLeaf(Level& level, ivec3 corner, bool isLeft) {
     constexpr int kHeight = kDoorTop - 1;
-    const int width = isLeft ? kDoorWidth : kDoorWidth - 1;  // a gap between both, or their edges would jam
+    const int width = isLeft ? kLeafWidth : kLeafWidth - 1;  // a gap between both, or their edges would jam
     Canvas c({width, kHeight, 2});
     const BarnSwatches s(c);
     for (int x = 0; x < width; ++x)
@@ -127,14 +127,8 @@ void addLeaf(Level& level, ivec3 corner, bool isLeft) {
     for (const int y : {0, kHeight / 2, kHeight - 2}) c.box({0, y, 1}, {width, y + 2, 2}, s.white);
     for (const int x : {0, width - 2}) c.box({x, 0, 1}, {x + 2, kHeight, 2}, s.white);
     const std::string name = isLeft ? "barn door left" : "barn door right";
-    const ivec3 at = corner + ivec3(isLeft ? kDoorLow : kDoorLow + 2 * kDoorWidth - width, kFooting, kHigh.z - 2);
-    addDynamic(level, c.finish(name), at + ivec3(0, 1, 0));
-    const glm::dquat upright(kSqrtHalf, 0.0, 0.0, kSqrtHalf);  // turns x, the axis of a hinge's frame, to y
-    const glm::dvec3 pivot = kVoxel * glm::dvec3(isLeft ? 0.0 : width, 1.0 + kHeight / 2.0, 0.5);
-    LevelJoint hinge{{.name = name + " hinge", .kind = JointKind::Hinge}, {"barn", name}};
-    hinge.joint.ends[0].frame = {pivot + kVoxel * glm::dvec3(at - corner), upright};
-    hinge.joint.ends[1].frame = {pivot - glm::dvec3(0.0, kVoxel, 0.0), upright};
-    level.joints.push_back(hinge);
+    const ivec3 at = corner + ivec3(isLeft ? kDoorLow : kDoorLow + 2 * kLeafWidth - width, kFooting + 1, kHigh.z - 2);
+    addHinged(level, "barn", corner, c.finish(name), at, {isLeft ? 0.0 : width, 0.5 * kHeight, 0.5});
 }
 
 LevelShape makeBale(std::string name) {

@@ -26,6 +26,16 @@ uint8_t stoneEntry(const WallSwatches& s, ivec3 cell, int u, int y) {
                            : PaletteBuilder::pickFor(s.stone, brick >> 8);
 }
 
+/// The panels of a door in the middle of a wall, with a knob on both sides.
+void drawLeaf(Canvas& canvas, const WallFrame& wall, int u, int y, Swatch leaf, Swatch knob) {
+    for (int du = 0; du < kDoorWidth; ++du)
+        for (int dy = 0; dy < kDoorHeight; ++dy) {
+            const bool panel = du > 1 && du < 7 && dy > 2 && dy < 18 && dy != 10;
+            canvas.setEntry(wall.cell(u + du, y + dy, 1), PaletteBuilder::pickFor(leaf, panel ? 1 : 0));
+        }
+    for (const int k : {0, 2}) canvas.set(wall.cell(u + 7, y + 10, k), knob);
+}
+
 }  // namespace
 
 void drawWall(Canvas& canvas, const WallFrame& wall, int low, int high, const WallSwatches& s) {
@@ -74,21 +84,27 @@ void drawWindow(Canvas& canvas, const WallFrame& wall, int u, int y, int width, 
         }
 }
 
-void drawDoor(Canvas& canvas, const WallFrame& wall, int u, int y, Swatch leaf, Swatch frame, Swatch knob) {
-    constexpr int kWidth = 9;
-    for (int du = -1; du <= kWidth; ++du)
+void drawDoorFrame(Canvas& canvas, const WallFrame& wall, int u, int y, Swatch frame) {
+    for (int du = -1; du <= kDoorWidth; ++du)
         for (int dy = 0; dy <= kDoorHeight; ++dy) {
-            const bool rim = du < 0 || du == kWidth || dy == kDoorHeight;
-            for (int k = 0; k < 3; ++k) canvas.setEntry(wall.cell(u + du, y + dy, k), 0);
-            if (rim) {
-                for (int k = 0; k < 3; ++k) canvas.set(wall.cell(u + du, y + dy, k), frame);
-                continue;
+            const bool rim = du < 0 || du == kDoorWidth || dy == kDoorHeight;
+            for (int k = 0; k < 3; ++k) {
+                const ivec3 cell = wall.cell(u + du, y + dy, k);
+                canvas.setEntry(cell, rim ? PaletteBuilder::pick(frame, cell) : uint8_t(0));
             }
-            const bool panel = du > 1 && du < 7 && dy > 2 && dy < 18 && dy != 10;
-            canvas.setEntry(wall.cell(u + du, y + dy, 1), PaletteBuilder::pickFor(leaf, panel ? 1 : 0));
         }
-    canvas.set(wall.cell(u + 7, y + 10, 0), knob);
-    canvas.set(wall.cell(u + 7, y + 10, 2), knob);
+}
+
+void drawDoor(Canvas& canvas, const WallFrame& wall, int u, int y, Swatch leaf, Swatch frame, Swatch knob) {
+    drawDoorFrame(canvas, wall, u, y, frame);
+    drawLeaf(canvas, wall, u, y, leaf, knob);
+}
+
+LevelShape makeDoorLeaf(std::string name, const SurfaceStyle& style) {
+    const ivec3 size(kDoorWidth, kDoorHeight, 3);
+    Canvas canvas(size);
+    drawLeaf(canvas, wallFrames(ivec3(0), size).front, 0, 0, canvas.addSurface(style), canvas.addSurface(kDarkSteel));
+    return canvas.finish(std::move(name));
 }
 
 void drawFloor(Canvas& canvas, ivec3 low, ivec3 high, int y, const FloorSwatches& s, bool ceiling) {

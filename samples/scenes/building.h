@@ -1,13 +1,15 @@
 #pragma once
 #include <functional>
+#include <string>
 
 #include "samples/scenes/placement.h"
+#include "samples/scenes/surface_styles.h"
 
 /// Parts of houses and shops: walls, windows, doors, floors, roofs. All lengths are in cells of 0.1 m.
 namespace rubble::scenes {
 
 inline constexpr int kStorey = 27;  ///< cells from floor to floor
-inline constexpr int kDoorHeight = 21;
+inline constexpr int kDoorHeight = 21, kDoorWidth = 9;
 inline constexpr int kFooting = 3;  ///< depth of a building's foot in the ground
 
 /// The coordinates of a wall: u along it as seen from outside, y up, k inward from its outer face.
@@ -43,8 +45,12 @@ struct WindowSwatches {
 /// lintel.
 void drawWindow(Canvas& canvas, const WallFrame& wall, int u, int y, int width, int height, const WindowSwatches& s,
                 bool curtains);
-/// A door 9 cells wide in a frame; its lower left corner is at (u, y).
+/// A door kDoorWidth wide in a frame, which does not open; its lower left corner is at (u, y).
 void drawDoor(Canvas& canvas, const WallFrame& wall, int u, int y, Swatch leaf, Swatch frame, Swatch knob);
+/// The opening of such a door, with its frame.
+void drawDoorFrame(Canvas& canvas, const WallFrame& wall, int u, int y, Swatch frame);
+/// The leaf of such a door in a wall along x, for addHinged(): 3 cells deep with its knobs.
+LevelShape makeDoorLeaf(std::string name, const SurfaceStyle& style);
 
 struct FloorSwatches {
     Swatch board, seam, joist, ceiling;

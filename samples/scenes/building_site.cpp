@@ -41,13 +41,14 @@ void drawFrame(Canvas& c, const SiteSwatches& s) {
                     c.box({x + dx, 0, z + dz}, {x + dx + 1, top + over, z + dz + 1}, s.rebar);
                 }
         }
+    c.box({2 * kBay + 8, 0, kColumn + 7}, {2 * kBay + 12, kFoot, kColumn + 17}, s.slab);  // the foot of the stairs
     for (int storey = 1; storey <= kStoreys; ++storey) {
         const int y = kFoot + storey * kStoreyHeight - 3;
         const int end = storey == kStoreys ? kBay + kColumn : kFrameSize.z;
         c.box({0, y, 0}, {kFrameSize.x, y + 3, end}, s.slab);
         for (int x = 3; x < kFrameSize.x - 2; x += 6)
             c.box({x, y + 1, 1}, {x + 1, y + 2, std::min(end + 5, kFrameSize.z)}, s.rebar);
-        c.clear({2 * kBay + 10, y, kColumn + 6}, {2 * kBay + 34, y + 3, kColumn + 18});
+        c.clear({2 * kBay + 10, y, kColumn + 6}, {2 * kBay + 33, y + 3, kColumn + 18});
         for (int step = 0; step < kStoreyHeight; ++step) {  // stairs of rough concrete
             const int x = 2 * kBay + 8 + step * 24 / kStoreyHeight;
             c.box({x, y - kStoreyHeight + 3 + std::max(0, step - 3), kColumn + 7},

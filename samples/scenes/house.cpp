@@ -144,17 +144,19 @@ void drawRooms(Canvas& canvas, const HouseSwatches& s) {
     canvas.box({11, Rooms::kUpperFloor - 1, 11}, {62, Rooms::kUpperFloor, 54}, s.tile);
 }
 
+/// Stairs along the wall behind the hall, below an opening of the same length: from there on the upper floor is a
+/// landing, and the railing leaves room to step onto it.
 void drawStairs(Canvas& canvas, const HouseSwatches& s) {
-    constexpr int kRun = 50;
-    canvas.clear({78, kFloor1 - 3, 53}, {117, kFloor1 + 1, 62});
+    constexpr int kFoot = 67, kRun = 38, kTop = kFoot + kRun, kRailingEnd = kTop - 4;
+    canvas.clear({kFoot, kFloor1 - 3, 53}, {kTop, kFloor1 + 1, 62});
     for (int i = 0; i < kRun; ++i) {
         const int top = kFloor0 + 1 + i / 2 * 2 * kStorey / kRun;
-        canvas.box({67 + i, std::max(top - 3, kFloor0), 53}, {68 + i, top, 62}, s.timber);
-        canvas.box({67 + i, top, 53}, {68 + i, top + 1, 62}, i % 2 ? s.floors.seam : s.floors.board);
+        canvas.box({kFoot + i, std::max(top - 3, kFloor0), 53}, {kFoot + i + 1, top, 62}, s.timber);
+        canvas.box({kFoot + i, top, 53}, {kFoot + i + 1, top + 1, 62}, i % 2 ? s.floors.seam : s.floors.board);
     }
-    canvas.box({78, kFloor1 + 1, 62}, {117, kFloor1 + 2, 63}, s.white);
-    for (int x = 78; x < 117; x += 4) canvas.box({x, kFloor1 + 2, 62}, {x + 1, kFloor1 + 10, 63}, s.white);
-    canvas.box({78, kFloor1 + 10, 62}, {117, kFloor1 + 11, 63}, s.timber);
+    canvas.box({kFoot, kFloor1 + 1, 62}, {kRailingEnd, kFloor1 + 2, 63}, s.white);
+    for (int x = kFoot; x < kRailingEnd; x += 4) canvas.box({x, kFloor1 + 2, 62}, {x + 1, kFloor1 + 10, 63}, s.white);
+    canvas.box({kFoot, kFloor1 + 10, 62}, {kRailingEnd, kFloor1 + 11, 63}, s.timber);
 }
 
 /// A rug replaces the boards, one cell thick: it is part of the house's shape and moves with the floor.
@@ -221,16 +223,26 @@ void drawChimney(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s
     canvas.clear({low.x + 3, top, low.z + 2}, {low.x + 7, top + 1, low.z + 6});
 }
 
-/// A light that hangs from a ceiling; the voxels of its bulb glow and belong to the light's group.
+/// A light that hangs from a ceiling, higher than a head; the voxels of its bulb glow and belong to the light's group.
 void drawCeilingLight(Level& level, Canvas& canvas, const std::string& house, const std::string& name, ivec3 hook,
                       float strength, const HouseSwatches& s) {
     const uint32_t group = addLightGroup(level, name);
     const Swatch glow = canvas.addSurface(kBulbGlow, 100, group);
-    canvas.box(hook - ivec3(0, 3, 0), hook + ivec3(1), s.wire);
-    canvas.box(hook - ivec3(2, 4, 2), hook + ivec3(3, -3, 3), s.rugEdge);
-    canvas.box(hook - ivec3(1, 5, 1), hook + ivec3(2, -4, 2), glow);
-    addLight(level, house, group, LightKind::Sphere, glm::dvec3(hook) + glm::dvec3(0.5, -6.0, 0.5),
+    canvas.box(hook - ivec3(0, 1, 0), hook + ivec3(1), s.wire);
+    canvas.box(hook - ivec3(2, 2, 2), hook + ivec3(3, -1, 3), s.rugEdge);
+    canvas.box(hook - ivec3(1, 3, 1), hook + ivec3(2, -2, 2), glow);
+    addLight(level, house, group, LightKind::Sphere, glm::dvec3(hook) + glm::dvec3(0.5, -4.0, 0.5),
              kWarmLight * strength, 8.0f, 0.12f);
+}
+
+/// A door that opens to either side, and stays where it was pushed to. corner, cell: of the house and of the door's
+/// leaf.
+void addFrontDoor(Level& level, const std::string& house, ivec3 corner, ivec3 cell, const SurfaceStyle& style) {
+    constexpr double kSwing = 1.75, kFriction = 20.0;  // radians; N m
+    Joint& hinge = addHinged(level, house, corner, makeDoorLeaf(house + " door", style), corner + cell,
+                             {0.0, 0.5 * kDoorHeight, 1.5});
+    hinge.limits = {true, -kSwing, kSwing};
+    hinge.friction = kFriction;
 }
 
 }  // namespace
@@ -247,7 +259,11 @@ void addHouse(Level& level, const std::string& name, ivec3 cell, const HouseStyl
     drawShell(canvas, frame, s);
     if (style.rooms) drawRooms(canvas, s);
     drawWindows(canvas, frame, s, style);
-    drawDoor(canvas, frame.walls.front, style.width * 3 / 4 - 5, kFloor0 + 1, s.door, s.white, s.steel);
+    const int door = style.width * 3 / 4 - 5;
+    if (style.rooms)
+        drawDoorFrame(canvas, frame.walls.front, door, kFloor0 + 1, s.white);
+    else
+        drawDoor(canvas, frame.walls.front, door, kFloor0 + 1, s.door, s.white, s.steel);
     drawChimney(canvas, frame, s);
     if (style.rooms) {
         drawStairs(canvas, s);
@@ -261,7 +277,9 @@ void addHouse(Level& level, const std::string& name, ivec3 cell, const HouseStyl
         drawCeilingLight(level, canvas, name, name + " hall light", {92, HouseRooms::kHall.high.y - 1, 84}, 14.0f, s);
         drawCeilingLight(level, canvas, name, name + " porch light", {93, kFloor0 + 23, frame.high.z + 10}, 26.0f, s);
     }
-    addStatic(level, canvas.finish(name), cell - ivec3(kHouseMargin, kFooting, kHouseMargin));
+    const ivec3 corner = cell - ivec3(kHouseMargin, kFooting, kHouseMargin);
+    addStatic(level, canvas.finish(name), corner);
+    if (style.rooms) addFrontDoor(level, name, corner, frame.walls.front.cell(door, kFloor0 + 1, 2), *style.door);
 }
 
 }  // namespace rubble::scenes

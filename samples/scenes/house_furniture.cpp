@@ -11,7 +11,7 @@ void addHouseFurniture(Level& level, ivec3 cell) {
     constexpr int kLow = HouseRooms::kGroundFloor, kHigh = HouseRooms::kUpperFloor;
 
     // Living room
-    put(makeSofa("sofa", kClothTeal), 33, kLow, 58);
+    put(makeSofa("sofa", kClothTeal), 20, kLow, 58);
     put(makeTable("living table"), 24, kLow, 74);
     put(makeChair("chair 1", kClothRed), 26, kLow, 68);
     put(makeChair("chair 2", kClothRed), 34, kLow, 68);
@@ -41,7 +41,7 @@ void addHouseFurniture(Level& level, ivec3 cell) {
     // Bathroom
     put(makeBath("bath"), 13, kHigh, 13);
     put(makeToilet("toilet"), 40, kHigh, 13);
-    put(makeCounter("washstand", 13), 46, kHigh, 46, Turn::Half);
+    put(makeCounter("washstand", 13), 48, kHigh, 12);
 
     // Hall and study
     put(makeShelf("bookshelf 3", 13), 100, kLow, 96, Turn::Half);
@@ -51,7 +51,7 @@ void addHouseFurniture(Level& level, ivec3 cell) {
     put(makeShelf("bookshelf 4", 17), 112, kHigh, 70, Turn::ThreeQuarters);
 
     // Porch
-    put(makeBench("porch bench"), 76, kFooting + 2, 105);
+    put(makeBench("porch bench"), 76, kFooting + 2, 104, Turn::Quarter);
     put(makePlantPot("porch plant"), 102, kFooting + 2, 105);
 }
 

@@ -49,6 +49,16 @@ void addDynamic(Level& level, LevelShape shape, ivec3 cell, Turn turn) {
     level.bodies.push_back(std::move(body));
 }
 
+Joint& addHinged(Level& level, const std::string& holder, ivec3 corner, LevelShape leaf, ivec3 cell,
+                 const glm::dvec3& pivot) {
+    const glm::dquat upright(kSqrtHalf, 0.0, 0.0, kSqrtHalf);  // turns x, the axis of a hinge's frame, to y
+    LevelJoint hinge{{.name = leaf.name + " hinge", .kind = JointKind::Hinge}, {holder, leaf.name}};
+    hinge.joint.ends[0].frame = {(pivot + glm::dvec3(cell - corner)) * kVoxel, upright};
+    hinge.joint.ends[1].frame = {pivot * kVoxel, upright};
+    addDynamic(level, std::move(leaf), cell);
+    return level.joints.emplace_back(std::move(hinge)).joint;
+}
+
 uint32_t addLightGroup(Level& level, std::string name, float threshold) {
     LightGroup group;
     group.name = std::move(name);

@@ -16,6 +16,10 @@ enum class Turn { None, Quarter, Half, ThreeQuarters, Askew };
 void addStatic(Level& level, LevelShape shape, ivec3 cell);
 /// Adds a dynamic body with one shape; after the turn, the low corner of its bounds lies at the cell.
 void addDynamic(Level& level, LevelShape shape, ivec3 cell, Turn turn = Turn::None);
+/// Adds a dynamic body with one shape on an upright hinge of the shape `holder`, and returns that hinge. corner, cell:
+/// of the level, where the low corners of the holder and of the leaf lie; pivot: in cells of the leaf.
+Joint& addHinged(Level& level, const std::string& holder, ivec3 corner, LevelShape leaf, ivec3 cell,
+                 const glm::dvec3& pivot);
 
 /// Adds a light group that goes out when the share `threshold` of its voxels is gone. Returns its index plus one, the
 /// number that palette entries store.

@@ -9,6 +9,7 @@
 #include "runtime/script/binding/directives.h"
 #include "runtime/script/functions/vocabulary.h"
 #include "runtime/script/sandbox/libraries.h"
+#include "runtime/script/script_name.h"
 
 namespace rubble::script {
 namespace {
@@ -44,7 +45,7 @@ void pushLoaded(lua_State* L) {
 
 int requireFile(lua_State* L) {
     std::string name = textAt(L, 1, "name");
-    if (!name.ends_with(".lua")) name += ".lua";
+    if (!hasEnding(name, ".lua")) name += ".lua";
     lua_settop(L, 0);
     lua_pushlstring(L, name.data(), name.size());
     const std::string path = std::filesystem::path(fileAt(L, 1, "name")).lexically_normal().string();

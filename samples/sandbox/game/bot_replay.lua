@@ -6,7 +6,7 @@ local function build()
     CreateModel({size = {80, 2, 80}, voxel = 0.5, origin = {40, 2, 40}, boxes = {{0, 0, 0, 79, 1, 79, 1}},
         palette = {{0.5, 0.5, 0.5, material = "concrete"}}}, Transform(Vec(50, 0, 50)), false)
     CreateModel({size = {60, 30, 4}, origin = {30, 0, 2}, boxes = {{0, 0, 0, 59, 29, 3, 1}},
-        palette = {{0.65, 0.3, 0.22, material = "masonry"}}}, Transform(Vec(50, 0, 42)), false)
+        palette = {{0.65, 0.3, 0.22, material = "brick"}}}, Transform(Vec(50, 0, 42)), false)
     bot.stand(Vec(50, 0, 50), Vec(50, 1.5, 42))
 end
 

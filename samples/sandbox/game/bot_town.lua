@@ -1,6 +1,7 @@
--- A test of what works in the town: the lift of the office tower, while its wire is whole; the doors of the barn; the
--- pumps of the petrol station, which go off.
+-- A test of what works in the town: the lift of the office tower, while its wire is whole; the doors of the barn and of
+-- the houses; the stairs, walked up and down by keys; the pumps of the petrol station, which go off.
 local bot = require("bots/hands")
+local walkTo = require("bots/walk")
 SetString("options.volume", "0")  -- nothing is computed for the ear
 
 local function height()
@@ -32,6 +33,44 @@ local function openBarn()
     bot.expect(math.abs(GetJointMovement(hinge)) > 0.3, "an open door, found " .. GetJointMovement(hinge))
 end
 
+-- In at the front door, up the stairs, through the rooms above, and all the way back.
+local function visit(house)
+    local corner = GetBodyTransform(FindBody(house)).pos
+    local function cell(x, y, z) return corner + VecScale(Vec(x, y, z), 0.1) end
+    local hinge = GetShapeJoints(FindShape(house .. " door"))[1]
+    local ground, upper = 5, 32
+    bot.stand(cell(93, ground, 121), cell(92, ground + 12, 102))
+    bot.press("e")
+    bot.frames(60)
+    bot.image("door-" .. house:gsub(" ", "-"))
+    bot.expect(math.abs(GetJointMovement(hinge)) > 1.2, house .. ": an open door, found " .. GetJointMovement(hinge))
+    local way = {{"porch", 93, ground, 109}, {"hall", 92, ground, 76},
+        {"door under the stairs", 105.5, ground, 68}, {"back room", 105.5, ground, 44},
+        {"door under the stairs", 105.5, ground, 68}, {"stairs' foot", 69, ground, 66},
+        {"first step", 70, ground + 2, 57.5}, {"landing", 108, upper, 57.5},
+        {"back room above", 105.5, upper, 44}, {"landing", 108, upper, 57.5}, {"study", 110, upper, 66},
+        {"study's end", 70, upper, 67}, {"bedroom's door", 70, upper, 89.5}, {"bedroom", 60, upper, 89.5}}
+    local function walk(i) walkTo(cell(way[i][2], way[i][3], way[i][4]), house .. ": " .. way[i][1]) end
+    for i = 1, #way do walk(i) end
+    bot.image("above-" .. house:gsub(" ", "-"))
+    for i = #way - 1, 1, -1 do walk(i) end
+end
+
+-- Up the stairs of the building site to its roof, and down again.
+local function climbSite()
+    local corner = GetBodyTransform(FindBody("shell of a building")).pos
+    local way = {}
+    for storey = 0, 2 do
+        for _, at in ipairs({{82, 0, 30}, {82, 0, 17}, {117, 30, 17}, {117, 30, 30}}) do
+            way[#way + 1] = corner + VecScale(Vec(at[1], 3 + 30 * storey + at[2], at[3]), 0.1)
+        end
+    end
+    bot.stand(way[1], way[2])
+    for i = 2, #way do walkTo(way[i], "building site, place " .. i) end
+    bot.image("site")
+    for i = #way - 1, 1, -1 do walkTo(way[i], "building site, back at place " .. i) end
+end
+
 local function setOffPump()
     local pump = FindShape("petrol pump 1")
     local low, high = GetShapeBounds(pump)
@@ -49,6 +88,8 @@ bot.play(function()
     bot.frames(10)
     rideLift()
     openBarn()
+    for _, house in ipairs({"house", "quay house 4"}) do visit(house) end
+    climbSite()
     setOffPump()
 end)
 

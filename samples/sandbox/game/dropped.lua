@@ -1,5 +1,6 @@
 -- Files that were dropped on the window: models, levels, and prefabs as those of prefabs/. They are things to place until
 -- the game ends, in a folder of their own.
+local environment = require("environment")
 local things = require("things")
 
 local dropped = {}
@@ -26,25 +27,13 @@ local function wrongPiece(pieces)
     end
 end
 
--- What a prefab is written with: nothing that changes the world or the game.
-local function environment()
-    local names, env = {"math", "string", "table", "utf8", "ipairs", "pairs", "next", "select", "tostring", "tonumber", "type",
-        "error", "assert", "pcall", "setmetatable", "getmetatable", "rawget", "rawset", "rawequal", "rawlen"}, {}
-    for _, name in ipairs(names) do env[name] = _G[name] end
-    for name, value in pairs(_G) do
-        local isOfVectors = type(name) == "string" and (name:match("^Vec") or name:match("^Quat") or name:match("^Transform"))
-        if isOfVectors then env[name] = value end
-    end
-    return env
-end
-
 -- The prefab of a text; nil and what is wrong with it.
 local function prefabOf(drop)
-    local chunk, what = load(drop.script, "=" .. drop.name .. ".lua", "t", environment())
+    local chunk, what = load(drop.script, "=" .. drop.path:match("[^/]+$"), "t", environment())
     local isGood, prefab = true, nil
     if chunk then isGood, prefab = pcall(chunk) end
     if not chunk or not isGood then return nil, tostring(what or prefab) end
-    local function wrong(found) return nil, drop.name .. ".lua: expected {name =, pieces =}, found " .. found end
+    local function wrong(found) return nil, things.blame(drop.path, "expected {name =, pieces =}, found " .. found) end
     if type(prefab) ~= "table" then return wrong(type(prefab)) end
     if type(prefab.name) ~= "string" or type(prefab.pieces) ~= "function" then return wrong("a table without them") end
     local hasPieces, pieces = pcall(prefab.pieces, things.model)
@@ -52,7 +41,7 @@ local function prefabOf(drop)
     local found = wrongPiece(pieces)
     if found then return wrong(found) end
     local hasPlaces, why = pcall(things.box, {list = pieces})
-    if not hasPlaces then return nil, tostring(why) end
+    if not hasPlaces then return nil, things.blame(drop.path, why) end
     return {name = prefab.name, list = pieces, isUpright = true}
 end
 

@@ -1,4 +1,4 @@
--- What E does: pushes doors, takes small things into the hand, switches lamps, drives vehicles, calls lifts.
+-- What E does: pushes and pulls doors, takes small things into the hand, switches lamps, drives vehicles, calls lifts.
 local feel = require("feel")
 local lift = require("lift")
 local vehicles = require("vehicles/vehicles")
@@ -6,6 +6,8 @@ local vehicles = require("vehicles/vehicles")
 local interact = {held = 0, contract = nil}  -- contract: what offers a deed before all others
 local kReach, kMaxMass, kLampReach, kRideReach = 2.6, 120, 1.0, 3.2
 local localPoint, distance = Vec(0, 0, 0), 1.5
+local kPush, kPushSteps = 1.5, 4  -- m/s that a push gives a door; steps after which one that stands still is pulled
+local pushed = nil  -- the door of the last steps
 
 local function hingeOf(shape)
     for _, joint in ipairs(GetShapeJoints(shape)) do
@@ -26,6 +28,27 @@ function interact.take(aim)
     localPoint = TransformToLocalPoint(GetBodyTransform(aim.body), aim.pos)
 end
 
+local function pushDoor(hinge, aim)
+    pushed = {hinge = hinge, body = aim.body, at = TransformToLocalPoint(GetBodyTransform(aim.body), aim.pos),
+        impulse = VecScale(Vec(aim.dir.x, 0, aim.dir.z), kPush * GetBodyMass(aim.body)),
+        from = GetJointMovement(hinge), steps = 0}
+    ApplyBodyImpulse(aim.body, aim.pos, pushed.impulse)
+end
+
+-- A door that does not give way, as one that is wide open, is pulled.
+local function pullDoor()
+    if not IsHandleValid(pushed.hinge) or not IsHandleValid(pushed.body) then
+        pushed = nil
+        return
+    end
+    pushed.steps = pushed.steps + 1
+    if pushed.steps < kPushSteps then return end
+    if math.abs(GetJointMovement(pushed.hinge) - pushed.from) < 0.02 then
+        ApplyBodyImpulse(pushed.body, GetBodyTransform(pushed.body) * pushed.at, VecScale(pushed.impulse, -1))
+    end
+    pushed = nil
+end
+
 -- What E would do with what the eyes look at: a text, and the deed.
 function interact.offer(aim)
     if interact.held ~= 0 then return "Let go", interact.drop end
@@ -39,10 +62,7 @@ function interact.offer(aim)
     if text then return text, deed end
     local hinge = hingeOf(aim.shape)
     if hinge and IsBodyDynamic(aim.body) then
-        return "Push the door", function()
-            local push = VecScale(Vec(aim.dir.x, 0, aim.dir.z), 3.2 * GetBodyMass(aim.body))
-            ApplyBodyImpulse(aim.body, aim.pos, push)
-        end
+        return "Push the door", function() pushDoor(hinge, aim) end
     end
     local lamp = lampAt(aim)
     if lamp then
@@ -71,6 +91,7 @@ end
 
 -- Each step: holds it before the eyes.
 function interact.update()
+    if pushed then pullDoor() end
     if interact.held == 0 then return end
     if not IsHandleValid(interact.held) or not IsBodyDynamic(interact.held) then return interact.drop() end
     local eye = GetPlayerCameraTransform()

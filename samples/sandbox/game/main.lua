@@ -24,6 +24,7 @@ local vehicles = require("vehicles/vehicles")
 
 local titleTime = 0
 local hasSeenEnd = false
+local lastDropped = nil  -- what waits to be placed
 local blasts = {timebomb = 1.5, remotebomb = 1.6}  -- sizes of explosions
 local play = saved("play", {tool = 1, yaw = 0, pitch = 0, flies = false})
 
@@ -101,16 +102,20 @@ local function readKeys()
     end
 end
 
--- What is dropped on the window stands before the eyes at once, where things may be placed.
+-- What is dropped on the window stands before the eyes at once, or when what is open is left. In a contract nothing is
+-- placed.
 local function takeDrops()
     local thing, what = dropped.take()
-    if what then return hud.say(what, 8) end
-    if not thing then return end
-    local isFree = not (menus.open or photo.isOpen or replay.isOpen or vehicles.driven() or contract.current())
-    hud.say(string.format("%s is in the menu of things (%s)", thing.name, keys.label("spawn")), 4)
-    if not isFree then return end
+    if what then hud.say(what, 8) end
+    if thing then
+        hud.say(string.format("%s is in the menu of things (%s)", thing.name, keys.label("spawn")), 4)
+        lastDropped = thing
+    end
+    if contract.current() then lastDropped = nil end
+    if not lastDropped or menus.open or photo.isOpen or replay.isOpen or vehicles.driven() then return end
     spawn.isOpen, radial.isOpen = false, false
-    place.begin(thing)
+    place.begin(lastDropped)
+    lastDropped = nil
 end
 
 -- For other scripts: what is open, and which tool is in the hand.

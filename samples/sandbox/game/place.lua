@@ -127,9 +127,11 @@ local function drawEdges()
     end
 end
 
-local function putPieces()
+-- made: takes the bodies.
+local function putPieces(made)
     for i, piece in ipairs(things.pieces(place.thing)) do
         local body, shape = build.body(piece.model, pieceFrame(piece), piece.density)
+        made[i] = body
         SetTag(body, "placed")
         if piece.tag == "explosive" then explosives.add(shape) end
         if piece.light then
@@ -150,6 +152,15 @@ local function putDrop()
     end
 end
 
+-- A prefab that was dropped may be anything. Where a piece of it cannot be made, none is.
+local function putPrefab()
+    local made = {}
+    local isGood, what = pcall(putPieces, made)
+    if isGood then return end
+    for _, body in ipairs(made) do Delete(body) end
+    place.say(things.blame(place.thing.path, what), 8)
+end
+
 local function put()
     if not isFree then return sounds.play("click", nil, 0.4) end
     AddUndoMark()
@@ -157,8 +168,10 @@ local function put()
         vehicles.spawn(place.thing.vehicle, frame)
     elseif place.thing.drop then
         putDrop()
+    elseif place.thing.path then
+        putPrefab()
     else
-        putPieces()
+        putPieces({})
     end
     sounds.play("thud", frame.pos, 0.5)
 end
@@ -181,7 +194,7 @@ function place.update(isShown)
         if not place.thing.path then return showGhosts() end
         local isGood, what = pcall(showGhosts)  -- a prefab that was dropped may be anything
         if isGood then return end
-        place.say(tostring(what), 8)
+        place.say(things.blame(place.thing.path, what), 8)
         place.finish()
         removeGhosts()
     elseif shown or #ghosts > 0 then

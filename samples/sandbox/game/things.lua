@@ -215,6 +215,12 @@ do
     folder("Prefabs", list)
 end
 
+-- What is wrong with a thing, under the name of the file that gave it and not of the script that noticed.
+function things.blame(path, what)
+    local text = tostring(what):gsub("^[^:]+:%d+: ", "")
+    return path:match("[^/]+$") .. ": " .. text
+end
+
 -- Its pieces, made once.
 function things.pieces(thing)
     thing.list = thing.list or thing.make()

@@ -10,11 +10,13 @@
 #include <utility>
 
 #include "runtime/script/binding/script_context.h"
+#include "runtime/script/script_name.h"
 
 namespace sandbox {
 namespace {
 
 namespace fs = std::filesystem;
+using rubble::script::hasEnding;
 using rubble::script::sized;
 
 constexpr size_t kMaxScript = 256 << 10;        ///< bytes
@@ -48,11 +50,12 @@ uint8_t entryFor(std::vector<rubble_palette_entry>& palette, const rubble_palett
 void Drops::add(const std::string& path) {
     Drop drop;
     drop.path = path;
-    const fs::path file = pathOf(path), ending = file.extension();
+    const fs::path file = pathOf(path);
     const std::string whole = utf8Of(file.filename());
     drop.name = utf8Of(file.stem());
     std::error_code ignored;
-    const bool isScript = ending == ".lua", isModel = ending == ".vox" || ending == ".vdb" || ending == ".rubble";
+    const bool isScript = hasEnding(path, ".lua");
+    const bool isModel = hasEnding(path, ".vox") || hasEnding(path, ".vdb") || hasEnding(path, ".rubble");
     if (!fs::is_regular_file(file, ignored))
         drop.error =
             fmt::format("{}: expected a file, found {}", whole, fs::exists(file, ignored) ? "another thing" : "none");
@@ -72,7 +75,7 @@ std::string Drops::readScript(Drop& drop) const {
     file.read(drop.script.data(), std::streamsize(drop.script.size()));
     drop.script.resize(size_t(file.gcount()));
     if (drop.script.empty()) return drop.path + ": expected a text that can be read, found nothing";
-    if (drop.script.size() <= kMaxScript) return m_test(drop.name + ".lua", drop.script);
+    if (drop.script.size() <= kMaxScript) return m_test(utf8Of(pathOf(drop.path).filename()), drop.script);
     return fmt::format("{}: expected a prefab of at most {} KiB, found more", drop.path, kMaxScript >> 10);
 }
 
@@ -86,7 +89,7 @@ std::string Drops::readModel(Drop& drop) const {
     const bool isLoaded = m_api.load_level(scratch, drop.path.c_str(), m_vdbTool.c_str()) == RUBBLE_OK;
     const std::string what = isLoaded ? readGrids(drop, scratch) : m_api.get_last_error();
     m_api.destroy_world(scratch);
-    drop.isFree = drop.path.ends_with(".vox");
+    drop.isFree = hasEnding(drop.path, ".vox");
     return what;
 }
 

@@ -50,7 +50,7 @@ uint8_t materialOf(lua_State* L, int row) {
     lua_pop(L, 1);
     uint32_t index = 0;
     if (name == "none") return 0;
-    if (apiOf(L).find_material(worldOf(L), name.c_str(), &index) != RUBBLE_OK)
+    if (apiOf(L).find_material(worldOf(L), name.c_str(), &index) != RUBBLE_OK || index == 0)
         luaL_error(L, "CreateModel: expected a material of the world, found \"%s\"", name.c_str());
     return uint8_t(index);
 }

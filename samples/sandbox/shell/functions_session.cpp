@@ -141,9 +141,10 @@ int screenshot(lua_State* L) {
     const std::string file = textAt(L, 1, "file");
     if (!file.ends_with(".png") || !isPlain(std::string_view(file).substr(0, file.size() - 4)))
         refuseArgument(L, 1, "file", "a name of A-Z, a-z, 0-9, - and _ that ends in .png");
-    gameOf(L).requests().image = file;
-    if (lua_isnoneornil(L, 2)) return 0;
-    gameOf(L).requests().imageSize = {wholeAt(L, 2, "width", 16, 8192), wholeAt(L, 3, "height", 16, 8192)};
+    Requests& requests = gameOf(L).requests();
+    if (!lua_isnoneornil(L, 2))
+        requests.imageSize = {wholeAt(L, 2, "width", 16, 8192), wholeAt(L, 3, "height", 16, 8192)};
+    requests.image = file;
     return 0;
 }
 int getScreenshotProgress(lua_State* L) {

@@ -42,7 +42,8 @@ bool Game::canLoad(const std::string& name) const {
 /// In a world and a script of its own, which alone ends where the text never does.
 std::string Game::testPrefab(const std::string& name, const std::string& text) {
     static constexpr const char* kTest =
-        "local chunk, what = load(GetString('drop.text'), '=' .. GetString('drop.name'))\n"
+        "local environment = require('environment')()\n"
+        "local chunk, what = load(GetString('drop.text'), '=' .. GetString('drop.name'), 't', environment)\n"
         "if not chunk then error(what, 0) end\n"
         "local prefab = chunk()\n"
         "if type(prefab) == 'table' and prefab.pieces then prefab.pieces(require('things').model) end\n";

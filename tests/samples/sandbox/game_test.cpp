@@ -82,11 +82,12 @@ TEST(Game, ABotSeesTheLastSecondsAgainAndGoesOn) {
 
 TEST(Game, FilesThatAreDroppedArePlacedOrSayWhatIsWrong) {
     const fs::path out = freshFolder("drops"), files = freshFolder("dropped");
-    std::string models = "car.vox shed.lua";
-    fs::copy_file(kLevel, files / "car.vox");
-    fs::copy_file(RUBBLE_SOURCE_DIR "/samples/sandbox/game/prefabs/shed.lua", files / "shed.lua");
+    std::string models = "car.vox shed.lua CAR.VOX SHED.Lua";
+    for (const char* name : {"car.vox", "CAR.VOX"}) fs::copy_file(kLevel, files / name);
+    for (const char* name : {"shed.lua", "SHED.Lua"})
+        fs::copy_file(RUBBLE_SOURCE_DIR "/samples/sandbox/game/prefabs/shed.lua", files / name);
     if (fs::exists(RUBBLE_BINARY_DIR "/bin/rubble-editor"))
-        for (const std::string name : {"room.rubble", "room.vdb"}) {
+        for (const std::string name : {"room.rubble", "room.vdb", "ROOM.RUBBLE", "ROOM.VDB"}) {
             const std::string command = RUBBLE_BINARY_DIR "/bin/rubble-editor --vdb-tool " RUBBLE_BINARY_DIR
                                                           "/bin/rubble-vdb 'create 9,9,9' -o ";
             if (std::system((command + (files / name).string() + " >/dev/null").c_str()) == 0) models += " " + name;
@@ -107,15 +108,30 @@ TEST(Game, FilesThatAreDroppedArePlacedOrSayWhatIsWrong) {
     write("large.lua",
           "return {name = 'Large', pieces = function() return {{model = {size = {999, 1, 1}, voxel = 0.1, "
           "origin = {0, 0, 0}, palette = {{1, 1, 1}}, boxes = {}}}} end}");
+    write("odd.lua",
+          "return {name = 'Odd', pieces = function() local function piece(what) return {model = {size = {2, 2, 2}, "
+          "voxel = 0.1, origin = {0, 0, 0}, palette = {{1, 1, 1, material = what}}, boxes = {{0, 0, 0, 1, 1, 1, 1}}}} "
+          "end return {piece('wood'), piece('jam')} end}");
     std::ofstream(out / "options.txt") << "options.drops=" << files.string() << "\noptions.models=" << models << "\n";
     EXPECT_EQ(playGame("bot_drops.lua", out, RUBBLE_SOURCE_DIR "/samples/sandbox/game"), 0) << logOf(out);
+    EXPECT_TRUE(fs::exists(out / "drop-menu.png")) << "no script that was dropped ends the game";
+}
+
+/// Plays a bot in the town; `last`: the image that it writes at its end.
+void playTown(const std::string& bot, const char* last) {
+    const fs::path out = freshFolder(bot);
+    const std::string level = (out / "district.rubble").string();
+    ASSERT_EQ(std::system((RUBBLE_BINARY_DIR "/bin/sandbox --district --write " + level + " >/dev/null").c_str()), 0);
+    EXPECT_EQ(playGame(bot, out, RUBBLE_SOURCE_DIR "/samples/sandbox/game", level), 0) << logOf(out);
+    EXPECT_TRUE(fs::exists(out / last)) << "it was played to its end";
 }
 
 TEST(Game, WhatIsInTheTownWorks) {
-    const fs::path out = freshFolder("town");
-    const std::string level = (out / "district.rubble").string();
-    ASSERT_EQ(std::system((RUBBLE_BINARY_DIR "/bin/sandbox --district --write " + level + " >/dev/null").c_str()), 0);
-    EXPECT_EQ(playGame("bot_town.lua", out, RUBBLE_SOURCE_DIR "/samples/sandbox/game", level), 0) << logOf(out);
+    playTown("bot_town.lua", "pump.png");
+}
+
+TEST(Game, TheHouseOfTheHeistIsRobbedByKeysAlone) {
+    playTown("bot_heist.lua", "heist-end.png");
 }
 
 TEST(Game, ContractsAreWonAndLost) {
@@ -180,6 +196,9 @@ function tick()
     refuses('roughness: expected a number from 0 to 1, found', CreateModel,
         model({palette = {{1, 0, 0, roughness = nan}}}), at)
     refuses('found "rough"', CreateModel, model({palette = {{1, 0, 0, rough = 1}}}), at)
+    refuses('a material of the world, found "jam"', CreateModel, model({palette = {{1, 0, 0, material = "jam"}}}), at)
+    refuses('width: expected a whole number from 16 to 8192, found 1', Screenshot, "narrow.png", 1, 100)
+    refuses('height: expected a whole number from 16 to 8192, found 99999', Screenshot, "high.png", 100, 99999)
     refuses('origin: expected a table, found true', CreateModel, model({origin = true}), at)
     assert(#FindBodies() == bodies, "what was refused has made nothing")
     refuses('air: expected a table, found nothing', SetEnvironment)
@@ -230,6 +249,15 @@ TEST(Game, SaysWhatIsWrongWithSavesOptionsAndTables) {
     EXPECT_NE(log.find("broken.save: "), std::string::npos) << log;
     EXPECT_NE(log.find("options.txt: expected a file that can be read"), std::string::npos) << log;
     EXPECT_NE(log.find("options.txt: expected a file that can be written"), std::string::npos) << log;
+    for (const char* name : {"narrow.png", "high.png"}) EXPECT_FALSE(fs::exists(out / name)) << name;
+}
+
+TEST(Game, RequiresScriptsWhoseEndingIsInCapitals) {
+    const fs::path out = freshFolder("capitals");
+    std::ofstream(out / "main.lua") << "function tick() end";
+    std::ofstream(out / "LOUD.LUA") << "return 7";
+    std::ofstream(out / "bot.lua") << "function tick() QuitGame() assert(require('LOUD.LUA') == 7) end";
+    EXPECT_EQ(playGame("bot.lua", out, out.string()), 0) << logOf(out);
 }
 
 TEST(Game, FindsTheScriptsOfALevelBesideIt) {
