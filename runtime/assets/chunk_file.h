@@ -17,7 +17,7 @@ namespace rubble {
 // noticed. A reader skips chunks of kinds that it does not know.
 
 inline constexpr std::array<char, 8> kFileMagic = {'R', 'U', 'B', 'B', 'L', 'E', '\r', '\n'};
-inline constexpr uint32_t kFileVersion = 15;
+inline constexpr uint32_t kFileVersion = 16;
 inline constexpr uint64_t kMaxFileBytes = uint64_t(8) << 30;  ///< larger files are neither written nor read
 inline constexpr size_t kGridChunkBytes = 8u << 20;           ///< a GRID chunk ends once it holds this much
 

@@ -37,21 +37,6 @@ Level levelFromBytes(ByteReader& in, const std::vector<PaletteRef>& palettes) {
     return level;
 }
 
-std::vector<uint8_t> scriptsToBytes(const std::vector<LevelScript>& scripts, uint64_t* memory) {
-    std::vector<uint8_t> bytes;
-    PaletteList unused;
-    BinaryOutputArchive out(bytes, unused);
-    out.put(scripts);
-    if (memory) *memory = out.memory();
-    return bytes;
-}
-
-std::vector<LevelScript> scriptsFromBytes(ByteReader& in) {
-    std::vector<LevelScript> scripts;
-    BinaryInputArchive(in, {}).get(scripts);
-    return scripts;
-}
-
 std::vector<uint8_t> palettesToBytes(const std::vector<PaletteRef>& palettes) {
     std::vector<uint8_t> bytes;
     PaletteList unused;

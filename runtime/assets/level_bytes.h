@@ -14,10 +14,6 @@ std::vector<uint8_t> levelToBytes(const Level& level, PaletteList& palettes, uin
 /// Reads such bytes. The grids have their sizes and no voxels. Fails in the reader.
 Level levelFromBytes(ByteReader& in, const std::vector<PaletteRef>& palettes);
 
-/// The scripts of a level. memory: gets what reading them takes.
-std::vector<uint8_t> scriptsToBytes(const std::vector<LevelScript>& scripts, uint64_t* memory = nullptr);
-/// Reads them. Failures go to the reader.
-std::vector<LevelScript> scriptsFromBytes(ByteReader& in);
 /// The bytes of palettes: their number, then 256 entries each.
 std::vector<uint8_t> palettesToBytes(const std::vector<PaletteRef>& palettes);
 /// Reads such bytes. Fails in the reader.

@@ -28,6 +28,10 @@ template <>
 inline constexpr std::array<const char*, 3> kEnumNames<TriggerKind> = {"sphere", "box", "polygon"};
 
 template <>
+inline constexpr std::array<const char*, 5> kEnumNames<TaggedKind> = {"light", "light_group", "water", "character",
+                                                                      "joint"};
+
+template <>
 inline constexpr auto kFields<Pose> = std::tuple{
     Field{"position", &Pose::position},
     Field{"rotation", &Pose::rotation},
@@ -316,6 +320,12 @@ inline constexpr auto kFields<LevelScript> = std::tuple{
     Field{"parameters", &LevelScript::parameters},
 };
 template <>
+inline constexpr auto kFields<LevelTags> = std::tuple{
+    Field{"kind", &LevelTags::kind},
+    Field{"number", &LevelTags::number},
+    Field{"tags", &LevelTags::tags},
+};
+template <>
 inline constexpr auto kFields<HostData> = std::tuple{
     Field{"name", &HostData::name},
     Field{"bytes", &HostData::bytes},
@@ -341,6 +351,8 @@ inline constexpr auto kFields<Level> = std::tuple{
     Field{"triggers", &Level::triggers},
     Field{"characters", &Level::characters},
     Field{"joints", &Level::joints},
+    Field{"scripts", &Level::scripts},
+    Field{"tags", &Level::tags},
 };
 
 }  // namespace rubble

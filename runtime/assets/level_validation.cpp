@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_set>
 #include <utility>
@@ -24,6 +25,8 @@ public:
     Result<Done> run(const Level& level) {
         m_lightGroups = level.lightGroups.size();
         m_materials = level.materials.materials.size();
+        m_tagged = {level.lights.size(), level.lightGroups.size(), level.waters.size(), level.characters.size(),
+                    level.joints.size()};
         if (!isWithin(double(m_materials), ranges::kMaterials))
             return Error{fmt::format("materials: expected 1 to 256, found {}", m_materials)};
         check(level);
@@ -119,6 +122,12 @@ private:
     void checkRanges(const WorldBox& box) { require("a valid box", objectError(box)); }
     void checkRanges(const Joint& joint) { require("a valid joint", jointError(joint)); }
     void checkRanges(const Trigger& trigger) { require("a valid trigger", objectError(trigger)); }
+    void checkRanges(const LevelTags& tags) {
+        const size_t count = m_tagged.at(size_t(tags.kind));
+        if (tags.number >= count)
+            fail(fmt::format("a number below {}, that of the level's objects of that kind", count),
+                 fmt::format("{}", tags.number));
+    }
     void checkRanges(const Character& character) { require("a valid character", objectError(character)); }
     /// Painted voxels must have one of the shape's colours.
     void checkPaint(const LevelShape& shape) {
@@ -145,6 +154,7 @@ private:
     std::unordered_set<const Palette*> m_checked;        ///< shapes share palettes
     std::string m_error;
     size_t m_lightGroups = 0, m_materials = 0;
+    std::array<size_t, 5> m_tagged{};  ///< objects by TaggedKind
 };
 
 }  // namespace

@@ -16,7 +16,6 @@ struct ParsedLevel {
     std::vector<PaletteRef> palettes;
     Level level;
     std::vector<VoxelGrid*> grids;  ///< of all shapes, by the numbers that GRID chunks use
-    std::vector<LevelScript> scripts;
     bool haveLevel = false;
 };
 
@@ -35,8 +34,6 @@ void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, siz
         out.haveLevel = true;
         for (LevelBody& body : out.level.bodies)
             for (LevelShape& shape : body.shapes) out.grids.push_back(&shape.grid);
-    } else if (kind == "SCRP") {
-        out.scripts = scriptsFromBytes(in);
     } else if (kind == "GRID") {
         readGridChunk(in, out.grids);
     } else if (kind == "SAVE") {
@@ -56,10 +53,6 @@ uint64_t hashLevel(const Level& level) {
     const std::vector<uint8_t> paletteBytes = palettesToBytes(palettes.palettes());
     uint64_t hash = hashBytes(bytes.data(), bytes.size());
     hash = hashBytes(paletteBytes.data(), paletteBytes.size(), hash);
-    if (!level.scripts.empty()) {
-        const std::vector<uint8_t> scripts = scriptsToBytes(level.scripts);
-        hash = hashBytes(scripts.data(), scripts.size(), hash);
-    }
     for (const LevelBody& body : level.bodies)
         for (const LevelShape& shape : body.shapes) hash = hashValue(shape.grid.contentHash(), hash);
     return hash;
@@ -72,10 +65,6 @@ std::vector<uint8_t> levelToRubble(const Level& level) {
     const std::vector<uint8_t> levelBytes = levelToBytes(level, palettes, &memory);
     out.add({'P', 'A', 'L', 'T'}, palettesToBytes(palettes.palettes()));
     out.add({'L', 'E', 'V', 'L'}, levelBytes, memory);
-    if (!level.scripts.empty()) {
-        const std::vector<uint8_t> scripts = scriptsToBytes(level.scripts, &memory);
-        out.add({'S', 'C', 'R', 'P'}, scripts, memory);
-    }
     GridChunkWriter grids(out);
     uint32_t shape = 0;
     for (const LevelBody& body : level.bodies)
@@ -89,7 +78,6 @@ Result<Level> levelFromRubble(std::span<const uint8_t> bytes, const std::string&
     const FileHeader header = readChunkFile(in, [&](const ChunkHeader& chunk, const std::vector<uint8_t>& raw,
                                                     uint32_t i) { readContent(chunk, raw, i, parsed, in); });
     if (!parsed.haveLevel) in.fail("a LEVL chunk", "none");
-    parsed.level.scripts = std::move(parsed.scripts);
     if (in.failed()) return Error{name + ": " + in.error()};
     if (const Result<Done> checked = validateLevel(parsed.level); !checked) return Error{name + ": " + checked.error()};
     if (const uint64_t hash = hashLevel(parsed.level); hash != header.contentHash)

@@ -119,6 +119,80 @@ TEST_F(AbiSavedLevel, CopiesAndPrefabsOfAShapeWithoutAnchorsHaveNone) {
     EXPECT_EQ(anchors("block"), 0u);
 }
 
+TEST_F(AbiSavedLevel, AllKindsOfObjectsKeepTheirTags) {
+    const auto settled = [&](auto create, auto settings) {
+        uint64_t made = 0;
+        EXPECT_EQ(create(m_world, &settings, &made), RUBBLE_OK) << api()->get_last_error();
+        return made;
+    };
+    auto water = sized<rubble_water_settings>();
+    const double outline[] = {20, 20, 24, 20, 24, 24};
+    water.outline = outline, water.outline_count = 3, water.depth = 1.0;
+    auto joint = sized<rubble_joint_settings>();
+    joint.kind = RUBBLE_JOINT_HINGE, joint.shapes[0] = m_block;
+    joint.position[0] = 0.3, joint.position[1] = 3.3, joint.position[2] = 0.3;
+    auto light = sized<rubble_light_settings>();
+    light.flags = RUBBLE_LIGHT_ENABLED, light.color[0] = 1.0, light.reach = 5.0;
+    const std::pair<uint32_t, uint64_t> made[] = {
+        {RUBBLE_KIND_LIGHT, settled(api()->create_light, light)},
+        {RUBBLE_KIND_LIGHT_GROUP, settled(api()->create_light_group, sized<rubble_light_group_settings>())},
+        {RUBBLE_KIND_WATER, settled(api()->create_water, water)},
+        {RUBBLE_KIND_CHARACTER, settled(api()->create_character, sized<rubble_character_settings>())},
+        {RUBBLE_KIND_JOINT, settled(api()->create_joint, joint)}};
+    applyEdits();
+    for (const auto& [kind, object] : made)
+        ASSERT_EQ(api()->set_tag(m_world, object, "layer", "above"), RUBBLE_OK) << api()->get_last_error();
+    applyEdits();
+    const uint64_t tagged = levelHash();
+    save();
+    load();
+    EXPECT_EQ(levelHash(), tagged);
+    const auto withTag = [&](uint32_t kind) {
+        uint64_t found[2] = {};
+        uint32_t count = 0;
+        EXPECT_EQ(api()->find_by_tag(m_world, kind, "layer", "above", found, 2, &count), RUBBLE_OK)
+            << api()->get_last_error();
+        return count;
+    };
+    for (const auto& [kind, object] : made) EXPECT_EQ(withTag(kind), 1u) << kind;
+    auto prefab = sized<rubble_prefab>();
+    prefab.path = m_path.c_str(), prefab.position[0] = 10.0, prefab.rotation[3] = 1.0;
+    std::vector<rubble_prefab_row> rows(16);
+    uint32_t count = 0;
+    ASSERT_EQ(api()->create_prefab(m_world, &prefab, rows.data(), 16, &count), RUBBLE_OK) << api()->get_last_error();
+    applyEdits();
+    EXPECT_EQ(withTag(RUBBLE_KIND_LIGHT), 2u) << "of the prefab";
+    EXPECT_EQ(withTag(RUBBLE_KIND_JOINT), 2u);
+}
+
+TEST_F(AbiSavedLevel, WhatAWheelIsSteeredToIsWritten) {
+    auto wheel = sized<rubble_joint_settings>();
+    wheel.kind = RUBBLE_JOINT_WHEEL;
+    wheel.shapes[0] = make(shapeOn(make(bodyAt(5.0, 3.0, 0)), RUBBLE_SHAPE_BOX, 6));
+    wheel.position[0] = 5.3, wheel.position[1] = 3.3, wheel.position[2] = 0.3;
+    wheel.max_steer_angle = 0.5;
+    uint64_t made = 0;
+    ASSERT_EQ(api()->create_joint(m_world, &wheel, &made), RUBBLE_OK) << api()->get_last_error();
+    applyEdits();
+    const uint64_t straight = levelHash();
+    auto drive = sized<rubble_drive>();
+    drive.body = state(wheel.shapes[0]).body, drive.steer = 1.0;
+    ASSERT_EQ(api()->drive_wheels(m_world, &drive), RUBBLE_OK) << api()->get_last_error();
+    applyEdits();
+    const uint64_t steered = levelHash();
+    EXPECT_NE(steered, straight);
+    save();
+    load();
+    EXPECT_EQ(levelHash(), steered);
+    step(60);
+    uint64_t joint = 0;
+    uint32_t count = 0;
+    ASSERT_EQ(api()->get_objects(m_world, RUBBLE_KIND_JOINT, &joint, 1, &count), RUBBLE_OK) << api()->get_last_error();
+    auto state = sized<rubble_joint_properties>();
+    ASSERT_EQ(api()->get_joint_properties(m_world, joint, &state), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_NEAR(state.steer_angle, 0.5, 1e-6);
+}
+
 TEST_F(AbiSavedLevel, ABodyThatIsMadeStaticStillGetsAnchors) {
     auto copy = sized<rubble_shape_settings>();
     copy.body = make(bodyAt(5.0, 3.0, 0)), copy.source = RUBBLE_SHAPE_COPY, copy.copied = m_block;

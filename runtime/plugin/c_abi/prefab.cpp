@@ -70,8 +70,8 @@ public:
         : m_pose(pose), m_palettes(level.materials, world.materials()) {
         for (const LevelBody& body : level.bodies) addBody(body);
         for (const LevelBody& body : level.bodies) addShapes(body);
-        for (const LevelJoint& joint : level.joints) addJoint(joint);
-        for (const LevelLight& light : level.lights) addLight(light);
+        for (const LevelJoint& joint : level.joints) addJoint(joint, tagsOf(level, joint));
+        for (const LevelLight& light : level.lights) addLight(light, tagsOf(level, light));
     }
     size_t size() const { return m_made.size(); }
 
@@ -98,6 +98,11 @@ public:
                 if (made.on[0] != kNone) std::get<AddLightEdit>(made.edit).light.shape = {rows[made.on[0]].handle};
                 pushMaker(hosted, std::move(made.edit), &WorldObjects::lights, handle);
             }
+            for (SetTagEdit& tag : made.tags) {
+                if (made.kind == RUBBLE_PREFAB_JOINT) tag.object = JointHandle{*handle};
+                if (made.kind == RUBBLE_PREFAB_LIGHT) tag.object = LightHandle{*handle};
+                push(hosted, std::move(tag));
+            }
         }
         return rows;
     }
@@ -108,19 +113,36 @@ private:
         uint32_t kind;
         Edit edit;
         std::array<size_t, 2> on{kNone, kNone};  ///< rows of what it is on
+        std::vector<SetTagEdit> tags = {};       ///< of what has none in its own data
     };
+
+    static std::vector<SetTagEdit> tagsOf(const Level& level, TaggedKind kind, size_t number) {
+        std::vector<SetTagEdit> out;
+        for (const LevelTags& each : level.tags)
+            if (each.kind == kind && each.number == number)
+                for (const std::string& tag : each.tags)
+                    out.push_back({.tag = std::string(tagName(tag)), .value = std::string(tagValue(tag))});
+        return out;
+    }
+    static std::vector<SetTagEdit> tagsOf(const Level& level, const LevelJoint& joint) {
+        return tagsOf(level, TaggedKind::Joint, size_t(&joint - level.joints.data()));
+    }
+    static std::vector<SetTagEdit> tagsOf(const Level& level, const LevelLight& light) {
+        return tagsOf(level, TaggedKind::Light, size_t(&light - level.lights.data()));
+    }
 
     /// From here on each edit takes no memory. Refuses the call if there are too few handles.
     void makeRoom(HostedWorld& hosted) const {
         std::array<size_t, 4> counts{};
-        for (const Made& made : m_made) ++counts[made.kind];
+        size_t edits = m_made.size();
+        for (const Made& made : m_made) ++counts[made.kind], edits += made.tags.size();
         World& world = hosted.loop.world();
         if (!makeRoomForHandles(world, &WorldObjects::bodies, counts[RUBBLE_PREFAB_BODY]) ||
             !makeRoomForHandles(world, &WorldObjects::shapes, counts[RUBBLE_PREFAB_SHAPE]) ||
             !makeRoomForHandles(world, &WorldObjects::joints, counts[RUBBLE_PREFAB_JOINT]) ||
             !makeRoomForHandles(world, &WorldObjects::lights, counts[RUBBLE_PREFAB_LIGHT]))
             refuse(RUBBLE_ERROR_CAPACITY, "the world is full: expected at most 16,777,215 objects of a kind");
-        hosted.loop.edits().makeRoom(m_made.size());
+        hosted.loop.edits().makeRoom(edits);
     }
     static bool isLeftOut(const LevelShape& shape) { return shape.hidden || shape.grid.empty(); }
     void addBody(const LevelBody& from) {
@@ -150,7 +172,7 @@ private:
         const size_t row = m_shapes.find(reference);
         return row ? row - 1 : kNone;
     }
-    void addJoint(const LevelJoint& from) {
+    void addJoint(const LevelJoint& from, std::vector<SetTagEdit> tags) {
         AddJointEdit edit{from.joint};
         std::array<size_t, 2> on{};
         for (size_t end = 0; end < 2; ++end) {
@@ -158,13 +180,13 @@ private:
             if (on[end] == kNone) edit.joint.ends[end].frame = m_pose * edit.joint.ends[end].frame;
             if (on[end] == kNone && !from.shapeNames[end].empty()) return;
         }
-        m_made.push_back({RUBBLE_PREFAB_JOINT, std::move(edit), on});
+        m_made.push_back({RUBBLE_PREFAB_JOINT, std::move(edit), on, std::move(tags)});
     }
-    void addLight(const LevelLight& from) {
+    void addLight(const LevelLight& from, std::vector<SetTagEdit> tags) {
         Light light = from.light;
         const size_t on = findShape(from.shapeName);
         if (on == kNone) light.local = m_pose * light.local;
-        m_made.push_back({RUBBLE_PREFAB_LIGHT, AddLightEdit{std::move(light)}, {on, kNone}});
+        m_made.push_back({RUBBLE_PREFAB_LIGHT, AddLightEdit{std::move(light)}, {on, kNone}, std::move(tags)});
     }
 
     Pose m_pose;

@@ -71,6 +71,16 @@ struct LevelJoint {
     std::array<std::string, 2> shapeNames;  ///< "" = fixed in the world
 };
 
+/// The objects of a level whose data have no tags of their own.
+enum class TaggedKind : uint8_t { Light, LightGroup, Water, Character, Joint };
+
+/// The tags of one of them: the one with this number in the level's list of its kind.
+struct LevelTags {
+    TaggedKind kind = TaggedKind::Light;
+    uint32_t number = 0;
+    std::vector<std::string> tags;  ///< at least one
+};
+
 /// A level as data, independent of any World. PaletteEntry::lightGroup is the index into lightGroups plus one.
 struct Level {
     std::string name;
@@ -87,6 +97,7 @@ struct Level {
     std::vector<Character> characters;
     std::vector<LevelJoint> joints;
     std::vector<LevelScript> scripts;
+    std::vector<LevelTags> tags;
 };
 
 }  // namespace rubble

@@ -1,8 +1,11 @@
 #include "runtime/world/state/load_level.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "runtime/core/log.h"
 #include "runtime/world/level/fit_lights.h"
@@ -81,18 +84,32 @@ void connectPowerSupplies(WorldData& world, const ShapeReferences& shapes) {
     });
 }
 
-void loadLights(WorldData& world, const Level& level, const ShapeReferences& shapes) {
+/// The objects of a level by TaggedKind and number; empty: it was left out.
+using TaggedObjects = std::array<std::vector<AnyObject>, 5>;
+void loadTags(WorldData& world, const Level& level, const TaggedObjects& objects) {
+    std::set<uint64_t> tagged;
+    for (const LevelTags& each : level.tags) {
+        const AnyObject object = objects.at(size_t(each.kind)).at(each.number);
+        if (bitsOf(object) && tagged.insert(bitsOf(object)).second)
+            world.notes.insert({.object = object, .setsTags = true, .tags = each.tags});
+    }
+}
+
+std::vector<AnyObject> loadLights(WorldData& world, const Level& level, const ShapeReferences& shapes) {
+    std::vector<AnyObject> loaded;
     References<LightGroupHandle> groups;
     world.groups.forEach([&](LightGroupHandle handle, const LightGroup& group) { groups.add(group.name, handle); });
     for (const LevelLight& source : level.lights) {
         Light light = source.light;
         light.shape = shapes.find(source.shapeName);
         light.group = groups.find(source.groupName);
-        world.lights.insert(std::move(light));
+        loaded.push_back(world.lights.insert(std::move(light)));
     }
+    return loaded;
 }
 
-void loadJoints(WorldData& world, const Level& level, const ShapeReferences& shapes) {
+std::vector<AnyObject> loadJoints(WorldData& world, const Level& level, const ShapeReferences& shapes) {
+    std::vector<AnyObject> loaded;
     for (const LevelJoint& source : level.joints) {
         Joint joint = source.joint;
         std::string error;
@@ -102,11 +119,10 @@ void loadJoints(WorldData& world, const Level& level, const ShapeReferences& sha
                 error = "there is no shape '" + source.shapeNames[i] + "'";
         }
         if (error.empty()) error = attachJoint(world, joint);
-        if (error.empty())
-            world.joints.insert(std::move(joint));
-        else
-            logWarning("joint '" + source.joint.name + "': " + error + "; it is left out");
+        loaded.push_back(error.empty() ? world.joints.insert(std::move(joint)) : JointHandle());
+        if (!error.empty()) logWarning("joint '" + source.joint.name + "': " + error + "; it is left out");
     }
+    return loaded;
 }
 
 /// The box around all shapes, or all static ones, within the range of places; none without any.
@@ -225,21 +241,25 @@ void loadLevel(WorldData& world, const Level& level) {
     world.scripts = level.scripts;
     world.hostData.clear();
     world.setEnvironment(level.environment);
-    for (const LightGroup& group : level.lightGroups) world.groups.insert(group);
+    TaggedObjects tagged;
+    const auto listOf = [&](TaggedKind kind) -> std::vector<AnyObject>& { return tagged[size_t(kind)]; };
+    for (const LightGroup& group : level.lightGroups)
+        listOf(TaggedKind::LightGroup).push_back(world.groups.insert(group));
     const ShapeReferences shapes = loadBodies(world, level);
     countGroupVoxels(world);
     connectPowerSupplies(world, shapes);
-    loadLights(world, level, shapes);
-    for (const Water& water : level.waters) world.waters.insert(water);
+    listOf(TaggedKind::Light) = loadLights(world, level, shapes);
+    for (const Water& water : level.waters) listOf(TaggedKind::Water).push_back(world.waters.insert(water));
     for (Trigger trigger : level.triggers) {
         trigger.inside.clear();
         world.triggers.insert(std::move(trigger));
     }
     for (Character character : level.characters) {
         character.ground = {};
-        world.characters.insert(std::move(character));
+        listOf(TaggedKind::Character).push_back(world.characters.insert(std::move(character)));
     }
-    loadJoints(world, level, shapes);
+    listOf(TaggedKind::Joint) = loadJoints(world, level, shapes);
+    loadTags(world, level, tagged);
     world.footprint = boxOfShapes(world, true);
     world.bounds = level.bounds;
     if (level.bounds.low == level.bounds.high) world.made = boxOfShapes(world, false);

@@ -58,6 +58,11 @@ private:
         const Note* note = noteOf(object);
         return note && note->setsTags ? note->tags : given;
     }
+    /// Those of an object whose data have none.
+    void addTags(TaggedKind kind, size_t number, const AnyObject& object) {
+        const std::vector<std::string> tags = tagsOf(object, {});
+        if (!tags.empty()) m_level.tags.push_back({kind, uint32_t(number), tags});
+    }
     const std::string& referenceToShape(ShapeHandle shape) const {
         static const std::string none;
         return m_world.shapes.find(shape) ? m_shapeReferences[shape.slot()] : none;
@@ -149,6 +154,7 @@ private:
             out.name = nameOf(handle, group.name);
             m_groupReferences[handle.slot()] = referenceTo(out.name, used, handle.slot() + 1, all, "light group");
             if (group.supply) out.supplyShape = referenceToShape(group.supply);
+            addTags(TaggedKind::LightGroup, handle.slot(), handle);
             out.supply = {};
             out.dark = false;
             if (group.failingSince) out.failingSince = 1;  // step 0 is the level's: it flickers from its start
@@ -164,6 +170,7 @@ private:
             out.light.shape = {};
             out.light.group = {};
             m_level.lights.push_back(std::move(out));
+            addTags(TaggedKind::Light, m_level.lights.size() - 1, handle);
         });
     }
 
@@ -171,6 +178,7 @@ private:
         m_world.waters.forEach([&](WaterHandle handle, const Water& water) {
             m_level.waters.push_back(water);
             m_level.waters.back().name = nameOf(handle, water.name);
+            addTags(TaggedKind::Water, m_level.waters.size() - 1, handle);
         });
         m_world.triggers.forEach([&](TriggerHandle handle, const Trigger& trigger) {
             Trigger& out = m_level.triggers.emplace_back(trigger);
@@ -182,6 +190,7 @@ private:
             m_level.characters.push_back(each);
             m_level.characters.back().name = nameOf(handle, each.name);
             m_level.characters.back().ground = {};
+            addTags(TaggedKind::Character, m_level.characters.size() - 1, handle);
         });
     }
 
@@ -193,9 +202,9 @@ private:
                 out.shapeNames[i] = referenceToShape(joint.ends[i].shape);
                 out.joint.ends[i].shape = {};
             }
-            out.joint.points.clear();  // a level begins with straight ropes, and with wheels that do not turn on
-            out.joint.steerTarget = joint.steer;
+            out.joint.points.clear();  // a level begins with straight ropes
             m_level.joints.push_back(std::move(out));
+            addTags(TaggedKind::Joint, m_level.joints.size() - 1, handle);
         });
     }
 

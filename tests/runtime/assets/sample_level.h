@@ -215,6 +215,7 @@ inline Level sampleLevel() {
     addSampleLights(level);
     addSampleRegions(level);
     addSampleJoint(level);
+    level.tags = {{TaggedKind::Light, 1, {"news", "channel=2"}}, {TaggedKind::Joint, 0, {"layer=ropes"}}};
     return level;
 }
 
