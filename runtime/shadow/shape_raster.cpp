@@ -10,6 +10,7 @@ namespace {
 constexpr int kSide = kShadowBrickCells;
 /// Along an axis: with up to 3 cells of the first word before them they fit a row of 64 bits.
 constexpr int kMaxCells = 60;
+constexpr size_t kFewBricks = 8;  ///< a shape smaller than a brick is in at most so many
 
 /// A mask of the bits [low, high).
 uint64_t bitsOf(int low, int high) {
@@ -206,7 +207,7 @@ void RasterSource::findSolidBox(glm::ivec3 size) {
 
 void ShapeRaster::clear() {
     m_brickSlots.clear();
-    m_used = 0;
+    m_words.clear();
 }
 
 const ShadowWords* ShapeRaster::find(glm::ivec3 brick) const {
@@ -220,9 +221,8 @@ const ShadowWords* ShapeRaster::find(glm::ivec3 brick) const {
 ShadowWords& ShapeRaster::wordsAt(size_t index) {
     uint8_t& place = m_brickSlots[index];
     if (!place) {
-        if (m_used == m_words.size()) m_words.emplace_back();
-        m_words[m_used].fill(0);
-        place = uint8_t(++m_used);
+        m_words.emplace_back();
+        place = uint8_t(m_words.size());
     }
     return m_words[place - 1u];
 }
@@ -235,6 +235,7 @@ bool ShapeRaster::make(const RasterSource& source, const ShadowCellTransform& ce
     m_lowBrick = bricks.low;
     m_bricks = bricks.high - bricks.low;
     m_brickSlots.assign(size_t(m_bricks.x) * size_t(m_bricks.y) * size_t(m_bricks.z), 0);
+    m_words.reserve(std::min(m_brickSlots.size(), kFewBricks));
 
     const glm::ivec3 count = size * cellTransform.samples,
                      low = bounds.low - m_lowBrick * kSide;  // cells from the lowest brick's corner
