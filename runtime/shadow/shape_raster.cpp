@@ -10,8 +10,8 @@ namespace {
 constexpr int kSide = kShadowBrickCells;
 /// Along an axis: with up to 3 cells of the first word before them they fit a row of 64 bits.
 constexpr int kMaxCells = 60;
-constexpr size_t kMostBricks = 125;  ///< 60 cells touch at most 5 bricks along an axis
-constexpr size_t kFewBricks = 8;     ///< a shape smaller than a brick is in at most so many
+constexpr size_t kMaxBricks = 125;  ///< 60 cells touch at most 5 bricks along an axis
+constexpr size_t kFewBricks = 8;    ///< a shape smaller than a brick is in at most so many
 
 /// A mask of the bits [low, high).
 uint64_t bitsOf(int low, int high) {
@@ -234,7 +234,7 @@ bool ShapeRaster::make(const RasterSource& source, const ShadowCellTransform& ce
     const CellBox bricks = shadowBricksOf(bounds);
     m_lowBrick = bricks.low;
     m_bricks = bricks.high - bricks.low;
-    m_brickSlots.reserve(kMostBricks);
+    m_brickSlots.reserve(kMaxBricks);
     m_brickSlots.assign(size_t(m_bricks.x) * size_t(m_bricks.y) * size_t(m_bricks.z), 0);
     m_words.reserve(std::min(m_brickSlots.size(), kFewBricks));
 
