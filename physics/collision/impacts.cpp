@@ -71,6 +71,7 @@ void findImpacts(std::span<Manifold* const> manifolds, double minSpeed, double t
         double impulse, speed;
     };
     std::vector<Hit> hits;
+    hits.reserve(16);
     for (const Manifold* manifold : manifolds) {
         if (!(double(manifold->approach) > minSpeed)) continue;
         const double approach = hitSpeed(*manifold);

@@ -113,6 +113,7 @@ void PackedBoxes::findLeaves(const Box& box, uint32_t from, std::vector<uint32_t
 void PackedBoxes::findPairs(std::vector<std::pair<uint32_t, uint32_t>>& out) const {
     const uint32_t count = uint32_t(m_order.size());
     std::vector<uint32_t> near;
+    near.reserve(64);
     for (uint32_t leaf = 0; leaf * kWidth < count; ++leaf) {
         const Node& own = m_nodes[leaf];
         Box all{glm::vec3(kNowhere), glm::vec3(-kNowhere)};

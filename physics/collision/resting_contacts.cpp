@@ -27,6 +27,7 @@ void RestingContacts::keep(std::span<Manifold* const> manifolds) {
         at->allowedPenetration = manifold->allowedPenetration;
         at->torsionImpulse = manifold->torsionImpulse;
         at->points.clear();
+        at->points.reserve(size_t(manifold->count));
         for (const ManifoldPoint& point : manifold->all())
             at->points.push_back({point.feature, point.normal, point.frictionImpulse, point.normalImpulse});
     }

@@ -138,6 +138,7 @@ BrickBits charredCells(const HeatSkin& skin, glm::ivec3 brick, int round) {
 
 BrickBits consumedCells(const VoxelGrid& grid, glm::ivec3 brick, const HeatSkin& skin, int count) {
     std::vector<std::pair<uint32_t, int>> order;
+    order.reserve(size_t(kBrickVoxels));
     forEachVoxel(skin.burnable, [&](int i) {
         const glm::ivec3 cell = brick * kBrickSize + voxelInBrick(i);
         uint32_t covered = 0;

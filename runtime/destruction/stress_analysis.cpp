@@ -250,7 +250,8 @@ void StressAnalysis::finish(bool hasCracks) {
 void StressAnalysis::numberRows() {
     const std::vector<StressNode>& nodes = m_graph.nodes();
     std::vector<bool> isConnected(nodes.size());
-    std::vector<uint32_t> open;
+    std::vector<uint32_t>& open = m_nodeOf;  // its memory, before its content
+    open.clear();
     for (uint32_t i = 0; i < nodes.size(); ++i)
         if (nodes[i].isUsed && nodes[i].isFixed) isConnected[i] = true, open.push_back(i);
     while (!open.empty()) {

@@ -127,6 +127,7 @@ void ShadowReplica::destroy(ShapeHandle handle) {
     Shape* shape = find(handle);
     if (!shape) return;
     leaveAll(*shape);
+    dropRaster(*shape);
     m_shapes[handle.slot()].reset();
 }
 
@@ -182,7 +183,7 @@ void ShadowReplica::rasterizeMoving(Shape& shape) {
     made = made && m_nextRaster.make(shape.source, shape.cellTransform, shape.bounds);
     m_bricks.clear();
     if (made) return m_nextRaster.forEach([&](glm::ivec3 brick, const ShadowWords&) { m_bricks.push_back(brick); });
-    m_nextRaster = ShapeRaster();
+    m_nextRaster.clear();
     shape.voxelSize >= kSurfaceVoxelSize ? listSurface(shape) : listBricks(grid, shape.pose, shape.voxelSize, m_bricks);
 }
 
@@ -229,7 +230,20 @@ void ShadowReplica::place(Shape& shape) {
     }
     for (; old != oldEnd; ++old) leave(shape, **old);
     shape.covered.assign(m_nextCovered.begin(), m_nextCovered.end());  // each keeps its own memory
+    m_nextRaster.isMade() ? keepNextRaster(shape) : dropRaster(shape);
+}
+
+void ShadowReplica::keepNextRaster(Shape& shape) {
     std::swap(shape.raster, m_nextRaster);
+    if (m_nextRaster.isMade() || m_spareRasters.empty()) return;
+    m_nextRaster = std::move(m_spareRasters.back());
+    m_spareRasters.pop_back();
+}
+
+void ShadowReplica::dropRaster(Shape& shape) {
+    if (!shape.raster.isMade()) return;
+    ShapeRaster dropped = std::exchange(shape.raster, ShapeRaster());
+    if (m_spareRasters.size() < kSpareRasters) m_spareRasters.push_back(std::move(dropped));
 }
 
 ShadowReplica::BrickEntry* ShadowReplica::enter(const Shape& shape, glm::ivec3 brick) {

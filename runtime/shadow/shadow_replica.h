@@ -91,13 +91,16 @@ private:
     void touchVoxelBrick(Shape& shape, glm::ivec3 voxelBrick);
     void touchSurface(Shape& shape, glm::ivec3 voxelBrick);
     void rasterizeMoving(Shape& shape);
+    void keepNextRaster(Shape& shape);
+    void dropRaster(Shape& shape);
     void listSurface(Shape& shape);
     ShadowBrickRef buildResting(const BrickState& state, glm::ivec3 brick) const;
     ShadowWords cellsOf(const BrickState& state, glm::ivec3 brick) const;
     ShadowBrickRef currentContent(BrickState& state, glm::ivec3 brick) const;
     void rebuildBrick(BrickEntry& entry, ShadowPatches& out);
 
-    static constexpr size_t kSpareBricks = 1024;  ///< 0.6 MB: what moves replaces hundreds in a step
+    static constexpr size_t kSpareBricks = 4096;  ///< 2.4 MB: what moves replaces hundreds in a step
+    static constexpr size_t kSpareRasters = 256;  ///< 1 MB: in a collapse dozens of shapes rest or break in a step
 
     std::vector<std::unique_ptr<Shape>> m_shapes;  ///< by slot
     std::shared_ptr<BlockPool> m_pool;             ///< of the bricks it makes; null until there is a shape
@@ -110,6 +113,7 @@ private:
     std::vector<glm::ivec3> m_bricks;           ///< scratch of place()
     std::vector<BrickEntry*> m_nextCovered;     ///< scratch of place()
     ShapeRaster m_nextRaster;                   ///< scratch of place()
+    std::vector<ShapeRaster> m_spareRasters;    ///< of shapes that move no more: memory for those to come
     bool m_isFarLogged = false;
 };
 

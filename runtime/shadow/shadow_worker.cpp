@@ -129,8 +129,11 @@ void ShadowWorker::submit(const FrameChanges& changes, std::span<const BodyPose>
             shared.published.clear();
             shared.publishedVersion = changes.step - 1;
         }
+        if (isQueued) {
+            shared.publishedVersion = shared.version();  // the steps since then have changed nothing
+            shared.queuedVersion = changes.step;
+        }
         shared.submittedVersion = changes.step;
-        if (isQueued) shared.queuedVersion = changes.step;
         if (work) work->step.epoch = shared.epoch;
     }
     if (isQueued && m_impl->thread.joinable())

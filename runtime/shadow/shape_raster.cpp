@@ -10,6 +10,8 @@ namespace {
 constexpr int kSide = kShadowBrickCells;
 /// Along an axis: with up to 3 cells of the first word before them they fit a row of 64 bits.
 constexpr int kMaxCells = 60;
+constexpr size_t kMaxBricks = 125;  ///< 60 cells touch at most 5 bricks along an axis
+constexpr size_t kFewBricks = 8;    ///< a shape smaller than a brick is in at most so many
 
 /// A mask of the bits [low, high).
 uint64_t bitsOf(int low, int high) {
@@ -24,9 +26,9 @@ bool isSolid(const uint64_t* rows, int height, const CellBox& box) {
     return true;
 }
 
-/// The voxels without those that have an empty neighbour (erosion). Empty if none is left.
-std::vector<uint64_t> eroded(const std::vector<uint64_t>& rows, glm::ivec3 size) {
-    std::vector<uint64_t> out(rows.size(), 0);
+/// Sets `out` to the voxels without those that have an empty neighbour (erosion). False if none is left.
+bool erode(const std::vector<uint64_t>& rows, glm::ivec3 size, std::vector<uint64_t>& out) {
+    out.assign(rows.size(), 0);
     uint64_t any = 0;
     for (int z = 1; z + 1 < size.z; ++z)
         for (int y = 1; y + 1 < size.y; ++y) {
@@ -34,7 +36,7 @@ std::vector<uint64_t> eroded(const std::vector<uint64_t>& rows, glm::ivec3 size)
             any |= out[size_t(y + z * size.y)] =
                 row[0] & row[-1] & row[1] & row[-size.y] & row[size.y] & row[0] << 1 & row[0] >> 1;
         }
-    return any ? out : std::vector<uint64_t>();
+    return any;
 }
 
 /// 4 layers of cells, as rows along x, and their conversion to words.
@@ -181,9 +183,8 @@ void RasterSource::findOccupiedBox(glm::ivec3 size) {
 void RasterSource::findSolidBox(glm::ivec3 size) {
     m_solidBox = {};
     if (m_used.empty()) return;
-    std::vector<uint64_t> rows = m_rows;
-    for (std::vector<uint64_t> next = eroded(rows, size); !next.empty(); next = eroded(rows, size))
-        rows = std::move(next);
+    std::vector<uint64_t> rows = m_rows, next;
+    while (erode(rows, size, next)) rows.swap(next);
     const size_t first =
         size_t(std::find_if(rows.begin(), rows.end(), [](uint64_t row) { return row != 0; }) - rows.begin());
     m_solidBox.low = {std::countr_zero(rows[first]), int(first) % size.y, int(first) / size.y};
@@ -206,7 +207,7 @@ void RasterSource::findSolidBox(glm::ivec3 size) {
 
 void ShapeRaster::clear() {
     m_brickSlots.clear();
-    m_used = 0;
+    m_words.clear();
 }
 
 const ShadowWords* ShapeRaster::find(glm::ivec3 brick) const {
@@ -220,9 +221,8 @@ const ShadowWords* ShapeRaster::find(glm::ivec3 brick) const {
 ShadowWords& ShapeRaster::wordsAt(size_t index) {
     uint8_t& place = m_brickSlots[index];
     if (!place) {
-        if (m_used == m_words.size()) m_words.emplace_back();
-        m_words[m_used].fill(0);
-        place = uint8_t(++m_used);
+        m_words.emplace_back();
+        place = uint8_t(m_words.size());
     }
     return m_words[place - 1u];
 }
@@ -234,7 +234,9 @@ bool ShapeRaster::make(const RasterSource& source, const ShadowCellTransform& ce
     const CellBox bricks = shadowBricksOf(bounds);
     m_lowBrick = bricks.low;
     m_bricks = bricks.high - bricks.low;
+    m_brickSlots.reserve(kMaxBricks);
     m_brickSlots.assign(size_t(m_bricks.x) * size_t(m_bricks.y) * size_t(m_bricks.z), 0);
+    m_words.reserve(std::min(m_brickSlots.size(), kFewBricks));
 
     const glm::ivec3 count = size * cellTransform.samples,
                      low = bounds.low - m_lowBrick * kSide;  // cells from the lowest brick's corner

@@ -56,8 +56,7 @@ private:
     }
     glm::ivec3 m_lowBrick{0}, m_bricks{0};
     std::vector<uint8_t> m_brickSlots;  ///< for each brick of the box, x first: its place in m_words plus one
-    std::vector<ShadowWords> m_words;   ///< those in use first
-    size_t m_used = 0;
+    std::vector<ShadowWords> m_words;
 };
 
 }  // namespace rubble

@@ -103,7 +103,7 @@ WorldDelta WorldBaseline::update(const WorldData& world, const FrameChanges& cha
     if (changes.materialsChanged) before.materials = std::exchange(m_last.materials, world.materials);
     if (changes.settingsChanged) before.settings = std::exchange(m_last.settings, world.settings);
     if (changes.scriptsChanged) before.scripts = std::exchange(m_last.scripts, world.scripts);
-    m_freeSlots = freeSlotsOf(world);
+    forEachKind([](const auto& map, std::vector<uint32_t>& free) { free = map.freeSlots(); }, world, m_freeSlots);
     return before;
 }
 

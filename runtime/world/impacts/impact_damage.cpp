@@ -75,6 +75,7 @@ Edits impactDamage(const WorldData& world, std::span<const Impact> impacts) {
     Edits edits;
     if (impacts.empty()) return edits;
     std::vector<const Impact*> hardest;
+    hardest.reserve(impacts.size());
     for (const Impact& impact : impacts) {
         double heavier = 0.0;
         for (const BodyHandle handle : {impact.body, impact.other})

@@ -178,6 +178,31 @@ TEST(ShadowWorker, AStepInWhichNothingHappensIsFree) {
     }
 }
 
+TEST(ShadowWorker, StepsInWhichNothingHappensDoNotAge) {
+    World world = worldOf({makeBody(solidGrid({8, 8, 8}), {}, true)});
+    std::atomic<bool> isHeld = false;
+    ShadowWorker worker(ShadowWorker::Mode::Thread, [&] { isHeld.wait(true); });
+    const auto submit = [&](const Edits& edits) {
+        const FrameChanges changes = world.applyEdits(edits);
+        worker.submit(changes, {}, world);
+        return changes.step;
+    };
+    worker.waitFor(submit({}));
+    for (int i = 0; i < 50; ++i) submit({});
+    CarveEdit carve;
+    carve.radii = {0.3, 0.3, 0.3};
+    isHeld = true;
+    const uint64_t step = submit({carve});
+    EXPECT_EQ(worker.lag(), 1u);
+    EXPECT_EQ(worker.publishedVersion(), step - 1);
+    submit({});
+    EXPECT_EQ(worker.lag(), 2u);
+    isHeld = false;
+    isHeld.notify_all();
+    worker.waitFor(step + 1);
+    EXPECT_EQ(worker.publishedVersion(), step + 1);
+}
+
 TEST(ShadowWorker, SleepingBodiesCostNothing) {
     const VoxelGrid cube = gridOf(glm::ivec3(8), [](glm::ivec3) { return uint8_t(1); });
     World world = worldOf({makeBody(cube, {{1, 1, 1}, glm::angleAxis(0.4, glm::dvec3(0, 1, 0))}, false),
