@@ -84,7 +84,7 @@ int drawImages(const Options& options) {
         if (!options.level.empty() && !ui.stage().session().run("open", {{"file", options.level}}))
             return fail(ui.stage().session().messages().back().text);
         if (!options.level.empty()) ui.stage().session().frameSelection();
-        const std::string error = ui.runAll(text);
+        const std::string error = ui.runAll(text, options.uiScript);
         return error.empty() ? 0 : fail(error);
     } catch (const std::exception& error) {
         return fail(error.what());

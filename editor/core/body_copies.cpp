@@ -17,7 +17,8 @@ namespace {
 /// Makes one set of copies.
 class BodyCopies {
 public:
-    BodyCopies(Editor& editor, glm::dvec3 by) : m_editor(editor), m_world(editor.world()), m_by(by) {}
+    BodyCopies(Editor& editor, glm::dvec3 by, std::set<std::string>& notes)
+        : m_editor(editor), m_world(editor.world()), m_by(by), m_notes(notes) {}
 
     rubble_body copyBody(rubble_body from) {
         const rubble_body_state state = m_world.get_body_state(from);
@@ -99,7 +100,7 @@ private:
             const auto ends = endsOf(each);
             if (!ends) continue;
             if (!hasFrame(m_world, each)) {
-                m_editor.say(shownName(each) + " is not copied: ropes and steered wheels are not");
+                m_notes.insert(shownName(m_world, each) + " is not copied: ropes and steered wheels are not");
                 continue;
             }
             JointCopy copy = copyOf(m_world, each);
@@ -112,25 +113,23 @@ private:
             if (kindOf(m_world, joint) == RUBBLE_KIND_JOINT)
                 nameJoint(m_world, joint, copy);
             else
-                m_editor.say(fmt::format("{} is not copied: it finds no voxel to hold on to",
-                                         copy.name.empty() ? "a joint" : copy.name.data()));
-    }
-    std::string shownName(rubble_joint joint) const {
-        const std::string name = nameOf(m_world, joint);
-        return name.empty() ? fmt::format("#{}", joint) : name;
+                m_notes.insert(fmt::format("{} is not copied: it finds no voxel to hold on to",
+                                           copy.name.empty() ? "a joint" : copy.name.data()));
     }
 
     Editor& m_editor;
     rubble::World& m_world;
     glm::dvec3 m_by;
+    std::set<std::string>& m_notes;
     std::map<rubble_shape, rubble_shape> m_shapes;      ///< their copies
     std::vector<std::pair<uint64_t, uint64_t>> m_made;  ///< the same of all objects but joints
 };
 
 }  // namespace
 
-std::vector<rubble_body> copyBodies(Editor& editor, const std::vector<rubble_body>& bodies, glm::dvec3 by) {
-    BodyCopies copies(editor, by);
+std::vector<rubble_body> copyBodies(Editor& editor, const std::vector<rubble_body>& bodies, glm::dvec3 by,
+                                    std::set<std::string>& notes) {
+    BodyCopies copies(editor, by, notes);
     std::vector<rubble_body> made;
     for (const rubble_body each : bodies) made.push_back(copies.copyBody(each));
     copies.copyRest();

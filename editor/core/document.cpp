@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "editor/core/arguments.h"
+#include "runtime/core/counted.h"
 
 namespace editor {
 namespace {
@@ -32,8 +34,8 @@ std::string joined(const std::vector<std::string>& lines) {
 
 /// For people.
 std::string describe(const Recovery& found) {
-    return fmt::format("an editor that has ended early left {} change{} of {} that {} not saved: recover or discard{}",
-                       found.changes, found.changes == 1 ? "" : "s",
+    return fmt::format("an editor that has ended early left {} of {} that {} not saved: recover or discard{}",
+                       rubble::counted(found.changes, "change"),
                        found.level.path.empty() ? "a level without a file" : found.level.path,
                        found.changes == 1 ? "was" : "were",
                        found.isTailLost ? "; its journal is damaged, and what came later is lost" : "");
@@ -42,7 +44,10 @@ std::string describe(const Recovery& found) {
 }  // namespace
 
 Document::Document(uint32_t worldFlags, std::string journals, StepWatcher watcher)
-    : m_world(worldSettings(worldFlags, m_messages)), m_journals(std::move(journals)), m_watcher(std::move(watcher)) {
+    : m_world(worldSettings(worldFlags, m_messages)),
+      m_hostSettings(m_world.get_settings()),
+      m_journals(std::move(journals)),
+      m_watcher(std::move(watcher)) {
     begin("");
 }
 
@@ -50,6 +55,7 @@ Document::Document(uint32_t worldFlags, std::string journals, StepWatcher watche
 void Document::begin(const std::string& path) {
     m_path = path;
     m_fileState = fileStateOf(path);
+    m_isUnread = false;
     beginHistory();
     openJournal();
 }
@@ -63,18 +69,44 @@ void Document::beginHistory() {
     m_savedSteps = 0;
 }
 
-void Document::clear() {
+void Document::makeEmpty() {
     rubble_world_settings settings{};
     settings.flags = RUBBLE_WORLD_NO_RENDERER;
     rubble::World empty(settings);
     const std::vector<uint8_t> game = empty.save_game_data();
     m_world.load_game_data(game.data(), game.size());
+}
+
+void Document::clear() {
+    makeEmpty();
     begin("");
 }
 
 void Document::load(const std::string& path, const std::string& vdbTool) {
-    m_world.load_level(path.c_str(), vdbTool.c_str());
+    bool isRead = true;
+    try {
+        m_world.load_level(path.c_str(), vdbTool.c_str());
+        m_world.set_settings(m_hostSettings);
+    } catch (const rubble::Error& error) {
+        if (!hasRecovery(path)) throw;
+        isRead = false;
+        m_messages.push_back(fmt::format("{}: the level is empty until it is recovered", error.what()));
+        makeEmpty();
+    }
     begin(path);
+    m_isUnread = !isRead;
+}
+
+/// Whether an editor that has ended early left a journal of a level.
+bool Document::hasRecovery(const std::string& path) const {
+    const std::string folder = m_journals.empty() ? "" : journalFolder(m_journals, path);
+    std::error_code none;
+    if (!std::filesystem::is_directory(folder, none)) return false;
+    try {
+        return Journal(folder).found().has_value();
+    } catch (const Refused&) {  // another editor has it
+        return false;
+    }
 }
 
 void Document::save(const std::string& path, const std::string& vdbTool, bool isForced) {
@@ -85,13 +117,19 @@ void Document::save(const std::string& path, const std::string& vdbTool, bool is
             fmt::format("save: {} has been written by another program since it was opened or saved: expected "
                         "force=yes, or another path",
                         path));
-    m_world.save_level(path.c_str(), vdbTool.c_str());
     const bool isMoved = path != m_path;
+    if (isMoved && !isForced && hasRecovery(path))
+        throw Refused(
+            fmt::format("save: an editor of {} that has ended early left changes that were not saved: expected "
+                        "another path, or force=yes, which discards them",
+                        path));
+    m_world.save_level(path.c_str(), vdbTool.c_str());
     m_path = path;
     m_fileState = fileStateOf(path);
     m_savedSteps = m_done.size();
-    if (isMoved) openJournal();
-    if (m_journal) beginJournal();
+    if (!isMoved) return m_journal ? beginJournal() : void();
+    if (m_journal) m_journal->discard();  // what it has kept is saved
+    openJournal(true);
 }
 
 bool Document::hasFileChanged() const {
@@ -275,8 +313,9 @@ void Document::stop(bool keeps) {
     (keeps ? m_doneMarks : m_undoneMarks).push_back(m_playMarks.size());
 }
 
-/// That of the level's file; of a level without one the first that no other editor has.
-void Document::openJournal() {
+/// That of the level's file; of a level without one the first that no other editor has. isSaved: the file is the level
+/// as it is, so that what is there from before is settled.
+void Document::openJournal(bool isSaved) {
     m_journal.reset();
     if (m_journals.empty()) return;
     constexpr int kUntitled = 8;
@@ -293,10 +332,9 @@ void Document::openJournal() {
                                 kUntitled, error.what()));
         }
     if (!m_journal) return keepDeltas();
-    if (const std::optional<Recovery> found = m_journal->found())
-        m_messages.push_back(describe(*found));
-    else
-        beginJournal();
+    const std::optional<Recovery> found = m_journal->found();
+    if (isSaved || !found) return beginJournal();
+    m_messages.push_back(describe(*found));
 }
 
 void Document::beginJournal(size_t recovered) {
@@ -343,6 +381,7 @@ void Document::settleRecovery(bool isWanted) {
     if (!found) throw Refused("expected changes of this level that were not saved, found none");
     if (isWanted) return recover(*found);
     m_journal->discard();
+    if (m_isUnread) return clear();
     beginJournal();
 }
 
@@ -351,6 +390,7 @@ void Document::recover(const Recovery& found) {
     if (!found.level.path.empty()) m_path = found.level.path, m_fileState = found.level.file;
     beginHistory();
     m_savedSteps.reset();
+    m_isUnread = false;
     beginJournal(std::max<size_t>(found.changes, 1));
     if (found.isTailLost) m_messages.emplace_back("the end of the journal is damaged: what came later is lost");
 }

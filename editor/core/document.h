@@ -30,10 +30,10 @@ public:
     /// Replaces the level by an empty one without a file.
     void clear();
     /// Replaces the level by that of a file: .rubble, .vox or .vdb. vdbTool: the program rubble-vdb. Throws
-    /// rubble::Error, and the level stays.
+    /// rubble::Error, and the level stays; but where its journal can bring it back, it is empty until that is settled.
     void load(const std::string& path, const std::string& vdbTool);
     /// Writes the level as it is, whole or not at all, and takes the path as the level's own. Throws rubble::Error, and
-    /// Refused where hasFileChanged(), unless it is forced.
+    /// Refused where hasFileChanged(), or another level of that path waits for its recovery, unless it is forced.
     void save(const std::string& path, const std::string& vdbTool, bool isForced = false);
     /// Whether another program has written the level's file since it was loaded or saved.
     bool hasFileChanged() const;
@@ -93,11 +93,13 @@ public:
     std::vector<std::string> takeMessages();
 
 private:
+    void makeEmpty();
     void begin(const std::string& path);
+    bool hasRecovery(const std::string& path) const;
     void beginHistory();
     void makeStep(const std::string& name, const std::function<void()>& work);
     void endPlay(bool isKept);
-    void openJournal();
+    void openJournal(bool isSaved = false);
     void beginJournal(size_t recovered = 0);
     void keepInJournal(const std::function<void(Journal&)>& write);
     void keepChanges(bool isStep = false);
@@ -115,8 +117,10 @@ private:
 
     std::vector<std::string> m_messages;
     rubble::World m_world;
+    rubble_settings m_hostSettings;  ///< of the world as it begins, which no level holds
     std::string m_path, m_journals;
     std::optional<FileState> m_fileState;  ///< as it was loaded or saved
+    bool m_isUnread = false;               ///< the file cannot be read: the journal alone has the level
     std::unique_ptr<Journal> m_journal;    ///< null: there is none
     std::vector<std::string> m_done, m_undone;
     std::vector<size_t> m_doneMarks, m_undoneMarks;  ///< how many of the world's marks each of them has

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <utility>
@@ -71,8 +72,10 @@ Outcome Editor::runFile(const std::string& path) {
 }
 
 Outcome Editor::runLines(const std::string& path) {
+    std::error_code none;
     std::ifstream file(path, std::ios::binary);
-    if (!file) return {false, fmt::format("{}: the file cannot be read", path)};
+    if (!file || std::filesystem::is_directory(path, none))
+        return {false, fmt::format("{}: the file cannot be read", path)};
     std::ostringstream text;
     text << file.rdbuf();
     if (text.view().starts_with("\xef\xbb\xbf")) text.str(text.str().substr(3));  // a byte order mark

@@ -86,6 +86,7 @@ private:
     Outcome runLines(const std::string& path);
     /// What a part of a value names that a command does not take.
     std::string foundInstead(const std::string& part) const;
+    std::string partAt(const std::string& text, size_t begin, std::initializer_list<uint32_t> kinds) const;
     std::vector<uint64_t> objectsOf(const std::string& part, std::initializer_list<uint32_t> kinds) const;
 
     EditorSettings m_settings;
@@ -111,5 +112,7 @@ int kindOf(const rubble::World& world, uint64_t handle);
 const char* nameOfKind(uint32_t kind);
 /// The name of an object; empty: it has none.
 std::string nameOf(const rubble::World& world, uint64_t handle);
+/// How messages name an object: a shape without a name by that of its body, else #HANDLE, as commands take it.
+std::string shownName(const rubble::World& world, uint64_t object);
 
 }  // namespace editor

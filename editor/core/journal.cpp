@@ -210,6 +210,7 @@ void Journal::begin(rubble::World& world, const JournalLevel& level, size_t reco
 void Journal::discard() {
     removeOthers(0);
     m_found.reset();
+    m_isRecovered = false;
 }
 
 void Journal::beginPlay() {

@@ -51,7 +51,7 @@ public:
     /// Makes that level of the world, exactly as it was, but without a play that was not ended. Throws rubble::Error
     /// where it is damaged.
     void recover(rubble::World& world) const;
-    /// Forgets what is there.
+    /// Forgets what is there, so that closing it keeps nothing.
     void discard();
 
     /// Begins again: the world as it is now is the base, and it keeps deltas from now on. What was there is removed.

@@ -10,10 +10,13 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <glm/common.hpp>
 #include <iterator>
 #include <limits>
 
+#include "editor/core/cells.h"
 #include "editor/core/editor.h"
+#include "editor/core/palette.h"
 #include "editor/core/rotation.h"
 #include "runtime/script/script_name.h"
 
@@ -25,6 +28,58 @@ struct Mesh {
     rubble_shape_state state{};
     std::string name;
     std::vector<rubble_mesh_vertex> opaque, transparent;
+};
+
+/// The faces of transparent voxels that opaque ones hide, behind a rectangle of these: so each kind is closed by
+/// itself, and an import finds the inside of both.
+class HiddenFaces {
+public:
+    HiddenFaces(const rubble::World& world, rubble_shape shape)
+        : m_world(world),
+          m_shape(shape),
+          m_voxel(world.get_shape_state(shape).voxel_size),
+          m_palette(paletteOf(world, shape)) {}
+
+    /// face: the four corners of the rectangle.
+    void addBehind(const rubble_mesh_vertex* face, std::vector<rubble_mesh_vertex>& to) const {
+        const glm::ivec3 first = cornerOf(face[0]), right = cornerOf(face[1]) - first, up = cornerOf(face[3]) - first;
+        const glm::ivec3 normal(face[0].normal[0], face[0].normal[1], face[0].normal[2]);
+        Cells front{glm::min(first, first + right + up), glm::abs(right + up + normal)};
+        front.low += glm::min(normal, glm::ivec3(0));
+        const std::vector<uint8_t> voxels = readCells(m_world, m_shape, front);
+        const glm::ivec3 u = glm::sign(right), v = glm::sign(up);
+        const glm::ivec3 toFirst =
+            glm::max(-u, glm::ivec3(0)) + glm::max(-v, glm::ivec3(0)) + glm::max(-normal, glm::ivec3(0));
+        const CellSet places{m_shape, front.low, front.size, {}};
+        for (glm::ivec3 cell = front.low; cell.z < front.low.z + front.size.z; ++cell.z)
+            for (cell.y = front.low.y; cell.y < front.low.y + front.size.y; ++cell.y)
+                for (cell.x = front.low.x; cell.x < front.low.x + front.size.x; ++cell.x) {
+                    const uint8_t index = voxels[places.at(cell)];
+                    if (!index || m_palette[index].opacity == 255) continue;
+                    for (const glm::ivec3 corner : {glm::ivec3(0), v, u + v, u})
+                        to.push_back(vertexAt(cell + toFirst + corner, -normal, index));
+                }
+    }
+
+private:
+    glm::ivec3 cornerOf(const rubble_mesh_vertex& vertex) const {
+        return glm::ivec3(glm::round(glm::dvec3(vertex.position[0], vertex.position[1], vertex.position[2]) / m_voxel));
+    }
+    rubble_mesh_vertex vertexAt(glm::ivec3 corner, glm::ivec3 normal, uint8_t index) const {
+        const rubble_palette_entry& entry = m_palette[index];
+        rubble_mesh_vertex vertex{};
+        for (int a = 0; a < 3; ++a) {
+            vertex.position[a] = float(double(corner[a]) * m_voxel), vertex.normal[a] = float(normal[a]);
+            vertex.color[a] = entry.color[a];
+        }
+        vertex.color[3] = entry.opacity;
+        return vertex;
+    }
+
+    const rubble::World& m_world;
+    rubble_shape m_shape;
+    double m_voxel;  ///< metres
+    std::vector<rubble_palette_entry> m_palette;
 };
 
 Mesh meshOf(const rubble::World& world, rubble_shape shape) {
@@ -48,6 +103,8 @@ Mesh meshOf(const rubble::World& world, rubble_shape shape) {
             to.insert(to.end(), &vertices[i], &vertices[i] + 4);
         }
     }
+    const HiddenFaces hidden(world, shape);
+    for (size_t i = 0; i < mesh.opaque.size(); i += 4) hidden.addBehind(&mesh.opaque[i], mesh.transparent);
     return mesh;
 }
 

@@ -17,6 +17,7 @@
 #include "editor/core/model_links.h"
 #include "editor/core/palette.h"
 #include "editor/core/rotation.h"
+#include "editor/core/round_shapes.h"
 #include "editor/core/vdb_tool.h"
 
 namespace editor {
@@ -85,14 +86,6 @@ private:
     std::vector<Part> m_parts;
     std::map<rubble_shape, Content> m_contents;
 };
-
-/// How messages name an object: a shape without a name by that of its body.
-std::string shownName(const rubble::World& world, uint64_t object) {
-    std::string name = nameOf(world, object);
-    if (name.empty() && kindOf(world, object) == RUBBLE_KIND_SHAPE)
-        name = nameOf(world, world.get_shape_state(object).body);
-    return name.empty() ? fmt::format("#{}", object) : name;
-}
 
 /// Brings one shape up to date.
 class ShapeUpdate {
@@ -280,8 +273,13 @@ void linkModels(Editor& editor, const ModelSource& source, const Place& place,
     }
 }
 
-void unlinkModel(rubble::World& world, rubble_shape shape) {
-    removeLink(world, shape);
+size_t unlinkModels(rubble::World& world, const std::vector<rubble_shape>& shapes) {
+    size_t count = 0;
+    for (const rubble_shape shape : shapes) {
+        count += isLinked(world, shape);
+        removeLink(world, shape);
+    }
+    return count;
 }
 
 bool isLinked(const rubble::World& world, rubble_shape shape) {
@@ -302,18 +300,21 @@ std::string listOf(const std::vector<std::string>& names) {
     return all + (names.size() > kMaxListed ? ", ..." : "");
 }
 
-std::vector<std::string> changedFiles(const Document& document) {
+ChangedFiles changedFiles(const Document& document) {
     const rubble::World& world = document.world();
     std::map<std::string, uint64_t> hashes;
+    for (const std::string& file : linkedFiles(world)) hashes[file] = hashOfFile(modelPath(document, file));
     std::set<std::string> changed;
     for (const rubble_shape shape : world.find_by_tag(RUBBLE_KIND_SHAPE, kModelTag, nullptr)) {
         const std::optional<ModelLink> link = linkOf(world, shape);
         if (!link || !link->fileHash || isLocked(world, shape)) continue;
-        const auto [at, isNew] = hashes.try_emplace(link->file);
-        if (isNew) at->second = hashOfFile(modelPath(document, link->file));
-        if (at->second && at->second != link->fileHash) changed.insert(link->file);
+        const uint64_t now = hashes[link->file];
+        if (now && now != link->fileHash) changed.insert(link->file);
     }
-    return {changed.begin(), changed.end()};
+    ChangedFiles files{.changed = {changed.begin(), changed.end()}};
+    for (const auto& [file, hash] : hashes)
+        if (!hash) files.unreadable.push_back(file);
+    return files;
 }
 
 std::string modelPath(const Document& document, const std::string& file) {
@@ -357,6 +358,7 @@ ModelReport reloadModel(Editor& editor, const LinkedShapes& linked, bool reverts
     rubble::World& world = editor.world();
     ModelFile file(world, linked.source, editor.settings().vdbTool);
     ModelReport report;
+    std::vector<rubble_shape> updated;
     const uint64_t hash = hashOfFile(linked.source.path);
     for (const rubble_shape shape : linked.shapes) {
         const std::string name = shownName(world, shape);
@@ -379,11 +381,15 @@ ModelReport reloadModel(Editor& editor, const LinkedShapes& linked, bool reverts
         else if (isEdited && (!reverts || world.get_shape_properties(shape).is_piece))
             report.kept.push_back(name);
         else if (isEdited || update.isNeeded())
-            update.apply(), ++report.updated;
+            update.apply(), updated.push_back(shape);
         else
             ++report.equal;
         std::ranges::move(update.lostJoints, std::back_inserter(report.lostJoints));
     }
+    for (const rubble_shape shape : updated)
+        if (!isTouchedAs(world, shape, world.get_shape_properties(shape).collision_shape))
+            report.notRound.push_back(shownName(world, shape));
+    report.updated = updated.size();
     return report;
 }
 

@@ -34,6 +34,7 @@ struct ModelReport {
     std::vector<std::string> gone;    ///< names of those that the file has no longer
     std::vector<std::string> lostJoints;   ///< names of joints that find no voxel any more
     std::vector<std::string> otherVoxels;  ///< names of those whose voxels have another size in the file
+    std::vector<std::string> notRound;     ///< names of those that were round, as wheels, and are touched as voxels now
 };
 
 /// Queues the shapes of a file for a world; adds lines of the report on meshes. Throws Refused and rubble::Error.
@@ -42,14 +43,19 @@ std::vector<rubble_prefab_row> placeModel(rubble::World& world, const ModelSourc
 /// Links shapes that placeModel() has queued in this step to their file.
 void linkModels(Editor& editor, const ModelSource& source, const Place& place,
                 const std::vector<rubble_prefab_row>& rows);
-/// Takes a link away; a shape without one stays as it is.
-void unlinkModel(rubble::World& world, rubble_shape shape);
+/// Takes the links of shapes away; one without stays as it is. Returns how many had one.
+size_t unlinkModels(rubble::World& world, const std::vector<rubble_shape>& shapes);
 /// Whether a shape is linked to a file.
 bool isLinked(const rubble::World& world, rubble_shape shape);
 /// The files to which shapes of a level are linked, as the level says them: each once, in order.
 std::vector<std::string> linkedFiles(const rubble::World& world);
-/// Those of them that are not as they were when shapes were read from them last, but for shapes that are locked.
-std::vector<std::string> changedFiles(const Document& document);
+/// Linked files that are not as they were when shapes were read from them last.
+struct ChangedFiles {
+    std::vector<std::string> changed;     ///< but for shapes that are locked
+    std::vector<std::string> unreadable;  ///< such as those that are gone
+};
+/// Those of a level.
+ChangedFiles changedFiles(const Document& document);
 /// The first of some names, for people.
 std::string listOf(const std::vector<std::string>& names);
 /// The path of a file that the level says.

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 
 #include "editor/core/editor.h"
@@ -94,8 +95,17 @@ std::string nameOf(const rubble::World& world, uint64_t handle) {
     return text.empty() ? "" : text.data();
 }
 
+std::string shownName(const rubble::World& world, uint64_t object) {
+    std::string name = nameOf(world, object);
+    if (name.empty() && kindOf(world, object) == RUBBLE_KIND_SHAPE)
+        name = nameOf(world, world.get_shape_state(object).body);
+    return name.empty() ? fmt::format("#{}", object) : name;
+}
+
 void Editor::giveName(const Arguments& arguments, uint64_t object) {
     const std::string& name = arguments.text("name");
+    if (std::ranges::any_of(name, [](unsigned char c) { return std::iscntrl(c); }))
+        arguments.refuse("name", "no control characters, as of a terminal, found some");
     const bool isWord = name == "all" || name == "selected" || name == "world";
     if (isWord || name.find(',') != name.npos || name.starts_with("#") || name.starts_with("tag:"))
         arguments.refuse("name", fmt::format("no comma, no # or tag: at its beginning, and none of all, selected and "
@@ -112,8 +122,7 @@ std::vector<uint64_t> Editor::objects(const Arguments& arguments, std::string_vi
     const bool takesLocked = arguments.command().name == "unlock" || arguments.command().name == "reload_models";
     std::vector<uint64_t> all;
     for (size_t begin = 0; begin <= text.size();) {
-        const size_t end = std::min(text.find(',', begin), text.size());
-        const std::string part = text.substr(begin, end - begin);
+        const std::string part = partAt(text, begin, kinds);
         std::vector<uint64_t> found = objectsOf(part, kinds);
         if (found.empty())
             arguments.refuse(parameter,
@@ -126,9 +135,19 @@ std::vector<uint64_t> Editor::objects(const Arguments& arguments, std::string_vi
                                                         first.empty() || first == part ? "" : ", such as " + first));
         }
         for (const uint64_t each : found) add(all, each);
-        begin = end + 1;
+        begin += part.size() + 1;
     }
     return all;
+}
+
+/// What begins at a place of a value: up to the next comma. The value of a tag may have commas itself, as a file's
+/// name: it is the longest one that there is.
+std::string Editor::partAt(const std::string& text, size_t begin, Kinds kinds) const {
+    const size_t comma = std::min(text.find(',', begin), text.size());
+    if (text.compare(begin, 4, "tag:") != 0) return text.substr(begin, comma - begin);
+    size_t end = text.size();
+    while (end > comma && objectsOf(text.substr(begin, end - begin), kinds).empty()) end = text.rfind(',', end - 1);
+    return text.substr(begin, end - begin);
 }
 
 std::string Editor::foundInstead(const std::string& part) const {

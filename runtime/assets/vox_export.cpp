@@ -13,6 +13,7 @@
 #include "runtime/assets/file_bytes.h"
 #include "runtime/assets/vox_export_palette.h"
 #include "runtime/assets/vox_import.h"
+#include "runtime/core/counted.h"
 
 namespace rubble {
 namespace {
@@ -246,18 +247,18 @@ private:
     }
 
     void reportLost() {
-        const auto tell = [&](size_t count, const char* what) {
-            if (count) m_lost.push_back(fmt::format("{} {}", count, what));
+        const auto tell = [&](const std::string& lost, const char* why = "") {
+            if (lost[0] != '0') m_lost.push_back(lost + why);
         };
-        tell(m_inexact, "shapes: the nearest whole cells and right angles stand for their places");
-        tell(m_painted, "shapes: their paint");
-        tell(lostLights(), "lights");
-        tell(m_tagged, "objects: their tags");
-        tell(m_changed, "shapes: their strength, density, glow or what they collide with");
-        tell(m_level.joints.size(), "joints");
-        tell(m_level.waters.size(), "bodies of water");
-        tell(m_level.triggers.size(), "triggers");
-        tell(m_level.scripts.size(), "scripts");
+        tell(counted(m_inexact, "shape"), ": the nearest whole cells and right angles stand for their places");
+        tell(counted(m_painted, "shape"), ": their paint");
+        tell(counted(lostLights(), "light"));
+        tell(counted(m_tagged, "object"), ": their tags");
+        tell(counted(m_changed, "shape"), ": their strength, density, glow or what they collide with");
+        tell(counted(m_level.joints.size(), "joint"));
+        tell(counted(m_level.waters.size(), "body of water", "bodies of water"));
+        tell(counted(m_level.triggers.size(), "trigger"));
+        tell(counted(m_level.scripts.size(), "script"));
     }
 
     const Level& m_level;

@@ -322,6 +322,30 @@ TEST(Commands, ScriptsThatCallThemselvesEnd) {
     EXPECT_TRUE(editor.run("create 4,4,4").isDone);
 }
 
+TEST(Commands, SayThatAScriptIsAFolder) {
+    rubble::TempFolder folder;
+    const Outcome outcome = Editor().runFile(folder.path());
+    EXPECT_FALSE(outcome.isDone);
+    EXPECT_NE(outcome.text.find("cannot be read"), outcome.text.npos) << outcome.text;
+}
+
+TEST(Commands, TakeNoNamesThatATerminalObeys) {
+    Editor editor;
+    const Outcome outcome = editor.run("create name=a\x1b[31mred");
+    EXPECT_FALSE(outcome.isDone);
+    EXPECT_EQ(outcome.text, "create: name: expected no control characters, as of a terminal, found some");
+    EXPECT_TRUE(editor.run("create name=\"T\xc3\xbcr 1\"").isDone);
+}
+
+TEST(Commands, CountInSingularAndPlural) {
+    Editor editor;
+    runAll(editor, {"create 2,1,1 name=two", "create 1,1,1 name=one"});
+    EXPECT_EQ(editor.run("select_box 0,0,0 0,0,0 one").text, "1 cell selected");
+    EXPECT_EQ(editor.run("select_box 0,0,0 1,0,0 two").text, "2 cells selected");
+    EXPECT_EQ(editor.run("components one").text.find("1 component: 0 anchored, 1 loose\n  1 voxel from"), 0u);
+    EXPECT_EQ(editor.run("merge_entries two").text, "0 entries merged");
+}
+
 TEST(Commands, NameAnObjectTwiceAndMeanItOnce) {
     Editor editor;
     runAll(editor, {"create 4,4,4 name=a", "create 4,4,4 2,0,0 name=b", "tag furniture a"});

@@ -321,6 +321,27 @@ TEST(Document, TheProgramSaysWhatItsOptionsTake) {
     }
 }
 
+/// A roof on a wall that bears it, unless stress is on.
+TEST(Document, SettingsThatNoLevelHoldsEndWithTheLevel) {
+    const ExampleFolder folder;
+    Editor editor;
+    runAll(editor, {"create 3,30,3 index=7 static=yes name=wall", "box 3,27,0 60,29,2 index=7 shape=wall"});
+    const auto bodiesAfterPlay = [&] {
+        runAll(editor, {"play", "step 60"});
+        const size_t bodies = editor.world().get_objects(RUBBLE_KIND_BODY).size();
+        runAll(editor, {"stop"});
+        return bodies;
+    };
+    EXPECT_EQ(bodiesAfterPlay(), 1u);
+    const Outcome outcome = editor.run(std::string("stress yes 0.05"));
+    EXPECT_EQ(outcome.text, "no level holds this: it lasts until another level is opened");
+    EXPECT_GT(bodiesAfterPlay(), 1u);
+    runAll(editor, {"save level.rubble"});
+    EXPECT_GT(bodiesAfterPlay(), 1u) << "it is the same level still";
+    runAll(editor, {"open level.rubble"});
+    EXPECT_EQ(bodiesAfterPlay(), 1u) << "as in an editor that has just begun";
+}
+
 TEST(Document, ForceOnTheCommandLineHoldsForSave) {
     const ExampleFolder folder;
     {

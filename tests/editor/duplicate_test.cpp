@@ -111,6 +111,9 @@ TEST(Duplicate, HasTheJointsAmongItsBodiesOrToTheWorld) {
     EXPECT_EQ(answerOf(editor, "duplicate 0,0,4 1 crate,door,post"),
               "line is not copied: ropes and steered wheels are not");
     EXPECT_EQ(namesOf(), "hinge glue latch line hinge glue latch ");
+    EXPECT_EQ(answerOf(editor, "duplicate 0,0,4 3 crate,door,post"),
+              "line is not copied: ropes and steered wheels are not")
+        << "once, not three times";
 }
 
 }  // namespace

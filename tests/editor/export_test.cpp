@@ -126,7 +126,7 @@ TEST(Export, AVoxFileTellsWhatItCannotHold) {
     runAll(editor, {"create 4,4,4 name=c", "light sphere 0,5,0", "tag a b c", "shape c strength=3"});
     const Outcome outcome = editor.run(line);
     EXPECT_TRUE(outcome.isDone);
-    for (const char* lost : {"1 lights", "1 objects: their tags", "1 shapes: their strength"})
+    for (const char* lost : {"1 light", "1 object: their tags", "1 shape: their strength"})
         EXPECT_NE(outcome.text.find(lost), std::string::npos) << lost << " in: " << outcome.text;
 }
 

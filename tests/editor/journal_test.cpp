@@ -153,6 +153,59 @@ TEST(Journal, IsKeptUntilItsChangesAreSavedOrDiscarded) {
     EXPECT_FALSE(again.document().recovery());
 }
 
+TEST(Journal, OfALevelWithoutAFileIsSettledByASaveToOne) {
+    Crashed crashed;
+    runAll(crashed.editor(), {"create 4,4,4 name=crate"});
+    const std::string copy = crashed.copy(), file = crashed.file("level.rubble");
+    {
+        Editor again({.journals = copy});
+        runAll(again, {"recover", ("save " + file).c_str()});
+    }
+    EXPECT_FALSE(Editor({.journals = copy}).document().recovery());
+    EXPECT_TRUE(fs::is_empty(copy));
+}
+
+TEST(Journal, BringsALevelBackWhoseFileIsGoneOrBroken) {
+    for (const bool isGone : {true, false}) {
+        Crashed crashed;
+        const std::string file = crashed.file("level.rubble"), open = "open " + file;
+        runAll(crashed.editor(), {"create 4,4,4 name=crate", ("save " + file).c_str(), "move 0,1,0 crate"});
+        const uint64_t hash = crashed.editor().document().hash();
+        const std::string copy = crashed.copy(), other = crashed.copy();
+        isGone ? void(fs::remove(file)) : fs::resize_file(file, 20);
+        EXPECT_FALSE(Editor().run(open).isDone);
+        Editor again({.journals = copy}), discarding({.journals = other});
+        const Outcome opened = again.run(open);
+        ASSERT_TRUE(opened.isDone) << opened.text;
+        EXPECT_NE(opened.text.find("the level is empty until it is recovered"), opened.text.npos) << opened.text;
+        EXPECT_NE(opened.text.find("left 1 change of " + file), opened.text.npos) << opened.text;
+        EXPECT_FALSE(again.run(std::string("create 4,4,4")).isDone);
+        runAll(again, {"recover"});
+        EXPECT_EQ(again.document().hash(), hash);
+        runAll(again, {"save force=yes"});
+        EXPECT_EQ(again.document().path(), file);
+        isGone ? void(fs::remove(file)) : fs::resize_file(file, 20);
+        runAll(discarding, {open.c_str(), "discard"});
+        EXPECT_EQ(discarding.document().path(), "") << "an empty level takes the place of none";
+        EXPECT_FALSE(discarding.run(open).isDone);
+    }
+}
+
+TEST(Journal, OfAnotherLevelIsNotSettledUnaskedByASaveInItsPlace) {
+    Crashed crashed;
+    const std::string file = crashed.file("level.rubble"), save = "save " + file;
+    runAll(crashed.editor(), {"create 4,4,4 name=crate", save.c_str(), "move 0,1,0 crate"});
+    Editor other({.journals = crashed.copy()});
+    runAll(other, {"create 9,9,9"});
+    const Outcome refused = other.run(save);
+    EXPECT_FALSE(refused.isDone);
+    EXPECT_NE(refused.text.find("left changes that were not saved"), refused.text.npos) << refused.text;
+    const Outcome forced = other.run(save + " force=yes");
+    EXPECT_TRUE(forced.isDone);
+    EXPECT_EQ(forced.text, "saved " + file);
+    EXPECT_FALSE(other.document().recovery());
+}
+
 TEST(Journal, RemembersTheFileThatItsChangesAreOf) {
     Crashed crashed;
     const std::string file = crashed.file("level.rubble");

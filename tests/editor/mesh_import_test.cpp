@@ -429,6 +429,18 @@ TEST_F(MeshImport, WhatIsExportedComesBackEqual) {
     }
 }
 
+/// Opaque voxels hide faces of the glass beside them, and glass shows those of the opaque ones.
+TEST_F(MeshImport, GlassBesideOtherVoxelsComesBackEqual) {
+    for (const char* ending : {".obj", ".glb"})
+        for (const char* glass : {"voxel 3,3,3 paint 15 shape=part", "voxel 1,1,1 paint 15 shape=part",
+                                  "box 0,2,0 3,2,3 paint 15 shape=part", "box 1,0,2 2,3,3 paint 15 shape=part"}) {
+            SCOPED_TRACE(glass);
+            Editor editor;
+            runAll(editor, {"create 4,4,4 name=part", glass});
+            expectSameAfterImport(editor, m_folder / "part" + std::string(ending));
+        }
+}
+
 TEST_F(MeshImport, SurfacesThroughCentresOfCellsCountThemOnce) {
     for (const double at : {0.0, 0.05}) {
         TestMesh two = cube(0.3, {});

@@ -51,6 +51,71 @@ TEST(Models, ThatHaveChangedComeInAgain) {
     }()) << "back to what it was at first";
 }
 
+TEST(Models, OfWhichPartsAreMadeAreNoLongerLinked) {
+    const ExampleFolder folder;
+    Editor file, editor;
+    runAll(file, {"create 9,3,3 name=bar", "save bar.rubble"});
+    runAll(editor, {"import bar.rubble", "split bar"});
+    EXPECT_TRUE(isLinked(editor.world(), shapeOf(editor, "bar"))) << "there is one part";
+    runAll(editor, {"box 4,0,0 4,2,2 erase shape=bar"});
+    EXPECT_EQ(answerOf(editor, "split bar"), "2 parts unlinked: the file has the whole shape");
+    const uint64_t split = editor.document().hash();
+    expectRefused(editor, "reload_models revert=yes", "expected shapes that are linked to files, found none");
+    runAll(editor, {"undo"});
+    EXPECT_TRUE(isLinked(editor.world(), shapeOf(editor, "bar")));
+    runAll(editor, {"redo"});
+    EXPECT_EQ(editor.document().hash(), split);
+    EXPECT_EQ(answerOf(editor, "split bar"), "");
+}
+
+TEST(Models, ToWhichOthersAreAddedAreNoLongerLinked) {
+    const ExampleFolder folder;
+    Editor file, editor;
+    runAll(file, {"create 9,3,3 name=bar", "save bar.rubble"});
+    runAll(editor, {"import bar.rubble", "add_shape bar 3,3,3 -0.15,0.3,-0.15 name=knob",
+                    "add_shape bar 3,3,3 -0.15,3,-0.15 name=far"});
+    expectRefused(editor, fmt::format("merge far #{}", shapeOf(editor, "bar")), "merge");
+    EXPECT_EQ(answerOf(editor, "merge knob " + fmt::format("#{}", shapeOf(editor, "bar"))),
+              "bar unlinked: the file has it without what was added");
+    EXPECT_TRUE(linkedFiles(editor.world()).empty());
+}
+
+TEST(Models, WhoseFileIsGoneAreToldOfWhenTheLevelIsOpened) {
+    const ExampleFolder folder;
+    writeChair("chair.rubble");
+    writeChair("a,b.rubble");
+    Editor editor;
+    runAll(editor, {"import chair.rubble", "import a,b.rubble", "lock all", "save level.rubble"});
+    fs::remove("a,b.rubble");
+    EXPECT_EQ(answerOf(editor, "open level.rubble"),
+              "1 linked file cannot be read, so that what came from there stays as it is: a,b.rubble");
+    fs::remove("chair.rubble");
+    EXPECT_NE(answerOf(editor, "open level.rubble").find("2 linked files cannot be read"), std::string::npos);
+}
+
+TEST(Models, OfAFileWithACommaAreFoundByIt) {
+    const ExampleFolder folder;
+    for (const char* name : {"a.rubble", "a,b.rubble", "a,b,c.rubble"}) writeChair(name);
+    Editor editor;
+    runAll(editor, {"import a,b.rubble", "import a,b,c.rubble", "create 4,4,4 name=crate"});
+    EXPECT_EQ(answerOf(editor, "select tag:model_file=a,b.rubble"), "2 selected");
+    EXPECT_EQ(answerOf(editor, "select tag:model_file=a,b.rubble,crate"), "3 selected");
+    EXPECT_EQ(answerOf(editor, R"(select "crate,tag:model_file=a,b,c.rubble,tag:model_file=a,b.rubble")"),
+              "5 selected");
+    expectRefused(editor, "select tag:model_file=a,c.rubble", "found none by 'tag:model_file=a'");
+    EXPECT_NE(answerOf(editor, "hide tag:model_file=a,b.rubble").find("2 of 5 shapes hidden"), std::string::npos);
+}
+
+TEST(Models, ThatAreNoLongerRoundAreToldOf) {
+    const ExampleFolder folder;
+    Editor file, editor;
+    runAll(file, {"create 3,8,8 form=cylinder_x name=tyre", "save tyre.rubble"});
+    runAll(editor, {"create 14,3,28 0,0.3,0 name=car", "import tyre.rubble 0.9,0,0.9", "wheel car tyre"});
+    runAll(file, {"box 0,0,0 2,7,7 shape=tyre", "save"});
+    EXPECT_EQ(answerOf(editor, "reload_models"),
+              "tyre.rubble: 1 shape brought up to date, 1 no longer round, touched as voxels: tyre");
+}
+
 TEST(Models, KeepWhatWasChangedInTheLevel) {
     const ExampleFolder folder;
     writeChair("chair.rubble");
@@ -244,7 +309,7 @@ TEST(Models, WhoseFilesHaveChangedAreToldOfWhenALevelIsOpened) {
     EXPECT_FALSE(editor.document().isChanged());
 }
 
-TEST(Models, ThatAreLockedOrGoneAreNotToldOf) {
+TEST(Models, ThatAreLockedOrGoneAreNotToldOfAsChanged) {
     const ExampleFolder folder;
     writeChair("chair.rubble"), writeChair("stool.rubble"), writeChair("bench.rubble");
     Editor editor;
@@ -256,12 +321,16 @@ TEST(Models, ThatAreLockedOrGoneAreNotToldOf) {
               "stool.rubble");
     fs::remove("chair.rubble"), fs::remove("stool.rubble");
     fs::create_directories("stool.rubble");
-    EXPECT_EQ(answerOf(editor, "open room.rubble"), "");
+    EXPECT_EQ(answerOf(editor, "open room.rubble"),
+              "2 linked files cannot be read, so that what came from there stays as it is: chair.rubble, stool.rubble");
     Session session(editor);
     fs::remove("stool.rubble");
     writeChair("stool.rubble", kChanges);
     EXPECT_TRUE(session.run(std::string("open room.rubble")));
-    EXPECT_NE(session.messages().back().text.find("1 linked file has changed"), std::string::npos);
+    std::string told;
+    for (const Message& each : session.messages()) told += each.text + "\n";
+    EXPECT_NE(told.find("1 linked file has changed since it was read"), std::string::npos) << told;
+    EXPECT_NE(told.find("1 linked file cannot be read"), std::string::npos) << told;
 }
 
 TEST(Models, OfLevelsThatDoNotKnowTheirFilesAreReadAsBefore) {

@@ -388,8 +388,8 @@ TEST_F(Window, AWrongLineOfAScriptSaysWhatIsExpected) {
     EXPECT_NE(m_ui->run("ui replay 5").find("expected steps that were played, found none"), std::string::npos);
     EXPECT_NE(m_ui->run("ui jump").find("expected one of these, found 'jump'"), std::string::npos);
     EXPECT_NE(m_ui->run("ui hover 0,0,1000").find("expected a point that the view shows"), std::string::npos);
-    EXPECT_NE(m_ui->runAll("\nui brush cube").find("line 2: ui brush cube: expected one of: voxel box"),
-              std::string::npos);
+    EXPECT_EQ(m_ui->runAll("\nui brush cube").find("line 2: ui brush cube: expected one of: voxel box"), 0u);
+    EXPECT_EQ(m_ui->runAll("\nui brush cube", "a.txt").find("a.txt:2: ui brush cube: expected one of"), 0u);
 }
 
 TEST_F(Window, AnImageShowsTheLevelAndThePanels) {

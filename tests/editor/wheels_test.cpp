@@ -1,4 +1,5 @@
 // Wheels: a car that is made by commands, driven in play, and changed afterwards.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -90,6 +91,31 @@ TEST(Wheels, AreChangedAndMovedWithAllThatTheyAre) {
     const glm::dquat frame = quaternionOf(turned.rotation);
     EXPECT_NEAR((frame * glm::dvec3(1, 0, 0)).z, std::sqrt(0.5), 1e-9);
     EXPECT_NEAR((frame * glm::dvec3(0, 1, 0)).y, 1.0, 1e-9) << "the suspension stays upright";
+}
+
+TEST(Wheels, ThatAreNotRoundAreToldOf) {
+    Editor editor;
+    makeCar(editor);
+    runAll(editor, {"create 3,8,8 0.9,0,0 name=square", "create 8,3,8 -0.9,0.2,0 form=cylinder_y name=lying"});
+    for (const char* name : {"square", "lying"}) {
+        const std::string wheel = fmt::format("wheel car {}", name);
+        EXPECT_EQ(
+            editor.run(wheel).text,
+            fmt::format("{} is not round about its axle: it rolls on its voxels, as with round=no, if at all", name));
+        EXPECT_EQ(editor.run(wheel + " round=no").text, "");
+    }
+    EXPECT_EQ(editor.run(std::string("wheel car front_left")).text, "");
+}
+
+TEST(Wheels, OfAllBodiesThatHaveSomeAreDriven) {
+    Editor editor;
+    makeCar(editor);
+    runAll(editor, {"play", "drive 0.5 what=all", "step 120"});
+    EXPECT_GT(placeOfCar(editor).z, 1.0);
+    runAll(editor, {"stop", "create 4,4,4 9,0,9"});
+    const Outcome refused = editor.run(std::string("drive"));
+    EXPECT_EQ(refused.text, fmt::format("drive: what: expected bodies with wheels, found #{} without",
+                                        editor.selection().objects.at(0)));
 }
 
 TEST(Wheels, SayWhatIsWrong) {

@@ -11,6 +11,7 @@
 #include "editor/core/material_colors.h"
 #include "editor/core/models.h"
 #include "editor/core/rotation.h"
+#include "runtime/core/counted.h"
 
 namespace editor {
 namespace {
@@ -107,14 +108,14 @@ void import(Editor& editor, const Arguments& arguments) {
     for (const std::string& line : report) editor.say(line);
     if (arguments.flag("link")) linkModels(editor, source, place, rows);
     editor.selection() = {};
-    uint32_t bodies = 0, shapes = 0;
+    size_t bodies = 0, shapes = 0;
     for (const rubble_prefab_row& row : rows) {
         shapes += row.kind == RUBBLE_PREFAB_SHAPE;
         if (row.kind != RUBBLE_PREFAB_BODY) continue;
         ++bodies;
         editor.selection().objects.push_back(row.handle);
     }
-    editor.say(fmt::format("{} bodies with {} shapes", bodies, shapes));
+    editor.say(fmt::format("{} with {}", rubble::counted(bodies, "body", "bodies"), rubble::counted(shapes, "shape")));
 }
 
 void destroyOne(rubble::World& world, uint64_t object) {
@@ -160,8 +161,10 @@ void duplicate(Editor& editor, const Arguments& arguments) {
         const glm::dvec3 from = vectorOf(editor.world().get_body_state(each).position);
         arguments.requireNear("by", from + by * double(arguments.whole("times")));
     }
+    std::set<std::string> notes;
     for (int i = 1; i <= arguments.whole("times"); ++i)
-        for (const rubble_body each : copyBodies(editor, bodies, by * double(i))) made.push_back(each);
+        for (const rubble_body each : copyBodies(editor, bodies, by * double(i), notes)) made.push_back(each);
+    for (const std::string& note : notes) editor.say(note);
     editor.selection() = {std::move(made), {}};
 }
 

@@ -58,6 +58,7 @@ void setStress(Editor& editor, const Arguments& arguments) {
                      (arguments.flag("on") ? uint32_t(RUBBLE_SETTING_STRESS) : 0u);
     settings.strength_scale = arguments.number("strength");
     editor.world().set_settings(settings);
+    editor.say("no level holds this: it lasts until another level is opened");
 }
 
 }  // namespace
@@ -107,7 +108,7 @@ std::vector<Command> environmentCommands() {
         {"stress",
          "environment",
          Kind::Edit,
-         "Says whether what stands breaks under its weight.",
+         "Says whether what stands breaks under its weight, until another level is opened: no level holds it.",
          {{"on", Type::Flag, "whether it does", "yes"},
           number("strength", "multiple of all materials' strengths", "1", 1e-6, 1e6)},
          setStress,

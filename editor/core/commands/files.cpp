@@ -7,6 +7,7 @@
 #include "editor/core/editor.h"
 #include "editor/core/mesh_export.h"
 #include "editor/core/vdb_tool.h"
+#include "runtime/core/counted.h"
 #include "runtime/script/script_name.h"
 
 namespace editor {
@@ -47,7 +48,8 @@ void exportLevel(Editor& editor, const Arguments& arguments) {
         return editor.say("wrote " + path);
     }
     const MeshCounts counts = writeMeshes(editor.world(), editor.objects(arguments, "what", {RUBBLE_KIND_SHAPE}), path);
-    editor.say(fmt::format("wrote {}: {} shapes, {} faces", path, counts.shapes, counts.faces));
+    editor.say(fmt::format("wrote {}: {}, {}", path, rubble::counted(counts.shapes, "shape"),
+                           rubble::counted(counts.faces, "face")));
 }
 
 }  // namespace

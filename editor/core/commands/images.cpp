@@ -8,6 +8,7 @@
 #include "editor/core/material_colors.h"
 #include "editor/core/palette.h"
 #include "editor/core/rotation.h"
+#include "runtime/core/counted.h"
 
 namespace editor {
 namespace {
@@ -27,7 +28,8 @@ void paletteFromImage(Editor& editor, const Arguments& arguments) {
     if (colors.empty()) arguments.refuse("file", "an image with opaque pixels, found none");
     for (const rubble_shape shape : editor.objects(arguments, "shape", {RUBBLE_KIND_SHAPE}))
         setColors(editor.world(), shape, colors, first);
-    editor.say(fmt::format("{} colours: entries {} to {}", colors.size(), first, first + colors.size() - 1));
+    editor.say(fmt::format("{}: entries {} to {}", rubble::counted(colors.size(), "colour"), first,
+                           first + colors.size() - 1));
 }
 
 /// A body with a shape of those voxels, x fastest, then y, then z, whose lowest layer is in the middle at a place.
@@ -73,7 +75,7 @@ void heightMap(Editor& editor, const Arguments& arguments) {
         }
     if (countVoxels(voxels) == 0) arguments.refuse("file", "an image with opaque pixels, found none");
     makeShape(editor, arguments, size, voxels, true);
-    editor.say(fmt::format("{} x {} pixels: {} voxels", size.x, size.z, countVoxels(voxels)));
+    editor.say(fmt::format("{} x {} pixels: {}", size.x, size.z, rubble::counted(countVoxels(voxels), "voxel")));
 }
 
 /// Opaque pixels become voxels of their colours, in a plate that stands.
@@ -91,8 +93,8 @@ void extrudeImage(Editor& editor, const Arguments& arguments) {
     for (int z = 0; z < size.z; ++z) voxels.insert(voxels.end(), layer.begin(), layer.end());
     const rubble_shape shape = makeShape(editor, arguments, size, voxels, false);
     setColors(editor.world(), shape, colors, 1);
-    editor.say(
-        fmt::format("{} x {} pixels: {} voxels, {} colours", size.x, size.y, countVoxels(voxels), colors.size()));
+    editor.say(fmt::format("{} x {} pixels: {}, {}", size.x, size.y, rubble::counted(countVoxels(voxels), "voxel"),
+                           rubble::counted(colors.size(), "colour")));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "editor/core/cells.h"
 #include "editor/core/editor.h"
 #include "editor/core/rotation.h"
+#include "editor/core/round_shapes.h"
 
 namespace editor {
 namespace {
@@ -102,12 +103,16 @@ glm::dquat readWheelFrame(const Arguments& arguments, glm::dvec3 up) {
 }
 
 /// Lets a shape be touched as the cylinder about that of its axes which is nearest to a direction.
-void makeRound(rubble::World& world, rubble_shape shape, glm::dvec3 axis) {
+void makeRound(Editor& editor, rubble_shape shape, glm::dvec3 axis) {
+    rubble::World& world = editor.world();
     const glm::dvec3 own = glm::abs(glm::inverse(quaternionOf(world.get_shape_state(shape).rotation)) * axis);
     const int along = own.x >= own.y && own.x >= own.z ? 0 : own.y >= own.z ? 1 : 2;
     rubble_collision_shape round{};
     round.shape = shape, round.kind = RUBBLE_COLLISION_CYLINDER_X + uint32_t(along);
     world.set_collision_shape(round);
+    if (!isTouchedAs(world, shape, round.kind))
+        editor.say(shownName(world, shape) +
+                   " is not round about its axle: it rolls on its voxels, as with round=no, if at all");
 }
 
 void addWheel(Editor& editor, const Arguments& arguments) {
@@ -129,7 +134,7 @@ void addWheel(Editor& editor, const Arguments& arguments) {
     joint.spring_damping_ratio = arguments.number("damping");
     joint.friction = arguments.number("friction");
     joint.break_force = arguments.number("breaks_at");
-    if (arguments.flag("round")) makeRound(editor.world(), joint.shapes[1], frame * glm::dvec3(1, 0, 0));
+    if (arguments.flag("round")) makeRound(editor, joint.shapes[1], frame * glm::dvec3(1, 0, 0));
     make(editor, arguments, joint);
 }
 
@@ -141,9 +146,12 @@ bool hasWheels(const rubble::World& world, rubble_body body) {
 }
 
 void drive(Editor& editor, const Arguments& arguments) {
-    for (const rubble_body each : editor.objects(arguments, "what", {RUBBLE_KIND_BODY})) {
-        if (!hasWheels(editor.world(), each))
-            arguments.refuse("what", "bodies with wheels, found " + nameOf(editor.world(), each) + " without");
+    std::vector<rubble_body> bodies = editor.objects(arguments, "what", {RUBBLE_KIND_BODY});
+    const rubble_body first = bodies.front();
+    std::erase_if(bodies, [&](rubble_body each) { return !hasWheels(editor.world(), each); });
+    if (bodies.empty())
+        arguments.refuse("what", fmt::format("bodies with wheels, found {} without", shownName(editor.world(), first)));
+    for (const rubble_body each : bodies) {
         rubble_drive drive{};
         drive.body = each;
         drive.throttle = arguments.number("throttle");
@@ -157,7 +165,7 @@ void setJoint(Editor& editor, const Arguments& arguments) {
     rubble::World& world = editor.world();
     for (const rubble_joint each : editor.objects(arguments, "what", {RUBBLE_KIND_JOINT})) {
         if (!hasFrame(world, each))
-            arguments.refuse("what", "joints other than ropes and steered wheels, found " + nameOf(world, each));
+            arguments.refuse("what", "joints other than ropes and steered wheels, found " + shownName(world, each));
         rubble_joint_settings joint = settingsOf(world, each);
         const glm::dquat frame = quaternionOf(joint.rotation);
         const bool isWheel = joint.kind == RUBBLE_JOINT_WHEEL;
@@ -292,7 +300,7 @@ std::vector<Command> jointCommands() {
         {"drive",
          "joints",
          Kind::Tool,
-         "Drives, steers and brakes all wheels of bodies, until it is told otherwise.",
+         "Drives, steers and brakes all wheels of bodies, until it is told otherwise. Bodies without wheels stay.",
          {number("throttle", "from -1, backward, to 1", "1", -1, 1),
           number("steer", "from -1, to the right, to 1, to the left", "0", -1, 1),
           number("brake", "from 0 to 1", "0", 0, 1),

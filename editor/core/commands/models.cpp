@@ -5,12 +5,13 @@
 
 #include <algorithm>
 
+#include "runtime/core/counted.h"
+
 namespace editor {
 namespace {
 
 std::string describe(const std::string& file, const ModelReport& report) {
-    std::string text =
-        fmt::format("{}: {} shape{} brought up to date", file, report.updated, report.updated == 1 ? "" : "s");
+    std::string text = fmt::format("{}: {} brought up to date", file, rubble::counted(report.updated, "shape"));
     if (report.equal) text += fmt::format(", {} unchanged in the file", report.equal);
     const auto add = [&](const std::vector<std::string>& names, const char* what) {
         if (!names.empty()) text += fmt::format(", {} {}: {}", names.size(), what, listOf(names));
@@ -19,6 +20,7 @@ std::string describe(const std::string& file, const ModelReport& report) {
     add(report.locked, "kept as locked");
     add(report.gone, "no longer in the file");
     add(report.lostJoints, "lost of their joints");
+    add(report.notRound, "no longer round, touched as voxels");
     add(report.otherVoxels, "kept, because its voxels have another size in the file");
     return text;
 }
@@ -52,13 +54,9 @@ void reload(Editor& editor, const Arguments& arguments) {
 }
 
 void unlink(Editor& editor, const Arguments& arguments) {
-    size_t count = 0;
-    for (const rubble_shape each : editor.objects(arguments, "what", {RUBBLE_KIND_SHAPE})) {
-        count += isLinked(editor.world(), each);
-        unlinkModel(editor.world(), each);
-    }
+    const size_t count = unlinkModels(editor.world(), editor.objects(arguments, "what", {RUBBLE_KIND_SHAPE}));
     if (!count) arguments.refuse("what", "shapes that are linked to files, found none");
-    editor.say(fmt::format("{} shape{} unlinked", count, count == 1 ? "" : "s"));
+    editor.say(rubble::counted(count, "shape") + " unlinked");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "editor/core/cells.h"
 #include "editor/core/editor.h"
 #include "editor/core/palette.h"
+#include "runtime/core/counted.h"
 
 namespace editor {
 namespace {
@@ -57,7 +58,7 @@ int distance(const rubble_palette_entry& a, const rubble_palette_entry& b) {
 }
 
 void mergeEntries(Editor& editor, const Arguments& arguments) {
-    int merged = 0;
+    size_t merged = 0;
     for (const rubble_shape shape : editor.objects(arguments, "shape", {RUBBLE_KIND_SHAPE})) {
         const std::vector<rubble_palette_entry> entries = paletteOf(editor.world(), shape);
         const Counts counts = countEntries(editor.world(), shape);
@@ -71,7 +72,7 @@ void mergeEntries(Editor& editor, const Arguments& arguments) {
             }
         remap(editor, shape, map);
     }
-    editor.say(fmt::format("{} entries merged", merged));
+    editor.say(rubble::counted(merged, "entry", "entries") + " merged");
 }
 
 /// The rarest entry becomes the nearest other one, until there are few enough.

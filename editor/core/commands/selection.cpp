@@ -5,6 +5,7 @@
 
 #include "editor/core/cells.h"
 #include "editor/core/editor.h"
+#include "runtime/core/counted.h"
 
 namespace editor {
 namespace {
@@ -34,7 +35,7 @@ void selectWhere(Editor& editor, rubble_shape shape, const Cells& box, F&& isIn)
     const std::vector<uint8_t> voxels = readCells(editor.world(), shape, inside);
     CellSet set{shape, inside.low, inside.size, std::vector<uint8_t>(voxels.size())};
     std::transform(voxels.begin(), voxels.end(), set.mask.begin(), [&](uint8_t index) { return uint8_t(isIn(index)); });
-    editor.say(fmt::format("{} cells selected", std::count(set.mask.begin(), set.mask.end(), 1)));
+    editor.say(rubble::counted(size_t(std::count(set.mask.begin(), set.mask.end(), 1)), "cell") + " selected");
     editor.selection().cells = std::move(set);
 }
 
@@ -52,7 +53,7 @@ void selectColor(Editor& editor, const Arguments& arguments) {
 void selectConnected(Editor& editor, const Arguments& arguments) {
     const rubble_shape shape = editor.object(arguments, "shape", {RUBBLE_KIND_SHAPE});
     CellSet set = connectedCells(editor.world(), shape, arguments.cell("cell"));
-    editor.say(fmt::format("{} cells selected", std::count(set.mask.begin(), set.mask.end(), 1)));
+    editor.say(rubble::counted(size_t(std::count(set.mask.begin(), set.mask.end(), 1)), "cell") + " selected");
     editor.selection().cells = std::move(set);
 }
 
@@ -63,9 +64,9 @@ void list(Editor& editor, const Arguments&) {
                                body.flags & RUBBLE_BODY_STATIC ? "static " : "", body.position[0], body.position[1],
                                body.position[2]));
         for (const rubble_shape_state& shape : world.get_shape_states(body.body))
-            editor.say(fmt::format("  shape #{} '{}' {},{},{} cells of {:.3f} m, {} voxels{}", shape.shape,
+            editor.say(fmt::format("  shape #{} '{}' {},{},{} cells of {:.3f} m, {}{}", shape.shape,
                                    nameOf(world, shape.shape), shape.size[0], shape.size[1], shape.size[2],
-                                   shape.voxel_size, shape.voxel_count,
+                                   shape.voxel_size, rubble::counted(shape.voxel_count, "voxel"),
                                    editor.view().hides(shape.shape) ? ", hidden" : ""));
     }
     for (const uint32_t kind : {RUBBLE_KIND_JOINT, RUBBLE_KIND_LIGHT, RUBBLE_KIND_LIGHT_GROUP, RUBBLE_KIND_WATER,

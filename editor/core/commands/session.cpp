@@ -4,6 +4,7 @@
 #include "editor/core/editor.h"
 #include "editor/core/models.h"
 #include "editor/core/vdb_tool.h"
+#include "runtime/core/counted.h"
 
 namespace editor {
 namespace {
@@ -15,11 +16,16 @@ void clear(Editor& editor, const Arguments&) {
 
 /// Says which linked files are not as they were read.
 void tellOfModels(Editor& editor) {
-    const std::vector<std::string> changed = changedFiles(editor.document());
-    if (changed.empty()) return;
-    editor.say(fmt::format("{} linked file{} read, which reload_models brings in: {}", changed.size(),
-                           changed.size() == 1 ? " has changed since it was" : "s have changed since they were",
-                           listOf(changed)));
+    const auto [changed, unreadable] = changedFiles(editor.document());
+    if (!changed.empty())
+        editor.say(fmt::format("{} read, which reload_models brings in: {}",
+                               rubble::counted(changed.size(), "linked file has changed since it was",
+                                               "linked files have changed since they were"),
+                               listOf(changed)));
+    if (!unreadable.empty())
+        editor.say(fmt::format("{} be read, so that what came from there stays as it is: {}",
+                               rubble::counted(unreadable.size(), "linked file cannot", "linked files cannot"),
+                               listOf(unreadable)));
 }
 
 void open(Editor& editor, const Arguments& arguments) {

@@ -1,5 +1,10 @@
 // What a shape is beside its voxels, and what it is a part of.
-#include "editor/core/editor.h"
+#include <map>
+#include <set>
+#include <vector>
+
+#include "editor/core/models.h"
+#include "runtime/core/counted.h"
 
 namespace editor {
 namespace {
@@ -11,13 +16,36 @@ void forEachShape(Editor& editor, const Arguments& arguments, F&& f) {
     for (const rubble_shape shape : editor.objects(arguments, "shape", {RUBBLE_KIND_SHAPE})) f(shape);
 }
 
+/// Each part would become the whole of what the file says.
 void splitParts(Editor& editor, const Arguments& arguments) {
-    forEachShape(editor, arguments, [&](rubble_shape shape) { editor.world().split_shape(shape); });
+    rubble::World& world = editor.world();
+    const std::vector<rubble_shape> all = world.get_objects(RUBBLE_KIND_SHAPE);
+    const std::set<rubble_shape> before(all.begin(), all.end());
+    std::map<rubble_shape, uint64_t> voxels;
+    forEachShape(editor, arguments, [&](rubble_shape shape) {
+        voxels[shape] = world.get_shape_state(shape).voxel_count;
+        world.split_shape(shape);
+    });
+    editor.document().applyNow();
+    std::vector<rubble_shape> parts;
+    for (const rubble_shape shape : world.get_objects(RUBBLE_KIND_SHAPE)) {
+        const auto split = voxels.find(shape);
+        const bool hasLost = split != voxels.end() && world.get_shape_state(shape).voxel_count != split->second;
+        if (hasLost || !before.contains(shape)) parts.push_back(shape);
+    }
+    const size_t unlinked = unlinkModels(world, parts);
+    if (unlinked) editor.say(rubble::counted(unlinked, "part") + " unlinked: the file has the whole shape");
 }
 
+/// The file would take away what was added.
 void merge(Editor& editor, const Arguments& arguments) {
-    editor.world().merge_shape(editor.object(arguments, "shape", {RUBBLE_KIND_SHAPE}),
-                               editor.object(arguments, "into", {RUBBLE_KIND_SHAPE}));
+    const rubble_shape shape = editor.object(arguments, "shape", {RUBBLE_KIND_SHAPE}),
+                       into = editor.object(arguments, "into", {RUBBLE_KIND_SHAPE});
+    editor.world().merge_shape(shape, into);
+    editor.document().applyNow();
+    const bool isMerged = kindOf(editor.world(), shape) < 0;
+    if (isMerged && unlinkModels(editor.world(), {into}))
+        editor.say(shownName(editor.world(), into) + " unlinked: the file has it without what was added");
 }
 
 void setProperties(Editor& editor, const Arguments& arguments) {
@@ -55,14 +83,14 @@ std::vector<Command> shapePropertyCommands() {
         {"split",
          "shapes",
          Kind::Edit,
-         "Makes shapes of the parts that do not touch.",
+         "Makes shapes of the parts that do not touch; they are linked to no file any more.",
          {kShapes},
          splitParts,
          "split parts"},
         {"merge",
          "shapes",
          Kind::Edit,
-         "Adds a shape to another one of its body that it touches.",
+         "Adds a shape to another one of its body that it touches, which is linked to no file any more.",
          {{"shape", Type::Objects, "the shape that is added", kRequired},
           {"into", Type::Objects, "the shape that grows", kRequired}},
          merge,

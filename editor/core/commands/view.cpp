@@ -7,6 +7,7 @@
 
 #include "editor/core/components.h"
 #include "editor/core/editor.h"
+#include "runtime/core/counted.h"
 
 namespace editor {
 namespace {
@@ -27,7 +28,7 @@ Shapes allShapes(Editor& editor) {
 
 void setHidden(Editor& editor, const Shapes& shapes) {
     editor.view().hidden = shapes;
-    editor.say(fmt::format("{} of {} shapes hidden", shapes.size(), allShapes(editor).size()));
+    editor.say(fmt::format("{} of {} hidden", shapes.size(), rubble::counted(allShapes(editor).size(), "shape")));
 }
 
 void hide(Editor& editor, const Arguments& arguments) {
@@ -58,10 +59,11 @@ void listComponents(Editor& editor, const Arguments& arguments) {
     const Components components(editor.world(), shape);
     const std::vector<Component>& all = components.all();
     const auto anchored = std::ranges::count_if(all, &Component::isAnchored);
-    editor.say(fmt::format("{} component{}: {} anchored, {} loose", all.size(), all.size() == 1 ? "" : "s", anchored,
+    editor.say(fmt::format("{}: {} anchored, {} loose", rubble::counted(all.size(), "component"), anchored,
                            all.size() - size_t(anchored)));
     for (size_t i = 0; i < std::min(all.size(), kMaxListed); ++i)
-        editor.say(fmt::format("  {} voxels from {},{},{}: {}", all[i].voxels, all[i].low.x, all[i].low.y, all[i].low.z,
+        editor.say(fmt::format("  {} from {},{},{}: {}", rubble::counted(all[i].voxels, "voxel"), all[i].low.x,
+                               all[i].low.y, all[i].low.z,
                                all[i].isAnchored() ? fmt::format("anchored by {}", all[i].anchored) : "loose"));
 }
 

@@ -146,13 +146,14 @@ std::string ScriptedUi::run(const std::string& text) {
     }
 }
 
-std::string ScriptedUi::runAll(const std::string& lines) {
+std::string ScriptedUi::runAll(const std::string& lines, const std::string& file) {
+    const std::string place = file.empty() ? "line " : file + ":";
     std::istringstream in(lines);
     int number = 0;
     for (std::string line; std::getline(in, line);) {
         ++number;
         if (const size_t at = line.find("$OUT"); at != line.npos) line.replace(at, 4, m_folder);
-        if (const std::string error = run(line); !error.empty()) return fmt::format("line {}: {}", number, error);
+        if (const std::string error = run(line); !error.empty()) return fmt::format("{}{}: {}", place, number, error);
     }
     return "";
 }

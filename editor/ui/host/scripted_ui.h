@@ -21,9 +21,9 @@ public:
 
     /// Runs a line. An error says what is wrong with it; empty: nothing.
     std::string run(const std::string& line);
-    /// Runs lines, up to the first one that fails; its error has the line's number. $OUT in
-    /// them is the folder of images.
-    std::string runAll(const std::string& lines);
+    /// Runs lines, up to the first one that fails; its error has the line's number, and the file that they are of. $OUT
+    /// in them is the folder of images.
+    std::string runAll(const std::string& lines, const std::string& file = {});
     /// Makes frames of the interface without the image of the level.
     void frames(int count);
     /// Where images without a path of their own come.

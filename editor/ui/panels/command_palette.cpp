@@ -32,7 +32,7 @@ std::vector<std::string> split(std::string_view text) {
 /// A field for a parameter, which fits its type. The value is kept as it would be typed.
 void drawField(const Parameter& parameter, std::string& value) {
     const bool isOptional = parameter.otherwise == kOptional;
-    const std::string without = isOptional ? "unchanged" : std::string(parameter.otherwise);
+    const std::string without = isOptional ? "left out" : std::string(parameter.otherwise);
     const std::string hint = parameter.otherwise == kRequired ? "required" : without.empty() ? "empty" : without;
     const std::string id = fmt::format("##{}", parameter.name);
     if (parameter.type == Type::Choice || parameter.type == Type::Flag) {

@@ -74,10 +74,10 @@ void drawEnvironment(Session& session) {
     const rubble_settings settings = session.world().get_settings();
     bool breaks = settings.flags & RUBBLE_SETTING_STRESS;
     double strength = settings.strength_scale;
-    property("stress", "Whether what stands breaks under its weight");
+    property("stress", "Whether what stands breaks under its weight; no level holds it");
     if (ImGui::Checkbox("##stress", &breaks))
         session.run("stress", {{"on", breaks ? "yes" : "no"}, {"strength", numberText(strength)}});
-    property("strength", "Multiple of all materials' strengths");
+    property("strength", "Multiple of all materials' strengths; no level holds it");
     if (numberField("##strength", strength, 0.01))
         session.run("stress", {{"on", breaks ? "yes" : "no"}, {"strength", numberText(strength)}});
 }

@@ -198,9 +198,8 @@ void drawJoint(Session& session, rubble_joint handle) {
     for (const rubble_shape side : joint.shapes) {
         property(side == joint.shapes[0] ? "first" : "second", "The shape that it holds; a click selects it");
         ImGui::PushID(side == joint.shapes[0] ? 0 : 1);
-        const std::string name = side ? nameOf(session.world(), side) : "the world";
-        if (ImGui::Selectable(name.empty() ? handleText(side).c_str() : name.c_str()) && side)
-            session.select(side, false);
+        const std::string name = side ? shownName(session.world(), side) : "the world";
+        if (ImGui::Selectable(name.c_str()) && side) session.select(side, false);
         ImGui::PopID();
     }
     if (hasFrame(session.world(), handle)) drawFrame(session, handle);
@@ -253,7 +252,7 @@ void drawProperties(Session& session) {
         heading(nameOfKind(uint32_t(kind)));
         drawName(session, first);
     }
-    drawActions(session, isBody);
+    if (kind != RUBBLE_KIND_LIGHT_GROUP) drawActions(session, isBody);
 }
 
 }  // namespace editor

@@ -52,23 +52,15 @@ void TreePanel::addBody(Session& session, rubble_body body) {
 /// One for each name of a layer. Its eye is closed if all that is in it is hidden.
 void TreePanel::gatherLayers(Session& session) {
     rubble::World& all = session.world();
-    struct Layer {
-        std::string handles;
-        Eye eye = Eye::None;
-    };
-    std::map<std::string, Layer> layers;
+    std::map<std::string, Eye> layers;
     for (uint32_t kind = RUBBLE_KIND_BODY; kind <= RUBBLE_KIND_JOINT; ++kind)
         for (const uint64_t each : all.find_by_tag(kind, kLayerTag, nullptr)) {
-            Layer& layer = layers[all.get_tag(each, kLayerTag).data()];
-            layer.handles += (layer.handles.empty() ? "" : ",") + handleText(each);
+            Eye& eye = layers.try_emplace(all.get_tag(each, kLayerTag).data(), Eye::None).first->second;
             for (const rubble_shape shape : shapesOf(all, each, kind))
-                if (layer.eye != Eye::Open) layer.eye = session.editor().view().hides(shape) ? Eye::Closed : Eye::Open;
+                if (eye != Eye::Open) eye = session.editor().view().hides(shape) ? Eye::Closed : Eye::Open;
         }
-    for (const auto& [name, layer] : layers) {
-        const bool isPlain = name.find(',') == name.npos;
-        m_rows.push_back(
-            {0, 0, 0, name, isPlain ? fmt::format("tag:{}={}", kLayerTag, name) : layer.handles, layer.eye});
-    }
+    for (const auto& [name, eye] : layers)
+        m_rows.push_back({0, 0, 0, name, fmt::format("tag:{}={}", kLayerTag, name), eye});
 }
 
 void TreePanel::gather(Session& session) {
@@ -102,8 +94,8 @@ void TreePanel::drawRow(Session& session, const Row& row) {
     ImGui::PushID(row.what.c_str());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float indent = float(row.depth) * 16 * uiScale();
-    const bool isOnEye =
-        row.eye != Eye::None && ImGui::GetMousePos().x >= at.x + ImGui::GetContentRegionAvail().x - side;
+    const float right = at.x + ImGui::GetContentRegionAvail().x;
+    const bool isOnEye = row.eye != Eye::None && ImGui::GetMousePos().x >= right - side;
     const bool adds = ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyShift;
     if (ImGui::Selectable("##row", isSelected, ImGuiSelectableFlags_AllowItemOverlap))
         session.run("select", {{"what", row.what}, {"more", adds ? "yes" : "no"}});
@@ -115,7 +107,9 @@ void TreePanel::drawRow(Session& session, const Row& row) {
     const bool isFaint = row.depth || row.eye == Eye::Closed;
     drawIcon(list, row.handle ? iconOf(row.kind) : Icon::Layer, {at.x + indent + 2 * uiScale(), at.y}, side,
              isSelected ? theme::kAccent : theme::kDim);
+    list.PushClipRect(at, {right - (row.eye == Eye::None ? 0.0f : side), at.y + 2 * side}, true);
     list.AddText({at.x + indent + side + 9 * uiScale(), at.y}, isFaint ? theme::kDim : theme::kText, row.name.c_str());
+    list.PopClipRect();
     drawEye(session, row);
     ImGui::PopID();
 }

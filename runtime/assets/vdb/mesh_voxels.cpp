@@ -16,6 +16,7 @@
 #include "runtime/assets/names.h"
 #include "runtime/assets/vdb/fallback_palette.h"
 #include "runtime/assets/vdb/mesh_topology.h"
+#include "runtime/core/counted.h"
 
 namespace rubble {
 namespace {
@@ -309,17 +310,17 @@ Result<Level> voxelise(const Mesh& mesh, const std::string& name, const MeshSett
         return Error{"expected a part that is thicker than a voxel, found none: " +
                      (loss.empty() ? "more voxels may hold it" : loss)};
     if (!loss.empty()) notes.push_back(loss);
-    notes.push_back(
-        fmt::format("{} triangles in {} parts, {} materials, {} textures -> {} voxels of {:g} m in {} x {} x {} cells",
-                    mesh.triangles.size(), parts.count, mesh.materials.size(), mesh.textures.size(), voxels,
-                    settings.voxelSize, cells.size().x, cells.size().y, cells.size().z));
-    notes.push_back(fmt::format("{} colours -> {} entries of the palette, at most {}/255 apart", colors.found,
-                                colors.entries, colors.error));
+    notes.push_back(fmt::format("{} in {}, {}, {} -> {} of {:g} m in {} x {} x {} cells",
+                                counted(mesh.triangles.size(), "triangle"), counted(parts.count, "part"),
+                                counted(mesh.materials.size(), "material"), counted(mesh.textures.size(), "texture"),
+                                counted(voxels, "voxel"), settings.voxelSize, cells.size().x, cells.size().y,
+                                cells.size().z));
+    notes.push_back(fmt::format("{} -> {} of the palette, at most {}/255 apart", counted(colors.found, "colour"),
+                                counted(colors.entries, "entry", "entries"), colors.error));
     if (parts.open > 0)
         notes.push_back(
-            fmt::format("{} of {} parts leak ({} open edges): they have no inside, so only their surface "
-                        "became voxels",
-                        parts.open, parts.count, parts.openEdges));
+            fmt::format("{} of {} parts leak ({}): they have no inside, so only their surface became voxels",
+                        parts.open, parts.count, counted(parts.openEdges, "open edge")));
     else if (settings.shell == 0)
         notes.push_back(volumeNote(volumeOf(mesh, parts.isOpen) * std::pow(cells.scale(), 3.0),
                                    double(voxels) * std::pow(settings.voxelSize, 3.0)));

@@ -129,7 +129,7 @@ TEST(VoxExport, MergesPalettesAndTellsWhatIsLost) {
     const Level again = writeAndRead(level, lost);
     ASSERT_EQ(lost.size(), 2u);
     EXPECT_EQ(lost[0], "3 shapes: the nearest whole cells and right angles stand for their places");
-    EXPECT_EQ(lost[1], "1 bodies of water");
+    EXPECT_EQ(lost[1], "1 body of water");
     const std::vector<const LevelShape*> shapes = shapesOf(again);
     ASSERT_EQ(shapes.size(), 3u);
     const auto colorOf = [&](size_t i) { return int((*shapes[i]->palette)[shapes[i]->grid.at(glm::ivec3(0))].red); };
