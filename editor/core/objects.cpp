@@ -123,6 +123,7 @@ std::vector<uint64_t> Editor::objects(const Arguments& arguments, std::string_vi
     std::vector<uint64_t> all;
     for (size_t begin = 0; begin <= text.size();) {
         const std::string part = partAt(text, begin, kinds);
+        if (part.empty()) arguments.refuse(parameter, fmt::format("names, found an empty one in '{}'", text));
         std::vector<uint64_t> found = objectsOf(part, kinds);
         if (found.empty())
             arguments.refuse(parameter,

@@ -358,6 +358,18 @@ TEST(Commands, NameAnObjectTwiceAndMeanItOnce) {
     EXPECT_EQ(editor.document().hash(), before) << "what is refused changes nothing";
 }
 
+TEST(Commands, TakeNoEmptyNameForAllThatHaveNone) {
+    Editor editor;
+    runAll(editor, {"create 4,4,4 name=a", "create 4,4,4 8,0,0", "create 4,4,4 16,0,0"});
+    const uint64_t before = editor.document().hash();
+    for (const char* command : {"delete a,", "move 0,1,0 a,,a", "name zz \"\""}) {
+        const Outcome outcome = editor.run(command);
+        EXPECT_FALSE(outcome.isDone) << command;
+        EXPECT_NE(outcome.text.find("expected names, found an empty one in"), std::string::npos) << outcome.text;
+    }
+    EXPECT_EQ(editor.document().hash(), before);
+}
+
 TEST(Commands, LeaveWhatIsLockedAlone) {
     Editor editor;
     runAll(editor, {"create 4,4,4 name=a", "create 4,4,4 2,0,0 name=b", "layer props a,b", "lock a"});

@@ -396,5 +396,15 @@ TEST(Models, AreWatchedByTheWindow) {
     EXPECT_FALSE(watch.isWatching());
 }
 
+TEST(Session, AnErrorBringsTheMessagesToTheFront) {
+    Editor editor;
+    Session session(editor);
+    ASSERT_TRUE(session.run("create", {{"size", "4,4,4"}}));
+    EXPECT_EQ(session.tabs.bottom, "History");
+    EXPECT_FALSE(session.run("save", {{"file", "/nowhere/at/all.rubble"}}));
+    EXPECT_EQ(session.tabs.bottom, "Messages");
+    EXPECT_TRUE(session.tabs.isAsked);
+}
+
 }  // namespace
 }  // namespace editor

@@ -201,9 +201,10 @@ std::string runWindow(StageSettings settings, const std::string& level) {
         WindowLoop loop(window, settings);
         if (const std::string wrong = loadKeys(userKeys()); !wrong.empty())
             loop.session().say(Message::Kind::Error, wrong);
-        const bool isOpen = level.empty() || loop.session().run("open", {{"file", level}});
-        if (!isOpen) loop.session().tabs.bottom = "Messages";
-        if (!level.empty()) loop.session().frameSelection();
+        if (!level.empty()) {
+            loop.session().run("open", {{"file", level}});
+            loop.session().frameSelection();
+        }
         showTourOnce(loop.session());
         loop.run();
     } catch (const std::exception& failure) {

@@ -59,6 +59,9 @@ void Session::say(Message::Kind kind, const std::string& text) {
         begin = end + 1;
     }
     while (m_messages.size() > kMaxMessages) m_messages.pop_front();
+    if (kind != Message::Kind::Error) return;
+    tabs.bottom = "Messages";
+    tabs.isAsked = true;
 }
 
 void Session::keep(const Line& line, const Outcome& outcome) {
@@ -170,8 +173,6 @@ bool Session::mayClose() {
     if (!document.isChanged() && !(document.isPlaying() && !document.done().empty())) return true;
     m_warnedVersion = m_version;
     say(Message::Kind::Error, "The level has changes that are not saved. Close again to lose them, or Ctrl+S.");
-    tabs.bottom = "Messages";
-    tabs.isAsked = true;
     return false;
 }
 

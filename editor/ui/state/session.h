@@ -92,7 +92,7 @@ public:
     rubble::World& world() { return m_editor.world(); }
     /// What commands said, the last one last.
     const std::deque<Message>& messages() const { return m_messages; }
-    /// Adds one.
+    /// Adds one. An error brings the page of messages to the front.
     void say(Message::Kind kind, const std::string& text);
 
     Camera camera;
