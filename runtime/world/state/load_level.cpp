@@ -119,6 +119,7 @@ std::vector<AnyObject> loadJoints(WorldData& world, const Level& level, const Sh
                 error = "there is no shape '" + source.shapeNames[i] + "'";
         }
         if (error.empty()) error = attachJoint(world, joint);
+        joint.steerTarget = source.joint.steerTarget;
         loaded.push_back(error.empty() ? world.joints.insert(std::move(joint)) : JointHandle());
         if (!error.empty()) logWarning("joint '" + source.joint.name + "': " + error + "; it is left out");
     }

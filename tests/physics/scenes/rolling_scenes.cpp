@@ -70,7 +70,8 @@ void addCar(PhysicsScene& scene, const Car& car) {
             axle.joint.limits = {true, -0.12, 0.12};
             axle.joint.spring = {8.0, 0.6};
             if (x > 0.0 && car.steer != 0.0)  // each wheel across its own circle
-                axle.joint.steer = std::atan(kWheelBase / (kWheelBase / std::tan(car.steer) + z + 0.125));
+                axle.joint.steer = axle.joint.steerTarget =
+                    std::atan(kWheelBase / (kWheelBase / std::tan(car.steer) + z + 0.125));
             axle.joint.friction = car.drag + car.brake;
             axle.joint.wheel = {.steerAngle = x > 0.0 ? 1.0 : 0.0, .steerRate = 100.0};
             if (car.drive > 0.0) axle.joint.motor = {MotorMode::Speed, 1000.0, car.drive};
