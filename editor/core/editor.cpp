@@ -8,7 +8,7 @@
 #include <sstream>
 #include <utility>
 
-#include "runtime/script/script_name.h"
+#include "runtime/script/sandbox/script_name.h"
 
 namespace editor {
 Editor::Editor(EditorSettings settings)

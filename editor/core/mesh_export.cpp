@@ -18,7 +18,7 @@
 #include "editor/core/editor.h"
 #include "editor/core/palette.h"
 #include "editor/core/rotation.h"
-#include "runtime/script/script_name.h"
+#include "runtime/script/sandbox/script_name.h"
 
 namespace editor {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "editor/core/arguments.h"
 #include "editor/core/child_process.h"
-#include "runtime/script/script_name.h"
+#include "runtime/script/sandbox/script_name.h"
 
 namespace editor {
 namespace {

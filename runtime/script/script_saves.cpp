@@ -7,8 +7,8 @@
 
 #include "runtime/script/binding/data_text.h"
 #include "runtime/script/binding/files.h"
+#include "runtime/script/sandbox/script_name.h"
 #include "runtime/script/script_host.h"
-#include "runtime/script/script_name.h"
 
 namespace rubble::script {
 namespace {

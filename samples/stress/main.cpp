@@ -12,7 +12,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "runtime/script/script_name.h"
+#include "runtime/script/sandbox/script_name.h"
 #include "samples/stress/minimise.h"
 #include "samples/stress/report.h"
 #include "samples/stress/results.h"

@@ -8,7 +8,7 @@
 #include "editor/core/mesh_export.h"
 #include "editor/core/vdb_tool.h"
 #include "runtime/core/counted.h"
-#include "runtime/script/script_name.h"
+#include "runtime/script/sandbox/script_name.h"
 
 namespace editor {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "editor/core/editor.h"
-#include "runtime/script/script_name.h"
+#include "runtime/script/sandbox/script_name.h"
 
 namespace editor {
 namespace {

@@ -9,7 +9,7 @@
 #include "runtime/script/binding/directives.h"
 #include "runtime/script/functions/vocabulary.h"
 #include "runtime/script/sandbox/libraries.h"
-#include "runtime/script/script_name.h"
+#include "runtime/script/sandbox/script_name.h"
 
 namespace rubble::script {
 namespace {

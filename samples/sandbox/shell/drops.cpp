@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "runtime/script/binding/script_context.h"
-#include "runtime/script/script_name.h"
+#include "runtime/script/sandbox/script_name.h"
 
 namespace sandbox {
 namespace {

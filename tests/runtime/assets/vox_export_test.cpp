@@ -52,7 +52,8 @@ TEST(VoxExport, AllModelsComeBackWithEqualVoxelsPaletteAndMaterials) {
         std::vector<std::string> lost;
         const Level again = writeAndRead(*level, lost);
         for (const std::string& line : lost)  // the import makes tags of layers and frames
-            EXPECT_TRUE(line.ends_with("objects: their tags")) << path << ": " << line;
+            EXPECT_TRUE(line.ends_with("objects: their tags") || line.ends_with("1 object: their tags"))
+                << path << ": " << line;
         const std::vector<const LevelShape*> before = shapesOf(*level), after = shapesOf(again);
         ASSERT_EQ(after.size(), before.size()) << path;
         ASSERT_EQ(again.bodies.size(), level->bodies.size()) << path;
