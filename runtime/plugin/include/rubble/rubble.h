@@ -521,7 +521,7 @@ typedef struct rubble_palette_entry {
     uint32_t reserved;
     /* radiance in multiples of the linear colour, 0 to 1e6; 0: does not glow. Voxels that glow without a light group
      * light what is around them (the 512 brightest flat sides of a world), unless there is a light within 0.5 m of
-     * them, on or off. Those of a group are lit for by its lights: see create_light() */
+     * them, on or off. For those of a group its own lights do that: see create_light() */
     double emission;
     rubble_light_group light_group; /* that it glows with; 0: none. While the group is out it does not glow */
 } rubble_palette_entry;
