@@ -247,18 +247,18 @@ private:
     }
 
     void reportLost() {
-        const auto tell = [&](const std::string& lost, const char* why = "") {
-            if (lost[0] != '0') m_lost.push_back(lost + why);
+        const auto tell = [&](size_t count, const char* noun, const char* why = "", const char* plural = "") {
+            if (count) m_lost.push_back(counted(count, noun, plural) + why);
         };
-        tell(counted(m_inexact, "shape"), ": the nearest whole cells and right angles stand for their places");
-        tell(counted(m_painted, "shape"), ": their paint");
-        tell(counted(lostLights(), "light"));
-        tell(counted(m_tagged, "object"), ": their tags");
-        tell(counted(m_changed, "shape"), ": their strength, density, glow or what they collide with");
-        tell(counted(m_level.joints.size(), "joint"));
-        tell(counted(m_level.waters.size(), "body of water", "bodies of water"));
-        tell(counted(m_level.triggers.size(), "trigger"));
-        tell(counted(m_level.scripts.size(), "script"));
+        tell(m_inexact, "shape", ": the nearest whole cells and right angles stand for their places");
+        tell(m_painted, "shape", ": their paint");
+        tell(lostLights(), "light");
+        tell(m_tagged, "object", ": their tags");
+        tell(m_changed, "shape", ": their strength, density, glow or what they collide with");
+        tell(m_level.joints.size(), "joint");
+        tell(m_level.waters.size(), "body of water", "", "bodies of water");
+        tell(m_level.triggers.size(), "trigger");
+        tell(m_level.scripts.size(), "script");
     }
 
     const Level& m_level;
